@@ -20,7 +20,7 @@ from ._arrays import reals
 from ._numbers import instance, instances, integer, real, seed_of, truth
 from ._words import shown
 from ._meshes import Mesh
-from ._surroundings import CompiledPotential, Field, Potential, Wall, compile_potential, fault_of_field, fault_of_wall
+from ._surroundings import CompiledPotential, Field, Potential, Wall, compile_potential, describe_cut, fault_of_field, fault_of_wall
 from ._system import System
 from ._typing import Floats
 
@@ -216,7 +216,9 @@ class HardEllipsoids:
         if status:
             faults = [f"wall {k}: {fault}" for k, fault in enumerate(map(fault_of_wall, given)) if fault]
             cause = (faults or [last_cause("wall", walls=given)])[0]
-            self._fail(status, "set_walls", f"wall {cutting} cuts particle {particle}: {given[cutting]}" if particle >= 0 else cause)
+            if particle >= 0:
+                cause = f"wall {cutting}, {given[cutting]}: {describe_cut(given[cutting], self.centers[particle], particle)}"
+            self._fail(status, "set_walls", cause)
 
     def _replace_walls(self, walls: list[Wall]) -> tuple[int, int, int]:
         """As `set_walls`: the status, and the particle that a wall cuts, and this wall; -1 if there is none."""

@@ -536,8 +536,8 @@ def mean_square_displacement(systems: Iterable[System], lags: Iterable[int]) -> 
     Returns
     -------
     Displacements
-        NaN, with a warning, for lags longer than the run. Rotations are NaN if all particles are spheres or discs. Errors are by `Blocking` over the starts,
-        and NaN for fewer than 32 of them.
+        NaN, with a warning, for lags longer than the run. Rotations are NaN if all particles are spheres or discs. Errors are by
+        `Blocking` over the starts, and NaN for fewer than 32 of them.
 
     Raises
     ------

@@ -225,7 +225,8 @@ def test_full_disk(run, folder, what):
     kind = "gsd" if what == "run.gsd" else "dump"
     arguments = [*NPT, "--every", samples, "--trajectory-every", frames, "--sweeps", "100"]
     assert run("mc", *arguments, "--out", "whole.h5", "--trajectory", f"whole.{kind}").status == 0
-    assert run("mc", *NPT, "--sweeps", "1", "--every", "1", "--trajectory-every", "1", "--out", "begun.h5", "--trajectory", f"begun.{kind}").status == 0
+    begun = [*NPT, "--sweeps", "1", "--every", "1", "--trajectory-every", "1"]
+    assert run("mc", *begun, "--out", "begun.h5", "--trajectory", f"begun.{kind}").status == 0
     done = limited([*arguments, "--out", "run.h5", "--trajectory", f"run.{kind}", "--checkpoint", "0"], os.path.getsize("begun.h5") + 8000)
     assert (done.returncode, done.stdout) == (2, ""), done
     assert done.stderr == f"pw85: {what}: File too large: make room, and continue from the last checkpoint (--resume run.h5)\n"
@@ -499,10 +500,10 @@ def test_doubts(run, folder, monkeypatch):
     assert "density by" not in done.out and "warning: no pair was within the width: choose a larger one (--width)" in done.out
     pypw85.write("dense.xyz", pypw85.pack(np.full((32, 3), 0.5), 0.45, seed=1))
     with monkeypatch.context() as changed:
-        changed.setattr(pypw85.Observables, "drifts", lambda _: {"compressibility_contacts": -3.14, "nematic_order": 3})
+        changed.setattr(pypw85.Observables, "drifts", lambda _: {"compressibility_contacts": -3.14, "contacts_bias": 3})
         changed.setattr(pypw85.Observables, "unresolved", lambda _: [])
         done = run("mc", "dense.xyz", "--sweeps", 400, "--every", 2, "--chains", 0, "--equilibrate", 40, "--out", "wide.h5", "--width", 1)
-    drifts = "contacts by -3.1 times its error, nematic_order by 3.0 times its error: begin again, equilibrate longer (--equilibrate); "
+    drifts = "contacts by -3.1 times its error, contacts_bias by 3.0 times its error: begin again, equilibrate longer (--equilibrate); "
     assert drifts + "the errors in the table allow for this" in done.out
     assert re.search(r"warning: the width biases compressibility_contacts by some \S+: choose a smaller one \(--width\)", done.out), done
     done = run("mc", "start.xyz", "--sweeps", 3, "--out", "new.h5", "--width", 5)

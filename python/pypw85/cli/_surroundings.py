@@ -14,7 +14,7 @@ import numpy as np
 from .._errors import PW85Error
 from .._forces import Law
 from .._simulations import HardEllipsoids
-from .._surroundings import Field, Wall
+from .._surroundings import Field, Wall, describe_cut
 from ..formats import FileError
 from ._input import Numbers
 
@@ -142,8 +142,8 @@ def surround(path: str, ids: Any, simulation: HardEllipsoids, walls: Iterable[Su
                 set_all([one.made])
             except PW85Error as error:
                 particle = simulation._replace_walls([one.made])[1] if isinstance(one.made, Wall) else -1
-                reason = f"it cuts particle {ids[particle]}: move one of them"
-                if particle < 0:
-                    reason = re.sub(r"^(wall|field) 0: ", "", error.detail)
+                reason = re.sub(r"^(wall|field) 0: ", "", error.detail)
+                if particle >= 0 and isinstance(one.made, Wall):
+                    reason = describe_cut(one.made, simulation.centers[particle], ids[particle])
                 raise FileError(path, f"{option} {one.text}: {reason}") from None
         set_all([one.made for one in given])

@@ -32,7 +32,8 @@ _START = partial(input_options, argument=click.argument("file", required=False, 
 _OF_RESUMED = {"resumed", "sweeps", "threads", "checkpoint"}
 # Options that have no effect without others
 _NEEDED = {
-    "volume": ["pressure"], "volume_trials": ["pressure"], "trajectory_every": ["trajectory"], "precision": ["trajectory"], "bins": ["reach"],
+    "volume": ["pressure"], "volume_trials": ["pressure"], "trajectory_every": ["trajectory"], "precision": ["trajectory"],
+    "bins": ["reach"],
 }  # fmt: skip
 # Each thread needs a stack. OpenMP ends the process if it cannot start one.
 MOST_THREADS = 1024
@@ -45,7 +46,7 @@ MOST_THREADS = 1024
 @click.option("--out", metavar="FILE",
               help="Averages, samples and checkpoint, .h5; or .csv: the samples as a table, the rest in FILE.h5.")
 @click.option("--pressure", type=Finite(), metavar="P",
-              help="βP in the inverse cube of the unit of length, in two dimensions its inverse square. Without it, the volume is constant.")
+              help="βP in the inverse cube of the unit of length, in two dimensions its inverse square; the volume is constant if absent.")
 @click.option("--volume", type=click.Choice(["isotropic", "axis", "triclinic"]), default="isotropic", show_default=True,
               help="What changes of the volume scale: all axes alike, one of them, or shear, too. The latter two are for crystals: "
                    "a fluid lets its cell become a needle.")
