@@ -61,10 +61,10 @@ def checked(one, places):
     if one.type != "double" or one.is_output():
         if one.nullable or not one.pointer:
             return []
-        return [f'Argument::array("{one.name}", {place}, {rows})' if rows else f'{{"{one.name}", {place}}}']
+        return [f'Argument::array("{one.name}", {place}, {rows})' if rows else f'Argument("{one.name}", {place})']
     if rows:
         return [f'Argument::rows("{one.name}", {place}, {rows}, {prod(one.shape[1:])}{end})']
-    return [f'{{"{one.name}", {place}{f", {prod(one.shape)}" if one.pointer else ""}{end}}}']
+    return [f'Argument("{one.name}", {place}{f", {prod(one.shape)}" if one.pointer else ""}{end})']
 
 
 def arguments(function):
@@ -81,19 +81,17 @@ def arguments(function):
 
 def shim(function):
     listed = parameters(function)
-    table = ",\n        ".join(arguments(function))
     passed = [f"*{one.name}" if is_reference(one) else one.name for one in listed]
     structs = [one.name for one in listed if one.is_struct() and is_reference(one)]
+    work = batch.wrapped(f"    auto const work = [&] {{ return {function.name.removeprefix('pw85_')}(", passed, "); };")
     lines = [
         "",
         batch.wrapped(f"int {function.name}(", [*function.parameters], ")"),
         "{",
         *(line for one in listed for line in marked(one)),
         *(f"    auto const {name}_given = value_or_empty({name});" for name in structs),
-        f"    Argument const arguments[] = {{\n        {table}}};",
-        f'    return checked_call("{function.name}", arguments, [&] {{',
-        batch.wrapped(f"        return {function.name.removeprefix('pw85_')}(", passed, ");"),
-        "    });",
+        work,
+        batch.wrapped("    return checked_call(", [f'"{function.name}"', "work", *arguments(function)], ");"),
         "}",
     ]
     return "\n".join(lines) + "\n"

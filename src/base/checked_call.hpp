@@ -15,29 +15,51 @@ namespace {
 
 /// Fills an output with what it is on error, unless it is null.
 template <class Output, class Value>
-void mark(Output *output, std::size_t count, Value value) noexcept
+[[gnu::always_inline]] inline void mark(Output *output, std::size_t count, Value value) noexcept
 {
     for (std::size_t k = 0; output != nullptr && k < count; ++k)
         output[k] = static_cast<Output>(value);
 }
 
 /// A struct of arguments, or an empty one for null.
-template <class Struct> Struct value_or_empty(Struct const *given) noexcept
+template <class Struct>
+[[gnu::always_inline]] inline Struct value_or_empty(Struct const *given) noexcept
 {
     return given == nullptr ? Struct{} : *given;
 }
 
+/// Returns whether an argument is not null, and within its limits if it is of one row. Inlined with
+/// constant limits, this takes some instructions.
+[[gnu::always_inline]] inline bool is_good(Argument const &one) noexcept
+{
+    if (one.is_null()) return (one.limits & limit::optional) != 0;
+    if (one.columns > 0) return true;
+    bool good = !(one.limits & limit::not_zero);
+    for (std::size_t i = 0; i < one.count; ++i) good = good || !is_zero(one.numbers()[i]);
+    for (std::size_t i = 0; i < one.count; ++i)
+        good = good && is_finite(one.numbers()[i]) && is_within(one.numbers()[i], one.limits);
+    return good;
+}
+
+/// Records the cause that was noted, or else the first argument that explains the status.
+template <class... Arguments> [[gnu::cold, gnu::noinline]] int
+refuse_noted_call(int status, char const *function, Arguments... arguments) noexcept
+{
+    Argument const listed[] = {arguments...};
+    return refuse_noted(status, function, listed, sizeof...(arguments));
+}
+
 /// Calls work(), which returns a status, if the arguments are within their limits. The cause of a
 /// refusal is recorded.
-template <std::size_t count, class Work> int
-checked_call(char const *function, Argument const (&arguments)[count], Work const &work) noexcept
+template <class Work, class... Arguments> [[gnu::always_inline]] inline int
+checked_call(char const *function, Work const &work, Arguments... arguments) noexcept
 {
-    int const status = in_default_environment([&] {
-        int const bad = begin_call(arguments, count);
-        return bad == PW85_SUCCESS ? int{work()} : bad;
-    });
-    return checked(status,
-                   [&](int found) { return refuse_noted(found, function, arguments, count); });
+    int status = PW85_EINVAL;
+    if ((is_good(arguments) && ...)) [[likely]]
+        status = in_default_environment(work);
+    if (status != PW85_SUCCESS) [[unlikely]]
+        return refuse_noted_call(status, function, arguments...);
+    return status;
 }
 
 } // namespace

@@ -65,10 +65,10 @@ Complaint of_form(Argument const &one) noexcept
     return {};
 }
 
-bool is_zero(double const *numbers, std::size_t count) noexcept
+bool is_all_zero(double const *numbers, std::size_t count) noexcept
 {
     for (std::size_t i = 0; i < count; ++i)
-        if (numbers[i] != 0.0) return false;
+        if (!is_zero(numbers[i])) return false;
     return true;
 }
 
@@ -76,7 +76,7 @@ bool is_zero(double const *numbers, std::size_t count) noexcept
 Complaint of_zero_rows(Argument const &one, std::size_t columns) noexcept
 {
     for (std::size_t i = 0; i + columns <= one.count; i += columns)
-        if (is_zero(one.numbers() + i, columns)) return {"must not be zero", i};
+        if (is_all_zero(one.numbers() + i, columns)) return {"must not be zero", i};
     return {};
 }
 
@@ -94,19 +94,22 @@ bool is_rotation(double const *r) noexcept
 /// Requirements on single numbers.
 Complaint of_range(Argument const &one) noexcept
 {
-    Complaint found;
-    if (one.limits & limit::positive)
-        found = of_entries(one, "must be > 0", [](double x) { return !(x > 0); });
-    else if (one.limits & limit::from_zero)
-        found = of_entries(one, "must be >= 0", [](double x) { return !(x >= 0); });
-    else if (one.limits & limit::unit_interval)
-        found = of_entries(one, "must be in [0, 1]", [](double x) { return !(x >= 0 && x <= 1); });
-    if (found.text == nullptr && (one.limits & limit::at_most_one))
-        found = of_entries(one, "must be at most 1", [](double x) { return !(x <= 1); });
-    if (found.text == nullptr && (one.limits & limit::finite_square))
-        found = of_entries(one, "must have a finite square that is not 0",
-                           [](double x) { return x * x == 0.0 || !std::isfinite(x * x); });
-    return found;
+    constexpr struct {
+        unsigned limit;
+        char const *text;
+    } ranges[] = {{limit::positive, "must be > 0"},
+                  {limit::from_zero, "must be >= 0"},
+                  {limit::unit_interval, "must be in [0, 1]"},
+                  {limit::at_most_one, "must be at most 1"}};
+    for (auto const &[limit, text] : ranges) {
+        if (!(one.limits & limit)) continue;
+        Complaint const found = of_entries(
+            one, text, [limit = limit](double x) { return std::isnan(x) || !is_within(x, limit); });
+        if (found.text != nullptr) return found;
+    }
+    if (!(one.limits & limit::finite_square)) return {};
+    return of_entries(one, "must have a finite square that is not 0",
+                      [](double x) { return x * x == 0.0 || !std::isfinite(x * x); });
 }
 
 /// Requirements on an array, or on two arguments.
@@ -162,10 +165,9 @@ Complaint of_number(Argument const &one, Argument const *begin, Argument const *
     return finite.text == nullptr || is_first ? value : finite;
 }
 
-/// Null pointers come first, then NaN, because other causes follow from these. Arrays of many rows
-/// are read if `reads_rows`.
-bool find_invalid(Argument const *begin, Argument const *end, bool reads_rows,
-                  pw85_error &cause) noexcept
+/// Null pointers come first, then NaN, because other causes follow from these; of many rows the
+/// first bad one.
+bool find_invalid(Argument const *begin, Argument const *end, pw85_error &cause) noexcept
 {
     auto const of_null = [](Argument const &one) {
         bool const is_bad = one.is_null() && !(one.limits & limit::optional);
@@ -174,9 +176,7 @@ bool find_invalid(Argument const *begin, Argument const *end, bool reads_rows,
     auto const finite = [](Argument const &one) {
         return one.columns == 0 ? of_finite(one) : Complaint{};
     };
-    auto const value = [&](Argument const &one) {
-        return one.columns == 0 || reads_rows ? of_number(one, begin, end) : Complaint{};
-    };
+    auto const value = [&](Argument const &one) { return of_number(one, begin, end); };
     return find_cause(begin, end, of_null, cause) || find_cause(begin, end, finite, cause) ||
            find_cause(begin, end, value, cause);
 }
@@ -197,18 +197,11 @@ int refuse(int status, char const *function, Argument const *arguments, std::siz
     return in_default_environment([&] {
         Argument const *const end = arguments + count;
         pw85_error cause{0, nullptr, nullptr, pw85_strerror(status), 0, 0, 0.0};
-        if (status == PW85_EINVAL) find_invalid(arguments, end, true, cause);
+        if (status == PW85_EINVAL) find_invalid(arguments, end, cause);
         if (status == PW85_ENOTPD) find_cause(arguments, end, of_form, cause);
         cause.function = function;
         return refuse(status, cause);
     });
-}
-
-int begin_call(Argument const *arguments, std::size_t count) noexcept
-{
-    noted.requirement = nullptr;
-    pw85_error cause;
-    return find_invalid(arguments, arguments + count, false, cause) ? PW85_EINVAL : PW85_SUCCESS;
 }
 
 int note_cause(int status, char const *argument, char const *requirement, std::size_t row,
@@ -224,7 +217,9 @@ int refuse_noted(int status, char const *function, Argument const *arguments,
     if (noted.requirement == nullptr || noted.status != status)
         return refuse(status, function, arguments, count);
     noted.function = function;
-    return refuse(status, noted);
+    pw85_error const cause = noted;
+    noted.requirement = nullptr;
+    return refuse(status, cause);
 }
 
 int refuse_row(int status, std::size_t row) noexcept

@@ -5,7 +5,9 @@
 #ifndef PW85_BASE_LAST_ERROR_HPP_INCLUDED
 #define PW85_BASE_LAST_ERROR_HPP_INCLUDED
 
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 #include <pw85.h>
@@ -39,6 +41,33 @@ enum Limit : unsigned {
 };
 } // namespace limit
 
+// Tests of the bits of numbers, which do not depend on the caller's floating-point environment.
+
+constexpr std::int64_t bits_of_infinity = 0x7ff0000000000000;
+
+[[gnu::always_inline]] inline std::int64_t bits_of(double x) noexcept
+{
+    return std::bit_cast<std::int64_t>(x);
+}
+
+[[gnu::always_inline]] inline bool is_zero(double x) noexcept { return bits_of(x) << 1 == 0; }
+
+[[gnu::always_inline]] inline bool is_finite(double x) noexcept
+{
+    return (bits_of(x) & bits_of_infinity) != bits_of_infinity;
+}
+
+/// Returns whether a number that is not NaN is within the ranges that these limits name. (A negative
+/// number has negative bits.)
+[[gnu::always_inline]] inline bool is_within(double x, unsigned limits) noexcept
+{
+    bool const is_from_zero = bits_of(x) >= 0 || is_zero(x), is_to_one = bits_of(x) <= bits_of(1.0);
+    return (!(limits & limit::positive) || (bits_of(x) > 0 && !is_zero(x))) &&
+           (!(limits & limit::from_zero) || is_from_zero) &&
+           (!(limits & limit::unit_interval) || (is_from_zero && is_to_one)) &&
+           (!(limits & limit::at_most_one) || is_to_one);
+}
+
 /// An argument of a call. An output that must not be null has no numbers, nor has an array of
 /// another type than double.
 struct Argument {
@@ -50,19 +79,19 @@ struct Argument {
     bool is_number = false;
     std::size_t columns = 0; ///< the numbers of a row; 0 for an array of one row
 
-    Argument(char const *own, void const *array, std::size_t size = 0,
-             unsigned allowed = 0) noexcept
+    [[gnu::always_inline]] Argument(char const *own, void const *array, std::size_t size = 0,
+                                    unsigned allowed = 0) noexcept
         : name(own), pointer(array), count(array == nullptr ? 0 : size), limits(allowed)
     {
     }
-    Argument(char const *own, double value, unsigned allowed = 0) noexcept
+    [[gnu::always_inline]] Argument(char const *own, double value, unsigned allowed = 0) noexcept
         : name(own), pointer(nullptr), count(1), limits(allowed), number(value), is_number(true)
     {
     }
 
     /// An input of many rows, which may be null if there are none.
-    static Argument rows(char const *own, double const *array, std::size_t n, std::size_t columns,
-                         unsigned allowed = 0) noexcept
+    [[gnu::always_inline]] static Argument rows(char const *own, double const *array, std::size_t n,
+                                                std::size_t columns, unsigned allowed = 0) noexcept
     {
         Argument made(own, array, n * columns, allowed | (n == 0 ? limit::optional : 0u));
         made.columns = columns;
@@ -70,7 +99,8 @@ struct Argument {
     }
 
     /// An output, or an array of another type than double, which may be null without rows.
-    static Argument array(char const *own, void const *array, std::size_t n) noexcept
+    [[gnu::always_inline]] static Argument array(char const *own, void const *array,
+                                                 std::size_t n) noexcept
     {
         return Argument(own, array, 0, n == 0 ? limit::optional : 0u);
     }
@@ -86,18 +116,14 @@ struct Argument {
 [[gnu::cold]] int refuse(int status, char const *function, Argument const *arguments,
                          std::size_t count) noexcept;
 
-/// Forgets noted causes, and returns PW85_EINVAL if an argument is null that must not be, or if a
-/// number or an array of one row is not within its limits.
-int begin_call(Argument const *arguments, std::size_t count) noexcept;
-
 /// Notes why the function of C that works in this thread is to be refused, and returns the status:
 /// see refuse_noted(). Functions that do not know by which function they were called use it.
 [[gnu::cold]] int note_cause(int status, char const *argument, char const *requirement,
                              std::size_t row = 0, std::size_t entry = 0,
                              double value = std::numeric_limits<double>::quiet_NaN()) noexcept;
 
-/// Records the cause that was noted since begin_call(), or else the first argument that explains
-/// the status, and returns the status.
+/// Records the cause that was noted with this status and forgets it, or else records the first
+/// argument that explains the status. Returns the status.
 [[gnu::cold]] int refuse_noted(int status, char const *function, Argument const *arguments,
                                std::size_t count) noexcept;
 

@@ -13,14 +13,12 @@ int pw85_hard_ellipsoids_try(pw85_hard_ellipsoids *simulation, size_t particle,
                              int *is_free)
 {
     mark(is_free, 1, -1);
-    Argument const arguments[] = {
-        {"simulation", simulation},
-        {"center", center, 3, limit::optional},
-        {"quaternion", quaternion, 4, limit::not_zero | limit::optional},
-        {"is_free", is_free}};
-    return checked_call("pw85_hard_ellipsoids_try", arguments, [&] {
-        return hard_ellipsoids_try(*simulation, particle, center, quaternion, take, is_free);
-    });
+    auto const work = [&] { return hard_ellipsoids_try(*simulation, particle, center, quaternion,
+                                                       take, is_free); };
+    return checked_call("pw85_hard_ellipsoids_try", work, Argument("simulation", simulation),
+                        Argument("center", center, 3, limit::optional),
+                        Argument("quaternion", quaternion, 4, limit::not_zero | limit::optional),
+                        Argument("is_free", is_free));
 }
 
 int pw85_hard_ellipsoids_insert(pw85_hard_ellipsoids *simulation, double const center[3],
@@ -28,37 +26,31 @@ int pw85_hard_ellipsoids_insert(pw85_hard_ellipsoids *simulation, double const c
                                 int *is_free)
 {
     mark(is_free, 1, -1);
-    Argument const arguments[] = {
-        {"simulation", simulation},
-        {"center", center, 3},
-        {"quaternion", quaternion, 4, limit::not_zero},
-        {"semi_axes", semi_axes, 3, limit::positive},
-        {"is_free", is_free}};
-    return checked_call("pw85_hard_ellipsoids_insert", arguments, [&] {
-        return hard_ellipsoids_insert(*simulation, center, quaternion, semi_axes, take, is_free);
-    });
+    auto const work = [&] { return hard_ellipsoids_insert(*simulation, center, quaternion,
+                                                          semi_axes, take, is_free); };
+    return checked_call("pw85_hard_ellipsoids_insert", work, Argument("simulation", simulation),
+                        Argument("center", center, 3),
+                        Argument("quaternion", quaternion, 4, limit::not_zero),
+                        Argument("semi_axes", semi_axes, 3, limit::positive),
+                        Argument("is_free", is_free));
 }
 
 int pw85_hard_ellipsoids_remove(pw85_hard_ellipsoids *simulation, size_t particle)
 {
-    Argument const arguments[] = {
-        {"simulation", simulation}};
-    return checked_call("pw85_hard_ellipsoids_remove", arguments, [&] {
-        return hard_ellipsoids_remove(*simulation, particle);
-    });
+    auto const work = [&] { return hard_ellipsoids_remove(*simulation, particle); };
+    return checked_call("pw85_hard_ellipsoids_remove", work, Argument("simulation", simulation));
 }
 
 int pw85_hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids *simulation, size_t num_trials,
                                           double const semi_axes[3], double *weight)
 {
     mark(weight, 1, quiet_nan<double>());
-    Argument const arguments[] = {
-        {"simulation", simulation},
-        {"semi_axes", semi_axes, 3, limit::positive},
-        {"weight", weight}};
-    return checked_call("pw85_hard_ellipsoids_insertion_weight", arguments, [&] {
-        return hard_ellipsoids_insertion_weight(*simulation, num_trials, semi_axes, weight);
-    });
+    auto const work = [&] { return hard_ellipsoids_insertion_weight(*simulation, num_trials,
+                                                                    semi_axes, weight); };
+    return checked_call("pw85_hard_ellipsoids_insertion_weight", work,
+                        Argument("simulation", simulation),
+                        Argument("semi_axes", semi_axes, 3, limit::positive),
+                        Argument("weight", weight));
 }
 
 int pw85_hard_ellipsoids_insertion_moves(pw85_hard_ellipsoids *simulation, size_t num_moves,
@@ -66,12 +58,11 @@ int pw85_hard_ellipsoids_insertion_moves(pw85_hard_ellipsoids *simulation, size_
                                          double const *activities, int64_t counts[4])
 {
     mark(counts, 4, -1);
-    Argument const arguments[] = {
-        {"simulation", simulation},
-        Argument::rows("semi_axes", semi_axes, num_kinds, 3, limit::positive),
-        Argument::rows("activities", activities, num_kinds, 1, limit::positive)};
-    return checked_call("pw85_hard_ellipsoids_insertion_moves", arguments, [&] {
-        return hard_ellipsoids_insertion_moves(*simulation, num_moves, num_kinds, semi_axes,
-                                               activities, counts);
-    });
+    auto const work = [&] { return hard_ellipsoids_insertion_moves(*simulation, num_moves,
+                                                                   num_kinds, semi_axes, activities,
+                                                                   counts); };
+    return checked_call("pw85_hard_ellipsoids_insertion_moves", work,
+                        Argument("simulation", simulation),
+                        Argument::rows("semi_axes", semi_axes, num_kinds, 3, limit::positive),
+                        Argument::rows("activities", activities, num_kinds, 1, limit::positive));
 }

@@ -11,23 +11,17 @@ using namespace pw85::detail;
 int pw85_hard_ellipsoids_energy(pw85_hard_ellipsoids const *simulation, double *energy)
 {
     mark(energy, 1, quiet_nan<double>());
-    Argument const arguments[] = {
-        {"simulation", simulation},
-        {"energy", energy}};
-    return checked_call("pw85_hard_ellipsoids_energy", arguments, [&] {
-        return hard_ellipsoids_energy(*simulation, energy);
-    });
+    auto const work = [&] { return hard_ellipsoids_energy(*simulation, energy); };
+    return checked_call("pw85_hard_ellipsoids_energy", work, Argument("simulation", simulation),
+                        Argument("energy", energy));
 }
 
 int pw85_hard_ellipsoids_law_virial(pw85_hard_ellipsoids const *simulation, double *virial)
 {
     mark(virial, 1, quiet_nan<double>());
-    Argument const arguments[] = {
-        {"simulation", simulation},
-        {"virial", virial}};
-    return checked_call("pw85_hard_ellipsoids_law_virial", arguments, [&] {
-        return hard_ellipsoids_law_virial(*simulation, virial);
-    });
+    auto const work = [&] { return hard_ellipsoids_law_virial(*simulation, virial); };
+    return checked_call("pw85_hard_ellipsoids_law_virial", work, Argument("simulation", simulation),
+                        Argument("virial", virial));
 }
 
 int pw85_hard_ellipsoids_neighbors(pw85_hard_ellipsoids *simulation, size_t particle,
@@ -35,32 +29,23 @@ int pw85_hard_ellipsoids_neighbors(pw85_hard_ellipsoids *simulation, size_t part
                                    int32_t *images, double *separations)
 {
     mark(count, 1, 0);
-    Argument const arguments[] = {
-        {"simulation", simulation},
-        {"count", count}};
-    return checked_call("pw85_hard_ellipsoids_neighbors", arguments, [&] {
-        return hard_ellipsoids_neighbors(*simulation, particle, capacity, count, particles, images,
-                                         separations);
-    });
+    auto const work = [&] { return hard_ellipsoids_neighbors(*simulation, particle, capacity, count,
+                                                             particles, images, separations); };
+    return checked_call("pw85_hard_ellipsoids_neighbors", work, Argument("simulation", simulation),
+                        Argument("count", count));
 }
 
 int pw85_hard_ellipsoids_check(pw85_hard_ellipsoids const *simulation, int32_t pair[2])
 {
     mark(pair, 2, -1);
-    Argument const arguments[] = {
-        {"simulation", simulation}};
-    return checked_call("pw85_hard_ellipsoids_check", arguments, [&] {
-        return hard_ellipsoids_check(*simulation, pair);
-    });
+    auto const work = [&] { return hard_ellipsoids_check(*simulation, pair); };
+    return checked_call("pw85_hard_ellipsoids_check", work, Argument("simulation", simulation));
 }
 
 int pw85_hard_ellipsoids_compress(pw85_hard_ellipsoids *simulation, int take, double *factor)
 {
     mark(factor, 1, quiet_nan<double>());
-    Argument const arguments[] = {
-        {"simulation", simulation},
-        {"factor", factor}};
-    return checked_call("pw85_hard_ellipsoids_compress", arguments, [&] {
-        return hard_ellipsoids_compress(*simulation, take, factor);
-    });
+    auto const work = [&] { return hard_ellipsoids_compress(*simulation, take, factor); };
+    return checked_call("pw85_hard_ellipsoids_compress", work, Argument("simulation", simulation),
+                        Argument("factor", factor));
 }

@@ -12,12 +12,10 @@ int pw85_hard_ellipsoids_set_walls(pw85_hard_ellipsoids *simulation, size_t num_
                                    pw85_wall const *walls, int32_t overlap[2])
 {
     mark(overlap, 2, -1);
-    Argument const arguments[] = {
-        {"simulation", simulation},
-        Argument::array("walls", walls, num_walls)};
-    return checked_call("pw85_hard_ellipsoids_set_walls", arguments, [&] {
-        return hard_ellipsoids_set_walls(*simulation, num_walls, walls, overlap);
-    });
+    auto const work = [&] { return hard_ellipsoids_set_walls(*simulation, num_walls, walls,
+                                                             overlap); };
+    return checked_call("pw85_hard_ellipsoids_set_walls", work, Argument("simulation", simulation),
+                        Argument::array("walls", walls, num_walls));
 }
 
 int pw85_hard_ellipsoids_set_mesh(pw85_hard_ellipsoids *simulation, size_t num_vertices,
@@ -25,42 +23,32 @@ int pw85_hard_ellipsoids_set_mesh(pw85_hard_ellipsoids *simulation, size_t num_v
                                   int32_t const *triangles, int32_t overlap[2])
 {
     mark(overlap, 2, -1);
-    Argument const arguments[] = {
-        {"simulation", simulation},
-        Argument::rows("vertices", vertices, num_vertices, 3),
-        Argument::array("triangles", triangles, num_triangles)};
-    return checked_call("pw85_hard_ellipsoids_set_mesh", arguments, [&] {
-        return hard_ellipsoids_set_mesh(*simulation, num_vertices, vertices, num_triangles,
-                                        triangles, overlap);
-    });
+    auto const work = [&] { return hard_ellipsoids_set_mesh(*simulation, num_vertices, vertices,
+                                                            num_triangles, triangles, overlap); };
+    return checked_call("pw85_hard_ellipsoids_set_mesh", work, Argument("simulation", simulation),
+                        Argument::rows("vertices", vertices, num_vertices, 3),
+                        Argument::array("triangles", triangles, num_triangles));
 }
 
 int pw85_hard_ellipsoids_set_fields(pw85_hard_ellipsoids *simulation, size_t num_fields,
                                     pw85_field const *fields)
 {
-    Argument const arguments[] = {
-        {"simulation", simulation},
-        Argument::array("fields", fields, num_fields)};
-    return checked_call("pw85_hard_ellipsoids_set_fields", arguments, [&] {
-        return hard_ellipsoids_set_fields(*simulation, num_fields, fields);
-    });
+    auto const work = [&] { return hard_ellipsoids_set_fields(*simulation, num_fields, fields); };
+    return checked_call("pw85_hard_ellipsoids_set_fields", work, Argument("simulation", simulation),
+                        Argument::array("fields", fields, num_fields));
 }
 
 int pw85_hard_ellipsoids_set_potential(pw85_hard_ellipsoids *simulation, pw85_potential *potential,
                                        void *context)
 {
-    Argument const arguments[] = {
-        {"simulation", simulation}};
-    return checked_call("pw85_hard_ellipsoids_set_potential", arguments, [&] {
-        return hard_ellipsoids_set_potential(*simulation, potential, context);
-    });
+    auto const work = [&] { return hard_ellipsoids_set_potential(*simulation, potential,
+                                                                 context); };
+    return checked_call("pw85_hard_ellipsoids_set_potential", work,
+                        Argument("simulation", simulation));
 }
 
 int pw85_hard_ellipsoids_set_law(pw85_hard_ellipsoids *simulation, pw85_law const *law)
 {
-    Argument const arguments[] = {
-        {"simulation", simulation}};
-    return checked_call("pw85_hard_ellipsoids_set_law", arguments, [&] {
-        return hard_ellipsoids_set_law(*simulation, law);
-    });
+    auto const work = [&] { return hard_ellipsoids_set_law(*simulation, law); };
+    return checked_call("pw85_hard_ellipsoids_set_law", work, Argument("simulation", simulation));
 }

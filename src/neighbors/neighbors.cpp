@@ -349,7 +349,10 @@ int pw85_neighbors_check(pw85_system const *system, double scale, double skin, s
     *particle = 0;
     if (any_null(system)) return PW85_EINVAL;
     *particle = system->num_particles;
-    return in_default_environment([&] { return check(*system, scale, skin, *particle); });
+    int const status =
+        in_default_environment([&] { return check(*system, scale, skin, *particle); });
+    return checked(status,
+                   [](int bad) { return refuse_noted(bad, "pw85_neighbors_check", nullptr, 0); });
 }
 
 int pw85::detail::neighbors_holds(pw85_neighbors const &list, pw85_system const &system,

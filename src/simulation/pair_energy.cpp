@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "../base/last_error.hpp"
+#include "../base/objects.hpp"
 #include "../rows/laws.hpp"
 #include "acceptance.hpp"
 #include "engine.hpp"
@@ -99,7 +100,7 @@ int PairEnergy::of_all(Configuration const &all, EnergySum &sum) const noexcept
 {
     pw85_system const system = all.system();
     pw85_neighbors *made = nullptr;
-    if (int const status = pw85_neighbors_create(&system, reach_, 0.0, &made)) return status;
+    if (int const status = neighbors_create(system, reach_, 0.0, made)) return status;
     std::unique_ptr<pw85_neighbors, DestroyList> const owner(made);
     pw85_pair_list const list = pw85_neighbors_list(made);
     EnergyCollector pairs(*this);
@@ -117,7 +118,7 @@ int PairEnergy::virial_of_all(Configuration const &all, double &virial) const no
 {
     pw85_system const system = all.system();
     pw85_neighbors *made = nullptr;
-    if (int const status = pw85_neighbors_create(&system, reach_, 0.0, &made)) return status;
+    if (int const status = neighbors_create(system, reach_, 0.0, made)) return status;
     std::unique_ptr<pw85_neighbors, DestroyList> const owner(made);
     pw85_pair_list const list = pw85_neighbors_list(made);
     pw85_law const own = law();
