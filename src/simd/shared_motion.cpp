@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What many questions call, and no caller inlines: the way to a remote pair. It is compiled for the
+// What many functions call, and no caller inlines: the path to a remote pair. It is compiled for the
 // instruction sets of the functions for one pair.
 #include <pw85/motion/approach.hpp>
 
