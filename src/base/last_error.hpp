@@ -131,8 +131,8 @@ refuse_call(int status, char const *function, Arguments... arguments) noexcept
     return refuse(status, function, listed, sizeof...(arguments));
 }
 
-/// Records the first of the arrays that is null, or else that there are too many rows: `size`, which
-/// is the argument `name_of_size`.
+/// Records the first of the arrays that is null, or else that there are too many rows: `size`,
+/// which is the argument `name_of_size`.
 template <class... Arrays>
 [[gnu::cold, gnu::noinline]] int refuse_arrays(char const *function, char const *name_of_size,
                                                std::size_t size, Arrays... arrays) noexcept
