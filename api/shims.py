@@ -193,14 +193,14 @@ def row_argument(one, many):
     if len(many) > 1:
         return f"TwoNumbers{{{names}}}"
     if first.type == "unsigned char":
-        return f"Bytes{{{names}}}"
+        return f'Bytes{{"{names}", {names}}}'
     if not one.pointer:
-        return f"Numbers{{{names}}}"
+        return f'Numbers{{"{names}", {names}}}'
     columns = prod(batch.names_and_shape(one)[1])
     if first.nullable:
         return f"OptionalRowsOf<{columns}>{{{names}}}"
     element = first.type if first.is_output else f"{first.type} const"
-    return f"RowsOf<{columns}{'' if element == 'double const' else f', {element}'}>{{{names}}}"
+    return f"RowsOf<{columns}{'' if element == 'double const' else f', {element}'}>{{\"{names}\", {names}}}"
 
 
 def of_many_rows(statement):

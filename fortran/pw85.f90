@@ -2289,7 +2289,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_any_indices
 
-    !> pw85_contact() for the pairs of a neighbour list.
+    !> pw85_contact() for the pairs of a list.
     function pw85_contact_pairs(list, system, mu2, lambda) result(status) bind(C, &
       name='pw85_contact_pairs')
       import
@@ -2300,7 +2300,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_pairs
 
-    !> pw85_overlap() for the pairs of a neighbour list.
+    !> pw85_overlap() for the pairs of a list.
     function pw85_overlap_pairs(list, system, overlap) result(status) bind(C, &
       name='pw85_overlap_pairs')
       import
@@ -2310,7 +2310,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_pairs
 
-    !> pw85_overlap_volume() for the pairs of a neighbour list.
+    !> pw85_overlap_volume() for the pairs of a list.
     function pw85_overlap_volume_pairs(list, system, volume) result(status) bind(C, &
       name='pw85_overlap_volume_pairs')
       import
@@ -2320,7 +2320,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_pairs
 
-    !> The derivatives for the pairs of a neighbour list.
+    !> The derivatives for the pairs of a list.
     function pw85_contact_derivatives_pairs(list, system, mu2, lambda, point, normal, d_r12, &
       d_rot1, d_rot2) result(status) bind(C, name='pw85_contact_derivatives_pairs')
       import
@@ -2346,8 +2346,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_forces_pairs
 
-    !> Sums of the energies, forces, torques and virial of the pairs of a neighbour list, whose
-    !> energy is a law of μ².
+    !> Sums of the energies, forces, torques and virial of the pairs of a list, whose energy is a
+    !> law of μ².
     function pw85_law_forces_pairs(list, system, law, energy, forces, torques, virial) &
       result(status) bind(C, name='pw85_law_forces_pairs')
       import
@@ -2359,7 +2359,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_law_forces_pairs
 
-    !> pw85_first_contact() for the pairs of a neighbour list, and the next event of each particle.
+    !> pw85_first_contact() for the pairs of a list, and the next event of each particle.
     function pw85_first_contact_pairs(list, system, motions, t_max, t, next, next_pair) &
       result(status) bind(C, name='pw85_first_contact_pairs')
       import
@@ -2381,7 +2381,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_cell_reduce
 
-    !> The nearest images, which the functions of neighbour lists use without `images`.
+    !> The nearest images, which the functions of pair lists use without `images`.
     function pw85_nearest_images(num_pairs, pairs, system, r12, images) result(status) bind(C, &
       name='pw85_nearest_images')
       import
@@ -2549,7 +2549,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_create
 
-    !> Makes a simulation one of hard ellipses in a plane of z, or again one of ellipsoids.
+    !> Makes a simulation one of hard ellipses in a plane z = const, or again one of ellipsoids.
     function pw85_hard_ellipsoids_set_dimensions(simulation, dimensions) result(status) bind(C, &
       name='pw85_hard_ellipsoids_set_dimensions')
       import
@@ -2758,8 +2758,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_steps
 
-    !> Sets the largest translations and rotations of particles with some semi-axes, in place of all
-    !> such steps that there are.
+    !> Sets the largest translations and rotations of some species, which are particles with the
+    !> same semi-axes, in place of all such steps that there are.
     function pw85_hard_ellipsoids_set_kind_steps(simulation, num_kinds, semi_axes, steps) &
       result(status) bind(C, name='pw85_hard_ellipsoids_set_kind_steps')
       import
@@ -2769,7 +2769,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_kind_steps
 
-    !> The largest translations and rotations of particles with some semi-axes.
+    !> The largest translations and rotations of some species, which are particles with the same
+    !> semi-axes.
     function pw85_hard_ellipsoids_kind_steps(simulation, num_kinds, semi_axes, steps) &
       result(status) bind(C, name='pw85_hard_ellipsoids_kind_steps')
       import

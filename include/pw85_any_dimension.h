@@ -13,7 +13,7 @@
  * - Nearly singular forms and ties can need memory, which the functions allocate and free. If there
  *   is none, the status is #PW85_ENOMEM.
  * - #PW85_EINVAL also says that n is not in 1 … 16.
- * - pw85_last_error() tells nothing of these functions.
+ * - These functions keep no record for pw85_last_error().
  */
 #ifndef PW85_ANY_DIMENSION_H_INCLUDED
 #define PW85_ANY_DIMENSION_H_INCLUDED
@@ -86,7 +86,7 @@ PW85_API int pw85_nd_overlap(int n, double const *r12, double const *q1, double 
  *
  * @param n,r12,q1,q2 as for pw85_nd_contact()
  * @param mu2 what μ² is compared with, at least 0; it may be infinite
- * @param[out] sign -1, 0 or 1; -2 on error (pw85_compare() has 2)
+ * @param[out] sign -1, 0 or 1; 2 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM */
 PW85_API int pw85_nd_compare(int n, double const *r12, double const *q1, double const *q2,
                              double mu2, int *sign);

@@ -120,7 +120,7 @@ PW85_API int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation,
  *
  * @param simulation a simulation
  * @param num_sweeps how many
- * @param acceptance [> 0; <= 1] the target of the ratio of accepted trials
+ * @param acceptance [> 0; <= 1] the target of the acceptance ratio
  * @param pressure [>= 0] βP as for pw85_hard_ellipsoids_volume_moves(), for one trial of the volume after
  *        each sweep; 0 for none, except for #PW85_CHANGE_ASPECT
  * @param change [as pw85_hard_ellipsoids_volume_moves()]
@@ -159,24 +159,25 @@ PW85_API int pw85_hard_ellipsoids_set_steps(pw85_hard_ellipsoids *simulation,
  * @return #PW85_SUCCESS, #PW85_EINVAL */
 PW85_API int pw85_hard_ellipsoids_steps(pw85_hard_ellipsoids const *simulation, double steps[3]);
 
-/** Sets the largest translations and rotations of particles with some semi-axes, in place of all
- * such steps that there are. Other particles have those of pw85_hard_ellipsoids_set_steps().
- * pw85_hard_ellipsoids_tune() tunes the steps of each species by its own trials. They are a part of
- * the state that pw85_hard_ellipsoids_save() writes.
+/** Sets the largest translations and rotations of some species, which are particles with the same
+ * semi-axes, in place of all such steps that there are. Other particles have those of
+ * pw85_hard_ellipsoids_set_steps(). pw85_hard_ellipsoids_tune() tunes the steps of each species by
+ * its own trials. They are a part of the state that pw85_hard_ellipsoids_save() writes.
  *
  * @param simulation a simulation
- * @param num_kinds at most 16; 0 for none
+ * @param num_kinds number of species, at most 16; 0 for none
  * @param semi_axes [num_kinds×3; length] those of each species, all different
  * @param steps [num_kinds×2; > 0] translation and rotation, as for pw85_hard_ellipsoids_set_steps()
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM: nothing changes on error */
 PW85_API int pw85_hard_ellipsoids_set_kind_steps(pw85_hard_ellipsoids *simulation, size_t num_kinds,
                                                  double const *semi_axes, double const *steps);
 
-/** The largest translations and rotations of particles with some semi-axes.
+/** The largest translations and rotations of some species, which are particles with the same
+ * semi-axes.
  *
  * @param simulation a simulation
- * @param num_kinds how many
- * @param semi_axes [num_kinds×3; length] any
+ * @param num_kinds number of species
+ * @param semi_axes [num_kinds×3; length] those of each species
  * @param[out] steps [num_kinds×2; NaN on error] translation and rotation of each; those of all others where they
  *        have none of their own
  * @return #PW85_SUCCESS, #PW85_EINVAL */

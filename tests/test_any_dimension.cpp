@@ -37,6 +37,7 @@ int sign_of(Case const &c, double m)
 {
     int sign = 7;
     int const status = pw85_nd_compare(c.n, c.r12.data(), c.q1.data(), c.q2.data(), m, &sign);
+    if (status != PW85_SUCCESS) g_assert_cmpint(sign, ==, 2); // as of pw85_compare()
     return status == PW85_SUCCESS ? sign : 100 + status;
 }
 

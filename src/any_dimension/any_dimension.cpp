@@ -113,7 +113,7 @@ int pw85_nd_compare(int n, double const *r12, double const *q1, double const *q2
                     int *sign)
 {
     if (sign == nullptr) return null_pointer();
-    *sign = -2;
+    *sign = 2;
     if (any_null(r12, q1, q2)) return null_pointer();
     auto const result = in_default_environment([&] { return nd_compare(n, r12, q1, q2, mu2); });
     if (result.status == Status::success) *sign = result.sign;

@@ -25,6 +25,7 @@ constinit thread_local pw85_error noted{0, nullptr, nullptr, nullptr, 0, 0, 0.0}
 struct Complaint {
     char const *text = nullptr;
     std::size_t entry = 0;
+    bool is_of_entry = false; ///< and not of the argument, or of a row, as a whole
 };
 
 /// The first entry of an argument that is bad.
@@ -32,7 +33,7 @@ template <class IsBad>
 Complaint of_entries(Argument const &one, char const *text, IsBad const &is_bad) noexcept
 {
     for (std::size_t i = 0; i < one.count; ++i)
-        if (is_bad(one.numbers()[i])) return {text, i};
+        if (is_bad(one.numbers()[i])) return {text, i, true};
     return {};
 }
 
@@ -126,17 +127,19 @@ Complaint of_whole(Argument const &one, Argument const *begin, Argument const *e
     if (one.limits & limit::independent_rows) return {"must have independent rows"};
     if (one.limits & limit::below_next)
         for (std::size_t i = 0; i < one.count; ++i)
-            if (one.numbers()[i] > (&one + 1)->numbers()[i]) return {"must be at most upper", i};
+            if (one.numbers()[i] > (&one + 1)->numbers()[i])
+                return {"must be at most upper", i, true};
     double const growth = one.limits & limit::until_t_max ? one.numbers()[6] : 0.0;
     for (Argument const *other = begin; growth < 0.0 && other != end; ++other)
         if (other->is_number && 1.0 + growth * other->number <= 0.0)
-            return {"must not shrink to nothing before t_max", 6};
+            return {"must not shrink to nothing before t_max", 6, true};
     return {};
 }
 
 pw85_error cause_of(Argument const &one, Complaint const &found) noexcept
 {
-    double const value = one.is_null() ? quiet_nan<double>() : one.numbers()[found.entry];
+    bool const has_value = found.is_of_entry || one.is_number;
+    double const value = has_value ? one.numbers()[found.entry] : quiet_nan<double>();
     std::size_t const row = one.columns > 0 ? found.entry / one.columns : 0;
     return {0, nullptr, one.name, found.text, row, found.entry - row * one.columns, value};
 }
@@ -220,6 +223,18 @@ int refuse_noted(int status, char const *function, Argument const *arguments,
     pw85_error const cause = noted;
     noted.requirement = nullptr;
     return refuse(status, cause);
+}
+
+int refuse_arrays_or_size(char const *function, Argument const *arrays, std::size_t count) noexcept
+{
+    Argument const *one = arrays;
+    while (one != arrays + count && !one->is_null()) ++one;
+    char const *const text =
+        one->is_null() ? "must not be null"
+                       : "must be small enough for the bytes of each array to fit ptrdiff_t";
+    pw85_error cause = cause_of(*one, {text});
+    cause.function = function;
+    return refuse(PW85_EINVAL, cause);
 }
 
 int refuse_row(int status, std::size_t row) noexcept

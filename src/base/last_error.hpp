@@ -127,6 +127,11 @@ struct Argument {
 [[gnu::cold]] int refuse_noted(int status, char const *function, Argument const *arguments,
                                std::size_t count) noexcept;
 
+/// Records the first of `count` arrays that is null, or else the size behind them, which is too
+/// large, and returns PW85_EINVAL.
+[[gnu::cold]] int refuse_arrays_or_size(char const *function, Argument const *arrays,
+                                        std::size_t count) noexcept;
+
 /// Records a cause that the caller has found, and returns the status.
 [[gnu::cold]] int refuse(int status, pw85_error const &cause) noexcept;
 
@@ -152,12 +157,14 @@ refuse_call(int status, char const *function, Arguments... arguments) noexcept
     return refuse(status, function, listed, sizeof...(arguments));
 }
 
-/// Records that an array of a function of many rows is null, or that there are too many rows.
-[[gnu::cold, gnu::noinline]] inline int refuse_arrays(char const *function) noexcept
+/// Records the first of the arrays that is null, or else that there are too many rows: `size`,
+/// which is the argument `name_of_size`.
+template <class... Arrays>
+[[gnu::cold, gnu::noinline]] int refuse_arrays(char const *function, char const *name_of_size,
+                                               std::size_t size, Arrays... arrays) noexcept
 {
-    return refuse(PW85_EINVAL,
-                  {PW85_EINVAL, function, nullptr,
-                   "the arrays must not be null, and their bytes must be countable", 0, 0, 0.0});
+    Argument const listed[] = {arrays..., Argument(name_of_size, static_cast<double>(size))};
+    return refuse_arrays_or_size(function, listed, sizeof...(arrays));
 }
 
 } // namespace

@@ -75,7 +75,7 @@ template <class... Outputs>
                                   double const *offsets, double const *q,
                                   Outputs... outputs) noexcept
 {
-    if (n > INT_MAX / 3) return refuse_arrays(function), status;
+    if (n > INT_MAX / 3) return refuse_arrays(function, "n", n), status;
     static constexpr double none[1] = {};
     return refuse_call(status, function,
                        Argument("normals", n > 0 ? normals : none, 3 * n, limit::rows_not_zero),

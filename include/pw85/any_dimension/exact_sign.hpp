@@ -192,8 +192,8 @@ PW85_FUNCTION inline void interpolate(int n, IntegerInput const &x, ExactPolynom
     interpolate(n + 1, values, p);
 }
 
-/// The remainder of x by y times a positive number, in place: y's leading coefficient to an even
-/// power or its magnitude to an odd power.
+/// Replaces x by a positive multiple of the remainder of x divided by y. The factor is |leading
+/// coefficient of y|^steps.
 PW85_FUNCTION inline void pseudo_remainder(ExactPolynomial &x, ExactPolynomial const &y) noexcept
 {
     int const steps = x.degree - y.degree + 1;
