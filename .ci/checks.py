@@ -275,7 +275,7 @@ def build_debian(work, sources, **environment):
     (work / sources).mkdir(parents=True)
     run(["cp", "--parents", "-t", str(work / sources), *tracked()])
     words = {"PATH": "/usr/bin:/bin", "DEB_BUILD_OPTIONS": "nocheck", "DEB_BUILD_PROFILES": "nocheck", **environment}
-    command = ["dpkg-buildpackage", "-b", "-us", "-uc", "-d"]
+    command = ["dpkg-buildpackage", "-b", "-us", "-uc"]
     return subprocess.run(command, cwd=work / sources, env={**os.environ, **words}).returncode == 0
 
 

@@ -12,6 +12,7 @@ import batch
 import declarations
 import fortran
 import linked
+import objects
 import shims
 import spans
 import symbols
@@ -22,7 +23,8 @@ def files():
     """The texts of all of them by their paths, and the list of them for diffs and reviews."""
     header = batch.header()
     declarations.replace({"pw85_batch.h": header})  # from which the others follow
-    made = {batch.HEADER: header, fortran.MODULE: fortran.module()} | shims.files() | symbols.files() | spans.headers() | linked.files()
+    made = {batch.HEADER: header, fortran.MODULE: fortran.module()}
+    made |= shims.files() | objects.files() | symbols.files() | spans.headers() | linked.files()
     marks = (f"{path.relative_to(SOURCE)} linguist-generated\n" for path in sorted(made))
     return made | {SOURCE / ".gitattributes": "# Made by api/committed.py, as all files in this list.\n" + "".join(marks)}
 

@@ -10,7 +10,7 @@ an input must then be finite, and no pointer may be null. A parameter that is no
 attribute that is not in this list are errors, with file and line:
 
     n×3                  the extents of an array: numbers, and names of parameters; those of `x[3]` are known
-    n(n+1)/2             the only extent of a packed symmetric matrix in n dimensions
+    n(n+1)/2             the extent of a packed symmetric matrix in n dimensions
     length², 1/time      the unit; none stands where a number has no unit, `mixed units` where the entries of an array have several
     optional             the pointer may be null (`optional if not needed`: where another argument does not need it)
     as pw85_f()          all attributes of the parameter of the same name of another function; extents only where this has none
@@ -78,7 +78,7 @@ PACKED = "n(n+1)/2"
 # Attributes of which no more is said than whether they are there, beside those of api/causes.py.
 WORDS = ("optional", "optional if not needed")
 LIMITS = (
-    "> 0", ">= 0", "!= 0", "0..1", "1..16",
+    "> 0", ">= 0", "!= 0", "0..1", "1..16", "<= 1",
     "lower <= upper", "> 0 until t_max", "finite square", "definite", "rotation", "index", "a periodic row",
     "independent rows", "needs cell", "near the cell", "of as many particles", "or infinite", "or NaN", "or far away",
 )  # fmt: skip
@@ -199,6 +199,10 @@ class Function:
     def is_of_simulations(self):
         """Whether its results depend on the calls before, so that it has tests of its own: tests/test_hard_ellipsoids.cpp."""
         return self.name.startswith("pw85_hard_ellipsoids_")
+
+    def is_of_object(self):
+        """Whether it has a status and an object of the library, which it makes or on which it works."""
+        return self.type == "int" and any(one.type in OBJECTS for one in parameters(self))
 
     def references(self):
         """The names of the functions to which the comment refers."""
@@ -328,9 +332,7 @@ def attributes_of(text, function, place):
             found.on_error = match[1]
         elif match := re.fullmatch(r"(members?|without|with) ([\w.]+(?:, [\w.]+)*)", item):
             setattr(found, {"with": "needs", "member": "each"}.get(match[1], match[1]), tuple(match[2].split(", ")))
-        elif item == PACKED:
-            found.shape = (PACKED,)
-        elif all(part.isdigit() or part in extents for part in parts):
+        elif all(part.isdigit() or part in extents or part == PACKED for part in parts):
             found.shape = tuple(int(part) if part.isdigit() else part for part in parts)
         else:
             raise ValueError(f"{place}: unknown attribute: {item}")

@@ -2,6 +2,7 @@
 """What the Python package has by the declarations of the C API: its functions for rows of numbers (api/rows.py).
 
 Usage: python.py table OUTPUT               the table that the compiled part includes (python/src/function.cpp)
+       python.py objects OUTPUT             the functions on objects that it includes (python/src/objects.cpp)
        python.py names TEMPLATE OUTPUT      a module or stub, in whose template `#@` marks where names belong: see with_names()
        python.py functions TEMPLATE OUTPUT  a module of functions (api/python_functions.py)
 """
@@ -12,6 +13,8 @@ import sys
 from pathlib import Path
 
 from declarations import SOURCE
+from python_objects import stubs
+from python_objects import table as objects_table
 from python_functions import module, python_name
 from python_table import table
 from rows import row_functions
@@ -31,6 +34,7 @@ def made_lines():
     return {
         "functions": [f"{python_name(row)}," for row in row_functions() if not row.name.startswith("legacy_")],
         "names": [f"{name}," for name in results()],
+        "objects": stubs(),
         "ufuncs": [f"{name}: np.ufunc" for name in results()],
         "calls": [f"def call_{name}(*args: Any) -> {type_of(shapes)}: ..." for name, shapes in results().items()],
     }
@@ -72,6 +76,8 @@ def main(kind, *paths):
     templates = [Path(path).read_text(encoding="utf-8") for path in paths[:-1]]
     if kind == "table":
         text = table(row_functions())
+    elif kind == "objects":
+        text = objects_table()
     elif kind == "names":
         text = with_names(*templates)
     else:

@@ -98,7 +98,7 @@ def by_hand():
 LIMITS = {
     "> 0": "positive", ">= 0": "from_zero", "!= 0": "not_zero", "0..1": "unit_interval", "lower <= upper": "below_next",
     "> 0 until t_max": "until_t_max", "finite square": "finite_square", "definite": "definite", "rotation": "rotation",
-    "or infinite": "may_be_infinite", "or NaN": "may_be_nan",
+    "<= 1": "at_most_one", "or infinite": "may_be_infinite", "or NaN": "may_be_nan",
 }  # fmt: skip
 
 
@@ -193,14 +193,14 @@ def row_argument(one, many):
     if len(many) > 1:
         return f"TwoNumbers{{{names}}}"
     if first.type == "unsigned char":
-        return f"Bytes{{{names}}}"
+        return f'Bytes{{"{names}", {names}}}'
     if not one.pointer:
-        return f"Numbers{{{names}}}"
+        return f'Numbers{{"{names}", {names}}}'
     columns = prod(batch.names_and_shape(one)[1])
     if first.nullable:
         return f"OptionalRowsOf<{columns}>{{{names}}}"
     element = first.type if first.is_output else f"{first.type} const"
-    return f"RowsOf<{columns}{'' if element == 'double const' else f', {element}'}>{{{names}}}"
+    return f"RowsOf<{columns}{'' if element == 'double const' else f', {element}'}>{{\"{names}\", {names}}}"
 
 
 def of_many_rows(statement):

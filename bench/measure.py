@@ -32,6 +32,7 @@ REPETITIONS = 11  # in each of them
 # Tables of Python's programs, which are in python/bench: the program, and the library that it gets, in the build directory
 PYTHON = {
     "arrays": ("compare_batches.py", "src/libpw85.so"),
+    "bodies": ("compare_bodies.py", "python/bench/pypw85_body_loops.so"),
     "calls": ("compare_calls.py", "python/bench/pypw85_c_loops.so"),
     "files": ("measure_files.py", None),
 }
@@ -109,7 +110,7 @@ def program_rows(name, program, target):
 def python_rows(name, build, target):
     """The rows of a table that a program of python/bench prints, with one thread and with all. In a trial run the numbers are small."""
     script, library = PYTHON[name]
-    numbers = ["1000"] if "PW85_MEASURE_ONCE" in os.environ and name != "calls" else []
+    numbers = ["1000"] if "PW85_MEASURE_ONCE" in os.environ and name in ("arrays", "files") else []
     arguments = [ROOT / "python" / "bench" / script, *([build / library] if library else []), *numbers]
     rows = []
     for threads in sorted({1, os.cpu_count()}) if name == "arrays" else [os.cpu_count()]:

@@ -27,6 +27,8 @@
 #include <ctime>
 #include <string>
 
+#include <pw85/pw85.hpp>
+
 #include "hard_systems.hpp"
 #include "thread_gain.hpp"
 #include "trial_run.hpp"
@@ -57,7 +59,7 @@ double volume(System const &system) { return system.sides[0] * system.sides[1] *
 System compressed(double packing_fraction)
 {
     System system = pw85_bench::lattice(3, {2.5, 0.5, 0.5}, compressed_lattice, {6.0, 6.0, 6.0});
-    double const particle = 4.0 / 3.0 * std::acos(-1.0) * 2.5 * 0.5 * 0.5;
+    double const particle = pw85::volume(pw85::spheroid(0.5, 2.5, {1.0, 0.0, 0.0}).q).volume;
     double const wanted = particle * static_cast<double>(system.centers.size()) / packing_fraction;
     HardEllipsoids simulation = system.simulate({0.1, 0.1, 0.01});
     require(simulation.sweep(randomizing) == Status::success, "no sweeps");

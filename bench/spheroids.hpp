@@ -24,8 +24,8 @@ struct System {
     System(std::size_t n, double aspect, double packing_fraction)
     {
         pw85_tests::Random random(131);
-        double const side = std::cbrt(static_cast<double>(n) * 4.0 / 3.0 * std::acos(-1.0) *
-                                      aspect / packing_fraction);
+        double const volume = pw85::volume(pw85::spheroid(1.0, aspect, {0.0, 0.0, 1.0}).q).volume;
+        double const side = std::cbrt(static_cast<double>(n) * volume / packing_fraction);
         for (std::size_t i = 0; i < n; ++i) {
             centers.push_back(
                 {random.uniform(0.0, side), random.uniform(0.0, side), random.uniform(0.0, side)});

@@ -73,6 +73,7 @@ rst_epilog = f"""
 .. |conditions-of-factored| replace:: {measurements.conditions("factored")}
 .. |conditions-of-shapes| replace:: {measurements.conditions("shapes")}
 .. |conditions-of-arrays| replace:: {measurements.conditions("arrays")}
+.. |conditions-of-bodies| replace:: {measurements.conditions("bodies")}
 .. |conditions-of-calls| replace:: {measurements.conditions("calls")}
 .. |conditions-of-sizes| replace:: {measurements.conditions("sizes")}
 .. |conditions-of-gpu| replace:: {measurements.conditions("gpu")}

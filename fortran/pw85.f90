@@ -300,6 +300,7 @@ module pw85
   public :: pw85_ellipsoid_quaternion_batch
   public :: pw85_bounding_boxes
   public :: pw85_enclosing_ellipsoid
+  public :: pw85_enclosing_ellipsoid_of
   public :: pw85_random_points
   public :: pw85_overlap_any_indices
   public :: pw85_contact_pairs
@@ -2247,6 +2248,18 @@ module pw85
       integer(c_int) :: status
     end function pw85_enclosing_ellipsoid
 
+    !> The ellipsoid of least volume around ellipsoids, up to a tolerance, with a proof.
+    function pw85_enclosing_ellipsoid_of(n, m, centers, forms, tolerance, center, q, excess) &
+      result(status) bind(C, name='pw85_enclosing_ellipsoid_of')
+      import
+      integer(c_int), value :: n
+      integer(c_size_t), value :: m
+      real(c_double), intent(in) :: centers(n, m), forms(n*(n+1)/2, m)
+      real(c_double), value :: tolerance
+      real(c_double), intent(out), optional :: center(n), q(n*(n+1)/2), excess
+      integer(c_int) :: status
+    end function pw85_enclosing_ellipsoid_of
+
     !> Random points of an ellipsoid with its centre at 0, uniform in its volume or on its surface.
     function pw85_random_points(q, surface, seed, num_points, points) result(status) bind(C, &
       name='pw85_random_points')
@@ -2276,7 +2289,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_any_indices
 
-    !> pw85_contact() for the pairs of a neighbour list.
+    !> pw85_contact() for the pairs of a list.
     function pw85_contact_pairs(list, system, mu2, lambda) result(status) bind(C, &
       name='pw85_contact_pairs')
       import
@@ -2287,7 +2300,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_pairs
 
-    !> pw85_overlap() for the pairs of a neighbour list.
+    !> pw85_overlap() for the pairs of a list.
     function pw85_overlap_pairs(list, system, overlap) result(status) bind(C, &
       name='pw85_overlap_pairs')
       import
@@ -2297,7 +2310,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_pairs
 
-    !> pw85_overlap_volume() for the pairs of a neighbour list.
+    !> pw85_overlap_volume() for the pairs of a list.
     function pw85_overlap_volume_pairs(list, system, volume) result(status) bind(C, &
       name='pw85_overlap_volume_pairs')
       import
@@ -2307,7 +2320,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_pairs
 
-    !> The derivatives for the pairs of a neighbour list.
+    !> The derivatives for the pairs of a list.
     function pw85_contact_derivatives_pairs(list, system, mu2, lambda, point, normal, d_r12, &
       d_rot1, d_rot2) result(status) bind(C, name='pw85_contact_derivatives_pairs')
       import
@@ -2333,8 +2346,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_forces_pairs
 
-    !> Sums of the energies, forces, torques and virial of the pairs of a neighbour list, whose
-    !> energy is a law of μ².
+    !> Sums of the energies, forces, torques and virial of the pairs of a list, whose energy is a
+    !> law of μ².
     function pw85_law_forces_pairs(list, system, law, energy, forces, torques, virial) &
       result(status) bind(C, name='pw85_law_forces_pairs')
       import
@@ -2346,7 +2359,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_law_forces_pairs
 
-    !> pw85_first_contact() for the pairs of a neighbour list, and the next event of each particle.
+    !> pw85_first_contact() for the pairs of a list, and the next event of each particle.
     function pw85_first_contact_pairs(list, system, motions, t_max, t, next, next_pair) &
       result(status) bind(C, name='pw85_first_contact_pairs')
       import
@@ -2368,7 +2381,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_cell_reduce
 
-    !> The nearest images, which the functions of neighbour lists use without `images`.
+    !> The nearest images, which the functions of pair lists use without `images`.
     function pw85_nearest_images(num_pairs, pairs, system, r12, images) result(status) bind(C, &
       name='pw85_nearest_images')
       import
@@ -2536,7 +2549,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_create
 
-    !> Makes a simulation one of hard ellipses in a plane of z, or again one of ellipsoids.
+    !> Makes a simulation one of hard ellipses in a plane z = const, or again one of ellipsoids.
     function pw85_hard_ellipsoids_set_dimensions(simulation, dimensions) result(status) bind(C, &
       name='pw85_hard_ellipsoids_set_dimensions')
       import
@@ -2664,7 +2677,7 @@ module pw85
     function pw85_hard_ellipsoids_set_law(simulation, law) result(status) bind(C, &
       name='pw85_hard_ellipsoids_set_law')
       import
-      type(pw85_law), intent(in) :: law
+      type(pw85_law), intent(in), optional :: law
       type(c_ptr), value :: simulation
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_law
@@ -2745,8 +2758,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_steps
 
-    !> Sets the largest translations and rotations of particles with some semi-axes, in place of all
-    !> such steps that there are.
+    !> Sets the largest translations and rotations of some species, which are particles with the
+    !> same semi-axes, in place of all such steps that there are.
     function pw85_hard_ellipsoids_set_kind_steps(simulation, num_kinds, semi_axes, steps) &
       result(status) bind(C, name='pw85_hard_ellipsoids_set_kind_steps')
       import
@@ -2756,7 +2769,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_kind_steps
 
-    !> The largest translations and rotations of particles with some semi-axes.
+    !> The largest translations and rotations of some species, which are particles with the same
+    !> semi-axes.
     function pw85_hard_ellipsoids_kind_steps(simulation, num_kinds, semi_axes, steps) &
       result(status) bind(C, name='pw85_hard_ellipsoids_kind_steps')
       import
@@ -2868,8 +2882,7 @@ module pw85
       integer(c_size_t), value :: particle, capacity
       type(c_ptr), value :: simulation
       integer(c_size_t), intent(out) :: count
-      integer(c_int32_t), intent(out) :: particles(capacity)
-      integer(c_int32_t), intent(out), optional :: images(3, capacity)
+      integer(c_int32_t), intent(out), optional :: particles(capacity), images(3, capacity)
       real(c_double), intent(out), optional :: separations(3, capacity)
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_neighbors
@@ -3007,6 +3020,13 @@ module pw85
   public :: pw85_nd_contact_batch
   public :: pw85_nd_contact_geometry_batch
   public :: pw85_nd_overlap_batch
+  public :: pw85_nd_compare_batch
+  public :: pw85_nd_contains
+  public :: pw85_nd_contains_batch
+  public :: pw85_nd_containment
+  public :: pw85_nd_containment_batch
+  public :: pw85_nd_distance
+  public :: pw85_nd_distance_batch
 
   interface
     function pw85_nd_contact(n, r12, q1, q2, out) &
@@ -3080,6 +3100,74 @@ module pw85
       integer(c_int8_t), intent(out) :: overlap(*)
       integer(c_int) :: status
     end function pw85_nd_overlap_batch
+
+    function pw85_nd_compare_batch(num_pairs, n, r12, q1, q2, mu2, sign) &
+      result(status) bind(C, name='pw85_nd_compare_batch')
+      import
+      integer(c_size_t), value :: num_pairs
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*), mu2(*)
+      integer(c_int), intent(out) :: sign(*)
+      integer(c_int) :: status
+    end function pw85_nd_compare_batch
+
+    function pw85_nd_contains(n, r12, q1, q2, contains) &
+      result(status) bind(C, name='pw85_nd_contains')
+      import
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      integer(c_int), intent(out) :: contains
+      integer(c_int) :: status
+    end function pw85_nd_contains
+
+    function pw85_nd_contains_batch(num_pairs, n, r12, q1, q2, contains) &
+      result(status) bind(C, name='pw85_nd_contains_batch')
+      import
+      integer(c_size_t), value :: num_pairs
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      integer(c_int8_t), intent(out) :: contains(*)
+      integer(c_int) :: status
+    end function pw85_nd_contains_batch
+
+    function pw85_nd_containment(n, r12, q1, q2, mu2, point) &
+      result(status) bind(C, name='pw85_nd_containment')
+      import
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      real(c_double), intent(out), optional :: mu2, point(*)
+      integer(c_int) :: status
+    end function pw85_nd_containment
+
+    function pw85_nd_containment_batch(num_pairs, n, r12, q1, q2, mu2, point) &
+      result(status) bind(C, name='pw85_nd_containment_batch')
+      import
+      integer(c_size_t), value :: num_pairs
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      real(c_double), intent(out), optional :: mu2(*), point(*)
+      integer(c_int) :: status
+    end function pw85_nd_containment_batch
+
+    function pw85_nd_distance(n, r12, q1, q2, distance, point1, point2, normal) &
+      result(status) bind(C, name='pw85_nd_distance')
+      import
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      real(c_double), intent(out), optional :: distance, point1(*), point2(*), normal(*)
+      integer(c_int) :: status
+    end function pw85_nd_distance
+
+    function pw85_nd_distance_batch(num_pairs, n, r12, q1, q2, distance, point1, point2, &
+      normal) &
+      result(status) bind(C, name='pw85_nd_distance_batch')
+      import
+      integer(c_size_t), value :: num_pairs
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      real(c_double), intent(out), optional :: distance(*), point1(*), point2(*), normal(*)
+      integer(c_int) :: status
+    end function pw85_nd_distance_batch
   end interface
 
   ! The C library.

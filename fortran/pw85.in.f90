@@ -90,6 +90,13 @@ module pw85
   public :: pw85_nd_contact_batch
   public :: pw85_nd_contact_geometry_batch
   public :: pw85_nd_overlap_batch
+  public :: pw85_nd_compare_batch
+  public :: pw85_nd_contains
+  public :: pw85_nd_contains_batch
+  public :: pw85_nd_containment
+  public :: pw85_nd_containment_batch
+  public :: pw85_nd_distance
+  public :: pw85_nd_distance_batch
 
   interface
     function pw85_nd_contact(n, r12, q1, q2, out) &
@@ -163,6 +170,74 @@ module pw85
       integer(c_int8_t), intent(out) :: overlap(*)
       integer(c_int) :: status
     end function pw85_nd_overlap_batch
+
+    function pw85_nd_compare_batch(num_pairs, n, r12, q1, q2, mu2, sign) &
+      result(status) bind(C, name='pw85_nd_compare_batch')
+      import
+      integer(c_size_t), value :: num_pairs
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*), mu2(*)
+      integer(c_int), intent(out) :: sign(*)
+      integer(c_int) :: status
+    end function pw85_nd_compare_batch
+
+    function pw85_nd_contains(n, r12, q1, q2, contains) &
+      result(status) bind(C, name='pw85_nd_contains')
+      import
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      integer(c_int), intent(out) :: contains
+      integer(c_int) :: status
+    end function pw85_nd_contains
+
+    function pw85_nd_contains_batch(num_pairs, n, r12, q1, q2, contains) &
+      result(status) bind(C, name='pw85_nd_contains_batch')
+      import
+      integer(c_size_t), value :: num_pairs
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      integer(c_int8_t), intent(out) :: contains(*)
+      integer(c_int) :: status
+    end function pw85_nd_contains_batch
+
+    function pw85_nd_containment(n, r12, q1, q2, mu2, point) &
+      result(status) bind(C, name='pw85_nd_containment')
+      import
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      real(c_double), intent(out), optional :: mu2, point(*)
+      integer(c_int) :: status
+    end function pw85_nd_containment
+
+    function pw85_nd_containment_batch(num_pairs, n, r12, q1, q2, mu2, point) &
+      result(status) bind(C, name='pw85_nd_containment_batch')
+      import
+      integer(c_size_t), value :: num_pairs
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      real(c_double), intent(out), optional :: mu2(*), point(*)
+      integer(c_int) :: status
+    end function pw85_nd_containment_batch
+
+    function pw85_nd_distance(n, r12, q1, q2, distance, point1, point2, normal) &
+      result(status) bind(C, name='pw85_nd_distance')
+      import
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      real(c_double), intent(out), optional :: distance, point1(*), point2(*), normal(*)
+      integer(c_int) :: status
+    end function pw85_nd_distance
+
+    function pw85_nd_distance_batch(num_pairs, n, r12, q1, q2, distance, point1, point2, &
+      normal) &
+      result(status) bind(C, name='pw85_nd_distance_batch')
+      import
+      integer(c_size_t), value :: num_pairs
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      real(c_double), intent(out), optional :: distance(*), point1(*), point2(*), normal(*)
+      integer(c_int) :: status
+    end function pw85_nd_distance_batch
   end interface
 
   ! The C library.

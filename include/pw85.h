@@ -38,10 +38,10 @@
  *   optional; a number is NaN or infinite, and its brackets do not allow that; or an argument is
  *   not what its brackets state. #PW85_ENOTPD says that a form is not positive definite. The
  *   chapter on errors has a table. pw85_last_error() tells which argument and which row it was.
- * - Functions of one pair or one ellipsoid in two and three dimensions allocate no memory. Those
- *   that can allocate list #PW85_ENOMEM or #PW85_EDEVICE: neighbour lists, meshes, laws of pairs,
- *   simulations, ellipsoids around points, n dimensions and GPUs. No function prints anything or
- *   ends the process.
+ * - Functions of one pair, one ellipsoid, many rows or a pair list in two and three dimensions
+ *   allocate no memory, except pw85_law_forces_pairs(). Those that can allocate list #PW85_ENOMEM
+ *   or #PW85_EDEVICE: neighbour lists, meshes, laws of pairs, simulations, ellipsoids around
+ *   points, n dimensions and GPUs. No function prints anything or ends the process.
  * - Any number of threads may call any functions at the same time, but only one at a time may use
  *   the same simulation. The library has two pieces of state: the mode of pw85_set_reproducible(),
  *   for the process, and the cause that pw85_last_error() tells, for each thread.
@@ -195,15 +195,15 @@ PW85_API int pw85_ellipse(double a, double b, double angle, double q[3]);
 /** Contact function of two ellipsoids, by a third-order iteration on log(λ/(1-λ)).
  *
  * The relative error of μ² is below 4 u cond, with u = 2⁻⁵³ and the entrywise condition number of
- * pw85_condition(), also for forms that are singular to working precision. The function
- * evaluates f at most 157 times.
+ * pw85_condition(), also for forms that are singular to working precision. The function evaluates f
+ * at most 157 times.
  *
  * @param r12 [length] from the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid: μ² = 0,
  *        λ = 1/2
  * @param q1,q2 [length²; definite] forms of the ellipsoids, in the square of the unit of r12
  * @param[out] out [members mu2, lambda] μ², and the maximiser λ of f in [0, 1]
  * @return #PW85_SUCCESS, #PW85_EINVAL (null pointer, NaN or infinity), #PW85_ENOTPD,
- *         #PW85_ECONVERGENCE (the bound on the error cannot be proved; this has never been seen) */
+ *        #PW85_ECONVERGENCE (the bound on the error cannot be proved; this has never been seen) */
 PW85_API int pw85_contact(double const r12[3], double const q1[6], double const q2[6],
                           double out[2]);
 
@@ -219,7 +219,7 @@ PW85_API int pw85_contact(double const r12[3], double const q1[6], double const 
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] out [as pw85_contact()]
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the last digit of λ
- *         cannot be proved; this has never been seen) */
+ *        cannot be proved; this has never been seen) */
 PW85_API int pw85_contact_rounded(double const r12[3], double const q1[6], double const q2[6],
                                   double out[2]);
 
@@ -229,9 +229,8 @@ PW85_API int pw85_contact_rounded(double const r12[3], double const q1[6], doubl
  * Rounding a form to doubles changes μ² by some 1e-12 at aspect ratio 100, 1e-8 at 10⁴ and 1e-4 at
  * 10⁶: an entry of the form adds the squares of long and of short semi-axes, and rounding it to
  * double loses digits of the short ones. Rounding a factor changes μ² by less than 1e-14, 1e-12 and
- * 1e-12. The relative error of the result is below 4 u c. Here c is
- * the relative change of μ², to first order, for relative changes of one in the entries of s1, s2
- * and r12.
+ * 1e-12. The relative error of the result is below 4 u c. Here c is the relative change of μ², to
+ * first order, for relative changes of one in the entries of s1, s2 and r12.
  *
  * @param r12 [as pw85_contact()]
  * @param s1,s2 [3×3; length] row-major, as pw85_ellipsoid_factor() makes them. Any matrix S counts
@@ -414,8 +413,8 @@ PW85_API int pw85_compare(double const r12[3], double const q1[6], double const 
  * @param[out] point [length; optional] a point inside both ellipsoids and on neither surface,
  *        relative to the centre of ellipsoid 1, if they overlap; otherwise NaN, also on success
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (no proof among the
- *         doubles was found; seen only where μ² differs from one by less than 1e-13, at aspect
- *         ratios up to 10⁸) */
+ *        doubles was found; seen only where μ² differs from one by less than 1e-13, at aspect
+ *        ratios up to 10⁸) */
 PW85_API int pw85_overlap_witness(double const r12[3], double const q1[6], double const q2[6],
                                   int *overlap, double *lambda, double point[3]);
 
@@ -444,8 +443,9 @@ PW85_API int pw85_contains(double const r12[3], double const q1[6], double const
  * @param[out] mu2 [optional] square of the factor
  * @param[out] point [length; optional] the point on the surface of ellipsoid 2, relative to the
  *        centre of ellipsoid 1. If the ellipsoids touch at several points, the result is one of
- *        them. They touch at several points for r12 = 0, and where r12 is short and has no part
- *        along the longest direction of ellipsoid 2, measured by q1
+ *        them. They touch at several points for r12 = 0, and where r12 is short and has no
+ *        component along the longest semi-axis that ellipsoid 2 has after the linear map that makes
+ *        ellipsoid 1 a unit ball
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the bounds cannot be
  *        made to agree; this has never been seen) */
 PW85_API int pw85_containment(double const r12[3], double const q1[6], double const q2[6],
@@ -491,20 +491,22 @@ PW85_API int pw85_volume(double const q[6], double *volume);
  * @param q1,q2 [as pw85_contact()]
  * @param[out] volume [length³] the volume, in the third power of the unit of length
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (by the linear map that
- *         takes the smaller ellipsoid to a unit ball, the other one becomes a disc that is
- *         thinner than 2⁻²¹; the integral does not converge; or 32 digits are not enough for the
- *         bound, which is seen at aspect ratios above 10⁵) */
+ *        takes the smaller ellipsoid to a unit ball, the other one becomes a disc that is
+ *        thinner than 2⁻²¹; the integral does not converge; or 32 digits are not enough for the
+ *        bound, which is seen at aspect ratios above 10⁵) */
 PW85_API int pw85_overlap_volume(double const r12[3], double const q1[6], double const q2[6],
                                  double *volume);
 
 /** Derivatives of the volume of the common part.
  *
  * The derivatives are 0 if the ellipsoids do not overlap. If one ellipsoid is inside the other one,
- * only the derivatives of its own volume are not 0. The error of the derivative with respect to a
- * number p is below u (256 m + 64 s), with u = 2⁻⁵³ and s = Σ|r12_i ∂²V/∂r12_i∂p| + Σ √(q1_ii
- * q1_jj) |∂²V/∂q1_ij∂p| + the same for q2. With the volume v of the smaller ellipsoid, the inverse
- * P of its form, and the inverse P' of the form to which p belongs, m is v √P_ii for r12_i, v
- * √(P_ii P'_ii) for a diagonal entry, and v (√(P_ii P'_jj) + √(P_jj P'_ii)) for another entry.
+ * only the derivatives of its own volume are not 0. If the surfaces touch from inside at a point,
+ * but for some 10⁻¹⁷ of their size, and cross elsewhere, 32 digits may not be enough
+ * (#PW85_ECONVERGENCE). The error of the derivative with respect to a number p is below u (256 m +
+ * 64 s), with u = 2⁻⁵³ and s = Σ|r12_i ∂²V/∂r12_i∂p| + Σ √(q1_ii q1_jj) |∂²V/∂q1_ij∂p| + the same
+ * for q2. With the volume v of the smaller ellipsoid, the inverse P of its form, and the inverse P'
+ * of the form to which p belongs, m is v √P_ii for r12_i, v √(P_ii P'_ii) for a diagonal entry, and
+ * v (√(P_ii P'_jj) + √(P_jj P'_ii)) for another entry.
  *
  * @param r12,q1,q2 [as pw85_overlap_volume()]
  * @param[out] d_r12 [length²; optional; member r12] ∂V/∂r12; its negative is the derivative with
@@ -660,7 +662,7 @@ PW85_API int pw85_closest_approach_2d(double const direction[2], double const q1
  * @param[out] point1,point2 [length; optional] the closest points of ellipsoids 1 and 2, both
  *        relative to the centre of ellipsoid 1; NaN if the ellipsoids overlap, also on success
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the errors cannot be
- *         bounded; seen only beyond aspect ratio 10⁶) */
+ *        bounded; seen only beyond aspect ratio 10⁶) */
 PW85_API int pw85_distance(double const r12[3], double const q1[6], double const q2[6],
                            double *distance, double point1[3], double point2[3]);
 
@@ -695,7 +697,7 @@ PW85_API int pw85_distance_derivatives(double const r12[3], double const q1[6], 
  * @param[out] direction [optional] unit vector along which ellipsoid 2 must move; NaN if the
  *        ellipsoids do not overlap, also on success
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the proof takes too
- *         long; seen only for forms that are singular to working precision) */
+ *        long; seen only for forms that are singular to working precision) */
 PW85_API int pw85_penetration(double const r12[3], double const q1[6], double const q2[6],
                               double *depth, double direction[3]);
 
@@ -758,9 +760,9 @@ PW85_API int pw85_signed_distance_derivatives(double const r12[3], double const 
  * that is smaller by more than 128 u α (1 + α/β), with u = 2⁻⁵³ and the α and β of the normal.
  * Where minima are not isolated, for example on circles of spheroids with a common axis, the proof
  * is coarser: in three dimensions another direction may have a value that is smaller by up to 2⁻²⁰
- * of the gap (in two, 2⁻⁴⁰). If several
- * directions are equally good, the result is one of them. The time is 50 to 300 times that of
- * pw85_contact() for isolated minima, and up to some tenths of a second otherwise.
+ * of the gap (in two, 2⁻⁴⁰). If several directions are equally good, the result is one of them. The
+ * time is 50 to 300 times that of pw85_contact() for isolated minima, and up to some tenths of a
+ * second otherwise.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] gap [length; optional] the gap, in the unit of r12; zero if the ellipsoids touch, or
@@ -772,7 +774,7 @@ PW85_API int pw85_signed_distance_derivatives(double const r12[3], double const 
  *        point1: minus the derivative of the gap with respect to r12; NaN if ellipsoid 2 is not
  *        inside, also on success
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the proof takes too
- *         long; this has never been seen) */
+ *        long; this has never been seen) */
 PW85_API int pw85_gap_inside(double const r12[3], double const q1[6], double const q2[6],
                              double *gap, double point1[3], double point2[3], double normal[3]);
 
@@ -818,7 +820,7 @@ PW85_API int pw85_gap_inside_2d(double const r12[2], double const q1[3], double 
  * S is the change of μ² at that time for relative errors of one in the given numbers:
  *
  *     S = cond + Σ_i |∂μ²/∂r_i| (|r12_i| + t |v1_i| + t |v2_i|)
- *              + Σ_k (1 + t |ω_k| + t |g_k|) max|Q_k| Σ_ij |∂μ²/∂Q_k,ij|
+ *             + Σ_k (1 + t |ω_k| + t |g_k|) max|Q_k| Σ_ij |∂μ²/∂Q_k,ij|
  *
  * cond is that of pw85_contact(); v, ω and g are the numbers of the motions, and Q_k is the form of
  * ellipsoid k at time t. The sum over k is over the ellipsoids that turn or grow. Pairs that miss
@@ -841,16 +843,16 @@ typedef struct pw85_motion {
 /** Time of the first contact of two moving ellipsoids.
  *
  * @param r12,q1,q2 [as pw85_contact()] at time 0
- * @param motion1,motion2 [mixed units; > 0 until t_max] motions of the ellipsoids; no ellipsoid may
- *        shrink to nothing before t_max
+ * @param motion1,motion2 [mixed units; > 0 until t_max] motions of the ellipsoids, whose semi-axes
+ *        must be > 0 until t_max
  * @param t_max [time; >= 0; or infinite] the time up to which contacts count
  * @param[out] t [time; member time] the time, or infinity
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for an ellipsoid that shrinks to nothing),
- *         #PW85_ENOTPD, #PW85_ECONVERGENCE (the search ends after 100,000 steps: the ellipsoids
- *         turn by more than 50,000 radians near each other without contact, or by more than 10,000
- *         if their aspect ratio is 1000; sizes, the relative velocity or the time leave the range
- *         of double; one turns by more than 2⁴³ radians, so that its orientation is unknown, or
- *         its aspect ratio is above 10⁷, so that rounding leaves no digit of its form) */
+ *        #PW85_ENOTPD, #PW85_ECONVERGENCE (the search ends after 100,000 steps: the ellipsoids
+ *        turn by more than 50,000 radians near each other without contact, or by more than 10,000
+ *        if their aspect ratio is 1000; sizes, the relative velocity or the time leave the range
+ *        of double; one turns by more than 2⁴³ radians, so that its orientation is unknown, or
+ *        its aspect ratio is above 10⁷, so that rounding leaves no digit of its form) */
 PW85_API int pw85_first_contact(double const r12[3], double const q1[6], double const q2[6],
                                 pw85_motion const *motion1, pw85_motion const *motion2,
                                 double t_max, double *t);
@@ -875,7 +877,7 @@ PW85_API int pw85_closest_passage(double const r12[3], double const q1[6], doubl
                                   double const velocity[3], double t_max, double *mu2, double *t);
 
 /** Free path of ellipsoid 1 along a direction: how far it may move before it touches ellipsoid 2.
- * Ellipsoid 1 moves by t direction, and the separation is then r12 - t direction.
+ * Ellipsoid 1 moves by t times `direction`, and the separation is then r12 - t direction.
  *
  * If the ellipsoids do not overlap at t = 0, they certainly do not overlap at the returned t or
  * before: rounding errors make t smaller, never larger. At the returned t the ellipsoids are in
@@ -885,9 +887,8 @@ PW85_API int pw85_closest_passage(double const r12[3], double const q1[6], doubl
  * @param r12,q1,q2 [as pw85_contact()]
  * @param direction [!= 0] of any length
  * @param t_max [length; >= 0; or infinite] the end of the path, in units of the length of
- * `direction`: a
- *        length if that is a unit vector
- * @param[out] t [length; member length] in the units of t_max, in [0, t_max), or infinity if there
+ *        `direction`: a length if that is a unit vector
+ * @param[out] t [length; member length] in the unit of t_max, in [0, t_max), or infinity if there
  *        is no contact on the path
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD,
  *        #PW85_ECONVERGENCE as for pw85_first_contact() */

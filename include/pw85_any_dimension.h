@@ -13,7 +13,7 @@
  * - Nearly singular forms and ties can need memory, which the functions allocate and free. If there
  *   is none, the status is #PW85_ENOMEM.
  * - #PW85_EINVAL also says that n is not in 1 … 16.
- * - pw85_last_error() tells nothing of these functions.
+ * - These functions keep no record for pw85_last_error().
  */
 #ifndef PW85_ANY_DIMENSION_H_INCLUDED
 #define PW85_ANY_DIMENSION_H_INCLUDED
@@ -86,15 +86,63 @@ PW85_API int pw85_nd_overlap(int n, double const *r12, double const *q1, double 
  *
  * @param n,r12,q1,q2 as for pw85_nd_contact()
  * @param mu2 what μ² is compared with, at least 0; it may be infinite
- * @param[out] sign -1, 0 or 1; -2 on error (pw85_compare() has 2)
+ * @param[out] sign -1, 0 or 1; 2 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM */
 PW85_API int pw85_nd_compare(int n, double const *r12, double const *q1, double const *q2,
                              double mu2, int *sign);
 
+/** Tests whether ellipsoid 2 is inside ellipsoid 1 in n dimensions, for the doubles exactly as
+ * given. It may touch the surface of ellipsoid 1 from inside. Every ellipsoid is inside itself.
+ *
+ * Floating-point numbers decide if they prove the answer. Otherwise integers of many digits do. A
+ * tie of forms with entries of similar size takes up to 1 ms for n = 4 and 0.1 s for n = 16; the
+ * time grows with the range of the exponents as that of pw85_nd_overlap() does.
+ *
+ * @param n,r12,q1,q2 as for pw85_nd_contact()
+ * @param[out] contains 1 or 0; -1 on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM */
+PW85_API int pw85_nd_contains(int n, double const *r12, double const *q1, double const *q2,
+                              int *contains);
+
+/** Factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2 in n
+ * dimensions, and the point where the ellipsoids then touch.
+ *
+ * The relative error of the square is below (2n + 20) u c, with c as for pw85_containment() and sums
+ * over n coordinates. The search proves the result by bounds from both sides.
+ *
+ * @param n,r12,q1,q2 as for pw85_nd_contact()
+ * @param[out] mu2 square of the factor, at most 1 if ellipsoid 2 is inside; may be null
+ * @param[out] point n numbers: the point on the surface of ellipsoid 2, relative to the centre of
+ *        ellipsoid 1, or one of them as for pw85_containment(); may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM, or #PW85_ECONVERGENCE for axes
+ *         too far apart, as above */
+PW85_API int pw85_nd_containment(int n, double const *r12, double const *q1, double const *q2,
+                                 double *mu2, double *point);
+
+/** Distance of the surfaces of two ellipsoids in n dimensions, the points where they are closest, and
+ * the common normal there.
+ *
+ * The error of the distance is below 4 u Σ, with u = 2⁻⁵³ and Σ as for pw85_distance(), with sums
+ * over n coordinates. It is proved by two bounds: the width of the slab between the ellipsoids that
+ * is normal to `normal`, which is `distance` to rounding, and the distance of the points. The vector
+ * point2 - point1 differs from `distance` times `normal` by less than 2¹⁸ u |r12|, plus the rounding
+ * errors u |point1| and u |point2|.
+ *
+ * @param n,r12,q1,q2 as for pw85_nd_contact()
+ * @param[out] distance zero if the ellipsoids overlap, as pw85_nd_overlap() decides; may be null
+ * @param[out] point1,point2 n numbers each: the closest points of ellipsoids 1 and 2, both relative
+ *        to the centre of ellipsoid 1; NaN if the ellipsoids overlap, also on success; may be null
+ * @param[out] normal n numbers: unit vector, outward from ellipsoid 1: the derivative of the
+ *        distance with respect to r12; NaN as the points; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM, or #PW85_ECONVERGENCE for
+ *         semi-axes below 2⁻⁴⁰⁰ of the largest coordinate of r12 (otherwise never seen) */
+PW85_API int pw85_nd_distance(int n, double const *r12, double const *q1, double const *q2,
+                              double *distance, double *point1, double *point2, double *normal);
+
 /** @}
  * @name Many pairs
  *
- * All pairs have the same n. They have rows of n numbers in r12 and of n (n + 1)/2 numbers in q1
+ * All pairs have the same n, which is checked even if there are none. They have rows of n numbers in r12 and of n (n + 1)/2 numbers in q1
  * and q2. A bad pair gets NaN, and 255 for an answer, and does not keep others from being computed.
  * The status is that of the first bad pair. Runs in the calling thread.
  * @{ */
@@ -127,6 +175,43 @@ PW85_API int pw85_nd_contact_geometry_batch(size_t num_pairs, int n, double cons
  * @return #PW85_SUCCESS, or the status of the first bad pair */
 PW85_API int pw85_nd_overlap_batch(size_t num_pairs, int n, double const *r12, double const *q1,
                                    double const *q2, unsigned char *overlap);
+
+/** pw85_nd_compare() for many pairs.
+ *
+ * @param num_pairs number of pairs
+ * @param n,r12,q1,q2,mu2 as for pw85_nd_compare(), one row for each pair
+ * @param[out] sign one number for each pair: -1, 0 or 1; 2 for a bad pair
+ * @return #PW85_SUCCESS, or the status of the first bad pair */
+PW85_API int pw85_nd_compare_batch(size_t num_pairs, int n, double const *r12, double const *q1,
+                                   double const *q2, double const *mu2, int *sign);
+
+/** pw85_nd_contains() for many pairs.
+ *
+ * @param num_pairs number of pairs
+ * @param n,r12,q1,q2 as for pw85_nd_contact(), one row for each pair
+ * @param[out] contains one byte for each pair: 1 or 0; 255 for a bad pair
+ * @return #PW85_SUCCESS, or the status of the first bad pair */
+PW85_API int pw85_nd_contains_batch(size_t num_pairs, int n, double const *r12, double const *q1,
+                                    double const *q2, unsigned char *contains);
+
+/** pw85_nd_containment() for many pairs; the bits are the same.
+ *
+ * @param num_pairs number of pairs
+ * @param n,r12,q1,q2 as for pw85_nd_contact(), one row for each pair
+ * @param[out] mu2,point as for pw85_nd_containment(), one row for each pair
+ * @return #PW85_SUCCESS, or the status of the first bad pair */
+PW85_API int pw85_nd_containment_batch(size_t num_pairs, int n, double const *r12, double const *q1,
+                                       double const *q2, double *mu2, double *point);
+
+/** pw85_nd_distance() for many pairs; the bits are the same.
+ *
+ * @param num_pairs number of pairs
+ * @param n,r12,q1,q2 as for pw85_nd_contact(), one row for each pair
+ * @param[out] distance,point1,point2,normal as for pw85_nd_distance(), one row for each pair
+ * @return #PW85_SUCCESS, or the status of the first bad pair */
+PW85_API int pw85_nd_distance_batch(size_t num_pairs, int n, double const *r12, double const *q1,
+                                    double const *q2, double *distance, double *point1,
+                                    double *point2, double *normal);
 
 /** @} */
 

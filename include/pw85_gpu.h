@@ -27,10 +27,10 @@ PW85_API int pw85_gpu_count(int *count);
  * Pointers are to memory that the device of the current context can address (of cudaMalloc,
  * cudaMallocManaged, pinned memory); where the calling thread has no context, that is the first
  * device. Work is queued on `stream` (a CUstream or cudaStream_t; null is the default stream), and
- * the functions return at once: nothing waits for the device, and results are valid once the
- * work that was queued on the stream up to this call is complete. Arrays must stay allocated and
- * unchanged until then. The calls allocate from the
- * stream's memory pool, 4 bytes per pair up to 32 MiB, and give it back to the stream.
+ * the functions return at once: nothing waits for the device, and results are valid once the work
+ * that was queued on the stream up to this call is complete. Arrays must stay allocated and
+ * unchanged until then. The calls allocate from the stream's memory pool, 4 bytes per pair up to 32
+ * MiB, and give it back to the stream.
  *
  * A bad pair, also one with an index that is out of range, is marked with NaN, or 255 for overlaps,
  * as by the functions for the host; but as nothing waits, the status says no more than that the
@@ -119,9 +119,9 @@ PW85_API int pw85_gpu_contact_derivatives_pairs(void *stream, pw85_pair_list con
  * @name Arrays of the host
  *
  * Pairs are sent to the device and results back in pieces, so that one piece is copied while
- * another one is computed. The functions return when all is done, with the status of the
- * first bad pair, as the functions for the host do. The transfer to the device dominates the time,
- * 120 bytes per pair: these functions are for programs that have no better use for their processor.
+ * another one is computed. The functions return when all is done, with the status of the first bad
+ * pair, as the functions for the host do. The transfer to the device dominates the time, 120 bytes
+ * per pair: these functions are for programs that have no better use for their processor.
  * @{ */
 
 /** pw85_contact_batch() by the device; arguments as there.

@@ -6,7 +6,7 @@
 #ifndef PW85_GRAINS_H_INCLUDED
 #define PW85_GRAINS_H_INCLUDED
 
-#include <pw85/export.h>
+#include <pw85.h>
 
 #ifdef __cplusplus
 extern "C" {

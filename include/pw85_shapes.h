@@ -8,7 +8,7 @@
 
 #include <stddef.h>
 
-#include <pw85/export.h>
+#include <pw85.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -336,8 +336,8 @@ PW85_API int pw85_distance_solid_box(double const lower[3], double const upper[3
  * @name Points and shapes in the plane
  *
  * An ellipse with its centre at 0, and a point, a segment or a box. The errors have the bounds of
- * the functions in space, and the answers of pw85_overlap_segment_2d() and pw85_overlap_box_2d()
- * are exact as theirs.
+ * the functions in three dimensions, and the answers of pw85_overlap_segment_2d() and
+ * pw85_overlap_box_2d() are exact as theirs.
  * @{ */
 
 /** Distance from a point to an ellipse, the curve; see pw85_distance_point().

@@ -85,10 +85,10 @@ PW85_API int pw85_hard_ellipsoids_remove(pw85_hard_ellipsoids *simulation, size_
  *        dimensions the first two
  * @param num_trials how many insertions
  * @param semi_axes [length; > 0] of the particle; at most 32 times the shortest vector of the
- *        lattice of images; with a law also if they, and those of the other particles, are enlarged
- *        by the root of the cutoff
- * @param[out] weight the mean, without fields and law the part of the places that are free; NaN on
- *        error and without trials
+ *        lattice of images; with a law this holds for the semi-axes of all particles times √c,
+ *        where c is the cutoff of μ²
+ * @param[out] weight [NaN on error] the mean, without fields and law the part of the places that are
+ *        free; NaN without trials
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM; #PW85_EPOTENTIAL as for
  *        pw85_hard_ellipsoids_set_potential() */
 PW85_API int pw85_hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids *simulation,
@@ -98,25 +98,25 @@ PW85_API int pw85_hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids *simulat
 /** Tries insertions and removals of particles, at constant activities: the grand canonical
  * ensemble, if sweeps move the particles.
  *
- * Each trial is an insertion or a removal of a particle of one of the kinds, all equally probable.
- * A particle is of the kind that has its semi-axes. Particles of other kinds stay. An insertion at
- * a random place and with a random orientation is accepted with the probability min(1, z V/(N + 1)
- * e^(-βU)) if the particle is free, and a removal of a random particle of the kind with min(1, N/(z
- * V) e^(βU)), where N is the number of particles of the kind. Particles that are out of the cell,
- * along vectors that are not periodic, stay. So an ideal gas has the density z of each species, and
- * the numbers of its particles are distributed by Poisson's law. In two dimensions V is the area.
- * A potential must not depend on the index of a particle here, which removals change. Pointers as
- * for pw85_hard_ellipsoids_insert().
+ * Each trial is an insertion or a removal of a particle of one of the species, all equally
+ * probable. A particle is of the species that has its semi-axes. Particles of other species stay.
+ * An insertion at a random position and with a random orientation is accepted with the probability
+ * min(1, z V/(N + 1) e^(-βU)) if the particle is free, and a removal of a random particle of the
+ * species with min(1, N/(z V) e^(βU)), where N is the number of its particles. Particles outside of
+ * the cell, along vectors that are not periodic, stay. So an ideal gas has the density z of each
+ * species, and the numbers of its particles are distributed by Poisson's law. In two dimensions V
+ * is the area. A potential must not depend on the index of a particle here, which removals change.
+ * Pointers as for pw85_hard_ellipsoids_insert().
  *
  * @param simulation a simulation with a cell, whose three vectors are independent, in two
  *        dimensions the first two
  * @param num_moves how many trials
- * @param num_kinds at least 1
+ * @param num_kinds number of species, at least 1
  * @param semi_axes [num_kinds×3; length; > 0] those of each species, all different, as for
  *        pw85_hard_ellipsoids_insertion_weight()
- * @param activities [num_kinds; 1/length³] z = e^(βμ)/Λ³ of each species, > 0, in the inverse cube
- *        of the unit of length, in two dimensions in its inverse square
- * @param[out] counts [optional] insertions, those that were accepted, removals, those that were
+ * @param activities [num_kinds; 1/length³; > 0] z = e^(βμ)/Λ³ of each species, in the inverse cube of
+ *        the unit of length, in two dimensions in its inverse square
+ * @param[out] counts [optional; -1 on error] insertions, those that were accepted, removals, those that were
  *        accepted, of this call; -1 where nothing was tried
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD; #PW85_ENOMEM, or #PW85_EPOTENTIAL as for
  *         pw85_hard_ellipsoids_set_potential(), after which the trials that were made before

@@ -34,8 +34,8 @@ PW85_API int pw85_hard_ellipsoids_energy(pw85_hard_ellipsoids const *simulation,
  * gives that pressure.
  *
  * @param simulation a simulation
- * @param[out] virial the sum over all pairs and images, in the unit of k_B T; 0 without a law; NaN
- *        on error
+ * @param[out] virial [NaN on error] the sum over all pairs and images, in the unit of k_B T; 0
+ *        without a law
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM */
 PW85_API int pw85_hard_ellipsoids_law_virial(pw85_hard_ellipsoids const *simulation,
                                              double *virial);
@@ -48,7 +48,7 @@ PW85_API int pw85_hard_ellipsoids_law_virial(pw85_hard_ellipsoids const *simulat
  * @param particle index, from 0
  * @param capacity how many images the arrays can have; with 0 the function only counts
  * @param[out] count [0 on error] how many images there are, which may be more than `capacity`
- * @param[out] particles [capacity] index of each; the first `count` are written, as of the next
+ * @param[out] particles [capacity; optional] index of each; the first `count` are written, as of the next
  *        arrays, which may all be null
  * @param[out] images [capacity×3; optional] multiples of the vectors of the cell, to be added to
  *        the centre of that particle

@@ -31,7 +31,7 @@ typedef struct pw85_hard_ellipsoids pw85_hard_ellipsoids;
  *        of each particle, whose squares are in the range of double
  * @param quaternions [num_particles×4; != 0] (w, x, y, z), of any lengths
  * @param seed selects the random numbers
- * @param[out] pair [optional] the first two particles that overlap, the same for a particle and its
+ * @param[out] pair [optional; -1 on error] the first two particles that overlap, the same for a particle and its
  *        own image; -1 if no particles overlap
  * @param[out] simulation [null on error] to be destroyed by pw85_hard_ellipsoids_destroy()
  * @return #PW85_SUCCESS; #PW85_EOVERLAP if particles overlap; #PW85_EINVAL and #PW85_ENOTPD as
@@ -40,15 +40,15 @@ PW85_API int pw85_hard_ellipsoids_create(pw85_system const *system, double const
                                          double const *quaternions, size_t seed, int32_t pair[2],
                                          pw85_hard_ellipsoids **simulation);
 
-/** Makes a simulation one of hard ellipses in a plane of z, or again one of ellipsoids. A new
+/** Makes a simulation one of hard ellipses in a plane z = const, or again one of ellipsoids. A new
  * simulation has three dimensions.
  *
  * In two dimensions the ellipses are the sections of the ellipsoids with the plane. They overlap
  * where the ellipsoids do, whatever the third semi-axes are. Translations are by a point of a disc,
  * rotations are about z, and the area of the cell takes the place of its volume. No function
- * changes a bit of z of the centres and of the vectors of the cell, or of x and y of the
- * quaternions. A translation (pw85_hard_ellipsoids_set_steps()) that is longer than the longest
- * vector of the cell becomes as long as that where the cell is periodic along both of its vectors.
+ * changes z of the centres and of the cell vectors, or x and y of the quaternions. The largest
+ * translation of a trial (pw85_hard_ellipsoids_set_steps()) is reduced to the length of the longest
+ * cell vector if the cell is periodic along both of its vectors.
  *
  * @param simulation a simulation
  * @param dimensions 2 or 3

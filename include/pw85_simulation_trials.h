@@ -68,11 +68,11 @@ PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t
  *
  * @param simulation a simulation
  * @param num_chains how many
- * @param length [length] of each chain, > 0, in the unit of length. A chain is long if its length
+ * @param length [length; > 0] of each chain, in the unit of length. A chain is long if its length
  *        is the mean distance between contacts times the number of particles
  * @param direction [optional; != 0] of any length, in two dimensions without z; or null for a
  *        random direction of each chain, isotropic
- * @param[out] compressibility [optional] βP/ρ along the directions, by these chains. NaN on error,
+ * @param[out] compressibility [optional; NaN on error] βP/ρ along the directions, by these chains. NaN
  *        without chains or particles, and where a particle could touch its own image if it turned:
  *        where the shortest vector of the lattice is not longer than twice the longest semi-axis.
  *        Such contacts are a part of the pressure that chains do not find, because images move with
@@ -120,8 +120,8 @@ PW85_API int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation,
  *
  * @param simulation a simulation
  * @param num_sweeps how many
- * @param acceptance the target of the ratio of accepted trials, > 0 and at most 1
- * @param pressure βP as for pw85_hard_ellipsoids_volume_moves(), for one trial of the volume after
+ * @param acceptance [> 0; <= 1] the target of the acceptance ratio
+ * @param pressure [>= 0] βP as for pw85_hard_ellipsoids_volume_moves(), for one trial of the volume after
  *        each sweep; 0 for none, except for #PW85_CHANGE_ASPECT
  * @param change [as pw85_hard_ellipsoids_volume_moves()]
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM; #PW85_EPOTENTIAL as for
@@ -133,7 +133,7 @@ PW85_API int pw85_hard_ellipsoids_tune(pw85_hard_ellipsoids *simulation, size_t 
  * exchanges.
  *
  * @param simulation a simulation
- * @param fractions not negative; they are divided by their sum, which is positive
+ * @param fractions [>= 0] they are divided by their sum, which is positive
  * @return #PW85_SUCCESS, #PW85_EINVAL */
 PW85_API int pw85_hard_ellipsoids_set_fractions(pw85_hard_ellipsoids *simulation,
                                                 double const fractions[4]);
@@ -144,7 +144,7 @@ PW85_API int pw85_hard_ellipsoids_set_fractions(pw85_hard_ellipsoids *simulation
  * third power.
  *
  * @param simulation a simulation
- * @param steps positive: the length of a translation, in a cell that is periodic along its three
+ * @param steps [> 0] the length of a translation, in a cell that is periodic along its three
  *        vectors, or in two dimensions along the first two, at most that of the longest one; the
  *        tangent of half of the angle of a rotation, at most 1; the relative change of a length of
  *        the cell or the shear, at most 1
@@ -159,25 +159,26 @@ PW85_API int pw85_hard_ellipsoids_set_steps(pw85_hard_ellipsoids *simulation,
  * @return #PW85_SUCCESS, #PW85_EINVAL */
 PW85_API int pw85_hard_ellipsoids_steps(pw85_hard_ellipsoids const *simulation, double steps[3]);
 
-/** Sets the largest translations and rotations of particles with some semi-axes, in place of all
- * such steps that there are. Other particles have those of pw85_hard_ellipsoids_set_steps().
- * pw85_hard_ellipsoids_tune() tunes the steps of each species by its own trials. They are a part of
- * the state that pw85_hard_ellipsoids_save() writes.
+/** Sets the largest translations and rotations of some species, which are particles with the same
+ * semi-axes, in place of all such steps that there are. Other particles have those of
+ * pw85_hard_ellipsoids_set_steps(). pw85_hard_ellipsoids_tune() tunes the steps of each species by
+ * its own trials. They are a part of the state that pw85_hard_ellipsoids_save() writes.
  *
  * @param simulation a simulation
- * @param num_kinds at most 16; 0 for none
+ * @param num_kinds number of species, at most 16; 0 for none
  * @param semi_axes [num_kinds×3; length] those of each species, all different
- * @param steps [num_kinds×2] translation and rotation, as for pw85_hard_ellipsoids_set_steps()
+ * @param steps [num_kinds×2; > 0] translation and rotation, as for pw85_hard_ellipsoids_set_steps()
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM: nothing changes on error */
 PW85_API int pw85_hard_ellipsoids_set_kind_steps(pw85_hard_ellipsoids *simulation, size_t num_kinds,
                                                  double const *semi_axes, double const *steps);
 
-/** The largest translations and rotations of particles with some semi-axes.
+/** The largest translations and rotations of some species, which are particles with the same
+ * semi-axes.
  *
  * @param simulation a simulation
- * @param num_kinds how many
- * @param semi_axes [num_kinds×3; length] any
- * @param[out] steps [num_kinds×2] translation and rotation of each; those of all others where they
+ * @param num_kinds number of species
+ * @param semi_axes [num_kinds×3; length] those of each species
+ * @param[out] steps [num_kinds×2; NaN on error] translation and rotation of each; those of all others where they
  *        have none of their own
  * @return #PW85_SUCCESS, #PW85_EINVAL */
 PW85_API int pw85_hard_ellipsoids_kind_steps(pw85_hard_ellipsoids const *simulation,

@@ -21,9 +21,9 @@ extern "C" {
  * read them, and do not use them after the call. A pointer may be null if the function says so,
  * because it does not read that member.
  *
- * If there is a cell, `periodic` says along which of its vectors there are periodic images. It
- * must be set: a cell without a periodic vector is #PW85_EINVAL. Vectors that are not periodic
- * may be zero or NaN. Without a cell `periodic` is not read. */
+ * If there is a cell, `periodic` says along which of its vectors there are periodic images. It must
+ * be set: with a cell, three zeros are #PW85_EINVAL. Vectors that are not periodic may be zero or
+ * NaN. Without a cell `periodic` is not read. */
 typedef struct pw85_system {
     /** [number of particles] 0 is fine, and pointers may then be null. */
     size_t num_particles;
@@ -55,33 +55,34 @@ typedef struct pw85_pair_list {
 /** pw85_overlap_any() for other particles of a system, by their indices: the inner loop of a Monte
  * Carlo move, for the trial ellipsoid.
  *
- * In a periodic cell `images` selects one image of each of the others, as in a neighbour list.
- * Without `images` the answer is about all images of the others and of the ellipsoid itself. The
- * function then tests the nearest images. The answer is known if one of them overlaps, or if no
+ * In a periodic cell `images` selects one image of each of these particles, as in a neighbour list.
+ * Without `images` the answer is about all images of these particles and of the ellipsoid itself.
+ * The function then tests the nearest images. The answer is known if one of them overlaps, or if no
  * farther image can overlap (pw85_nearest_image_limit() of all these particles is 1 or more).
- * Otherwise the status is #PW85_EINVAL: pass the images of a neighbour list. In so small a cell the
- * ellipsoid can also overlap images of itself, which the list contains: write the trial into the
- * arrays of the system before the call, so that its own index refers to the trial.
+ * Otherwise the status is #PW85_EINVAL, and pw85_last_error() tells that the argument `images` must
+ * be given: pass the images of a neighbour list. In so small a cell the ellipsoid can also overlap
+ * images of itself, which the list contains: write the trial into the arrays of the system before
+ * the call, so that its own index refers to the trial.
  *
  * @param center [length] centre of the ellipsoid
  * @param q1 [length²; definite] form of the ellipsoid
  * @param system the particles; the cell is best reduced (pw85_cell_reduce()) unless there are
- *        images. Unless there are, others that are more than 2⁵⁰ vectors of the reduced cell from
+ *        images. Without images, particles that are more than 2⁵⁰ vectors of the reduced cell from
  *        the ellipsoid are bad.
  * @param n [number of others] 0 is fine
  * @param indices [n; index] of particles, from 0; that of the ellipsoid itself may be among them
  *        only with `images`
  * @param images [n×3; optional; needs cell] multiples of the cell vectors, as given, to be added to
- *        the centres of the others; or null for all images
+ *        the centres of these particles; or null for all images
  * @param[out] any [-1 on error] 1 or 0
  * @return as for pw85_overlap_any(); #PW85_EINVAL also for an index out of range, `images`
- *         without `cell`, a cell that is not finite or, unless there are images, singular, and
- *         if nearest images do not decide */
+ *        without `cell`, a cell that is not finite or, unless there are images, singular, and
+ *        if nearest images do not decide */
 PW85_API int pw85_overlap_any_indices(double const center[3], double const q1[6],
                                       pw85_system const *system, size_t n, int32_t const *indices,
                                       int32_t const *images, int *any);
 
-/** pw85_contact() for the pairs of a neighbour list.
+/** pw85_contact() for the pairs of a list.
  *
  * In a periodic cell a pair stands for one image of j, either that of `images` or the nearest one
  * (by the distance of the centres). The nearest one is found for any cell, however skewed. If the
@@ -90,24 +91,24 @@ PW85_API int pw85_overlap_any_indices(double const center[3], double const q1[6]
  *
  * @param list the pairs
  * @param system the particles. Where nearest images are asked for, a pair is bad whose centres are
- *        more than 2⁵⁰ vectors of the reduced cell from each other: rounding errors are then larger
- *        than the cell. The cell need not be reduced, but then each call takes some hundred
+ *        more than 2⁵⁰ vectors of the reduced cell from each other: rounding errors are then
+ *        larger than the cell. The cell need not be reduced, but then each call takes some hundred
  *        nanoseconds more than for the reduced one: see pw85_cell_reduce().
  * @param[out] mu2 [num_pairs]
  * @param[out] lambda [num_pairs; optional]
  * @return as for pw85_contact_batch(); #PW85_EINVAL also for `images` without `cell`, a cell
- *         that is not finite or, unless there are images, singular */
+ *        that is not finite or, unless there are images, singular */
 PW85_API int pw85_contact_pairs(pw85_pair_list const *list, pw85_system const *system, double *mu2,
                                 double *lambda);
 
-/** pw85_overlap() for the pairs of a neighbour list; arguments as for pw85_contact_pairs().
+/** pw85_overlap() for the pairs of a list; arguments as for pw85_contact_pairs().
  *
  * @param list,system [as pw85_contact_pairs()]
  * @param[out] overlap [num_pairs] 1, 0, or 255 for a bad pair */
 PW85_API int pw85_overlap_pairs(pw85_pair_list const *list, pw85_system const *system,
                                 unsigned char *overlap);
 
-/** pw85_overlap_volume() for the pairs of a neighbour list; arguments as for pw85_contact_pairs().
+/** pw85_overlap_volume() for the pairs of a list; arguments as for pw85_contact_pairs().
  * Their sum is the two-body overlap of a system; what three ellipsoids have in common counts three
  * times in it.
  *
@@ -117,7 +118,7 @@ PW85_API int pw85_overlap_pairs(pw85_pair_list const *list, pw85_system const *s
 PW85_API int pw85_overlap_volume_pairs(pw85_pair_list const *list, pw85_system const *system,
                                        double *volume);
 
-/** The derivatives for the pairs of a neighbour list; arguments as for pw85_contact_pairs(),
+/** The derivatives for the pairs of a list; arguments as for pw85_contact_pairs(),
  * outputs as for pw85_contact_derivatives_batch().
  *
  * @param list,system [as pw85_contact_pairs()]
@@ -150,7 +151,7 @@ PW85_API int pw85_contact_derivatives_pairs(pw85_pair_list const *list, pw85_sys
  *        row-major; divided by the volume it is the part of the pressure tensor that comes from
  *        contacts
  * @return #PW85_SUCCESS, also if a NaN in the input makes some of the sums NaN; #PW85_EINVAL as
- *         for pw85_contact_pairs(), before anything is written */
+ *        for pw85_contact_pairs(), before anything is written */
 PW85_API int pw85_contact_forces_pairs(pw85_pair_list const *list, pw85_system const *system,
                                        double const *d_u, double const *d_r12, double const *d_rot1,
                                        double const *d_rot2, double *forces, double *torques,
@@ -183,7 +184,7 @@ typedef struct pw85_law {
     double const *parameters;
 } pw85_law;
 
-/** Sums of the energies, forces, torques and virial of the pairs of a neighbour list, whose energy
+/** Sums of the energies, forces, torques and virial of the pairs of a list, whose energy
  * is a law of μ². The function takes little more time than pw85_contact_derivatives_pairs() alone,
  * and less for a soft repulsion, where pairs that do not overlap have no forces. The sums of
  * forces and torques are those of pw85_contact_forces_pairs(), bit by bit, except that a soft
@@ -202,14 +203,14 @@ typedef struct pw85_law {
  * @param[out] virial [3×3; energy; optional] Σ r12 ⊗ force on the second particle of each pair,
  *        row-major
  * @return as for pw85_contact_pairs(); sums to which a bad pair contributes are NaN.
- *         #PW85_EINVAL also for a law whose kind is not one of these, or whose parameters are not
- *         allowed; #PW85_ENOMEM without memory for one megabyte per thread. Both come before
- *         anything is written. */
+ *        #PW85_EINVAL also for a law whose kind is not one of these, or whose parameters are not
+ *        allowed; #PW85_ENOMEM without memory for one megabyte per thread. Both come before
+ *        anything is written. */
 PW85_API int pw85_law_forces_pairs(pw85_pair_list const *list, pw85_system const *system,
                                    pw85_law const *law, double *energy, double *forces,
                                    double *torques, double *virial);
 
-/** pw85_first_contact() for the pairs of a neighbour list, and the next event of each particle:
+/** pw85_first_contact() for the pairs of a list, and the next event of each particle:
  * what event-driven simulations schedule. A pair stands for the same image of j at all times, that
  * of time 0.
  *
@@ -243,7 +244,7 @@ PW85_API int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system co
  * @return #PW85_SUCCESS or #PW85_EINVAL (a null pointer, a cell that is singular or not finite) */
 PW85_API int pw85_cell_reduce(double const cell[9], double reduced[9]);
 
-/** The nearest images, which the functions of neighbour lists use without `images`: as vectors, and
+/** The nearest images, which the functions of pair lists use without `images`: as vectors, and
  * as values for `images`.
  *
  * Functions that are called with these `images` need no search, and each pair keeps the same image.
@@ -258,8 +259,8 @@ PW85_API int pw85_cell_reduce(double const cell[9], double reduced[9]);
  * @param[out] images [num_pairs×3; optional] multiples of the vectors of the cell, as given;
  *        INT32_MIN for a bad pair
  * @return as for pw85_contact_batch(); a pair is bad if a centre is not finite, or, if `images`
- *         are requested, a multiple is beyond 2³¹ - 1; #PW85_EINVAL also for a cell that is
- *         singular or not finite */
+ *        are requested, a multiple is beyond 2³¹ - 1; #PW85_EINVAL also for a cell that is
+ *        singular or not finite */
 PW85_API int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, pw85_system const *system,
                                  double *r12, int32_t *images);
 
@@ -306,8 +307,8 @@ typedef struct pw85_neighbors pw85_neighbors;
  * @param skin [length; >= 0] in the unit of the semi-axes
  * @param[out] list [null on error] to be destroyed by pw85_neighbors_destroy()
  * @return #PW85_SUCCESS; #PW85_EINVAL, also if the periodic vectors are not independent, or an
- *         image is more than 2²⁹ vectors away; #PW85_ENOTPD; #PW85_ENOMEM.
- *         pw85_neighbors_check() says which particle is bad. */
+ *        image is more than 2²⁹ vectors away; #PW85_ENOTPD; #PW85_ENOMEM.
+ *        pw85_neighbors_check() says which particle is bad. */
 PW85_API int pw85_neighbors_create(pw85_system const *system, double scale, double skin,
                                    pw85_neighbors **list);
 
@@ -317,8 +318,8 @@ PW85_API int pw85_neighbors_create(pw85_system const *system, double scale, doub
  * @param[out] particle index of the first bad particle: its centre or form is invalid, or it is too
  *        far away; num_particles if there is none, 0 if `system` is null
  * @return the status of that particle; or of the other arguments, with `particle` =
- *         num_particles; #PW85_SUCCESS if only the memory or the number of images can be the
- *         cause */
+ *        num_particles; #PW85_SUCCESS if only the memory or the number of images can be the
+ *        cause */
 PW85_API int pw85_neighbors_check(pw85_system const *system, double scale, double skin,
                                   size_t *particle);
 
@@ -342,9 +343,9 @@ PW85_API int pw85_neighbors_check(pw85_system const *system, double scale, doubl
  *        vectors as for the list: `cell` is not null if the list has one
  * @param[out] holds [-1 on error] 1 or 0
  * @return #PW85_SUCCESS, #PW85_EINVAL, also if the number of particles is not that of the list,
- *         only one of the two has a cell, or the cell is periodic along other vectors, or its
- *         periodic vectors are not finite or not independent; or the status of the first bad
- *         particle */
+ *        only one of the two has a cell, or the cell is periodic along other vectors, or its
+ *        periodic vectors are not finite or not independent; or the status of the first bad
+ *        particle */
 PW85_API int pw85_neighbors_holds(pw85_neighbors const *list, pw85_system const *system,
                                   int *holds);
 
@@ -401,7 +402,7 @@ PW85_API int pw85_mesh_create(size_t num_vertices, double const *vertices, size_
  *        the mesh; infinity if the mesh has no triangles
  * @param[out] point [length; optional] where the scaled ellipsoid touches, relative to its centre;
  *        NaN if the mesh has no triangles
- * @param[out] triangle [optional] index of the nearest triangle, the first of several; -1 if the
+ * @param[out] triangle [optional; -1 on error] index of the nearest triangle, the first of several; -1 if the
  *        mesh has none, and on error
  * @return #PW85_SUCCESS; #PW85_EINVAL, also if the coordinates of a vertex relative to the
  *        centre overflow; #PW85_ENOTPD */
@@ -446,7 +447,7 @@ PW85_API int pw85_mesh_overlap(pw85_mesh const *mesh, double const center[3], do
  * @param[out] normal [optional] unit vector out of the ellipsoid at point1; point2 - point1 is
  *        `distance` times it; NaN if the mesh has no triangles
  * @param[out] triangle [as pw85_mesh_contact()]
- * @param[out] inside [optional] 1 if the centre is inside of a closed mesh, 0 if it is outside; -1
+ * @param[out] inside [optional; -1 on error] 1 if the centre is inside of a closed mesh, 0 if it is outside; -1
  *        if the mesh is not closed, and on error
  * @return as for pw85_mesh_contact() */
 PW85_API int pw85_mesh_distance(pw85_mesh const *mesh, double const center[3], double const q[6],

@@ -570,10 +570,8 @@ void FixHpmc::move(Mover const &mover)
     int const i = mover.atom;
     Stream random(seed_, static_cast<std::uint64_t>(update->ntimestep),
                   static_cast<std::uint64_t>(mover.tag));
-    // The sum of all translations. It is rounded up generously, because candidates that are too far
-    // cost little.
-    gather(i, ellipsoids_.radius(i) + 0.5 * diameter_ +
-                  1.001 * num_trials_ * largest_step_[translation]);
+    double const way = num_trials_ * largest_step_[translation]; // the sum of all translations
+    gather(i, ellipsoids_.radius(i) + 0.5 * diameter_ + way);
     bool const turns = !is_sphere(i) && largest_step_[rotation] > 0.0;
     for (int trial = 0; trial < num_trials_; ++trial) {
         Kind const kind = turns && (random.bits() & 1) ? rotation : translation;
@@ -618,14 +616,16 @@ bool FixHpmc::try_rotation(Mover const &mover, Stream &random)
     return true;
 }
 
-/// Finds the candidates within a distance of an atom.
+/// Finds the candidates within a distance of an atom, and some that are farther by up to a
+/// thousandth. This is far more than rounding errors, of positions and forms.
 void FixHpmc::gather(int i, double distance)
 {
     candidates_.clear();
     Vector const center = vector(atom->x[i]);
-    bins_.visit(center.data(), distance, [&](int j) {
+    double const reach = 1.001 * distance;
+    bins_.visit(center.data(), reach, [&](int j) {
         Vector const r = vector(atom->x[j]) - center;
-        if (j != i && dot(r, r) <= distance * distance) candidates_.push_back(j);
+        if (j != i && dot(r, r) <= reach * reach) candidates_.push_back(j);
     });
 }
 

@@ -38,7 +38,8 @@ inline Vector product(double const *q, Vector const &x)
 }
 
 /// I⁻¹x, for the inertia I = (m/5) ((tr Q) 1 - Q) of a solid ellipsoid. The angular momentum gives
-/// the angular velocity.
+/// the angular velocity. pw85_inertia() has the same tensor of a form, from which this needs the
+/// inverse for each contact; tests/test_vectors.cpp compares them.
 inline Vector without_inertia(double mass, double const *q, Vector const &x)
 {
     double const a = q[3] + q[5], b = q[0] + q[5], c = q[0] + q[3], d = -q[4], e = -q[2], f = -q[1];

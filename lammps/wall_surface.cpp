@@ -19,7 +19,8 @@ char const too_deep[] = "is too deep in the wall for the law of force: use a lar
                         "smaller time step, or "
                         "move it out of the wall before the run";
 
-/// The relative margin in comparisons with bounding radii, far above the rounding errors of forms.
+/// The relative margin in comparisons with bounding radii, far above the rounding errors of forms
+/// and of sums of distances and radii.
 constexpr double bounding_margin = 0x1p-40;
 
 Vector unit(int axis)
@@ -118,7 +119,8 @@ class InsideOfCylinder : public WallSurface {
     bool cuts(Grain const &grain) const override
     {
         Vector const c = across(grain.center - origin_);
-        if (std::sqrt(dot(c, c)) + grain.radius * (1.0 + bounding_margin) <= radius_) return false;
+        double const reach = std::sqrt(dot(c, c)) + grain.radius;
+        if (reach * (1.0 + bounding_margin) <= radius_) return false;
         int contains = 0;
         pw85_contains_2d(shadow(c).data(), disc().data(), shadow_form(grain.form).data(),
                          &contains);
@@ -231,7 +233,7 @@ class OutsideOfCylinder final : public InsideOfCylinder {
     bool cuts(Grain const &grain) const override
     {
         Vector const r = across(origin_ - grain.center);
-        double const reach = radius_ + grain.radius * (1.0 + bounding_margin);
+        double const reach = (radius_ + grain.radius) * (1.0 + bounding_margin);
         if (std::sqrt(dot(r, r)) > reach) return false;
         int overlap = 0;
         pw85_overlap_2d(shadow(r).data(), shadow_form(grain.form).data(), disc().data(), &overlap);

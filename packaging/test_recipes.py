@@ -11,6 +11,7 @@ import shlex
 import subprocess
 import sys
 import tempfile
+import tomllib
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -105,6 +106,59 @@ def complaints_of_recipes(folder):
     provided = {word.strip() for word in read_ini(texts["wrapdb/pw85.wrap"])["provide"]["dependency_names"].split(",")}
     if not provided >= {"pw85", "pw85-headers"}:
         yield f"wrapdb/pw85.wrap provides only {provided}"
+    yield from complaints_of_vcpkg(texts, {name for name in provided if not name.endswith("-headers")})
+    yield from complaints_of_conda(yaml.safe_load(texts["conda-forge/recipe.yaml"]))
+
+
+# The ports of vcpkg that define the commands of a portfile, by the beginnings of their names.
+PORTS = {"vcpkg_cmake_config_": "vcpkg-cmake-config", "vcpkg_configure_meson": "vcpkg-tool-meson"}
+
+
+def complaints_of_vcpkg(texts, packages):
+    """The ports of all commands are named, and the CMake packages of all libraries are moved."""
+    portfile = texts["vcpkg/portfile.cmake"]
+    ports = {one if isinstance(one, str) else one["name"] for one in json.loads(texts["vcpkg/vcpkg.json"])["dependencies"]}
+    for command, port in PORTS.items():
+        if command in portfile and port not in ports:
+            yield f"vcpkg: {command} needs the port {port}"
+    moved = set(re.findall(r"CONFIG_PATH lib/cmake/(\w+)", portfile))
+    yield from (f"vcpkg: lib/cmake/{name} stays where it is" for name in sorted(packages - moved))
+
+
+def complaints_of_conda(recipe):
+    """A script with a variable of a shell of Unix is not run on Windows."""
+    for output in recipe["outputs"]:
+        if "${" in str(output["build"]["script"]).replace("${{", "") and output["build"].get("skip") != "win":
+            yield f"conda-forge: the script of {output['package']['name']} needs a shell of Unix"
+
+
+# The Debian packages of what Meson looks for to build the manual and the tests; readelf, nm and objdump come with g++.
+DEBIAN = {
+    "/usr/bin/python3": ["python3-dev"], "doxygen": ["doxygen"], "clang++": ["clang", "lld"], "cmake": ["cmake"],
+    "glib-2.0": ["libglib2.0-dev"], "hdf5": ["libhdf5-dev"], "boost": ["libboost-dev"], "mpfr": ["libmpfr-dev"],
+    **dict.fromkeys(("readelf", "nm", "objdump"), ["g++"]), **dict.fromkeys(("env", "threads", "dl"), []),
+}  # fmt: skip
+SOUGHT = re.compile(r"(?:find_program|dependency)\(\s*'([\w./+-]+)'((?:[^()]|\([^()]*\))*)\)")
+
+
+def complaints_of_debian():
+    """debian/control names, by the profile, what a build with the manual and with the tests looks for, and what the command imports."""
+    relations = re.search(r"^Build-Depends:(.*?)^\S", (ROOT / "debian/control").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+    named = {part.split()[0]: part for part in re.split(r",\s*", relations[1].strip())}
+    needed = {"nocheck": tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["dependencies"], "nodoc": []}
+    needed["nocheck"] = [f"python3-{re.match(r'[a-z]+', one)[0]}" for one in needed["nocheck"] if "numpy" not in one]
+    for profile, folder in (("nodoc", "docs"), ("nocheck", "tests")):
+        for path in (ROOT / folder).rglob("meson.build"):
+            for name, rest in SOUGHT.findall(path.read_text(encoding="utf-8")):
+                if "required: false" in rest or (path.parent / name).exists():
+                    continue
+                if name not in DEBIAN:
+                    yield f"{path.relative_to(ROOT)} looks for {name}: which package of Debian has it?"
+                needed[profile] += DEBIAN.get(name, [])
+    for profile, packages in needed.items():
+        for package in sorted(set(packages)):
+            if named.get(package) not in (package, f"{package} <!{profile}>"):
+                yield f"debian/control: Build-Depends lacks {package} <!{profile}>"
 
 
 def options():
@@ -153,7 +207,7 @@ def complaints_of_release():
 
 def main():
     with tempfile.TemporaryDirectory(prefix="pw85-recipes-") as folder:
-        found = [*complaints_of_recipes(folder), *complaints_of_host(), *complaints_of_release()]
+        found = [*complaints_of_recipes(folder), *complaints_of_host(), *complaints_of_release(), *complaints_of_debian()]
     print("\n".join(found))
     return 1 if found else 0
 

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
 # Builds pw85 with its tests in ./build-test and runs the tests. On Debian and Ubuntu it first installs the missing packages that
-# the tests need. It can be run again at any time. Arguments are passed to `meson test`, the words of PW85_SETUP_OPTIONS to `meson
-# setup`.
+# the tests need, by apt-get as root or through sudo. It can be run again at any time. Arguments are passed to `meson test`, the words
+# of PW85_SETUP_OPTIONS to `meson setup`.
 set -eu
 cd "$(dirname "$0")/.."
 . scripts/packages.sh

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
 # Builds pw85, with the Fortran module if there is a compiler for it, installs it into ./install, builds the C tutorial (examples/c)
-# with the installed library, and runs it. On Debian and Ubuntu it first installs the missing packages that it needs. It can be run
-# again at any time, and then finds compilers that were installed in the meantime.
+# with the installed library, and runs it. On Debian and Ubuntu it first installs the missing packages that it needs, by apt-get as
+# root or through sudo. It can be run again at any time, and then finds compilers that were installed in the meantime.
 set -eu
 cd "$(dirname "$0")/.."
 . scripts/packages.sh

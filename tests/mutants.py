@@ -251,6 +251,7 @@ class Tests:
         units = json.loads((build / "compile_commands.json").read_text())
         self.of_library = [unit for unit in units if unit["output"].startswith(("src/libpw85.so", "src/simd/"))]
         self.units = {Path(unit["output"]).name: unit for unit in units}
+        self.compiled_once = [unit for unit in units if unit["output"].startswith("tests/oracle/libonce")]
         self.links = [shlex.split(line) for line in self.ninja("commands").splitlines() if " -o " in line and " -c " not in line]
         self.read_by = {}  # what each object was compiled from
         for line in self.ninja("deps").splitlines():
@@ -262,12 +263,17 @@ class Tests:
     def ninja(self, tool):
         return subprocess.run(["ninja", "-C", self.build, "-t", tool], check=True, stdout=subprocess.PIPE, text=True).stdout
 
-    def fails_with_header(self, _, program, work):
-        """Whether a test fails that is compiled with the headers in `work`."""
+    def fails_with_header(self, changed, program, work):
+        """Whether a test fails that is compiled with the headers in `work`, with what its libraries have of the changed one."""
         name, *arguments = program.split() if " " in program else (program, "--tap", "-k", "-m", "quick")
         unit = self.units[f"{name}.cpp.o"]
         link = next(words for words in self.links if Path(words[words.index("-o") + 1]).name == name)
-        self.link(link, {unit["output"]: self.compile(unit, work, "changed.o")}, work / "changed")
+        file = f"../{changed.relative_to(work)}"
+        linked = [unit for unit in self.compiled_once if str(Path(unit["output"]).parent.with_suffix("")) in link]
+        once = [unit for unit in linked if file in self.read_by[unit["output"]]]
+        objects = [self.compile(unit, work, f"once{k}.o") for k, unit in enumerate(once)]
+        at = link.index("-o")  # an object goes before those of archives
+        self.link([*link[:at], *objects, *link[at:]], {unit["output"]: self.compile(unit, work, "changed.o")}, work / "changed")
         return self.status(work / "changed", *arguments, LD_LIBRARY_PATH=self.build / "src") != 0
 
     def fails_with_library(self, changed, case, work):

@@ -8,6 +8,8 @@
 #include <pw85.h>
 #include <pw85_any_dimension.h>
 
+#include <pw85/any_dimension/exact_containment.hpp>
+
 #include "any_dimension_truth.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
@@ -35,6 +37,7 @@ int sign_of(Case const &c, double m)
 {
     int sign = 7;
     int const status = pw85_nd_compare(c.n, c.r12.data(), c.q1.data(), c.q2.data(), m, &sign);
+    if (status != PW85_SUCCESS) g_assert_cmpint(sign, ==, 2); // as of pw85_compare()
     return status == PW85_SUCCESS ? sign : 100 + status;
 }
 
@@ -316,6 +319,288 @@ void test_definite()
             }
 }
 
+int contains(Case const &c)
+{
+    int answer = 7;
+    int const status = pw85_nd_contains(c.n, c.r12.data(), c.q1.data(), c.q2.data(), &answer);
+    return status == PW85_SUCCESS ? answer : 100 + status;
+}
+
+/// The decision in integers, which contains() asks for ties only.
+int contains_exactly(Case const &c)
+{
+    return pw85::detail::any_dimension::contains_exactly(
+        {c.n, c.r12.data(), c.q1.data(), c.q2.data()});
+}
+
+Found containment(Case const &c, std::vector<double> &point)
+{
+    point.assign(Size(c.n), nan);
+    double mu2 = nan;
+    int const status =
+        pw85_nd_containment(c.n, c.r12.data(), c.q1.data(), c.q2.data(), &mu2, point.data());
+    return {mu2, nan, status};
+}
+
+// κ², its bound (2n + 20) u c of the header, and the answer of the exact test: r12 and Q2 are scaled
+// so that κ² is near 1. The point is on ellipsoid 2 and on the scaled ellipsoid 1.
+void test_containment()
+{
+    Failures failures;
+    Random random(83);
+    std::vector<double> point;
+    for (int n = 1; n <= PW85_ND_MAX; ++n)
+        for (int i = 0; i < draws(n <= 4 ? 24 : n <= 8 ? 6 : 2); ++i) {
+            Case c = nd::random_case(random, n, aspects[i % 4]);
+            double const shorter = i % 3 == 0 ? 0x1p-6 : 1;
+            for (double &x : c.r12) x *= shorter;
+            for (double const change : {1 + 1e-13, 1 - 1e-13, 1.0}) {
+                Found const found = containment(c, point);
+                auto const truth = nd::containment_truth(c);
+                auto const describe = [&] { return c.text(); };
+                failures.check(found.status == PW85_SUCCESS, "status", found.status, 0, describe);
+                Number const error = abs(Number(found.mu2) - truth.kappa2),
+                             bound = Number((2 * n + 20) * u) * truth.sum;
+                failures.check(error <= bound, "kappa2", double(error), double(bound), describe);
+                failures.check(contains(c) == int(truth.kappa2 <= 1), "contains", contains(c),
+                               double(truth.kappa2 - 1), describe);
+                if (n <= 8)
+                    failures.check(contains_exactly(c) == contains(c), "contains_exactly",
+                                   contains_exactly(c), contains(c), describe);
+                double const factor = change / std::sqrt(found.mu2);
+                for (double &x : c.r12) x *= factor;
+                for (double &x : c.q2) x *= factor * factor;
+            }
+        }
+}
+
+using Full = std::vector<std::vector<double>>;
+
+/// The image of a pair by a random matrix of integers. Its numbers must have few digits.
+Case mapped(Random &random, std::vector<double> const &r, Full const &q1, Full const &q2)
+{
+    Size const n = r.size();
+    Full map(n, std::vector<double>(n));
+    for (auto &row : map)
+        for (double &x : row) x = std::floor(random.uniform(-50, 51));
+    Case c{int(n), std::vector<double>(n), std::vector<double>(nd::packed_size(int(n))),
+           std::vector<double>(nd::packed_size(int(n)))};
+    for (Size i = 0; i < n; ++i)
+        for (Size k = 0; k < n; ++k) {
+            c.r12[i] += map[i][k] * r[k];
+            for (Size j = i; j < n; ++j)
+                for (Size l = 0; l < n; ++l) {
+                    Size const at = nd::place(int(n), int(i), int(j));
+                    c.q1[at] += map[i][k] * q1[k][l] * map[j][l];
+                    c.q2[at] += map[i][k] * q2[k][l] * map[j][l];
+                }
+        }
+    return c;
+}
+
+/// Integers in n dimensions that touch from inside: ellipsoid 1 has the semi-axis 5 along the first
+/// axis, and ellipsoid 2 has 2, with its centre at 3. In its other axes the form of ellipsoid 2 is
+/// `less` below 2/5 of that of ellipsoid 1, with which the curvatures are equal. `mixed` adds a
+/// block whose eigenvalues 3 ± √2 are irrational, and of which the larger one is the root that p/B
+/// has.
+Case touching_inside(Random &random, int n, bool mixed, double less, double change)
+{
+    Full q1(Size(n), std::vector<double>(Size(n), 0.0)), q2 = q1;
+    std::vector<double> r(Size(n), 0.0);
+    r[0] = mixed ? 47 : 3;
+    q1[0][0] = mixed ? 4700 : 25;
+    q2[0][0] = mixed ? 329 : 4;
+    for (Size i = 1; i < Size(n); ++i) {
+        double const c = mixed ? 2 : std::floor(random.uniform(1, 20));
+        q1[i][i] = 5 * c;
+        q2[i][i] = mixed ? 3 : 2 * c - less;
+    }
+    if (mixed) {
+        q2[1][1] = 4;
+        q2[2][2] = 2;
+        q2[1][2] = q2[2][1] = 1;
+    }
+    if (n > 1) q2[1][1] += change;
+    return mapped(random, r, q1, q2);
+}
+
+/// A pair that is inside without its second axis, where the separation is tiny: with c = 1/10 and d =
+/// 1/10 of the first axis, (1 - ν)(ν - d) = νc at ν = 0.887. The eigenvalue of the second axis is
+/// eigenvalue/10. All roots of p are real and positive in either case.
+Case with_tiny_part(Random &random, int n, double eigenvalue)
+{
+    Full q1(Size(n), std::vector<double>(Size(n), 0.0)), q2 = q1;
+    std::vector<double> r(Size(n), 0.0);
+    for (Size i = 0; i < Size(n); ++i) q1[i][i] = 10, q2[i][i] = 1;
+    q2[1][1] = eigenvalue;
+    r[0] = 1;
+    r[1] = 0x1p-20;
+    return mapped(random, r, q1, q2);
+}
+
+// Ties of containment, and forms that differ from them by 2⁻²⁰ of one entry.
+void test_inner_ties()
+{
+    Failures failures;
+    Random random(84);
+    for (int n = 1; n <= PW85_ND_MAX; ++n)
+        for (int i = 0; i < draws(n <= 8 ? 8 : 2); ++i)
+            for (bool mixed : {false, true}) {
+                if (mixed && n < 3) continue;
+                auto const expect = [&](double less, double change, double shift, int expected) {
+                    Case c = touching_inside(random, n, mixed, less, change);
+                    for (double &x : c.r12) x *= shift; // exact: 30 more bits
+                    for (int answer : {contains(c), contains_exactly(c)})
+                        failures.check(answer == expected, "contains", answer, expected,
+                                       [&] { return c.text(); });
+                };
+                expect(0, 0, 1, 1);
+                expect(1, 0, 1, 1);
+                expect(0, 0, 1 + 0x1p-30, 0);
+                if (n > 1) expect(0, 0x1p-20, 1, 0);
+                if (n > 1) expect(0, -0x1p-20, 1, 1);
+            }
+    for (int n = 2; n <= PW85_ND_MAX; ++n)
+        for (double eigenvalue : {8.0, 9.0}) {
+            Case const c = with_tiny_part(random, n, eigenvalue);
+            for (int answer : {contains(c), contains_exactly(c)})
+                failures.check(answer == (eigenvalue < 8.87), "tiny part", answer, eigenvalue,
+                               [&] { return c.text(); });
+        }
+    // Without separation: Q1 - Q2 is semidefinite or not.
+    for (int n = 1; n <= PW85_ND_MAX; ++n) {
+        Case c = touching_inside(random, n, false, 0, 0);
+        c.r12.assign(Size(n), 0.0);
+        c.q2 = c.q1;
+        g_assert_cmpint(contains(c), ==, 1);
+        c.q2[0] = std::nextafter(c.q2[0], HUGE_VAL);
+        g_assert_cmpint(contains(c), ==, 0);
+        c.q2[0] = std::nextafter(c.q1[0], 0);
+        g_assert_cmpint(contains(c), ==, 1);
+        c.q2 = c.q1; // the largest eigenvalue is 1
+        c.r12[0] = 0x1p-300;
+        g_assert_cmpint(contains(c), ==, 0);
+        g_assert_cmpint(contains_exactly(c), ==, 0);
+    }
+}
+
+/// A distance and its vectors.
+struct FoundDistance {
+    double distance;
+    std::vector<double> point1, point2, normal;
+    int status;
+};
+
+FoundDistance distance(Case const &c)
+{
+    std::vector<double> const none(Size(c.n), nan);
+    FoundDistance found{nan, none, none, none, 0};
+    found.status = pw85_nd_distance(c.n, c.r12.data(), c.q1.data(), c.q2.data(), &found.distance,
+                                    found.point1.data(), found.point2.data(), found.normal.data());
+    return found;
+}
+
+/// Σ |n_i q_ij n_j| over 2α, and the point Qn/α with α = √(nᵀQn).
+Number support(nd::Row const &normal, std::vector<nd::Row> const &q, nd::Row &point, Number &sum)
+{
+    point = nd::times(q, normal);
+    Number const alpha = sqrt(nd::dot(normal, point));
+    for (auto &x : point) x /= alpha;
+    for (Size i = 0; i < q.size(); ++i)
+        for (Size j = 0; j < q.size(); ++j)
+            sum += abs(normal[i] * q[i][j] * normal[j]) / (2 * alpha);
+    return alpha;
+}
+
+/// Checks a distance by the two bounds that its normal gives, in 50 digits: the width of the slab
+/// and the distance of the points of the surfaces along it. Whatever the normal is, the distance is
+/// between them; so 4 u Σ between both and the result proves the header's bound.
+void check_distance(Failures &failures, Case const &c, FoundDistance const &found)
+{
+    auto const describe = [&] { return c.text(); };
+    failures.check(found.status == PW85_SUCCESS, "status", found.status, 0, describe);
+    if (found.status != PW85_SUCCESS) return;
+    nd::Row normal(found.normal.begin(), found.normal.end()), p1, p2;
+    nd::Row const r(c.r12.begin(), c.r12.end());
+    Number const length = sqrt(nd::dot(normal, normal));
+    failures.check(abs(length - 1) < 4 * u, "length", double(length), 1, describe);
+    for (auto &x : normal) x /= length;
+    Number sum = 0;
+    for (Size i = 0; i < r.size(); ++i) sum += abs(normal[i] * r[i]);
+    Number const alpha = support(normal, nd::blend(c, 1, 0), p1, sum),
+                 beta = support(normal, nd::blend(c, 0, 1), p2, sum);
+    Number const lower = nd::dot(normal, r) - alpha - beta, d = found.distance;
+    Number upper = 0, error1 = 0, error2 = 0;
+    for (Size i = 0; i < r.size(); ++i) {
+        Number const w = r[i] - p1[i] - p2[i];
+        upper += w * w;
+        error1 += pow(Number(found.point1[i]) - p1[i], 2);
+        error2 += pow(Number(found.point2[i]) - (r[i] - p2[i]), 2);
+    }
+    upper = sqrt(upper);
+    Number const bound = Number(4 * u) * sum;
+    failures.check(abs(d - lower) <= bound, "lower", double(lower), double(d), describe);
+    failures.check(abs(d - upper) <= bound, "upper", double(upper), double(d), describe);
+    // The normal is rounded by u of its length, which moves a point by u times a curvature radius: at
+    // most the aspect ratio, 10³ here, times a semi-axis, and n of them.
+    Number const size = Number(2000 * c.n * u) * sqrt(nd::dot(r, r));
+    failures.check(sqrt(error1) <= size, "point1", double(sqrt(error1)), double(size), describe);
+    failures.check(sqrt(error2) <= size, "point2", double(sqrt(error2)), double(size), describe);
+}
+
+// Pairs that are apart by 1e-9 to 10 of their size, and pairs that touch.
+void test_distance()
+{
+    Failures failures;
+    Random random(85);
+    for (int n = 1; n <= PW85_ND_MAX; ++n)
+        for (int i = 0; i < draws(n <= 8 ? 48 : 16); ++i) {
+            double const aspect = i % 2 ? 30 : 1000;
+            Case c = i % 4 == 3 && n > 1 ? nd::thin_case(random, n, aspect)
+                                         : nd::random_case(random, n, aspect);
+            double const apart = 1 + random.log_uniform(1e-9, 10),
+                         scale = apart / std::sqrt(contact(c).mu2);
+            for (double &x : c.r12) x *= scale;
+            check_distance(failures, c, distance(c));
+        }
+    for (int n = 1; n <= PW85_ND_MAX; ++n) {
+        Case c = touching(random, n, 100);
+        FoundDistance found = distance(c);
+        g_assert_cmpint(found.status, ==, PW85_SUCCESS);
+        double size = 0;
+        for (double x : c.r12) size += std::abs(x);
+        g_assert_cmpfloat(found.distance, <=, 8 * u * size);
+        g_assert_false(std::isnan(found.normal[0]));
+        for (double &x : c.r12) x *= 1 - 0x1p-30;
+        found = distance(c);
+        g_assert_cmpfloat(found.distance, ==, 0);
+        g_assert_true(std::isnan(found.normal[0]) && std::isnan(found.point2[0]));
+    }
+}
+
+// A tiny ellipsoid in a large one, and a large one around a tiny one.
+void test_inner_range()
+{
+    std::vector<double> point;
+    for (double a : {1e-75, 1.0, 1e75})
+        for (double b : {1e-75, 1.0, 1e75})
+            for (int n : {1, 5, 16}) {
+                Case c{n, std::vector<double>(Size(n)), std::vector<double>(nd::packed_size(n)),
+                       std::vector<double>(nd::packed_size(n))};
+                for (int i = 0; i < n; ++i) {
+                    c.q1[nd::place(n, i, i)] = a * a;
+                    c.q2[nd::place(n, i, i)] = b * b;
+                }
+                c.r12[0] = a / 4;
+                g_assert_cmpint(contains(c), ==, b < a);
+                Found const found = containment(c, point);
+                g_assert_cmpint(found.status, ==, PW85_SUCCESS);
+                double const kappa = 0.25 + b / a;
+                g_assert_cmpfloat_with_epsilon(found.mu2 / kappa / kappa, 1.0, 1e-14);
+                g_assert_cmpfloat_with_epsilon(point[0] / (a / 4 + b), 1.0, 1e-14);
+            }
+}
+
 void test_status()
 {
     Case const c{2, {3, 4}, {1, 0, 1}, {4, 0, 4}};
@@ -349,6 +634,24 @@ void test_status()
     g_assert_cmpint(sign_of(c, -1), ==, 100 + PW85_EINVAL);
     g_assert_cmpint(sign_of(c, nan), ==, 100 + PW85_EINVAL);
     g_assert_cmpint(pw85_nd_contact(2, nullptr, c.q1.data(), c.q2.data(), out), ==, PW85_EINVAL);
+    double mu2 = 0;
+    g_assert_cmpint(pw85_nd_contains(2, nullptr, c.q1.data(), c.q2.data(), &answer), ==,
+                    PW85_EINVAL);
+    g_assert_cmpint(answer, ==, -1);
+    g_assert_cmpint(contains(negative), ==, 100 + PW85_ENOTPD);
+    g_assert_cmpint(pw85_nd_containment(2, negative.r12.data(), negative.q1.data(),
+                                        negative.q2.data(), &mu2, out),
+                    ==, PW85_ENOTPD);
+    g_assert_true(std::isnan(mu2) && std::isnan(out[0]) && std::isnan(out[1]));
+    g_assert_cmpint(
+        pw85_nd_containment(2, c.r12.data(), c.q1.data(), c.q2.data(), nullptr, nullptr), ==,
+        PW85_SUCCESS);
+    g_assert_cmpint(distance(negative).status, ==, PW85_ENOTPD);
+    g_assert_true(std::isnan(distance(negative).distance));
+    g_assert_cmpint(
+        pw85_nd_distance(2, c.r12.data(), nullptr, c.q2.data(), &mu2, out, nullptr, nullptr), ==,
+        PW85_EINVAL);
+    g_assert_true(std::isnan(mu2) && std::isnan(out[0]));
     for (double lambda : {-0.1, 1.1, nan})
         g_assert_cmpint(pw85_nd_contact_geometry(2, c.r12.data(), c.q1.data(), c.q2.data(), lambda,
                                                  out, nullptr, nullptr, nullptr, nullptr),
@@ -378,7 +681,6 @@ void test_range()
             }
 }
 
-// Rows give the bits of single pairs, and a bad row keeps to itself.
 /// Forms of which some axes are below the smallest normal number if the others are of order one:
 /// there is no number, comparisons and definiteness are still exact.
 void test_axes_far_apart()
@@ -427,6 +729,7 @@ void test_geometry_of_unlike_sizes()
     }
 }
 
+// Rows give the bits of single pairs, and a bad row keeps to itself.
 void test_batch()
 {
     Random random(82);
@@ -452,6 +755,35 @@ void test_batch()
                                                        lambda.data(), nullptr, normal.data(),
                                                        nullptr, nullptr, nullptr),
                         ==, PW85_ENOTPD);
+        std::vector<int> sign(5);
+        std::vector<double> scale(5), point(Size(5 * n)), one;
+        std::vector<unsigned char> inside(5);
+        std::vector<double> const limits(5, 1.0);
+        g_assert_cmpint(pw85_nd_compare_batch(5, n, r12.data(), q1.data(), q2.data(), limits.data(),
+                                              sign.data()),
+                        ==, PW85_ENOTPD);
+        g_assert_cmpint(
+            pw85_nd_contains_batch(5, n, r12.data(), q1.data(), q2.data(), inside.data()), ==,
+            PW85_ENOTPD);
+        g_assert_cmpint(pw85_nd_containment_batch(5, n, r12.data(), q1.data(), q2.data(),
+                                                  scale.data(), point.data()),
+                        ==, PW85_ENOTPD);
+        std::vector<double> apart(5), normals(Size(5 * n));
+        g_assert_cmpint(pw85_nd_distance_batch(5, n, r12.data(), q1.data(), q2.data(), apart.data(),
+                                               nullptr, nullptr, normals.data()),
+                        ==, PW85_ENOTPD);
+        for (Size k = 0; k < 5; ++k) {
+            auto const single = distance(cases[k]);
+            g_assert_true(k == 3 ? std::isnan(apart[k]) : apart[k] == single.distance);
+            double const normal0 = normals[k * Size(n)];
+            g_assert_true(std::isnan(normal0) ? std::isnan(single.normal[0])
+                                              : normal0 == single.normal[0]);
+            g_assert_cmpint(sign[k], ==, k == 3 ? 2 : sign_of(cases[k], 1));
+            g_assert_cmpint(inside[k], ==, k == 3 ? 255 : contains(cases[k]));
+            g_assert_true(k == 3 ? std::isnan(scale[k])
+                                 : scale[k] == containment(cases[k], one).mu2);
+            g_assert_true(k == 3 ? std::isnan(point[k * Size(n)]) : point[k * Size(n)] == one[0]);
+        }
         for (Size k = 0; k < 5; ++k) {
             Found const found = contact(cases[k]);
             g_assert_true(k == 3 ? std::isnan(mu2[k]) : mu2[k] == found.mu2);
@@ -460,6 +792,10 @@ void test_batch()
         }
         g_assert_cmpint(pw85_nd_contact_batch(0, n, nullptr, nullptr, nullptr, nullptr, nullptr),
                         ==, PW85_SUCCESS);
+        for (int wrong : {0, 17})
+            g_assert_cmpint(
+                pw85_nd_contact_batch(0, wrong, nullptr, nullptr, nullptr, nullptr, nullptr), ==,
+                PW85_EINVAL);
         g_assert_cmpint(
             pw85_nd_contact_batch(1, n, r12.data(), q1.data(), q2.data(), nullptr, nullptr), ==,
             PW85_EINVAL);
@@ -481,6 +817,10 @@ int main(int argc, char **argv)
     g_test_add_func("/any_dimension/compare", test_compare);
     g_test_add_func("/any_dimension/ties", test_ties);
     g_test_add_func("/any_dimension/definite", test_definite);
+    g_test_add_func("/any_dimension/containment", test_containment);
+    g_test_add_func("/any_dimension/inner_ties", test_inner_ties);
+    g_test_add_func("/any_dimension/inner_range", test_inner_range);
+    g_test_add_func("/any_dimension/distance", test_distance);
     g_test_add_func("/any_dimension/status", test_status);
     g_test_add_func("/any_dimension/range", test_range);
     g_test_add_func("/any_dimension/axes_far_apart", test_axes_far_apart);

@@ -35,6 +35,21 @@ using Matrix = pw85::SymmetricMatrix<Widest, 3>;
 
 double const u = 0x1p-53;
 
+/// The largest of the numbers that it is told, such as errors in units of a bound.
+class Largest {
+  public:
+    explicit Largest(char const *name) : name_(name) {}
+    ~Largest() { g_test_message("largest %s: %.4f", name_, value_); }
+    Largest(Largest const &) = delete;
+    Largest &operator=(Largest const &) = delete;
+
+    void include(double value) { value_ = std::max(value_, value); }
+
+  private:
+    char const *name_;
+    double value_ = 0;
+};
+
 /// The eigenvalues of a matrix by the cubic formula, the largest one first.
 std::vector<Widest> eigenvalues(Matrix const &a)
 {
@@ -106,19 +121,36 @@ Widest volume_truth(Matrix const &q)
     return 4 * atan2(Widest(0), Widest(-1)) * sqrt(det) / 3;
 }
 
-/// The volume times (tr(Q) I - Q)/5. The relative error is below `bound`.
-void check_solid_inertia(Failures &failures, Form3 const &q, Matrix const &exact, double bound)
+/// The volume times (tr(Q) I - Q)/5. The relative error is below `bound`. Returns the largest one.
+double check_solid_inertia(Failures &failures, Form3 const &q, Matrix const &exact, double bound)
 {
+    double worst = 0;
     Widest const mass = volume_truth(exact), trace = exact[0] + exact[3] + exact[5];
     Form3 found;
     g_assert_cmpint(pw85_inertia(q.entries, 0, found.entries), ==, PW85_SUCCESS);
     for (int i = 0; i < 3; ++i)
         for (int j = i; j < 3; ++j) {
             Widest const wanted = mass * ((i == j ? trace : Widest(0)) - exact(i, j)) / 5;
-            failures.check(abs(Widest(found(i, j) - wanted)) <= bound * abs(wanted), "solid",
-                           found(i, j), static_cast<double>(wanted),
+            Widest const away = abs(Widest(found(i, j) - wanted)), size = abs(wanted);
+            failures.check(away <= bound * size, "solid", found(i, j), static_cast<double>(wanted),
                            [&] { return "q = " + hex_text(q.entries, 6); });
+            worst = std::max(worst, static_cast<double>(Widest(away / size)));
         }
+    return worst;
+}
+
+/// Compares entries with their truth. The bound is `entry` times the entry, plus `rest`; `most`
+/// receives the errors in units of it.
+template <class Describe> void check_entries(Failures &failures, Largest &most, double const *found,
+                                             Matrix const &wanted, double entry, double rest,
+                                             Describe const &describe)
+{
+    for (int k = 0; k < 6; ++k) {
+        double const bound = entry * std::abs(found[k]) + rest,
+                     away = std::abs(static_cast<double>(Widest(found[k] - wanted[k])));
+        failures.check(away <= bound, "entry", found[k], bound, describe);
+        most.include(away / bound);
+    }
 }
 
 /// Areas, moments and tensors of inertia of random shapes, sizes and directions.
@@ -126,7 +158,10 @@ void test_random()
 {
     Failures failures;
     Random random(20261129);
-    double worst = 0;
+    Largest areas("error of an area in u"), solids("relative error of solid inertia in u"),
+        moments_of("error of second moments in their bound"),
+        shells("error of moments of a shell in their bound"),
+        inertias("error of the inertia of a shell in its bound");
     for (int n = 0; n < draws(100000); ++n) {
         double const aspect = random.log_uniform(1.0, 1e6),
                      size = std::exp2(std::floor(random.uniform(-40.0, 41.0)));
@@ -137,31 +172,27 @@ void test_random()
         auto const truth = sheet_truth(eigen);
         // The bounds of pw85_grains.h.
         double const lost = std::ldexp(static_cast<double>(eigen[0] / eigen[2]), -98);
-        double area, moments[6], inertia[6];
+        double area, moments[6], inertia[6], solid[6];
         g_assert_cmpint(pw85_surface_area(q.entries, &area), ==, PW85_SUCCESS);
         double const error = relative_error(area, truth.area);
         failures.check(error <= u + lost, "area", error, u + lost, describe);
-        worst = std::max(worst, error);
+        areas.include(error / u);
+        pw85_second_moments(q.entries, solid);
+        check_entries(failures, moments_of, solid, (Widest(1) / 5) * exact, u, 0, describe);
         pw85_shell_moments(q.entries, moments);
         pw85_inertia(q.entries, 1, inertia);
         auto const wanted = function_of(exact, eigen, truth.moments);
         double const largest = static_cast<double>(truth.moments[0]);
-        for (int k = 0; k < 6; ++k) {
-            double const bound = u * std::abs(moments[k]) + lost * largest;
-            double const away = std::abs(static_cast<double>(Widest(moments[k]) - wanted[k]));
-            failures.check(away <= bound, "moment", moments[k], bound, describe);
-        }
-        double const across[] = {moments[3] + moments[5], moments[0] + moments[5],
-                                 moments[0] + moments[3]};
+        check_entries(failures, shells, moments, wanted, u, lost * largest, describe);
+        Widest const trace = wanted[0] + wanted[3] + wanted[5], mass(truth.area);
+        Matrix tensor{};
         for (int i = 0; i < 3; ++i)
-            failures.check(inertia[i == 0 ? 0 : 2 * i + 1] == area * across[i], "inertia",
-                           inertia[i == 0 ? 0 : 2 * i + 1], area * across[i], describe);
-        for (int k : {1, 2, 4})
-            failures.check(inertia[k] == -area * moments[k], "product", inertia[k],
-                           -area * moments[k], describe);
-        check_solid_inertia(failures, q, exact, 4 * u + lost);
+            for (int j = i; j < 3; ++j)
+                tensor(i, j) = mass * ((i == j ? trace : Widest(0)) - wanted(i, j));
+        check_entries(failures, inertias, inertia, tensor, 4 * u,
+                      lost * static_cast<double>(mass * trace), describe);
+        solids.include(check_solid_inertia(failures, q, exact, 4 * u + lost) / u);
     }
-    g_test_message("largest relative error of an area: %.4f u", worst / u);
 }
 
 /// Volumes of needles, of discs and of shapes between them, with aspect ratios up to 10⁷.
@@ -169,7 +200,8 @@ void test_volumes()
 {
     Failures failures;
     Random random(20261130);
-    for (int n = 0; n < draws(20000); ++n) {
+    Largest volumes("relative error of a volume in u");
+    for (int n = 0; n < draws(100000); ++n) {
         double const aspect = random.log_uniform(1.0, 1e7),
                      third = n % 3 == 0   ? aspect
                              : n % 3 == 1 ? 1.0
@@ -180,9 +212,10 @@ void test_volumes()
         double volume = 0;
         if (pw85_volume(q.entries, &volume) != PW85_SUCCESS) continue;
         Widest const wanted = volume_truth(convert<Widest>(q));
-        failures.check(abs(Widest(volume - wanted)) <= 0x1p-52 * wanted, "volume", volume,
-                       static_cast<double>(wanted),
+        Widest const away = abs(Widest(volume - wanted));
+        failures.check(away <= 0x1p-52 * wanted, "volume", volume, static_cast<double>(wanted),
                        [&] { return "q = " + hex_text(q.entries, 6); });
+        volumes.include(static_cast<double>(Widest(away / wanted)) / u);
     }
 }
 
@@ -274,6 +307,8 @@ void test_plane()
 {
     Failures failures;
     Random random(20261130);
+    Largest perimeters("error of a perimeter in u"), areas("error of an area in the plane in u"),
+        wires("error of the moments of a wire in their bound");
     for (int n = 0; n < draws(100000); ++n) {
         double const size = std::exp2(std::floor(random.uniform(-40.0, 41.0)));
         Form2 const q = random_form<2>(random, size, random.log_uniform(1.0, 1e6));
@@ -287,6 +322,13 @@ void test_plane()
         Wide const exact = 8 * boost::math::ellint_rg(Wide(0), Wide(large), Wide(small));
         double const error = relative_error(perimeter, exact);
         failures.check(error <= u + lost, "perimeter", error, u + lost, describe);
+        perimeters.include(error / u);
+        double area;
+        g_assert_cmpint(pw85_area_2d(q.entries, &area), ==, PW85_SUCCESS);
+        Widest const disc = atan2(Widest(0), Widest(-1)) * sqrt(large * small);
+        double const wrong = static_cast<double>(Widest(abs(Widest(area - disc)) / disc));
+        failures.check(wrong <= 2 * u, "area", area, static_cast<double>(disc), describe);
+        areas.include(wrong / u);
         pw85_shell_moments_2d(q.entries, moments);
         pw85_second_moments_2d(q.entries, solid);
         // tr(Q⁻¹M), whose error is that of the entries by Q⁻¹.
@@ -303,6 +345,7 @@ void test_plane()
         }
         double const away = std::abs(static_cast<double>(sum - 1));
         failures.check(away <= bound, "tr(Q⁻¹M) - 1", away, bound, describe);
+        wires.include(away / bound);
     }
 }
 

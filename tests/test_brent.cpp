@@ -71,17 +71,17 @@ bool settles(pw85::detail::Pair<double, 3> const &pair, pw85::detail::brent::Opt
 }
 
 // Number of contact problems that so many Newton-Raphson iterations do not settle.
-int unsettled(int newton_iterations)
+int unsettled(int halley_steps)
 {
     auto with = options;
-    with.newton_iterations = newton_iterations;
+    with.halley_steps = halley_steps;
     int count = 0;
     for (auto const &p : contact_problems()) {
         pw85::detail::Pair<double, 3> pair;
         g_assert_true(in_range(p.pair, pair));
         count += !settles(pair, with);
     }
-    g_test_message("%d iterations leave %d unsettled", newton_iterations, count);
+    g_test_message("%d iterations leave %d unsettled", halley_steps, count);
     return count;
 }
 

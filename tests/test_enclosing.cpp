@@ -12,6 +12,7 @@
 
 #include <pw85/enclosing.hpp>
 
+#include "any_dimension_truth.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "oracle/multiprecision.hpp"
@@ -504,6 +505,148 @@ void test_dense()
     }
 }
 
+/// Ellipsoids, as the C API takes them.
+struct Bodies {
+    int n;
+    Numbers centers, forms;
+
+    std::size_t size() const { return centers.size() / static_cast<std::size_t>(n); }
+    std::string text() const
+    {
+        int const shown = static_cast<int>(std::min<std::size_t>(centers.size(), 48));
+        return "n = " + std::to_string(n) + ", m = " + std::to_string(size()) + ", centers " +
+               hex_text(centers.data(), shown) + ", forms " +
+               hex_text(forms.data(), std::min<int>(static_cast<int>(forms.size()), 96));
+    }
+};
+
+Found find(Bodies const &bodies, double tolerance)
+{
+    auto const n = static_cast<std::size_t>(bodies.n);
+    Found found{0, Numbers(n), Numbers(n * (n + 1) / 2), 0.0};
+    found.status = pw85_enclosing_ellipsoid_of(bodies.n, bodies.size(), bodies.centers.data(),
+                                               bodies.forms.data(), tolerance, found.center.data(),
+                                               found.q.data(), &found.excess);
+    return found;
+}
+
+/// Every ellipsoid is inside, with no allowance: κ² <= 1 in 50 digits. What is left of 45 right
+/// digits is far below the enlargement of the ellipsoid, 2⁻⁴⁷ at least.
+void check_inside(Failures &failures, Bodies const &bodies, Found const &found)
+{
+    std::size_t const n = found.center.size(), packed = found.q.size();
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        nd::Case const pair{
+            bodies.n,
+            {},
+            found.q,
+            Numbers(bodies.forms.begin() + static_cast<std::ptrdiff_t>(i * packed),
+                    bodies.forms.begin() + static_cast<std::ptrdiff_t>((i + 1) * packed))};
+        nd::Row r;
+        for (std::size_t k = 0; k < n; ++k)
+            r.push_back(nd::Number(bodies.centers[i * n + k]) - nd::Number(found.center[k]));
+        double const outside = static_cast<double>(nd::containment_truth(pair, r).kappa2 - 1);
+        failures.check(outside <= 0.0, "outside by", outside, 0.0, [&] { return bodies.text(); });
+    }
+}
+
+/// Balls at the vertices of a cross-polytope, mapped: their ellipsoid is the image of a ball, because
+/// the symmetries of the vertices leave no other ellipsoid unchanged.
+void test_balls()
+{
+    Failures failures;
+    std::mt19937 random(10);
+    for (int draw = 0; draw < draws(40); ++draw) {
+        int const n = random_dimension(random, draw % 4 == 0 ? 6 : 3);
+        auto const size = static_cast<std::size_t>(n);
+        Map const map(random, n, true);
+        double const radius = 1 + static_cast<double>(random() % 3);
+        Bodies bodies{n, {}, {}};
+        Matrix const image = map.image(Number(radius * radius));
+        for (int vertex = 0; vertex < 2 * n; ++vertex) {
+            Numbers y(size, 0.0);
+            y[static_cast<std::size_t>(vertex / 2)] = vertex % 2 ? -4.0 : 4.0;
+            Numbers const x = map.apply(y);
+            bodies.centers.insert(bodies.centers.end(), x.begin(), x.end());
+            for (std::size_t i = 0; i < size; ++i)
+                for (std::size_t j = i; j < size; ++j)
+                    bodies.forms.push_back(static_cast<double>(image[i][j]));
+        }
+        double const tolerance = tolerances[draw % 3];
+        Found const found = find(bodies, tolerance);
+        auto const text = [&] { return bodies.text(); };
+        failures.check(found.status == PW85_SUCCESS, "status", found.status, 0.0, text);
+        if (found.status != PW85_SUCCESS) continue;
+        check_inside(failures, bodies, found);
+        Matrix const least = map.image(Number((4.0 + radius) * (4.0 + radius)));
+        Number const ratio = sqrt(determinant(found.form()) / determinant(least)) - 1;
+        failures.check(ratio >= 0, "below the least", static_cast<double>(ratio), 0.0, text);
+        failures.check(ratio <= Number(found.excess), "above 1 + excess",
+                       static_cast<double>(ratio), found.excess, text);
+        failures.check(found.excess <= tolerance, "excess", found.excess, tolerance, text);
+    }
+}
+
+/// Random ellipsoids of any size. Two results with different tolerances bound the least volume from
+/// both sides: volume/(1 + excess) of one is not above the volume of the other.
+void test_random_ellipsoids()
+{
+    Failures failures;
+    Random random(11);
+    for (int draw = 0; draw < draws(24); ++draw) {
+        int const n = 1 + draw % 6, m = draw % 5 == 0 ? 1 : 2 + draw % 7;
+        double const unit = std::ldexp(1.0, static_cast<int>(random.uniform(-40, 41)));
+        Bodies bodies{n, {}, {}};
+        for (int i = 0; i < m; ++i) {
+            double const size = unit * random.log_uniform(0.01, 1);
+            auto const form = nd::random_form(random, n, size, draw % 2 ? 20 : 2);
+            bodies.forms.insert(bodies.forms.end(), form.begin(), form.end());
+            for (int k = 0; k < n; ++k) bodies.centers.push_back(unit * random.normal());
+        }
+        auto const text = [&] { return bodies.text(); };
+        Found const rough = find(bodies, 1e-2), fine = find(bodies, 1e-8);
+        failures.check(rough.status == PW85_SUCCESS, "status", rough.status, 0.0, text);
+        failures.check(fine.status == PW85_SUCCESS, "status", fine.status, 0.0, text);
+        if (rough.status != PW85_SUCCESS || fine.status != PW85_SUCCESS) continue;
+        check_inside(failures, bodies, rough);
+        check_inside(failures, bodies, fine);
+        Number const ratio = sqrt(determinant(rough.form()) / determinant(fine.form()));
+        failures.check(ratio <= Number(1 + rough.excess), "rough", static_cast<double>(ratio),
+                       rough.excess, text);
+        failures.check(1 <= ratio * Number(1 + fine.excess), "fine", static_cast<double>(ratio),
+                       fine.excess, text);
+    }
+}
+
+void test_status_of_ellipsoids()
+{
+    double const nan = std::numeric_limits<double>::quiet_NaN();
+    double const centers[4] = {0, 0, 3, 0}, forms[6] = {1, 0, 1, 1, 0, 4},
+                 flat[6] = {1, 0, 1, 1, 1, 1}, bad[4] = {0, nan, 3, 0};
+    double center[2] = {7, 7}, q[3] = {7, 7, 7}, excess = 7;
+    auto const status = [&](int n, std::size_t m, double const *c, double const *f, double t) {
+        return pw85_enclosing_ellipsoid_of(n, m, c, f, t, center, q, &excess);
+    };
+    g_assert_cmpint(status(2, 2, centers, forms, 1e-9), ==, PW85_SUCCESS);
+    g_assert_true(excess <= 1e-9 && std::abs(center[1]) < 1e-4);
+    for (double const tolerance : {0.0, -1.0, nan, HUGE_VAL})
+        g_assert_cmpint(status(2, 2, centers, forms, tolerance), ==, PW85_EINVAL);
+    g_assert_true(std::isnan(center[1]) && std::isnan(q[2]) && std::isnan(excess));
+    g_assert_cmpint(status(2, 2, bad, forms, 1.0), ==, PW85_EINVAL);
+    g_assert_cmpint(status(2, 2, centers, flat, 1.0), ==, PW85_ENOTPD);
+    g_assert_cmpint(status(2, 0, centers, forms, 1.0), ==, PW85_EINVAL);
+    g_assert_cmpint(status(2, static_cast<std::size_t>(-1), centers, forms, 1.0), ==, PW85_EINVAL);
+    g_assert_cmpint(status(2, 2, nullptr, forms, 1.0), ==, PW85_EINVAL);
+    g_assert_cmpint(status(2, 2, centers, nullptr, 1.0), ==, PW85_EINVAL);
+    for (int n : {-1, 0, 17}) g_assert_cmpint(status(n, 1, centers, forms, 1.0), ==, PW85_EINVAL);
+    std::vector<pw85::Vector<double, 2>> const points{{0, 0}, {3, 0}};
+    std::vector<pw85::SymmetricMatrix<double, 2>> const matrices{{1, 0, 1}, {1, 0, 4}};
+    auto const found = pw85::enclosing_ellipsoid_of<2>(points, matrices, 1e-9);
+    g_assert_cmpint(status(2, 2, centers, forms, 1e-9), ==, PW85_SUCCESS);
+    g_assert_true(found.status == pw85::Status::success && found.q[2] == q[2] &&
+                  found.center[0] == center[0] && found.excess == excess);
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -519,5 +662,8 @@ int main(int argc, char **argv)
     g_test_add_func("/enclosing/status", test_status);
     g_test_add_func("/enclosing/template", test_template);
     g_test_add_func("/enclosing/dense", test_dense);
+    g_test_add_func("/enclosing/balls", test_balls);
+    g_test_add_func("/enclosing/random_ellipsoids", test_random_ellipsoids);
+    g_test_add_func("/enclosing/status_of_ellipsoids", test_status_of_ellipsoids);
     return g_test_run();
 }

@@ -332,6 +332,20 @@ constexpr ThinLens needles_in_small_bodies[] = {
      1.3455455087746366e-05},
 };
 
+/// Balls that touch large bodies from inside but for 10⁻²¹ of their size, and cross them elsewhere.
+/// Errors were 5·10⁵ and 10⁶ times the bound. The shares are means of those of pairs that are moved
+/// to both sides by 10⁻¹³ to 10⁻¹⁰ of their distance, which agree to 10⁻¹⁴.
+constexpr ThinLens nearly_touching_balls[] = {
+    {{{{-0x1.0cf6cca3e2d67p+9, 0x1.11cc3ba9af2ffp-8, -0x1.56dbd2fa2df6p-8}},
+      {{1.0, 0.0, 0.0, 1.0, 0.0, 1.0}},
+      {{0x1.1ba2e07173076p+18, 0.0, 0.0, 0x1.0e301e7781b17p+11, 0.0, 0x1.f78d6eca12d7bp+1}}},
+     0.16980906334412818},
+    {{{{-0x1.cd2c7b3ac9db1p+4, 0x1.b930d46ddb3adp-14, -0x1.967153cbc2be1p-3}},
+      {{1.0, 0.0, 0.0, 1.0, 0.0, 1.0}},
+      {{0x1.bcce379472b62p+9, 0.0, 0.0, 0x1.286b249e76453p+2, 0.0, 0x1.c4b242201258ap+7}}},
+     0.697418026335251},
+};
+
 /// Two discs of which one is inside the other one but for 10⁻¹⁴ of its size at one end, and crosses
 /// it elsewhere. Types without exact decisions took it as wholly inside after 16 steps.
 constexpr ThinLens nearly_nested_discs = {
@@ -370,6 +384,9 @@ void test_thin_lenses()
         double const smaller = std::fmin(whole(p.q1), whole(p.q2));
         check_bound(failures, p, measured(p), Fine(share) * Fine(smaller));
     }
+    for (auto const &[p, share] : nearly_touching_balls)
+        check_bound(failures, p, measured(p),
+                    Fine(share) * Fine(std::fmin(whole(p.q1), whole(p.q2))));
     for (auto const &lens : needles_in_small_bodies) check_bound_or_status(failures, lens);
     check_bound_or_status(failures, nearly_nested_discs);
     auto const &[discs, share_of_discs] = nearly_nested_discs;

@@ -18,6 +18,7 @@
 #include "failures.hpp"
 #include "random_pairs.hpp"
 #include "sections_truth.hpp"
+#include "sturm.hpp"
 
 using namespace pw85_tests;
 
@@ -182,23 +183,58 @@ void test_integers()
                    counts[inside], counts[touching], counts[other]);
 }
 
-/// What exact predicates say of a pair whose axes are the coordinate axes.
+/// Whether a body with the squares b of its semi-axes is inside another one with a, at a distance
+/// with the squares s, all whole numbers: exactly, by the pencil of both.
+///
+/// It is where g(τ) = 1 - τ - Σ s τ/(a τ - b) is not negative for a τ <= 1 that is at least each b/a
+/// (the S-lemma). With the largest one, B/A, and τ = (B + t)/A, each a τ - b is F/A for F = a t + a
+/// B - b A. The numerator of g is a polynomial in t, and negative for large t.
+bool is_inside(Integer const (&s)[3], Integer const (&a)[3], Integer const (&b)[3])
+{
+    int m = 0;
+    for (int i = 1; i < 3; ++i)
+        if (b[i] * a[m] > b[m] * a[i]) m = i;
+    if (b[m] > a[m]) return false;
+    Polynomial product{1}, sum; // of all F; Σ s times the product of the other F
+    bool has_pole = false;
+    for (int i = 0; i < 3; ++i) {
+        if (s[i] == 0) continue;
+        Polynomial const factor{a[i] * b[m] - b[i] * a[m], a[i]};
+        has_pole = has_pole || factor[0] == 0;
+        Polynomial next, next_sum;
+        add_product(next, 1, product, factor);
+        add_product(next_sum, 1, sum, factor);
+        add_product(next_sum, 1, {s[i]}, product);
+        product = next;
+        sum = next_sum;
+    }
+    Polynomial numerator, last;
+    add_product(numerator, 1, {a[m] - b[m], -1}, product);
+    add_product(last, 1, {a[m] * b[m], a[m]}, sum);
+    add_product(numerator, -1, {1}, last);
+    if (!has_pole && numerator[0] >= 0) return true;
+    while (numerator[0] == 0) numerator.erase(numerator.begin());
+    return roots_of(numerator).positive > 0;
+}
+
+/// Kind of a pair whose axes are the coordinate axes.
 enum class Contact { apart, inside, touching, other, size };
 
+/// By Sturm's theorem, for whole semi-axes and offsets.
 Contact contact_of(Pair const &p, double const (&axes)[2][3])
 {
-    int overlaps = 0, contains[2] = {}, touches = 0, along = 0;
-    pw85::Vector<double, 3> const back = -p.r12;
-    pw85_overlap(p.r12.coordinates, p.q1.entries, p.q2.entries, &overlaps);
-    pw85_contains(p.r12.coordinates, p.q1.entries, p.q2.entries, &contains[0]);
-    pw85_contains(back.coordinates, p.q2.entries, p.q1.entries, &contains[1]);
-    for (int i = 0; i < 3; ++i)
-        if (p.r12[i] != 0.0) {
-            ++along;
-            touches += p.r12[i] == std::abs(axes[0][i] - axes[1][i]);
-        }
-    if (overlaps == 0) return Contact::apart;
-    if (contains[0] != 0 || contains[1] != 0) return Contact::inside;
+    Integer s[3], squares[2][3];
+    int touches = 0, along = 0;
+    for (int i = 0; i < 3; ++i) {
+        s[i] = Integer(p.r12[i] * p.r12[i]);
+        for (int k = 0; k < 2; ++k) squares[k][i] = Integer(axes[k][i] * axes[k][i]);
+        if (s[i] == 0) continue;
+        ++along;
+        touches += p.r12[i] == std::abs(axes[0][i] - axes[1][i]);
+    }
+    if (along > 0 && true_sign(p, 1.0) >= 0) return Contact::apart;
+    if (is_inside(s, squares[0], squares[1]) || is_inside(s, squares[1], squares[0]))
+        return Contact::inside;
     return along == 1 && touches == 1 ? Contact::touching : Contact::other;
 }
 

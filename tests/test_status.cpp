@@ -2,8 +2,13 @@
 // Statuses of values, of every function, with what happens to the outputs: forms that are not
 // positive definite, zero vectors, λ. test_outputs.cpp has those of numbers that are not finite and
 // of null pointers. Versions and texts.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <initializer_list>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +16,8 @@
 
 #include <pw85.h>
 #include <pw85_batch.h>
+#include <pw85_enclosing.h>
+#include <pw85_simulation.h>
 #include <pw85_systems.h>
 
 #include <pw85/distance/bounding_box.hpp>
@@ -256,10 +263,13 @@ pw85_error last_error()
     return error;
 }
 
+/// `value` is NaN where the cause is not one number; without it the value is not compared.
 void expect_cause(char const *function, char const *argument, char const *requirement,
-                  std::size_t row, std::size_t entry)
+                  std::size_t row, std::size_t entry, std::optional<double> value = {})
 {
     pw85_error const error = last_error();
+    if (value && (std::isnan(*value) ? !std::isnan(error.value) : error.value != *value))
+        g_error("%s: %s %s, not %a", function, argument, requirement, error.value);
     g_assert_cmpstr(error.function, ==, function);
     g_assert_cmpstr(error.argument, ==, argument);
     g_assert_cmpstr(error.requirement, ==, requirement);
@@ -289,7 +299,7 @@ void test_cause_of_one_row()
         expect_cause("pw85_contact_factored", "s2",
                      "must have columns that are not zero and not nearly dependent", 0, 0);
         g_assert_cmpint(pw85_contact(q, thin, q, out), ==, PW85_ENOTPD);
-        expect_cause("pw85_contact", "q1", "must be positive definite", 0, 0);
+        expect_cause("pw85_contact", "q1", "must be positive definite", 0, 0, nan);
     }
     g_assert_cmpint(pw85_distance_plane(zero, 1.0, q, out, nullptr), ==, PW85_EINVAL);
     expect_cause("pw85_distance_plane", "normal", "must not be zero", 0, 0);
@@ -316,11 +326,180 @@ void test_cause_of_rows()
         pw85_pair_list const list{n, pairs.data(), nullptr};
         pw85_system const system{n, r12.data(), q.data(), nullptr, {0, 0, 0}};
         g_assert_cmpint(pw85_contact_pairs(&list, &system, mu2.data(), nullptr), ==, PW85_EINVAL);
-        expect_cause("pw85_contact_pairs", "pairs", "must be an index of a particle", bad, 1);
+        expect_cause("pw85_contact_pairs", "pairs", "must be an index of a particle", bad, 1,
+                     static_cast<double>(n));
         pairs[2 * bad + 1] = static_cast<std::int32_t>(bad);
         g_assert_cmpint(pw85_contact_pairs(&list, &system, mu2.data(), nullptr), ==, PW85_ENOTPD);
         expect_cause("pw85_contact", "q2", "must be positive definite", bad, 0);
     }
+}
+
+/// Neighbour lists and meshes: the first bad row, and causes that an array alone does not show.
+void test_cause_of_lists_and_meshes()
+{
+    double const q[] = {1, 0, 0, 1, 0, 1, 1, 0, 0, 1, 0, 0}, far[] = {0, 0, 0, 1e15, 0, 0},
+                 flat[9] = {1, 0, 0, 0, 1, 0, 1, 1, 0};
+    pw85_system system{2, far, q, flat, {1, 1, 1}};
+    pw85_neighbors *list;
+    g_assert_cmpint(pw85_neighbors_create(&system, 1.0, -1.0, &list), ==, PW85_EINVAL);
+    expect_cause("pw85_neighbors_create", "skin", "must be >= 0", 0, 0);
+    g_assert_cmpint(pw85_neighbors_create(&system, 1.0, 0.0, &list), ==, PW85_EINVAL);
+    expect_cause("pw85_neighbors_create", "cell",
+                 "must have finite, independent vectors, one of them periodic", 0, 0);
+    system.periodic[2] = 0;
+    g_assert_cmpint(pw85_neighbors_create(&system, 1.0, 0.0, &list), ==, PW85_ENOTPD);
+    expect_cause("pw85_neighbors_create", "q", "must be positive definite", 1, 0);
+    double const good[] = {1, 0, 0, 1, 0, 1, 1, 0, 0, 1, 0, 1};
+    system.q = good;
+    g_assert_cmpint(pw85_neighbors_create(&system, 1.0, 0.0, &list), ==, PW85_EINVAL);
+    expect_cause("pw85_neighbors_create", "centers",
+                 "must not be too far away from the cell for images", 1, 0);
+    std::int32_t const triangles[] = {0, 1, 0, 0, 0, 2};
+    pw85_mesh *mesh;
+    g_assert_cmpint(pw85_mesh_create(2, far, 2, triangles, &mesh), ==, PW85_EINVAL);
+    expect_cause("pw85_mesh_create", "triangles", "must have indices of vertices", 1, 2);
+    g_assert_cmpint(pw85_mesh_create(2, far, 1, triangles, &mesh), ==, PW85_SUCCESS);
+    double const centers[] = {0, 0, 0, 0, nan, 0};
+    double mu2[2];
+    g_assert_cmpint(pw85_mesh_contact_batch(mesh, 2, centers, good, mu2, nullptr, nullptr), ==,
+                    PW85_EINVAL);
+    expect_cause("pw85_mesh_contact_batch", "centers", "must be finite", 1, 1);
+    pw85_mesh_destroy(mesh);
+}
+
+/// Simulations: causes by the declarations, and by the state.
+void test_cause_of_simulations()
+{
+    double const centers[] = {0, 0, 0, 3, 0, 0}, turns[] = {1, 0, 0, 0, 0, 0, 0, 0},
+                 upright[] = {1, 0, 0, 0, 1, 0, 0, 0}, steps[] = {1.0, 2.0, 0.5},
+                 axes[] = {1, 1, 1, 1, 1, 1};
+    pw85_system const system{2, centers, nullptr, nullptr, {0, 0, 0}};
+    pw85_hard_ellipsoids *made;
+    g_assert_cmpint(pw85_hard_ellipsoids_create(&system, axes, turns, 1, nullptr, &made), ==,
+                    PW85_EINVAL);
+    expect_cause("pw85_hard_ellipsoids_create", "quaternions", "must not be zero", 1, 0);
+    g_assert_cmpint(pw85_hard_ellipsoids_create(&system, axes, upright, 1, nullptr, nullptr), ==,
+                    PW85_EINVAL);
+    expect_cause("pw85_hard_ellipsoids_create", "simulation", "must not be null", 0, 0);
+    g_assert_cmpint(pw85_hard_ellipsoids_create(&system, axes, upright, 1, nullptr, &made), ==,
+                    PW85_SUCCESS);
+    g_assert_cmpint(pw85_hard_ellipsoids_sweep(nullptr, 1), ==, PW85_EINVAL);
+    expect_cause("pw85_hard_ellipsoids_sweep", "simulation", "must not be null", 0, 0);
+    g_assert_cmpint(pw85_hard_ellipsoids_tune(made, 1, 1.5, 0.0, 0), ==, PW85_EINVAL);
+    expect_cause("pw85_hard_ellipsoids_tune", "acceptance", "must be at most 1", 0, 0);
+    g_assert_cmpint(pw85_hard_ellipsoids_volume_moves(made, 1, 1.0, 0), ==, PW85_EINVAL);
+    expect_cause("pw85_hard_ellipsoids_volume_moves", "simulation",
+                 "must have a cell that is periodic along its three vectors", 0, 0);
+    g_assert_cmpint(pw85_hard_ellipsoids_set_steps(made, steps), ==, PW85_EINVAL);
+    expect_cause("pw85_hard_ellipsoids_set_steps", "steps", "must be at most 1", 0, 1);
+    g_assert_cmpint(pw85_hard_ellipsoids_remove(made, 2), ==, PW85_EINVAL);
+    expect_cause("pw85_hard_ellipsoids_remove", "particle", "must be the index of a particle", 0,
+                 0);
+    pw85_wall const walls[] = {{PW85_WALL_PLANE, {}, {1, 0, 0}, 9.0},
+                               {PW85_WALL_SPHERE, {}, {}, -1.0}};
+    g_assert_cmpint(pw85_hard_ellipsoids_set_walls(made, 2, walls, nullptr), ==, PW85_EINVAL);
+    expect_cause("pw85_hard_ellipsoids_set_walls", "walls",
+                 "must have a radius > 0 whose square is finite and not 0", 1, 0);
+    pw85_hard_ellipsoids_destroy(made);
+}
+
+/// A call that is refused as a whole names the array that is null, or the size.
+void test_cause_of_whole_calls()
+{
+    double const x[] = {3.0, 0.0, 0.0, 1.0, 0.0, 1.0}, q[] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
+    double out[18];
+    int on = 0;
+    g_assert_cmpint(pw85_contact_batch(2, x, q, nullptr, out, nullptr), ==, PW85_EINVAL);
+    expect_cause("pw85_contact_batch", "q2", "must not be null", 0, 0, nan);
+    g_assert_cmpint(pw85_volume_batch(2, nullptr, out), ==, PW85_EINVAL);
+    expect_cause("pw85_volume_batch", "q", "must not be null", 0, 0);
+    g_assert_cmpint(pw85_overlap_segment_batch(1, x, nullptr, q, nullptr), ==, PW85_EINVAL);
+    expect_cause("pw85_overlap_segment_batch", "overlap", "must not be null", 0, 0);
+    g_assert_cmpint(pw85_contact_segment_batch(1, x, nullptr, q, out, nullptr), ==, PW85_EINVAL);
+    expect_cause("pw85_contact_segment_batch", "end2", "must not be null", 0, 0);
+    char const *const too_large =
+        "must be small enough for the bytes of each array to fit ptrdiff_t";
+    for (std::size_t const n : {SIZE_MAX, SIZE_MAX / 2 + 1}) {
+        auto const size = static_cast<double>(n);
+        g_assert_cmpint(pw85_contact_batch(n, x, q, q, out, nullptr), ==, PW85_EINVAL);
+        expect_cause("pw85_contact_batch", "n", too_large, 0, 0, size);
+        g_assert_cmpint(pw85_volume_batch(n, q, out), ==, PW85_EINVAL);
+        expect_cause("pw85_volume_batch", "n", too_large, 0, 0, size);
+        g_assert_cmpint(pw85_random_points(q, 0, 1, n, out), ==, PW85_EINVAL);
+        expect_cause("pw85_random_points", "num_points", too_large, 0, 0, size);
+    }
+    g_assert_cmpint(pw85_random_points(out + 12, 0, 1, 1, nullptr), ==, PW85_EINVAL);
+    expect_cause("pw85_random_points", "points", "must not be null", 0, 0);
+    g_assert_cmpint(pw85_random_points(nullptr, 0, 1, 1, out), ==, PW85_EINVAL);
+    expect_cause("pw85_random_points", "q", "must not be null", 0, 0);
+    g_assert_cmpint(pw85_set_reproducible(7), ==, PW85_EINVAL);
+    expect_cause("pw85_set_reproducible", "on", "must be 0 or 1", 0, 0, 7.0);
+    g_assert_cmpint(pw85_is_reproducible(nullptr), ==, PW85_EINVAL);
+    expect_cause("pw85_is_reproducible", "on", "must not be null", 0, 0);
+    g_assert_cmpint(pw85_is_reproducible(&on), ==, PW85_SUCCESS);
+}
+
+void test_cause_of_systems()
+{
+    double const centers[] = {0.0, 0.0, 0.0, 3.0, 0.0, 0.0},
+                 q[] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
+    double cell[] = {9.0, 0.0, 0.0, 0.0, 9.0, 0.0, 0.0, 0.0, 9.0}, mu2, limit;
+    std::int32_t const pairs[] = {0, 1};
+    pw85_pair_list const list{1, pairs, nullptr};
+    pw85_system system{2, centers, q, cell, {0, 0, 0}};
+    char const *const name = "pw85_contact_pairs";
+    g_assert_cmpint(pw85_contact_pairs(nullptr, &system, &mu2, nullptr), ==, PW85_EINVAL);
+    expect_cause(name, "list", "must not be null", 0, 0);
+    g_assert_cmpint(pw85_contact_pairs(&list, &system, &mu2, nullptr), ==, PW85_EINVAL);
+    expect_cause(name, "periodic", "must be set along at least one vector of the cell", 0, 0);
+    g_assert_cmpint(pw85_nearest_image_limit(&system, &limit), ==, PW85_EINVAL);
+    expect_cause("pw85_nearest_image_limit", "periodic",
+                 "must be set along at least one vector of the cell", 0, 0);
+    std::fill_n(system.periodic, 3, 1);
+    cell[4] = HUGE_VAL;
+    g_assert_cmpint(pw85_contact_pairs(&list, &system, &mu2, nullptr), ==, PW85_EINVAL);
+    expect_cause(name, "cell", "must be finite along the periodic vectors", 0, 4, HUGE_VAL);
+    cell[4] = 0.0;
+    g_assert_cmpint(pw85_contact_pairs(&list, &system, &mu2, nullptr), ==, PW85_EINVAL);
+    expect_cause(name, "cell", "must have independent rows", 0, 0, nan);
+    system.q = nullptr;
+    g_assert_cmpint(pw85_contact_pairs(&list, &system, &mu2, nullptr), ==, PW85_EINVAL);
+    expect_cause(name, "q", "must not be null", 0, 0);
+}
+
+/// Calls with one of the ways in which a law can be wrong.
+void test_cause_of_laws()
+{
+    double const centers[6] = {}, q[12] = {};
+    pw85_pair_list const none{0, nullptr, nullptr};
+    pw85_system const system{2, centers, q, nullptr, {0, 0, 0}};
+    auto const expect = [&](int kind, std::size_t n, std::initializer_list<double> parameters,
+                            char const *member, char const *text, std::size_t entry, double value) {
+        pw85_law const law{kind, n, parameters.begin()};
+        double energy;
+        g_assert_cmpint(
+            pw85_law_forces_pairs(&none, &system, &law, &energy, nullptr, nullptr, nullptr), ==,
+            PW85_EINVAL);
+        expect_cause("pw85_law_forces_pairs", member, text, 0, entry, value);
+    };
+    expect(9, 2, {1.0, 2.0}, "kind", "must be a constant PW85_LAW_...", 0, 9.0);
+    expect(PW85_LAW_SOFT_REPULSION, 1, {1.0}, "num_parameters", "must be 2 for this kind", 0, 1.0);
+    expect(PW85_LAW_SOFT_REPULSION, 2, {}, "parameters", "must not be null", 0, nan);
+    expect(PW85_LAW_SOFT_REPULSION, 2, {1.0, nan}, "parameters", "must be finite", 1, nan);
+    expect(PW85_LAW_SOFT_REPULSION, 2, {1.0, 0.5}, "parameters",
+           "must have an exponent that is >= 1", 1, 0.5);
+    expect(PW85_LAW_INVERSE_POWERS, 2, {4.0, 12.0}, "num_parameters", "must be 5 for this kind", 0,
+           2.0);
+    expect(PW85_LAW_INVERSE_POWERS, 5, {4.0, 12.0, 4.0, 0.0, 1.0}, "parameters",
+           "must have a second exponent that is > 0", 3, 0.0);
+    expect(PW85_LAW_INVERSE_POWERS, 5, {4.0, 6.0, 4.0, 6.0, 1.0}, "parameters",
+           "must have a first exponent above the second", 1, 6.0);
+    expect(PW85_LAW_INVERSE_POWERS, 5, {4.0, 12.0, 4.0, 6.0, -1.0}, "parameters",
+           "must have a cutoff that is > 0", 4, -1.0);
+    expect(PW85_LAW_TABLE, 7, {0.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0}, "num_parameters",
+           "must be even and at least 6 for this kind", 0, 7.0);
+    expect(PW85_LAW_TABLE, 6, {1.0, 1.0, 1.0, 1.0, 1.0, 1.0}, "parameters",
+           "must have a range whose end is above its begin", 1, 1.0);
 }
 
 } // namespace
@@ -337,6 +516,11 @@ int main(int argc, char **argv)
     g_test_add_func("/status/building_blocks", test_building_blocks);
     g_test_add_func("/status/last_error", test_cause_of_one_row);
     g_test_add_func("/status/last_error/rows", test_cause_of_rows);
+    g_test_add_func("/status/last_error/lists_and_meshes", test_cause_of_lists_and_meshes);
+    g_test_add_func("/status/last_error/simulations", test_cause_of_simulations);
+    g_test_add_func("/status/last_error/whole_calls", test_cause_of_whole_calls);
+    g_test_add_func("/status/last_error/systems", test_cause_of_systems);
+    g_test_add_func("/status/last_error/laws", test_cause_of_laws);
     g_test_add_func("/status/texts", test_texts);
     g_test_add_func("/status/version", test_version);
     g_test_add_func("/status/reproducible", test_reproducible);

@@ -580,6 +580,16 @@ void test_touching()
     }
 }
 
+// The centre is beyond the plane, by products below the least double.
+void test_tiny_plane()
+{
+    HardEllipsoids simulation =
+        one_particle({0x1p-80, 0x1p-80, 0x1p-80}, {0x1p-75, 0x1p-75, 0x1p-75});
+    Wall const walls[] = {Wall::plane({0x1p-1000, 0x1p-1000, 0x1p-1000}, 0x1p-1074)};
+    pw85::IndexPair overlap;
+    g_assert_true(simulation.set_walls(walls, overlap) == Status::overlap);
+}
+
 double second_legendre(double c) { return 1.5 * c * c - 0.5; }
 
 // One particle in each field, against integrals.
@@ -1087,6 +1097,7 @@ int main(int argc, char **argv)
     g_test_add_func("/surroundings/bad_mesh", test_bad_mesh);
     g_test_add_func("/surroundings/walls_of_the_plane", test_walls_of_the_plane);
     g_test_add_func("/surroundings/touching", test_touching);
+    g_test_add_func("/surroundings/tiny_plane", test_tiny_plane);
     g_test_add_func("/surroundings/fields", test_fields);
     g_test_add_func("/surroundings/two_spheres", test_two_spheres);
     g_test_add_func("/surroundings/exchange", test_exchange);

@@ -5,11 +5,9 @@
 #define PW85_TESTS_WIDE_HPP_INCLUDED
 
 #include "condition_number.hpp"
-#include "oracle/multiprecision.hpp"
+#include "oracle/compiled_once.hpp"
 
 namespace pw85_tests {
-
-using Wide = Multiprecision<50>;
 
 /// The contact function of a pair exactly as given, and its condition number.
 template <class T> struct Truth {

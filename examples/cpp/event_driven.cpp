@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <numbers>
 #include <queue>
 #include <random>
 #include <tuple>
@@ -19,7 +18,7 @@
 using Vector = pw85::Vector<double, 3>;
 using Quaternion = pw85::Vector<double, 4>;
 using pw85::contact, pw85::contact_geometry, pw85::cross, pw85::dot;
-constexpr Vector semi_axes{0.5, 0.5, 1.0}; // at time 0: the volume is π/3
+constexpr Vector semi_axes{0.5, 0.5, 1.0}; // at time 0
 constexpr double inertia = 0.2;            // where the mass is 1
 
 struct Particle {
@@ -89,7 +88,9 @@ struct Simulation {
     double packing_fraction() const
     {
         double const n = static_cast<double>(particles.size());
-        return n * std::numbers::pi / 3.0 * std::pow(size() / side, 3.0);
+        auto const form =
+            pw85::ellipsoid_quaternion(size() * semi_axes, {1, 0, 0, 0}).q;
+        return n * pw85::volume(form).volume / std::pow(side, 3.0);
     }
 
     // Up to and with the next collision.

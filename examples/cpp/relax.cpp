@@ -177,7 +177,7 @@ int main(int argc, char **argv)
     double volume = 0.0;
     for (int i = 0; i < count; ++i) {
         Vector3 const a{uniform(1, 2), uniform(1, 2), uniform(1, 2)};
-        volume += 4.0 / 3.0 * std::acos(-1.0) * a[0] * a[1] * a[2];
+        volume += pw85::volume(pw85::ellipsoid_quaternion(a, {1, 0, 0, 0}).q).volume;
         packing.semi_axes.push_back(1.001 * a); // minima touch: a little room
         packing.orientations.push_back(
             {uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)});

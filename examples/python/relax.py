@@ -81,7 +81,8 @@ class Packing:
 def random_packing(count, fraction, rng):
     """Semi-axes from 1 to 2, centres and orientations at random."""
     semi_axes = rng.uniform(1, 2, (count, 3))
-    edge = (4 / 3 * np.pi * semi_axes.prod(axis=1).sum() / fraction) ** (1 / 3)
+    volume = pypw85.volume(pypw85.ellipsoid_quaternion(semi_axes, [1, 0, 0, 0])).sum()
+    edge = (volume / fraction) ** (1 / 3)
     return Packing(semi_axes, edge, rng.uniform(0, edge, (count, 3)), rng.normal(size=(count, 4)))
 
 

@@ -65,7 +65,7 @@ def exchange(replicas, pressures, rounds, sweeps, seed, processes=1):
 
 
 NUMBER, AXES = 27, np.array([0.5, 0.5, 1.0])
-SIZE = 4 / 3 * np.pi * AXES.prod()
+SIZE = pypw85.volume(pypw85.ellipsoid_quaternion(AXES, [1, 0, 0, 0]))
 
 
 def fluid(seed, fraction=0.3):

@@ -193,6 +193,7 @@ contains
     integer(c_size_t), parameter :: one = 1
     integer(c_int) :: status, overlap, sign
     integer(c_int8_t) :: overlaps(1)
+    integer(c_int) :: signs(1)
     integer :: i, k
     r = [6, 0, 0, 0, 0]
     a = 0
@@ -219,6 +220,22 @@ contains
     call check(status == pw85_success .and. close(normal(1), 1.0_c_double), 'nd_contact_geometry_batch')
     status = pw85_nd_overlap_batch(one, 5, r, a, b, overlaps)
     call check(status == pw85_success .and. overlaps(1) == 0, 'nd_overlap_batch')
+    status = pw85_nd_compare_batch(one, 5, r, a, b, [4.5_c_double], signs)
+    call check(status == pw85_success .and. signs(1) == -1, 'nd_compare_batch')
+    r = [1, 0, 0, 0, 0]
+    status = pw85_nd_contains(5, r, b, a, overlap)
+    call check(status == pw85_success .and. overlap == 1, 'nd_contains')
+    status = pw85_nd_contains_batch(one, 5, r, a, b, overlaps)
+    call check(status == pw85_success .and. overlaps(1) == 0, 'nd_contains_batch')
+    status = pw85_nd_containment(5, r, a, b, out(1), point)
+    call check(status == pw85_success .and. close(out(1), 9.0_c_double) .and. close(point(1), 3.0_c_double), 'nd_containment')
+    status = pw85_nd_containment_batch(one, 5, r, a, b, mu2)
+    call check(status == pw85_success .and. abs(mu2(1) - out(1)) <= 0, 'nd_containment_batch')
+    r = [6, 0, 0, 0, 0]
+    status = pw85_nd_distance(5, r, a, b, out(1), point, normal=normal)
+    call check(status == pw85_success .and. close(out(1), 3.0_c_double) .and. close(point(1), 1.0_c_double), 'nd_distance')
+    status = pw85_nd_distance_batch(one, 5, r, a, b, mu2)
+    call check(status == pw85_success .and. abs(mu2(1) - out(1)) <= 0, 'nd_distance_batch')
   end subroutine test_any_dimension
 
 

@@ -46,7 +46,7 @@ inline constexpr bool is_for_device = false;
 #endif
 #define PW85_RARE [[gnu::noinline, gnu::cold]] PW85_FUNCTION
 
-/// Code that many questions call, and that no caller inlines, is listed in the same way for
+/// Code that many functions call, and that no caller inlines, is listed in the same way for
 /// PW85_SHARED_BY_QUESTIONS(). Units of the library that define PW85_SHARED_WITH take it from units
 /// for each instruction set (src/simd/shared_*.cpp): the macro is the name of theirs, so that each
 /// runs only what was compiled with its own flags.

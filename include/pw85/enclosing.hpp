@@ -44,6 +44,30 @@ enclosing_ellipsoid(std::span<Vector<double, D> const> points, double tolerance)
     return found;
 }
 
+/// The ellipsoid of least volume around ellipsoids, up to a tolerance, in two or three dimensions.
+/// The contract is that of the C function.
+///
+/// @param centers of the ellipsoids, at least one
+/// @param forms of the ellipsoids, as many
+/// @param tolerance of the volume, relative; above zero
+/// @return as enclosing_ellipsoid(); Status::invalid_argument also for unequal numbers of centres
+///         and forms
+template <int D> static inline EnclosingEllipsoid<D>
+enclosing_ellipsoid_of(std::span<Vector<double, D> const> centers,
+                       std::span<SymmetricMatrix<double, D> const> forms, double tolerance) noexcept
+{
+    static_assert(sizeof(Vector<double, D>) == D * sizeof(double));
+    static_assert(sizeof(SymmetricMatrix<double, D>) == D * (D + 1) / 2 * sizeof(double));
+    EnclosingEllipsoid<D> found;
+    std::size_t const m = centers.size() == forms.size() ? centers.size() : 0;
+    int const status =
+        pw85_enclosing_ellipsoid_of(D, m, reinterpret_cast<double const *>(centers.data()),
+                                    reinterpret_cast<double const *>(forms.data()), tolerance,
+                                    found.center.coordinates, found.q.entries, &found.excess);
+    found.status = static_cast<StatusCode>(status);
+    return found;
+}
+
 /// Random points of an ellipsoid with its centre at 0, uniform in its volume or on its surface. The
 /// contract is that of pw85_random_points().
 ///

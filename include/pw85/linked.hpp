@@ -607,11 +607,11 @@ PW85_LINKED Volume<double> overlap_volume_plane(Vector<double, 3> const &normal,
 
 /// compare() by pw85_compare().
 PW85_LINKED Comparison compare(Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
-                               SymmetricMatrix<double, 3> const &q2, double const &m) noexcept
+                               SymmetricMatrix<double, 3> const &q2, double const &mu2) noexcept
 {
     using namespace detail::linked;
     Comparison result;
-    int const status = pw85_compare(in(r12), in(q1), in(q2), in(m), out(result.sign));
+    int const status = pw85_compare(in(r12), in(q1), in(q2), in(mu2), out(result.sign));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
@@ -728,12 +728,12 @@ PW85_LINKED FirstContact<double> first_contact(Vector<double, 3> const &r12,
                                                SymmetricMatrix<double, 3> const &q2,
                                                Motion<double, 3> const &motion1,
                                                Motion<double, 3> const &motion2,
-                                               double const &end) noexcept
+                                               double const &t_max) noexcept
 {
     using namespace detail::linked;
     FirstContact<double> result;
     int const status = pw85_first_contact(in(r12), in(q1), in(q2), in(motion1), in(motion2),
-                                          in(end), out(result.time));
+                                          in(t_max), out(result.time));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
@@ -758,11 +758,11 @@ PW85_LINKED FreePath<double> free_path(Vector<double, 3> const &r12,
                                        SymmetricMatrix<double, 3> const &q1,
                                        SymmetricMatrix<double, 3> const &q2,
                                        Vector<double, 3> const &direction,
-                                       double const &end) noexcept
+                                       double const &t_max) noexcept
 {
     using namespace detail::linked;
     FreePath<double> result;
-    int const status = pw85_free_path(in(r12), in(q1), in(q2), in(direction), in(end),
+    int const status = pw85_free_path(in(r12), in(q1), in(q2), in(direction), in(t_max),
                                       out(result.length));
     result.status = static_cast<StatusCode>(status);
     return result;

@@ -36,6 +36,8 @@
 ///   memory, keeps or shares state, or prints anything.
 /// - In double, no intermediate result overflows or underflows for semi-axes and distances from
 ///   1e-150 to 1e150.
+/// - The templates do not follow the reproducible mode, which is one of the compiled library:
+///   pw85_set_reproducible().
 /// - Code is compiled with the flags of the translation unit that includes it, and runs in the
 ///   caller's floating-point environment. It refuses `-ffast-math` unless PW85_ALLOW_FAST_MATH is
 ///   defined.
@@ -515,17 +517,17 @@ template <class T>
 PW85_FUNCTION inline Volume<T> overlap_volume_plane(Vector<T, 3> const &normal, T const &offset,
                                                     SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// The sign of μ² - m.
+/// The sign of μ² - mu2.
 ///
 /// For float, double and long double the sign is that of exact arithmetic for the numbers given.
 /// For a multiprecision number it is right to rounding.
 ///
 /// @param r12,q1,q2 as for contact()
-/// @param m >= 0; may be infinity
+/// @param mu2 >= 0; may be infinity
 /// @return -1, 0 or 1; 2 with Status::invalid_argument or Status::not_positive_definite
 template <class T, int D>
 PW85_FUNCTION inline Comparison compare(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                        SymmetricMatrix<T, D> const &q2, T const &m) noexcept;
+                                        SymmetricMatrix<T, D> const &q2, T const &mu2) noexcept;
 
 /// Distance of closest approach: the distance of the centres at which two ellipsoids of fixed
 /// orientation touch from outside, when their centres are on a line of given direction d. It is
@@ -547,8 +549,8 @@ PW85_FUNCTION inline ClosestApproach<T> closest_approach(Vector<T, D> direction,
 
 /// Distance of the surfaces of two ellipsoids, and the points where they are closest.
 ///
-/// The error of the distance is below 8 u Σ, with Σ as said for pw85_distance() in pw85.h: what
-/// entrywise rounding of the data may change it by is u Σ.
+/// The error of the distance is below 8 u Σ, with Σ as said for pw85_distance() in pw85.h. Rounding
+/// each entry of the data can change the distance by u Σ.
 ///
 /// @param r12,q1,q2 as for contact()
 /// @return the distance, in the unit of `r12`, the closest points of both ellipsoids, relative to
@@ -628,15 +630,15 @@ signed_distance_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const
 /// grow. No contact is missed.
 ///
 /// @param r12,q1,q2 the pair at time 0, as for contact()
-/// @param motion1,motion2 how the ellipsoids move; none may shrink to nothing before `end`
-/// @param end the time up to which contacts count, >= 0; may be infinity
+/// @param motion1,motion2 how the ellipsoids move; their semi-axes must be > 0 until t_max
+/// @param t_max the time up to which contacts count, >= 0; may be infinity
 /// @return the time: infinity if there is no contact, zero if the ellipsoids overlap at time 0;
 /// Status::invalid_argument, Status::not_positive_definite, Status::no_convergence as said in
 /// pw85.h
 template <class T, int D> PW85_FUNCTION inline FirstContact<T>
 first_contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
               SymmetricMatrix<T, D> const &q2, Motion<T, D> const &motion1,
-              Motion<T, D> const &motion2, T const &end) noexcept;
+              Motion<T, D> const &motion2, T const &t_max) noexcept;
 
 /// The least contact function of two ellipsoids on a straight path, for the separations r12 + t
 /// velocity, 0 <= t <= t_max.
@@ -657,14 +659,14 @@ closest_passage(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
 ///
 /// @param r12,q1,q2 as for contact()
 /// @param direction of any length > 0
-/// @param end of the path, in units of the direction, >= 0; may be infinity
-/// @return the length, in units of the direction: infinity if there is no contact before the end;
+/// @param t_max the end of the path, in units of the length of `direction`, >= 0; may be infinity
+/// @return the length, in the unit of t_max: infinity if there is no contact before t_max;
 /// Status::invalid_argument, Status::not_positive_definite, Status::no_convergence as said in
 /// pw85.h
 template <class T, int D>
 PW85_FUNCTION inline FreePath<T> free_path(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                            SymmetricMatrix<T, D> const &q2,
-                                           Vector<T, D> const &direction, T const &end) noexcept;
+                                           Vector<T, D> const &direction, T const &t_max) noexcept;
 
 /// @}
 
@@ -884,9 +886,10 @@ PW85_FUNCTION inline ShapeContact<T, 3> contact_box(Vector<T, 3> const &lower,
 /// @param center of the ellipsoid
 /// @return μ², 0 if the centre is in the polytope, and the point of the polytope where the scaled
 /// ellipsoid touches, relative to its centre. An empty polytope has μ² infinity, and a point of
-/// NaN; whether a polytope is empty is decided up to rounding errors. The error of μ² is below 40 u
-/// Σ λ_k (|g_k|·r + m_k): see shapes/polytope.hpp. Status::invalid_argument (also for a zero
-/// normal), Status::not_positive_definite, Status::no_convergence (this has never been seen)
+/// NaN. For a centre at 0 the bounds on the errors are those of pw85_contact_polytope() in
+/// pw85_shapes.h. Otherwise |offset_k| + |normal_k|·|center| takes the place of |offset_k| in them,
+/// and 40 that of 32. Status::invalid_argument (also for a zero normal),
+/// Status::not_positive_definite, Status::no_convergence (this has never been seen)
 template <class T> PW85_FUNCTION inline ShapeContact<T, 3>
 contact_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMatrix<T, 3> const &q,
                  Vector<T, 3> const &center = {T(0), T(0), T(0)}) noexcept;

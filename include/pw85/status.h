@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The status codes of pw85: the one list behind the C enum, the C++ enum, the texts of
-   pw85_strerror() and the table in the documentation. Append only: programs link to the numbers. */
+   pw85_strerror() and the table in the documentation. Append only: the numbers are compiled into
+   programs. */
 #ifndef PW85_STATUS_H_INCLUDED
 #define PW85_STATUS_H_INCLUDED
 
@@ -11,11 +12,7 @@
     PW85_ERROR_LIST(X)
 #define PW85_ERROR_LIST(X)                                                                         \
     X(PW85_EINVAL, invalid_argument, 1,                                                            \
-      "invalid argument: NaN, infinity, a length that is not positive, a zero direction, a "       \
-      "rotation that is not "                                                                      \
-      "orthonormal, a singular cell, an index or a size out of range, or a null pointer; the "     \
-      "description of the "                                                                        \
-      "function names its causes")                                                                 \
+      "invalid argument; pw85_last_error() names it after most functions of C")                    \
     X(PW85_ENOTPD, not_positive_definite, 2, "a quadratic form is not positive definite")          \
     X(PW85_ECONVERGENCE, no_convergence, 3, "the iterations did not converge")                     \
     X(PW85_ENOMEM, out_of_memory, 4, "there is not enough memory")                                 \

@@ -587,6 +587,20 @@ class Walls(unittest.TestCase):
         frozen = self.script(boxed + "set atom 1 z 0.25\n" + place.format(-0.7)).replace("fix mc all", "group rest id > 1\nfix mc rest")
         run(frozen + "run 1\n", MIXTURE)
 
+    def test_large_cylinder(self):
+        """A sphere cuts a cylinder that is a million times as large by 2^-35 of its radius, which sums of rounded distances do not see."""
+        edge, radius = 2.0**22, 2.0**20
+        middle = 0.5 * edge
+        for x, refused in ((radius - 1.0, True), (radius - 1.0 - 2.0**-20, False)):
+            one = System(edge * np.eye(3), False, np.array([[middle + x, middle + 2.0**-7, middle]]), np.ones((1, 3)),
+                         np.array([[1.0, 0.0, 0.0, 0.0]]), np.array([1]))
+            script = self.script(f"fix plates all wall/pw85 zcylinder {radius} at {middle} {middle} hard\n", system=one).replace(
+                f"pw85/hard {one.cutoff:.17g}", f"pw85/hard {edge / 16}") + "run 1\n"
+            if refused:
+                self.assertIn("atom 1 cuts a wall at the start", failure(script, one))
+            else:
+                run(script, one)
+
     def test_sides(self):
         """An atom that rounding would put on the upper side stays in the box, and one that is out of it is lost, as in any LAMMPS."""
         one = System(11.0 * np.eye(3), True, np.array([[2.0, 2.0, 2.0]]), np.array([[0.4, 0.4, 0.95]]), np.array([[1.0, 0.0, 0.0, 0.0]]),

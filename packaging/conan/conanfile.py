@@ -1,6 +1,6 @@
 # Not yet run.
 from conan import ConanFile
-from conan.tools.build import check_min_cppstd
+from conan.tools.build import check_min_cppstd, stdcpp_library
 from conan.tools.files import copy, get
 from conan.tools.gnu import PkgConfigDeps
 from conan.tools.layout import basic_layout
@@ -25,6 +25,10 @@ class Pw85Recipe(ConanFile):
     def validate(self):
         check_min_cppstd(self, 20)
 
+    def _has_openmp(self):
+        """Apple's compiler has no OpenMP of its own."""
+        return self.settings.compiler in ("gcc", "clang")
+
     def requirements(self):
         self.requires("boost/[>=1.74 <2]", options={"header_only": True}, headers=True, libs=False)
 
@@ -40,6 +44,7 @@ class Pw85Recipe(ConanFile):
 
     def generate(self):
         toolchain = MesonToolchain(self)
+        toolchain.project_options["openmp"] = "enabled" if self._has_openmp() else "disabled"
         toolchain.project_options.update(dict.fromkeys(["gsl", "gpu", "tests", "bench", "python", "fortran"], "disabled"))
         toolchain.generate()
         PkgConfigDeps(self).generate()
@@ -61,3 +66,11 @@ class Pw85Recipe(ConanFile):
             component.set_property("pkg_config_name", name)
             component.set_property("cmake_target_name", f"pw85::{name}")
             component.system_libs = ["m", "dl"] if self.settings.os == "Linux" else []
+            if not self.options.shared:
+                self._link_in_any_language(component)
+
+    def _link_in_any_language(self, component):
+        """What a program in C needs to link the static library, which is C++ with OpenMP."""
+        component.system_libs.append(stdcpp_library(self))
+        if self._has_openmp():
+            component.exelinkflags = component.sharedlinkflags = ["-fopenmp"]

@@ -33,9 +33,20 @@ from . import (
     legacy,
     utils,
 )
-from ._any_dimension import NdContactGeometry, nd_contact, nd_contact_geometry, nd_overlap
+from ._any_dimension import (
+    NdContactGeometry,
+    NdDistance,
+    nd_compare,
+    nd_contact,
+    nd_contact_geometry,
+    nd_containment,
+    nd_contains,
+    nd_distance,
+    nd_overlap,
+)
 from ._blocking import Blocking, Estimate
 from ._bodies import EllipsoidMesh, ellipsoid_mesh, even_points, from_mesh, inertia, random_points
+from ._bounding import enclosing
 from ._conversions import (
     from_covariance,
     from_euler,
@@ -48,7 +59,7 @@ from ._conversions import (
 )
 from ._core import LAMBDA_ATOL as lambda_atol
 from ._core import is_reproducible, set_reproducible, strerror, version
-from ._enclosing import credible_ellipsoid, enclosing_ellipsoid
+from ._enclosing import credible_ellipsoid, enclosing_ellipsoid, enclosing_ellipsoid_of
 from ._errors import PW85Error, Status, bad_rows
 from ._forces import ContactForces, Law, LawForces, contact_derivatives_pairs, contact_forces_pairs, law_forces_pairs
 from ._forms import full, packed, principal_axes

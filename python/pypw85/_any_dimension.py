@@ -9,11 +9,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._errors import PW85Error
 from ._arrays import reals
+from ._errors import PW85Error
 from ._typing import Floats
 
 MAX_DIMENSION = 16
+# What further numbers of a pair must be, and the largest that they may be
+_ALLOWED = {"lambda_": ("in [0, 1]", 1), "mu2": ("at least 0", np.inf)}
 
 
 class NdContactGeometry(NamedTuple):
@@ -24,6 +26,15 @@ class NdContactGeometry(NamedTuple):
     d_r12: Floats
     d_q1: Floats
     d_q2: Floats
+
+
+class NdDistance(NamedTuple):
+    """The distance of ellipsoids, and where they are closest; see `nd_distance`."""
+
+    distance: Any
+    point1: Floats
+    point2: Floats
+    normal: Floats
 
 
 def nd_contact(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> tuple[Any, Any]:
@@ -91,7 +102,7 @@ def nd_contact_geometry(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, lambda_: A
     >>> geometry.point, geometry.d_r12
     (array([2., 0., 0., 0.]), array([2., 0., 0., 0.]))
     """
-    rows = _Rows("nd_contact_geometry", r12, q1, q2, lambda_)
+    rows = _Rows("nd_contact_geometry", r12, q1, q2, lambda_=lambda_)
     outputs = [np.empty((rows.count, size)) for size in (rows.n, rows.n, rows.n, rows.size, rows.size)]
     rows.check(_core.nd_contact_geometry(*rows.arrays, *outputs))
     return NdContactGeometry(*map(rows.shaped, outputs))
@@ -128,18 +139,161 @@ def nd_overlap(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     return rows.shaped(overlap.astype(bool))
 
 
+def nd_compare(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, mu2: ArrayLike) -> Any:
+    """Compares μ² of two ellipsoids in n dimensions with a number, exactly.
+
+    Parameters
+    ----------
+    r12, q1, q2
+        As for `nd_contact`.
+    mu2 : (...) array_like
+        At least 0; may be infinite.
+
+    Returns
+    -------
+    (...) array of int
+        The sign of μ² - `mu2`: -1, 0 or 1.
+
+    Raises
+    ------
+    PW85Error, ValueError
+        As for `nd_contact`; also for a `mu2` that is negative or NaN.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> pypw85.nd_compare([4, 0, 0, 0], np.eye(4), np.eye(4), [3.5, 4, np.inf])
+    array([ 1,  0, -1], dtype=int32)
+    """
+    rows = _Rows("nd_compare", r12, q1, q2, mu2=mu2)
+    sign = np.empty(rows.count, dtype=np.intc)
+    rows.check(_core.nd_compare(*rows.arrays, sign))
+    return rows.shaped(sign)
+
+
+def nd_contains(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
+    """Decides whether ellipsoid 2 is inside ellipsoid 1 in n dimensions, 1 <= n <= 16.
+
+    The answers are those of exact arithmetic for the numbers given. Ellipsoid 2 may touch the surface of ellipsoid 1 from inside.
+
+    Parameters
+    ----------
+    r12, q1, q2
+        As for `nd_contact`.
+
+    Returns
+    -------
+    (...) array of bool
+
+    Raises
+    ------
+    PW85Error, ValueError
+        As for `nd_contact`.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> pypw85.nd_contains([[1, 0, 0, 0], [1.25, 0, 0, 0]], 4 * np.eye(4), np.eye(4))
+    array([ True, False])
+    """
+    rows = _Rows("nd_contains", r12, q1, q2)
+    contains = np.empty(rows.count, dtype=np.uint8)
+    rows.check(_core.nd_contains(*rows.arrays, contains))
+    return rows.shaped(contains.astype(bool))
+
+
+def nd_containment(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> tuple[Any, Any]:
+    """Factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2 in n dimensions, and where they touch then.
+
+    Parameters
+    ----------
+    r12, q1, q2
+        As for `nd_contact`.
+
+    Returns
+    -------
+    mu2 : (...) array
+        Square of the factor.
+    point : (..., n) array
+        A point on the surface of ellipsoid 2, relative to the centre of ellipsoid 1. If the ellipsoids touch at several points, it is one
+        of them.
+
+    Raises
+    ------
+    PW85Error, ValueError
+        As for `nd_contact`.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> mu2, point = pypw85.nd_containment([3, 0, 0, 0], 4 * np.eye(4), np.eye(4))
+    >>> print(mu2, point)
+    4.0 [4. 0. 0. 0.]
+    """
+    rows = _Rows("nd_containment", r12, q1, q2)
+    mu2, point = np.empty(rows.count), np.empty((rows.count, rows.n))
+    rows.check(_core.nd_containment(*rows.arrays, mu2, point))
+    return rows.shaped(mu2), rows.shaped(point)
+
+
+def nd_distance(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> NdDistance:
+    """Distance of the surfaces of two ellipsoids in n dimensions, the closest points, and the normal there.
+
+    Parameters
+    ----------
+    r12, q1, q2
+        As for `nd_contact`.
+
+    Returns
+    -------
+    NdDistance
+        `distance`, a (...) array: 0 if the ellipsoids overlap. `point1`, `point2` and `normal`, (..., n) arrays: the closest points,
+        relative to the centre of ellipsoid 1, and the unit vector from the first to the second; NaN if the ellipsoids overlap.
+
+    Raises
+    ------
+    PW85Error, ValueError
+        As for `nd_contact`.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> found = pypw85.nd_distance([5, 0, 0, 0], np.eye(4), 4 * np.eye(4))
+    >>> print(found.distance, found.point1, found.point2)
+    2.0 [1. 0. 0. 0.] [3. 0. 0. 0.]
+    """
+    rows = _Rows("nd_distance", r12, q1, q2)
+    outputs = [np.empty(rows.count), *(np.empty((rows.count, rows.n)) for _ in range(3))]
+    rows.check(_core.nd_distance(*rows.arrays, *outputs))
+    return NdDistance(*map(rows.shaped, outputs))
+
+
+def packed_rows(form: ArrayLike, n: int, function: str, argument: str) -> NDArray[Any]:
+    """Forms in n dimensions, matrices or packed, as their upper triangles."""
+    q, size = reals(form, f"{function}: {argument}"), n * (n + 1) // 2
+    if q.shape[-2:] == (n, n):
+        transposed = np.swapaxes(q, -1, -2)
+        largest = np.abs(q).max(axis=(-1, -2), keepdims=True) if q.size else 0
+        if (np.abs(q - transposed) > 1e-6 * largest).any():
+            raise ValueError(f"{function}: {argument} must have symmetric matrices")
+        return q[(..., *np.triu_indices(n))]
+    if q.ndim and q.shape[-1] == size:
+        return q
+    raise ValueError(f"{function}: {argument} must end with {n}×{n} or {size} numbers in {n} dimensions, not have the shape {q.shape}")
+
+
 class _Rows:
     """The arguments of a call as rows of packed numbers."""
 
-    def __init__(self, name: str, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, *numbers: ArrayLike) -> None:
-        self.name = name
+    def __init__(self, name: str, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, **numbers: ArrayLike) -> None:
+        self.name, self.numbers = name, tuple(numbers)
         separations = reals(r12, f"{name}: r12")
         if separations.ndim == 0 or not 1 <= separations.shape[-1] <= MAX_DIMENSION:
             raise ValueError(f"{name}: r12 must have a last dimension of 1 to {MAX_DIMENSION}, not the shape {separations.shape}")
         self.n = separations.shape[-1]
         self.size = self.n * (self.n + 1) // 2
-        others = [reals(x, f"{name}: lambda_")[..., np.newaxis] for x in numbers]
-        arrays = [separations, self._packed(q1, "q1"), self._packed(q2, "q2"), *others]
+        others = [reals(x, f"{name}: {number}")[..., np.newaxis] for number, x in numbers.items()]
+        arrays = [separations, packed_rows(q1, self.n, name, "q1"), packed_rows(q2, self.n, name, "q2"), *others]
         try:
             self.shape = np.broadcast_shapes(*(array.shape[:-1] for array in arrays))
         except ValueError:
@@ -147,21 +301,6 @@ class _Rows:
         self.count = int(np.prod(self.shape, dtype=int))
         rows = [np.broadcast_to(array, (*self.shape, array.shape[-1])).reshape(self.count, array.shape[-1]) for array in arrays]
         self.arrays = [np.require(x if k < 3 else x[:, 0], np.float64, ["C", "A"]) for k, x in enumerate(rows)]
-
-    def _packed(self, form: ArrayLike, argument: str) -> NDArray[Any]:
-        """A form as its upper triangle."""
-        q, n = reals(form, f"{self.name}: {argument}"), self.n
-        if q.shape[-2:] == (n, n):
-            transposed = np.swapaxes(q, -1, -2)
-            largest = np.abs(q).max(axis=(-1, -2), keepdims=True) if q.size else 0
-            if (np.abs(q - transposed) > 1e-6 * largest).any():
-                raise ValueError(f"{self.name}: {argument} must be symmetric")
-            return q[(..., *np.triu_indices(n))]
-        if q.ndim and q.shape[-1] == self.size:
-            return q
-        raise ValueError(
-            f"{self.name}: {argument} must have {n}×{n} or {self.size} numbers for {n} dimensions, not the shape {q.shape}"
-        )
 
     def shaped(self, rows: NDArray[Any]) -> Any:
         """Rows of a result in the shape of the arguments; one number for a single pair."""
@@ -174,7 +313,7 @@ class _Rows:
         for k in range(self.count):
             row = [array[k : k + 1] for array in self.arrays]
             one = _core.nd_contact(*row[:3], np.empty(1), np.empty(1))
-            detail = self._detail(*row[:3]) if one == status else self._detail_of_lambda(*row)
+            detail = self._detail(*row[:3]) if one == status else self._detail_of_numbers(*row)
             if detail:  # of the first bad row
                 where = f"row {tuple(map(int, np.unravel_index(k, self.shape)))}: " if self.shape else ""
                 raise PW85Error(status, self.name, _core.strerror(status), where + detail)
@@ -190,9 +329,10 @@ class _Rows:
                 return f"{name} must be positive definite, not {array[0].tolist()}"
         return ""
 
-    def _detail_of_lambda(self, r12: NDArray[Any], *others: NDArray[Any]) -> str:
-        """Names the fault of a pair that has a contact function, but no geometry."""
-        for number in others[2:]:
-            if not 0 <= number[0] <= 1:
-                return f"lambda_ must be in [0, 1], not {number[0]}"
-        return "" if r12.any() else f"r12 must not be zero, not {r12[0].tolist()}"
+    def _detail_of_numbers(self, r12: NDArray[Any], _1: NDArray[Any], _2: NDArray[Any], *numbers: NDArray[Any]) -> str:
+        """Names the fault of a pair that has a contact function."""
+        for name, number in zip(self.numbers, numbers):
+            allowed, most = _ALLOWED[name]
+            if not 0 <= number[0] <= most:
+                return f"{name} must be {allowed}, not {number[0]}"
+        return f"r12 must not be zero, not {r12[0].tolist()}" if "lambda_" in self.numbers and not r12.any() else ""

@@ -28,6 +28,7 @@ FITS: tuple[Fit, ...] = ("inscribed", "circumscribed", "volume")
 _MOST_DIVISIONS = 512
 # Beyond this ratio of the volume to the product of the extents, the moments of a closed mesh have lost most of their digits.
 _LEAST_VOLUME = 1e-12
+_BALL = float(volume([1, 0, 0, 1, 0, 1]))
 # The memory of 2⁴⁰ points is 26 TB.
 _MOST_POINTS = 2**40
 _GOLDEN = (math.sqrt(5) - 1) / 2
@@ -244,7 +245,7 @@ def sphere_mesh(deviation: float, longest: float, fit: Fit) -> EllipsoidMesh:
     n = 1
     while True:
         points, triangles = _geodesic_sphere(n)
-        h, volume = _least_height(points, triangles), _volume_of(points, triangles) / (4 * math.pi / 3)
+        h, volume = _least_height(points, triangles), _volume_of(points, triangles) / _BALL
         scale = {"inscribed": 1.0, "circumscribed": 1 / h, "volume": volume ** (-1 / 3)}[fit]
         away = max(abs(scale - 1), abs(1 - scale * h))
         if away <= wanted:

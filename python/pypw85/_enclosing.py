@@ -1,21 +1,24 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The smallest ellipsoid around points, and around the most central share of samples."""
+"""The smallest ellipsoid around points, around ellipsoids, and around the most central share of samples."""
 
 from __future__ import annotations
 
+import functools
 import math
 import warnings
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._errors import PW85Error, Status
+from ._any_dimension import MAX_DIMENSION, packed_rows
 from ._arrays import reals
+from ._errors import PW85Error, Status
 from ._numbers import real
 from ._typing import Floats
 
-MOST_DIMENSIONS = 16
 # The mean and the covariance of the most central samples are computed so many times at most; they are final when the samples stay the same.
 MOST_STEPS = 100
 
@@ -57,7 +60,53 @@ def enclosing_ellipsoid(points: ArrayLike, tolerance: float = 1e-6) -> tuple[Flo
     [1. 2.] [2. 0. 8.] True
     """
     name = "enclosing_ellipsoid"
-    return _enclose(name, "points", _points(points, f"{name}: points"), real(tolerance, f"{name}: tolerance"))
+    rows, tolerance = _points(points, f"{name}: points"), real(tolerance, f"{name}: tolerance")
+    return _enclose(name, functools.partial(_explain, "points", rows, tolerance), _core.enclosing_ellipsoid, tolerance, rows)
+
+
+def enclosing_ellipsoid_of(centers: ArrayLike, forms: ArrayLike, tolerance: float = 1e-6) -> tuple[Floats, Floats, float]:
+    """The ellipsoid of least volume around ellipsoids in 1 to 16 dimensions, with a proof.
+
+    Every ellipsoid is inside, in exact arithmetic for the numbers that are given and returned. The volume is at most ``1 + excess`` times
+    the least volume.
+
+    Parameters
+    ----------
+    centers : (m, n) array_like
+        At least one.
+    forms : (m, n, n) or (m, n (n + 1) / 2) array_like
+        Symmetric matrices, or their upper triangles row by row.
+    tolerance : float
+        As for `enclosing_ellipsoid`.
+
+    Returns
+    -------
+    center, q, excess
+        As for `enclosing_ellipsoid`.
+
+    Raises
+    ------
+    PW85Error
+        A number is not finite, a form is not positive definite, there is no ellipsoid, or the result is too flat to be certified.
+    ValueError
+        The centres are not an (m, n) array with n from 1 to 16, or the forms do not match.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> center, q, excess = pypw85.enclosing_ellipsoid_of([[0, 0], [4, 0], [2, 0.5]], [np.eye(2), np.eye(2), 0.1 * np.eye(2)])
+    >>> print(center.round(3), excess <= 1e-6)
+    [2. 0.] True
+    """
+    name = "enclosing_ellipsoid_of"
+    rows = _points(centers, f"{name}: centers")
+    m, n = rows.shape
+    tolerance = real(tolerance, f"{name}: tolerance")
+    packed = np.require(packed_rows(forms, n, name, "forms"), np.float64, ["C", "A"])
+    if packed.shape != (m, n * (n + 1) // 2):
+        raise ValueError(f"{name}: forms must have one row for each of {m} centers, not the shape {packed.shape}")
+    explain = functools.partial(_explain_ellipsoids, rows, packed, tolerance)
+    return _enclose(name, explain, _core.enclosing_ellipsoid_of, tolerance, rows, packed)
 
 
 def credible_ellipsoid(samples: ArrayLike, share: float, tolerance: float = 1e-6) -> tuple[Floats, Floats, float]:
@@ -114,26 +163,26 @@ def credible_ellipsoid(samples: ArrayLike, share: float, tolerance: float = 1e-6
         if np.array_equal(np.sort(nearest), kept):
             break
         kept = np.sort(nearest)
-    return _enclose(name, "samples", rows[kept], tolerance)
+    explain = functools.partial(_explain, "samples", rows[kept], tolerance)
+    return _enclose(name, explain, _core.enclosing_ellipsoid, tolerance, rows[kept])
 
 
-def _enclose(function: str, name: str, rows: Floats, tolerance: float) -> tuple[Floats, Floats, float]:
-    """The smallest ellipsoid around rows, for a function whose argument has this name."""
-    n = rows.shape[1]
+def _enclose(name: str, explain: Callable[[int], str], function: Any, tolerance: float, *inputs: Floats) -> tuple[Floats, Floats, float]:
+    """What a function of C returns for points, or for centres and forms; `explain` says what is wrong where it refuses them."""
+    n = inputs[0].shape[1]
     center, q, excess = np.empty(n), np.empty(n * (n + 1) // 2), np.empty(1)
-    status = _core.enclosing_ellipsoid(rows, tolerance, center, q, excess)
+    status = function(*inputs, tolerance, center, q, excess)
     if status == Status.ECONVERGENCE:
-        text = f"{function}: the excess is {excess[0]:.3g}, above the tolerance {tolerance:g}"
-        warnings.warn(text, RuntimeWarning, stacklevel=3)
+        warnings.warn(f"{name}: the excess is {excess[0]:.3g}, above the tolerance {tolerance:g}", RuntimeWarning, stacklevel=3)
     elif status:
-        raise PW85Error(status, function, _core.strerror(status), _explain(name, rows, tolerance, status))
+        raise PW85Error(status, name, _core.strerror(status), explain(status))
     return center, q, float(excess[0])
 
 
 def _points(points: ArrayLike, name: str) -> Floats:
     rows = np.require(reals(points, name), np.float64, ["C", "A"])
-    if rows.ndim != 2 or not 1 <= rows.shape[1] <= MOST_DIMENSIONS:
-        raise ValueError(f"{name} must have the shape (m, n) with n from 1 to {MOST_DIMENSIONS}, not {rows.shape}")
+    if rows.ndim != 2 or not 1 <= rows.shape[1] <= MAX_DIMENSION:
+        raise ValueError(f"{name} must have the shape (m, n) with n from 1 to {MAX_DIMENSION}, not {rows.shape}")
     return rows
 
 
@@ -156,4 +205,23 @@ def _explain(name: str, rows: Floats, tolerance: float, status: int) -> str:
         return f"{name} must be at least {n + 1} in {n} dimensions, not {m}"
     if status == Status.ENOTPD:
         return f"{name} must not be in a hyperplane, or too close to one"
+    return _explain_tolerance(tolerance)
+
+
+def _explain_ellipsoids(centers: Floats, forms: Floats, tolerance: float, status: int) -> str:
+    """Says what is wrong, with the ellipsoid and the value."""
+    if not len(centers):
+        return "there must be at least one ellipsoid"
+    for k, numbers in enumerate(zip(centers, forms)):
+        for what, x in zip(("centre", "form"), numbers):
+            if not np.isfinite(x).all():
+                return f"the {what} of ellipsoid {k} must be finite, not {x.tolist()}"
+        if _core.nd_contact(0 * numbers[0][None], numbers[1][None], numbers[1][None], np.empty(1), np.empty(1)) == Status.ENOTPD:
+            return f"the form of ellipsoid {k} must be positive definite, not {numbers[1].tolist()}"
+    if status == Status.ENOTPD:
+        return "the ellipsoid around all is too flat to be certified"
+    return _explain_tolerance(tolerance)
+
+
+def _explain_tolerance(tolerance: float) -> str:
     return "" if 0 < tolerance < math.inf else f"tolerance must be positive and finite, not {tolerance}"

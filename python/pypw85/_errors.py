@@ -104,5 +104,34 @@ def bad_rows(result: Any, core_ndim: int = 0) -> NDArray[np.intp]:
     return np.flatnonzero(bad)
 
 
+def last_cause(rows: str = "row", /, **arguments: Any) -> str:
+    """The cause that the library gives for the last refusal of this thread, with the value among the arguments of the call; empty if it is
+    not one argument.
+
+    Lists and arrays of two dimensions have a value for each row, which `rows` names: "particle". A tuple of texts has the names of the
+    entries of an array.
+    """
+    cause = _core.last_error()
+    if cause is None:
+        return ""
+    _, name, requirement, row, entry, value = cause
+    if name is None:
+        return requirement
+    given = arguments.get(name)
+    if given is None:
+        return f"{name} {requirement}"
+    if isinstance(given, tuple) and given and isinstance(given[0], str):
+        return f"{given[entry]} {requirement}, not {value}"
+    if isinstance(given, list) and isinstance(given[row], tuple):
+        return f"{rows} {row} {requirement}, not {given[row]}"
+    if isinstance(given, list) or np.ndim(given) == 2:
+        return f"{rows} {row}: {name} {requirement}, not {_shown(given[row])}"
+    return f"{name} {requirement}, not {_shown(given)}"
+
+
+def _shown(value: Any) -> Any:
+    return value.tolist() if isinstance(value, np.ndarray) else value
+
+
 PW85Error.__module__ = "pypw85"
 Status.__module__ = "pypw85"

@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._errors import PW85Error, Status
-from ._explanations import explain_values
+from ._errors import PW85Error, Status, last_cause
 from ._mesh_files import read_triangles
 from ._pairs import _particles, _rows
 from ._typing import Floats
@@ -89,7 +88,8 @@ class Mesh:
         if status == Status.ENOMEM:
             raise MemoryError("Mesh: " + _core.strerror(status))
         if status:
-            raise PW85Error(status, "Mesh", _core.strerror(status), self._blame())
+            cause = last_cause(vertices=self.vertices, triangles=self.triangles)
+            raise PW85Error(status, "Mesh", _core.strerror(status), cause)
         self.vertices.setflags(write=False)
         self.triangles.setflags(write=False)
 
@@ -154,7 +154,7 @@ class Mesh:
         arrays = _particles(centers, q)
         n = len(arrays[0])
         mu2, point, triangle = np.empty(n), np.empty((n, 3)), np.empty(n, np.int32)
-        status = _core.mesh_contact(self._mesh, *arrays, mu2, point, triangle)
+        status = _core.mesh_contact_batch(self._mesh, *arrays, mu2, point, triangle)
         if status:
             _core.report_mesh_contact(status)  # as np.errstate says
         return mu2, point, triangle
@@ -196,7 +196,7 @@ class Mesh:
         arrays = _particles(centers, q)
         n = len(arrays[0])
         found = MeshDistance(np.empty(n), *np.empty((3, n, 3)), *np.empty((2, n), np.int32))
-        status = _core.mesh_distance(self._mesh, *arrays, *found)
+        status = _core.mesh_distance_batch(self._mesh, *arrays, *found)
         if status:
             _core.report_mesh_distance(status)  # as np.errstate says
         return found
@@ -222,21 +222,10 @@ class Mesh:
         """
         arrays = _particles(centers, q)
         codes = np.empty(len(arrays[0]), np.uint8)
-        status = _core.mesh_overlap(self._mesh, *arrays, codes)
+        status = _core.mesh_overlap_batch(self._mesh, *arrays, codes)
         if status:
-            row = int(np.argmax(codes == 255))
-            detail = explain_values("bounding_boxes", (arrays[1][row],)) or f"centers must be finite, not {arrays[0][row].tolist()}"
-            raise PW85Error(status, "Mesh.overlap", _core.strerror(status), f"row {row}: {detail}")
+            raise PW85Error(status, "Mesh.overlap", _core.strerror(status), last_cause(centers=arrays[0], q=arrays[1]))
         return codes.view(np.bool_)
-
-    def _blame(self) -> str:
-        """Says what is wrong with the arrays."""
-        bad = ~np.isfinite(self.vertices).all(axis=1)
-        if bad.any():
-            return f"vertex {int(bad.argmax())} must be finite, not {self.vertices[bad.argmax()].tolist()}"
-        bad = ((self.triangles < 0) | (self.triangles >= len(self.vertices))).any(axis=1)
-        row = int(bad.argmax())
-        return f"triangle {row} must have indices of the {len(self.vertices)} vertices, not {self.triangles[row].tolist()}"
 
 
 def _indices(triangles: ArrayLike) -> NDArray[np.int32]:

@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._errors import PW85Error, Status
-from ._explanations import explain_values
+from ._errors import PW85Error, Status, last_cause
 from ._numbers import flags, real
 from ._pairs import _cell, _particles
 from ._typing import Floats
@@ -80,11 +79,11 @@ class Neighbors:
             raise ValueError(
                 "the list has a cell: pass the present cell" if self._has_cell else "the list has no cell: leave out cell"
             )
-        status, holds = _core.neighbors_hold(
+        status, holds = _core.neighbors_holds(
             self._list, *_particles(centers, q), *_periodic_cell(cell, self._periodic)
         )
         if status:
-            raise PW85Error(status, "Neighbors.holds", _core.strerror(status))
+            raise PW85Error(status, "Neighbors.holds", _core.strerror(status), last_cause())
         return bool(holds)
 
 
@@ -140,29 +139,18 @@ def neighbors(
     arrays = _particles(centers, q)
     scale, skin = real(scale, "neighbors: scale"), real(skin, "neighbors: skin")
     along = np.require(flags(periodic, "neighbors: periodic"), np.int32, ["C", "A"])
-    status, particle, found, pairs, images = _core.neighbors(
-        *arrays, *_periodic_cell(cell, along), scale, skin
-    )
+    vectors, along = _periodic_cell(cell, along)
+    status, found = _core.neighbors_create(*arrays, vectors, along, scale, skin)
     if status == Status.ENOMEM:
         raise MemoryError("neighbors: " + _core.strerror(status))
     if status:
-        raise PW85Error(status, "neighbors", _core.strerror(status), _blame(particle, *arrays, _cell(cell), scale, skin))
-    return Neighbors(found, pairs, images, cell is not None, along)
+        cause = last_cause("particle", centers=arrays[0], q=arrays[1], scale=scale, skin=skin)
+        raise PW85Error(status, "neighbors", _core.strerror(status), cause)
+    pairs, images = _core.neighbors_list(found)
+    return Neighbors(found, pairs, None if vectors is None else images, cell is not None, along)
 
 
 def _periodic_cell(cell: ArrayLike | None, periodic: NDArray[np.int32]) -> tuple[Floats | None, NDArray[np.int32]]:
     """The cell for the library: None if no vector is periodic."""
     vectors = _cell(cell)
     return vectors if periodic.any() else None, periodic
-
-
-def _blame(particle: int, centers: Floats, q: Floats, cell: Floats | None, scale: float, skin: float) -> str:
-    """Says what is wrong with the arguments of neighbors()."""
-    if particle < len(centers):
-        found = explain_values("bounding_boxes", (q[particle],)) or f"centers must be finite, not {centers[particle].tolist()}"
-        return f"particle {particle}: {found}"
-    if not scale > 0 or not np.isfinite(scale):
-        return f"scale must be > 0 and finite, not {scale}"
-    if not skin >= 0 or not np.isfinite(skin):
-        return f"skin must be >= 0 and finite, not {skin}"
-    return "" if cell is None else explain_values("cell_reduce", (cell,))

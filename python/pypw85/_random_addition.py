@@ -134,7 +134,9 @@ def random_addition(
     box, kinds = np.eye(3), np.ones((len(axes), 3))
     box[:dimensions, :dimensions], kinds[:, :dimensions] = shape, axes
     kinds[:, dimensions:] = axes.min(axis=1, keepdims=True)
-    addition = _core.random_addition(box, kinds, dimensions, key)
+    # In this unit, a power of two, no square overflows or underflows
+    unit = float(np.ldexp(1.0, np.frexp(axes.max())[1]))
+    addition = _core.random_addition(box / unit, kinds / unit, dimensions, key)
     share = UNIT_BALL[dimensions] * axes.prod(axis=1).mean() / volume  # of one particle
     state: tuple[Any, ...] = (0, 0.0, 0, 1.0, False)
     end: str = "number"
@@ -147,8 +149,8 @@ def random_addition(
                 end = reached
                 break
     except KeyboardInterrupt:
-        raise AdditionInterrupted(_result(addition, kinds, shape, state, "interrupted")) from None
-    return _result(addition, kinds, shape, state, end)
+        raise AdditionInterrupted(_result(addition, unit, kinds, shape, state, "interrupted")) from None
+    return _result(addition, unit, kinds, shape, state, end)
 
 
 def _check_room(axes: Floats, shape: Floats) -> None:
@@ -166,13 +168,13 @@ def _end_of(state: tuple[Any, ...], attempts: float | None, seconds: float | Non
     return "seconds" if seconds is not None and passed >= seconds else None
 
 
-def _result(addition: Any, kinds: Floats, shape: Floats, state: tuple[Any, ...], end: str) -> RandomAddition:
+def _result(addition: Any, unit: float, kinds: Floats, shape: Floats, state: tuple[Any, ...], end: str) -> RandomAddition:
     centers, quaternions, which = _core.random_addition_placed(addition)
     dimensions = len(shape)
     cell, origin = np.eye(3), np.array([0.0, 0.0, -0.5 if dimensions == 2 else 0.0])
     cell[:dimensions, :dimensions] = shape
     system = System.from_axes(
-        centers, kinds[which], quaternions, cell=cell, types=which + 1, origin=origin, dimensions=dimensions
+        unit * centers, kinds[which], quaternions, cell=cell, types=which + 1, origin=origin, dimensions=dimensions
     )
     return RandomAddition(system, state[1], end, state[3])
 

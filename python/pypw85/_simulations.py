@@ -6,15 +6,14 @@ from __future__ import annotations
 import threading
 import warnings
 from typing import Any, Literal, NamedTuple, SupportsIndex
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._choices import choice
-from ._errors import PW85Error, Status
-from ._explanations import explain_values
+from ._errors import PW85Error, Status, last_cause
 from ._forces import Law, fault_of_law
 from ._neighbors import _periodic_cell
 from ._arrays import reals
@@ -30,25 +29,12 @@ Change = Literal["isotropic", "axis", "triclinic", "aspect"]
 _CHANGES = {"isotropic": 0, "axis": 1, "triclinic": 2, "aspect": 3}
 _MOVES = ("translation", "rotation", "both", "exchange", "volume")
 
-# Why walls are refused whose numbers are allowed, by dimensions
-_OF_WALLS = {
-    2: "a wall must not be across a periodic vector of the cell; normals must have no z, and axes of cylinders must be along z",
-    3: "a wall must not be across a periodic vector of the cell; spheres and boxes need a cell without periodic vectors",
-}
-
-# Allowed ranges of the arguments. Some methods accept 0 as "none"; there 0 is not an error.
-_POSITIVE, _SHARE, _PART = (
-    ("> 0 and finite", lambda x: 0 < x < np.inf),
-    ("> 0 and at most 1", lambda x: 0 < x <= 1),
-    (">= 0 and finite", lambda x: 0 <= x < np.inf),
+# Walls and fields as the library has them.
+_VECTOR = (np.float64, 3)
+_WALL = np.dtype([("kind", np.int32), ("point", *_VECTOR), ("vector", *_VECTOR), ("size", np.float64)], align=True)
+_FIELD = np.dtype(
+    [("kind", np.int32), ("axis", np.int32), ("point", *_VECTOR), ("vector", *_VECTOR), ("strength", np.float64)], align=True
 )
-_RANGES: dict[str, dict[str, tuple[str, Callable[[float], bool]]]] = {
-    "chain": {"length": _POSITIVE},
-    "volume_moves": {"pressure": _POSITIVE},
-    "tune": {"acceptance": _SHARE, "pressure": _PART},
-    "set_steps": {"translation": _POSITIVE, "rotation": _SHARE, "volume": _SHARE},
-    "set_fractions": {"translation": _PART, "rotation": _PART, "both": _PART, "exchange": _PART},
-}
 
 
 class TrialCounts(NamedTuple):
@@ -137,19 +123,20 @@ class HardEllipsoids:
     def __init__(self, system: System, seed: SupportsIndex = 1) -> None:
         instance(system, System, "HardEllipsoids: system")
         number = seed_of(seed, "HardEllipsoids: seed")
-        arrays = (
-            np.ascontiguousarray(system.centers),
-            np.ascontiguousarray(system.semi_axes),
-            np.ascontiguousarray(system.quaternions),
-        )
+        given = {
+            name: np.ascontiguousarray(getattr(system, name), np.float64) for name in ("centers", "semi_axes", "quaternions")
+        }
         cell, periodic = _periodic_cell(system.cell, np.array(system.periodic, np.int32))
-        status, pair, made = _core.hard_ellipsoids_create(*arrays, cell, periodic, number)
+        status, pair, made = _core.hard_ellipsoids_create(
+            given["centers"], cell, periodic, given["semi_axes"], given["quaternions"], number
+        )
         if status:
-            _fail(status, "HardEllipsoids", _overlaps(system, pair) if pair[0] >= 0 else _blame(*arrays, cell))
+            cause = last_cause("particle", **given)
+            _fail(status, "HardEllipsoids", _overlaps(system, pair) if pair[0] >= 0 else cause)
         self._take(made)
         status = _core.hard_ellipsoids_set_dimensions(self._simulation, system.dimensions)
         if status:
-            _fail(status, "HardEllipsoids", _blame_plane(arrays[0], arrays[2]))
+            _fail(status, "HardEllipsoids", last_cause("particle", **given))
 
     @classmethod
     def restore(cls, state: bytes) -> HardEllipsoids:
@@ -174,9 +161,9 @@ class HardEllipsoids:
         simulation = cls.__new__(cls)
         if not isinstance(state, bytes):
             raise TypeError(f"HardEllipsoids.restore: state must be bytes, not {shown(state)}")
-        status, _, made = _core.hard_ellipsoids_restore(state)
+        status, made = _core.hard_ellipsoids_restore(np.frombuffer(state, np.uint8))
         if status:
-            _fail(status, "HardEllipsoids.restore", "the bytes are not a state that save() of this version wrote on this type of machine")
+            _fail(status, "HardEllipsoids.restore", last_cause())
         simulation._take(made)
         return simulation
 
@@ -228,16 +215,15 @@ class HardEllipsoids:
         status, particle, cutting = self._replace_walls(given)
         if status:
             faults = [f"wall {k}: {fault}" for k, fault in enumerate(map(fault_of_wall, given)) if fault]
-            detail = faults[0] if faults else _OF_WALLS[self.dimensions]
+            cause = (faults or [last_cause("wall", walls=given)])[0]
             if particle >= 0:
-                detail = f"wall {cutting}, {given[cutting]}: {describe_cut(given[cutting], self.centers[particle], particle)}"
-            self._fail(status, "set_walls", detail)
+                cause = f"wall {cutting}, {given[cutting]}: {describe_cut(given[cutting], self.centers[particle], particle)}"
+            self._fail(status, "set_walls", cause)
 
     def _replace_walls(self, walls: list[Wall]) -> tuple[int, int, int]:
         """As `set_walls`: the status, and the particle that a wall cuts, and this wall; -1 if there is none."""
-        rows = np.array([[wall.kind, 0, *wall.point, *wall.vector, wall.size] for wall in walls], np.float64).reshape(-1, 9)
         with self._lock:
-            status, (particle, cutting) = _core.hard_ellipsoids_set_walls(self._simulation, rows)
+            status, (particle, cutting) = _core.hard_ellipsoids_set_walls(self._simulation, _records(walls, _WALL))
         return status, particle, cutting
 
     def set_mesh(self, mesh: Mesh | None) -> None:
@@ -274,10 +260,8 @@ class HardEllipsoids:
         with self._lock:
             status, (particle, triangle) = _core.hard_ellipsoids_set_mesh(self._simulation, vertices, triangles)
         if status:
-            detail = "the mesh is wider than 16 periods of the cell, or the simulation has two dimensions"
-            if particle >= 0:
-                detail = f"the mesh cuts particle {particle}, next to triangle {triangle}"
-            self._fail(status, "set_mesh", detail)
+            cause = last_cause()
+            self._fail(status, "set_mesh", f"the mesh cuts particle {particle}, next to triangle {triangle}" if particle >= 0 else cause)
 
     def set_fields(self, fields: Iterable[Field] = ()) -> None:
         """Sets the fields, in place of those that there are. Configurations then have the density e^(-βU).
@@ -307,13 +291,11 @@ class HardEllipsoids:
         True
         """
         given = instances(fields, Field, "HardEllipsoids.set_fields: fields")
-        rows = [[field.kind, field.axis, *field.point, *field.vector, field.strength] for field in given]
         with self._lock:
-            status = _core.hard_ellipsoids_set_fields(self._simulation, np.array(rows, np.float64).reshape(-1, 9))
+            status = _core.hard_ellipsoids_set_fields(self._simulation, _records(given, _FIELD))
         if status:
             faults = [f"field {k}: {fault}" for k, fault in enumerate(map(fault_of_field, given)) if fault]
-            detail = faults[0] if faults else "a field must be the same in all images of the periodic cell"
-            self._fail(status, "set_fields", detail if status == Status.EINVAL else "the energy of a particle is not finite")
+            self._fail(status, "set_fields", (faults or [last_cause("field", fields=given)])[0])
 
     def set_law(self, law: Law | None) -> None:
         """Sets an energy of pairs beside the hard cores, or none: a law of μ², with βU in the place of U.
@@ -347,11 +329,11 @@ class HardEllipsoids:
             instance(law, Law, "HardEllipsoids.set_law: law")
         if fault := fault_of_law(law):
             self._fail(Status.EINVAL, "set_law", fault)
-        kind, parameters = (None, np.empty(0)) if law is None else (law.kind, np.require(law.parameters, np.float64, ["C", "A"]))
+        kind, parameters = (0, np.empty(0)) if law is None else (law.kind, np.require(law.parameters, np.float64, ["C", "A"]))
         with self._lock:
             status = _core.hard_ellipsoids_set_law(self._simulation, kind, parameters)
         if status:
-            self._fail(status, "set_law", "the energy of a pair must be at most 10**6 in the unit of k_B T")
+            self._fail(status, "set_law", last_cause())
 
     def set_potential(self, potential: Potential | int | None, context: int = 0) -> None:
         """Sets a potential beside the fields, or none.
@@ -400,8 +382,7 @@ class HardEllipsoids:
             error = None if made is None else made.take_error()
             if error is not None:
                 raise error
-            self._fail(status, "set_potential", "the potential is not that of the restored state: their energies differ"
-                       if status == Status.EINVAL else "the energy of a particle is not finite")  # fmt: skip
+            self._fail(status, "set_potential", last_cause())
 
     def energy(self) -> float:
         """The energy of all particles in the fields, the potential and the law of pairs, in the unit of k_B T; 0 without them.
@@ -418,7 +399,7 @@ class HardEllipsoids:
         with self._lock:
             status, energy = _core.hard_ellipsoids_energy(self._simulation)
         if status:
-            self._fail(status, "energy", "")
+            self._fail(status, "energy", last_cause())
         return energy
 
     def law_virial(self) -> float:
@@ -444,7 +425,7 @@ class HardEllipsoids:
         with self._lock:
             status, virial = _core.hard_ellipsoids_law_virial(self._simulation)
         if status:
-            self._fail(status, "law_virial", "")
+            self._fail(status, "law_virial", last_cause())
         return virial
 
     def sweep(self, number: SupportsIndex = 1) -> None:
@@ -460,7 +441,7 @@ class HardEllipsoids:
         MemoryError
             There is not enough memory. The last sweep is not complete.
         """
-        self._repeat("sweep", number, _core.hard_ellipsoids_sweep)
+        self._repeat("sweep", number)
 
     def chain(self, number: SupportsIndex, length: float | None = None, direction: ArrayLike | None = None) -> float:
         """Makes event chains, which translate many particles without rejections, and gives the pressure.
@@ -500,15 +481,8 @@ class HardEllipsoids:
         length = self._usual_length() if length is None else real(length, "HardEllipsoids.chain: length")
         with self._lock:
             status, compressibility = _core.hard_ellipsoids_chain(self._simulation, times, length, along)
-        if status == Status.ECONVERGENCE:
-            _fail(status, "HardEllipsoids.chain", f"a chain does not advance: particles block each other within rounding errors, or the "
-                  f"length is too long: {length}")  # fmt: skip
         if status:
-            bad = _out_of_range("chain", (length,))
-            out = ", and in the plane" if self.dimensions == 2 else ""
-            if not bad and (along is None or (np.any(along) and np.isfinite(along).all() and not (out and along[2]))):
-                bad = "chains do not support walls, meshes, fields, potentials and laws: use sweeps"
-            _fail(status, "HardEllipsoids.chain", bad or f"direction must be finite and not zero{out}, not {along}")
+            _fail(status, "HardEllipsoids.chain", last_cause(length=length, direction=along))
         return compressibility
 
     def volume_moves(self, number: SupportsIndex, pressure: float, change: Change = "isotropic") -> None:
@@ -531,8 +505,8 @@ class HardEllipsoids:
         MemoryError
             There is not enough memory. The configuration is that before the trial.
         """
-        self._repeat("volume_moves", number, _core.hard_ellipsoids_volume_move,
-                     *_reals("volume_moves", pressure=pressure), _change("volume_moves", change))  # fmt: skip
+        (pressure,) = _reals("volume_moves", pressure=pressure)
+        self._repeat("volume_moves", number, pressure=pressure, change=_change("volume_moves", change))
 
     def tune(
         self, number: SupportsIndex, acceptance: float = 0.4, pressure: float = 0.0, change: Change = "isotropic"
@@ -560,8 +534,8 @@ class HardEllipsoids:
         MemoryError
             There is not enough memory.
         """
-        self._repeat("tune", number, _core.hard_ellipsoids_tune,
-                     *_reals("tune", acceptance=acceptance, pressure=pressure), _change("tune", change))  # fmt: skip
+        acceptance, pressure = _reals("tune", acceptance=acceptance, pressure=pressure)
+        self._repeat("tune", number, acceptance=acceptance, pressure=pressure, change=_change("tune", change))
 
     def neighbors(self, particle: SupportsIndex) -> NearImages:
         """The images of particles whose bounding boxes meet that of one particle, ordered by their indices, then by their images.
@@ -583,11 +557,15 @@ class HardEllipsoids:
         MemoryError
             There is not enough memory.
         """
+        index, found = self._index("neighbors", particle), NearImages(None, None, None)
         with self._lock:
-            status, found = _core.hard_ellipsoids_neighbors(self._simulation, self._index("neighbors", particle))
+            status, count = _core.hard_ellipsoids_neighbors(self._simulation, index, *found)
+            if not status:
+                found = NearImages(np.empty(count, np.int32), np.empty((count, 3), np.int32), np.empty((count, 3)))
+                status, _ = _core.hard_ellipsoids_neighbors(self._simulation, index, *found)
         if status:
             _fail(status, "HardEllipsoids.neighbors", "")
-        return NearImages(*found)
+        return found
 
     def try_placement(
         self,
@@ -628,7 +606,7 @@ class HardEllipsoids:
         with self._lock:
             status, is_free = _core.hard_ellipsoids_try(self._simulation, index, place, turn, moves)
         if status:
-            self._fail(status, "try_placement", self._blame_placement(index, place, turn))
+            self._fail(status, "try_placement", last_cause(center=place, quaternion=turn))
         return bool(is_free)
 
     def try_insertion(self, center: ArrayLike, quaternion: ArrayLike, semi_axes: ArrayLike, take: bool = False) -> bool:
@@ -666,9 +644,7 @@ class HardEllipsoids:
             status, is_free = _core.hard_ellipsoids_insert(self._simulation, place, turn, axes, stays)
             self._renew()
         if status:
-            self._fail(status, "try_insertion", explain_values("ellipsoid_quaternion", (np.array([axes]), np.array([turn])))
-                       or f"center is not finite, too far away, or out of the plane: {place}; or a semi-axis is longer than 32 times "
-                       f"the shortest vector of the lattice: {axes}")  # fmt: skip
+            self._fail(status, "try_insertion", last_cause(center=place, quaternion=turn, semi_axes=axes))
         return bool(is_free)
 
     def remove(self, particle: SupportsIndex) -> None:
@@ -690,7 +666,7 @@ class HardEllipsoids:
             status = _core.hard_ellipsoids_remove(self._simulation, index)
             self._renew()
         if status:
-            self._fail(status, "remove", "")
+            self._fail(status, "remove", last_cause())
 
     def insertion_weight(self, number: SupportsIndex, semi_axes: ArrayLike) -> float:
         """The mean of e^(-βU) of a particle that is inserted at random, 0 where it overlaps others: Widom's insertions.
@@ -721,7 +697,7 @@ class HardEllipsoids:
         with self._lock:
             status, weight = _core.hard_ellipsoids_insertion_weight(self._simulation, times, axes)
         if status:
-            self._fail(status, "insertion_weight", self._blame_kinds(np.array([axes])))
+            self._fail(status, "insertion_weight", last_cause(semi_axes=axes))
         return weight
 
     def insertion_moves(self, number: SupportsIndex, semi_axes: ArrayLike, activities: ArrayLike) -> InsertionCounts:
@@ -770,8 +746,7 @@ class HardEllipsoids:
             status, counts = _core.hard_ellipsoids_insertion_moves(self._simulation, times, axes, z)
             self._renew()
         if status:
-            bad = [float(one) for one in z if not 0 < one < np.inf]
-            self._fail(status, "insertion_moves", f"activity must be > 0 and finite, not {bad[0]}" if bad else self._blame_kinds(axes))
+            self._fail(status, "insertion_moves", last_cause("species", semi_axes=axes, activities=z.tolist()))
         return InsertionCounts(*counts)
 
     def compress(self, take: bool = False) -> float:
@@ -798,7 +773,7 @@ class HardEllipsoids:
         with self._lock:
             status, factor = _core.hard_ellipsoids_compress(self._simulation, truth(take, "HardEllipsoids.compress: take"))
         if status:
-            _fail(status, "HardEllipsoids.compress", "particles are too far apart, or there are walls, a mesh, fields or a potential")
+            _fail(status, "HardEllipsoids.compress", last_cause())
         return factor
 
     def check(self) -> None:
@@ -821,10 +796,11 @@ class HardEllipsoids:
         """The whole state as bytes, for `restore`: 80 for each particle and some hundreds. Walls and fields are among them, a potential is
         not. Raises what the potential raises, and `PW85Error` if its energy is not finite, since that is saved."""
         with self._lock:
-            status, state = _core.hard_ellipsoids_save(self._simulation)
+            state = np.empty(_core.hard_ellipsoids_num_bytes(self._simulation), np.uint8)
+            status = _core.hard_ellipsoids_save(self._simulation, state)
         if status:
-            self._fail(status, "save", "the energy in the potential is not finite")
-        return state
+            self._fail(status, "save", last_cause())
+        return state.tobytes()
 
     def system(self) -> System:
         """A copy of the present state."""
@@ -837,7 +813,8 @@ class HardEllipsoids:
     @property
     def dimensions(self) -> int:
         """3, or 2 for ellipses in a plane of z."""
-        return _core.hard_ellipsoids_dimensions(self._simulation)
+        _, dimensions = _core.hard_ellipsoids_dimensions(self._simulation)
+        return int(dimensions)
 
     @property
     def centers(self) -> Floats:
@@ -876,14 +853,14 @@ class HardEllipsoids:
         The kinds are "translation", "rotation", "both", "exchange" and "volume".
         """
         with self._lock:
-            counts = _core.hard_ellipsoids_counts(self._simulation)
-        return {move: TrialCounts(*pair) for move, pair in zip(_MOVES, counts)}
+            _, trials, accepted = _core.hard_ellipsoids_counts(self._simulation)
+        return {move: TrialCounts(*pair) for move, *pair in zip(_MOVES, trials, accepted)}
 
     @property
     def steps(self) -> TrialSteps:
         """The largest changes of a trial."""
         with self._lock:
-            return TrialSteps(*_core.hard_ellipsoids_steps(self._simulation))
+            return TrialSteps(*_core.hard_ellipsoids_steps(self._simulation)[1])
 
     def set_steps(self, translation: float, rotation: float, volume: float) -> None:
         """Sets the largest changes of a trial.
@@ -903,8 +880,11 @@ class HardEllipsoids:
         PW85Error
             A number is out of range.
         """
-        self._repeat("set_steps", 1, _core.hard_ellipsoids_set_steps,
-                     *_reals("set_steps", translation=translation, rotation=rotation, volume=volume))  # fmt: skip
+        steps = np.array([*_reals("set_steps", translation=translation, rotation=rotation, volume=volume)])
+        with self._lock:
+            status = _core.hard_ellipsoids_set_steps(self._simulation, steps)
+        if status:
+            self._fail(status, "set_steps", last_cause(steps=TrialSteps._fields))
 
     def set_kind_steps(self, semi_axes: ArrayLike, translation: ArrayLike, rotation: ArrayLike) -> None:
         """Sets the largest translations and rotations of particles with some semi-axes, in place of all such steps.
@@ -940,7 +920,7 @@ class HardEllipsoids:
         with self._lock:
             status = _core.hard_ellipsoids_set_kind_steps(self._simulation, axes, steps)
         if status:
-            self._fail(status, "set_kind_steps", "a step is out of range, two species are the same, or there are more than 16 species")
+            self._fail(status, "set_kind_steps", last_cause("species", semi_axes=axes, steps=TrialSteps._fields))
 
     def _warn_of_absent(self, axes: Floats, name: str) -> None:
         """Warns of species of which there is no particle, as those whose semi-axes are misspelt."""
@@ -962,11 +942,11 @@ class HardEllipsoids:
         -------
         TrialSteps
         """
+        steps = np.empty((1, 2))
+        axes = _vector("kind_steps", "semi_axes", semi_axes, 3)
         with self._lock:
-            translation, rotation = _core.hard_ellipsoids_kind_steps(
-                self._simulation, _vector("kind_steps", "semi_axes", semi_axes, 3)
-            )
-        return TrialSteps(translation, rotation, self.steps.volume)
+            _core.hard_ellipsoids_kind_steps(self._simulation, axes[None], steps)
+        return TrialSteps(*steps[0].tolist(), self.steps.volume)
 
     def set_fractions(
         self, translation: float = 0.0, rotation: float = 0.0, both: float = 0.0, exchange: float = 0.0
@@ -983,39 +963,30 @@ class HardEllipsoids:
         PW85Error
             A number is negative, or the sum is 0 or not finite.
         """
-        fractions = _reals("set_fractions", translation=translation, rotation=rotation, both=both, exchange=exchange)
-        self._repeat("set_fractions", 1, _core.hard_ellipsoids_set_fractions, *fractions)
+        fractions = np.array([*_reals("set_fractions", translation=translation, rotation=rotation, both=both, exchange=exchange)])
+        with self._lock:
+            status = _core.hard_ellipsoids_set_fractions(self._simulation, fractions)
+        if status:
+            self._fail(status, "set_fractions", last_cause(fractions=fractions))
 
-    def _take(self, made: tuple[Any, ...] | None) -> None:
+    def _take(self, made: Any) -> None:
         """Takes what the core has made."""
-        assert made is not None
         self._lock = threading.Lock()
         self._potential = None
-        self._simulation = made[0]
-        self._views = _views(made)
+        self._simulation = made
+        self._renew()
 
     def _renew(self) -> None:
         """Takes the arrays of the present particles."""
-        self._views = _views(_core.hard_ellipsoids_views(self._simulation))
+        *arrays, periodic = _core.hard_ellipsoids_views(self._simulation)
+        self._views = _Views(*arrays, periodic=tuple(map(bool, periodic)))
 
     def _fail(self, status: int, name: str, detail: str) -> None:
         """Raises what the potential has raised, or an error of the library."""
         error = None if self._potential is None else self._potential.take_error()
         if error is not None:
             raise error
-        if status == Status.EPOTENTIAL and name not in ("set_fields", "set_potential", "save"):
-            detail = ("this restored simulation lacks its potential: call set_potential()" if self._potential is None else
-                      "the potential returned NaN or -infinity; the simulation is in the state before the call")  # fmt: skip
         _fail(status, f"HardEllipsoids.{name}", detail)
-
-    def _blame_kinds(self, axes: Floats) -> str:
-        """Says why particles cannot be inserted at random."""
-        if self.cell is None or usual_length(self.cell, self.dimensions) == 0:
-            return "insertions need a cell with independent vectors"
-        turns = np.tile([1.0, 0.0, 0.0, 0.0], (len(axes), 1))
-        found = explain_values("ellipsoid_quaternion", (axes, turns))
-        return found or ("a semi-axis, enlarged by the reach of a law of pairs, is longer than 32 times the shortest vector of the "
-                         "lattice, or two species are the same")  # fmt: skip
 
     def _usual_length(self) -> float:
         """Of chains."""
@@ -1026,20 +997,10 @@ class HardEllipsoids:
     def _unbounded(self) -> str:
         return f"the cell is not periodic along its {'three' if self.dimensions == 3 else 'two'} vectors"
 
-    def _blame_placement(self, index: int, place: tuple[float, ...] | None, turn: tuple[float, ...] | None) -> str:
-        """Says why a particle cannot be tried there."""
-        if turn is not None and not (np.isfinite(turn).all() and np.any(turn)):
-            return f"quaternion must be finite and not zero, not {turn}"
-        if self.dimensions == 2 and turn is not None and any(turn[1:3]):
-            return f"quaternion must be a rotation about z, which keeps the ellipse in its plane, not {turn}"
-        if self.dimensions == 2 and place is not None and place[2] != self.centers[index, 2]:
-            return f"center must be in the plane of the ellipses, not {place}"
-        return f"center must be finite, and not too far away, not {place}"
-
-    def _point(self, name: str, argument: str, value: ArrayLike, height: float) -> tuple[float, ...]:
+    def _point(self, name: str, argument: str, value: ArrayLike, height: float) -> Floats:
         """The numbers of a vector. In two dimensions (x, y) are enough."""
         if self.dimensions == 2 and np.shape(value) == (2,):
-            return (*_vector(name, argument, value, 2), height)
+            return np.append(_vector(name, argument, value, 2), height)
         return _vector(name, argument, value, 3)
 
     def _index(self, name: str, particle: SupportsIndex) -> int:
@@ -1049,30 +1010,19 @@ class HardEllipsoids:
             raise IndexError(f"HardEllipsoids.{name}: particle must be an index of the {len(self)} particles, not {index}")
         return index
 
-    def _repeat(self, name: str, number: SupportsIndex, function: Callable[..., int], *arguments: float) -> None:
+    def _repeat(self, name: str, number: SupportsIndex, **arguments: float) -> None:
         """Calls a function of the core as often as wanted. Python sees to signals between the calls."""
+        function = getattr(_core, f"hard_ellipsoids_{name}")
         with self._lock:
             for _ in range(_number(name, number)):
-                status = function(self._simulation, *arguments)
+                status = function(self._simulation, 1, *arguments.values())
                 if status == Status.ENOMEM:
-                    step = _core.hard_ellipsoids_steps(self._simulation)[0]
+                    step = _core.hard_ellipsoids_steps(self._simulation)[1][0]
                     power = "third" if self.dimensions == 3 else "second"
                     raise MemoryError(f"HardEllipsoids.{name}: there is not enough memory. The Verlet lists grow with the {power} power of "
                                       f"the largest translation, {step:g}: set a shorter one by set_steps()")  # fmt: skip
                 if status:
-                    self._fail(status, name, self._complaint(name, arguments))
-
-    def _complaint(self, name: str, arguments: tuple[float, ...]) -> str:
-        """Says why a call of _repeat() has failed, and what helps."""
-        found = _out_of_range(name, arguments) if name in _RANGES else ""
-        if found and name == "volume_moves" and arguments[1] == _CHANGES["aspect"] and np.isfinite(arguments[0]):
-            found = ""
-        if not found and name == "set_steps":
-            longest = np.linalg.norm(np.asarray(self.cell)[: self.dimensions], axis=1).max()
-            return f"translation must be at most the longest vector of the cell, {longest:g}, not {arguments[0]}"
-        if not found and name == "set_fractions":
-            return "the fractions must be finite, and at least one must be > 0"
-        return found or f"{self._unbounded()}: its {'volume' if self.dimensions == 3 else 'area'} cannot change"
+                    self._fail(status, name, last_cause(**arguments))
 
 
 class _Views(NamedTuple):
@@ -1086,11 +1036,6 @@ class _Views(NamedTuple):
     periodic: tuple[bool, bool, bool]
 
 
-def _views(made: tuple[Any, ...]) -> _Views:
-    _, centers, q, semi_axes, quaternions, cell, (a, b, c) = made
-    return _Views(centers, q, semi_axes, quaternions, cell, (bool(a), bool(b), bool(c)))
-
-
 def _number(name: str, number: SupportsIndex) -> int:
     """The number of repetitions of a method."""
     return integer(number, f"HardEllipsoids.{name}: number")
@@ -1101,21 +1046,18 @@ def _reals(name: str, **numbers: float) -> list[float]:
     return [real(number, f"HardEllipsoids.{name}: {argument}") for argument, number in numbers.items()]
 
 
-def _vector(name: str, argument: str, value: ArrayLike, size: int) -> tuple[float, ...]:
+def _vector(name: str, argument: str, value: ArrayLike, size: int) -> Floats:
     """The numbers of an argument of a method."""
     array = reals(value, f"HardEllipsoids.{name}: {argument}")
     if array.size != size:
         raise ValueError(f"HardEllipsoids.{name}: the shape of {argument} must be ({size},), not {array.shape}")
-    numbers: list[float] = array.ravel().tolist()
-    return tuple(numbers)
+    return np.array(array.ravel())
 
 
-def _out_of_range(name: str, numbers: tuple[float, ...]) -> str:
-    """Says which number of a method is out of its range; nothing if none is."""
-    for (argument, (text, is_allowed)), number in zip(_RANGES[name].items(), numbers):
-        if not is_allowed(number):
-            return f"{argument} must be {text}, not {number}"
-    return ""
+def _records(rows: Sequence[Wall] | Sequence[Field], kind: np.dtype[Any]) -> NDArray[Any]:
+    """Walls or fields as the library has them. Numbers that are no index become -1, which it refuses."""
+    index = [kind[name] == np.int32 for name in kind.names or ()]
+    return np.array([tuple((int(x) if 0 <= x < 100 else -1) if one else x for one, x in zip(index, row)) for row in rows], kind)
 
 
 def _change(name: str, change: Change) -> int:
@@ -1152,24 +1094,3 @@ def _overlaps(system: System, first: tuple[int, int]) -> str:
     """Names the pairs of a system that overlap, of which the first is known, and the cure."""
     found = system.overlaps().pairs
     return f"{name_pairs(found if len(found) else [first])}: separate them (pypw85.relax), or enlarge the cell"
-
-
-def _blame_plane(centers: Floats, quaternions: Floats) -> str:
-    """Says what stands out of a plane of z."""
-    for text, rows in (
-        ("z must be that of the others", centers[:, 2] != centers[:1, 2]),
-        ("the third semi-axis must be along z, and the quaternion (w, 0, 0, z)", quaternions[:, 1:3].any(axis=1)),
-    ):
-        if rows.any():
-            return f"particle {int(rows.argmax())} is not an ellipse in a plane of z: {text}"
-    return "the first two vectors of the cell must be in the plane, and the third along z and not periodic"
-
-
-def _blame(centers: Floats, semi_axes: Floats, quaternions: Floats, cell: Floats | None) -> str:
-    """Says which number is bad."""
-    bad = ~np.isfinite(centers).all(axis=1)
-    if bad.any():
-        particle = int(bad.argmax())
-        return f"particle {particle}: centers must be finite, not {centers[particle].tolist()}"
-    found = explain_values("ellipsoid_quaternion", (semi_axes, quaternions))
-    return found or ("" if cell is None else explain_values("cell_reduce", (cell,)))

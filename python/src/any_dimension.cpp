@@ -36,6 +36,7 @@ class Rows {
     {
         return static_cast<double *>(data_of(*next_++, NPY_DOUBLE, rows, columns, writeable));
     }
+    int *integers() { return static_cast<int *>(data_of(*next_++, NPY_INT, rows, 0, true)); }
     unsigned char *bytes()
     {
         return static_cast<unsigned char *>(data_of(*next_++, NPY_UINT8, rows, 0, true));
@@ -58,6 +59,18 @@ template <class Function> PyObject *status_of(Function const &function)
     status = function();
     Py_END_ALLOW_THREADS;
     return PyLong_FromLong(status);
+}
+
+/// The status of a function that gives one byte for each row.
+template <class Function>
+PyObject *answers_of(PyObject *const *args, Py_ssize_t nargs, Function const &function)
+{
+    Rows rows(args);
+    if (!right_number(nargs, 4) || !rows.read_pairs()) return nullptr;
+    unsigned char *const answers = rows.bytes();
+    if (answers == nullptr) return nullptr;
+    return status_of(
+        [&] { return function(rows.count(), rows.n, rows.r12, rows.q1, rows.q2, answers); });
 }
 
 } // namespace
@@ -94,12 +107,51 @@ PyObject *nd_contact_geometry(PyObject *, PyObject *const *args, Py_ssize_t narg
 
 PyObject *nd_overlap(PyObject *, PyObject *const *args, Py_ssize_t nargs)
 {
+    return answers_of(args, nargs, pw85_nd_overlap_batch);
+}
+
+PyObject *nd_contains(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
+    return answers_of(args, nargs, pw85_nd_contains_batch);
+}
+
+PyObject *nd_compare(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
     Rows rows(args);
-    if (!right_number(nargs, 4) || !rows.read_pairs()) return nullptr;
-    unsigned char *const overlap = rows.bytes();
-    if (overlap == nullptr) return nullptr;
+    if (!right_number(nargs, 5) || !rows.read_pairs()) return nullptr;
+    double const *const mu2 = rows.numbers(0, false);
+    int *const sign = mu2 != nullptr ? rows.integers() : nullptr;
+    if (sign == nullptr) return nullptr;
     return status_of([&] {
-        return pw85_nd_overlap_batch(rows.count(), rows.n, rows.r12, rows.q1, rows.q2, overlap);
+        return pw85_nd_compare_batch(rows.count(), rows.n, rows.r12, rows.q1, rows.q2, mu2, sign);
+    });
+}
+
+PyObject *nd_distance(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
+    Rows rows(args);
+    if (!right_number(nargs, 7) || !rows.read_pairs()) return nullptr;
+    double *outputs[4];
+    for (int k = 0; k < 4; ++k) {
+        outputs[k] = rows.numbers(k == 0 ? 0 : rows.n, true);
+        if (outputs[k] == nullptr) return nullptr;
+    }
+    return status_of([&] {
+        return pw85_nd_distance_batch(rows.count(), rows.n, rows.r12, rows.q1, rows.q2, outputs[0],
+                                      outputs[1], outputs[2], outputs[3]);
+    });
+}
+
+PyObject *nd_containment(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
+    Rows rows(args);
+    if (!right_number(nargs, 5) || !rows.read_pairs()) return nullptr;
+    double *const mu2 = rows.numbers(0, true);
+    double *const point = mu2 != nullptr ? rows.numbers(rows.n, true) : nullptr;
+    if (point == nullptr) return nullptr;
+    return status_of([&] {
+        return pw85_nd_containment_batch(rows.count(), rows.n, rows.r12, rows.q1, rows.q2, mu2,
+                                         point);
     });
 }
 

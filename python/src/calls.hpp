@@ -8,6 +8,12 @@
 
 namespace pypw85 {
 
+/// A function of METH_FASTCALL in a table of methods.
+template <class Function> PyCFunction as_method(Function *function)
+{
+    return reinterpret_cast<PyCFunction>(reinterpret_cast<void *>(function));
+}
+
 /// A function together with its ufunc, behind one callable of the module.
 struct Callable {
     Function const *function;
@@ -47,6 +53,9 @@ PyObject *overlap_any(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 /// the right type.
 PyObject *enclosing_ellipsoid(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
+/// enclosing_ellipsoid_of(centers, forms, tolerance, center, q, excess): status. As above.
+PyObject *enclosing_ellipsoid_of(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
 /// random_points(q, surface, seed, points): status. Arrays are contiguous and of the right type.
 PyObject *random_points(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
@@ -67,6 +76,18 @@ PyObject *nd_contact_geometry(PyObject *self, PyObject *const *args, Py_ssize_t 
 /// nd_overlap(r12, q1, q2, overlap as uint8): status. As above.
 PyObject *nd_overlap(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
+/// nd_contains(r12, q1, q2, contains as uint8): status. As above.
+PyObject *nd_contains(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
+/// nd_compare(r12, q1, q2, mu2, sign as int): status. As above.
+PyObject *nd_compare(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
+/// nd_distance(r12, q1, q2, distance, point1, point2, normal): status. As above.
+PyObject *nd_distance(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
+/// nd_containment(r12, q1, q2, mu2, point): status. As above.
+PyObject *nd_containment(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
 /// gpu(name, stream, n, addresses and sizes...): status of pw85_gpu_... of this name.
 PyObject *gpu(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
@@ -84,128 +105,8 @@ PyObject *device_memory(PyObject *self, PyObject *size);
 /// device_wait(stream): whether all of its work was done.
 PyObject *device_wait(PyObject *self, PyObject *stream);
 
-/// neighbors(centers, q, cell or None, periodic (three int32), scale, skin): (status, particle,
-/// list, pairs, images or None). The list is a capsule that owns the arrays' memory; it and the
-/// arrays are None if the status is not zero, and then `particle` is to blame.
-PyObject *neighbors(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// neighbors_hold(list, centers, q, cell or None, periodic (three int32)): (status, whether).
-PyObject *neighbors_hold(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// mesh_create(vertices, triangles): (status, mesh), a capsule, or None if the status is not zero.
-PyObject *mesh_create(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// mesh_contact(mesh, centers, q, mu2, point, triangle): status. Arrays are contiguous and of the
-/// right type.
-PyObject *mesh_contact(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// mesh_distance(mesh, centers, q, distance, point1, point2, normal, triangle, inside): status.
-/// Arrays are contiguous and of the right type.
-PyObject *mesh_distance(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// mesh_overlap(mesh, centers, q, overlap): status. Arrays are contiguous and of the right type.
-PyObject *mesh_overlap(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// hard_ellipsoids_create(centers, semi_axes, quaternions, cell or None, periodic (three int32),
-/// seed): (status, (i, j), arrays). The arrays are (simulation, centers, q, semi_axes, quaternions,
-/// cell or None, periodic): a capsule and views of its memory. On error they are None, and i and j
-/// the first particles that overlap, or -1.
-PyObject *hard_ellipsoids_create(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// hard_ellipsoids_restore(bytes): as hard_ellipsoids_create().
-PyObject *hard_ellipsoids_restore(PyObject *self, PyObject *bytes);
-
-/// hard_ellipsoids_save(simulation): bytes.
-PyObject *hard_ellipsoids_save(PyObject *self, PyObject *capsule);
-
-/// hard_ellipsoids_sweep(simulation): the status of one sweep.
-PyObject *hard_ellipsoids_sweep(PyObject *self, PyObject *capsule);
-
-/// hard_ellipsoids_volume_move(simulation, pressure, change): the status of one trial.
-PyObject *hard_ellipsoids_volume_move(PyObject *self, PyObject *args);
-
-/// hard_ellipsoids_tune(simulation, acceptance, pressure, change): the status of one sweep.
-PyObject *hard_ellipsoids_tune(PyObject *self, PyObject *args);
-
-/// hard_ellipsoids_set_fractions(simulation, four numbers): status.
-PyObject *hard_ellipsoids_set_fractions(PyObject *self, PyObject *args);
-
-/// hard_ellipsoids_set_steps(simulation, three numbers): status.
-PyObject *hard_ellipsoids_set_steps(PyObject *self, PyObject *args);
-
-/// hard_ellipsoids_set_dimensions(simulation, 2 or 3): status.
-PyObject *hard_ellipsoids_set_dimensions(PyObject *self, PyObject *args);
-
-/// hard_ellipsoids_dimensions(simulation): 2 or 3.
-PyObject *hard_ellipsoids_dimensions(PyObject *self, PyObject *capsule);
-
-/// hard_ellipsoids_steps(simulation): three numbers.
-PyObject *hard_ellipsoids_steps(PyObject *self, PyObject *capsule);
-
-/// hard_ellipsoids_counts(simulation): five pairs of trials and accepted ones.
-PyObject *hard_ellipsoids_counts(PyObject *self, PyObject *capsule);
-
-/// hard_ellipsoids_chain(simulation, number, length, direction or None): (status, βP/ρ).
-PyObject *hard_ellipsoids_chain(PyObject *self, PyObject *args);
-
-/// hard_ellipsoids_neighbors(simulation, particle): (status, (particles, images, separations)).
-PyObject *hard_ellipsoids_neighbors(PyObject *self, PyObject *args);
-
-/// hard_ellipsoids_try(simulation, particle, center or None, quaternion or None, take): (status,
-/// is_free). The tuples have numbers.
-PyObject *hard_ellipsoids_try(PyObject *self, PyObject *args);
-
-/// hard_ellipsoids_views(simulation): the arrays of hard_ellipsoids_create() for the present
-/// particles.
-PyObject *hard_ellipsoids_views(PyObject *self, PyObject *capsule);
-
-/// hard_ellipsoids_set_walls(simulation, rows of kind, 0, point, vector, size): (status, (particle,
-/// wall)).
-PyObject *hard_ellipsoids_set_walls(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// hard_ellipsoids_set_mesh(simulation, vertices, triangles): (status, (particle, triangle)).
-PyObject *hard_ellipsoids_set_mesh(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// hard_ellipsoids_set_fields(simulation, rows of kind, axis, point, vector, strength): status.
-PyObject *hard_ellipsoids_set_fields(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// hard_ellipsoids_set_law(simulation, kind or None, parameters): status.
-PyObject *hard_ellipsoids_set_law(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// hard_ellipsoids_set_kind_steps(simulation, semi_axes, steps): status.
-PyObject *hard_ellipsoids_set_kind_steps(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// hard_ellipsoids_kind_steps(simulation, semi_axes): (translation, rotation).
-PyObject *hard_ellipsoids_kind_steps(PyObject *self, PyObject *args);
-
-/// hard_ellipsoids_set_potential(simulation, address of the function or 0, context): status.
-PyObject *hard_ellipsoids_set_potential(PyObject *self, PyObject *args);
-
-/// hard_ellipsoids_energy(simulation): (status, energy).
-PyObject *hard_ellipsoids_energy(PyObject *self, PyObject *capsule);
-
-/// hard_ellipsoids_law_virial(simulation): (status, virial).
-PyObject *hard_ellipsoids_law_virial(PyObject *self, PyObject *capsule);
-
-/// hard_ellipsoids_insert(simulation, center, quaternion, semi_axes, take): (status, is_free). The
-/// tuples have numbers.
-PyObject *hard_ellipsoids_insert(PyObject *self, PyObject *args);
-
-/// hard_ellipsoids_remove(simulation, particle): status.
-PyObject *hard_ellipsoids_remove(PyObject *self, PyObject *args);
-
-/// hard_ellipsoids_insertion_weight(simulation, number, semi_axes): (status, weight).
-PyObject *hard_ellipsoids_insertion_weight(PyObject *self, PyObject *args);
-
-/// hard_ellipsoids_insertion_moves(simulation, number, semi_axes, activities): (status, four
-/// counts).
-PyObject *hard_ellipsoids_insertion_moves(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// hard_ellipsoids_compress(simulation, take): (status, factor).
-PyObject *hard_ellipsoids_compress(PyObject *self, PyObject *args);
-
-/// hard_ellipsoids_check(simulation): (status, (i, j)).
-PyObject *hard_ellipsoids_check(PyObject *self, PyObject *capsule);
+/// Adds the functions on objects of the library: neighbour lists, meshes, simulations.
+bool add_objects(PyObject *module);
 
 /// nearest_images(pairs, centers, cell, r12, images): status. Arrays are contiguous and of the
 /// right type.
@@ -230,7 +131,8 @@ PyObject *parse_rows(PyObject *self, PyObject *args);
 PyObject *format_rows(PyObject *self, PyObject *args);
 
 /// random_addition(cell, semi-axes of kinds, dimensions, seed): an object. Arrays have three
-/// columns; each distance of opposite faces of the cell is at least twice the longest semi-axis.
+/// columns; each distance of opposite faces of the cell is at least twice the longest semi-axis, which
+/// is from 0.5 to 1.
 PyObject *random_addition(PyObject *self, PyObject *args);
 
 /// random_addition_advance(object, most attempts, most particles): some attempts; (particles,
@@ -240,6 +142,10 @@ PyObject *random_addition_advance(PyObject *self, PyObject *args);
 /// inside_turned_ellipses(a, b, angle): the semi-axes of an ellipse inside all that are turned by
 /// at most an angle from the one with the semi-axes a >= b. For tests.
 PyObject *inside_turned_ellipses(PyObject *self, PyObject *args);
+
+/// radius_inside_body(a, b): the radius of a ball that random_addition takes as inside any ellipsoid
+/// with the longest semi-axis a and the shortest one b. For tests.
+PyObject *radius_inside_body(PyObject *self, PyObject *args);
 
 /// form_of_voxel(a, b, edges, angle, angles): the ellipse that random_addition takes for all with
 /// the semi-axes a >= b of which the angle over π is from angle / angles to (angle + 1) / angles,

@@ -101,14 +101,16 @@ Reference statuses()
 
 PyObject *version(PyObject *, PyObject *) { return PyUnicode_FromString(pw85_version()); }
 
-/// The cause of the last refusal in this thread: function, argument or None, requirement and row.
+/// The cause of the last refusal in this thread: function, argument or None, requirement, row, entry
+/// and value.
 PyObject *last_error(PyObject *, PyObject *)
 {
     pw85_error error;
     pw85_last_error(&error);
     if (error.function == nullptr) Py_RETURN_NONE;
-    return Py_BuildValue("zzzn", error.function, error.argument, error.requirement,
-                         static_cast<Py_ssize_t>(error.row));
+    return Py_BuildValue("zzznnd", error.function, error.argument, error.requirement,
+                         static_cast<Py_ssize_t>(error.row), static_cast<Py_ssize_t>(error.entry),
+                         error.value);
 }
 
 PyObject *strerror(PyObject *, PyObject *status)
@@ -156,11 +158,6 @@ PyObject *set_num_threads(PyObject *, PyObject *number)
     Py_RETURN_NONE;
 }
 
-template <class Function> PyCFunction as_method(Function *function)
-{
-    return reinterpret_cast<PyCFunction>(reinterpret_cast<void *>(function));
-}
-
 PyMethodDef methods[] = {
     {"version", version, METH_NOARGS,
      "version()\n--\n\nVersion of the library, 'major.minor.patch'."},
@@ -179,7 +176,7 @@ PyMethodDef methods[] = {
     {"set_num_threads", set_num_threads, METH_O,
      "Sets the number of threads of functions that this thread calls."},
     {"last_error", last_error, METH_NOARGS,
-     "Cause of the last refusal, or None: function, argument, requirement, row."},
+     "Cause of the last refusal, or None: function, argument, requirement, row, entry, value."},
     {"strerror", strerror, METH_O,
      "strerror(status, /)\n--\n\nSentence that says what a status means."},
     {"contact_pairs", as_method(contact_pairs), METH_FASTCALL, "Status of pw85_contact_pairs()."},
@@ -201,6 +198,8 @@ PyMethodDef methods[] = {
      "Status and answer of pw85_overlap_any_indices()."},
     {"enclosing_ellipsoid", as_method(enclosing_ellipsoid), METH_FASTCALL,
      "Status of pw85_enclosing_ellipsoid()."},
+    {"enclosing_ellipsoid_of", as_method(enclosing_ellipsoid_of), METH_FASTCALL,
+     "Status of pw85_enclosing_ellipsoid_of()."},
     {"random_points", as_method(random_points), METH_FASTCALL, "Status of pw85_random_points()."},
     {"contact_polytope", as_method(contact_polytope), METH_FASTCALL,
      "Status of pw85_contact_polytope_batch()."},
@@ -210,83 +209,15 @@ PyMethodDef methods[] = {
     {"nd_contact_geometry", as_method(nd_contact_geometry), METH_FASTCALL,
      "Status of pw85_nd_contact_geometry_batch()."},
     {"nd_overlap", as_method(nd_overlap), METH_FASTCALL, "Status of pw85_nd_overlap_batch()."},
+    {"nd_contains", as_method(nd_contains), METH_FASTCALL, "Status of pw85_nd_contains_batch()."},
+    {"nd_compare", as_method(nd_compare), METH_FASTCALL, "Status of pw85_nd_compare_batch()."},
+    {"nd_distance", as_method(nd_distance), METH_FASTCALL, "Status of pw85_nd_distance_batch()."},
+    {"nd_containment", as_method(nd_containment), METH_FASTCALL,
+     "Status of pw85_nd_containment_batch()."},
     {"contact_forces_pairs", as_method(contact_forces_pairs), METH_FASTCALL,
      "Status of pw85_contact_forces_pairs()."},
     {"law_forces_pairs", as_method(law_forces_pairs), METH_FASTCALL,
      "Status of pw85_law_forces_pairs()."},
-    {"neighbors", as_method(neighbors), METH_FASTCALL,
-     "Status and results of pw85_neighbors_create()."},
-    {"neighbors_hold", as_method(neighbors_hold), METH_FASTCALL,
-     "Status and answer of pw85_neighbors_holds()."},
-    {"mesh_create", as_method(mesh_create), METH_FASTCALL,
-     "Status and mesh of pw85_mesh_create()."},
-    {"mesh_contact", as_method(mesh_contact), METH_FASTCALL,
-     "Status of pw85_mesh_contact_batch()."},
-    {"mesh_distance", as_method(mesh_distance), METH_FASTCALL,
-     "Status of pw85_mesh_distance_batch()."},
-    {"mesh_overlap", as_method(mesh_overlap), METH_FASTCALL,
-     "Status of pw85_mesh_overlap_batch()."},
-    {"hard_ellipsoids_create", as_method(hard_ellipsoids_create), METH_FASTCALL,
-     "Status and simulation of pw85_hard_ellipsoids_create()."},
-    {"hard_ellipsoids_restore", hard_ellipsoids_restore, METH_O,
-     "Status and simulation of pw85_hard_ellipsoids_restore()."},
-    {"hard_ellipsoids_save", hard_ellipsoids_save, METH_O,
-     "Status and bytes of pw85_hard_ellipsoids_save()."},
-    {"hard_ellipsoids_sweep", hard_ellipsoids_sweep, METH_O,
-     "Status of pw85_hard_ellipsoids_sweep()."},
-    {"hard_ellipsoids_volume_move", hard_ellipsoids_volume_move, METH_VARARGS,
-     "Status of pw85_hard_ellipsoids_volume_moves()."},
-    {"hard_ellipsoids_tune", hard_ellipsoids_tune, METH_VARARGS,
-     "Status of pw85_hard_ellipsoids_tune()."},
-    {"hard_ellipsoids_set_fractions", hard_ellipsoids_set_fractions, METH_VARARGS,
-     "Status of pw85_hard_ellipsoids_set_fractions()."},
-    {"hard_ellipsoids_set_steps", hard_ellipsoids_set_steps, METH_VARARGS,
-     "Status of pw85_hard_ellipsoids_set_steps()."},
-    {"hard_ellipsoids_set_dimensions", hard_ellipsoids_set_dimensions, METH_VARARGS,
-     "Status of pw85_hard_ellipsoids_set_dimensions()."},
-    {"hard_ellipsoids_dimensions", hard_ellipsoids_dimensions, METH_O,
-     "Result of pw85_hard_ellipsoids_dimensions()."},
-    {"hard_ellipsoids_steps", hard_ellipsoids_steps, METH_O,
-     "Result of pw85_hard_ellipsoids_steps()."},
-    {"hard_ellipsoids_counts", hard_ellipsoids_counts, METH_O,
-     "Result of pw85_hard_ellipsoids_counts()."},
-    {"hard_ellipsoids_chain", hard_ellipsoids_chain, METH_VARARGS,
-     "Status and result of pw85_hard_ellipsoids_chain()."},
-    {"hard_ellipsoids_neighbors", hard_ellipsoids_neighbors, METH_VARARGS,
-     "Status and arrays of pw85_hard_ellipsoids_neighbors()."},
-    {"hard_ellipsoids_try", hard_ellipsoids_try, METH_VARARGS,
-     "Status and answer of pw85_hard_ellipsoids_try()."},
-    {"hard_ellipsoids_views", hard_ellipsoids_views, METH_O, "Arrays of a simulation."},
-    {"hard_ellipsoids_set_walls", as_method(hard_ellipsoids_set_walls), METH_FASTCALL,
-     "Status and overlap of pw85_hard_ellipsoids_set_walls()."},
-    {"hard_ellipsoids_set_mesh", as_method(hard_ellipsoids_set_mesh), METH_FASTCALL,
-     "Status and overlap of pw85_hard_ellipsoids_set_mesh()."},
-    {"hard_ellipsoids_set_fields", as_method(hard_ellipsoids_set_fields), METH_FASTCALL,
-     "Status of pw85_hard_ellipsoids_set_fields()."},
-    {"hard_ellipsoids_set_law", as_method(hard_ellipsoids_set_law), METH_FASTCALL,
-     "Status of pw85_hard_ellipsoids_set_law()."},
-    {"hard_ellipsoids_set_kind_steps", as_method(hard_ellipsoids_set_kind_steps), METH_FASTCALL,
-     "Status of pw85_hard_ellipsoids_set_kind_steps()."},
-    {"hard_ellipsoids_kind_steps", hard_ellipsoids_kind_steps, METH_VARARGS,
-     "Steps of pw85_hard_ellipsoids_kind_steps()."},
-    {"hard_ellipsoids_set_potential", hard_ellipsoids_set_potential, METH_VARARGS,
-     "Status of pw85_hard_ellipsoids_set_potential()."},
-    {"hard_ellipsoids_energy", hard_ellipsoids_energy, METH_O,
-     "Status and result of pw85_hard_ellipsoids_energy()."},
-    {"hard_ellipsoids_law_virial", hard_ellipsoids_law_virial, METH_O,
-     "Status and result of pw85_hard_ellipsoids_law_virial()."},
-    {"hard_ellipsoids_insert", hard_ellipsoids_insert, METH_VARARGS,
-     "Status and answer of pw85_hard_ellipsoids_insert()."},
-    {"hard_ellipsoids_remove", hard_ellipsoids_remove, METH_VARARGS,
-     "Status of pw85_hard_ellipsoids_remove()."},
-    {"hard_ellipsoids_insertion_weight", hard_ellipsoids_insertion_weight, METH_VARARGS,
-     "Status and result of pw85_hard_ellipsoids_insertion_weight()."},
-    {"hard_ellipsoids_insertion_moves", as_method(hard_ellipsoids_insertion_moves), METH_FASTCALL,
-     "Status and counts of pw85_hard_ellipsoids_insertion_moves()."},
-    {"hard_ellipsoids_compress", hard_ellipsoids_compress, METH_VARARGS,
-     "Status and factor of pw85_hard_ellipsoids_compress()."},
-    {"hard_ellipsoids_check", hard_ellipsoids_check, METH_O,
-     "Status and pair of pw85_hard_ellipsoids_check()."},
     {"nearest_images", as_method(nearest_images), METH_FASTCALL,
      "Status of pw85_nearest_images()."},
     {"nearest_image_limit", as_method(nearest_image_limit), METH_FASTCALL,
@@ -298,6 +229,8 @@ PyMethodDef methods[] = {
      "Attempts to add particles."},
     {"inside_turned_ellipses", inside_turned_ellipses, METH_VARARGS,
      "Semi-axes of an ellipse inside all turned ones."},
+    {"radius_inside_body", radius_inside_body, METH_VARARGS,
+     "Radius of a ball inside an ellipsoid, however its form is rounded."},
     {"form_of_voxel", form_of_voxel, METH_VARARGS,
      "An ellipse inside all that can be put into a voxel."},
     {"random_addition_placed", random_addition_placed, METH_O, "The particles that were added."},
@@ -372,6 +305,7 @@ PyObject *create_module()
            register_report(module.get(), "overlap_volume_pairs", "report_overlap_volume_pairs") &&
            register_report(module.get(), "Mesh.contact", "report_mesh_contact") &&
            register_report(module.get(), "Mesh.distance", "report_mesh_distance");
+    good = good && add_objects(module.get());
     return good && limit_threads_after_fork() ? module.release() : nullptr;
 }
 

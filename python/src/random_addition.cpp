@@ -68,7 +68,8 @@ class Random {
 template <std::size_t D> using Vector = std::array<double, D>;
 template <std::size_t D> using Form = std::array<double, D == 2 ? 3 : 6>;
 
-/// An ellipsoid about its centre: `outer` is its longest and `inner` its shortest semi-axis.
+/// An ellipsoid about its centre. Its form is inside a ball with its longest semi-axis, `outer`, up
+/// to rounding, and around a ball with the radius `inner` for certain.
 template <std::size_t D> struct Body {
     Form<D> q;
     double outer, inner;
@@ -147,6 +148,13 @@ double lost(double outer, double edges) noexcept
     return 0x1p-46 * outer * outer + moved * moved / rounding;
 }
 
+/// The radius of a ball inside the form of a body that is drawn, however the form is rounded; 0 if
+/// rounding leaves none. The exact test finds an overlap wherever two such balls overlap.
+double radius_inside(double outer, double inner) noexcept
+{
+    return std::sqrt(std::max(0.0, inner * inner - lost(outer, 0)));
+}
+
 /// The squares of semi-axes, less what rounding can take from them; not all positive if that is
 /// more than there is.
 std::array<double, 2> squares_within(std::array<double, 2> const &axes, double loss) noexcept
@@ -171,17 +179,21 @@ double twice_middle(std::uint64_t angle, std::uint64_t angles) noexcept
 /// Half the angles of a voxel.
 double half_width(std::uint64_t angles) noexcept { return pi / 2 / static_cast<double>(angles); }
 
-/// The particles that are there, by boxes of the cell that are as wide as two particles.
+/// The particles that are there, by boxes of the cell. Particles that overlap are in the same box
+/// or in adjacent ones: a box is wider than two particles by more than the errors of places
+/// (lost()). A cell of one box is at least as wide as two particles.
 template <std::size_t D> class Packing {
   public:
     Packing(double const *cell, double outer)
     {
         for (std::size_t i = 0; i < D; ++i)
             for (std::size_t k = 0; k < D; ++k) cell_[i][k] = cell[3 * i + k];
+        for (std::size_t i = 0; i < D; ++i) edges_ += edge(i);
         std::size_t total = 1;
         for (std::size_t i = 0; i < D; ++i) {
-            // Up to here the caller has made sure that the number is at least 1.
-            boxes_[i] = static_cast<std::int64_t>(std::min(height(i) / (2 * outer), 1024.0));
+            double const width = 2 * outer * (1 + rounding) + rounding_of_places * edges_;
+            boxes_[i] = static_cast<std::int64_t>(
+                std::min(std::max(1.0, height(i) / width), D == 2 ? 1024.0 : 256.0));
             total *= static_cast<std::size_t>(boxes_[i]);
         }
         first_.assign(total, -1);
@@ -198,6 +210,9 @@ template <std::size_t D> class Packing {
     }
 
     double edge(std::size_t i) const noexcept { return length<D>(cell_[i]); }
+
+    /// The sum of the lengths of the vectors of the cell.
+    double edges() const noexcept { return edges_; }
 
     /// The distance of two opposite faces.
     double height(std::size_t i) const noexcept
@@ -281,6 +296,7 @@ template <std::size_t D> class Packing {
 
     std::array<Vector<D>, D> cell_;
     Boxes boxes_;
+    double edges_ = 0;
     std::vector<std::int32_t> first_, next_;
     std::vector<Particle<D>> particles_;
 };
@@ -302,7 +318,6 @@ template <std::size_t D> class AdditionIn final : public Addition {
     {
         for (std::size_t k = 0; k < kinds; ++k)
             kinds_.push_back({semi_axes[3 * k], semi_axes[3 * k + 1], semi_axes[3 * k + 2]});
-        for (std::size_t i = 0; i < D; ++i) edges_ += packing_.edge(i);
         double inner = inner_of(kinds_[0]);
         is_angle_ = false;
         are_balls_ = true;
@@ -450,7 +465,8 @@ template <std::size_t D> class AdditionIn final : public Addition {
         Axes const &axes = kinds_[voxel.kind];
         one.center = packing_.point(one.place);
         one.quaternion = quaternion(u, v, w);
-        one.body = {form(axes, one.quaternion), outer_of(axes), inner_of(axes)};
+        double const outer = outer_of(axes);
+        one.body = {form(axes, one.quaternion), outer, radius_inside(outer, inner_of(axes))};
         one.kind = voxel.kind;
         return one;
     }
@@ -594,7 +610,7 @@ template <std::size_t D> class AdditionIn final : public Addition {
             place, packing_.point(place), [&](Vector<D> const &r, Body<D> const &other) {
                 double const distance = length<D>(r);
                 if (distance > body.outer + other.outer) return false;
-                if (distance + reach + rounding_of_places * edges_ <
+                if (distance + reach + rounding_of_places * packing_.edges() <
                     (body.inner + other.inner) * (1 - rounding))
                     return true;
                 return std::all_of(corners.begin(), corners.end(), [&](Vector<D> const &corner) {
@@ -612,7 +628,7 @@ template <std::size_t D> class AdditionIn final : public Addition {
         double const inner = inner_of(axes), outer = outer_of(axes);
         auto const within = D == 2 ? inside_turned(outer, inner, half_width(angles_))
                                    : std::array<double, 2>{inner, inner};
-        return squares_within(within, lost(outer, edges_));
+        return squares_within(within, lost(outer, packing_.edges()));
     }
 
     Body<D> body_of(Voxel const &voxel, std::array<double, 2> const &squares) const
@@ -634,7 +650,7 @@ template <std::size_t D> class AdditionIn final : public Addition {
     std::array<std::uint64_t, D> divisions_;
     std::uint64_t angles_;
     std::uint64_t seed_, next_ = 0;
-    double edges_ = 0, attempts_ = 0, share_ = 1, few_ = few_accepted;
+    double attempts_ = 0, share_ = 1, few_ = few_accepted;
     int halvings_ = 0;
     bool is_angle_, are_balls_, has_voxels_ = false, is_saturated_ = false;
 };
@@ -703,6 +719,13 @@ PyObject *inside_turned_ellipses(PyObject *, PyObject *args)
     if (!PyArg_ParseTuple(args, "ddd", &a, &b, &angle)) return nullptr;
     auto const axes = inside_turned(a, b, angle);
     return Py_BuildValue("dd", axes[0], axes[1]);
+}
+
+PyObject *radius_inside_body(PyObject *, PyObject *args)
+{
+    double outer, inner;
+    if (!PyArg_ParseTuple(args, "dd", &outer, &inner)) return nullptr;
+    return PyFloat_FromDouble(radius_inside(outer, inner));
 }
 
 PyObject *form_of_voxel(PyObject *, PyObject *args)

@@ -36,6 +36,50 @@ def test_contact_is_the_maximum(n):
         assert not pypw85.nd_overlap(r12 / np.sqrt(mu2) * (1 + 1e-9), q1, q2)
 
 
+@pytest.mark.parametrize("n", [1, 2, 3, 5, 16])
+def test_containment_is_the_farthest_point(n):
+    rng = np.random.default_rng(n + 50)
+    for _ in range(5):
+        r12, q1, q2 = rng.normal(size=n), random_form(rng, n, 5), random_form(rng, n, 5)
+        kappa2, point = pypw85.nd_containment(r12, q1, q2)
+        # np.linalg.solve has a condition number of at most 25
+        assert abs(point @ np.linalg.solve(q1, point) / kappa2 - 1) < 1e-11
+        assert abs((point - r12) @ np.linalg.solve(q2, point - r12) - 1) < 1e-11
+        directions = rng.normal(size=(200, n))
+        others = r12 + directions @ q2 / np.sqrt(np.einsum("ki,ij,kj->k", directions, q2, directions))[:, np.newaxis]
+        assert (np.einsum("ki,ki->k", others, np.linalg.solve(q1, others.T).T) <= kappa2 * (1 + 1e-11)).all()
+        assert pypw85.nd_contains(r12, q1 * kappa2 * (1 + 1e-9), q2)
+        assert not pypw85.nd_contains(r12, q1 * kappa2 * (1 - 1e-9), q2)
+
+
+@pytest.mark.parametrize("n", [1, 2, 3, 5, 16])
+def test_distance(n):
+    rng = np.random.default_rng(n + 60)
+    for _ in range(5):
+        r12, q1, q2 = 6 * rng.normal(size=n), random_form(rng, n, 5), random_form(rng, n, 5)
+        found = pypw85.nd_distance(r12, q1, q2)
+        if pypw85.nd_overlap(r12, q1, q2):
+            assert found.distance == 0 and np.isnan(found.point1).all() and np.isnan(found.normal).all()
+            continue
+        # np.linalg.solve has a condition number of at most 25
+        for point, q in ((found.point1, q1), (found.point2 - r12, q2)):
+            assert abs(point @ np.linalg.solve(q, point) - 1) < 1e-12
+        np.testing.assert_allclose(found.point2 - found.point1, found.distance * found.normal, atol=1e-10)
+        slab = found.normal @ r12 - np.sqrt(found.normal @ q1 @ found.normal) - np.sqrt(found.normal @ q2 @ found.normal)
+        assert abs(slab - found.distance) < 1e-13 * np.linalg.norm(r12)
+
+
+def test_comparison():
+    rng = np.random.default_rng(51)
+    r12, q1, q2 = rng.normal(size=(8, 5)), random_form(rng, 5, 5), random_form(rng, 5, 5)
+    mu2, _ = pypw85.nd_contact(r12, q1, q2)
+    np.testing.assert_array_equal(pypw85.nd_compare(r12, q1, q2, mu2 * (1 - 1e-9)), np.ones(8))
+    np.testing.assert_array_equal(pypw85.nd_compare(r12, q1, q2, mu2 * (1 + 1e-9)), -np.ones(8))
+    assert pypw85.nd_compare(r12[0], q1, q2, [[0], [np.inf]]).tolist() == [[1], [-1]]
+    with pytest.raises(PW85Error, match=r"row \(1,\): mu2 must be at least 0, not -1.0"):
+        pypw85.nd_compare(r12[0], q1, q2, [1, -1])
+
+
 def test_three_dimensions_are_as_before():
     rng = np.random.default_rng(3)
     r12, q1, q2 = rng.normal(size=(50, 3)), *(np.array([random_form(rng, 3, 10) for _ in range(50)]) for _ in range(2))
@@ -45,6 +89,12 @@ def test_three_dimensions_are_as_before():
         mu2, _ = pypw85.nd_contact(r12, *forms)
         np.testing.assert_allclose(mu2, expected[0] if isinstance(expected, tuple) else expected[..., 0], rtol=1e-11)
     np.testing.assert_array_equal(pypw85.nd_overlap(r12, q1, q2), pypw85.overlap(r12, *packed))
+    small = [q / 16 for q in packed]
+    np.testing.assert_array_equal(pypw85.nd_contains(r12 / 8, q1, small[1]), pypw85.contains(r12 / 8, packed[0], small[1]))
+    apart = 5 * r12
+    for one, other in zip(pypw85.nd_distance(apart, q1, q2), pypw85.distance(apart, *packed)):
+        np.testing.assert_allclose(one, other, atol=1e-9)
+    np.testing.assert_allclose(pypw85.nd_containment(r12, q1, q2)[0], pypw85.containment(r12, *packed)[0], rtol=1e-11)
 
 
 def test_shapes():
@@ -78,6 +128,8 @@ def test_causes_are_named():
             pypw85.nd_contact(*arguments)
         with pytest.raises(PW85Error, match=words):
             pypw85.nd_overlap(*arguments)
+        with pytest.raises(PW85Error, match=words):
+            pypw85.nd_containment(*arguments)
     with pytest.raises(PW85Error):
         pypw85.nd_contact_geometry(np.ones(4), eye, eye, 2.0)
 

@@ -93,3 +93,69 @@ def test_credible_ellipsoid_in_any_units():
         q = pypw85.credible_ellipsoid(np.ldexp(samples, [first, second]), 0.5)[1]
         found = full(np.ldexp(q, [-2 * first, -first - second, -2 * second]))
         np.testing.assert_allclose(found, expected, rtol=4e-6)  # twice the excess of each
+
+
+@pytest.mark.parametrize("n", [1, 2, 3, 6])
+def test_ellipsoids_are_inside(n):
+    random = np.random.default_rng(n)
+    centers, maps = random.normal(size=(20, n)), random.normal(size=(20, n, n)) / 4
+    forms = maps @ maps.transpose(0, 2, 1) + 0.01 * np.eye(n)
+    center, q, excess = pypw85.enclosing_ellipsoid_of(centers, forms, 1e-8)
+    assert excess <= 1e-8
+    kappa2, _ = pypw85.nd_containment(centers - center, q, forms)
+    assert 1 - 1e-8 < kappa2.max() < 1 + 1e-14  # centers - center is rounded
+    packed = forms[(..., *np.triu_indices(n))]
+    np.testing.assert_array_equal(pypw85.enclosing_ellipsoid_of(centers, packed, 1e-8)[1], q)
+
+
+def test_one_ellipsoid_is_its_own():
+    center, q, _ = pypw85.enclosing_ellipsoid_of([[1, 2, 3]], [[4, 1, 0, 2, 0, 1]], 1e-10)
+    np.testing.assert_allclose(center, [1, 2, 3], rtol=1e-10)
+    np.testing.assert_allclose(q, [4, 1, 0, 2, 0, 1], atol=1e-9)
+
+
+@pytest.mark.parametrize("centers, forms, tolerance, words", [
+    ([[0, np.inf]], [[1, 0, 1]], 1e-6, r"the centre of ellipsoid 0 must be finite, not \[0.0, inf\]"),
+    ([[0, 0], [1, 0]], [[1, 0, 1], [1, 1, 1]], 1e-6, r"the form of ellipsoid 1 must be positive definite, not \[1.0, 1.0, 1.0\]"),
+    (np.zeros((0, 2)), np.zeros((0, 3)), 1e-6, "there must be at least one ellipsoid"),
+    ([[0, 0]], [[1, 0, 1]], -1, "tolerance must be positive and finite, not -1"),
+    ([[0, 0]], [[1, 1 - 2**-52, 1]], 1e-6, "the ellipsoid around all is too flat to be certified"),
+])  # fmt: skip
+def test_bad_ellipsoids(centers, forms, tolerance, words):
+    with pytest.raises(pypw85.PW85Error, match=words):
+        pypw85.enclosing_ellipsoid_of(centers, forms, tolerance)
+
+
+def test_bad_shapes_of_ellipsoids():
+    for centers, forms, words in [
+        (np.zeros(2), [[1, 0, 1]], r"centers must have the shape \(m, n\)"),
+        (np.zeros((2, 2)), [[1, 0, 1]], r"forms must have one row for each of 2 centers, not the shape \(1, 3\)"),
+        (np.zeros((1, 2)), [[1, 0, 1, 1]], "forms must end with 2×2 or 3 numbers in 2 dimensions"),
+    ]:
+        with pytest.raises(ValueError, match=words):
+            pypw85.enclosing_ellipsoid_of(centers, forms)
+
+
+def test_clusters_of_a_system():
+    random = np.random.default_rng(4)
+    axes, turns = random.uniform(0.5, 2, size=(12, 3)), random.normal(size=(12, 4))
+    turns /= np.linalg.norm(turns, axis=1, keepdims=True)
+    system = pypw85.System.from_axes(random.uniform(-5, 5, size=(12, 3)), axes, turns, cell=20 * np.eye(3))
+    clusters = np.array(["b", "a", "c"])[np.arange(12) % 3]
+    around = pypw85.enclosing(system, clusters)
+    assert around.types.tolist() == ["a", "b", "c"] and (around.cell == system.cell).all()
+    for name, center, q in zip(around.types, around.centers, around.q):
+        inside = clusters == name
+        kappa2, _ = pypw85.containment(system.centers[inside] - center, q, system.q[inside])
+        assert 1 - 1e-6 < kappa2.max() < 1 + 1e-14
+    assert len(pypw85.enclosing(system).centers) == 1
+    with pytest.raises(ValueError, match=r"clusters must have one entry for each of 12 particles, not the shape \(3,\)"):
+        pypw85.enclosing(system, [1, 2, 3])
+
+
+def test_clusters_of_the_plane():
+    system = pypw85.System([[0, 0, 0], [3, 0, 0]], [[1, 0, 0, 1, 0, 1]] * 2, dimensions=2)
+    around = pypw85.enclosing(system, tolerance=1e-9)
+    assert around.dimensions == 2
+    _, q, _ = pypw85.enclosing_ellipsoid_of([[0, 0], [3, 0]], [[1, 0, 1]] * 2, 1e-9)
+    np.testing.assert_array_equal(around.q[0, [0, 1, 3]], q)

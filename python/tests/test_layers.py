@@ -12,7 +12,7 @@ PACKAGE = pathlib.Path(pypw85.__file__).parent
 # The lowest layer first. What no entry names, by its first part, belongs to the functions, which are the lowest of all.
 LAYERS = [
     {"_system"},
-    {"formats", "_drawing", "_equilibration", "_images", "_lattices", "_observables", "_packing", "_plotting",
+    {"formats", "_bounding", "_drawing", "_equilibration", "_images", "_lattices", "_observables", "_packing", "_plotting",
     "_random_addition", "_simulations",
      "_statistics", "_structure", "_voxels"},
     {"cli", "__main__"},

@@ -66,6 +66,7 @@ CALLS = {
     "contact_polytope": (pypw85.contact_polytope, CENTERS, FORMS, CUBE, REACH),
     "credible_ellipsoid": (lambda x: pypw85.credible_ellipsoid(x, 0.75), CLOUD),
     "enclosing_ellipsoid": (pypw85.enclosing_ellipsoid, CLOUD),
+    "enclosing_ellipsoid_of": (pypw85.enclosing_ellipsoid_of, CENTERS, FORMS),
     "f_neg": (pypw85.f_neg, 0.125 * SLOPES, CENTERS, FORMS, FORMS[::-1].copy()),
     "first_contact_pairs": (
         lambda *x: pypw85.first_contact_pairs(*x[:4], cell=x[4], images=x[5]), PAIRS, CENTERS, FORMS, MOTIONS, CELL, IMAGES),
@@ -100,6 +101,10 @@ CALLS = {
     "nd_contact": (pypw85.nd_contact, CENTERS, FORMS, FORMS[::-1].copy()),
     "nd_contact_geometry": (pypw85.nd_contact_geometry, AXES, FORMS, FORMS[::-1].copy(), 0.125 * SLOPES),
     "nd_overlap": (pypw85.nd_overlap, CENTERS, FORMS, FORMS[::-1].copy()),
+    "nd_compare": (pypw85.nd_compare, CENTERS, FORMS, FORMS[::-1].copy(), SLOPES),
+    "nd_distance": (pypw85.nd_distance, AXES, FORMS, FORMS[::-1].copy()),
+    "nd_contains": (pypw85.nd_contains, CENTERS, FORMS, FORMS[::-1].copy()),
+    "nd_containment": (pypw85.nd_containment, CENTERS, FORMS, FORMS[::-1].copy()),
     "sorensen": (pypw85.sorensen, CENTERS, FORMS, FORMS[::-1].copy()),
     "sorensen_2d": (pypw85.sorensen_2d, CENTERS[:, :2].copy(), ELLIPSES, ELLIPSES[::-1].copy()),
     "union_area_2d": (pypw85.union_area_2d, CENTERS[:, :2].copy(), ELLIPSES, ELLIPSES[::-1].copy()),
@@ -110,10 +115,10 @@ CALLS = {
 OTHERS = {
     "AdditionInterrupted", "Blocking", "FileError", "HardEllipsoids", "Neighbors", "Observables", "OverlapsLeft", "PW85Error",
     "RelaxationInterrupted", "Status", "angular_pair_correlation", "bond_order", "columnar_order", "correlation", "density_modes",
-    "director", "ellipsoid_mesh", "even_points", "frames", "from_labels", "from_mesh", "gufuncs", "inertia", "is_reproducible",
-    "lambda_atol", "lattice", "legacy", "mean_square_displacement", "metadata", "nematic_order", "pair_correlation", "plot",
-    "pose_distance", "random_points", "read", "relax", "set_reproducible", "smectic_order", "strerror", "structure_factor",
-    "tetratic_order", "utils", "version", "voxels", "wave_vectors", "write",
+    "director", "ellipsoid_mesh", "enclosing", "even_points", "frames", "from_labels", "from_mesh", "gufuncs", "inertia",
+    "is_reproducible", "lambda_atol", "lattice", "legacy", "mean_square_displacement", "metadata", "nematic_order",
+    "pair_correlation", "plot", "pose_distance", "random_points", "read", "relax", "set_reproducible", "smectic_order", "strerror",
+    "structure_factor", "tetratic_order", "utils", "version", "voxels", "wave_vectors", "write",
 }  # fmt: skip
 
 

@@ -219,7 +219,7 @@ TABLES = [
     ("1 2 3\n2 nan 3\n", "must have two lines or more"),
     ("1 2 3\n2 2 3\n4 2 3\n", "law.txt: μ² must increase by the same step from line to line"),
     ("2 2 3\n1 2 3\n", "μ² must increase"),
-    ("1 2e6 0\n2 0 0\n", "start.xyz: --law table:law.txt: the energy of a pair must be at most 10"),
+    ("1 2e6 0\n2 0 0\n", "start.xyz: --law table:law.txt: law must have energies of pairs of at most 2²⁰ k_B T"),
 ]
 
 
@@ -248,11 +248,10 @@ BAD = [
     (["--wall", "plane:0,0,1,5", "--wall", "plane:0,0,-1,2"], r"start\.xyz: --wall plane:0,0,-1,2: it cuts particle 10: move one of them$"),
     (["--wall", "plane:0,0,1,-20"], "--wall plane:0,0,1,-20: particle 10 is in the wall, which is normal·x >= -20: correct the numbers"),
     (["--wall", "plane:0,0,0,5"], "--wall plane:0,0,0,5: normal must be finite and not zero, not "),
-    (["--wall", "plane:1,0,0,5"], "--wall plane:1,0,0,5: a wall must not be across a periodic vector of the cell"),
-    (["--wall", "sphere:0,0,0,9"], "spheres and boxes need a cell without periodic vectors"),
-    (["--field", "linear:0,0,1", "--field", "linear:1,0,0"],
-     "--field linear:1,0,0: a field must be the same in all images of the periodic cell"),
-    (["--field", "linear:0,0,1.7e308"], "--field linear:0,0,1.7e308: the energy of a particle is not finite"),
+    (["--wall", "plane:1,0,0,5"], "--wall plane:1,0,0,5: wall 0 must be the same in all images of the cell"),
+    (["--wall", "sphere:0,0,0,9"], "--wall sphere:0,0,0,9: wall 0 must be the same in all images of the cell"),
+    (["--field", "linear:0,0,1", "--field", "linear:1,0,0"], "--field linear:1,0,0: field 0 must be the same in all images of the cell"),
+    (["--field", "linear:0,0,1.7e308"], "--field linear:0,0,1.7e308: the energy of each particle must be finite"),
     (["--wall", "plane:0,0,1,5", "--pressure", "1"], "--pressure needs a cell that is periodic along its three vectors: leave it out"),
     (["--field", "weight:0,0,1", "--reach", "1"], "--reach needs a cell that is periodic along its three vectors: leave it out"),
     (["--wall", "plane:0,0,1,5", "--chains", "1"], "event chains know no walls, no fields and no laws: leave out --chains"),

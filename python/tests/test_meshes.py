@@ -112,10 +112,10 @@ def test_overlap_in_fractions():
 
 
 def test_bad_input():
-    with pytest.raises(pypw85.PW85Error, match=r"Mesh: vertex 1 must be finite, not \[0.0, nan, 0.0\]"):
+    with pytest.raises(pypw85.PW85Error, match=r"Mesh: row 1: vertices must be finite, not \[0.0, nan, 0.0\]"):
         pypw85.Mesh([[0, 0, 0], [0, np.nan, 0]], [[0, 0, 0]])
     for index in (-1, 4, 2**40):
-        with pytest.raises(pypw85.PW85Error, match="Mesh: triangle 1 must have indices of the 4 vertices, not"):
+        with pytest.raises(pypw85.PW85Error, match="Mesh: row 1: triangles must have indices of vertices, not"):
             pypw85.Mesh(VERTICES, [[0, 1, 2], [0, index, 1]])
     with pytest.raises(ValueError, match="triangles must be integers"):
         pypw85.Mesh(VERTICES, [[0.0, 1, 2]])

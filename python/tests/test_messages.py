@@ -81,7 +81,7 @@ FILES = [
 ]  # fmt: skip
 # Meshes that cannot be read
 MESHES = [
-    ("a.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "vertex 0 must be finite"),
+    ("a.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "row 0: vertices must be finite"),
     ("a.obj", "v 0 0 0\n", "has no triangles"),
     ("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3\n", r"the face \[0, 1, 2\] must have indices of the 2 vertices"),
     ("a.obj", "v 0 0 0\nf 1 1\n", "line 2: a face must have three or more numbers of vertices, not '1 1'"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files for MuJoCo: sizes, orientations, masses and moments of inertia, by an XML parser, and with PYPW85_FORMATS by MuJoCo itself."""
+"""Files for MuJoCo and Gazebo: sizes, orientations, masses, moments of inertia, by an XML parser; with PYPW85_FORMATS by MuJoCo itself."""
 
 import json
 import os
@@ -90,17 +90,44 @@ def test_bodies(tmp_path, rng):
     assert (moments <= moments[:, [1, 2, 0]] + moments[:, [2, 0, 1]]).all()
 
 
+def test_sdf(tmp_path, rng):
+    """The frame of a link is that of its model, and its tensor is diagonal in it."""
+    system = bodies(rng)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        pypw85.write(tmp_path / "a.sdf", system)
+    root = ET.parse(tmp_path / "a.sdf").getroot()
+    models = list(root.iter("model"))
+    assert [model.get("name") for model in models] == [f"particle_{k}" for k in system.ids]
+    assert root.get("version") == "1.9" and {model.find("pose").get("rotation_format") for model in models} == {"quat_xyzw"}
+
+    def numbers(path):
+        return np.array([[float(word) for word in model.find(path).text.split()] for model in models])
+
+    def entries(*keys):
+        return np.hstack([numbers(f"link/inertial/inertia/{key}") for key in keys])
+
+    poses = numbers("pose")
+    frames, radii = turns(poses[:, [6, 3, 4, 5]]), numbers("link/collision/geometry/ellipsoid/radii")
+    moments = entries("ixx", "iyy", "izz")
+    check(system, numbers("link/inertial/mass")[:, 0], moments, frames, radii, frames, poses[:, :3])
+    np.testing.assert_array_equal(entries("ixy", "ixz", "iyz"), 0)
+    np.testing.assert_array_equal(numbers("link/visual/geometry/ellipsoid/radii"), radii)
+    assert (moments <= moments[:, [1, 2, 0]] + moments[:, [2, 0, 1]]).all()
+
+
 def test_what_is_lost(tmp_path, rng):
     system = bodies(rng, 101)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         pypw85.write(tmp_path / "a.mjcf", system)
-    system.cell = np.eye(3)
-    with pytest.warns(UserWarning, match="has no periodic boxes: the cell is left out"):
-        pypw85.write(tmp_path / "a.xml", system)
-    system.cell, system.types = None, np.arange(101) % 2
-    with pytest.warns(UserWarning, match="have no types: they are left out"):
-        pypw85.write(tmp_path / "a.xml", system)
+    for name, program in (("a.xml", "MuJoCo"), ("a.sdf", "SDFormat")):
+        system.cell, system.types = np.eye(3), np.zeros(101, dtype=int)
+        with pytest.warns(UserWarning, match=f"{program} has no periodic boxes: the cell is left out"):
+            pypw85.write(tmp_path / name, system)
+        system.cell, system.types = None, np.arange(101) % 2
+        with pytest.warns(UserWarning, match=f"of {program} have no types: they are left out"):
+            pypw85.write(tmp_path / name, system)
     tiny = pypw85.System.from_axes(np.zeros((1, 3)), np.full((1, 3), 1e-4), np.array([[1.0, 0, 0, 0]]))
     with pytest.warns(UserWarning, match="that are not above 1e-15, and the smallest is 1.68e-17 for the density 1000"):
         pypw85.write(tmp_path / "a.xml", tiny)
@@ -108,18 +135,20 @@ def test_what_is_lost(tmp_path, rng):
 
 def test_what_is_refused(tmp_path, rng):
     system = bodies(rng, 101)
-    for name, reason in (("a.urdf", "URDF has no ellipsoids"), ("a.sdf", "SDF is not written: write MJCF"),
+    for name, reason in (("a.urdf", "URDF has no ellipsoids"), ("a.sdf.gz", "is not written compressed"),
                          ("a.xml.gz", "is not written compressed")):
         with pytest.raises(pypw85.FileError, match=reason):
             pypw85.write(tmp_path / name, system)
-    with pytest.raises(ValueError, match="holds one frame"):
-        pypw85.write(tmp_path / "a.xml", [system, system])
     ellipses = pypw85.System.from_ellipses(np.zeros((1, 2)), np.ones((1, 2)), np.zeros(1))
-    with pytest.raises(ValueError, match="the system must be three-dimensional"):
-        pypw85.write(tmp_path / "a.xml", ellipses)
-    system.ids = np.full(101, 7)
-    with pytest.raises(ValueError, match="several particles have the same id"):
-        pypw85.write(tmp_path / "a.xml", system)
+    doubled = bodies(rng, 101)
+    doubled.ids = np.full(101, 7)
+    for name, holder, models in (("a.xml", "an MJCF file", "bodies of MuJoCo"), ("a.sdf", "a file of SDFormat", "models of SDFormat")):
+        with pytest.raises(ValueError, match=f"{holder} holds one frame"):
+            pypw85.write(tmp_path / name, [system, system])
+        with pytest.raises(ValueError, match="the system must be three-dimensional"):
+            pypw85.write(tmp_path / name, ellipses)
+        with pytest.raises(ValueError, match=f"{models} have different names, but several particles have the same id"):
+            pypw85.write(tmp_path / name, doubled)
     assert not list(tmp_path.iterdir())
 
 

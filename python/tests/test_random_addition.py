@@ -110,6 +110,34 @@ def test_form_of_a_voxel_is_inside_all_that_is_drawn(aspect, rng):
             assert is_inside(found, drawn[[0, 1, 3]].tolist()), (a.hex(), b.hex(), index, angles, u)
 
 
+@pytest.mark.parametrize("aspect", [1, 30, 1e3, 1e5, 1e6])
+def test_ball_inside_all_that_is_drawn(aspect, rng):
+    """Exactly, for the forms as doubles: Q - s I is positive semidefinite for the square s of the radius. Rounding makes the shortest
+    semi-axis of slender forms smaller. The ball is smaller by no more than 2⁻⁴⁶ of the square of the aspect ratio."""
+    for turns in rng.normal(size=(200, 4)):
+        b = float(np.ldexp(rng.uniform(1, 2), int(rng.integers(-40, 41))))
+        axes = rng.permutation([b * aspect, b, b * aspect ** rng.uniform()])
+        radius = _core.radius_inside_body(axes.max(), axes.min())
+        q = [Fraction(x) for x in pypw85.ellipsoid_quaternion(axes, turns / np.linalg.norm(turns)).tolist()]
+        xx, yy, zz = (q[k] - Fraction(radius) ** 2 for k in (0, 3, 5))
+        xy, xz, yz = q[1], q[2], q[4]
+        minors = yy * zz - yz * yz, xx * zz - xz * xz, xx * yy - xy * xy
+        determinant = xx * minors[0] + xy * (xz * yz - xy * zz) + xz * (xy * yz - xz * yy)
+        assert xx + yy + zz >= 0 and sum(minors) >= 0 and determinant >= 0, (axes.tolist(), turns.tolist())
+        assert radius**2 >= b**2 * (1 - 2.0**-45 * aspect**2)
+
+
+@pytest.mark.parametrize("axes, exponents", [([[2, 1]], (-500, 490)), ([[1, 1, 2], [1, 1, 1]], (-340, 330))])
+def test_same_in_any_unit(axes, exponents):
+    """Powers of two as units change nothing but the size."""
+    one = pypw85.random_addition(axes, cell_of(axes), attempts=20000, seed=2).system
+    assert len(one) > 10
+    for exponent in exponents:
+        other = pypw85.random_addition(np.ldexp(axes, exponent), np.ldexp(cell_of(axes), exponent), attempts=20000, seed=2).system
+        np.testing.assert_array_equal(other.centers, np.ldexp(one.centers, exponent))
+        np.testing.assert_array_equal(other.quaternions, one.quaternions)
+
+
 def test_form_of_a_voxel_bears_moved_places(rng):
     """A half-width h that is left is so much smaller than that of the ellipse that places may be wrong by some roundings of the cell."""
     for aspect, edges in itertools.product([1, 7, 1e3, 1e5], [2, 50, 1e3]):

@@ -19,19 +19,21 @@ using namespace pw85::detail;
 namespace {
 
 constinit thread_local pw85_error last{0, nullptr, nullptr, nullptr, 0, 0, 0.0};
+constinit thread_local pw85_error noted{0, nullptr, nullptr, nullptr, 0, 0, 0.0};
 
 /// A requirement that an argument does not meet; none if `text` is null.
 struct Complaint {
     char const *text = nullptr;
-    int entry = 0;
+    std::size_t entry = 0;
+    bool is_of_entry = false; ///< and not of the argument, or of a row, as a whole
 };
 
 /// The first entry of an argument that is bad.
 template <class IsBad>
 Complaint of_entries(Argument const &one, char const *text, IsBad const &is_bad) noexcept
 {
-    for (int i = 0; i < one.count; ++i)
-        if (is_bad(one.numbers()[i])) return {text, i};
+    for (std::size_t i = 0; i < one.count; ++i)
+        if (is_bad(one.numbers()[i])) return {text, i, true};
     return {};
 }
 
@@ -43,7 +45,7 @@ Complaint of_finite(Argument const &one) noexcept
     return of_entries(one, "must be finite", [](double x) { return !std::isfinite(x); });
 }
 
-bool is_definite(double const *a, int count) noexcept
+bool is_definite(double const *a, std::size_t count) noexcept
 {
     return (count == 6 ? validate(c_api::load_matrix<3>(a)) : validate(c_api::load_matrix<2>(a))) ==
            Status::success;
@@ -56,18 +58,27 @@ bool has_independent_columns(double const *s) noexcept
 
 Complaint of_form(Argument const &one) noexcept
 {
-    if ((one.limits & limit::definite) && !is_definite(one.numbers(), one.count))
-        return {"must be positive definite"};
+    std::size_t const columns = one.columns > 0 ? one.columns : one.count;
+    for (std::size_t i = 0; (one.limits & limit::definite) && i < one.count; i += columns)
+        if (!is_definite(one.numbers() + i, columns)) return {"must be positive definite", i};
     if ((one.limits & limit::independent) && !has_independent_columns(one.numbers()))
         return {"must have columns that are not zero and not nearly dependent"};
     return {};
 }
 
-bool is_zero(Argument const &one) noexcept
+bool is_all_zero(double const *numbers, std::size_t count) noexcept
 {
-    for (int i = 0; i < one.count; ++i)
-        if (one.numbers()[i] != 0.0) return false;
+    for (std::size_t i = 0; i < count; ++i)
+        if (!is_zero(numbers[i])) return false;
     return true;
+}
+
+/// The first row that is zero.
+Complaint of_zero_rows(Argument const &one, std::size_t columns) noexcept
+{
+    for (std::size_t i = 0; i + columns <= one.count; i += columns)
+        if (is_all_zero(one.numbers() + i, columns)) return {"must not be zero", i};
+    return {};
 }
 
 /// The largest error of an entry of RᵀR is that of pw85_ellipsoid().
@@ -84,70 +95,93 @@ bool is_rotation(double const *r) noexcept
 /// Requirements on single numbers.
 Complaint of_range(Argument const &one) noexcept
 {
-    Complaint found;
-    if (one.limits & limit::positive)
-        found = of_entries(one, "must be > 0", [](double x) { return !(x > 0); });
-    else if (one.limits & limit::from_zero)
-        found = of_entries(one, "must be >= 0", [](double x) { return !(x >= 0); });
-    else if (one.limits & limit::unit_interval)
-        found = of_entries(one, "must be in [0, 1]", [](double x) { return !(x >= 0 && x <= 1); });
-    if (found.text == nullptr && (one.limits & limit::finite_square))
-        found = of_entries(one, "must have a finite square that is not 0",
-                           [](double x) { return x * x == 0.0 || !std::isfinite(x * x); });
-    return found;
+    constexpr struct {
+        unsigned limit;
+        char const *text;
+    } ranges[] = {{limit::positive, "must be > 0"},
+                  {limit::from_zero, "must be >= 0"},
+                  {limit::unit_interval, "must be in [0, 1]"},
+                  {limit::at_most_one, "must be at most 1"}};
+    for (auto const &[limit, text] : ranges) {
+        if (!(one.limits & limit)) continue;
+        Complaint const found = of_entries(
+            one, text, [limit = limit](double x) { return std::isnan(x) || !is_within(x, limit); });
+        if (found.text != nullptr) return found;
+    }
+    if (!(one.limits & limit::finite_square)) return {};
+    return of_entries(one, "must have a finite square that is not 0",
+                      [](double x) { return x * x == 0.0 || !std::isfinite(x * x); });
 }
 
 /// Requirements on an array, or on two arguments.
 Complaint of_whole(Argument const &one, Argument const *begin, Argument const *end) noexcept
 {
-    if ((one.limits & limit::not_zero) && is_zero(one)) return {"must not be zero"};
+    if ((one.limits & limit::not_zero) && one.count > 0)
+        if (Complaint const zero = of_zero_rows(one, one.columns > 0 ? one.columns : one.count);
+            zero.text != nullptr)
+            return zero;
     if ((one.limits & limit::rotation) && !is_rotation(one.numbers()))
         return {"must be a rotation matrix, whose columns are orthonormal"};
     if (one.limits & limit::rows_not_zero)
-        for (int i = 0; i + 2 < one.count; i += 3)
-            if (is_zero({one.name, one.numbers() + i, 3})) return {"must not be zero", i};
+        if (Complaint const zero = of_zero_rows(one, 3); zero.text != nullptr) return zero;
     if (one.limits & limit::independent_rows) return {"must have independent rows"};
     if (one.limits & limit::below_next)
-        for (int i = 0; i < one.count; ++i)
-            if (one.numbers()[i] > (&one + 1)->numbers()[i]) return {"must be at most upper", i};
+        for (std::size_t i = 0; i < one.count; ++i)
+            if (one.numbers()[i] > (&one + 1)->numbers()[i])
+                return {"must be at most upper", i, true};
     double const growth = one.limits & limit::until_t_max ? one.numbers()[6] : 0.0;
     for (Argument const *other = begin; growth < 0.0 && other != end; ++other)
         if (other->is_number && 1.0 + growth * other->number <= 0.0)
-            return {"must not shrink to nothing before t_max", 6};
+            return {"must not shrink to nothing before t_max", 6, true};
     return {};
 }
 
 pw85_error cause_of(Argument const &one, Complaint const &found) noexcept
 {
-    double const value = one.is_null() ? quiet_nan<double>() : one.numbers()[found.entry];
-    return {0, nullptr, one.name, found.text, 0, static_cast<std::size_t>(found.entry), value};
+    bool const has_value = found.is_of_entry || one.is_number;
+    double const value = has_value ? one.numbers()[found.entry] : quiet_nan<double>();
+    std::size_t const row = one.columns > 0 ? found.entry / one.columns : 0;
+    return {0, nullptr, one.name, found.text, row, found.entry - row * one.columns, value};
 }
 
-/// Finds the first argument of which find(argument) complains.
+/// Finds the first row, and of its arguments the first one, of which find(argument) complains.
 template <class Find> bool find_cause(Argument const *begin, Argument const *end, Find const &find,
                                       pw85_error &cause) noexcept
 {
+    bool any = false;
     for (Argument const *one = begin; one != end; ++one) {
         Complaint const found = find(*one);
         if (found.text == nullptr) continue;
-        cause = cause_of(*one, found);
-        return true;
+        pw85_error const own = cause_of(*one, found);
+        if (!any || own.row < cause.row) cause = own;
+        any = true;
     }
-    return false;
+    return any;
 }
 
-/// Null pointers come first, then NaN, because other causes follow from these.
+/// The first complaint about an argument; of two about an entry, that it is not finite.
+Complaint of_number(Argument const &one, Argument const *begin, Argument const *end) noexcept
+{
+    Complaint const finite = of_finite(one), range = of_range(one);
+    Complaint const value = range.text != nullptr ? range : of_whole(one, begin, end);
+    bool const is_first = value.text != nullptr && value.entry < finite.entry;
+    return finite.text == nullptr || is_first ? value : finite;
+}
+
+/// Null pointers come first, then NaN, because other causes follow from these; of many rows the
+/// first bad one.
 bool find_invalid(Argument const *begin, Argument const *end, pw85_error &cause) noexcept
 {
     auto const of_null = [](Argument const &one) {
-        return one.is_null() ? Complaint{"must not be null"} : Complaint{};
+        bool const is_bad = one.is_null() && !(one.limits & limit::optional);
+        return is_bad ? Complaint{"must not be null"} : Complaint{};
     };
-    auto const of_value = [&](Argument const &one) {
-        Complaint const found = of_range(one);
-        return found.text != nullptr ? found : of_whole(one, begin, end);
+    auto const finite = [](Argument const &one) {
+        return one.columns == 0 ? of_finite(one) : Complaint{};
     };
-    return find_cause(begin, end, of_null, cause) || find_cause(begin, end, of_finite, cause) ||
-           find_cause(begin, end, of_value, cause);
+    auto const value = [&](Argument const &one) { return of_number(one, begin, end); };
+    return find_cause(begin, end, of_null, cause) || find_cause(begin, end, finite, cause) ||
+           find_cause(begin, end, value, cause);
 }
 
 } // namespace
@@ -171,6 +205,36 @@ int refuse(int status, char const *function, Argument const *arguments, std::siz
         cause.function = function;
         return refuse(status, cause);
     });
+}
+
+int note_cause(int status, char const *argument, char const *requirement, std::size_t row,
+               std::size_t entry, double value) noexcept
+{
+    noted = {status, nullptr, argument, requirement, row, entry, value};
+    return status;
+}
+
+int refuse_noted(int status, char const *function, Argument const *arguments,
+                 std::size_t count) noexcept
+{
+    if (noted.requirement == nullptr || noted.status != status)
+        return refuse(status, function, arguments, count);
+    noted.function = function;
+    pw85_error const cause = noted;
+    noted.requirement = nullptr;
+    return refuse(status, cause);
+}
+
+int refuse_arrays_or_size(char const *function, Argument const *arrays, std::size_t count) noexcept
+{
+    Argument const *one = arrays;
+    while (one != arrays + count && !one->is_null()) ++one;
+    char const *const text =
+        one->is_null() ? "must not be null"
+                       : "must be small enough for the bytes of each array to fit ptrdiff_t";
+    pw85_error cause = cause_of(*one, {text});
+    cause.function = function;
+    return refuse(PW85_EINVAL, cause);
 }
 
 int refuse_row(int status, std::size_t row) noexcept

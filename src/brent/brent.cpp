@@ -66,7 +66,7 @@ bool refine(Pair<double, 3> const &pair, Candidate<double> &candidate,
             Options const &options) noexcept
 {
     int evaluations = 0;
-    return search(pair, candidate, Precision::working, evaluations, options.newton_iterations);
+    return search(pair, candidate, Precision::working, evaluations, options.halley_steps);
 }
 
 Contact<double> contact_function(Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,

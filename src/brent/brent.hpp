@@ -12,7 +12,7 @@ namespace pw85::detail::brent {
 struct Options {
     double lambda_atol;
     int max_iterations;
-    int newton_iterations;
+    int halley_steps;
 };
 
 /// The result of Brent's method.
@@ -24,7 +24,7 @@ struct BrentResult {
 /// Finds the maximiser to about lambda_atol, for a valid pair in range with r12 != 0.
 BrentResult maximizer_by_brent(Pair<double, 3> const &pair, Options const &options) noexcept;
 
-/// Refines the candidate by at most newton_iterations steps of the search on the factorised form.
+/// Refines the candidate by at most halley_steps steps of the search on the factorised form.
 /// Returns whether it converges.
 bool refine(Pair<double, 3> const &pair, Candidate<double> &candidate,
             Options const &options) noexcept;

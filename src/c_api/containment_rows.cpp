@@ -11,6 +11,7 @@ using namespace pw85::detail::kernels;
 int pw85_containment_batch(size_t n, double const *r12, double const *q1, double const *q2,
                            double *mu2, double *point)
 {
-    return each_row("pw85_containment_batch", n, pw85_containment, RowsOf<3>{r12}, RowsOf<6>{q1},
-                    RowsOf<6>{q2}, OptionalRowsOf<1>{mu2}, OptionalRowsOf<3>{point});
+    return each_row("pw85_containment_batch", n, pw85_containment, RowsOf<3>{"r12", r12},
+                    RowsOf<6>{"q1", q1}, RowsOf<6>{"q2", q2}, OptionalRowsOf<1>{mu2},
+                    OptionalRowsOf<3>{point});
 }

@@ -11,15 +11,15 @@ using namespace pw85::detail::kernels;
 int pw85_overlap_factored_batch(size_t n, double const *r12, double const *s1, double const *s2,
                                 unsigned char *overlap)
 {
-    return each_row("pw85_overlap_factored_batch", n, pw85_overlap_factored, RowsOf<3>{r12},
-                    RowsOf<9>{s1}, RowsOf<9>{s2}, Bytes{overlap});
+    return each_row("pw85_overlap_factored_batch", n, pw85_overlap_factored, RowsOf<3>{"r12", r12},
+                    RowsOf<9>{"s1", s1}, RowsOf<9>{"s2", s2}, Bytes{"overlap", overlap});
 }
 
 int pw85_contact_factored_batch(size_t n, double const *r12, double const *s1, double const *s2,
                                 double *mu2, double *lambda)
 {
-    return each_row("pw85_contact_factored_batch", n, pw85_contact_factored, RowsOf<3>{r12},
-                    RowsOf<9>{s1}, RowsOf<9>{s2}, TwoNumbers{mu2, lambda});
+    return each_row("pw85_contact_factored_batch", n, pw85_contact_factored, RowsOf<3>{"r12", r12},
+                    RowsOf<9>{"s1", s1}, RowsOf<9>{"s2", s2}, TwoNumbers{mu2, lambda});
 }
 
 int pw85_contact_geometry_factored_batch(size_t n, double const *r12, double const *s1,
@@ -27,8 +27,8 @@ int pw85_contact_geometry_factored_batch(size_t n, double const *r12, double con
                                          double *normal)
 {
     return each_row("pw85_contact_geometry_factored_batch", n, pw85_contact_geometry_factored,
-                    RowsOf<3>{r12}, RowsOf<9>{s1}, RowsOf<9>{s2}, Numbers{lambda},
-                    OptionalRowsOf<3>{point}, OptionalRowsOf<3>{normal});
+                    RowsOf<3>{"r12", r12}, RowsOf<9>{"s1", s1}, RowsOf<9>{"s2", s2},
+                    Numbers{"lambda", lambda}, OptionalRowsOf<3>{point}, OptionalRowsOf<3>{normal});
 }
 
 int pw85_contact_gradient_factored_batch(size_t n, double const *r12, double const *s1,
@@ -36,6 +36,7 @@ int pw85_contact_gradient_factored_batch(size_t n, double const *r12, double con
                                          double *d_s1, double *d_s2)
 {
     return each_row("pw85_contact_gradient_factored_batch", n, pw85_contact_gradient_factored,
-                    RowsOf<3>{r12}, RowsOf<9>{s1}, RowsOf<9>{s2}, Numbers{lambda},
-                    OptionalRowsOf<3>{d_r12}, OptionalRowsOf<9>{d_s1}, OptionalRowsOf<9>{d_s2});
+                    RowsOf<3>{"r12", r12}, RowsOf<9>{"s1", s1}, RowsOf<9>{"s2", s2},
+                    Numbers{"lambda", lambda}, OptionalRowsOf<3>{d_r12}, OptionalRowsOf<9>{d_s1},
+                    OptionalRowsOf<9>{d_s2});
 }

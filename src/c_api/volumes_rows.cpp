@@ -10,28 +10,29 @@ using namespace pw85::detail::kernels;
 
 int pw85_volume_batch(size_t n, double const *q, double *volume)
 {
-    return each_row("pw85_volume_batch", n, pw85_volume, RowsOf<6>{q}, RowsOf<1, double>{volume});
+    return each_row("pw85_volume_batch", n, pw85_volume, RowsOf<6>{"q", q},
+                    RowsOf<1, double>{"volume", volume});
 }
 
 int pw85_overlap_volume_batch(size_t n, double const *r12, double const *q1, double const *q2,
                               double *volume)
 {
-    return each_row("pw85_overlap_volume_batch", n, pw85_overlap_volume, RowsOf<3>{r12},
-                    RowsOf<6>{q1}, RowsOf<6>{q2}, RowsOf<1, double>{volume});
+    return each_row("pw85_overlap_volume_batch", n, pw85_overlap_volume, RowsOf<3>{"r12", r12},
+                    RowsOf<6>{"q1", q1}, RowsOf<6>{"q2", q2}, RowsOf<1, double>{"volume", volume});
 }
 
 int pw85_overlap_volume_gradient_batch(size_t n, double const *r12, double const *q1,
                                        double const *q2, double *d_r12, double *d_q1, double *d_q2)
 {
     return each_row("pw85_overlap_volume_gradient_batch", n, pw85_overlap_volume_gradient,
-                    RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2}, OptionalRowsOf<3>{d_r12},
-                    OptionalRowsOf<6>{d_q1}, OptionalRowsOf<6>{d_q2});
+                    RowsOf<3>{"r12", r12}, RowsOf<6>{"q1", q1}, RowsOf<6>{"q2", q2},
+                    OptionalRowsOf<3>{d_r12}, OptionalRowsOf<6>{d_q1}, OptionalRowsOf<6>{d_q2});
 }
 
 int pw85_overlap_volume_torque_batch(size_t n, double const *r12, double const *q1,
                                      double const *q2, double *d_rot1, double *d_rot2)
 {
     return each_row("pw85_overlap_volume_torque_batch", n, pw85_overlap_volume_torque,
-                    RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2}, OptionalRowsOf<3>{d_rot1},
-                    OptionalRowsOf<3>{d_rot2});
+                    RowsOf<3>{"r12", r12}, RowsOf<6>{"q1", q1}, RowsOf<6>{"q2", q2},
+                    OptionalRowsOf<3>{d_rot1}, OptionalRowsOf<3>{d_rot2});
 }

@@ -18,6 +18,7 @@
 
 #include "../base/c_arrays.hpp"
 #include "../base/floating_point_environment.hpp"
+#include "../base/last_error.hpp"
 #include "../base/random.hpp"
 
 using namespace pw85;
@@ -87,9 +88,10 @@ void draw(StretchedBall const &ball, bool surface, std::uint64_t seed, std::size
 int pw85_random_points(double const q[6], int surface, size_t seed, size_t num_points,
                        double *points)
 {
-    if (num_points > PTRDIFF_MAX / (3 * sizeof(double))) return PW85_EINVAL;
-    if (num_points > 0 && any_null(points)) return PW85_EINVAL;
-    return in_default_environment([&] {
+    if (num_points > PTRDIFF_MAX / (3 * sizeof(double)) || (num_points > 0 && any_null(points)))
+        return refuse_arrays("pw85_random_points", "num_points", num_points,
+                             Argument("points", points));
+    int const found = in_default_environment([&] {
         auto const status =
             any_null(q) ? Status::invalid_argument : Status(validate(load_matrix<3>(q)));
         if (status == Status::success)
@@ -97,5 +99,8 @@ int pw85_random_points(double const q[6], int surface, size_t seed, size_t num_p
         else
             std::fill_n(points, 3 * num_points, quiet_nan<double>());
         return put(status);
+    });
+    return checked(found, [&](int status) {
+        return refuse_call(status, "pw85_random_points", Argument("q", q, 6, limit::definite));
     });
 }

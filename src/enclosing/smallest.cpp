@@ -8,6 +8,8 @@ namespace {
 
 /// More rounds than this are not taken. Random clouds need about 10.
 constexpr int max_rounds = 200;
+/// Upper bound of rounds that together do not halve the gap. After them rounding errors prevent it.
+constexpr int max_idle_rounds = 12;
 /// How much larger the form is made, in units of its sensitivity to rounding, at most.
 constexpr int max_enlargements = 12;
 
@@ -141,13 +143,15 @@ Status Search::run(double tolerance) noexcept
     if (!begin() || !update_frame()) return Status::not_positive_definite;
     // (1 + g)^(n/2) <= 1 + tolerance for twice this gap.
     double const target = tolerance / (1.0 + tolerance) / cloud_.n;
-    double gap = 1.0;
-    for (int round = 0; round < max_rounds; ++round) {
+    double gap = 1.0, last = infinity<double>();
+    for (int round = 0, idle = 0; round < max_rounds && idle < max_idle_rounds; ++round) {
         double const inner = gap / 16.0 < 0.5 * target ? 0.5 * target : gap / 16.0;
         improve_weights(inner < 0.05 ? inner : 0.05);
         if (!update_frame()) return Status::not_positive_definite;
         gap = measure();
         if (gap <= target) break;
+        idle = gap < 0.5 * last ? 0 : idle + 1;
+        if (idle == 0) last = gap;
         eliminate(gap);
         core_.remove_idle(gap);
         if (add_worst(0.5 * target) == 0 && inner <= 0.5 * target) break;
@@ -175,6 +179,14 @@ Status Search::certify(double gap, double tolerance) noexcept
         scale *= (1.0 + outside) * (1.0 + slack);
     }
     return Status::not_positive_definite;
+}
+
+bool Search::enlarge(double factor) noexcept
+{
+    for (int k = 0; k < at(cloud_.n, 0); ++k) form_[k] *= factor;
+    if (!certificate_.prepare(cloud_, center_, form_)) return false;
+    excess_ = certificate_.excess(core_.size(), core_.points(), core_.weights());
+    return true;
 }
 
 } // namespace pw85::detail::enclosing

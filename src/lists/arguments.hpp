@@ -6,6 +6,7 @@
 #define PW85_LISTS_ARGUMENTS_HPP_INCLUDED
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include <pw85_systems.h>
@@ -51,14 +52,39 @@ inline bool are_valid(std::size_t num_pairs, std::int32_t const *pairs,
            }) == PW85_SUCCESS;
 }
 
-/// Records what is wrong with the cell of a system.
-[[gnu::cold, gnu::noinline]] inline int refuse_cell(char const *function,
-                                                    pw85_system const &system) noexcept
+/// Records which pointer to a struct is null.
+inline int refuse_structs(char const *function, pw85_pair_list const *list,
+                          pw85_system const *system) noexcept
 {
-    char const *const text = system.cell == nullptr
-                                 ? "must not be null, because there are images"
-                                 : "must have finite, independent rows, one of them periodic";
-    return refuse(PW85_EINVAL, {0, function, "cell", text, 0, 0, quiet_nan<double>()});
+    return refuse_arrays(function, "num_pairs", 0, Argument("list", list),
+                         Argument("system", system));
+}
+
+/// Records that there are too many particles.
+inline int refuse_size(char const *function, pw85_system const &system) noexcept
+{
+    return refuse_arrays(function, "num_particles", system.num_particles);
+}
+
+/// Records what is wrong with a cell: no vector is periodic, or a periodic one is not finite, or
+/// the vectors depend on each other.
+[[gnu::cold, gnu::noinline]] inline int refuse_cell(char const *function, double const *cell,
+                                                    int const *periodic) noexcept
+{
+    constexpr double none = quiet_nan<double>();
+    if (cell == nullptr)
+        return refuse(PW85_EINVAL, {0, function, "cell",
+                                    "must not be null, because there are images", 0, 0, none});
+    if (!(periodic[0] || periodic[1] || periodic[2]))
+        return refuse(PW85_EINVAL,
+                      {0, function, "periodic", "must be set along at least one vector of the cell",
+                       0, 0, none});
+    for (std::size_t k = 0; k < 9; ++k)
+        if (periodic[k / 3] && !std::isfinite(cell[k]))
+            return refuse(
+                PW85_EINVAL,
+                {0, function, "cell", "must be finite along the periodic vectors", 0, k, cell[k]});
+    return refuse(PW85_EINVAL, {0, function, "cell", "must have independent rows", 0, 0, none});
 }
 
 /// Prepares the images of a system's particles: those that the caller gives, or else the nearest
@@ -69,7 +95,7 @@ inline int prepare_images(char const *function, pw85_system const &system, bool 
     bool const prepared = in_default_environment(
         [&] { return prepare(system.cell, system.periodic, given, images); });
     if (prepared) return PW85_SUCCESS;
-    return refuse_cell(function, system);
+    return refuse_cell(function, system.cell, system.periodic);
 }
 
 /// Records the first index, in rows of `columns`, that does not belong to a particle.
@@ -90,10 +116,11 @@ inline int prepare_images(char const *function, pw85_system const &system, bool 
 inline int prepare_list(char const *function, pw85_pair_list const &list, pw85_system const &system,
                         Images &images, NeighborList &made) noexcept
 {
-    if (list.num_pairs > max_rows || system.num_particles > max_rows)
-        return refuse_arrays(function);
-    if (c_api::any_null(list.pairs) || c_api::any_null(system.centers, system.q))
-        return refuse_arrays(function);
+    if (system.num_particles > max_rows) return refuse_size(function, system);
+    if (list.num_pairs > max_rows || c_api::any_null(list.pairs) ||
+        c_api::any_null(system.centers, system.q))
+        return refuse_arrays(function, "num_pairs", list.num_pairs, Argument("pairs", list.pairs),
+                             Argument("centers", system.centers), Argument("q", system.q));
     if (int const status = prepare_images(function, system, list.images != nullptr, images))
         return status;
     made = {list.pairs,  system.centers, system.q,

@@ -14,6 +14,7 @@
 #include "../base/parallel.hpp"
 #include "../periodic/lattice.hpp"
 #include "../periodic/periodic_cell.hpp"
+#include "arguments.hpp"
 #include "image_limit.hpp"
 
 using namespace pw85;
@@ -27,9 +28,7 @@ int nearest_image_limit(pw85_system const &system, double *mu2) noexcept
 {
     Lattice lattice;
     if (!prepare(system.cell, system.periodic, lattice))
-        return refuse(PW85_EINVAL, {0, "pw85_nearest_image_limit", "cell",
-                                    "must have finite, independent rows, one of them periodic", 0,
-                                    0, quiet_nan<double>()});
+        return refuse_cell("pw85_nearest_image_limit", system.cell, system.periodic);
     double largest = 0.0;
     for (std::size_t i = 0; i < system.num_particles; ++i) {
         auto const form = c_api::load_matrix<3>(system.q + 6 * i);
@@ -47,7 +46,8 @@ int nearest_image_limit(pw85_system const &system, double *mu2) noexcept
 
 int pw85_cell_reduce(double const cell[9], double reduced[9])
 {
-    if (any_null(reduced)) return refuse_arrays("pw85_cell_reduce");
+    if (any_null(reduced))
+        return refuse_call(PW85_EINVAL, "pw85_cell_reduce", Argument("reduced", reduced));
     if (!any_null(cell) && in_default_environment([&] { return reduce(cell, reduced); }))
         return PW85_SUCCESS;
     c_api::store_nan(reduced, 9);
@@ -57,11 +57,14 @@ int pw85_cell_reduce(double const cell[9], double reduced[9])
 
 int pw85_nearest_image_limit(pw85_system const *system, double *mu2)
 {
-    if (any_null(mu2)) return refuse_arrays("pw85_nearest_image_limit");
+    if (any_null(mu2))
+        return refuse_call(PW85_EINVAL, "pw85_nearest_image_limit", Argument("mu2", mu2));
     *mu2 = quiet_nan<double>();
-    if (any_null(system) || any_null(system->cell) || system->num_particles > max_rows)
-        return refuse_arrays("pw85_nearest_image_limit");
-    if (system->num_particles > 0 && any_null(system->q))
-        return refuse_arrays("pw85_nearest_image_limit");
+    if (any_null(system))
+        return refuse_call(PW85_EINVAL, "pw85_nearest_image_limit", Argument("system", system));
+    if (any_null(system->cell) || (system->num_particles > 0 && any_null(system->q)))
+        return refuse_call(PW85_EINVAL, "pw85_nearest_image_limit", Argument("cell", system->cell),
+                           Argument("q", system->q));
+    if (system->num_particles > max_rows) return refuse_size("pw85_nearest_image_limit", *system);
     return in_default_environment([&] { return nearest_image_limit(*system, mu2); });
 }

@@ -63,7 +63,7 @@ int overlap_any_images(char const *name, OneToIndexed rows, pw85_system const &s
         return refuse(PW85_EINVAL, {0, name, "images",
                                     "must be given, because farther images of "
                                     "the neighbors could overlap",
-                                    0, 0, 0.0});
+                                    0, 0, quiet_nan<double>()});
     });
 }
 
@@ -73,15 +73,20 @@ int pw85_overlap_any_indices(double const center[PW85_DIM], double const q1[PW85
                              pw85_system const *system, size_t n, int32_t const *indices,
                              int32_t const *images, int *any)
 {
-    if (any_null(any)) return refuse_arrays("pw85_overlap_any_indices");
+    if (any_null(any))
+        return refuse_arrays("pw85_overlap_any_indices", "n", n, Argument("any", any));
     bool const none = n == 0 && !any_null(system) && any_null(system->cell);
     *any = none ? 0 : -1;
     if (none) return PW85_SUCCESS;
-    if (any_null(system)) return refuse_arrays("pw85_overlap_any_indices");
-    if (n > max_rows || system->num_particles > max_rows || any_null(center, q1))
-        return refuse_arrays("pw85_overlap_any_indices");
+    if (any_null(system))
+        return refuse_arrays("pw85_overlap_any_indices", "n", n, Argument("system", system));
+    if (system->num_particles > max_rows) return refuse_size("pw85_overlap_any_indices", *system);
+    if (n > max_rows || any_null(center, q1))
+        return refuse_arrays("pw85_overlap_any_indices", "n", n, Argument("center", center),
+                             Argument("q1", q1));
     if (n > 0 && (any_null(indices) || any_null(system->centers, system->q)))
-        return refuse_arrays("pw85_overlap_any_indices");
+        return refuse_arrays("pw85_overlap_any_indices", "n", n, Argument("indices", indices),
+                             Argument("centers", system->centers), Argument("q", system->q));
     if (!are_below(end_of(system->num_particles), indices, n))
         return refuse_index("pw85_overlap_any_indices", "indices", *system, indices, n, 1);
     return overlap_any_images(
@@ -93,18 +98,24 @@ int pw85_overlap_any_indices(double const center[PW85_DIM], double const q1[PW85
 int pw85_contact_pairs(pw85_pair_list const *list, pw85_system const *system, double *mu2,
                        double *lambda)
 {
-    if (any_null(list) || any_null(system)) return refuse_arrays("pw85_contact_pairs");
+    if (any_null(list) || any_null(system))
+        return refuse_structs("pw85_contact_pairs", list, system);
     if (list->num_pairs == 0) return PW85_SUCCESS;
-    if (any_null(mu2)) return refuse_arrays("pw85_contact_pairs");
+    if (any_null(mu2))
+        return refuse_arrays("pw85_contact_pairs", "num_pairs", list->num_pairs,
+                             Argument("mu2", mu2));
     return compute_list("pw85_contact_pairs", *list, *system, ContactArrays{mu2, lambda});
 }
 
 int pw85_overlap_pairs(pw85_pair_list const *list, pw85_system const *system,
                        unsigned char *overlap)
 {
-    if (any_null(list) || any_null(system)) return refuse_arrays("pw85_overlap_pairs");
+    if (any_null(list) || any_null(system))
+        return refuse_structs("pw85_overlap_pairs", list, system);
     if (list->num_pairs == 0) return PW85_SUCCESS;
-    if (any_null(overlap)) return refuse_arrays("pw85_overlap_pairs");
+    if (any_null(overlap))
+        return refuse_arrays("pw85_overlap_pairs", "num_pairs", list->num_pairs,
+                             Argument("overlap", overlap));
     return compute_list("pw85_overlap_pairs", *list, *system, OverlapArray{overlap});
 }
 
@@ -112,7 +123,8 @@ int pw85_contact_derivatives_pairs(pw85_pair_list const *list, pw85_system const
                                    double *mu2, double *lambda, double *point, double *normal,
                                    double *d_r12, double *d_rot1, double *d_rot2)
 {
-    if (any_null(list) || any_null(system)) return refuse_arrays("pw85_contact_derivatives_pairs");
+    if (any_null(list) || any_null(system))
+        return refuse_structs("pw85_contact_derivatives_pairs", list, system);
     if (list->num_pairs == 0) return PW85_SUCCESS;
     return compute_list("pw85_contact_derivatives_pairs", *list, *system,
                         DerivativeArrays{mu2, lambda, point, normal, d_r12, d_rot1, d_rot2});
@@ -122,13 +134,18 @@ int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system const *syst
                              pw85_motion const *motions, double t_max, double *t, double *next,
                              int64_t *next_pair)
 {
-    if (any_null(list) || any_null(system)) return refuse_arrays("pw85_first_contact_pairs");
+    if (any_null(list) || any_null(system))
+        return refuse_structs("pw85_first_contact_pairs", list, system);
     if (system->num_particles > max_rows || (any_null(next) && !any_null(next_pair)))
-        return refuse_arrays("pw85_first_contact_pairs");
+        return refuse_arrays(
+            "pw85_first_contact_pairs", "num_particles", system->num_particles,
+            Argument("next", any_null(next_pair) ? static_cast<void const *>(system) : next));
     Images images;
     NeighborList rows{};
     if (list->num_pairs > 0) {
-        if (any_null(t) || any_null(motions)) return refuse_arrays("pw85_first_contact_pairs");
+        if (any_null(t) || any_null(motions))
+            return refuse_arrays("pw85_first_contact_pairs", "num_pairs", list->num_pairs,
+                                 Argument("t", t), Argument("motions", motions));
         if (int const status =
                 prepare_list("pw85_first_contact_pairs", *list, *system, images, rows))
             return status;
@@ -155,9 +172,12 @@ int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system const *syst
 
 int pw85_overlap_volume_pairs(pw85_pair_list const *list, pw85_system const *system, double *volume)
 {
-    if (any_null(list) || any_null(system)) return refuse_arrays("pw85_overlap_volume_pairs");
+    if (any_null(list) || any_null(system))
+        return refuse_structs("pw85_overlap_volume_pairs", list, system);
     if (list->num_pairs == 0) return PW85_SUCCESS;
-    if (any_null(volume)) return refuse_arrays("pw85_overlap_volume_pairs");
+    if (any_null(volume))
+        return refuse_arrays("pw85_overlap_volume_pairs", "num_pairs", list->num_pairs,
+                             Argument("volume", volume));
     Images images;
     NeighborList rows;
     if (int const status = prepare_list("pw85_overlap_volume_pairs", *list, *system, images, rows))
@@ -177,9 +197,13 @@ int pw85_overlap_volume_pairs(pw85_pair_list const *list, pw85_system const *sys
 int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, pw85_system const *system,
                         double *r12, int32_t *images)
 {
-    if (any_null(system)) return refuse_arrays("pw85_nearest_images");
+    if (any_null(system))
+        return refuse_arrays("pw85_nearest_images", "num_pairs", num_pairs,
+                             Argument("system", system));
     if (num_pairs == 0) return PW85_SUCCESS;
-    if (any_null(system->cell)) return refuse_arrays("pw85_nearest_images");
+    if (any_null(system->cell))
+        return refuse_arrays("pw85_nearest_images", "num_pairs", num_pairs,
+                             Argument("cell", system->cell));
     Images nearest;
     NeighborList rows;
     if (int const status = prepare_list("pw85_nearest_images", {num_pairs, pairs, nullptr},

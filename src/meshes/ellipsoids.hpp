@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "../base/c_arrays.hpp"
+#include "../base/last_error.hpp"
 #include "../rows/each_row.hpp"
 #include "search.hpp"
 
@@ -36,11 +37,10 @@ constexpr std::size_t block_of_ellipsoids = 32;
 
 /// Calls row(i), which returns a status, for each of n ellipsoids, in parallel, and returns the
 /// status of the first bad one.
-template <class Row>
-int each_ellipsoid(std::size_t n, double const *centers, double const *q, Row const &row) noexcept
+template <class Row> int each_ellipsoid(std::size_t n, Row const &row) noexcept
 {
-    if (n == 0) return PW85_SUCCESS;
-    if (n > max_rows || c_api::any_null(centers, q)) return PW85_EINVAL;
+    if (n > max_rows)
+        return note_cause(PW85_EINVAL, "n", "must be a number of rows whose bytes can be counted");
     return for_all(
         n, [&](Range rows) { return kernels::for_rows(rows, row); }, block_of_ellipsoids);
 }

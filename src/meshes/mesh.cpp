@@ -9,6 +9,8 @@
 #include <new>
 
 #include "../base/c_arrays.hpp"
+#include "../base/last_error.hpp"
+#include "../base/objects.hpp"
 #include "../neighbors/order.hpp"
 #include "contact_bounds.hpp"
 #include "ellipsoids.hpp"
@@ -66,21 +68,19 @@ struct Given {
     std::size_t num_triangles;
     std::int32_t const *triangles;
 
-    bool has_arrays() const noexcept
+    int check() const noexcept
     {
-        return num_vertices <= INT32_MAX && num_triangles <= INT32_MAX &&
-               (num_vertices == 0 || vertices != nullptr) &&
-               (num_triangles == 0 || triangles != nullptr);
-    }
-
-    bool is_valid() const noexcept
-    {
+        if (num_vertices > INT32_MAX)
+            return note_cause(PW85_EINVAL, "num_vertices", "must be below 2³¹");
+        if (num_triangles > INT32_MAX)
+            return note_cause(PW85_EINVAL, "num_triangles", "must be below 2³¹");
         for (std::size_t k = 0; k < 3 * num_vertices; ++k)
-            if (!std::isfinite(vertices[k])) return false;
+            if (!std::isfinite(vertices[k])) return PW85_EINVAL;
         for (std::size_t k = 0; k < 3 * num_triangles; ++k)
             if (triangles[k] < 0 || static_cast<std::size_t>(triangles[k]) >= num_vertices)
-                return false;
-        return true;
+                return note_cause(PW85_EINVAL, "triangles", "must have indices of vertices", k / 3,
+                                  k % 3, triangles[k]);
+        return PW85_SUCCESS;
     }
 
     Triangle triangle(std::size_t k) const noexcept
@@ -94,7 +94,7 @@ struct Given {
 
 int create(Given const &given, pw85_mesh *&mesh) noexcept
 {
-    if (!given.is_valid()) return PW85_EINVAL;
+    if (int const status = given.check()) return status;
     std::unique_ptr<pw85_mesh> made(new (std::nothrow) pw85_mesh);
     Array<Triangle> triangles;
     if (made == nullptr || !triangles.resize(given.num_triangles)) return PW85_ENOMEM;
@@ -162,64 +162,46 @@ int store(NearestTriangle const &found, double *mu2, double *point, std::int32_t
 
 } // namespace
 
-int pw85_mesh_create(size_t num_vertices, double const *vertices, size_t num_triangles,
-                     int32_t const *triangles, pw85_mesh **mesh)
+int pw85::detail::mesh_create(size_t num_vertices, double const *vertices, size_t num_triangles,
+                              int32_t const *triangles, pw85_mesh *&mesh) noexcept
 {
-    if (any_null(mesh)) return PW85_EINVAL;
-    *mesh = nullptr;
-    Given const given{num_vertices, vertices, num_triangles, triangles};
-    if (!given.has_arrays()) return PW85_EINVAL;
-    return in_default_environment([&] { return create(given, *mesh); });
+    return create({num_vertices, vertices, num_triangles, triangles}, mesh);
 }
 
 void pw85_mesh_destroy(pw85_mesh *mesh) { delete mesh; }
 
-int pw85_mesh_contact(pw85_mesh const *mesh, double const center[3], double const q[6], double *mu2,
-                      double point[3], int32_t *triangle)
+int pw85::detail::mesh_contact(pw85_mesh const &mesh, double const center[3], double const q[6],
+                               double *mu2, double point[3], int32_t *triangle) noexcept
 {
-    if (any_null(mesh, center, q)) {
-        NearestTriangle const none{all_nan<ShapeContact<double>>(Status::invalid_argument), -1};
-        return store(none, mu2, point, triangle);
-    }
-    return in_default_environment([&] {
-        return store(find_nearest(*mesh, load_vector<3>(center), load_matrix<3>(q)), mu2, point,
-                     triangle);
+    return store(find_nearest(mesh, load_vector<3>(center), load_matrix<3>(q)), mu2, point,
+                 triangle);
+}
+
+int pw85::detail::mesh_contact_batch(pw85_mesh const &mesh, size_t n, double const *centers,
+                                     double const *q, double *mu2, double *point,
+                                     int32_t *triangle) noexcept
+{
+    return each_ellipsoid(n, [&](std::size_t i) {
+        return mesh_contact(mesh, centers + 3 * i, q + 6 * i, mu2 != nullptr ? mu2 + i : nullptr,
+                            point != nullptr ? point + 3 * i : nullptr,
+                            triangle != nullptr ? triangle + i : nullptr);
     });
 }
 
-int pw85_mesh_contact_batch(pw85_mesh const *mesh, size_t n, double const *centers, double const *q,
-                            double *mu2, double *point, int32_t *triangle)
+int pw85::detail::mesh_overlap(pw85_mesh const &mesh, double const center[3], double const q[6],
+                               int *overlap) noexcept
 {
-    if (any_null(mesh)) return PW85_EINVAL;
-    return each_ellipsoid(n, centers, q, [&](std::size_t i) {
-        auto const found =
-            find_nearest(*mesh, load_vector<3>(centers + 3 * i), load_matrix<3>(q + 6 * i));
-        return store(found, mu2 != nullptr ? mu2 + i : nullptr,
-                     point != nullptr ? point + 3 * i : nullptr,
-                     triangle != nullptr ? triangle + i : nullptr);
-    });
+    auto const answer = find_overlap(mesh, load_vector<3>(center), load_matrix<3>(q));
+    if (answer.status == Status::success) *overlap = answer.overlap;
+    return static_cast<int>(answer.status);
 }
 
-int pw85_mesh_overlap(pw85_mesh const *mesh, double const center[3], double const q[6],
-                      int *overlap)
+int pw85::detail::mesh_overlap_batch(pw85_mesh const &mesh, size_t n, double const *centers,
+                                     double const *q, unsigned char *overlap) noexcept
 {
-    if (any_null(overlap)) return PW85_EINVAL;
-    *overlap = -1;
-    if (any_null(mesh, center, q)) return PW85_EINVAL;
-    return in_default_environment([&] {
-        auto const answer = find_overlap(*mesh, load_vector<3>(center), load_matrix<3>(q));
-        if (answer.status == Status::success) *overlap = answer.overlap;
-        return static_cast<int>(answer.status);
-    });
-}
-
-int pw85_mesh_overlap_batch(pw85_mesh const *mesh, size_t n, double const *centers, double const *q,
-                            unsigned char *overlap)
-{
-    if (any_null(mesh) || (n > 0 && any_null(overlap))) return PW85_EINVAL;
-    return each_ellipsoid(n, centers, q, [&](std::size_t i) {
+    return each_ellipsoid(n, [&](std::size_t i) {
         auto const answer =
-            find_overlap(*mesh, load_vector<3>(centers + 3 * i), load_matrix<3>(q + 6 * i));
+            find_overlap(mesh, load_vector<3>(centers + 3 * i), load_matrix<3>(q + 6 * i));
         overlap[i] = answer.status != Status::success ? 255 : answer.overlap;
         return static_cast<int>(answer.status);
     });

@@ -5,6 +5,7 @@
 
 #include <pw85/distance/solids.hpp>
 
+#include "../base/objects.hpp"
 #include "distance_bounds.hpp"
 #include "ellipsoids.hpp"
 #include "winding.hpp"
@@ -79,25 +80,22 @@ struct Outputs {
 
 } // namespace
 
-int pw85_mesh_distance(pw85_mesh const *mesh, double const center[3], double const q[6],
-                       double *distance, double point1[3], double point2[3], double normal[3],
-                       int32_t *triangle, int32_t *inside)
+int pw85::detail::mesh_distance(pw85_mesh const &mesh, double const center[3], double const q[6],
+                                double *distance, double point1[3], double point2[3],
+                                double normal[3], int32_t *triangle, int32_t *inside) noexcept
 {
-    Outputs const outputs{distance, point1, point2, normal, triangle, inside};
-    if (any_null(mesh, center, q)) return outputs.put(failure(Status::invalid_argument));
-    return in_default_environment([&] {
-        return outputs.put(find_distance(*mesh, load_vector<3>(center), load_matrix<3>(q)));
-    });
+    return Outputs{distance, point1, point2, normal, triangle, inside}.put(
+        find_distance(mesh, load_vector<3>(center), load_matrix<3>(q)));
 }
 
-int pw85_mesh_distance_batch(pw85_mesh const *mesh, size_t n, double const *centers,
-                             double const *q, double *distance, double *point1, double *point2,
-                             double *normal, int32_t *triangle, int32_t *inside)
+int pw85::detail::mesh_distance_batch(pw85_mesh const &mesh, size_t n, double const *centers,
+                                      double const *q, double *distance, double *point1,
+                                      double *point2, double *normal, int32_t *triangle,
+                                      int32_t *inside) noexcept
 {
-    if (any_null(mesh)) return PW85_EINVAL;
     Outputs const outputs{distance, point1, point2, normal, triangle, inside};
-    return each_ellipsoid(n, centers, q, [&](std::size_t i) {
+    return each_ellipsoid(n, [&](std::size_t i) {
         return outputs.row(i).put(
-            find_distance(*mesh, load_vector<3>(centers + 3 * i), load_matrix<3>(q + 6 * i)));
+            find_distance(mesh, load_vector<3>(centers + 3 * i), load_matrix<3>(q + 6 * i)));
     });
 }

@@ -12,6 +12,8 @@
 #include <pw85/distance/bounding_box.hpp>
 
 #include "../base/c_arrays.hpp"
+#include "../base/last_error.hpp"
+#include "../base/objects.hpp"
 #include "../base/parallel.hpp"
 #include "build_tree.hpp"
 #include "deformation.hpp"
@@ -62,6 +64,28 @@ Failure measure(Particles const &particles, Periodicity const &lattice, std::siz
     if (status == Status::success && !lattice.reduce(extent.center, vector))
         status = Status::invalid_argument;
     return {i, static_cast<int>(status)};
+}
+
+/// Prepares the lattice of a system whose particles are measured. Returns a status.
+int prepare(Particles const &particles, Periodicity &lattice) noexcept
+{
+    if (particles.system.num_particles > INT32_MAX)
+        return note_cause(PW85_EINVAL, "num_particles", "must be below 2³¹");
+    if (!particles.are_valid()) return PW85_EINVAL;
+    if (lattice.prepare(particles.system.cell, particles.system.periodic)) return PW85_SUCCESS;
+    return note_cause(PW85_EINVAL, "cell",
+                      "must have finite, independent vectors, one of them periodic");
+}
+
+/// Notes that a particle is too far away, if its centre and form are good. Returns the status.
+[[gnu::cold, gnu::noinline]] int refuse_particle(Particles const &particles,
+                                                 Failure const &bad) noexcept
+{
+    Extent extent;
+    if (bad.status != PW85_EINVAL || particles.measure(bad.index, 0.0, extent) != Status::success)
+        return bad.status;
+    return note_cause(bad.status, "centers", "must not be too far away from the cell for images",
+                      bad.index);
 }
 
 /// The first failure to measure particles, and the smallest box around their centres.
@@ -131,7 +155,7 @@ class ListBuilder {
                                                         return measure_range({begin, end});
                                                     });
         around = all.around;
-        return all.bad.status;
+        return refuse_particle(particles_, all.bad);
     }
 
     Measured measure_range(Range range) noexcept
@@ -265,8 +289,7 @@ int create(pw85_system const &system, double scale, double skin, pw85_neighbors 
 {
     Particles const particles{system, scale, skin};
     Periodicity lattice;
-    if (!particles.are_valid() || !lattice.prepare(system.cell, system.periodic))
-        return PW85_EINVAL;
+    if (int const status = prepare(particles, lattice)) return status;
     std::unique_ptr<pw85_neighbors> made(new (std::nothrow) pw85_neighbors);
     if (made == nullptr) return PW85_ENOMEM;
     made->scale = scale;
@@ -283,8 +306,7 @@ int check(pw85_system const &system, double scale, double skin, std::size_t &par
 {
     Particles const particles{system, scale, skin};
     Periodicity lattice;
-    if (!particles.are_valid() || !lattice.prepare(system.cell, system.periodic))
-        return PW85_EINVAL;
+    if (int const status = prepare(particles, lattice)) return status;
     Failure const first = for_blocks(system.num_particles, [&](Range range) {
         Failure failure{0, PW85_SUCCESS};
         for (std::size_t i = range.begin; i < range.end && failure.status == PW85_SUCCESS; ++i) {
@@ -302,8 +324,7 @@ int compare(pw85_neighbors const &list, pw85_system const &system, int &holds) n
 {
     Particles const particles{system, list.scale, list.skin};
     Periodicity lattice;
-    if (!particles.are_valid() || !lattice.prepare(system.cell, system.periodic))
-        return PW85_EINVAL;
+    if (int const status = prepare(particles, lattice)) return status;
     Deformation const deformation(lattice, system.cell, list.cell);
     auto const shared =
         of_all_parts<SharedMotions>(system.num_particles, [&](std::size_t begin, std::size_t end) {
@@ -316,13 +337,10 @@ int compare(pw85_neighbors const &list, pw85_system const &system, int &holds) n
 
 } // namespace
 
-int pw85_neighbors_create(pw85_system const *system, double scale, double skin,
-                          pw85_neighbors **list)
+int pw85::detail::neighbors_create(pw85_system const &system, double scale, double skin,
+                                   pw85_neighbors *&list) noexcept
 {
-    if (any_null(list)) return PW85_EINVAL;
-    *list = nullptr;
-    if (any_null(system)) return PW85_EINVAL;
-    return in_default_environment([&] { return create(*system, scale, skin, *list); });
+    return create(system, scale, skin, list);
 }
 
 int pw85_neighbors_check(pw85_system const *system, double scale, double skin, size_t *particle)
@@ -331,15 +349,19 @@ int pw85_neighbors_check(pw85_system const *system, double scale, double skin, s
     *particle = 0;
     if (any_null(system)) return PW85_EINVAL;
     *particle = system->num_particles;
-    return in_default_environment([&] { return check(*system, scale, skin, *particle); });
+    int const status =
+        in_default_environment([&] { return check(*system, scale, skin, *particle); });
+    return checked(status,
+                   [](int bad) { return refuse_noted(bad, "pw85_neighbors_check", nullptr, 0); });
 }
 
-int pw85_neighbors_holds(pw85_neighbors const *list, pw85_system const *system, int *holds)
+int pw85::detail::neighbors_holds(pw85_neighbors const &list, pw85_system const &system,
+                                  int *holds) noexcept
 {
-    if (any_null(holds)) return PW85_EINVAL;
-    *holds = -1;
-    if (any_null(list) || any_null(system) || !matches(*list, *system)) return PW85_EINVAL;
-    return in_default_environment([&] { return compare(*list, *system, *holds); });
+    if (matches(list, system)) return compare(list, system, *holds);
+    return note_cause(PW85_EINVAL, "system",
+                      "must have as many particles as the list, and a cell that is periodic along "
+                      "the same vectors, or none if the list has none");
 }
 
 pw85_pair_list pw85_neighbors_list(pw85_neighbors const *list)

@@ -75,12 +75,11 @@ template <class... Outputs>
                                   double const *offsets, double const *q,
                                   Outputs... outputs) noexcept
 {
-    if (n > INT_MAX / 3) return refuse_arrays(function), status;
+    if (n > INT_MAX / 3) return refuse_arrays(function, "n", n), status;
     static constexpr double none[1] = {};
-    int const count = static_cast<int>(n);
     return refuse_call(status, function,
-                       Argument("normals", n > 0 ? normals : none, 3 * count, limit::rows_not_zero),
-                       Argument("offsets", n > 0 ? offsets : none, count),
+                       Argument("normals", n > 0 ? normals : none, 3 * n, limit::rows_not_zero),
+                       Argument("offsets", n > 0 ? offsets : none, n),
                        Argument("q", q, 6, limit::definite), outputs...);
 }
 

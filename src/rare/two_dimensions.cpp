@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What many questions call, and no caller inlines: two dimensions. Nothing of it is compiled
+// What many functions call, and no caller inlines: two dimensions. Nothing of it is compiled
 // for newer processors.
 #include <pw85/contact/contact.hpp>
 #include <pw85/overlap/containment.hpp>

@@ -44,11 +44,12 @@ template <class Record>
 }
 
 // The arguments of functions of many rows. row(i) is the argument of the function of one row for
-// row i.
+// row i. `name` is the name of an array that must not be null.
 
 /// An array with `columns` elements in each row.
 template <int columns, class T = double const> struct RowsOf {
     static constexpr int width = columns;
+    char const *name;
     T *first;
     bool is_missing() const noexcept { return first == nullptr; }
     T *row(std::size_t i) const noexcept { return row_of(first, columns, i); }
@@ -65,6 +66,7 @@ template <int columns> struct OptionalRowsOf {
 /// Numbers that are passed by value.
 struct Numbers {
     static constexpr int width = 1;
+    char const *name;
     double const *first;
     bool is_missing() const noexcept { return first == nullptr; }
     double row(std::size_t i) const noexcept { return first[i]; }
@@ -73,6 +75,7 @@ struct Numbers {
 /// Answers of the function of one row, an int each, as bytes: 255 for -1.
 struct Bytes {
     static constexpr int width = 1;
+    char const *name;
     unsigned char *first;
 
     /// Takes the answer of a row, and stores it at the end of the call.
@@ -125,6 +128,15 @@ template <class Number> SameNumber(Number) -> SameNumber<Number>;
 /// a few microseconds per row.
 constexpr std::size_t block_of_calls = 256;
 
+/// The array, if it must not be null, for the record of a refusal.
+template <class Array> Argument needed(Array const &array) noexcept
+{
+    if constexpr (requires { array.name; })
+        return {array.name, array.first};
+    else
+        return {"", 0.0};
+}
+
 /// Calls a function of one row for n rows, in parallel, and returns the status of the first bad
 /// one. `name` is that of the function of many rows.
 template <class Function, class... Arguments> int
@@ -133,7 +145,7 @@ each_row(char const *name, std::size_t n, Function const &function, Arguments...
     constexpr std::size_t widest = std::max({6, Arguments::width...});
     if (n == 0) return static_cast<int>(Status::success);
     if (n > PTRDIFF_MAX / (widest * sizeof(double)) || (arguments.is_missing() || ...))
-        return refuse_arrays(name);
+        return refuse_arrays(name, "n", n, needed(arguments)...);
     auto const call = [&](std::size_t i) { return function(arguments.row(i)...); };
     return refuse_first(for_blocks(
                             n, [&](Range range) { return for_rows(range, call); }, block_of_calls),

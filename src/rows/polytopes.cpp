@@ -28,12 +28,19 @@ struct Planes {
                               !c_api::any_null(normals, offsets));
     }
 
+    /// Records why the arrays cannot be read.
+    int refuse(char const *function) const noexcept
+    {
+        return refuse_arrays(function, "num_planes", count, Argument("normals", normals),
+                             Argument("offsets", offsets));
+    }
+
     /// Records why an ellipsoid or the planes are refused.
     int checked_row(int status, char const *function, double const *center,
                     double const *q) const noexcept
     {
         return checked(status, [&](int bad) {
-            int const n = static_cast<int>(std::min<std::size_t>(count, INT_MAX / 3));
+            std::size_t const n = std::min<std::size_t>(count, INT_MAX / 3);
             return refuse_call(
                 bad, function, Argument("center", center, 3), Argument("q", q, 6, limit::definite),
                 Argument("normals", n > 0 ? normals : q, 3 * n, limit::rows_not_zero),
@@ -71,10 +78,13 @@ int pw85_contact_polytope_batch(size_t num_ellipsoids, double const *centers, do
                                 double *mu2, double *point)
 {
     Planes const planes{num_planes, normals, offsets};
-    if (!planes.can_be_read()) return refuse_arrays("pw85_contact_polytope_batch");
+    if (!planes.can_be_read()) return planes.refuse("pw85_contact_polytope_batch");
+    if (num_ellipsoids > max_rows)
+        return refuse_arrays("pw85_contact_polytope_batch", "num_ellipsoids", num_ellipsoids);
     auto const contact = [&](auto... arguments) { return contact_planes(planes, arguments...); };
-    return each_row("pw85_contact_polytope_batch", num_ellipsoids, contact, RowsOf<3>{centers},
-                    RowsOf<6>{q}, OptionalRowsOf<1>{mu2}, OptionalRowsOf<3>{point});
+    return each_row("pw85_contact_polytope_batch", num_ellipsoids, contact,
+                    RowsOf<3>{"centers", centers}, RowsOf<6>{"q", q}, OptionalRowsOf<1>{mu2},
+                    OptionalRowsOf<3>{point});
 }
 
 int pw85_overlap_polytope_batch(size_t num_ellipsoids, double const *centers, double const *q,
@@ -82,8 +92,11 @@ int pw85_overlap_polytope_batch(size_t num_ellipsoids, double const *centers, do
                                 unsigned char *overlap)
 {
     Planes const planes{num_planes, normals, offsets};
-    if (!planes.can_be_read()) return refuse_arrays("pw85_overlap_polytope_batch");
+    if (!planes.can_be_read()) return planes.refuse("pw85_overlap_polytope_batch");
+    if (num_ellipsoids > max_rows)
+        return refuse_arrays("pw85_overlap_polytope_batch", "num_ellipsoids", num_ellipsoids);
     auto const decide = [&](auto... arguments) { return overlap_planes(planes, arguments...); };
-    return each_row("pw85_overlap_polytope_batch", num_ellipsoids, decide, RowsOf<3>{centers},
-                    RowsOf<6>{q}, RowsOf<1, unsigned char>{overlap});
+    return each_row("pw85_overlap_polytope_batch", num_ellipsoids, decide,
+                    RowsOf<3>{"centers", centers}, RowsOf<6>{"q", q},
+                    RowsOf<1, unsigned char>{"overlap", overlap});
 }

@@ -4,6 +4,8 @@
 #include <pw85.h>
 #include <pw85_batch.h>
 
+#include <iterator>
+
 #include "../base/c_arrays.hpp"
 #include "many_pairs.hpp"
 
@@ -12,21 +14,30 @@ using namespace pw85::detail::kernels;
 
 namespace {
 
+/// Names of the arrays of a set's points.
+template <class Set> constexpr char const *names[3];
+template <> constexpr char const *names<Segments>[2] = {"end1", "end2"};
+template <> constexpr char const *names<Triangles>[3] = {"vertex1", "vertex2", "vertex3"};
+template <> constexpr char const *names<Boxes>[2] = {"lower", "upper"};
+
 /// Computes n ellipsoids and sets, and returns the status of the first bad one.
 template <class Set, class Arrays> int
 compute_sets(char const *name, std::size_t n, SetRows<Set> const &rows, Arrays const &out) noexcept
 {
     if (n == 0) return PW85_SUCCESS;
-    bool missing = c_api::any_null(rows.q);
-    for (auto const *points : rows.points) missing = missing || points == nullptr;
-    if (n > max_rows || missing) return refuse_arrays(name);
+    for (std::size_t i = 0; i < std::size(rows.points); ++i)
+        if (c_api::any_null(rows.points[i]))
+            return refuse_arrays(name, "n", n, Argument(names<Set>[i], rows.points[i]));
+    if (n > max_rows || c_api::any_null(rows.q))
+        return refuse_arrays(name, "n", n, Argument("q", rows.q));
     return compute_all(n, rows, out);
 }
 
 template <class Set> int compute_overlaps(char const *name, std::size_t n, SetRows<Set> const &rows,
                                           unsigned char *overlap) noexcept
 {
-    if (n > 0 && c_api::any_null(overlap)) return refuse_arrays(name);
+    if (n > 0 && c_api::any_null(overlap))
+        return refuse_arrays(name, "n", n, Argument("overlap", overlap));
     return compute_sets(name, n, rows, OverlapArray{overlap});
 }
 

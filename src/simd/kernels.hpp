@@ -178,7 +178,7 @@ struct DistanceArrays {
     }
 };
 
-/// Closest passages, and the ways: the velocities, three numbers per pair, and the end of the time
+/// Closest passages, and the paths: the velocities, three numbers per pair, and the end of the time
 /// are input. `t` may be null.
 struct PassageArrays {
     double *mu2, *t;

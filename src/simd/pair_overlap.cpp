@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The overlap of one pair, also for questions that begin with it (PW85_SHARED_BY_QUESTIONS). It is
+// The overlap of one pair, also for functions that call it first (PW85_SHARED_BY_QUESTIONS). It is
 // compiled for the baseline and for one newer instruction set (meson.build).
 #include "one_pair.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What many questions call, and no caller inlines: the way to a remote pair. It is compiled for the
-// instruction sets of the functions for one pair.
+// What many functions call, and no caller inlines: how a remote pair is reached. It is compiled for
+// the instruction sets of the functions for one pair.
 #include <pw85/motion/approach.hpp>
 
 #include "define_shared.hpp"

@@ -233,7 +233,7 @@ bool Engine::overlaps(std::size_t i, ReadableDomains const &readable) const noex
 
 int Engine::sweep() noexcept
 {
-    if (external.lacks_potential) return PW85_EPOTENTIAL;
+    if (int const status = external.check_potential()) return status;
     if (external.has_energy() || pair_energy.exists()) end();
     Counts const before = parameters.counts;
     Stream stream(parameters.seed, parameters.step, whole_sweep);
@@ -276,7 +276,7 @@ int Engine::fail(Counts const &before) noexcept
 {
     parameters.counts = before;
     forget();
-    return PW85_EPOTENTIAL;
+    return ExternalPotential::refuse_energy();
 }
 
 /// Marks what the calling thread may read while it works on a domain, or takes the marks away.

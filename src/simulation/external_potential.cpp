@@ -8,6 +8,7 @@
 #include <pw85/volume/volume.hpp>
 
 #include "../base/c_arrays.hpp"
+#include "../base/last_error.hpp"
 #include "walls.hpp"
 
 namespace pw85::detail::simulation {
@@ -70,17 +71,20 @@ bool is_repeated(pw85_field const &field, Cell const &cell) noexcept
     return repeated;
 }
 
-bool is_suited(pw85_field const &field, Cell const &cell) noexcept
+/// The requirement that a field in a cell does not meet; null if it meets all.
+char const *requirement_on(pw85_field const &field, Cell const &cell) noexcept
 {
-    if (field.kind < PW85_FIELD_LINEAR || field.kind > PW85_FIELD_ALIGNING || field.axis < 0 ||
-        field.axis > 2)
-        return false;
+    if (field.kind < PW85_FIELD_LINEAR || field.kind > PW85_FIELD_ALIGNING)
+        return "must be of a kind that there is";
+    if (field.axis < 0 || field.axis > 2) return "must have an axis from 0 to 2";
     Vector3 const point = load_vector<3>(field.point), vector = load_vector<3>(field.vector);
-    if (!is_finite(vector) || !std::isfinite(field.strength)) return false;
-    if (field.kind == PW85_FIELD_HARMONIC && !is_finite(point)) return false;
+    bool const has_point = field.kind == PW85_FIELD_HARMONIC;
+    if (!is_finite(vector) || !std::isfinite(field.strength) || (has_point && !is_finite(point)))
+        return "must be finite";
     double const square = dot(vector, vector);
-    if (field.kind == PW85_FIELD_ALIGNING && !(square > 0.0 && std::isfinite(square))) return false;
-    return is_repeated(field, cell);
+    if (field.kind == PW85_FIELD_ALIGNING && !(square > 0.0 && std::isfinite(square)))
+        return "must have a direction whose square is finite and not 0";
+    return is_repeated(field, cell) ? nullptr : "must be the same in all images of the cell";
 }
 
 double without_minus_infinity(double energy) noexcept
@@ -138,27 +142,46 @@ double ExternalPotential::energy(Configuration const &configuration) const noexc
     return sum;
 }
 
-bool ExternalPotential::has_finite_energies(Configuration const &configuration) const noexcept
+int ExternalPotential::check_energies(Configuration const &configuration) const noexcept
 {
-    for (std::size_t i = 0; i < configuration.size() && has_energy(); ++i)
-        if (!std::isfinite(energy(i, configuration.get(i), configuration.dimensions))) return false;
-    return true;
+    for (std::size_t i = 0; i < configuration.size() && has_energy(); ++i) {
+        double const found = energy(i, configuration.get(i), configuration.dimensions);
+        if (!std::isfinite(found))
+            return note_cause(PW85_EPOTENTIAL, nullptr,
+                              "the energy of each particle must be finite", i, 0, found);
+    }
+    return PW85_SUCCESS;
 }
 
-bool ExternalPotential::suits(Configuration const &configuration) const noexcept
+int ExternalPotential::check_suited(Configuration const &configuration) const noexcept
 {
-    bool suited = !mesh.exists() || configuration.dimensions == 3;
-    for (pw85_wall const &wall : std::span(walls.data(), walls.size()))
-        suited = suited && is_suited(wall, configuration);
-    for (pw85_field const &field : std::span(fields.data(), fields.size()))
-        suited = suited && is_suited(field, configuration.cell);
-    return suited;
+    if (mesh.exists() && configuration.dimensions != 3)
+        return note_cause(PW85_EINVAL, "triangles", "must not be set in two dimensions");
+    for (std::size_t k = 0; k < walls.size(); ++k)
+        if (char const *const text = requirement_on(walls[k], configuration))
+            return note_cause(PW85_EINVAL, "walls", text, k);
+    for (std::size_t k = 0; k < fields.size(); ++k)
+        if (char const *const text = requirement_on(fields[k], configuration.cell))
+            return note_cause(PW85_EINVAL, "fields", text, k);
+    return PW85_SUCCESS;
+}
+
+int ExternalPotential::refuse_energy() noexcept
+{
+    return note_cause(PW85_EPOTENTIAL, "potential", "must not return NaN or -infinity");
+}
+
+int ExternalPotential::check_potential() const noexcept
+{
+    if (!lacks_potential) return PW85_SUCCESS;
+    return note_cause(PW85_EPOTENTIAL, "potential",
+                      "must be set again after the state is restored");
 }
 
 int ExternalPotential::check(Configuration const &configuration,
                              std::int32_t *overlap) const noexcept
 {
-    if (!suits(configuration)) return PW85_EINVAL;
+    if (int const status = check_suited(configuration)) return status;
     for (std::size_t i = 0; i < configuration.size(); ++i) {
         Particle const particle = configuration.get(i);
         if (!cuts(particle, configuration.dimensions)) continue;
@@ -166,7 +189,7 @@ int ExternalPotential::check(Configuration const &configuration,
         if (overlap != nullptr) overlap[1] = first_cut(particle, configuration.dimensions);
         return PW85_EOVERLAP;
     }
-    return has_finite_energies(configuration) ? PW85_SUCCESS : PW85_EPOTENTIAL;
+    return check_energies(configuration);
 }
 
 } // namespace pw85::detail::simulation

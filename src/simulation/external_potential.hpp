@@ -38,6 +38,12 @@ class ExternalPotential {
     bool has_energy() const noexcept { return fields.size() > 0 || potential != nullptr; }
     bool is_empty() const noexcept { return !has_walls() && !has_energy() && !lacks_potential; }
 
+    /// The status of an energy that is NaN.
+    static int refuse_energy() noexcept;
+
+    /// Returns a status: PW85_EPOTENTIAL if a restored simulation waits for its potential.
+    int check_potential() const noexcept;
+
     /// Returns whether any wall or the mesh cuts a particle.
     bool cuts(Particle const &particle, int dimensions) const noexcept;
 
@@ -77,9 +83,9 @@ class ExternalPotential {
     int check(Configuration const &configuration, std::int32_t *overlap) const noexcept;
 
   private:
-    bool suits(Configuration const &configuration) const noexcept;
     std::int32_t first_cut(Particle const &particle, int dimensions) const noexcept;
-    bool has_finite_energies(Configuration const &configuration) const noexcept;
+    int check_suited(Configuration const &configuration) const noexcept;
+    int check_energies(Configuration const &configuration) const noexcept;
 };
 
 } // namespace pw85::detail::simulation

@@ -3,14 +3,12 @@
 #include <cmath>
 
 #include "../base/c_arrays.hpp"
-#include "../base/floating_point_environment.hpp"
 #include "chains.hpp"
 #include "hard_ellipsoids.hpp"
 
 using namespace pw85;
 using namespace pw85::detail;
 using namespace pw85::detail::simulation;
-using pw85::detail::c_api::any_null;
 
 namespace {
 
@@ -19,11 +17,21 @@ bool is_change_type(int type) noexcept
     return type >= 0 && type <= static_cast<int>(ChangeType::aspect);
 }
 
-bool can_change(Engine const &engine, double pressure, int type) noexcept
+/// Returns the status of trials of the volume.
+int check_change(Engine const &engine, double pressure, int kind) noexcept
 {
-    bool const has_pressure = type == PW85_CHANGE_ASPECT || pressure > 0.0;
-    return is_change_type(type) && has_pressure && std::isfinite(pressure) &&
-           engine.configuration.is_closed() && !engine.external.mesh.exists();
+    if (!is_change_type(kind))
+        return note_cause(PW85_EINVAL, "change", "must be a type of change", 0, 0, kind);
+    if (kind != PW85_CHANGE_ASPECT && !(pressure > 0.0))
+        return note_cause(PW85_EINVAL, "pressure", "must be > 0", 0, 0, pressure);
+    if (!engine.configuration.is_closed())
+        return note_cause(PW85_EINVAL, "simulation",
+                          engine.configuration.dimensions == 2
+                              ? "must have a cell that is periodic along its first two vectors"
+                              : "must have a cell that is periodic along its three vectors");
+    if (engine.external.mesh.exists())
+        return note_cause(PW85_EINVAL, "simulation", "must have no mesh");
+    return PW85_SUCCESS;
 }
 
 /// Begins, calls work() until it fails or was called often enough, and ends.
@@ -73,43 +81,53 @@ int make_chains(Engine &engine, std::size_t num_chains, double length, Vector3 c
 }
 
 /// Gives what moves in a plane of z the bits of z, and of x and y of the quaternion, of the
-/// particle before. Returns false if it would leave the plane.
-bool keep_in_plane(Particle const &before, Particle &moved) noexcept
+/// particle before. Returns a status, which says whether it stays in the plane.
+int keep_in_plane(Particle const &before, Particle &moved) noexcept
 {
-    bool const stays = moved.center[2] == before.center[2] && moved.quaternion[1] == 0.0 &&
-                       moved.quaternion[2] == 0.0;
+    if (moved.center[2] != before.center[2])
+        return note_cause(PW85_EINVAL, "center", "must be in the plane of the ellipses", 0, 2,
+                          moved.center[2]);
+    if (moved.quaternion[1] != 0.0 || moved.quaternion[2] != 0.0)
+        return note_cause(PW85_EINVAL, "quaternion",
+                          "must be a rotation about z, which keeps the ellipse in its plane");
     moved.center[2] = before.center[2];
     for (int d = 1; d <= 2; ++d) moved.quaternion[d] = before.quaternion[d];
-    return stays;
+    return PW85_SUCCESS;
+}
+
+/// Places a particle elsewhere. Null keeps what there is. Returns a status.
+int place(Engine const &engine, double const *center, double const *quaternion,
+          Particle &moved) noexcept
+{
+    Particle const before = moved;
+    if (center != nullptr) moved.center = c_api::load_vector<3>(center);
+    if (quaternion != nullptr) moved.quaternion = unit(c_api::load_vector<4>(quaternion));
+    if (engine.configuration.dimensions == 2)
+        if (int const status = keep_in_plane(before, moved)) return status;
+    return quaternion == nullptr
+               ? int{PW85_SUCCESS}
+               : make_particle(moved.center, moved.quaternion, moved.semi_axes, moved);
 }
 
 /// Tries another centre or quaternion of a particle. Null keeps what there is.
 int try_placement(Engine &engine, std::size_t particle, double const *center,
                   double const *quaternion, bool take, int &is_free) noexcept
 {
-    Particle const before = engine.configuration.get(particle);
-    Particle moved = before;
-    if (center != nullptr) moved.center = c_api::load_vector<3>(center);
-    if (!is_finite(moved.center)) return PW85_EINVAL;
-    if (quaternion != nullptr) moved.quaternion = unit(c_api::load_vector<4>(quaternion));
-    if (engine.configuration.dimensions == 2 && !keep_in_plane(before, moved)) return PW85_EINVAL;
-    if (quaternion != nullptr) {
-        if (ellipsoid_quaternion(moved.semi_axes, moved.quaternion).status != Status::success)
-            return PW85_EINVAL;
-        if (!moved.shape()) return PW85_ENOTPD;
-    }
+    Particle moved = engine.configuration.get(particle);
+    if (int const status = place(engine, center, quaternion, moved)) return status;
     bool found = false;
     ExternalPotential const &external = engine.external;
-    if (external.lacks_potential) return PW85_EPOTENTIAL;
+    if (int const status = external.check_potential()) return status;
     double const energy = external.energy(particle, moved, engine.configuration.dimensions);
-    if (std::isnan(energy)) return PW85_EPOTENTIAL;
+    if (std::isnan(energy)) return ExternalPotential::refuse_energy();
     is_free = 0;
     if (energy == HUGE_VAL || external.cuts(moved, engine.configuration.dimensions))
         return PW85_SUCCESS;
     is_free = -1;
     int const status = engine.try_placement(particle, moved, take, found);
     if (status == PW85_SUCCESS) is_free = found;
-    return status;
+    if (status != PW85_EINVAL) return status;
+    return note_cause(status, "center", "must not be too far away from the cell for its images");
 }
 
 /// Copies the first images to arrays of some capacity.
@@ -124,111 +142,103 @@ void store(Array<NearImage> const &found, std::size_t capacity, std::int32_t *pa
     }
 }
 
+/// The direction of chains, zero for random ones. Returns a status.
+int load_direction(Engine const &engine, double const *direction, Vector3 &along) noexcept
+{
+    along = direction == nullptr ? Vector3{} : c_api::load_vector<3>(direction);
+    if (engine.configuration.dimensions != 2) return PW85_SUCCESS;
+    if (along[2] != 0.0)
+        return note_cause(PW85_EINVAL, "direction", "must be in the plane", 0, 2, along[2]);
+    along[2] = -0.0; // as Stream::in_disc()
+    return PW85_SUCCESS;
+}
+
 } // namespace
 
-int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t num_sweeps)
+int pw85::detail::hard_ellipsoids_sweep(pw85_hard_ellipsoids &simulation,
+                                        size_t num_sweeps) noexcept
 {
-    if (any_null(simulation)) return PW85_EINVAL;
-    return in_default_environment([&] {
-        Engine &engine = simulation->engine;
-        return repeat(engine, num_sweeps, [&] { return engine.sweep(); });
-    });
+    Engine &engine = simulation.engine;
+    return repeat(engine, num_sweeps, [&] { return engine.sweep(); });
 }
 
-int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chains, double length,
-                               double const direction[3], double *compressibility)
+int pw85::detail::hard_ellipsoids_chain(pw85_hard_ellipsoids &simulation, size_t num_chains,
+                                        double length, double const direction[3],
+                                        double *compressibility) noexcept
 {
-    if (compressibility != nullptr) *compressibility = quiet_nan<double>();
-    if (any_null(simulation) || !(length > 0.0 && std::isfinite(length))) return PW85_EINVAL;
-    if (!simulation->engine.is_hard()) return PW85_EINVAL;
-    return in_default_environment([&] {
-        Vector3 along = direction == nullptr ? Vector3{} : c_api::load_vector<3>(direction);
-        if (!is_finite(along) || (direction != nullptr && largest_coordinate(along) == 0.0))
-            return int{PW85_EINVAL};
-        if (simulation->engine.configuration.dimensions == 2) {
-            if (along[2] != 0.0) return int{PW85_EINVAL};
-            along[2] = -0.0; // as Stream::in_disc()
-        }
-        ChainSums sums{};
-        int const status = make_chains(simulation->engine, num_chains, length, along, sums);
-        if (status == PW85_SUCCESS && compressibility != nullptr)
-            *compressibility =
-                sums.length > 0.0 ? 1.0 + sums.transfers / sums.length : quiet_nan<double>();
-        return status;
-    });
+    if (!simulation.engine.is_hard())
+        return note_cause(PW85_EINVAL, "simulation",
+                          "must have no walls, mesh, fields, potential or law: use sweeps");
+    Vector3 along;
+    if (int const status = load_direction(simulation.engine, direction, along)) return status;
+    ChainSums sums{};
+    int const status = make_chains(simulation.engine, num_chains, length, along, sums);
+    if (status == PW85_ECONVERGENCE)
+        return note_cause(status, "length",
+                          "must let chains advance: particles block each other within rounding "
+                          "errors, or the length is too long",
+                          0, 0, length);
+    if (status == PW85_SUCCESS && compressibility != nullptr)
+        *compressibility =
+            sums.length > 0.0 ? 1.0 + sums.transfers / sums.length : quiet_nan<double>();
+    return status;
 }
 
-int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation, size_t num_moves,
-                                      double pressure, int change)
+int pw85::detail::hard_ellipsoids_volume_moves(pw85_hard_ellipsoids &simulation, size_t num_moves,
+                                               double pressure, int change) noexcept
 {
-    if (any_null(simulation) || !can_change(simulation->engine, pressure, change))
-        return PW85_EINVAL;
-    return in_default_environment([&] {
-        Engine &engine = simulation->engine;
-        return repeat(engine, num_moves,
-                      [&] { return engine.try_volume(pressure, static_cast<ChangeType>(change)); });
-    });
+    Engine &engine = simulation.engine;
+    if (int const status = check_change(engine, pressure, change)) return status;
+    return repeat(engine, num_moves,
+                  [&] { return engine.try_volume(pressure, static_cast<ChangeType>(change)); });
 }
 
-int pw85_hard_ellipsoids_tune(pw85_hard_ellipsoids *simulation, size_t num_sweeps,
-                              double acceptance, double pressure, int change)
+int pw85::detail::hard_ellipsoids_tune(pw85_hard_ellipsoids &simulation, size_t num_sweeps,
+                                       double acceptance, double pressure, int change) noexcept
 {
-    if (any_null(simulation) || !(acceptance > 0.0 && acceptance <= 1.0) || !(pressure >= 0.0))
-        return PW85_EINVAL;
-    bool const changes_cell = pressure > 0.0 || change == PW85_CHANGE_ASPECT;
-    if (changes_cell && !can_change(simulation->engine, pressure, change)) return PW85_EINVAL;
-    return in_default_environment([&] {
-        return tune(simulation->engine, num_sweeps, acceptance, pressure,
-                    static_cast<ChangeType>(change));
-    });
+    if (pressure > 0.0 || change == PW85_CHANGE_ASPECT)
+        if (int const status = check_change(simulation.engine, pressure, change)) return status;
+    return tune(simulation.engine, num_sweeps, acceptance, pressure,
+                static_cast<ChangeType>(change));
 }
 
-int pw85_hard_ellipsoids_neighbors(pw85_hard_ellipsoids *simulation, size_t particle,
-                                   size_t capacity, size_t *count, int32_t *particles,
-                                   int32_t *images, double *separations)
+int pw85::detail::hard_ellipsoids_neighbors(pw85_hard_ellipsoids &simulation, size_t particle,
+                                            size_t capacity, size_t *count, int32_t *particles,
+                                            int32_t *images, double *separations) noexcept
 {
-    if (count != nullptr) *count = 0;
-    if (any_null(simulation, count) || particle >= simulation->engine.configuration.size())
-        return PW85_EINVAL;
-    return in_default_environment([&] {
-        Array<NearImage> found;
-        if (int const status = simulation->engine.find_neighbors(particle, found)) return status;
-        *count = found.size();
-        store(found, capacity, particles, images, separations);
-        return int{PW85_SUCCESS};
-    });
+    if (int const status = check_index(simulation.engine, particle)) return status;
+    Array<NearImage> found;
+    if (int const status = simulation.engine.find_neighbors(particle, found)) return status;
+    *count = found.size();
+    store(found, capacity, particles, images, separations);
+    return PW85_SUCCESS;
 }
 
-int pw85_hard_ellipsoids_try(pw85_hard_ellipsoids *simulation, size_t particle,
-                             double const center[3], double const quaternion[4], int take,
-                             int *is_free)
+int pw85::detail::hard_ellipsoids_try(pw85_hard_ellipsoids &simulation, size_t particle,
+                                      double const center[3], double const quaternion[4], int take,
+                                      int *is_free) noexcept
 {
-    if (is_free != nullptr) *is_free = -1;
-    if (any_null(simulation, is_free) || particle >= simulation->engine.configuration.size())
-        return PW85_EINVAL;
-    return in_default_environment([&] {
-        return try_placement(simulation->engine, particle, center, quaternion, take != 0, *is_free);
-    });
+    if (int const status = check_index(simulation.engine, particle)) return status;
+    return try_placement(simulation.engine, particle, center, quaternion, take != 0, *is_free);
 }
 
-int pw85_hard_ellipsoids_compress(pw85_hard_ellipsoids *simulation, int take, double *factor)
+int pw85::detail::hard_ellipsoids_compress(pw85_hard_ellipsoids &simulation, int take,
+                                           double *factor) noexcept
 {
-    if (factor != nullptr) *factor = quiet_nan<double>();
-    if (any_null(simulation, factor) || !simulation->engine.external.is_empty()) return PW85_EINVAL;
-    return in_default_environment([&] {
-        double found = 0.0;
-        Engine &engine = simulation->engine;
-        int const status = repeat(engine, 1, [&] { return engine.compress(take != 0, found); });
-        if (status == PW85_SUCCESS) *factor = found;
-        return status;
-    });
+    Engine &engine = simulation.engine;
+    if (!engine.external.is_empty())
+        return note_cause(PW85_EINVAL, "simulation",
+                          "must have no walls, mesh, fields or potential");
+    double found = 0.0;
+    int const status = repeat(engine, 1, [&] { return engine.compress(take != 0, found); });
+    if (status == PW85_SUCCESS) *factor = found;
+    return status;
 }
 
-int pw85_hard_ellipsoids_check(pw85_hard_ellipsoids const *simulation, int32_t pair[2])
+int pw85::detail::hard_ellipsoids_check(pw85_hard_ellipsoids const &simulation,
+                                        int32_t pair[2]) noexcept
 {
-    if (pair != nullptr) pair[0] = pair[1] = -1;
-    if (any_null(simulation)) return PW85_EINVAL;
-    return in_default_environment([&] { return simulation->engine.check(pair); });
+    return simulation.engine.check(pair);
 }
 
 pw85_system pw85_hard_ellipsoids_system(pw85_hard_ellipsoids const *simulation)

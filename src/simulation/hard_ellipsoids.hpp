@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Code that the C functions of simulations share. hard_ellipsoids*.cpp define these functions.
+/// Code that the C functions of simulations share. hard_ellipsoids*.cpp define the functions of
+/// ../base/objects.hpp for them.
 #ifndef PW85_SIMULATION_HARD_ELLIPSOIDS_HPP_INCLUDED
 #define PW85_SIMULATION_HARD_ELLIPSOIDS_HPP_INCLUDED
 
 #include <pw85_simulation.h>
 
+#include "../base/last_error.hpp"
+#include "../base/objects.hpp"
 #include "engine.hpp"
 
 struct pw85_hard_ellipsoids {
@@ -30,11 +33,20 @@ template <class Coordinates>
     if (!is_finite(center) || ellipsoid_quaternion(semi_axes, quaternion).status != Status::success)
         return PW85_EINVAL;
     particle = {center, quaternion, semi_axes, {}, {}};
-    return particle.shape() ? PW85_SUCCESS : PW85_ENOTPD;
+    if (particle.shape()) return PW85_SUCCESS;
+    return note_cause(PW85_ENOTPD, "semi_axes", "must give a form that is positive definite");
 }
 
-/// Returns whether these can be the steps of species, all different.
-bool are_species(Array<SpeciesSteps> const &species) noexcept;
+/// Returns a status, which says whether there is such a particle.
+[[gnu::always_inline]] inline int check_index(Engine const &engine, std::size_t particle) noexcept
+{
+    if (particle < engine.configuration.size()) return PW85_SUCCESS;
+    return note_cause(PW85_EINVAL, "particle", "must be the index of a particle", 0, 0,
+                      static_cast<double>(particle));
+}
+
+/// Returns a status, which says whether these can be the steps of kinds, all different.
+int check_kinds(Array<SpeciesSteps> const &kinds) noexcept;
 
 /// Returns whether a simulation can have these parameters. The sum of the fractions is 1 up to
 /// rounding errors.

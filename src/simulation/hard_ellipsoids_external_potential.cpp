@@ -6,13 +6,11 @@
 #include <utility>
 
 #include "../base/c_arrays.hpp"
-#include "../base/floating_point_environment.hpp"
 #include "hard_ellipsoids.hpp"
 
 using namespace pw85;
 using namespace pw85::detail;
 using namespace pw85::detail::simulation;
-using pw85::detail::c_api::any_null;
 
 namespace {
 
@@ -31,7 +29,6 @@ template <class Member> int replace(Engine &engine, Member ExternalPotential::*m
 template <class Element>
 int copy_of(std::size_t n, Element const *elements, Array<Element> &copy) noexcept
 {
-    if (n > 0 && elements == nullptr) return PW85_EINVAL;
     if (!copy.resize(n)) return PW85_ENOMEM;
     std::copy_n(elements, n, copy.data());
     return PW85_SUCCESS;
@@ -50,7 +47,9 @@ int set_mesh(Engine &engine, std::size_t num_vertices, double const *vertices,
              std::size_t num_triangles, std::int32_t const *triangles,
              std::int32_t *overlap) noexcept
 {
-    if (num_vertices > INT32_MAX || num_triangles > INT32_MAX) return PW85_EINVAL;
+    if (num_vertices > INT32_MAX || num_triangles > INT32_MAX)
+        return note_cause(PW85_EINVAL, num_vertices > INT32_MAX ? "num_vertices" : "num_triangles",
+                          "must be below 2³¹");
     MeshWall made;
     if (int const status = copy_of(3 * num_vertices, vertices, made.vertices)) return status;
     if (int const status = copy_of(3 * num_triangles, triangles, made.triangles)) return status;
@@ -76,7 +75,8 @@ int set_potential(Engine &engine, pw85_potential *potential, void *context) noex
     int status = external.check(engine.configuration, nullptr);
     if (status == PW85_SUCCESS && external.lacks_potential && potential != nullptr &&
         energy_of_potential(engine) != external.saved_energy)
-        status = PW85_EINVAL;
+        status = note_cause(PW85_EINVAL, "potential",
+                            "must be that of the restored state: their energies differ");
     if (status == PW85_SUCCESS)
         external.lacks_potential = false;
     else
@@ -86,77 +86,58 @@ int set_potential(Engine &engine, pw85_potential *potential, void *context) noex
 
 } // namespace
 
-int pw85_hard_ellipsoids_set_walls(pw85_hard_ellipsoids *simulation, size_t num_walls,
-                                   pw85_wall const *walls, int32_t overlap[2])
+int pw85::detail::hard_ellipsoids_set_walls(pw85_hard_ellipsoids &simulation, size_t num_walls,
+                                            pw85_wall const *walls, int32_t overlap[2]) noexcept
 {
-    if (overlap != nullptr) overlap[0] = overlap[1] = -1;
-    if (any_null(simulation)) return PW85_EINVAL;
-    return in_default_environment([&] {
-        return set(simulation->engine, num_walls, walls, &ExternalPotential::walls, overlap);
-    });
+    return set(simulation.engine, num_walls, walls, &ExternalPotential::walls, overlap);
 }
 
-int pw85_hard_ellipsoids_set_mesh(pw85_hard_ellipsoids *simulation, size_t num_vertices,
-                                  double const *vertices, size_t num_triangles,
-                                  int32_t const *triangles, int32_t overlap[2])
+int pw85::detail::hard_ellipsoids_set_mesh(pw85_hard_ellipsoids &simulation, size_t num_vertices,
+                                           double const *vertices, size_t num_triangles,
+                                           int32_t const *triangles, int32_t overlap[2]) noexcept
 {
-    if (overlap != nullptr) overlap[0] = overlap[1] = -1;
-    if (any_null(simulation)) return PW85_EINVAL;
-    return in_default_environment([&] {
-        return set_mesh(simulation->engine, num_vertices, vertices, num_triangles, triangles,
-                        overlap);
-    });
+    return set_mesh(simulation.engine, num_vertices, vertices, num_triangles, triangles, overlap);
 }
 
-int pw85_hard_ellipsoids_set_fields(pw85_hard_ellipsoids *simulation, size_t num_fields,
-                                    pw85_field const *fields)
+int pw85::detail::hard_ellipsoids_set_fields(pw85_hard_ellipsoids &simulation, size_t num_fields,
+                                             pw85_field const *fields) noexcept
 {
-    if (any_null(simulation)) return PW85_EINVAL;
-    return in_default_environment(
-        [&] { return set(simulation->engine, num_fields, fields, &ExternalPotential::fields); });
+    return set(simulation.engine, num_fields, fields, &ExternalPotential::fields);
 }
 
-int pw85_hard_ellipsoids_set_potential(pw85_hard_ellipsoids *simulation, pw85_potential *potential,
-                                       void *context)
+int pw85::detail::hard_ellipsoids_set_potential(pw85_hard_ellipsoids &simulation,
+                                                pw85_potential *potential, void *context) noexcept
 {
-    if (any_null(simulation)) return PW85_EINVAL;
-    return in_default_environment(
-        [&] { return set_potential(simulation->engine, potential, context); });
+    return set_potential(simulation.engine, potential, context);
 }
 
-int pw85_hard_ellipsoids_set_law(pw85_hard_ellipsoids *simulation, pw85_law const *law)
+int pw85::detail::hard_ellipsoids_set_law(pw85_hard_ellipsoids &simulation,
+                                          pw85_law const *law) noexcept
 {
-    if (any_null(simulation)) return PW85_EINVAL;
-    return in_default_environment([&] { return simulation->engine.set_law(law); });
+    return simulation.engine.set_law(law);
 }
 
-int pw85_hard_ellipsoids_energy(pw85_hard_ellipsoids const *simulation, double *energy)
+int pw85::detail::hard_ellipsoids_energy(pw85_hard_ellipsoids const &simulation,
+                                         double *energy) noexcept
 {
-    if (energy != nullptr) *energy = quiet_nan<double>();
-    if (any_null(simulation, energy)) return PW85_EINVAL;
-    return in_default_environment([&] {
-        Engine const &engine = simulation->engine;
-        if (engine.external.lacks_potential) return int{PW85_EPOTENTIAL};
-        double const sum = engine.external.energy(engine.configuration);
-        double of_pairs;
-        if (std::isnan(sum)) return int{PW85_EPOTENTIAL};
-        if (int const status = engine.energy_of_pairs(of_pairs)) return status;
-        *energy = sum + of_pairs;
-        return int{PW85_SUCCESS};
-    });
+    Engine const &engine = simulation.engine;
+    if (int const status = engine.external.check_potential()) return status;
+    double const sum = engine.external.energy(engine.configuration);
+    double of_pairs;
+    if (std::isnan(sum)) return ExternalPotential::refuse_energy();
+    if (int const status = engine.energy_of_pairs(of_pairs)) return status;
+    *energy = sum + of_pairs;
+    return PW85_SUCCESS;
 }
 
-int pw85_hard_ellipsoids_law_virial(pw85_hard_ellipsoids const *simulation, double *virial)
+int pw85::detail::hard_ellipsoids_law_virial(pw85_hard_ellipsoids const &simulation,
+                                             double *virial) noexcept
 {
-    if (virial != nullptr) *virial = quiet_nan<double>();
-    if (any_null(simulation, virial)) return PW85_EINVAL;
-    return in_default_environment([&] {
-        Engine const &engine = simulation->engine;
-        double sum = 0.0;
-        int status = PW85_SUCCESS;
-        if (engine.pair_energy.exists())
-            status = engine.pair_energy.virial_of_all(engine.configuration, sum);
-        if (status == PW85_SUCCESS) *virial = sum;
-        return status;
-    });
+    Engine const &engine = simulation.engine;
+    double sum = 0.0;
+    if (engine.pair_energy.exists())
+        if (int const status = engine.pair_energy.virial_of_all(engine.configuration, sum))
+            return status;
+    *virial = sum;
+    return PW85_SUCCESS;
 }

@@ -4,14 +4,12 @@
 #include <cmath>
 
 #include "../base/c_arrays.hpp"
-#include "../base/floating_point_environment.hpp"
 #include "hard_ellipsoids.hpp"
 #include "insertions.hpp"
 
 using namespace pw85;
 using namespace pw85::detail;
 using namespace pw85::detail::simulation;
-using pw85::detail::c_api::any_null;
 
 namespace {
 
@@ -29,14 +27,18 @@ int check_axes(Engine const &engine, Vector3 const &semi_axes, bool with_energie
     Cell const &cell = engine.configuration.cell;
     neighbors::Periodicity periodicity;
     if (!periodicity.prepare(cell.exists ? cell.vectors : nullptr, cell.periodic))
-        return PW85_EINVAL;
+        return note_cause(PW85_EINVAL, "simulation", "must have a cell with independent vectors");
     double longest = 0.0;
     for (int d = 0; d < engine.configuration.dimensions; ++d)
         longest = std::max(longest, semi_axes[d]);
     if (with_energies && engine.pair_energy.exists())
         longest = engine.pair_energy.reach() *
                   std::max(longest, engine.configuration.longest_semi_axis());
-    return longest <= 32.0 * periodicity.shortest() ? PW85_SUCCESS : PW85_EINVAL;
+    if (longest <= 32.0 * periodicity.shortest()) return PW85_SUCCESS;
+    return note_cause(PW85_EINVAL, "semi_axes",
+                      "must be at most 32 times the shortest vector of the lattice, with a law of "
+                      "pairs also if enlarged by its reach",
+                      0, 0, longest);
 }
 
 /// The status of a simulation in which particles are to be inserted at random.
@@ -44,8 +46,8 @@ int check_cell(Engine const &engine) noexcept
 {
     Configuration const &all = engine.configuration;
     if (!all.cell.exists || !(all.volume() > 0.0 && std::isfinite(all.volume())))
-        return PW85_EINVAL;
-    return engine.external.lacks_potential ? PW85_EPOTENTIAL : PW85_SUCCESS;
+        return note_cause(PW85_EINVAL, "simulation", "must have a cell with independent vectors");
+    return engine.external.check_potential();
 }
 
 int mean_weight(Engine &engine, std::size_t num_trials, Vector3 const &semi_axes,
@@ -69,15 +71,16 @@ int mean_weight(Engine &engine, std::size_t num_trials, Vector3 const &semi_axes
 int load_species(Engine const &engine, std::size_t num_kinds, double const *semi_axes,
                  double const *activities, Array<Species> &species) noexcept
 {
-    if (num_kinds == 0 || num_kinds > INT32_MAX || any_null(semi_axes, activities))
-        return PW85_EINVAL;
+    if (num_kinds == 0 || num_kinds > INT32_MAX)
+        return note_cause(PW85_EINVAL, "num_kinds", "must be > 0 and below 2³¹");
     if (!species.resize(num_kinds)) return PW85_ENOMEM;
     for (std::size_t k = 0; k < num_kinds; ++k) {
         species[k] = {c_api::load_vector<3>(semi_axes + 3 * k), activities[k], 0};
         if (!(activities[k] > 0.0 && std::isfinite(activities[k]))) return PW85_EINVAL;
         if (int const status = check_axes(engine, species[k].semi_axes, true)) return status;
         for (std::size_t j = 0; j < k; ++j)
-            if (species[j].has(species[k].semi_axes)) return PW85_EINVAL;
+            if (species[j].has(species[k].semi_axes))
+                return note_cause(PW85_EINVAL, "semi_axes", "must differ from those before", k);
         for (std::size_t i = 0; i < engine.configuration.size(); ++i)
             species[k].count += species[k].has(engine.configuration.semi_axes[i]);
     }
@@ -106,9 +109,11 @@ int check_placement(Engine const &engine, Particle &particle) noexcept
     Configuration const &all = engine.configuration;
     if (all.dimensions == 2) {
         double const height = all.size() > 0 ? all.centers[0][2] : particle.center[2];
-        if (particle.center[2] != height || particle.quaternion[1] != 0.0 ||
-            particle.quaternion[2] != 0.0)
-            return PW85_EINVAL;
+        if (particle.center[2] != height)
+            return note_cause(PW85_EINVAL, "center", "must be in the plane of the ellipses", 0, 2,
+                              particle.center[2]);
+        if (particle.quaternion[1] != 0.0 || particle.quaternion[2] != 0.0)
+            return note_cause(PW85_EINVAL, "quaternion", "must be a rotation about z");
         particle.center[2] = height;
     }
     pw85_system const alone{1,
@@ -117,18 +122,20 @@ int check_placement(Engine const &engine, Particle &particle) noexcept
                             all.cell.exists ? all.cell.vectors : nullptr,
                             {all.cell.periodic[0], all.cell.periodic[1], all.cell.periodic[2]}};
     std::size_t bad;
-    return pw85_neighbors_check(&alone, 1.0, 0.0, &bad);
+    int const status = pw85_neighbors_check(&alone, 1.0, 0.0, &bad);
+    if (status != PW85_EINVAL) return status;
+    return note_cause(status, "center", "must not be too far away from the cell for its images");
 }
 
 int insert(Engine &engine, Particle &particle, bool take, int &is_free) noexcept
 {
     ExternalPotential const &external = engine.external;
-    if (external.lacks_potential) return PW85_EPOTENTIAL;
+    if (int const status = external.check_potential()) return status;
     if (int const status = check_axes(engine, particle.semi_axes, false)) return status;
     if (int const status = check_placement(engine, particle)) return status;
     Configuration const &all = engine.configuration;
     double const energy = external.energy(all.size(), particle, all.dimensions);
-    if (std::isnan(energy)) return PW85_EPOTENTIAL;
+    if (std::isnan(energy)) return ExternalPotential::refuse_energy();
     Insertions insertions(engine);
     bool found = false;
     if (int const status = insertions.prepare(0)) return status;
@@ -142,66 +149,53 @@ int insert(Engine &engine, Particle &particle, bool take, int &is_free) noexcept
 
 } // namespace
 
-int pw85_hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids *simulation, size_t num_trials,
-                                          double const semi_axes[3], double *weight)
+int pw85::detail::hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids &simulation,
+                                                   size_t num_trials, double const semi_axes[3],
+                                                   double *weight) noexcept
 {
-    if (weight != nullptr) *weight = quiet_nan<double>();
-    if (any_null(simulation) || any_null(semi_axes, weight)) return PW85_EINVAL;
-    return in_default_environment([&] {
-        double mean = 0.0;
-        int const status =
-            mean_weight(simulation->engine, num_trials, c_api::load_vector<3>(semi_axes), mean);
-        if (status == PW85_SUCCESS) *weight = mean;
+    double mean = 0.0;
+    int const status =
+        mean_weight(simulation.engine, num_trials, c_api::load_vector<3>(semi_axes), mean);
+    if (status == PW85_SUCCESS) *weight = mean;
+    return status;
+}
+
+int pw85::detail::hard_ellipsoids_insertion_moves(pw85_hard_ellipsoids &simulation,
+                                                  size_t num_moves, size_t num_kinds,
+                                                  double const *semi_axes, double const *activities,
+                                                  int64_t counts[4]) noexcept
+{
+    Engine &engine = simulation.engine;
+    Array<Species> species;
+    InsertionCounts made{};
+    if (int const status = check_cell(engine)) return status;
+    if (int const status = load_species(engine, num_kinds, semi_axes, activities, species))
         return status;
-    });
+    int const status = insertion_moves(engine, num_moves, {species.data(), species.size()}, made);
+    if (counts == nullptr) return status;
+    counts[0] = made.insertions;
+    counts[1] = made.inserted;
+    counts[2] = made.removals;
+    counts[3] = made.removed;
+    return status;
 }
 
-int pw85_hard_ellipsoids_insertion_moves(pw85_hard_ellipsoids *simulation, size_t num_moves,
-                                         size_t num_kinds, double const *semi_axes,
-                                         double const *activities, int64_t counts[4])
+int pw85::detail::hard_ellipsoids_insert(pw85_hard_ellipsoids &simulation, double const center[3],
+                                         double const quaternion[4], double const semi_axes[3],
+                                         int take, int *is_free) noexcept
 {
-    if (counts != nullptr) std::fill_n(counts, 4, -1);
-    if (any_null(simulation)) return PW85_EINVAL;
-    return in_default_environment([&] {
-        Engine &engine = simulation->engine;
-        Array<Species> species;
-        InsertionCounts made{};
-        if (int const status = check_cell(engine)) return status;
-        if (int const status = load_species(engine, num_kinds, semi_axes, activities, species))
-            return status;
-        int const status =
-            insertion_moves(engine, num_moves, {species.data(), species.size()}, made);
-        if (counts == nullptr) return status;
-        counts[0] = made.insertions;
-        counts[1] = made.inserted;
-        counts[2] = made.removals;
-        counts[3] = made.removed;
-        return status;
-    });
+    Particle particle;
+    int const status =
+        make_particle(c_api::load_vector<3>(center), unit(c_api::load_vector<4>(quaternion)),
+                      c_api::load_vector<3>(semi_axes), particle);
+    return status == PW85_SUCCESS ? insert(simulation.engine, particle, take != 0, *is_free)
+                                  : status;
 }
 
-int pw85_hard_ellipsoids_insert(pw85_hard_ellipsoids *simulation, double const center[3],
-                                double const quaternion[4], double const semi_axes[3], int take,
-                                int *is_free)
+int pw85::detail::hard_ellipsoids_remove(pw85_hard_ellipsoids &simulation, size_t particle) noexcept
 {
-    if (is_free != nullptr) *is_free = -1;
-    if (any_null(simulation) || any_null(center, quaternion, semi_axes) || any_null(is_free))
-        return PW85_EINVAL;
-    return in_default_environment([&] {
-        Particle particle;
-        int const status =
-            make_particle(c_api::load_vector<3>(center), unit(c_api::load_vector<4>(quaternion)),
-                          c_api::load_vector<3>(semi_axes), particle);
-        return status == PW85_SUCCESS ? insert(simulation->engine, particle, take != 0, *is_free)
-                                      : status;
-    });
-}
-
-int pw85_hard_ellipsoids_remove(pw85_hard_ellipsoids *simulation, size_t particle)
-{
-    if (any_null(simulation) || particle >= simulation->engine.configuration.size())
-        return PW85_EINVAL;
-    if (simulation->engine.external.lacks_potential) return PW85_EPOTENTIAL;
-    simulation->engine.remove(particle);
+    if (int const status = check_index(simulation.engine, particle)) return status;
+    if (int const status = simulation.engine.external.check_potential()) return status;
+    simulation.engine.remove(particle);
     return PW85_SUCCESS;
 }

@@ -8,13 +8,11 @@
 #include <utility>
 
 #include "../base/c_arrays.hpp"
-#include "../base/floating_point_environment.hpp"
 #include "hard_ellipsoids.hpp"
 
 using namespace pw85;
 using namespace pw85::detail;
 using namespace pw85::detail::simulation;
-using pw85::detail::c_api::any_null;
 
 namespace {
 
@@ -79,22 +77,38 @@ Cell cell_of(pw85_system const &system) noexcept
     return cell;
 }
 
+/// Returns the status of a cell whose images are to be found.
+int check_cell(Cell const &cell) noexcept
+{
+    neighbors::Periodicity periodicity;
+    if (periodicity.prepare(cell.exists ? cell.vectors : nullptr, cell.periodic))
+        return PW85_SUCCESS;
+    return note_cause(PW85_EINVAL, "cell",
+                      "must have finite, independent vectors, one of them periodic");
+}
+
 bool has_no_z(Vector3 const &vector) noexcept { return vector[2] == 0.0; }
 
-/// Returns whether nothing stands out of a plane of z: see Configuration.
-bool is_planar(Configuration const &configuration) noexcept
+/// Returns a status, which says whether nothing stands out of a plane of z: see Configuration.
+int check_plane(Configuration const &configuration) noexcept
 {
     Cell const &cell = configuration.cell;
     Vector3 const upright = cell.vector(2);
-    bool planar =
-        !cell.exists || (cell.periodic[2] == 0 && has_no_z(cell.vector(0)) &&
-                         has_no_z(cell.vector(1)) && upright[0] == 0.0 && upright[1] == 0.0);
     for (std::size_t i = 0; i < configuration.size(); ++i) {
         Quaternion const &turn = configuration.quaternions[i];
-        planar = planar && configuration.centers[i][2] == configuration.centers[0][2] &&
-                 turn[1] == 0.0 && turn[2] == 0.0;
+        if (configuration.centers[i][2] != configuration.centers[0][2])
+            return note_cause(PW85_EINVAL, "centers", "must all have the same z in two dimensions",
+                              i, 2, configuration.centers[i][2]);
+        if (turn[1] != 0.0 || turn[2] != 0.0)
+            return note_cause(PW85_EINVAL, "quaternions",
+                              "must be rotations about z in two dimensions", i, 1, turn[1]);
     }
-    return planar;
+    if (!cell.exists || (cell.periodic[2] == 0 && has_no_z(cell.vector(0)) &&
+                         has_no_z(cell.vector(1)) && upright[0] == 0.0 && upright[1] == 0.0))
+        return PW85_SUCCESS;
+    return note_cause(PW85_EINVAL, "cell",
+                      "must have its first two vectors in the plane, and the third along z and not "
+                      "periodic");
 }
 
 /// Makes a simulation of n particles. load(i) returns particle i, and set(engine) sets the rest,
@@ -103,7 +117,7 @@ template <class Load, class Set> int make(std::size_t n, Cell const &cell, Load 
                                           Set const &set, std::int32_t *pair,
                                           pw85_hard_ellipsoids *&simulation) noexcept
 {
-    if (n > INT32_MAX) return PW85_EINVAL;
+    if (n > INT32_MAX) return note_cause(PW85_EINVAL, "num_particles", "must be below 2³¹");
     std::unique_ptr<pw85_hard_ellipsoids> made(new (std::nothrow) pw85_hard_ellipsoids);
     if (made == nullptr || !made->engine.configuration.resize(n)) return PW85_ENOMEM;
     Engine &engine = made->engine;
@@ -115,9 +129,10 @@ template <class Load, class Set> int make(std::size_t n, Cell const &cell, Load 
         if (int const status = make_particle(center, quaternion, axes, particle)) return status;
         engine.configuration.set(i, particle);
     }
+    if (int const status = check_cell(cell)) return status;
     if (int const status = set(engine)) return status;
-    if (engine.configuration.dimensions == 2 && !is_planar(engine.configuration))
-        return PW85_EINVAL;
+    if (engine.configuration.dimensions == 2)
+        if (int const status = check_plane(engine.configuration)) return status;
     if (int const status = engine.external.check(engine.configuration, nullptr)) return status;
     if (int const status = engine.start()) return status;
     if (int const status = engine.check(pair)) return status;
@@ -128,8 +143,6 @@ template <class Load, class Set> int make(std::size_t n, Cell const &cell, Load 
 int create(pw85_system const &system, double const *semi_axes, double const *quaternions,
            std::size_t seed, std::int32_t *pair, pw85_hard_ellipsoids *&simulation) noexcept
 {
-    if (system.num_particles > 0 && any_null(system.centers, semi_axes, quaternions))
-        return PW85_EINVAL;
     double shortest = HUGE_VAL;
     auto const load = [&](std::size_t i) {
         SavedParticle particle{c_api::load_vector<3>(system.centers + 3 * i),
@@ -151,11 +164,12 @@ int create(pw85_system const &system, double const *semi_axes, double const *qua
 /// Sets the dimensions of a simulation whose state allows it. Returns a status.
 int set_dimensions(Engine &engine, int dimensions) noexcept
 {
-    if (dimensions == 2 && !is_planar(engine.configuration)) return PW85_EINVAL;
+    if (dimensions == 2)
+        if (int const status = check_plane(engine.configuration)) return status;
     int const before = std::exchange(engine.configuration.dimensions, dimensions);
-    bool const is_allowed = engine.external.check(engine.configuration, nullptr) == PW85_SUCCESS;
+    int const status = engine.external.check(engine.configuration, nullptr);
     engine.configuration.dimensions = before;
-    if (!is_allowed) return PW85_EINVAL;
+    if (status != PW85_SUCCESS) return PW85_EINVAL;
     engine.set_dimensions(dimensions);
     double &translation = engine.parameters.translation;
     double const longest = most_useful_translation(engine.configuration);
@@ -285,7 +299,9 @@ int save(Engine const &engine, unsigned char *bytes) noexcept
 {
     double const energy = energy_to_save(engine);
     // A state without a finite energy could not have its potential again: see set_potential().
-    if (!std::isfinite(energy)) return PW85_EPOTENTIAL;
+    if (!std::isfinite(energy))
+        return note_cause(PW85_EPOTENTIAL, "potential",
+                          "must give an energy that is finite, because it is saved");
     Configuration const &configuration = engine.configuration;
     Header header;
     // no byte between members is left to chance
@@ -365,7 +381,7 @@ int load_environment(std::size_t size, unsigned char const *bytes, Engine &engin
     if (int const status = read(bytes, rest, saved.num_species, engine.species)) return status;
     if (int const status = read(bytes, rest, saved.num_walls, external.walls)) return status;
     if (int const status = read(bytes, rest, saved.num_fields, external.fields)) return status;
-    if (rest != 0 || !are_species(engine.species) || !std::isfinite(saved.energy))
+    if (rest != 0 || check_kinds(engine.species) != PW85_SUCCESS || !std::isfinite(saved.energy))
         return PW85_EINVAL;
     external.lacks_potential = saved.has_potential != 0;
     external.saved_energy = saved.energy;
@@ -407,31 +423,27 @@ int restore(std::size_t size, unsigned char const *bytes,
 
 } // namespace
 
-int pw85_hard_ellipsoids_create(pw85_system const *system, double const *semi_axes,
-                                double const *quaternions, size_t seed, int32_t pair[2],
-                                pw85_hard_ellipsoids **simulation)
+int pw85::detail::hard_ellipsoids_create(pw85_system const &system, double const *semi_axes,
+                                         double const *quaternions, size_t seed, int32_t pair[2],
+                                         pw85_hard_ellipsoids *&simulation) noexcept
 {
-    if (pair != nullptr) pair[0] = pair[1] = -1;
-    if (any_null(simulation)) return PW85_EINVAL;
-    *simulation = nullptr;
-    if (any_null(system)) return PW85_EINVAL;
-    return in_default_environment(
-        [&] { return create(*system, semi_axes, quaternions, seed, pair, *simulation); });
+    return create(system, semi_axes, quaternions, seed, pair, simulation);
 }
 
 void pw85_hard_ellipsoids_destroy(pw85_hard_ellipsoids *simulation) { delete simulation; }
 
-int pw85_hard_ellipsoids_set_dimensions(pw85_hard_ellipsoids *simulation, int dimensions)
+int pw85::detail::hard_ellipsoids_set_dimensions(pw85_hard_ellipsoids &simulation,
+                                                 int dimensions) noexcept
 {
-    if (any_null(simulation) || (dimensions != 2 && dimensions != 3)) return PW85_EINVAL;
-    return in_default_environment([&] { return set_dimensions(simulation->engine, dimensions); });
+    if (dimensions != 2 && dimensions != 3)
+        return note_cause(PW85_EINVAL, "dimensions", "must be 2 or 3", 0, 0, dimensions);
+    return set_dimensions(simulation.engine, dimensions);
 }
 
-int pw85_hard_ellipsoids_dimensions(pw85_hard_ellipsoids const *simulation, int *dimensions)
+int pw85::detail::hard_ellipsoids_dimensions(pw85_hard_ellipsoids const &simulation,
+                                             int *dimensions) noexcept
 {
-    if (dimensions != nullptr) *dimensions = -1;
-    if (any_null(simulation, dimensions)) return PW85_EINVAL;
-    *dimensions = simulation->engine.configuration.dimensions;
+    *dimensions = simulation.engine.configuration.dimensions;
     return PW85_SUCCESS;
 }
 
@@ -440,19 +452,19 @@ size_t pw85_hard_ellipsoids_num_bytes(pw85_hard_ellipsoids const *simulation)
     return simulation == nullptr ? 0 : num_bytes(simulation->engine);
 }
 
-int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, size_t size,
-                              unsigned char *bytes)
+int pw85::detail::hard_ellipsoids_save(pw85_hard_ellipsoids const &simulation, size_t size,
+                                       unsigned char *bytes) noexcept
 {
-    if (any_null(simulation) || any_null(bytes)) return PW85_EINVAL;
-    if (size != pw85_hard_ellipsoids_num_bytes(simulation)) return PW85_EINVAL;
-    return in_default_environment([&] { return save(simulation->engine, bytes); });
+    if (size != num_bytes(simulation.engine))
+        return note_cause(PW85_EINVAL, "num_bytes", "must be pw85_hard_ellipsoids_num_bytes()");
+    return save(simulation.engine, bytes);
 }
 
-int pw85_hard_ellipsoids_restore(size_t num_bytes, unsigned char const *bytes,
-                                 pw85_hard_ellipsoids **simulation)
+int pw85::detail::hard_ellipsoids_restore(size_t size, unsigned char const *bytes,
+                                          pw85_hard_ellipsoids *&simulation) noexcept
 {
-    if (any_null(simulation)) return PW85_EINVAL;
-    *simulation = nullptr;
-    if (any_null(bytes)) return PW85_EINVAL;
-    return in_default_environment([&] { return restore(num_bytes, bytes, *simulation); });
+    int const status = restore(size, bytes, simulation);
+    if (status != PW85_EINVAL) return status;
+    return note_cause(status, "bytes",
+                      "must be a state that this version saved on this type of machine");
 }

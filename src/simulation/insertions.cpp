@@ -259,7 +259,7 @@ int Insertions::try_weight(Vector3 const &semi_axes, double &weight) noexcept
     if (is_free)
         if (int const status = test(particle, is_free)) return status;
     double energy = is_free ? engine_.external.energy(all.size(), particle, all.dimensions) : 0.0;
-    if (std::isnan(energy)) return PW85_EPOTENTIAL;
+    if (std::isnan(energy)) return ExternalPotential::refuse_energy();
     if (is_free)
         if (int const status = add_pair_energy(particle, none, energy)) return status;
     ++engine_.parameters.step;
@@ -287,7 +287,7 @@ int Insertions::try_insertion(Species &species, Stream &stream, InsertionCounts 
     Particle particle;
     bool is_free = draw(stream, species.semi_axes, particle);
     double energy = engine_.external.energy(all.size(), particle, all.dimensions);
-    if (std::isnan(energy)) return PW85_EPOTENTIAL;
+    if (std::isnan(energy)) return ExternalPotential::refuse_energy();
     double const ratio = species.activity * all.volume() / static_cast<double>(species.count + 1);
     // Pairs that overlap have no energy. Without pairs the overlap test comes last, as it takes the
     // longest time.
@@ -316,7 +316,7 @@ int Insertions::try_removal(Species &species, Stream &stream, InsertionCounts &c
         do i = stream.below(static_cast<std::uint32_t>(all.size()));
         while (!species.has(all.semi_axes[i]));
         double energy = engine_.external.energy(i, all.get(i), all.dimensions);
-        if (std::isnan(energy)) return PW85_EPOTENTIAL;
+        if (std::isnan(energy)) return ExternalPotential::refuse_energy();
         if (int const status = add_pair_energy(all.get(i), i, energy)) return status;
         double const ratio = static_cast<double>(species.count) / (species.activity * all.volume());
         is_accepted =

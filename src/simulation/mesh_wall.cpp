@@ -4,6 +4,9 @@
 
 #include <cmath>
 
+#include "../base/last_error.hpp"
+#include "../base/objects.hpp"
+
 namespace pw85::detail::simulation {
 
 namespace {
@@ -32,8 +35,8 @@ void MeshWall::enclose(Cell const &cell) noexcept
 int MeshWall::prepare(Cell const &cell) noexcept
 {
     pw85_mesh *made = nullptr;
-    if (int const status = pw85_mesh_create(vertices.size() / 3, vertices.data(),
-                                            triangles.size() / 3, triangles.data(), &made))
+    if (int const status = mesh_create(vertices.size() / 3, vertices.data(), triangles.size() / 3,
+                                       triangles.data(), made))
         return status;
     mesh_.reset(made);
     if (!exists()) return PW85_SUCCESS;
@@ -45,7 +48,8 @@ int MeshWall::prepare(Cell const &cell) noexcept
         bool const is_periodic = periodicity.is_periodic(k);
         dual_[k] = is_periodic ? periodicity.dual_of_cell(k) : Vector3{};
         dual_bound_[k] = is_periodic ? periodicity.dual_of_cell_bound(k) : 0.0;
-        if (!(2.0 * magnitude_of_dot(dual_[k], half_widths_) <= most_cells)) return PW85_EINVAL;
+        if (!(2.0 * magnitude_of_dot(dual_[k], half_widths_) <= most_cells))
+            return note_cause(PW85_EINVAL, "vertices", "must be within 16 periods of the cell");
     }
     return PW85_SUCCESS;
 }
@@ -90,7 +94,7 @@ bool MeshWall::cuts(Particle const &particle) const noexcept
     return exists() && any_image(particle, [&](Vector3 const &center) {
                int overlap;
                int const status =
-                   pw85_mesh_overlap(mesh_.get(), center.coordinates, particle.q.entries, &overlap);
+                   mesh_overlap(*mesh_, center.coordinates, particle.q.entries, &overlap);
                return status != PW85_SUCCESS || overlap != 0;
            });
 }
@@ -102,8 +106,8 @@ std::int32_t MeshWall::nearest(Particle const &particle) const noexcept
     any_image(particle, [&](Vector3 const &center) {
         double mu2;
         std::int32_t triangle;
-        int const status = pw85_mesh_contact(mesh_.get(), center.coordinates, particle.q.entries,
-                                             &mu2, nullptr, &triangle);
+        int const status =
+            mesh_contact(*mesh_, center.coordinates, particle.q.entries, &mu2, nullptr, &triangle);
         if (status == PW85_SUCCESS && mu2 < least) least = mu2, nearest = triangle;
         return false;
     });

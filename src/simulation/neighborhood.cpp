@@ -8,6 +8,7 @@
 #include <memory>
 #include <span>
 
+#include "../base/objects.hpp"
 #include "../base/parallel.hpp"
 
 namespace pw85::detail::simulation {
@@ -138,7 +139,7 @@ int Neighborhood::rebuild_list(Configuration const &configuration, double reach,
 {
     pw85_system const system = configuration.system();
     pw85_neighbors *made = nullptr;
-    int const status = pw85_neighbors_create(&system, reach, skin, &made);
+    int const status = neighbors_create(system, reach, skin, made);
     std::unique_ptr<pw85_neighbors, DestroyList> const list(made);
     if (status != PW85_SUCCESS) return status;
     std::copy_n(configuration.cell.vectors, 9, cell_);

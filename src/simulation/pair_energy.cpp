@@ -5,6 +5,8 @@
 #include <atomic>
 #include <cmath>
 
+#include "../base/last_error.hpp"
+#include "../base/objects.hpp"
 #include "../rows/laws.hpp"
 #include "acceptance.hpp"
 #include "engine.hpp"
@@ -35,6 +37,11 @@ double bound_of(pw85_law const &law, kernels::InversePowers const &powers) noexc
     return largest + steepest * (x[1] - std::min(1.0, x[0]));
 }
 
+int refuse_law(char const *requirement) noexcept
+{
+    return note_cause(PW85_EINVAL, "law", requirement);
+}
+
 } // namespace
 
 int PairEnergy::set(pw85_law const *law) noexcept
@@ -43,18 +50,21 @@ int PairEnergy::set(pw85_law const *law) noexcept
         *this = PairEnergy();
         return PW85_SUCCESS;
     }
-    if (!kernels::is_valid(*law) || law->kind == PW85_LAW_SOFT_REPULSION) return PW85_EINVAL;
+    if (law->kind == PW85_LAW_SOFT_REPULSION)
+        return refuse_law("must not be a soft repulsion, which ends where the hard cores begin");
+    if (!kernels::is_valid(*law)) return refuse_law("must have parameters within their ranges");
     double const *const x = law->parameters;
     PairEnergy made;
     if (law->kind == PW85_LAW_INVERSE_POWERS)
         made.powers_ = kernels::shifted({x[0], x[1], x[2], x[3], x[4], 0.0});
-    if (!(bound_of(*law, made.powers_) <= largest)) return PW85_EINVAL;
+    if (!(bound_of(*law, made.powers_) <= largest))
+        return refuse_law("must have energies of pairs of at most 2²⁰ k_B T");
     if (!made.parameters_.resize(law->num_parameters)) return PW85_ENOMEM;
     std::copy_n(x, law->num_parameters, made.parameters_.data());
     made.kind_ = law->kind;
     // The relative error of a root is below 2⁻⁵².
     made.reach_ = std::max(1.0, (1.0 + 0x1p-50) * std::sqrt(cutoff_of(*law)));
-    if (made.reach_ > farthest) return PW85_EINVAL;
+    if (made.reach_ > farthest) return refuse_law("must have a cutoff of at most μ = 1000");
     *this = std::move(made);
     return PW85_SUCCESS;
 }
@@ -90,7 +100,7 @@ int PairEnergy::of_all(Configuration const &all, EnergySum &sum) const noexcept
 {
     pw85_system const system = all.system();
     pw85_neighbors *made = nullptr;
-    if (int const status = pw85_neighbors_create(&system, reach_, 0.0, &made)) return status;
+    if (int const status = neighbors_create(system, reach_, 0.0, made)) return status;
     std::unique_ptr<pw85_neighbors, DestroyList> const owner(made);
     pw85_pair_list const list = pw85_neighbors_list(made);
     EnergyCollector pairs(*this);
@@ -108,7 +118,7 @@ int PairEnergy::virial_of_all(Configuration const &all, double &virial) const no
 {
     pw85_system const system = all.system();
     pw85_neighbors *made = nullptr;
-    if (int const status = pw85_neighbors_create(&system, reach_, 0.0, &made)) return status;
+    if (int const status = neighbors_create(system, reach_, 0.0, made)) return status;
     std::unique_ptr<pw85_neighbors, DestroyList> const owner(made);
     pw85_pair_list const list = pw85_neighbors_list(made);
     pw85_law const own = law();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "../base/objects.hpp"
 #include "../rows/many_pairs.hpp"
 #include "acceptance.hpp"
 #include "engine.hpp"
@@ -22,7 +23,7 @@ int least_mu2_of_list(pw85_system const &system, double scale, double &mu2) noex
 {
     mu2 = HUGE_VAL;
     pw85_neighbors *made = nullptr;
-    if (int const status = pw85_neighbors_create(&system, scale, 0.0, &made)) return status;
+    if (int const status = neighbors_create(system, scale, 0.0, made)) return status;
     std::unique_ptr<pw85_neighbors, DestroyList> const owner(made);
     pw85_pair_list const list = pw85_neighbors_list(made);
     if (list.num_pairs == 0) return PW85_SUCCESS;
@@ -48,13 +49,13 @@ int find_least_mu2(pw85_system const &system, double &mu2) noexcept
 
 int Engine::try_volume(double pressure, ChangeType type) noexcept
 {
-    if (external.lacks_potential) return PW85_EPOTENTIAL;
+    if (int const status = external.check_potential()) return status;
     Stream stream(parameters.seed, parameters.step, 0);
     Change const change(type, parameters.volume, ordered_.dimensions, stream);
     double cost = pressure * ordered_.volume() * (change.determinant() - 1.0);
     if (external.potential != nullptr) {
         cost += energy_change(change);
-        if (std::isnan(cost)) return PW85_EPOTENTIAL;
+        if (std::isnan(cost)) return ExternalPotential::refuse_energy();
     }
     ++parameters.step;
     ++parameters.counts.trials[volume];
@@ -195,7 +196,7 @@ int find_first_overlap(Configuration const &configuration, std::int32_t *pair) n
 {
     pw85_system const system = configuration.system();
     pw85_neighbors *made = nullptr;
-    if (int const status = pw85_neighbors_create(&system, 1.0, 0.0, &made)) return status;
+    if (int const status = neighbors_create(system, 1.0, 0.0, made)) return status;
     std::unique_ptr<pw85_neighbors, DestroyList> const owner(made);
     pw85_pair_list const list = pw85_neighbors_list(made);
     auto const overlap = PW85_OF_PAIR(kernels::chosen(), overlap);

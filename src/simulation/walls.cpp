@@ -3,6 +3,7 @@
 #include "walls.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include <pw85/overlap/containment.hpp>
 #include <pw85/shapes/overlap_polytope.hpp>
@@ -52,13 +53,10 @@ bool is_not_repeated(Cell const &cell) noexcept
 
 bool is_positive(double x) noexcept { return x > 0.0 && std::isfinite(x); }
 
-/// Returns whether the face of a box that is across axis d stays the same in a periodic cell.
-bool is_box_suited(Vector3 const &lower, Vector3 const &upper,
-                   Configuration const &configuration) noexcept
+bool is_ordered(Vector3 const &lower, Vector3 const &upper, bool is_flat) noexcept
 {
-    bool ordered = is_not_repeated(configuration.cell);
-    int const dimensions = configuration.dimensions == 2 ? 2 : 3;
-    for (int d = 0; d < dimensions; ++d) ordered = ordered && lower[d] <= upper[d];
+    bool ordered = true;
+    for (int d = 0; d < (is_flat ? 2 : 3); ++d) ordered = ordered && lower[d] <= upper[d];
     return ordered;
 }
 
@@ -67,8 +65,10 @@ bool half_space_cuts(Vector3 const &normal, double offset, Particle const &parti
 {
     double const along = dot(normal, particle.center),
                  width = magnitude_of_dot(normal, particle.half_widths);
+    // The least normal number is for products that underflow.
     double const rounding =
-        0x1p-40 * (magnitude_of_dot(normal, particle.center) + std::abs(offset));
+        0x1p-40 * (magnitude_of_dot(normal, particle.center) + std::abs(offset)) +
+        std::numeric_limits<double>::min();
     if (offset - along > margin * width + rounding) return false;
     Vector3 const outward = -normal;
     double const least = -offset;
@@ -156,26 +156,48 @@ bool is_repeated_across(Vector3 const &direction, Cell const &cell) noexcept
     return across;
 }
 
-bool is_suited(pw85_wall const &wall, Configuration const &configuration) noexcept
+namespace {
+
+/// The requirement on the numbers of a wall that does not meet it; null if it does.
+char const *requirement_on_numbers(pw85_wall const &wall, bool is_flat) noexcept
 {
     Vector3 const point = load_vector<3>(wall.point), vector = load_vector<3>(wall.vector);
-    bool const is_flat = configuration.dimensions == 2;
-    switch (wall.kind) {
-    case PW85_WALL_PLANE:
-        return is_finite(vector) && std::isfinite(wall.size) && largest_coordinate(vector) > 0.0 &&
-               (!is_flat || vector[2] == 0.0) && is_repeated_across(vector, configuration.cell);
-    case PW85_WALL_SPHERE:
-        return is_finite(point) && is_positive(wall.size * wall.size) && wall.size > 0.0 &&
-               is_not_repeated(configuration.cell);
-    case PW85_WALL_CYLINDER:
-        return is_finite(point) && is_finite(vector) && largest_coordinate(vector) > 0.0 &&
-               is_positive(wall.size * wall.size) && wall.size > 0.0 &&
-               (!is_flat || is_along_z(vector)) && is_repeated_along(vector, configuration.cell);
-    case PW85_WALL_BOX:
-        return is_finite(point) && is_finite(vector) && is_box_suited(point, vector, configuration);
-    default:
-        return false;
-    }
+    bool const has_point = wall.kind != PW85_WALL_PLANE, has_vector = wall.kind != PW85_WALL_SPHERE;
+    bool const is_round = wall.kind == PW85_WALL_SPHERE || wall.kind == PW85_WALL_CYLINDER;
+    if ((has_point && !is_finite(point)) || (has_vector && !is_finite(vector)) ||
+        (wall.kind == PW85_WALL_PLANE && !std::isfinite(wall.size)))
+        return "must be finite";
+    if (is_round && !(wall.size > 0.0 && is_positive(wall.size * wall.size)))
+        return "must have a radius > 0 whose square is finite and not 0";
+    if (wall.kind == PW85_WALL_BOX)
+        return is_ordered(point, vector, is_flat) ? nullptr : "must have lower <= upper corners";
+    if (has_vector && largest_coordinate(vector) == 0.0)
+        return "must have a normal or an axis that is not zero";
+    if (is_flat && wall.kind == PW85_WALL_PLANE && vector[2] != 0.0)
+        return "must have a normal without z in two dimensions";
+    if (is_flat && wall.kind == PW85_WALL_CYLINDER && !is_along_z(vector))
+        return "must have an axis along z in two dimensions";
+    return nullptr;
+}
+
+bool is_repeated(pw85_wall const &wall, Cell const &cell) noexcept
+{
+    Vector3 const vector = load_vector<3>(wall.vector);
+    if (wall.kind == PW85_WALL_PLANE) return is_repeated_across(vector, cell);
+    if (wall.kind == PW85_WALL_CYLINDER) return is_repeated_along(vector, cell);
+    return is_not_repeated(cell);
+}
+
+} // namespace
+
+char const *requirement_on(pw85_wall const &wall, Configuration const &configuration) noexcept
+{
+    if (wall.kind < PW85_WALL_PLANE || wall.kind > PW85_WALL_BOX)
+        return "must be of a kind that there is";
+    if (char const *const text = requirement_on_numbers(wall, configuration.dimensions == 2))
+        return text;
+    return is_repeated(wall, configuration.cell) ? nullptr
+                                                 : "must be the same in all images of the cell";
 }
 
 bool cuts(pw85_wall const &wall, Particle const &particle, int dimensions) noexcept

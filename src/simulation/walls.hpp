@@ -25,7 +25,7 @@ namespace pw85::detail::simulation {
 
 /// Returns whether a simulation can have a wall: its numbers are allowed, and it is repeated with
 /// the cell and suits the dimensions.
-bool is_suited(pw85_wall const &wall, Configuration const &configuration) noexcept;
+char const *requirement_on(pw85_wall const &wall, Configuration const &configuration) noexcept;
 
 /// Returns whether a particle has inner points in a wall.
 bool cuts(pw85_wall const &wall, Particle const &particle, int dimensions) noexcept;

@@ -28,7 +28,7 @@ STANDS_ON = {
     "bodies": ("ground", "algebra", "contact", "distance", "volume"),
     "motion": ("ground", "algebra", "contact"),
     "history": ("ground", "algebra", "contact"),
-    "any_dimension": ("ground", "algebra", "contact", "overlap"),
+    "any_dimension": ("ground", "algebra", "contact", "overlap", "distance"),
     "batch": ("ground", "algebra", "motion"),
     "systems": ("ground", "algebra", "contact", "overlap", "shapes", "motion", "batch"),
     "simulation": ("ground", "algebra", "systems"),

@@ -464,6 +464,10 @@ class Installation:
                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
             if done.returncode == 0 or not all(package in done.stdout for package in ("libgsl-dev", "libboost-dev")):
                 raise Failed(f"{command[0]} without GSL and Boost: status {done.returncode}\n{done.stdout}")
+        printed = run("cmake", "-S", self.source, "-B", self.work / "no-gsl-cmake", "-DPW85_GPU=OFF", "-DPW85_GSL=ON",
+                      "-DCMAKE_DISABLE_FIND_PACKAGE_GSL=ON")
+        if "GSL was not found" not in printed:
+            raise Failed(f"CMake takes Boost in place of GSL without a word:\n{printed}")
 
     def check_level(self, build, wanted):
         """Of several levels on a command line, the last one counts."""

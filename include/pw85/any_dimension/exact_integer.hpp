@@ -163,6 +163,8 @@ PW85_FUNCTION inline Integer operator-(Integer const &x, Integer const &y) noexc
     return sum(x, y, -1);
 }
 
+PW85_FUNCTION inline Integer copy(Integer const &x) noexcept { return x + Integer(); }
+
 /// The number of zero bits below the lowest bit that is set, for x != 0.
 PW85_FUNCTION inline std::size_t trailing_zeros(Integer const &x) noexcept
 {

@@ -132,46 +132,68 @@ PW85_FUNCTION inline void read(Input const &in, double m, IntegerInput &x) noexc
     x.scale_b = to_integer(m, q - unit);
 }
 
-/// p(t) at an integer t >= 0. The determinant of M with the border r12 is -a(t).
-PW85_FUNCTION inline Integer evaluate(int n, IntegerInput const &x, int t) noexcept
+/// Values at a matrix M = first Q1 + second Q2.
+struct Minors {
+    Integer bordered; ///< the determinant of M with the border r12: -r12ᵀ adj(M) r12
+    Integer determinant;
+    int definite = sign_unknown; ///< 1 if M is positive definite; if not, nothing is computed
+
+    [[gnu::always_inline]] Minors() noexcept = default;
+    [[gnu::always_inline]] Minors(Minors &&) noexcept = default;
+    [[gnu::always_inline]] ~Minors() = default;
+};
+
+PW85_FUNCTION inline Minors evaluate(int n, IntegerInput const &x, int first, int second) noexcept
 {
-    Integer const factor = to_integer(t, 0);
+    Integer const weight1 = to_integer(first, 0), weight2 = to_integer(second, 0);
     Integer a[packed_size(max_dimension + 1)];
     for (int i = 0; i < n; ++i) {
         for (int j = i; j < n; ++j) {
             int const k = packed_index(n, i, j);
-            a[packed_index(n + 1, i, j)] = x.q1[k] + factor * x.q2[k];
+            a[packed_index(n + 1, i, j)] = weight1 * x.q1[k] + weight2 * x.q2[k];
         }
-        a[packed_index(n + 1, i, n)] = x.r12[i] + Integer();
+        a[packed_index(n + 1, i, n)] = copy(x.r12[i]);
     }
-    if (eliminate(n + 1, n, a) != 1) return undefined_integer(); // a blend is positive definite
-    Integer const &bordered = a[packed_size(n + 1) - 1], &b = a[packed_index(n + 1, n - 1, n - 1)];
-    return Integer() - (factor * x.scale_a * bordered + to_integer(t + 1, 0) * x.scale_b * b);
+    Minors minors;
+    minors.definite = eliminate(n + 1, n, a);
+    minors.bordered = std::move(a[packed_size(n + 1) - 1]);
+    minors.determinant = std::move(a[packed_index(n + 1, n - 1, n - 1)]);
+    return minors;
 }
 
-/// (n + 1)! p, by Newton's interpolation in its values at 0 … n + 1.
-PW85_FUNCTION inline void interpolate(int n, IntegerInput const &x, ExactPolynomial &p) noexcept
+/// degree! p from the values of p at 0 … degree, by Newton's interpolation. The values are
+/// overwritten.
+PW85_FUNCTION inline void interpolate(int degree, Integer *values, ExactPolynomial &p) noexcept
 {
-    int const degree = n + 1;
-    Integer differences[max_dimension + 2];
-    for (int t = 0; t <= degree; ++t) differences[t] = evaluate(n, x, t);
     for (int k = 1; k <= degree; ++k)
-        for (int t = degree; t >= k; --t) differences[t] = differences[t] - differences[t - 1];
-    // Horner's scheme: p = (… (d_n+1 (t - n)/(n + 1) + d_n) (t - n + 1)/n + …) t/1 + d_0
-    Integer factor = to_integer(1.0, 0); // (n + 1)!/k!
+        for (int t = degree; t >= k; --t) values[t] = values[t] - values[t - 1];
+    // Horner's scheme: p = (… (d_n (t - n + 1)/n + d_n-1) (t - n + 2)/(n - 1) + …) t/1 + d_0
+    Integer factor = to_integer(1.0, 0); // degree!/k!
     p.degree = degree;
-    p.c[0] = differences[degree] + Integer();
+    p.c[0] = copy(values[degree]);
     for (int k = degree - 1; k >= 0; --k) {
         factor = factor * to_integer(k + 1, 0);
         Integer const shift = to_integer(k, 0);
         for (int i = degree - k; i > 0; --i) p.c[i] = p.c[i - 1] - shift * p.c[i];
-        p.c[0] = factor * differences[k] - shift * p.c[0];
+        p.c[0] = factor * values[k] - shift * p.c[0];
     }
     p.trim();
 }
 
-/// The remainder of x by y times a positive number, in place: y's leading coefficient to an even
-/// power or its magnitude to an odd power.
+/// A multiple of p, which a comparison needs.
+PW85_FUNCTION inline void interpolate(int n, IntegerInput const &x, ExactPolynomial &p) noexcept
+{
+    Integer values[max_dimension + 2];
+    for (int t = 0; t <= n + 1; ++t) {
+        Minors const at = evaluate(n, x, 1, t); // a blend is positive definite
+        values[t] = to_integer(-t, 0) * x.scale_a * at.bordered -
+                    to_integer(t + 1, 0) * x.scale_b * at.determinant;
+    }
+    interpolate(n + 1, values, p);
+}
+
+/// Replaces x by a positive multiple of the remainder of x divided by y. The factor is |leading
+/// coefficient of y|^steps.
 PW85_FUNCTION inline void pseudo_remainder(ExactPolynomial &x, ExactPolynomial const &y) noexcept
 {
     int const steps = x.degree - y.degree + 1;
@@ -210,33 +232,58 @@ struct SignChanges {
     }
 };
 
-/// The number of distinct positive roots, by Sturm's theorem. Returns -1 if there is no memory. The
-/// sequence is that of subresultants (G. E. Collins, J. ACM 14, 128, 1967; W. S. Brown and J. F.
-/// Traub, J. ACM 18, 505, 1971): each remainder is divided by the magnitude of a factor that it is
-/// known to have. `pair` has p, and is overwritten.
-PW85_FUNCTION inline int count_positive_roots(ExactPolynomial (&pair)[2]) noexcept
+PW85_FUNCTION inline bool is_defined(ExactPolynomial const &p) noexcept
+{
+    for (int i = 0; i <= p.degree; ++i)
+        if (!p.c[i].is_defined()) return false;
+    return true;
+}
+
+/// Calls visit(p) for each polynomial of the sequence of negative remainders that begins with a
+/// pair, and overwrites the pair. Returns the last polynomial that is not zero, the greatest common
+/// divisor up to a factor; null if there is no memory. The sequence is that of subresultants (G. E.
+/// Collins, J. ACM 14, 128, 1967; W. S. Brown and J. F. Traub, J. ACM 18, 505, 1971): each
+/// remainder is divided by the magnitude of a factor that it is known to have.
+template <class Visit> [[gnu::noinline]] PW85_FUNCTION inline ExactPolynomial *
+divide_repeatedly(ExactPolynomial (&pair)[2], Visit const &visit) noexcept
 {
     ExactPolynomial *first = &pair[0], *second = &pair[1];
-    second->degree = first->degree - 1;
-    for (int i = 0; i <= second->degree; ++i) second->c[i] = first->c[i + 1] * to_integer(i + 1, 0);
-    SignChanges changes;
-    changes.add(*first);
+    if (first->degree < second->degree) std::swap(first, second);
+    visit(*first);
     Integer leading = to_integer(1.0, 0), psi = to_integer(1.0, 0);
     while (second->degree >= 0) {
-        for (int i = 0; i <= second->degree; ++i)
-            if (!second->c[i].is_defined()) return -1;
-        changes.add(*second);
+        if (!is_defined(*second)) return nullptr;
+        visit(*second);
         int const delta = first->degree - second->degree;
         pseudo_remainder(*first, *second);
         Integer factor = leading * power(psi, delta);
-        factor.set_sign(-1); // Sturm's sequence has the negative remainders
+        factor.set_sign(-1);
         for (int i = 0; i <= first->degree; ++i) first->c[i] = exact_quotient(first->c[i], factor);
-        leading = second->leading() + Integer();
+        leading = copy(second->leading());
         leading.set_sign(1);
         psi = exact_quotient(power(leading, delta), power(psi, delta - 1));
         std::swap(first, second);
     }
-    return changes.difference;
+    return is_defined(*first) ? first : nullptr;
+}
+
+/// Numbers of roots: of distinct positive ones, and of those that are counted twice or more, with
+/// all but one of the times.
+struct RootCount {
+    int positive, repeated; ///< positive is -1 if there is no memory
+};
+
+/// Counts roots by Sturm's theorem. `pair` has p, and is overwritten.
+PW85_FUNCTION inline RootCount count_roots(ExactPolynomial (&pair)[2]) noexcept
+{
+    ExactPolynomial const &p = pair[0];
+    ExactPolynomial &derivative = pair[1];
+    derivative.degree = p.degree - 1;
+    for (int i = 0; i < p.degree; ++i) derivative.c[i] = p.c[i + 1] * to_integer(i + 1, 0);
+    SignChanges changes;
+    auto const *const last =
+        divide_repeatedly(pair, [&](ExactPolynomial const &x) { changes.add(x); });
+    return last == nullptr ? RootCount{-1, 0} : RootCount{changes.difference, last->degree};
 }
 
 /// The sign of μ² - m for a pair of positive definite forms and a finite m > 0, or sign_unknown.
@@ -250,9 +297,8 @@ PW85_FUNCTION inline int count_positive_roots(ExactPolynomial (&pair)[2]) noexce
         read(in, m, x);
         interpolate(in.n, x, pair[0]);
     }
-    for (int i = 0; i <= pair[0].degree; ++i)
-        if (!pair[0].c[i].is_defined()) return sign_unknown;
-    int const roots = count_positive_roots(pair);
+    if (!is_defined(pair[0])) return sign_unknown;
+    int const roots = count_roots(pair).positive;
     return roots < 0 ? sign_unknown : roots - 1;
 }
 

@@ -38,6 +38,23 @@ PW85_FUNCTION constexpr SymmetricMatrix<T, 3> inertia_of(SymmetricMatrix<T, 3> c
     return {m[3] + m[5], -m[1], -m[2], m[0] + m[5], -m[4], m[0] + m[3]};
 }
 
+/// The tensor of inertia of a mass with given second moments.
+template <class T> PW85_FUNCTION inline SymmetricMatrix<T, 3>
+inertia_of_mass(T const &mass, SymmetricMatrix<T, 3> const &moments) noexcept
+{
+    auto inertia = inertia_of(moments);
+    for (int k = 0; k < inertia.size; ++k) inertia[k] = mass * inertia[k];
+    return inertia;
+}
+
+/// The tensor of inertia of a shell of a valid form.
+template <class T>
+PW85_FUNCTION inline SymmetricMatrix<T, 3> shell_inertia(SymmetricMatrix<T, 3> const &q) noexcept
+{
+    auto const sheet = sheet_moments(q);
+    return inertia_of_mass(sheet.area, sheet.moments);
+}
+
 /// The tensor of inertia of a valid form. It is computed in the unit in which the largest diagonal
 /// entry of the form is in [1, 4). So the mass alone cannot leave the range, and an entry that is
 /// zero stays zero where others overflow.
@@ -46,9 +63,8 @@ inertia_of_valid(SymmetricMatrix<T, 3> const &q, bool is_shell) noexcept
 {
     int const e = half_exponent(largest_diagonal(q));
     auto const scaled = times_power_of_two(q, -2 * e);
-    T const mass = is_shell ? surface_of(scaled) : measure_of(scaled);
-    auto inertia = inertia_of(is_shell ? sheet_moments(scaled) : body_moments(scaled));
-    for (int k = 0; k < q.size; ++k) inertia[k] = mass * inertia[k];
+    auto const inertia = is_shell ? shell_inertia(scaled)
+                                  : inertia_of_mass(measure_of(scaled), body_moments(scaled));
     return times_power_of_two(inertia, (is_shell ? 4 : 5) * e);
 }
 

@@ -100,19 +100,30 @@ PW85_FUNCTION inline Sheet<Finer<T>, D> sheet_of(SymmetricMatrix<T, D> const &q)
     return sheet;
 }
 
+/// The area or the perimeter of a sheet.
+template <class T, class W, int D>
+PW85_FUNCTION inline T rounded_area(Sheet<W, D> const &sheet) noexcept
+{
+    W const factor = D == 3 ? W(W(4) * fine_circle_constant<T>()) : W(8);
+    return rounded(W(factor * sheet.size));
+}
+
 /// The area or the perimeter of a valid form.
 template <class T, int D> PW85_RARE T surface_of(SymmetricMatrix<T, D> const &q) noexcept
 {
-    using W = Finer<T>;
     int const e = half_exponent(largest_diagonal(q));
-    W const size = sheet_of(times_power_of_two(q, -2 * e)).size;
-    W const factor = D == 3 ? W(W(4) * fine_circle_constant<T>()) : W(8);
-    return times_power_of_two(rounded(W(factor * size)), (D - 1) * e);
+    auto const sheet = sheet_of(times_power_of_two(q, -2 * e));
+    return times_power_of_two(rounded_area<T>(sheet), (D - 1) * e);
 }
 
-/// The second moments of a sheet of a valid form.
+/// The second moments of a sheet of a valid form, and its area or perimeter.
+template <class T, int D> struct SheetMoments {
+    SymmetricMatrix<T, D> moments;
+    T area;
+};
+
 template <class T, int D>
-PW85_RARE SymmetricMatrix<T, D> sheet_moments(SymmetricMatrix<T, D> const &q) noexcept
+PW85_RARE SheetMoments<T, D> sheet_moments(SymmetricMatrix<T, D> const &q) noexcept
 {
     using W = Finer<T>;
     int const e = half_exponent(largest_diagonal(q));
@@ -126,7 +137,8 @@ PW85_RARE SymmetricMatrix<T, D> sheet_moments(SymmetricMatrix<T, D> const &q) no
                 sum = sum + W(sheet.axes.axes[i][k] * sheet.axes.axes[j][k]) * sheet.sum[k] / W(6);
             moments(i, j) = rounded(W(sum / W(D + 1)));
         }
-    return times_power_of_two(moments, 2 * e);
+    return {times_power_of_two(moments, 2 * e),
+            times_power_of_two(rounded_area<T>(sheet), (D - 1) * e)};
 }
 
 #define PW85_RARE_SURFACE(rare, T, D)                                                              \
@@ -159,7 +171,7 @@ PW85_FUNCTION inline Moments<T, D> shell_moments(SymmetricMatrix<T, D> const &q)
 {
     StatusCode const status = detail::validate(q);
     if (status != StatusCode::success) return detail::all_nan<Moments<T, D>>(status);
-    return {detail::sheet_moments(q), status};
+    return {detail::sheet_moments(q).moments, status};
 }
 
 } // namespace pw85

@@ -123,9 +123,9 @@ template <class T> struct NormalStep {
 /// Newton's step. The method converges from afar if the equations are written as t²B = A, solved
 /// for log t, and 1/√(A + tB) = 1/√(1 + 1/t), which is nearly affine in s. With v = t(A + tB) and w
 /// = 1 + t, the fraction (w + 3v)/(3w + v) takes the place of √(v/w). Both are one, and their
-/// derivatives agree, where v = w.
-template <class T, int D> PW85_FUNCTION constexpr NormalStep<T>
-newton_step(DistancePair<T, D> const &pair, NormalJet<T> const &j, Multipliers<T> const &x) noexcept
+/// derivatives agree, where v = w. `Pair` is a DistancePair, or one in n dimensions.
+template <class Pair, class T> PW85_FUNCTION constexpr NormalStep<T>
+newton_step(Pair const &pair, NormalJet<T> const &j, Multipliers<T> const &x) noexcept
 {
     T const t = x.ratio, c = t * t * j.b, weight = j.a * j.b, both = j.a + c;
     T const h = weight * (c - j.a), h_ratio = both * (weight + t * j.log_ratio),

@@ -219,8 +219,8 @@ find_normal(DistancePair<T, D> const &pair, NormalSearch<T> search) noexcept
 /// another s, the first step ends below the root, or at zero. Each step divides residual times
 /// slope by at least 4. For aspect ratios up to 2^127 the slope falls by at most 2^254 in all, and
 /// the residual by 2^85 for 50 digits. 171 steps exhaust their product.
-template <class T, int D>
-PW85_FUNCTION inline T find_shift(DistancePair<T, D> const &pair, T const &ratio, T shift) noexcept
+template <class Pair, class T>
+PW85_FUNCTION inline T find_shift(Pair const &pair, T const &ratio, T shift) noexcept
 {
     T const target = pair.scale1 + pair.scale2 / ratio;
     for (int i = 0; i < 171; ++i) {
@@ -253,8 +253,8 @@ template <class T> PW85_FUNCTION constexpr int max_ratios() noexcept
 /// has the sign of minus their slope. If the maximum on a ray is at y = 0, f <= 1 at λ = t/(1+t),
 /// where f is that of the contact function. A - t²B has the sign of the slope of f, so the search
 /// moves to where f > 1.
-template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Vector<T, D>
-search_normal(DistancePair<T, D> const &pair, T ratio) noexcept
+template <class Pair, class T>
+[[gnu::noinline]] PW85_FUNCTION inline auto search_normal(Pair const &pair, T ratio) noexcept
 {
     auto state = safeguarded_search(ratio, 0);
     T shift = T(0);

@@ -8,8 +8,8 @@
 /// α(n) = √(nᵀQn) of the ellipsoid: the width of the slab between them that is normal to n. The
 /// signed distance is the largest w(n). If they are apart, every w(n) is a lower bound of the
 /// distance. If they overlap, moving the set by -w(n) n separates them, and the largest w(n) is
-/// minus the least such way. So any n proves its w(n), and it suffices that the best n is among
-/// those that are tried:
+/// minus the length of the shortest such translation. So any n proves its w(n), and it suffices
+/// that the best n is among those that are tried:
 ///
 /// 1. w is a minimum of smooth functions, n·v - α(n) with the vertices v. At its maximum the least
 ///    n·y is reached at a vertex, at an edge or at a face. At a face, n is one of its two normals.

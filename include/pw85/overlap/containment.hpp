@@ -285,7 +285,7 @@ PW85_FUNCTION inline Containment contains(Vector<T, D> const &r12, SymmetricMatr
 
 namespace pw85::detail {
 
-/// contains() for questions that begin with it. It is not inlined there.
+/// contains() for functions that call it first. It is not inlined there.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Containment
 call_contains(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
               SymmetricMatrix<T, D> const &q2) noexcept

@@ -109,17 +109,17 @@ template <class T> PW85_FUNCTION constexpr int max_dual_steps() noexcept
 /// minimum the ν of the best reach errs by the square of the error of n. So the next one is above
 /// it by the square of its distance from the upper end, as long as this halves the bracket.
 /// Otherwise it is in the middle of the bracket.
-template <class T, int D>
-PW85_FUNCTION inline T next_in_bracket(DualBoundSearch<T, D> &search) noexcept
+template <class Search> PW85_FUNCTION inline auto next_in_bracket(Search &search) noexcept
 {
-    if (!(search.upper < largest_number<T>())) return T(2) * search.lower;
+    using T = decltype(search.lower);
+    if (!(search.upper < largest_number<T>())) return T(T(2) * search.lower);
     T const excess = search.upper - search.best.nu,
             next = search.best.nu + excess * T(excess / search.upper);
     T const width = search.upper - search.lower;
     bool const halves = width <= T(T(0.5) * search.width);
     search.width = width;
     return halves && next > search.lower && next < search.upper
-               ? next
+               ? T(next)
                : T(T(0.5) * (search.lower + search.upper));
 }
 

@@ -136,7 +136,7 @@ PW85_FUNCTION inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T,
 
 namespace pw85::detail {
 
-/// overlap() for questions that begin with it. It is not inlined there.
+/// overlap() for functions that call it first. It is not inlined there.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Overlap
 call_overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
              SymmetricMatrix<T, D> const &q2) noexcept

@@ -17,7 +17,7 @@ namespace pw85 {
 /// @name Lists of pairs
 /// @{
 
-/// contact() for the pairs of a neighbour list: see pw85_contact_pairs().
+/// contact() for the pairs of a list: see pw85_contact_pairs().
 ///
 /// @param list indices of particles, with or without images
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
@@ -32,7 +32,7 @@ static inline StatusCode contact_pairs(PairList const &list, Particles const &pa
     return detail::call_pairs(pw85_contact_pairs, list, particles, mu2, lambda);
 }
 
-/// overlap() for the pairs of a neighbour list: see pw85_overlap_pairs().
+/// overlap() for the pairs of a list: see pw85_overlap_pairs().
 ///
 /// @param list indices of particles, with or without images
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
@@ -45,7 +45,7 @@ static inline StatusCode overlap_pairs(PairList const &list, Particles const &pa
     return detail::call_pairs(pw85_overlap_pairs, list, particles, overlap);
 }
 
-/// overlap_volume() for the pairs of a neighbour list: see pw85_overlap_volume_pairs().
+/// overlap_volume() for the pairs of a list: see pw85_overlap_volume_pairs().
 ///
 /// @param list indices of particles, with or without images
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
@@ -57,7 +57,7 @@ static inline StatusCode overlap_volume_pairs(PairList const &list, Particles co
     return detail::call_pairs(pw85_overlap_volume_pairs, list, particles, volume);
 }
 
-/// The derivatives for the pairs of a neighbour list: see pw85_contact_derivatives_pairs().
+/// The derivatives for the pairs of a list: see pw85_contact_derivatives_pairs().
 ///
 /// @param list indices of particles, with or without images
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles

@@ -15,7 +15,7 @@ namespace pw85 {
 /// A triangle mesh and its memory; it can be moved, not copied.
 class Mesh {
   public:
-    /// Null: functions refuse it.
+    /// An empty mesh: functions return Status::invalid_argument.
     Mesh() noexcept = default;
     /// Takes ownership of a mesh of the C API, which may be null.
     [[gnu::always_inline]] explicit Mesh(pw85_mesh *mesh) noexcept : mesh_(mesh) {}

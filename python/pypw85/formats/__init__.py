@@ -26,7 +26,7 @@ from .._choices import choice
 from .._numbers import instances, integer
 from .._system import System
 from .._words import counted, shown
-from . import csv, ds9, gsd, hdf5, labels, lammps_data, lammps_dump, microstructpy, mjcf, obj, ply, splats, stl, vtk, xyz
+from . import csv, ds9, gsd, hdf5, labels, lammps_data, lammps_dump, microstructpy, mjcf, obj, ply, sdf, splats, stl, vtk, xyz
 from ._conventions import CONVENTION_NAMES, NONE
 from ._errors import FileError, printable
 from ._files import (
@@ -91,6 +91,7 @@ FORMATS: dict[str, ModuleType] = {
     "obj": obj,
     "ply": ply,
     "mjcf": mjcf,
+    "sdf": sdf,
 }
 READABLE = [name for name, module in FORMATS.items() if hasattr(module, "load")]
 REGIONS = "ds9"
@@ -128,8 +129,7 @@ _OTHERS = [
 ]
 # Ends of names of what is not written, and what helps
 _NOT_WRITTEN = {
-    ".urdf": "URDF has no ellipsoids: write MJCF for MuJoCo (.xml), or put the ellipsoids into the URDF file as meshes",
-    ".sdf": "SDF is not written: write MJCF for MuJoCo (.xml), whose sizes are the radii of SDF's ellipsoids",
+    ".urdf": "URDF has no ellipsoids: write SDFormat (.sdf) or MJCF for MuJoCo (.xml), or put the ellipsoids into the URDF file as meshes",
 }
 
 
@@ -358,8 +358,8 @@ def write(path: Path, systems: System | Iterable[System], format: str | None = N
     path : path
     systems : System or iterable of System
     format : str, optional
-        As for `read`, or "vtk", "mjcf", or a mesh of triangles, "stl", "obj" or "ply", but none of "splats", "microstructpy" and "labels";
-        by the end of the name if absent.
+        As for `read`, or "vtk", "mjcf", "sdf", or a mesh of triangles, "stl", "obj" or "ply", but none of "splats", "microstructpy" and
+        "labels"; by the end of the name if absent.
     precision : str, optional
         Of a GSD file: "single", or "double", which HOOMD-blue reads since its version 7; "single" if absent.
     deviation : float, optional

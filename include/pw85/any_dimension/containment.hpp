@@ -1,0 +1,439 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Containment in n dimensions: whether ellipsoid 2 is inside ellipsoid 1, exactly, and the factor κ
+/// by which ellipsoid 1 must be scaled to contain it. The bounds and the search are those of
+/// overlap/containment_bounds.hpp and overlap/containment_factor.hpp, with M = Q1 + t Q2, t = -1/ν,
+/// of search.hpp.
+///
+/// With s = M⁻¹r12, any direction s gives a lower bound on κ², and any ν at which M is positive
+/// definite an upper bound. Rounding errors of forms are those of product() and dot(): 5n/4 + 9
+/// operations on a term.
+#ifndef PW85_ANY_DIMENSION_CONTAINMENT_HPP_INCLUDED
+#define PW85_ANY_DIMENSION_CONTAINMENT_HPP_INCLUDED
+
+#include <pw85/any_dimension/exact_containment.hpp>
+#include <pw85/any_dimension/overlap.hpp>
+#include <pw85/overlap/containment_factor.hpp>
+
+namespace pw85 {
+
+/// The answer of nd_contains(). It is meaningless if the status is not success.
+struct NdContainment {
+    bool contains;
+    StatusCode status;
+};
+
+/// The factor of nd_containment().
+struct NdContainmentScale {
+    double mu2; ///< square of the factor of ellipsoid 1, about its centre
+    StatusCode status;
+};
+
+} // namespace pw85
+
+namespace pw85::detail::any_dimension {
+
+/// κ² from below by a direction s with s·r12 >= 0.
+template <class T> struct Reach {
+    T s[max_dimension], q2s[max_dimension];
+    T mu2;                 ///< 0 if s is not a direction
+    T form1, root2, along; ///< sᵀQ1s, √(sᵀQ2s) and s·r12
+    T nu;                  ///< the ν that belongs to s: κ √(sᵀQ2s)/√(sᵀQ1s)
+};
+
+/// The state of the search for κ: see GaugeSearch.
+template <class T> struct ReachSearch {
+    T lower, upper; ///< of ν
+    T bound, nu;    ///< κ² from above, and the ν that gives it
+    T width;
+    Reach<T> best;
+};
+
+/// support_ratio() in n dimensions.
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline void
+reach_along(Pair<T> const &pair, T const *s, Reach<T> &reach) noexcept
+{
+    int const n = pair.n;
+    T q1s[max_dimension]{};
+    product(n, pair.q1, s, q1s);
+    product(n, pair.q2, s, reach.q2s);
+    T const along = dot(n, s, pair.r12), form1 = dot(n, s, q1s), form2 = dot(n, s, reach.q2s);
+    T const sign = along < T(0) ? T(-1) : T(1);
+    for (int i = 0; i < n; ++i) {
+        reach.s[i] = sign * s[i];
+        reach.q2s[i] = sign * reach.q2s[i];
+    }
+    bool const valid = form1 > T(0) && form2 > T(0) && form1 < largest_number<T>();
+    reach.form1 = form1;
+    reach.along = sign * along;
+    reach.root2 = valid ? square_root(form2) : T(0);
+    T const sum = reach.root2 + reach.along;
+    reach.mu2 = valid ? T(sum * sum / form1) : T(0);
+    reach.nu = valid ? T(sum * reach.root2 / form1) : T(0);
+}
+
+template <class T>
+PW85_FUNCTION inline void keep_better(ReachSearch<T> &search, Reach<T> const &reach) noexcept
+{
+    if (reach.mu2 > search.best.mu2) search.best = reach;
+}
+
+/// near_null_vector() in n dimensions, from the factors of M.
+template <class T> PW85_FUNCTION inline void
+find_null_vector(Pair<T> const &pair, Evaluation<T> const &at, T *z) noexcept
+{
+    int const n = pair.n;
+    auto const pivot = [&](int i) { return at.factors[packed_index(n, i, i)]; };
+    auto const weight = [&](int i) { return pair.q2[packed_index(n, i, i)]; };
+    int smallest = 0;
+    for (int i = 1; i < n; ++i)
+        if (pivot(i) * weight(smallest) < pivot(smallest) * weight(i)) smallest = i;
+    T y[max_dimension]{};
+    y[smallest] = T(1);
+    for (int pass = 0; pass < 2; ++pass) {
+        if (pass > 0) product(n, pair.q2, z, y);
+        solve(n, at.factors, y, z);
+        T largest = T(0);
+        for (int i = 0; i < n; ++i) largest = maximum(largest, absolute(z[i]));
+        for (int i = 0; i < n; ++i) z[i] = z[i] / largest;
+    }
+}
+
+/// reach_beyond() in n dimensions: the two vectors s + αz with sᵀQ2s = ν².
+template <class T> PW85_FUNCTION inline void try_beyond(Pair<T> const &pair,
+                                                        Evaluation<T> const &at, T const &nu,
+                                                        ReachSearch<T> &search) noexcept
+{
+    int const n = pair.n;
+    T z[max_dimension]{}, q2z[max_dimension]{};
+    find_null_vector(pair, at, z);
+    product(n, pair.q2, z, q2z);
+    T const a = dot(n, z, q2z), b = dot(n, at.s, q2z), c = dot(n, at.s, at.q) - nu * nu;
+    T const discriminant = b * b - a * c;
+    if (!(discriminant >= T(0) && a > T(0))) return;
+    T const root = square_root(discriminant), sum = b < T(0) ? T(b - root) : T(b + root);
+    for (T const &alpha : {T(-(c / sum)), T(-(sum / a))}) {
+        Reach<T> reach;
+        for (int i = 0; i < n; ++i) q2z[i] = at.s[i] + alpha * z[i];
+        reach_along(pair, q2z, reach);
+        keep_better(search, reach);
+    }
+}
+
+/// ρᵀM⁻¹ρ for the residual of s, in the memory of v.
+template <class T>
+PW85_FUNCTION inline T residual_form(Pair<T> const &pair, T const &t, Evaluation<T> &at) noexcept
+{
+    T rest[max_dimension]{};
+    for (int i = 0; i < pair.n; ++i) rest[i] = pair.r12[i] - at.p[i] - t * at.q[i];
+    solve(pair.n, at.factors, rest, at.v);
+    return dot(pair.n, rest, at.v);
+}
+
+/// Evaluates at ν, and returns the ν that Newton's method suggests (take_gauge_step()). M must be
+/// positive definite in spite of rounding: its factors err by n (n + 4) u of its diagonal.
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline T
+evaluate_reach(Pair<T> const &pair, ReachSearch<T> &search, T const &nu, Evaluation<T> &at) noexcept
+{
+    int const n = pair.n;
+    T const t = T(-1) / nu, error = T(4 * factorization_error(n)) * T(unit_roundoff<T>());
+    if (!evaluate(pair, t, at) || !(error * inverse_bound(pair, t, at) < T(1))) {
+        search.lower = nu;
+        return nu;
+    }
+    T const q = dot(n, at.s, at.q), e = square_root(maximum(q, T(0))) / nu;
+    T const form = dot(n, at.s, at.p) + t * q;
+    T const upper = nu + (T(2) * dot(n, pair.r12, at.s) - form) + residual_form(pair, t, at);
+    if (upper < search.bound) search.bound = upper, search.nu = nu;
+    Reach<T> reach;
+    reach_along(pair, at.s, reach);
+    keep_better(search, reach);
+    if (e < T(1)) try_beyond(pair, at, nu, search);
+    (e > T(1) ? search.lower : search.upper) = nu;
+    solve(n, at.factors, at.q, at.v);
+    T const c = q > T(0) ? T(dot(n, at.q, at.v) / q) : T(0);
+    return nu + nu * (e - T(1)) / (T(1) + c / nu);
+}
+
+/// ratio_condition_sum() in n dimensions.
+template <class T>
+PW85_FUNCTION inline T condition_sum(Pair<T> const &pair, Reach<T> const &reach) noexcept
+{
+    int const n = pair.n;
+    T form1 = T(0), form2 = T(0), along = T(0);
+    for (int i = 0; i < n; ++i) {
+        along = along + absolute(T(pair.r12[i] * reach.s[i]));
+        for (int j = 0; j < n; ++j) {
+            int const k = packed_index(n, i, j);
+            T const product = absolute(T(reach.s[i] * reach.s[j]));
+            form1 = form1 + absolute(pair.q1[k]) * product;
+            form2 = form2 + absolute(pair.q2[k]) * product;
+        }
+    }
+    T const factor = square_root(T(reach.mu2 / reach.form1));
+    return reach.mu2 * (form1 / reach.form1) + factor * (form2 / reach.root2 + T(2) * along);
+}
+
+template <class T> PW85_FUNCTION inline bool
+is_settled(Pair<T> const &pair, ReachSearch<T> const &search, T const &tolerance) noexcept
+{
+    T const mu2 = search.best.mu2, gap = search.bound - mu2;
+    return mu2 > T(0) &&
+           (gap <= tolerance * mu2 || gap <= tolerance * condition_sum(pair, search.best));
+}
+
+/// initial_nu() in n dimensions.
+template <class T>
+PW85_FUNCTION inline T initial_nu(Pair<T> const &pair, Evaluation<T> &at) noexcept
+{
+    int const n = pair.n;
+    if (!evaluate(pair, T(0), at)) return T(1);
+    T sum = T(0);
+    for (int i = 0; i < n; ++i) {
+        T column[max_dimension]{};
+        for (int j = 0; j < n; ++j) column[j] = pair.q2[packed_index(n, i, j)];
+        solve(n, at.factors, column, at.v);
+        sum = sum + at.v[i];
+    }
+    Reach<T> reach;
+    reach_along(pair, at.s, reach);
+    T const ball = reach.mu2 > T(0)
+                       ? T(square_root(reach.mu2) * (reach.root2 / square_root(reach.form1)))
+                       : T(0);
+    return maximum(sum, ball);
+}
+
+/// Searches until is_done(search), for search_gauge() steps. Returns false if the search ends
+/// otherwise.
+template <class T, class Done>
+[[gnu::noinline]] PW85_FUNCTION inline bool search_reach(Pair<T> const &pair,
+                                                         ReachSearch<T> &search, Evaluation<T> &at,
+                                                         Done const &is_done) noexcept
+{
+    T const largest = largest_number<T>();
+    search.lower = T(0);
+    for (int i = 0; i < pair.n; ++i) {
+        int const k = packed_index(pair.n, i, i);
+        search.lower = maximum(search.lower, T(T(0.5) * (pair.q2[k] / pair.q1[k])));
+    }
+    search.upper = search.bound = search.nu = search.width = largest;
+    search.best.mu2 = search.best.nu = T(0);
+    T nu = initial_nu(pair, at);
+    for (int step = 0; step < max_dual_steps<T>(); ++step) {
+        T next = evaluate_reach(pair, search, nu, at);
+        if (is_done(search)) return true;
+        if (!(next > search.lower && next < search.upper)) next = next_in_bracket(search);
+        if (!(next > search.lower && next < search.upper)) return false;
+        nu = next;
+    }
+    return false;
+}
+
+/// Returns whether a direction proves that ellipsoid 2 is not inside: √(sᵀQ2s) + |s·r12| >
+/// √(sᵀQ1s), with the errors of form_above(). s is brought to a length of about one, so that what
+/// underflows is far below these errors.
+template <class T>
+PW85_FUNCTION inline bool shows_outside(Pair<T> const &pair, T const *direction) noexcept
+{
+    int const n = pair.n;
+    T const w = operation_error<T>();
+    T s[max_dimension]{}, qs[max_dimension]{}, largest = T(0), magnitude = T(0);
+    for (int i = 0; i < n; ++i) largest = maximum(largest, absolute(direction[i]));
+    for (int i = 0; i < n; ++i) {
+        s[i] = direction[i] / largest;
+        magnitude = magnitude + absolute(T(pair.r12[i] * s[i]));
+    }
+    product(n, pair.q1, s, qs);
+    T const first = square_root(form_above(n, pair.q1, s, qs));
+    product(n, pair.q2, s, qs);
+    T const second = dot(n, s, qs) - T(n * (3 * n + 12)) * w * diagonal_form(n, pair.q2, s);
+    T const along = absolute(dot(n, s, pair.r12)) - T(n + 8) * w * magnitude;
+    T const sum = square_root(maximum(second, T(0))) + maximum(along, T(0));
+    return sum > first * (T(1) + T(16) * w); // false for a direction that is not finite
+}
+
+/// Returns whether ν, 2⁻¹⁰⁰ <= ν < 1, proves that ellipsoid 2 is inside: K(ν) of
+/// exact_containment.hpp is positive definite.
+///
+/// Let w be the error of an operation, 4u. As K has a positive diagonal if its pivots are positive,
+/// the magnitudes of the terms Q2/ν + r rᵀ/(1 - ν) of entry (i, j) add up to at most √(Q1_ii
+/// Q1_jj). An entry errs by less than 12 w √(Q1_ii Q1_jj) from 5 operations on the terms and two on
+/// the entry, and a matrix of such errors by 12 n w = 48 n u of diag(Q1). Factorisation takes n (n +
+/// 4) u of the diagonal of K, which is smaller. `share` of diag(Q1) exceeds both. Numbers that
+/// underflow err by 2⁻¹⁰⁷⁴, which is far below it as the diagonal of Q1 is at least 2⁻⁸⁰⁰.
+template <class T>
+PW85_FUNCTION inline bool shows_inside(Pair<T> const &pair, T const &nu, T *memory) noexcept
+{
+    int const n = pair.n;
+    if (!(nu >= T(0x1p-100) && nu < T(1))) return false;
+    T const share = T(4 * factorization_error(n) + 64 * n) * T(unit_roundoff<T>());
+    T const shrink = T(1) - share, factor2 = T(1) / nu, factor_r = T(1) / (T(1) - nu);
+    for (int i = 0; i < n; ++i)
+        for (int j = i; j < n; ++j) {
+            int const k = packed_index(n, i, j);
+            T const q1 = i == j ? T(shrink * pair.q1[k]) : pair.q1[k];
+            memory[k] = q1 - (factor2 * pair.q2[k] + factor_r * pair.r12[i] * pair.r12[j]);
+        }
+    return factorize(n, memory);
+}
+
+/// Decides by numbers of type T. The search stops when κ² is clearly below or above one.
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline ContainmentDecision
+decide_containment_in(Input const &in, int unit, Workspace<T> &work) noexcept
+{
+    auto &[pair, at] = work;
+    scale(in, {unit, unit, unit, false}, pair);
+    for (int i = 0; i < in.n; ++i) {
+        T axis[max_dimension]{};
+        axis[i] = T(1);
+        if (shows_outside(pair, axis)) return ContainmentDecision::outside;
+    }
+    if (shows_inside(pair, T(0.5), at.factors)) return ContainmentDecision::inside;
+    ReachSearch<T> search;
+    T const tolerance = T(4) * T(unit_roundoff<T>()), far = T(0x1p-20);
+    search_reach(pair, search, at, [&](auto const &found) {
+        return found.bound < T(1) - far || found.best.mu2 > T(1) + far ||
+               is_settled(pair, found, tolerance);
+    });
+    if (search.best.mu2 > T(1) && shows_outside(pair, search.best.s))
+        return ContainmentDecision::outside;
+    T const nu = search.nu + T(0.5) * (T(1) - search.bound); // g increases by less than ν does
+    return shows_inside(pair, nu, at.factors) ? ContainmentDecision::inside
+                                              : ContainmentDecision::none;
+}
+
+/// Returns whether ellipsoid 2 is inside, for a valid pair: 1 or 0, or sign_unknown.
+PW85_FUNCTION inline int decide_containment(Input const &in) noexcept
+{
+    int const unit = half_exponent(largest_diagonal(in.n, in.q1));
+    auto decision = ContainmentDecision::none;
+    if (keeps_digits(in.n, in.q1, -2 * unit)) {
+        auto const decide = [&](auto &work) { return decide_containment_in(in, unit, work); };
+        decision = with_workspace(decide);
+        if constexpr (FLT_EVAL_METHOD == 0)
+            if (decision == ContainmentDecision::none) decision = with_wide_workspace(decide);
+    }
+    if (decision == ContainmentDecision::none) return contains_exactly(in);
+    return decision == ContainmentDecision::inside;
+}
+
+/// A pair as ContainedPair, and the exponents that lead back to the units of the caller.
+struct ReachUnits {
+    int length, form, second;
+};
+
+/// scale_contained() in n dimensions.
+PW85_FUNCTION inline ReachUnits scale_for_reach(Input const &in, Pair<double> &pair) noexcept
+{
+    int const n = in.n, size = packed_size(n), smallest = -384;
+    double const r = largest_magnitude(n, in.r12);
+    int const e1 = half_exponent(largest_diagonal(n, in.q1)),
+              e2 = half_exponent(largest_diagonal(n, in.q2));
+    int const length = maximum(e2, r > 0.0 ? binary_exponent(r) : e2);
+    pair.n = n;
+    scale(n, in.r12, -length, 1.0, pair.r12);
+    scale(size, in.q1, -2 * e1, 1.0, pair.q1);
+    scale(size, in.q2, 2 * (maximum(e2 - length, smallest) - e2), 1.0, pair.q2);
+    return {length, e1, e2};
+}
+
+/// Memory of a search for κ.
+template <class T> struct ReachWorkspace {
+    Workspace<T> work;
+    ReachSearch<T> search;
+};
+
+/// κ² and the point in the units of the pair, by numbers of type T. Returns false if the bounds on
+/// κ² differ by more than tolerance S, with S of condition_sum().
+template <class T>
+[[gnu::noinline]] PW85_FUNCTION inline bool find_reach(Pair<double> const &given, double tolerance,
+                                                       double &mu2, double *point,
+                                                       ReachWorkspace<T> &memory) noexcept
+{
+    auto &[pair, at] = memory.work;
+    int const n = given.n;
+    pair.n = n;
+    scale(n, given.r12, 0, 1.0, pair.r12);
+    scale(packed_size(n), given.q1, 0, 1.0, pair.q1);
+    scale(packed_size(n), given.q2, 0, 1.0, pair.q2);
+    bool const settled = search_reach(pair, memory.search, at, [&](auto const &state) {
+        return is_settled(pair, state, T(tolerance));
+    });
+    auto const &best = memory.search.best;
+    mu2 = rounded(best.mu2);
+    for (int i = 0; i < n; ++i) point[i] = rounded(T(pair.r12[i] + best.q2s[i] / best.root2));
+    return settled;
+}
+
+/// Searches with numbers of twice, and then of seven times, the digits.
+[[gnu::cold, gnu::noinline]] PW85_FUNCTION inline StatusCode
+find_reach_wider(Pair<double> const &pair, double &mu2, double *point) noexcept
+{
+    constexpr double u = unit_roundoff<double>();
+    if constexpr (FLT_EVAL_METHOD == 0) {
+        ReachWorkspace<Doubled<double>> memory;
+        if (find_reach(pair, u, mu2, point, memory)) return StatusCode::success;
+    }
+    using Memory = ReachWorkspace<exact::Extended<double>>;
+    auto *const memory = static_cast<Memory *>(std::malloc(sizeof(Memory)));
+    if (memory == nullptr) return StatusCode::out_of_memory;
+    bool const settled = find_reach(pair, u, mu2, point, *memory);
+    std::free(memory);
+    return settled ? StatusCode::success : StatusCode::no_convergence;
+}
+
+/// Searches with double precision first. It rounds the lower bound by (5n/4 + 12) u S, the upper
+/// one by as much, and M by 3 u S: with the tolerance the error is below (2n + 20) u S.
+PW85_FUNCTION inline StatusCode find_reach(Pair<double> const &pair, double &mu2,
+                                           double *point) noexcept
+{
+    ReachWorkspace<double> memory;
+    if (find_reach(pair, 4.0 * unit_roundoff<double>(), mu2, point, memory))
+        return StatusCode::success;
+    return find_reach_wider(pair, mu2, point);
+}
+
+} // namespace pw85::detail::any_dimension
+
+namespace pw85 {
+
+/// Decides exactly if ellipsoid 2 is inside ellipsoid 1 in n dimensions; see nd_contact(). It may
+/// touch the surface from inside.
+PW85_FUNCTION inline NdContainment nd_contains(int n, double const *r12, double const *q1,
+                                               double const *q2) noexcept
+{
+    using namespace detail::any_dimension;
+    Input const in{n, r12, q1, q2};
+    StatusCode const status = status_of(in);
+    if (status != StatusCode::success) return {false, status};
+    int const answer = decide_containment(in);
+    return answer == sign_unknown ? NdContainment{false, StatusCode::out_of_memory}
+                                  : NdContainment{answer == 1, status};
+}
+
+/// The factor by which ellipsoid 1 must be scaled to contain ellipsoid 2 in n dimensions, and where
+/// they touch then: n numbers, on the surface of ellipsoid 2, relative to the centre of ellipsoid 1.
+/// A null pointer leaves the point out. It is not stored if the status is not success.
+PW85_FUNCTION inline NdContainmentScale nd_containment(int n, double const *r12, double const *q1,
+                                                       double const *q2, double *point) noexcept
+{
+    using namespace detail;
+    using namespace detail::any_dimension;
+    Input const in{n, r12, q1, q2};
+    StatusCode status = any_dimension::status_of(in);
+    if (status != StatusCode::success) return {quiet_nan<double>(), status};
+    any_dimension::Pair<double> pair;
+    auto const units = scale_for_reach(in, pair);
+    double mu2 = quiet_nan<double>(), at[max_dimension]{};
+    bool const in_range =
+        keeps_digits(n, q1, -2 * units.form) && keeps_digits(n, q2, -2 * units.second);
+    status = in_range ? find_reach(pair, mu2, at) : StatusCode::no_convergence;
+    if (status != StatusCode::success) return {quiet_nan<double>(), status};
+    for (int i = 0; point != nullptr && i < n; ++i)
+        point[i] = times_power_of_two(at[i], units.length);
+    return {times_power_of_two(mu2, 2 * (units.length - units.form)), status};
+}
+
+} // namespace pw85
+
+#endif

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The distance of two ellipsoids in n dimensions, with the closest points and the normal. The
+/// equations and their search are those of distance/normal_equations.hpp and
+/// distance/normal_search.hpp. What is theirs in two and three dimensions, by vectors of that size,
+/// is here by arrays.
+///
+/// Any vector u gives the lower bound φ = (u·r12 - √(uᵀQ1u) - √(uᵀQ2u))/|u| of the distance, and the
+/// vector w between the points of the surfaces along u the upper bound |w|. Both are computed with
+/// twice the digits of double. The search ends where they agree to rounding.
+#ifndef PW85_ANY_DIMENSION_DISTANCE_HPP_INCLUDED
+#define PW85_ANY_DIMENSION_DISTANCE_HPP_INCLUDED
+
+#include <pw85/any_dimension/overlap.hpp>
+#include <pw85/distance/normal_search.hpp>
+
+namespace pw85 {
+
+/// The outputs of nd_distance() in addition to the distance, in arrays of the caller. A null pointer leaves
+/// one out.
+struct NdClosestPoints {
+    double *point1, *point2, *normal;
+};
+
+/// The distance of nd_distance().
+struct NdDistance {
+    double distance; ///< 0 if the ellipsoids overlap
+    StatusCode status;
+};
+
+} // namespace pw85
+
+namespace pw85::detail::any_dimension {
+
+/// A pair in one unit of length, with the factors that a DistancePair has.
+template <class T> struct DistancePair {
+    Pair<T> pair;
+    T scale1, scale2;
+};
+
+template <class T> struct Direction {
+    T x[max_dimension];
+};
+
+/// NormalVector in n dimensions.
+template <class T> struct NormalVector {
+    Direction<T> u, u_ratio, u_shift;
+    NormalJet<T> jet;
+};
+
+template <class T> struct NormalFactors {
+    T m[max_packed_size];
+};
+
+/// The factors of M = Q1 + t Q2 + s I.
+template <class T> PW85_FUNCTION inline NormalFactors<T>
+factorize_normal(DistancePair<T> const &given, Multipliers<T> const &x) noexcept
+{
+    auto const &pair = given.pair;
+    NormalFactors<T> factors;
+    for (int k = 0; k < packed_size(pair.n); ++k) factors.m[k] = pair.q1[k] + x.ratio * pair.q2[k];
+    for (int i = 0; i < pair.n; ++i) {
+        T &diagonal = factors.m[packed_index(pair.n, i, i)];
+        diagonal = diagonal + x.shift;
+    }
+    factorize(pair.n, factors.m);
+    return factors;
+}
+
+/// solve_normal() in n dimensions.
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline NormalVector<T>
+solve_normal(DistancePair<T> const &given, NormalFactors<T> const &factors,
+             Multipliers<T> const &x) noexcept
+{
+    auto const &pair = given.pair;
+    int const n = pair.n;
+    NormalVector<T> v{};
+    T p[max_dimension]{}, q[max_dimension]{};
+    solve(n, factors.m, pair.r12, v.u.x);
+    product(n, pair.q1, v.u.x, p);
+    product(n, pair.q2, v.u.x, q);
+    solve(n, factors.m, q, v.u_ratio.x);
+    solve(n, factors.m, v.u.x, v.u_shift.x);
+    T const a = positive_form(n, pair.q1, v.u.x, p), b = positive_form(n, pair.q2, v.u.x, q);
+    T const a_ratio = dot(n, p, v.u_ratio.x), a_shift = dot(n, p, v.u_shift.x),
+            b_ratio = dot(n, q, v.u_ratio.x), b_shift = dot(n, q, v.u_shift.x);
+    v.jet = {dot(n, v.u.x, pair.r12),
+             dot(n, v.u.x, v.u_shift.x),
+             a,
+             b,
+             b * a_ratio - a * b_ratio,
+             b * a_shift - a * b_shift,
+             a + x.ratio * b,
+             a_ratio + x.ratio * b_ratio - T(0.5) * b,
+             a_shift + x.ratio * b_shift};
+    return v;
+}
+
+/// u after a step. The array is that of max_dimension; what is behind n is not used.
+template <class T> PW85_FUNCTION inline Direction<T>
+advance(NormalVector<T> const &v, Multipliers<T> const &x, NormalStep<T> const &step) noexcept
+{
+    T const ratio = x.ratio * rough_quotient(step.numerator, step.denominator);
+    Direction<T> u = v.u;
+    for (int i = 0; i < max_dimension; ++i)
+        u.x[i] = u.x[i] - (ratio * v.u_ratio.x[i] + step.shift * v.u_shift.x[i]);
+    return u;
+}
+
+/// A slab between the ellipsoids, and what touches it, with twice the digits.
+struct NormalSlab {
+    Doubled<double> normal[max_dimension], point1[max_dimension], point2[max_dimension];
+    Doubled<double> extent1, extent2, width;
+    bool accurate;
+};
+
+/// The point Qn/√(nᵀQn), and the width √(nᵀQn).
+PW85_FUNCTION inline Doubled<double> find_support(int n, Doubled<double> const *q,
+                                                  Doubled<double> const *normal,
+                                                  Doubled<double> *point) noexcept
+{
+    product(n, q, normal, point);
+    auto const extent = square_root(dot(n, normal, point));
+    for (int i = 0; i < n; ++i) point[i] = point[i] / extent;
+    return extent;
+}
+
+/// The largest part of w across the normal, relative to n·r12, in units of u: as for distances in
+/// space.
+inline constexpr double largest_off = 0x1p17;
+
+/// Computes the slab of a direction. It is accurate if the part of w across the normal is below
+/// largest_off and satisfies off² <= 2u (n·r12) max(φ, u n·r12): then |w| - φ is at most 2u n·r12.
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline void
+find_slab(Pair<Doubled<double>> const &pair, Direction<T> const &u, NormalSlab &slab) noexcept
+{
+    using W = Doubled<double>;
+    int const n = pair.n;
+    for (int i = 0; i < n; ++i) slab.normal[i] = W(u.x[i]);
+    W const norm = square_root(dot(n, slab.normal, slab.normal));
+    for (int i = 0; i < n; ++i) slab.normal[i] = slab.normal[i] / norm;
+    slab.extent1 = find_support(n, pair.q1, slab.normal, slab.point1);
+    slab.extent2 = find_support(n, pair.q2, slab.normal, slab.point2);
+    W const along = dot(n, slab.normal, pair.r12);
+    slab.width = along - slab.extent1 - slab.extent2;
+    W off2(0.0);
+    for (int i = 0; i < n; ++i) {
+        W const off = pair.r12[i] - slab.point1[i] - slab.point2[i] - slab.width * slab.normal[i];
+        off2 = off2 + off * off;
+    }
+    W const rounding = W(unit_roundoff<double>()) * along;
+    W const largest = W(largest_off) * rounding;
+    slab.accurate =
+        off2 <= minimum(W(2.0) * rounding * maximum(slab.width, rounding), largest * largest);
+}
+
+/// The t and s that belong to a slab: with the half-widths α and β they are α/β and αφ.
+template <class T> PW85_FUNCTION inline Multipliers<T> multipliers(NormalSlab const &slab) noexcept
+{
+    using W = Doubled<double>;
+    W const shift = maximum(W(0.0), slab.extent1 * slab.width);
+    if constexpr (std::is_same_v<T, W>)
+        return {slab.extent1 / slab.extent2, shift};
+    else
+        return {rounded(slab.extent1 / slab.extent2), rounded(shift)};
+}
+
+/// Searches from t and s by Newton's method, and by the nested search if this fails. Returns whether
+/// the slab is accurate.
+template <class T>
+[[gnu::noinline]] PW85_FUNCTION inline bool find_normal(DistancePair<T> const &given,
+                                                        Pair<Doubled<double>> const &wide,
+                                                        NormalSlab &slab) noexcept
+{
+    Multipliers<T> const start = multipliers<T>(slab);
+    Multipliers<T> x = start;
+    for (int i = 0; i < max_normal_steps + max_last_steps; ++i) {
+        auto const v = solve_normal(given, factorize_normal(given, x), x);
+        auto const step = newton_step(given, v.jet, x);
+        if (is_within(step, v.jet, last_digits<T>())) {
+            find_slab(wide, advance(v, x, step), slab);
+            return slab.accurate;
+        }
+        x = advance(x, step);
+    }
+    find_slab(wide, search_normal(given, start.ratio), slab);
+    return slab.accurate;
+}
+
+/// A step from an accurate normal can still leave a slab that is not accurate to rounding: numbers
+/// of twice the digits continue from it.
+[[gnu::cold, gnu::noinline]] PW85_FUNCTION inline bool
+find_normal_wider(Pair<Doubled<double>> const &wide, NormalSlab &slab) noexcept
+{
+    using W = Doubled<double>;
+    if constexpr (FLT_EVAL_METHOD != 0) return false;
+    DistancePair<W> given;
+    given.pair = wide;
+    given.scale1 = given.scale2 = W(1.0);
+    return find_normal(given, wide, slab);
+}
+
+/// Finds the slab of a pair that does not overlap, in units of 2^unit.
+[[gnu::noinline]] PW85_FUNCTION inline bool find_distance(Input const &in, int unit,
+                                                          NormalSlab &slab) noexcept
+{
+    Units const units{unit, unit, unit, false};
+    Pair<Doubled<double>> wide;
+    scale(in, units, wide);
+    Direction<double> along{};
+    DistancePair<double> given;
+    scale(in, units, given.pair);
+    given.scale1 = given.scale2 = 1.0;
+    for (int i = 0; i < in.n; ++i) along.x[i] = given.pair.r12[i];
+    find_slab(wide, along, slab);
+    if (slab.accurate || find_normal(given, wide, slab)) return true;
+    return find_normal_wider(wide, slab);
+}
+
+/// Rounds the outputs, and brings them to the units of the caller.
+PW85_FUNCTION inline void store(Input const &in, int unit, NormalSlab const &slab,
+                                NdClosestPoints const &out) noexcept
+{
+    for (int i = 0; i < in.n; ++i) {
+        auto const r12 = Doubled<double>(times_power_of_two(in.r12[i], -unit));
+        double const point1 = rounded(slab.point1[i]), point2 = rounded(r12 - slab.point2[i]);
+        if (out.point1 != nullptr) out.point1[i] = times_power_of_two(point1, unit);
+        if (out.point2 != nullptr) out.point2[i] = times_power_of_two(point2, unit);
+        if (out.normal != nullptr) out.normal[i] = rounded(slab.normal[i]);
+    }
+}
+
+} // namespace pw85::detail::any_dimension
+
+namespace pw85 {
+
+/// The distance of two ellipsoids in n dimensions; see nd_contact(). The points, relative to the
+/// centre of ellipsoid 1, and the normal, out of ellipsoid 1, are stored if the status is success
+/// and the ellipsoids do not overlap.
+PW85_FUNCTION inline NdDistance nd_distance(int n, double const *r12, double const *q1,
+                                            double const *q2, NdClosestPoints const &out) noexcept
+{
+    using namespace detail;
+    using namespace detail::any_dimension;
+    Input const in{n, r12, q1, q2};
+    NdOverlap const decision = nd_overlap(n, r12, q1, q2);
+    if (decision.status != StatusCode::success) return {quiet_nan<double>(), decision.status};
+    if (decision.overlap) return {0.0, StatusCode::success};
+    int const unit = binary_exponent(largest_magnitude(n, r12));
+    NormalSlab slab;
+    if (!keeps_digits(n, q1, -2 * unit) || !keeps_digits(n, q2, -2 * unit) ||
+        !find_distance(in, unit, slab))
+        return {quiet_nan<double>(), StatusCode::no_convergence};
+    store(in, unit, slab, out);
+    double const width = maximum(0.0, rounded(slab.width));
+    return {times_power_of_two(width, unit), StatusCode::success};
+}
+
+} // namespace pw85
+
+#endif

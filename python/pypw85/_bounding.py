@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A bounding ellipsoid of each cluster of a system."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._enclosing import enclosing_ellipsoid_of
+from ._system import System
+
+# In the plane: entries of a form of an ellipse among those of an ellipsoid.
+_OF_PLANE = [0, 1, 3]
+
+
+def enclosing(system: System, clusters: ArrayLike | None = None, tolerance: float = 1e-6) -> System:
+    """The smallest ellipsoid around each cluster of a system, with a proof that all its particles are inside.
+
+    Parameters
+    ----------
+    system : System
+        Of ellipsoids or ellipses. Centres are taken as they are: join the parts of a cluster that a periodic boundary divides.
+    clusters : (n) array_like, optional
+        A name of its cluster for each particle, any numbers or strings; without it all particles are one cluster.
+    tolerance : float
+        How much the volume (area) of each ellipsoid may be above the least one, relative.
+
+    Returns
+    -------
+    System
+        One ellipsoid (ellipse) for each cluster, sorted by name, in the same cell. The names are the types.
+
+    Raises
+    ------
+    PW85Error
+        There is no particle, or its shape is not valid; see `enclosing_ellipsoid_of`.
+    ValueError
+        There is not one cluster for each particle.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> system = pypw85.System([[0, 0, 0], [3, 0, 0], [9, 9, 9]], [[1, 0, 0, 1, 0, 1]] * 3)
+    >>> around = pypw85.enclosing(system, clusters=[1, 1, 2])
+    >>> around.types, around.centers.round(3).tolist()
+    (array([1, 2]), [[1.5, 0.0, 0.0], [9.0, 9.0, 9.0]])
+    """
+    labels = np.zeros(len(system.centers), np.int64) if clusters is None else np.asarray(clusters)
+    if labels.shape != (len(system.centers),):
+        raise ValueError(f"clusters must have one entry for each of {len(system.centers)} particles, not the shape {labels.shape}")
+    names, members = np.unique(labels, return_inverse=True)
+    n, entries = (2, _OF_PLANE) if system.dimensions == 2 else (3, list(range(6)))
+    centers, forms = np.zeros((len(names), 3)), np.tile([1.0, 0, 0, 1, 0, 1], (len(names), 1))
+    for k in range(len(names)):
+        chosen = members == k
+        center, q, _ = enclosing_ellipsoid_of(system.centers[chosen, :n], system.q[np.ix_(chosen, entries)], tolerance)
+        centers[k, :n], forms[k, entries] = center, q
+    return System(
+        centers, forms, system.cell, system.periodic, types=names, origin=system.origin, step=system.step, dimensions=system.dimensions
+    )
