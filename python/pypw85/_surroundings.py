@@ -223,9 +223,11 @@ def fault_of_wall(wall: Wall) -> str:
 def fault_of_field(field: Field) -> str:
     """Names the fault of a field that no simulation can have; empty if there is none."""
     vector = {2: "stiffness", 3: "direction"}.get(field.kind, "gradient")
-    for name, value in (("center", field.point), (vector, field.vector), ("strength", field.strength)):
-        if not np.isfinite(value).all():
-            return f"{name} must be finite, not {value if name == 'strength' else list(field.vector if name == vector else field.point)}"
+    for name, numbers in (("center", field.point), (vector, field.vector)):
+        if not np.isfinite(numbers).all():
+            return f"{name} must be finite, not {list(numbers)}"
+    if not np.isfinite(field.strength):
+        return f"strength must be finite, not {field.strength}"
     return f"{vector} must not be zero" if field.kind == 3 and not any(field.vector) else ""
 
 
@@ -261,7 +263,7 @@ def compile_potential(potential: Potential | int, context: int) -> CompiledPoten
             return float("nan")
 
     compiled = _FUNCTION(call)
-    address = ctypes.cast(compiled, ctypes.c_void_p).value
-    assert address is not None
-    made = CompiledPotential(address, 0, compiled)
+    pointer = ctypes.cast(compiled, ctypes.c_void_p).value
+    assert pointer is not None
+    made = CompiledPotential(pointer, 0, compiled)
     return made
