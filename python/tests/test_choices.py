@@ -109,7 +109,7 @@ CALLS = [
     (lambda path: sphere().draw(path / "a.png", size=0), "draw: size must be an integer from 1 to 20000, not 0"),
     (lambda path: pypw85.set_reproducible("off"), "set_reproducible: on must be True or False, not 'off'"),
     (lambda path: pypw85.set_reproducible(2), "set_reproducible: on must be True or False, not 2"),
-    (lambda path: pypw85.write(path / "a", [], "foo"), "write: format must be 'lammps-dump', .* or 'mjcf', not 'foo'"),
+    (lambda path: pypw85.write(path / "a", [], "foo"), "write: format must be 'lammps-dump', .* 'mjcf'.*, not 'foo'"),
     (lambda path: pypw85.write(path / "a.gsd", [], precision="half"), "write: precision must be 'single' or 'double', not 'half'"),
 ]  # fmt: skip
 
