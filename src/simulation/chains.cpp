@@ -19,9 +19,11 @@ constexpr double stage_size = 0.25;
 /// The side of a bin, over the same length.
 constexpr double bin_size = 1.0;
 
-/// Maximum number of consecutive displacements of zero length. More follow each other only if
-/// particles block each other.
-constexpr int most_idle_ways = 1000;
+/// After every so many displacements a chain must have become shorter by a part of what remains.
+/// Only particles that block each other, up to rounding errors, advance less: 2^34 displacements
+/// would follow, for hours.
+constexpr int ways_of_a_check = 1000;
+constexpr double least_part = 0x1p-24;
 
 /// A step in log t after which the way to the contact is right to rounding: its relative error is
 /// about the fourth power of the step.
@@ -284,8 +286,8 @@ int Chains::run(std::size_t first, Vector3 const &direction, double length,
     // All ways are multiples of the last digit of the length, so that their sum is the length
     // without rounding.
     double const digit = times_power_of_two(1.0, binary_exponent(length) - 52);
-    double remaining = length;
-    int idle = 0;
+    double remaining = length, at_last_check = length;
+    int ways = 0;
     sums.length += length;
     last_plane_.reset();
     for (auto i = static_cast<std::size_t>(numbers_[first]); remaining > 0.0;) {
@@ -298,8 +300,11 @@ int Chains::run(std::size_t first, Vector3 const &direction, double length,
         bool const touches = way < stage;
         double const moved = advance(i, direction, way, touches, digit);
         remaining -= moved;
-        idle = moved > 0.0 ? 0 : idle + 1;
-        if (idle > most_idle_ways) return PW85_ECONVERGENCE;
+        if (++ways == ways_of_a_check) {
+            if (at_last_check - remaining <= least_part * remaining) return PW85_ECONVERGENCE;
+            at_last_check = remaining;
+            ways = 0;
+        }
         if (!touches) continue;
         Obstacle const &touched = obstacles_.last();
         auto const &[translation, j] = touched.image;
