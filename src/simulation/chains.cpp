@@ -19,7 +19,7 @@ constexpr double stage_size = 0.25;
 /// The side of a bin, over the same length.
 constexpr double bin_size = 1.0;
 
-/// After every so many displacements a chain must have become shorter by a part of what remains.
+/// After each 1000 displacements a chain must have become shorter by a part of what remains.
 /// Only particles that block each other, up to rounding errors, advance less: 2^34 displacements
 /// would follow, for hours.
 constexpr int ways_of_a_check = 1000;
