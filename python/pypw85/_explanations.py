@@ -40,8 +40,9 @@ def raise_better(error: Exception, name: str, arguments: tuple[Any, ...], out: A
     except (TypeError, ValueError):  # as of arguments that are not numbers
         raise error from None
     if text:
-        kind = TypeError if isinstance(error, TypeError) else type(error)  # those of ufuncs take no texts
-        raise kind(text) from None
+        if isinstance(error, TypeError):  # those of ufuncs take no texts
+            raise TypeError(text) from None
+        raise type(error)(text) from None
     raise error
 
 
