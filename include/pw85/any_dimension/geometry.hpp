@@ -59,6 +59,22 @@ find_tangency(Input const &in, double lambda, TangencySolution &result, Workspac
     return true;
 }
 
+/// Solves for s with numbers of twice, and then of seven times, the digits.
+[[gnu::cold, gnu::noinline]] PW85_FUNCTION inline StatusCode
+find_tangency_wider(Input const &in, double lambda, TangencySolution &result) noexcept
+{
+    if constexpr (FLT_EVAL_METHOD == 0)
+        if (with_wide_workspace(
+                [&](auto &work) { return find_tangency(in, lambda, result, work); }))
+            return StatusCode::success;
+    using Memory = Workspace<exact::Extended<double>>;
+    auto *const work = static_cast<Memory *>(std::malloc(sizeof(Memory)));
+    if (work == nullptr) return StatusCode::out_of_memory;
+    bool const found = find_tangency(in, lambda, result, *work);
+    std::free(work);
+    return found ? StatusCode::success : StatusCode::no_convergence;
+}
+
 /// -weight s sᵀ in packed form. An off-diagonal entry stands for two entries of the matrix.
 PW85_FUNCTION inline void store_outer(int n, double weight, double const *s, int exponent,
                                       double *d) noexcept
@@ -103,10 +119,10 @@ PW85_FUNCTION inline StatusCode nd_contact_geometry(int n, double const *r12, do
     double const size = detail::maximum(largest_diagonal(n, q1), largest_diagonal(n, q2));
     TangencySolution at{{}, {}, detail::binary_exponent(r), detail::half_exponent(size)};
     auto const find = [&](auto &work) { return find_tangency(in, lambda, at, work); };
-    bool found = with_workspace(find);
-    if constexpr (FLT_EVAL_METHOD == 0)
-        if (!found) found = with_wide_workspace(find);
-    if (!found) return StatusCode::no_convergence;
+    if (!with_workspace(find)) {
+        StatusCode const wider = find_tangency_wider(in, lambda, at);
+        if (wider != StatusCode::success) return wider;
+    }
     store(n, lambda, at, out);
     return StatusCode::success;
 }
