@@ -110,7 +110,9 @@ def _last_cause(name: str, arguments: tuple[Any, ...]) -> str:
     return f"{argument} {cause[2]}, not {np.asarray(plain(arguments[names.index(argument)]), dtype=np.float64).tolist()}"
 
 
-def _cause_of_same_arguments(name: str, names: tuple[str, ...], arguments: tuple[Any, ...]) -> tuple[str, str | None, str, int] | None:
+def _cause_of_same_arguments(
+    name: str, names: tuple[str, ...], arguments: tuple[Any, ...]
+) -> tuple[str, str | None, str, int, int, float] | None:
     """The cause that a function with the same arguments tells; none if there is no such function."""
     other, order = _SAME_ARGUMENTS.get(names, ("", ()))
     if not other:
@@ -118,8 +120,7 @@ def _cause_of_same_arguments(name: str, names: tuple[str, ...], arguments: tuple
     is_plane = np.shape(plain(arguments[order[0]])) == (2,)
     with np.errstate(all="ignore"):
         getattr(_core, other + "_2d" * is_plane)(*(plain(arguments[k]) for k in order))
-    found: tuple[str, str | None, str, int] | None = _core.last_error()
-    return found
+    return _core.last_error()
 
 
 def explain_shapes(name: str, arguments: tuple[Any, ...]) -> str:
