@@ -507,6 +507,7 @@ def test_frames_before_a_broken_one(run, folder, workers):
     assert re.search(r"a\.dump, frame 3, line \d+: the file ends", broken.err), broken.err
     (folder / "b.dump").write_text("".join(text.partition("quatk\n")[:2]))
     assert "there are no particles" in run("check", "b.dump").err.splitlines()[-1]
+    assert "the chosen frames have no particles: choose others with --frames" in run("plot", "b.dump", "a.png").err.splitlines()[-1]
 
 
 @pytest.mark.parametrize("name, arguments, reason", [

@@ -112,7 +112,8 @@ def test_errors():
     error = error_of(slit.set_walls, [Wall.plane([0, 0, 1], 99), Wall.plane([0, 0, -1], 0.25)])
     assert error.status == Status.EOVERLAP and "wall 1, Wall(" in str(error) and "): it cuts particle 0: move one of them" in str(error)
     inside = [(Wall.plane([0, 0, 1], -20), "normal·x >= -20"), (Wall.sphere([9, 9, 9], 2), "beyond the radius 2"),
-              (Wall.cylinder([9, 9, 9], [0, 0, 3], 2), "beyond the radius 2"), (Wall.box([9, 9, 9], [20, 20, 20]), "outside of the box")]  # fmt: skip
+              (Wall.cylinder([9, 9, 9], [0, 0, 3], 2), "beyond the radius 2"),
+              (Wall.box([9, 9, 9], [20, 20, 20]), "outside of the box")]  # fmt: skip
     for wall, where in inside:
         error = error_of(spheres(periodic=False).set_walls, [wall])
         assert f"particle 0 is in the wall, which is {where}: correct the numbers of the wall" in str(error), error
