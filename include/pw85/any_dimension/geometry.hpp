@@ -27,7 +27,7 @@ struct TangencySolution {
 };
 
 /// Solves for s with numbers of type T. Returns false if the error could exceed 2^-26 of s in the
-/// norm of M, so that it is not below rounding after one correction.
+/// norm of M in double precision, or 2^-53 with wider numbers. One correction follows.
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline bool
 find_tangency(Input const &in, double lambda, TangencySolution &result, Workspace<T> &work) noexcept
 {
@@ -42,8 +42,10 @@ find_tangency(Input const &in, double lambda, TangencySolution &result, Workspac
         for (int k = 0; k < packed_size(n); ++k) std::swap(pair.q1[k], pair.q2[k]);
     }
     if (!evaluate(pair, t, at)) return false;
-    T const error = T(solution_error(n)) * inverse_bound(pair, t, at) * T(unit_roundoff<T>());
-    if (!(error <= negative_power_of_two<T>(result_digits<T>() / 2))) return false;
+    T const error = T(solution_error(n)) * inverse_bound(pair, t, at) * operation_error<T>();
+    // Wider numbers must be right to rounding without the correction, whose residual they round, too.
+    int const digits = std::is_same_v<T, double> ? result_digits<T>() / 2 : result_digits<T>();
+    if (!(error <= negative_power_of_two<T>(digits))) return false;
     T rest[max_dimension]{};
     for (int i = 0; i < n; ++i) rest[i] = pair.r12[i] - at.p[i] - t * at.q[i];
     solve(n, at.factors, rest, at.v);
