@@ -263,7 +263,7 @@ def compile_potential(potential: Potential | int, context: int) -> CompiledPoten
             return float("nan")
 
     compiled = _FUNCTION(call)
-    address = ctypes.cast(compiled, ctypes.c_void_p).value
-    assert address is not None
-    made = CompiledPotential(address, 0, compiled)
+    pointer = ctypes.cast(compiled, ctypes.c_void_p).value
+    assert pointer is not None
+    made = CompiledPotential(pointer, 0, compiled)
     return made
