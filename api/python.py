@@ -34,7 +34,7 @@ def made_lines():
     return {
         "functions": [f"{python_name(row)}," for row in row_functions() if not row.name.startswith("legacy_")],
         "names": [f"{name}," for name in results()],
-        "objects": stubs(),
+        "objects": list(stubs()),
         "ufuncs": [f"{name}: np.ufunc" for name in results()],
         "calls": [f"def call_{name}(*args: Any) -> {type_of(shapes)}: ..." for name, shapes in results().items()],
     }

@@ -120,6 +120,17 @@ def table():
     return f"{text}\nPyMethodDef made_methods[] = {{\n{entries}    {{nullptr, nullptr, 0, nullptr}},\n}};\n"
 
 
+def type_of(one):
+    """The type of a result in Python."""
+    if one.outer:
+        return "Any"
+    number = "float" if one.type == "double" else "int"
+    return f"tuple[{', '.join([number] * prod(one.shape))}]" if one.shape else number
+
+
 def stubs():
     """The functions as a stub of Python."""
-    return [f"def {plain(one)}(*args: Any) -> Any: ..." for one in listed_functions()]
+    for function in listed_functions():
+        types = ["int", *(type_of(one) for one in parameters(function) if is_result(one))]
+        result = f"tuple[{', '.join(types)}]" if types[1:] else "int"
+        yield f"def {plain(function)}(*args: Any) -> {result}: ..."

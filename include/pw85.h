@@ -501,7 +501,7 @@ PW85_API int pw85_overlap_volume(double const r12[3], double const q1[6], double
  *
  * The derivatives are 0 if the ellipsoids do not overlap. If one ellipsoid is inside the other one,
  * only the derivatives of its own volume are not 0. If the surfaces touch from inside at a point,
- * but for some 10⁻¹⁷ of their size, and cross elsewhere, 32 digits may not be enough
+ * except for some 10⁻¹⁷ of their size, and cross elsewhere, 32 digits may not be enough
  * (#PW85_ECONVERGENCE). The error of the derivative with respect to a number p is below u (256 m +
  * 64 s), with u = 2⁻⁵³ and s = Σ|r12_i ∂²V/∂r12_i∂p| + Σ √(q1_ii q1_jj) |∂²V/∂q1_ij∂p| + the same
  * for q2. With the volume v of the smaller ellipsoid, the inverse P of its form, and the inverse P'

@@ -61,8 +61,7 @@ PW85_API int pw85_nd_contact(int n, double const *r12, double const *q1, double 
  * @param[out] d_r12 n numbers: ∂μ²/∂r12; may be null
  * @param[out] d_q1,d_q2 n (n + 1)/2 numbers each: derivatives with respect to the entries of q1 and
  *        q2; may be null
- * @return as pw85_nd_contact(), but #PW85_ECONVERGENCE for forms that are nearer to singular than
- *         106 binary digits can tell */
+ * @return as pw85_nd_contact() */
 PW85_API int pw85_nd_contact_geometry(int n, double const *r12, double const *q1, double const *q2,
                                       double lambda, double *point, double *normal, double *d_r12,
                                       double *d_q1, double *d_q2);

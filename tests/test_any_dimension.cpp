@@ -210,6 +210,74 @@ void test_geometry()
         }
 }
 
+// Forms of determinants near 1 with entries of 1e14: s is right to rounding in the norm of M, from
+// numbers of seven times the digits.
+void test_geometry_of_singular_forms()
+{
+    Failures failures;
+    Random random(86);
+    for (int n = 3; n <= 6; ++n)
+        for (int i = 0; i < draws(16); ++i) {
+            Case c{n, std::vector<double>(Size(n), 1.0), std::vector<double>(nd::packed_size(n)),
+                   std::vector<double>(nd::packed_size(n))};
+            // L Lᵀ with a unit diagonal in L, and integers below it that are large in two columns:
+            // the condition number, of a unit diagonal, is up to 1e26. 50 digits leave 24.
+            std::vector<std::vector<double>> lower(Size(n), std::vector<double>(Size(n), 0.0));
+            for (Size a = 0; a < Size(n); ++a) {
+                lower[a][a] = 1;
+                for (Size b = 0; b < a; ++b)
+                    lower[a][b] = std::floor(random.uniform(-1, 1) * (b == 0   ? 1e7
+                                                                      : b == 1 ? 1e6
+                                                                               : 3));
+            }
+            for (int a = 0; a < n; ++a)
+                for (int b = a; b < n; ++b) {
+                    double sum = 0;
+                    for (Size k = 0; k <= Size(a); ++k)
+                        sum += lower[Size(a)][k] * lower[Size(b)][k];
+                    c.q1[nd::place(n, a, b)] = sum;
+                }
+            c.q2 = c.q1;
+            c.q2[0] += 1;
+            std::vector<double> point(Size(n), nan), d_r12(point);
+            int const status =
+                pw85_nd_contact_geometry(n, c.r12.data(), c.q1.data(), c.q2.data(), 0.25,
+                                         point.data(), nullptr, d_r12.data(), nullptr, nullptr);
+            failures.check(status == PW85_SUCCESS, "status", status, 0, [&] { return c.text(); });
+            auto const s = nd::evaluate(c, Number(0.25)).s;
+            auto const q1s = nd::times(nd::blend(c, 1, 0), s);
+            std::vector<Number> x, z;
+            for (Size k = 0; k < Size(n); ++k) {
+                x.push_back(Number(0.75) * q1s[k]);
+                z.push_back(Number(0.375) * s[k]);
+            }
+            // s errs by 2u of its norm in M, √(sᵀMs) = √(sᵀr12), plus rounding: the error of a
+            // component is at most that times √((M⁻¹)_kk), and that of the point times a semi-axis.
+            double axis = 0;
+            for (int k = 0; k < n; ++k) axis = std::max(axis, c.q1[nd::place(n, k, k)]);
+            Number along = 0;
+            for (auto const &y : s) along += y; // r12 is (1, …, 1)
+            Number const error = Number(4 * u) * sqrt(Number(axis) * along);
+            auto const q1 = nd::blend(c, 1, 0);
+            for (Size k = 0; k < Size(n); ++k) {
+                Number terms = 0; // Q1 s is rounded n + 2 times where double precision suffices
+                for (Size j = 0; j < Size(n); ++j) terms += abs(q1[k][j] * s[j]);
+                failures.check(abs(Number(point[k]) - x[k]) <= error + Number((n + 2) * u) * terms,
+                               "point", point[k], double(x[k]), [&] { return c.text(); });
+            }
+            // The largest (M⁻¹)_kk is the first one: the other rows of L have large entries.
+            nd::Row unit(Size(n), Number(0));
+            unit[0] = 1;
+            Number const inverse = nd::solve(nd::blend(c, 0.75, 0.25), unit)[0];
+            Number largest = 0;
+            for (auto const &y : z) largest = std::max(largest, abs(y));
+            Number const bound = Number(4 * u) * (Number(0.375) * sqrt(along * inverse) + largest);
+            for (Size k = 0; k < Size(n); ++k)
+                failures.check(abs(Number(d_r12[k]) - z[k]) <= bound, "d_r12", d_r12[k],
+                               double(z[k]), [&] { return c.text(); });
+        }
+}
+
 // The sign of μ² - m from the truth, for m that differ from μ² by a part of 1e-3 to 1e-40: as r12
 // is a double, the pair is compared at the double next to μ², and its neighbours.
 void test_compare()
@@ -814,6 +882,7 @@ int main(int argc, char **argv)
     g_test_add_func("/any_dimension/known_dimensions", test_known_dimensions);
     g_test_add_func("/any_dimension/padding", test_padding);
     g_test_add_func("/any_dimension/geometry", test_geometry);
+    g_test_add_func("/any_dimension/geometry_of_singular_forms", test_geometry_of_singular_forms);
     g_test_add_func("/any_dimension/compare", test_compare);
     g_test_add_func("/any_dimension/ties", test_ties);
     g_test_add_func("/any_dimension/definite", test_definite);

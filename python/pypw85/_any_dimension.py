@@ -203,7 +203,9 @@ def nd_contains(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
 
 
 def nd_containment(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> tuple[Any, Any]:
-    """Factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2 in n dimensions, and where they touch then.
+    """Factor by which ellipsoid 1 must be scaled to contain ellipsoid 2 in n dimensions, and where they touch then.
+
+    The centre of ellipsoid 1 stays fixed.
 
     Parameters
     ----------

@@ -42,7 +42,7 @@ def enclosing(system: System, clusters: ArrayLike | None = None, tolerance: floa
     >>> import pypw85
     >>> system = pypw85.System([[0, 0, 0], [3, 0, 0], [9, 9, 9]], [[1, 0, 0, 1, 0, 1]] * 3)
     >>> around = pypw85.enclosing(system, clusters=[1, 1, 2])
-    >>> around.types, around.centers.round(3).tolist()
+    >>> around.types, (around.centers.round(3) + 0).tolist()
     (array([1, 2]), [[1.5, 0.0, 0.0], [9.0, 9.0, 9.0]])
     """
     labels = np.zeros(len(system.centers), np.int64) if clusters is None else np.asarray(clusters)

@@ -40,8 +40,9 @@ def raise_better(error: Exception, name: str, arguments: tuple[Any, ...], out: A
     except (TypeError, ValueError):  # as of arguments that are not numbers
         raise error from None
     if text:
-        kind: Any = TypeError if isinstance(error, TypeError) else type(error)  # those of ufuncs take no texts
-        raise kind(text) from None
+        if isinstance(error, TypeError):  # those of ufuncs take no texts
+            raise TypeError(text) from None
+        raise type(error)(text) from None
     raise error
 
 
@@ -109,7 +110,9 @@ def _last_cause(name: str, arguments: tuple[Any, ...]) -> str:
     return f"{argument} {cause[2]}, not {np.asarray(plain(arguments[names.index(argument)]), dtype=np.float64).tolist()}"
 
 
-def _cause_of_same_arguments(name: str, names: tuple[str, ...], arguments: tuple[Any, ...]) -> tuple[str, str | None, str, int] | None:
+def _cause_of_same_arguments(
+    name: str, names: tuple[str, ...], arguments: tuple[Any, ...]
+) -> tuple[str, str | None, str, int, int, float] | None:
     """The cause that a function with the same arguments tells; none if there is no such function."""
     other, order = _SAME_ARGUMENTS.get(names, ("", ()))
     if not other:
@@ -117,8 +120,7 @@ def _cause_of_same_arguments(name: str, names: tuple[str, ...], arguments: tuple
     is_plane = np.shape(plain(arguments[order[0]])) == (2,)
     with np.errstate(all="ignore"):
         getattr(_core, other + "_2d" * is_plane)(*(plain(arguments[k]) for k in order))
-    found: tuple[str, str | None, str, int] | None = _core.last_error()
-    return found
+    return _core.last_error()
 
 
 def explain_shapes(name: str, arguments: tuple[Any, ...]) -> str:

@@ -946,7 +946,8 @@ class HardEllipsoids:
         axes = _vector("kind_steps", "semi_axes", semi_axes, 3)
         with self._lock:
             _core.hard_ellipsoids_kind_steps(self._simulation, axes[None], steps)
-        return TrialSteps(*steps[0].tolist(), self.steps.volume)
+        translation, rotation = map(float, steps[0])
+        return TrialSteps(translation, rotation, self.steps.volume)
 
     def set_fractions(
         self, translation: float = 0.0, rotation: float = 0.0, both: float = 0.0, exchange: float = 0.0
@@ -978,8 +979,8 @@ class HardEllipsoids:
 
     def _renew(self) -> None:
         """Takes the arrays of the present particles."""
-        *arrays, periodic = _core.hard_ellipsoids_views(self._simulation)
-        self._views = _Views(*arrays, periodic=tuple(map(bool, periodic)))
+        centers, q, semi_axes, quaternions, cell, (a, b, c) = _core.hard_ellipsoids_views(self._simulation)
+        self._views = _Views(centers, q, semi_axes, quaternions, cell, (bool(a), bool(b), bool(c)))
 
     def _fail(self, status: int, name: str, detail: str) -> None:
         """Raises what the potential has raised, or an error of the library."""
@@ -1054,7 +1055,7 @@ def _vector(name: str, argument: str, value: ArrayLike, size: int) -> Floats:
     return np.array(array.ravel())
 
 
-def _records(rows: Sequence[Wall] | Sequence[Field], kind: np.dtype[Any]) -> NDArray[Any]:
+def _records(rows: Sequence[tuple[Any, ...]], kind: np.dtype[Any]) -> NDArray[Any]:
     """Walls or fields as the library has them. Numbers that are no index become -1, which it refuses."""
     index = [kind[name] == np.int32 for name in kind.names or ()]
     return np.array([tuple((int(x) if 0 <= x < 100 else -1) if one else x for one, x in zip(index, row)) for row in rows], kind)

@@ -223,9 +223,9 @@ def fault_of_wall(wall: Wall) -> str:
 def fault_of_field(field: Field) -> str:
     """Names the fault of a field that no simulation can have; empty if there is none."""
     vector = {2: "stiffness", 3: "direction"}.get(field.kind, "gradient")
-    for name, numbers in (("center", field.point), (vector, field.vector)):
-        if not np.isfinite(numbers).all():
-            return f"{name} must be finite, not {list(numbers)}"
+    for name, value in (("center", field.point), (vector, field.vector)):
+        if not np.isfinite(value).all():
+            return f"{name} must be finite, not {list(value)}"
     if not np.isfinite(field.strength):
         return f"strength must be finite, not {field.strength}"
     return f"{vector} must not be zero" if field.kind == 3 and not any(field.vector) else ""
@@ -251,8 +251,8 @@ def compile_potential(potential: Potential | int, context: int) -> CompiledPoten
         if not isinstance(potential, (int, np.integer)):
             raise TypeError("HardEllipsoids.set_potential: potential must be a function, or the address of one as an integer, not "
                             f"{shown(potential)}")  # fmt: skip
-        address = integer(potential, "HardEllipsoids.set_potential: potential", _LEAST_ADDRESS, 2**64 - 1)
-        return CompiledPotential(address, integer(context, "HardEllipsoids.set_potential: context", 0, 2**64 - 1))
+        number = integer(potential, "HardEllipsoids.set_potential: potential", _LEAST_ADDRESS, 2**64 - 1)
+        return CompiledPotential(number, integer(context, "HardEllipsoids.set_potential: context", 0, 2**64 - 1))
     function, as_array = potential, np.ctypeslib.as_array
 
     def call(_: Any, particle: int, center: Any, quaternion: Any, semi_axes: Any) -> float:

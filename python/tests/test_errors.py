@@ -274,9 +274,11 @@ def test_causes_in_systems():
         (lambda: pypw85.nearest_image_limit(q, np.zeros((3, 3))), "cell must have independent rows"),
         (lambda: pypw85.neighbors(centers, flat), r"neighbors: particle 1: q must be positive definite"),
         (lambda: pypw85.neighbors(centers * [[1], [np.nan]], q), "particle 1: centers must be finite, not"),
-        (lambda: pypw85.neighbors(centers, q, scale=-1), "scale must be > 0 and finite, not -1"),
-        (lambda: pypw85.neighbors(centers, q, skin=-1), "skin must be >= 0 and finite, not -1"),
-        (lambda: pypw85.neighbors(centers, q, np.ones((3, 3))), "cell must have independent rows"),
+        (lambda: pypw85.neighbors(centers, q, scale=-1), "neighbors: scale must be > 0, not -1.0$"),
+        (lambda: pypw85.neighbors(centers, q, scale=np.inf), "neighbors: scale must be finite, not inf$"),
+        (lambda: pypw85.neighbors(centers, q, skin=-1), "neighbors: skin must be >= 0, not -1.0$"),
+        (lambda: pypw85.neighbors(centers, q, np.ones((3, 3))), "neighbors: cell must have finite, independent vectors, one of them periodic$"),
+        (lambda: pypw85.neighbors(centers * [[1], [1e15]], q, np.eye(3)), "particle 1: centers must not be too far away from the cell"),
         (lambda: pypw85.principal_axes(FLAT), "principal_axes: q must be positive definite"),
     ]:
         with pytest.raises(PW85Error, match=words):

@@ -167,7 +167,7 @@ def test_neighbors_errors(particles):
     bad[7, 1] = np.nan
     with pytest.raises(pypw85.PW85Error, match="particle 7: centers must be finite"):
         pypw85.neighbors(bad, q, CELL)
-    with pytest.raises(pypw85.PW85Error, match="neighbors: cell must have independent rows"):
+    with pytest.raises(pypw85.PW85Error, match="neighbors: cell must have finite, independent vectors, one of them periodic"):
         pypw85.neighbors(centers, q, np.ones((3, 3)))
     with pytest.raises(pypw85.PW85Error):
         pypw85.neighbors(centers, q, scale=0)

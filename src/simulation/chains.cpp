@@ -19,9 +19,11 @@ constexpr double stage_size = 0.25;
 /// The side of a bin, over the same length.
 constexpr double bin_size = 1.0;
 
-/// Maximum number of consecutive displacements of zero length. More follow each other only if
-/// particles block each other.
-constexpr int max_stalled_steps = 1000;
+/// After each 1000 displacements a chain must have become shorter by a part of what remains. Only
+/// particles that block each other, up to rounding errors, advance less: 2^34 displacements would
+/// follow, for hours.
+constexpr int displacements_of_a_check = 1000;
+constexpr double least_part = 0x1p-24;
 
 /// A step in log t after which the path to the contact is right to rounding: its relative error is
 /// about the fourth power of the step.
@@ -285,8 +287,8 @@ int Chains::run(std::size_t first, Vector3 const &direction, double length,
     // All paths are multiples of the last digit of the length, so that their sum is the length
     // without rounding.
     double const digit = times_power_of_two(1.0, binary_exponent(length) - 52);
-    double remaining = length;
-    int stalled = 0;
+    double remaining = length, at_last_check = length;
+    int displacements = 0;
     sums.length += length;
     last_plane_.reset();
     for (auto i = static_cast<std::size_t>(numbers_[first]); remaining > 0.0;) {
@@ -299,8 +301,11 @@ int Chains::run(std::size_t first, Vector3 const &direction, double length,
         bool const touches = path < stage;
         double const moved = advance(i, direction, path, touches, digit);
         remaining -= moved;
-        stalled = moved > 0.0 ? 0 : stalled + 1;
-        if (stalled > max_stalled_steps) return PW85_ECONVERGENCE;
+        if (++displacements == displacements_of_a_check) {
+            if (at_last_check - remaining <= least_part * remaining) return PW85_ECONVERGENCE;
+            at_last_check = remaining;
+            displacements = 0;
+        }
         if (!touches) continue;
         Obstacle const &touched = obstacles_.last();
         auto const &[translation, j] = touched.image;

@@ -290,9 +290,9 @@ decide_containment_in(Input const &in, int unit, Workspace<T> &work) noexcept
     }
     if (shows_inside(pair, T(0.5), at.factors)) return ContainmentDecision::inside;
     ReachSearch<T> search;
-    T const tolerance = T(4) * T(unit_roundoff<T>()), far = T(0x1p-20);
+    T const tolerance = T(4) * T(unit_roundoff<T>()), margin = T(0x1p-20);
     search_reach(pair, search, at, [&](auto const &found) {
-        return found.bound < T(1) - far || found.best.mu2 > T(1) + far ||
+        return found.bound < T(1) - margin || found.best.mu2 > T(1) + margin ||
                is_settled(pair, found, tolerance);
     });
     if (search.best.mu2 > T(1) && shows_outside(pair, search.best.s))

@@ -27,7 +27,7 @@ struct TangencySolution {
 };
 
 /// Solves for s with numbers of type T. Returns false if the error could exceed 2^-26 of s in the
-/// norm of M, so that it is not below rounding after one correction.
+/// norm of M in double precision, or 2^-53 with wider numbers. One correction follows.
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline bool
 find_tangency(Input const &in, double lambda, TangencySolution &result, Workspace<T> &work) noexcept
 {
@@ -42,8 +42,10 @@ find_tangency(Input const &in, double lambda, TangencySolution &result, Workspac
         for (int k = 0; k < packed_size(n); ++k) std::swap(pair.q1[k], pair.q2[k]);
     }
     if (!evaluate(pair, t, at)) return false;
-    T const error = T(solution_error(n)) * inverse_bound(pair, t, at) * T(unit_roundoff<T>());
-    if (!(error <= negative_power_of_two<T>(result_digits<T>() / 2))) return false;
+    T const error = T(solution_error(n)) * inverse_bound(pair, t, at) * operation_error<T>();
+    // Wider numbers must be right to rounding without the correction, whose residual they round, too.
+    int const digits = std::is_same_v<T, double> ? result_digits<T>() / 2 : result_digits<T>();
+    if (!(error <= negative_power_of_two<T>(digits))) return false;
     T rest[max_dimension]{};
     for (int i = 0; i < n; ++i) rest[i] = pair.r12[i] - at.p[i] - t * at.q[i];
     solve(n, at.factors, rest, at.v);
@@ -57,6 +59,22 @@ find_tangency(Input const &in, double lambda, TangencySolution &result, Workspac
             result.s[i] = rounded(at.s[i]), result.q1s[i] = rounded(at.p[i]);
     }
     return true;
+}
+
+/// Solves for s with numbers of twice, and then of seven times, the digits.
+[[gnu::cold, gnu::noinline]] PW85_FUNCTION inline StatusCode
+find_tangency_wider(Input const &in, double lambda, TangencySolution &result) noexcept
+{
+    if constexpr (FLT_EVAL_METHOD == 0)
+        if (with_wide_workspace(
+                [&](auto &work) { return find_tangency(in, lambda, result, work); }))
+            return StatusCode::success;
+    using Memory = Workspace<exact::Extended<double>>;
+    auto *const work = static_cast<Memory *>(std::malloc(sizeof(Memory)));
+    if (work == nullptr) return StatusCode::out_of_memory;
+    bool const found = find_tangency(in, lambda, result, *work);
+    std::free(work);
+    return found ? StatusCode::success : StatusCode::no_convergence;
 }
 
 /// -weight s sᵀ in packed form. An off-diagonal entry stands for two entries of the matrix.
@@ -103,10 +121,10 @@ PW85_FUNCTION inline StatusCode nd_contact_geometry(int n, double const *r12, do
     double const size = detail::maximum(largest_diagonal(n, q1), largest_diagonal(n, q2));
     TangencySolution at{{}, {}, detail::binary_exponent(r), detail::half_exponent(size)};
     auto const find = [&](auto &work) { return find_tangency(in, lambda, at, work); };
-    bool found = with_workspace(find);
-    if constexpr (FLT_EVAL_METHOD == 0)
-        if (!found) found = with_wide_workspace(find);
-    if (!found) return StatusCode::no_convergence;
+    if (!with_workspace(find)) {
+        StatusCode const wider = find_tangency_wider(in, lambda, at);
+        if (wider != StatusCode::success) return wider;
+    }
     store(n, lambda, at, out);
     return StatusCode::success;
 }

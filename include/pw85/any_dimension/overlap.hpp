@@ -38,13 +38,6 @@ struct NdOverlap {
 
 namespace pw85::detail::any_dimension {
 
-/// A bound on the relative error of one operation. Those of Doubled numbers err by up to 16 u²,
-/// four times the unit roundoff that is declared.
-template <class T> PW85_FUNCTION constexpr T operation_error() noexcept
-{
-    return T(4) * T(unit_roundoff<T>());
-}
-
 /// sᵀQs rounded up: product() and dot() make up to 5n/4 + 9 operations on a term, and the bound
 /// itself n + 3.
 template <class T>

@@ -34,6 +34,13 @@ PW85_FUNCTION constexpr int packed_index(int n, int i, int j) noexcept
     return i <= j ? row_offset(n, i) + j : row_offset(n, j) + i;
 }
 
+/// A bound on the relative error of one operation. Those of Doubled numbers err by up to 16 u²,
+/// four times the unit roundoff that is declared.
+template <class T> PW85_FUNCTION constexpr T operation_error() noexcept
+{
+    return T(4) * T(unit_roundoff<T>());
+}
+
 /// Σ x_i y_i. Four partial sums shorten the chain of additions, and the error.
 template <class T> PW85_FUNCTION inline T dot(int n, T const *x, T const *y) noexcept
 {

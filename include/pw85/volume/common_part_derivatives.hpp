@@ -108,6 +108,13 @@ derivatives_in_space(JointFrame<T, D> const &frame, FrameDerivatives<T, D> const
     return {force, ball, other, StatusCode::success};
 }
 
+/// Half of the length of the axis of the rim. It is not inlined, because of its memory.
+template <class T>
+[[gnu::noinline]] PW85_FUNCTION inline T half_of_axis(JointFrame<T, 3> const &frame) noexcept
+{
+    return rim_axis(pencil(frame)).half_chord;
+}
+
 /// Tests if twice the digits give the volume within its bound, and so the derivatives. This can
 /// only be false where rounded forms move the surfaces far, the other body is far from the ball, or
 /// the surfaces nearly touch, so that the axis of the rim is short.
@@ -116,7 +123,7 @@ is_part_resolved(JointFrame<Finer<T>, 3> const &frame) noexcept
 {
     T const displacement = rounded(frame.displacement);
     bool const is_near = distance_of_centers(frame) <= Finer<T>(largest_distance_of_one_sum);
-    if (is_near && !is_one_sum_enough(frame, rim_axis(pencil(frame)).half_chord)) return false;
+    if (is_near && !is_one_sum_enough(frame, half_of_axis(frame))) return false;
     if (is_near && displacement <= largest_displacement<T, 3>()) return true;
     T const part = common_measure(frame).measure;
     return part >= T(0) && is_resolved<T, 3>(displacement, part);
