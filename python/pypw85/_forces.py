@@ -164,24 +164,20 @@ def _parameters(name: str, **numbers: float) -> Floats:
 
 
 def fault_of_law(law: Law | None) -> str:
-    """Why a simulation of hard cores refuses the numbers of a law; empty if it does not because of these."""
+    """Which number of a law a simulation of hard cores refuses, where the library does not name it; empty if it names it."""
     if law is None or not len(law.parameters):
         return ""
     numbers = law.parameters.tolist()
     if not np.isfinite(numbers[:4]).all():
         return f"the parameters of the law must be finite, not {numbers}"
     if law.kind == 1:
-        return "a soft repulsion ends where the hard cores begin: use Law.inverse_powers or Law.table"
+        return "law must not be a soft repulsion, which ends where the hard cores begin: use Law.inverse_powers or Law.table"
     cutoff = numbers[4] if law.kind == 2 else numbers[1]
     if law.kind == 2 and not numbers[1] > numbers[3] > 0:
         return f"n and m must be n > m > 0, not {numbers[1]} and {numbers[3]}"
     if cutoff <= 1:
         return f"mu2_max, the cutoff, must be > 1, not {cutoff:g}: hard cores keep all pairs at μ² >= 1, where the law ends"
-    return "" if cutoff <= _LARGEST_MU2 else f"mu2_max, the cutoff, must be at most {_LARGEST_MU2:g} in a simulation, not {cutoff:g}"
-
-
-# Of a pair that the law of a simulation acts on: μ = 1000.
-_LARGEST_MU2 = 1e6
+    return ""
 
 
 class LawForces(NamedTuple):

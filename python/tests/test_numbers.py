@@ -201,11 +201,11 @@ FIELDS = [
 
 
 LAWS = [
-    (pypw85.Law.soft_repulsion(1), "a soft repulsion ends where the hard cores begin: use Law.inverse_powers or Law.table"),
+    (pypw85.Law.soft_repulsion(1), "law must not be a soft repulsion, which ends where the hard cores begin: use Law.inverse_powers or Law.table"),
     (pypw85.Law.inverse_powers(np.nan, 12, 4, 6, 4), r"the parameters of the law must be finite, not \[nan"),
     (pypw85.Law.inverse_powers(4, 6, 4, 12, 4), "n and m must be n > m > 0, not 6.0 and 12.0"),
-    (pypw85.Law.inverse_powers(4, 12, 4, 6), r"mu2_max, the cutoff, must be at most 1e\+06 in a simulation, not 1.79769e\+308"),
-    (pypw85.Law.inverse_powers(4e6, 12, 4, 6, 4), r"the energy of a pair must be at most 10\*\*6 in the unit of k_B T"),
+    (pypw85.Law.inverse_powers(4, 12, 4, 6), "law must have a cutoff of at most μ = 1000"),
+    (pypw85.Law.inverse_powers(4e6, 12, 4, 6, 4), "law must have energies of pairs of at most 2²⁰ k_B T"),
 ]
 
 
