@@ -189,14 +189,14 @@ WALLS = [
     (pypw85.Wall.cylinder([0, 0, 0], [0, 0, 1], -1), "wall 1: radius must be finite and > 0, not -1.0"),
     (pypw85.Wall.box([0, 0, 0], [-1, 1, 1]), "wall 1: lower and upper must be finite, and lower below upper"),
     (pypw85.Wall.sphere([0, 0, 0], 9)._replace(kind=7), "wall 1: kind must be an integer from 0 to 3, not 7"),
-    (pypw85.Wall.sphere([0, 0, 0], 9), "a wall must not be across a periodic vector of the cell; spheres and boxes need a cell without"),
+    (pypw85.Wall.sphere([0, 0, 0], 9), "wall 0 must be the same in all images of the cell, not Wall"),
 ]
 FIELDS = [
     (pypw85.Field.linear([np.nan, 0, 0]), r"field 1: gradient must be finite, not \[nan, 0.0, 0.0\]"),
     (pypw85.Field.harmonic([np.inf, 0, 0], [1, 1, 1]), r"field 1: center must be finite, not \[inf, 0.0, 0.0\]"),
     (pypw85.Field.aligning([0, 0, 1], np.nan), "field 1: strength must be finite, not nan"),
     (pypw85.Field.aligning([0, 0, 0], 1), "field 1: direction must not be zero"),
-    (pypw85.Field.linear([1, 0, 0]), "a field must be the same in all images of the periodic cell"),
+    (pypw85.Field.linear([1, 0, 0]), "field 0 must be the same in all images of the cell, not Field"),
 ]
 
 
