@@ -277,11 +277,11 @@ def packed_rows(form: ArrayLike, n: int, function: str, argument: str) -> NDArra
         transposed = np.swapaxes(q, -1, -2)
         largest = np.abs(q).max(axis=(-1, -2), keepdims=True) if q.size else 0
         if (np.abs(q - transposed) > 1e-6 * largest).any():
-            raise ValueError(f"{function}: {argument} must have symmetric matrices")
+            raise ValueError(f"{function}: {argument} must be symmetric")
         return q[(..., *np.triu_indices(n))]
     if q.ndim and q.shape[-1] == size:
         return q
-    raise ValueError(f"{function}: {argument} must end with {n}×{n} or {size} numbers in {n} dimensions, not have the shape {q.shape}")
+    raise ValueError(f"{function}: {argument} must have {n}×{n} or {size} numbers for {n} dimensions, not the shape {q.shape}")
 
 
 class _Rows:
