@@ -106,8 +106,8 @@ PW85_API int pw85_nd_contains(int n, double const *r12, double const *q1, double
 /** Factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2 in n
  * dimensions, and the point where the ellipsoids then touch.
  *
- * The relative error of the square is below (2n + 20) u c, with c as for pw85_containment() and sums
- * over n coordinates. The search proves the result by bounds from both sides.
+ * The relative error of the square is below (2n + 20) u c, with c as for pw85_containment() and
+ * sums over n coordinates. The search proves the result by bounds from both sides.
  *
  * @param n,r12,q1,q2 as for pw85_nd_contact()
  * @param[out] mu2 square of the factor, at most 1 if ellipsoid 2 is inside; may be null
@@ -118,14 +118,14 @@ PW85_API int pw85_nd_contains(int n, double const *r12, double const *q1, double
 PW85_API int pw85_nd_containment(int n, double const *r12, double const *q1, double const *q2,
                                  double *mu2, double *point);
 
-/** Distance of the surfaces of two ellipsoids in n dimensions, the points where they are closest, and
- * the common normal there.
+/** Distance of the surfaces of two ellipsoids in n dimensions, the points where they are closest,
+ * and the common normal there.
  *
  * The error of the distance is below 4 u Σ, with u = 2⁻⁵³ and Σ as for pw85_distance(), with sums
  * over n coordinates. It is proved by two bounds: the width of the slab between the ellipsoids that
- * is normal to `normal`, which is `distance` to rounding, and the distance of the points. The vector
- * point2 - point1 differs from `distance` times `normal` by less than 2¹⁸ u |r12|, plus the rounding
- * errors u |point1| and u |point2|.
+ * is normal to `normal`, which is `distance` to rounding, and the distance of the points. The
+ * vector point2 - point1 differs from `distance` times `normal` by less than 2¹⁸ u |r12|, plus the
+ * rounding errors u |point1| and u |point2|.
  *
  * @param n,r12,q1,q2 as for pw85_nd_contact()
  * @param[out] distance zero if the ellipsoids overlap, as pw85_nd_overlap() decides; may be null
@@ -141,9 +141,10 @@ PW85_API int pw85_nd_distance(int n, double const *r12, double const *q1, double
 /** @}
  * @name Many pairs
  *
- * All pairs have the same n, which is checked even if there are none. They have rows of n numbers in r12 and of n (n + 1)/2 numbers in q1
- * and q2. A bad pair gets NaN, and 255 for an answer, and does not keep others from being computed.
- * The status is that of the first bad pair. Runs in the calling thread.
+ * All pairs have the same n, which is checked even if there are none. They have rows of n numbers
+ * in r12 and of n (n + 1)/2 numbers in q1 and q2. A bad pair gets NaN, and 255 for an answer, and
+ * does not keep others from being computed. The status is that of the first bad pair. Runs in the
+ * calling thread.
  * @{ */
 
 /** pw85_nd_contact() for many pairs; the bits are the same.

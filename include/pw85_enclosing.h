@@ -45,9 +45,9 @@ extern "C" {
 PW85_API int pw85_enclosing_ellipsoid(int n, size_t m, double const *points, double tolerance,
                                       double *center, double *q, double *excess);
 
-/** The ellipsoid of least volume around ellipsoids, up to a tolerance, with a proof: every ellipsoid
- * is inside, in exact arithmetic for the numbers that are given and returned, and the volume is at
- * most 1 + excess times the least volume.
+/** The ellipsoid of least volume around ellipsoids, up to a tolerance, with a proof: every
+ * ellipsoid is inside, in exact arithmetic for the numbers that are given and returned, and the
+ * volume is at most 1 + excess times the least volume.
  *
  * What pw85_enclosing_ellipsoid() says of the excess, of rounding and of units holds here, too.
  * Each round adds points of the ellipsoids until none protrudes. The time of a round is that of one

@@ -87,8 +87,8 @@ PW85_API int pw85_hard_ellipsoids_remove(pw85_hard_ellipsoids *simulation, size_
  * @param semi_axes [length; > 0] of the particle; at most 32 times the shortest vector of the
  *        lattice of images; with a law this holds for the semi-axes of all particles times √c,
  *        where c is the cutoff of μ²
- * @param[out] weight [NaN on error] the mean, without fields and law the part of the places that are
- *        free; NaN without trials
+ * @param[out] weight [NaN on error] the mean, without fields and law the part of the places that
+ *        are free; NaN without trials
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM; #PW85_EPOTENTIAL as for
  *        pw85_hard_ellipsoids_set_potential() */
 PW85_API int pw85_hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids *simulation,
@@ -114,10 +114,10 @@ PW85_API int pw85_hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids *simulat
  * @param num_kinds number of species, at least 1
  * @param semi_axes [num_kinds×3; length; > 0] those of each species, all different, as for
  *        pw85_hard_ellipsoids_insertion_weight()
- * @param activities [num_kinds; 1/length³; > 0] z = e^(βμ)/Λ³ of each species, in the inverse cube of
- *        the unit of length, in two dimensions in its inverse square
- * @param[out] counts [optional; -1 on error] insertions, those that were accepted, removals, those that were
- *        accepted, of this call; -1 where nothing was tried
+ * @param activities [num_kinds; 1/length³; > 0] z = e^(βμ)/Λ³ of each species, in the inverse cube
+ *        of the unit of length, in two dimensions in its inverse square
+ * @param[out] counts [optional; -1 on error] insertions, those that were accepted, removals, those
+ *        that were accepted, of this call; -1 where nothing was tried
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD; #PW85_ENOMEM, or #PW85_EPOTENTIAL as for
  *         pw85_hard_ellipsoids_set_potential(), after which the trials that were made before
  *         remain */

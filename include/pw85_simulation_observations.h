@@ -48,8 +48,8 @@ PW85_API int pw85_hard_ellipsoids_law_virial(pw85_hard_ellipsoids const *simulat
  * @param particle index, from 0
  * @param capacity how many images the arrays can have; with 0 the function only counts
  * @param[out] count [0 on error] how many images there are, which may be more than `capacity`
- * @param[out] particles [capacity; optional] index of each; the first `count` are written, as of the next
- *        arrays, which may all be null
+ * @param[out] particles [capacity; optional] index of each; the first `count` are written, as of
+ *        the next arrays, which may all be null
  * @param[out] images [capacity×3; optional] multiples of the vectors of the cell, to be added to
  *        the centre of that particle
  * @param[out] separations [capacity×3; length; optional] from the centre of the given particle to

@@ -31,8 +31,8 @@ typedef struct pw85_hard_ellipsoids pw85_hard_ellipsoids;
  *        of each particle, whose squares are in the range of double
  * @param quaternions [num_particles×4; != 0] (w, x, y, z), of any lengths
  * @param seed selects the random numbers
- * @param[out] pair [optional; -1 on error] the first two particles that overlap, the same for a particle and its
- *        own image; -1 if no particles overlap
+ * @param[out] pair [optional; -1 on error] the first two particles that overlap, the same for a
+ *        particle and its own image; -1 if no particles overlap
  * @param[out] simulation [null on error] to be destroyed by pw85_hard_ellipsoids_destroy()
  * @return #PW85_SUCCESS; #PW85_EOVERLAP if particles overlap; #PW85_EINVAL and #PW85_ENOTPD as
  *        for pw85_neighbors_create(); #PW85_ENOMEM */

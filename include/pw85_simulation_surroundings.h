@@ -60,8 +60,8 @@ typedef struct pw85_wall {
  * @param simulation a simulation
  * @param num_walls how many; 0 for none
  * @param walls [num_walls] they are copied
- * @param[out] overlap [optional; -1 on error] the first particle that a wall cuts, and the wall; -1 if there is
- *        none
+ * @param[out] overlap [optional; -1 on error] the first particle that a wall cuts, and the wall; -1
+ *        if there is none
  * @return #PW85_SUCCESS; #PW85_EOVERLAP if a wall cuts a particle, #PW85_EINVAL, also for a wall
  *         that a simulation of this cell or these dimensions cannot have, #PW85_ENOMEM: nothing
  *         changes then */
@@ -86,8 +86,8 @@ PW85_API int pw85_hard_ellipsoids_set_walls(pw85_hard_ellipsoids *simulation, si
  * @param vertices [num_vertices×3; length] they are copied
  * @param num_triangles [number of triangles] at most 2³¹ - 1; 0 for no mesh
  * @param triangles [num_triangles×3; index] indices of vertices, from 0; they are copied
- * @param[out] overlap [optional; -1 on error] the first particle that the mesh or a wall cuts, and the triangle
- *        next to it or the wall; -1 if there is none
+ * @param[out] overlap [optional; -1 on error] the first particle that the mesh or a wall cuts, and
+ *        the triangle next to it or the wall; -1 if there is none
  * @return #PW85_SUCCESS; #PW85_EOVERLAP if the mesh cuts a particle; #PW85_EINVAL as for
  *         pw85_mesh_create(), in two dimensions, and for a mesh that is wider than 16 periods of
  *         the cell; #PW85_ENOMEM: nothing changes then */
@@ -188,8 +188,8 @@ PW85_API int pw85_hard_ellipsoids_set_potential(pw85_hard_ellipsoids *simulation
  * have to end them wherever the energy of a pair has grown by a random amount.
  *
  * @param simulation a simulation
- * @param law [optional] #PW85_LAW_INVERSE_POWERS or #PW85_LAW_TABLE, which is copied; none for null, and for
- *        the kind 0
+ * @param law [optional] #PW85_LAW_INVERSE_POWERS or #PW85_LAW_TABLE, which is copied; none for
+ *        null, and for the kind 0
  * @return #PW85_SUCCESS; #PW85_EINVAL, also for a law that pw85_law_forces_pairs() does not allow,
  *         for a soft repulsion, which ends where the hard cores begin, for energies of pairs above
  *         10⁶ k_B T by a simple bound, and for a cutoff beyond μ = 1000; #PW85_ENOMEM: nothing

@@ -72,11 +72,11 @@ PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t
  *        is the mean distance between contacts times the number of particles
  * @param direction [optional; != 0] of any length, in two dimensions without z; or null for a
  *        random direction of each chain, isotropic
- * @param[out] compressibility [optional; NaN on error] βP/ρ along the directions, by these chains. NaN
- *        without chains or particles, and where a particle could touch its own image if it turned:
- *        where the shortest vector of the lattice is not longer than twice the longest semi-axis.
- *        Such contacts are a part of the pressure that chains do not find, because images move with
- *        their particle.
+ * @param[out] compressibility [optional; NaN on error] βP/ρ along the directions, by these chains.
+ *        NaN without chains or particles, and where a particle could touch its own image if it
+ *        turned: where the shortest vector of the lattice is not longer than twice the longest
+ *        semi-axis. Such contacts are a part of the pressure that chains do not find, because
+ *        images move with their particle.
  * @return #PW85_SUCCESS; #PW85_EINVAL, also for a direction that is zero or out of the plane,
  *         and with walls, a mesh, fields or a potential; #PW85_ENOMEM or #PW85_ECONVERGENCE
  *         (particles block each other within rounding errors, or the length is more than some
@@ -121,8 +121,8 @@ PW85_API int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation,
  * @param simulation a simulation
  * @param num_sweeps how many
  * @param acceptance [> 0; <= 1] the target of the acceptance ratio
- * @param pressure [>= 0] βP as for pw85_hard_ellipsoids_volume_moves(), for one trial of the volume after
- *        each sweep; 0 for none, except for #PW85_CHANGE_ASPECT
+ * @param pressure [>= 0] βP as for pw85_hard_ellipsoids_volume_moves(), for one trial of the volume
+ *        after each sweep; 0 for none, except for #PW85_CHANGE_ASPECT
  * @param change [as pw85_hard_ellipsoids_volume_moves()]
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM; #PW85_EPOTENTIAL as for
  *        pw85_hard_ellipsoids_set_potential() */
@@ -178,8 +178,8 @@ PW85_API int pw85_hard_ellipsoids_set_kind_steps(pw85_hard_ellipsoids *simulatio
  * @param simulation a simulation
  * @param num_kinds number of species
  * @param semi_axes [num_kinds×3; length] those of each species
- * @param[out] steps [num_kinds×2; NaN on error] translation and rotation of each; those of all others where they
- *        have none of their own
+ * @param[out] steps [num_kinds×2; NaN on error] translation and rotation of each; those of all
+ *        others where they have none of their own
  * @return #PW85_SUCCESS, #PW85_EINVAL */
 PW85_API int pw85_hard_ellipsoids_kind_steps(pw85_hard_ellipsoids const *simulation,
                                              size_t num_kinds, double const *semi_axes,

@@ -402,8 +402,8 @@ PW85_API int pw85_mesh_create(size_t num_vertices, double const *vertices, size_
  *        the mesh; infinity if the mesh has no triangles
  * @param[out] point [length; optional] where the scaled ellipsoid touches, relative to its centre;
  *        NaN if the mesh has no triangles
- * @param[out] triangle [optional; -1 on error] index of the nearest triangle, the first of several; -1 if the
- *        mesh has none, and on error
+ * @param[out] triangle [optional; -1 on error] index of the nearest triangle, the first of several;
+ *        -1 if the mesh has none, and on error
  * @return #PW85_SUCCESS; #PW85_EINVAL, also if the coordinates of a vertex relative to the
  *        centre overflow; #PW85_ENOTPD */
 PW85_API int pw85_mesh_contact(pw85_mesh const *mesh, double const center[3], double const q[6],
@@ -447,8 +447,8 @@ PW85_API int pw85_mesh_overlap(pw85_mesh const *mesh, double const center[3], do
  * @param[out] normal [optional] unit vector out of the ellipsoid at point1; point2 - point1 is
  *        `distance` times it; NaN if the mesh has no triangles
  * @param[out] triangle [as pw85_mesh_contact()]
- * @param[out] inside [optional; -1 on error] 1 if the centre is inside of a closed mesh, 0 if it is outside; -1
- *        if the mesh is not closed, and on error
+ * @param[out] inside [optional; -1 on error] 1 if the centre is inside of a closed mesh, 0 if it is
+ *        outside; -1 if the mesh is not closed, and on error
  * @return as for pw85_mesh_contact() */
 PW85_API int pw85_mesh_distance(pw85_mesh const *mesh, double const center[3], double const q[6],
                                 double *distance, double point1[3], double point2[3],

@@ -136,7 +136,7 @@ def complaints_of_conda(recipe):
 DEBIAN = {
     "/usr/bin/python3": ["python3-dev"], "doxygen": ["doxygen"], "clang++": ["clang", "lld"], "cmake": ["cmake"],
     "glib-2.0": ["libglib2.0-dev"], "hdf5": ["libhdf5-dev"], "boost": ["libboost-dev"], "mpfr": ["libmpfr-dev"],
-    **dict.fromkeys(("readelf", "nm", "objdump"), ["g++"]), **dict.fromkeys(("env", "threads", "dl"), []),
+    "readelf": ["g++"], "nm": ["g++"], "objdump": ["g++"], "env": [], "threads": [], "dl": [],
 }  # fmt: skip
 SOUGHT = re.compile(r"(?:find_program|dependency)\(\s*'([\w./+-]+)'((?:[^()]|\([^()]*\))*)\)")
 

@@ -263,8 +263,8 @@ inline Number gauge(Case const &c, Row x, Number const &nu)
     return value;
 }
 
-/// κ² for the separation r, by golden section: some 24 digits of ν and 45 of κ². The r12 of the case
-/// does not matter.
+/// κ² for the separation r, by golden section: some 24 digits of ν and 45 of κ². The r12 of the
+/// case does not matter.
 inline ContainmentTruth containment_truth(Case const &c, Row const &r)
 {
     auto const value = [&](Number const &nu) { return gauge(c, r, nu); };

@@ -410,8 +410,8 @@ Found containment(Case const &c, std::vector<double> &point)
     return {mu2, nan, status};
 }
 
-// κ², its bound (2n + 20) u c of the header, and the answer of the exact test: r12 and Q2 are scaled
-// so that κ² is near 1. The point is on ellipsoid 2 and on the scaled ellipsoid 1.
+// κ², its bound (2n + 20) u c of the header, and the answer of the exact test: r12 and Q2 are
+// scaled so that κ² is near 1. The point is on ellipsoid 2 and on the scaled ellipsoid 1.
 void test_containment()
 {
     Failures failures;
@@ -492,8 +492,8 @@ Case touching_inside(Random &random, int n, bool mixed, double less, double chan
     return mapped(random, r, q1, q2);
 }
 
-/// A pair that is inside without its second axis, where the separation is tiny: with c = 1/10 and d =
-/// 1/10 of the first axis, (1 - ν)(ν - d) = νc at ν = 0.887. The eigenvalue of the second axis is
+/// A pair that is inside without its second axis, where the separation is tiny: with c = 1/10 and d
+/// = 1/10 of the first axis, (1 - ν)(ν - d) = νc at ν = 0.887. The eigenvalue of the second axis is
 /// eigenvalue/10. All roots of p are real and positive in either case.
 Case with_tiny_part(Random &random, int n, double eigenvalue)
 {
@@ -609,8 +609,8 @@ void check_distance(Failures &failures, Case const &c, FoundDistance const &foun
     Number const bound = Number(4 * u) * sum;
     failures.check(abs(d - lower) <= bound, "lower", double(lower), double(d), describe);
     failures.check(abs(d - upper) <= bound, "upper", double(upper), double(d), describe);
-    // The normal is rounded by u of its length, which moves a point by u times a curvature radius: at
-    // most the aspect ratio, 10³ here, times a semi-axis, and n of them.
+    // The normal is rounded by u of its length, which moves a point by u times a curvature radius:
+    // at most the aspect ratio, 10³ here, times a semi-axis, and n of them.
     Number const size = Number(2000 * c.n * u) * sqrt(nd::dot(r, r));
     failures.check(sqrt(error1) <= size, "point1", double(sqrt(error1)), double(size), describe);
     failures.check(sqrt(error2) <= size, "point2", double(sqrt(error2)), double(size), describe);

@@ -550,8 +550,8 @@ void check_inside(Failures &failures, Bodies const &bodies, Found const &found)
     }
 }
 
-/// Balls at the vertices of a cross-polytope, mapped: their ellipsoid is the image of a ball, because
-/// the symmetries of the vertices leave no other ellipsoid unchanged.
+/// Balls at the vertices of a cross-polytope, mapped: their ellipsoid is the image of a ball,
+/// because the symmetries of the vertices leave no other ellipsoid unchanged.
 void test_balls()
 {
     Failures failures;

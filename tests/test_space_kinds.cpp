@@ -186,9 +186,9 @@ void test_integers()
 /// Whether a body with the squares b of its semi-axes is inside another one with a, at a distance
 /// with the squares s, all whole numbers: exactly, by the pencil of both.
 ///
-/// It is where g(τ) = 1 - τ - Σ s τ/(a τ - b) is not negative for a τ <= 1 that is at least each b/a
-/// (the S-lemma). With the largest one, B/A, and τ = (B + t)/A, each a τ - b is F/A for F = a t + a
-/// B - b A. The numerator of g is a polynomial in t, and negative for large t.
+/// It is where g(τ) = 1 - τ - Σ s τ/(a τ - b) is not negative for a τ <= 1 that is at least each
+/// b/a (the S-lemma). With the largest one, B/A, and τ = (B + t)/A, each a τ - b is F/A for F = a t
+/// + a B - b A. The numerator of g is a polynomial in t, and negative for large t.
 bool is_inside(Integer const (&s)[3], Integer const (&a)[3], Integer const (&b)[3])
 {
     int m = 0;

@@ -168,7 +168,7 @@ def credible_ellipsoid(samples: ArrayLike, share: float, tolerance: float = 1e-6
 
 
 def _enclose(name: str, explain: Callable[[int], str], function: Any, tolerance: float, *inputs: Floats) -> tuple[Floats, Floats, float]:
-    """What a function of C returns for points, or for centres and forms; `explain` says what is wrong where it refuses them."""
+    """Calls a function of C for points, or for centres and forms; `explain` says what is wrong where it refuses them."""
     n = inputs[0].shape[1]
     center, q, excess = np.empty(n), np.empty(n * (n + 1) // 2), np.empty(1)
     status = function(*inputs, tolerance, center, q, excess)

@@ -131,8 +131,8 @@ PyObject *parse_rows(PyObject *self, PyObject *args);
 PyObject *format_rows(PyObject *self, PyObject *args);
 
 /// random_addition(cell, semi-axes of kinds, dimensions, seed): an object. Arrays have three
-/// columns; each distance of opposite faces of the cell is at least twice the longest semi-axis, which
-/// is from 0.5 to 1.
+/// columns; each distance of opposite faces of the cell is at least twice the longest semi-axis,
+/// which is from 0.5 to 1.
 PyObject *random_addition(PyObject *self, PyObject *args);
 
 /// random_addition_advance(object, most attempts, most particles): some attempts; (particles,
@@ -143,8 +143,8 @@ PyObject *random_addition_advance(PyObject *self, PyObject *args);
 /// at most an angle from the one with the semi-axes a >= b. For tests.
 PyObject *inside_turned_ellipses(PyObject *self, PyObject *args);
 
-/// radius_inside_body(a, b): the radius of a ball that random_addition takes as inside any ellipsoid
-/// with the longest semi-axis a and the shortest one b. For tests.
+/// radius_inside_body(a, b): the radius of a ball that random_addition takes as inside any
+/// ellipsoid with the longest semi-axis a and the shortest one b. For tests.
 PyObject *radius_inside_body(PyObject *self, PyObject *args);
 
 /// form_of_voxel(a, b, edges, angle, angles): the ellipse that random_addition takes for all with

@@ -101,8 +101,8 @@ Reference statuses()
 
 PyObject *version(PyObject *, PyObject *) { return PyUnicode_FromString(pw85_version()); }
 
-/// The cause of the last refusal in this thread: function, argument or None, requirement, row, entry
-/// and value.
+/// The cause of the last refusal in this thread: function, argument or None, requirement, row,
+/// entry and value.
 PyObject *last_error(PyObject *, PyObject *)
 {
     pw85_error error;

@@ -60,7 +60,8 @@ class Arguments {
         return number == nullptr ? nullptr : PyLong_AsVoidPtr(number);
     }
 
-    /// An array of `count` numbers, which may be a square matrix; null for None, if that is allowed.
+    /// An array of `count` numbers, which may be a square matrix; null for None, if that is
+    /// allowed.
     template <class Element> Element *numbers(npy_intp count, bool optional)
     {
         auto *const array = reinterpret_cast<PyArrayObject *>(*next_);

@@ -130,7 +130,7 @@ def test_bad_shapes_of_ellipsoids():
     for centers, forms, words in [
         (np.zeros(2), [[1, 0, 1]], r"centers must have the shape \(m, n\)"),
         (np.zeros((2, 2)), [[1, 0, 1]], r"forms must have one row for each of 2 centers, not the shape \(1, 3\)"),
-        (np.zeros((1, 2)), [[1, 0, 1, 1]], "forms must end with 2×2 or 3 numbers in 2 dimensions"),
+        (np.zeros((1, 2)), [[1, 0, 1, 1]], "forms must have 2×2 or 3 numbers for 2 dimensions"),
     ]:
         with pytest.raises(ValueError, match=words):
             pypw85.enclosing_ellipsoid_of(centers, forms)

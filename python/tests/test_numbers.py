@@ -201,7 +201,7 @@ FIELDS = [
 
 
 LAWS = [
-    (pypw85.Law.soft_repulsion(1), "law must not be a soft repulsion, which ends where the hard cores begin: use Law.inverse_powers or Law.table"),
+    (pypw85.Law.soft_repulsion(1), "law must not be a soft repulsion, which ends where the hard cores begin: use Law.inverse"),
     (pypw85.Law.inverse_powers(np.nan, 12, 4, 6, 4), r"the parameters of the law must be finite, not \[nan"),
     (pypw85.Law.inverse_powers(4, 6, 4, 12, 4), "n and m must be n > m > 0, not 6.0 and 12.0"),
     (pypw85.Law.inverse_powers(4, 12, 4, 6), "law must have a cutoff of at most μ = 1000"),

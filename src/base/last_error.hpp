@@ -57,8 +57,8 @@ constexpr std::int64_t bits_of_infinity = 0x7ff0000000000000;
     return (bits_of(x) & bits_of_infinity) != bits_of_infinity;
 }
 
-/// Returns whether a number that is not NaN is within the ranges that these limits name. (A negative
-/// number has negative bits.)
+/// Returns whether a number that is not NaN is within the ranges that these limits name. (A
+/// negative number has negative bits.)
 [[gnu::always_inline]] inline bool is_within(double x, unsigned limits) noexcept
 {
     bool const is_from_zero = bits_of(x) >= 0 || is_zero(x), is_to_one = bits_of(x) <= bits_of(1.0);

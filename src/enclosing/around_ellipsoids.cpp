@@ -156,8 +156,8 @@ Status AroundEllipsoids::enclose_points(double tolerance) noexcept
 }
 
 /// κ² of one ellipsoid in the outer one, its point relative to the outer centre, and the ν of its
-/// upper bound. Most ellipsoids are far inside: by the triangle inequality κ <= |r| + √tr(Q⁻¹Q_i) in
-/// the norm of the outer one.
+/// upper bound. Most ellipsoids are far inside: by the triangle inequality κ <= |r| + √tr(Q⁻¹Q_i)
+/// in the norm of the outer one.
 double AroundEllipsoids::reach(std::size_t i, double *point, double &nu) noexcept
 {
     using namespace any_dimension;

@@ -11,8 +11,8 @@
 ///    step 2, until nothing protrudes by more than a part of the tolerance.
 /// 4. The ellipsoid is enlarged until all ellipsoids are proved to be inside.
 ///
-/// The points are rounded into their ellipsoids, which is proved, too. So the bound that the weights
-/// of the points give for the least volume (certificate.hpp) is one for the ellipsoids.
+/// The points are rounded into their ellipsoids, which is proved, too. So the bound that the
+/// weights of the points give for the least volume (certificate.hpp) is one for the ellipsoids.
 #ifndef PW85_ENCLOSING_AROUND_ELLIPSOIDS_HPP_INCLUDED
 #define PW85_ENCLOSING_AROUND_ELLIPSOIDS_HPP_INCLUDED
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file
-/// Containment in n dimensions: whether ellipsoid 2 is inside ellipsoid 1, exactly, and the factor κ
-/// by which ellipsoid 1 must be scaled to contain it. The bounds and the search are those of
-/// overlap/containment_bounds.hpp and overlap/containment_factor.hpp, with M = Q1 + t Q2, t = -1/ν,
-/// of search.hpp.
+/// @file Containment in n dimensions: whether ellipsoid 2 is inside ellipsoid 1, exactly, and the
+/// factor κ by which ellipsoid 1 must be scaled to contain it. The bounds and the search are those
+/// of overlap/containment_bounds.hpp and overlap/containment_factor.hpp, with M = Q1 + t Q2, t =
+/// -1/ν, of search.hpp.
 ///
 /// With s = M⁻¹r12, any direction s gives a lower bound on κ², and any ν at which M is positive
 /// definite an upper bound. Rounding errors of forms are those of product() and dot(): 5n/4 + 9
@@ -258,8 +257,8 @@ PW85_FUNCTION inline bool shows_outside(Pair<T> const &pair, T const *direction)
 /// Let w be the error of an operation, 4u. As K has a positive diagonal if its pivots are positive,
 /// the magnitudes of the terms Q2/ν + r rᵀ/(1 - ν) of entry (i, j) add up to at most √(Q1_ii
 /// Q1_jj). An entry errs by less than 12 w √(Q1_ii Q1_jj) from 5 operations on the terms and two on
-/// the entry, and a matrix of such errors by 12 n w = 48 n u of diag(Q1). Factorisation takes n (n +
-/// 4) u of the diagonal of K, which is smaller. `share` of diag(Q1) exceeds both. Numbers that
+/// the entry, and a matrix of such errors by 12 n w = 48 n u of diag(Q1). Factorisation takes n (n
+/// + 4) u of the diagonal of K, which is smaller. `share` of diag(Q1) exceeds both. Numbers that
 /// underflow err by 2⁻¹⁰⁷⁴, which is far below it as the diagonal of Q1 is at least 2⁻⁸⁰⁰.
 template <class T>
 PW85_FUNCTION inline bool shows_inside(Pair<T> const &pair, T const &nu, T *memory) noexcept
@@ -412,8 +411,8 @@ PW85_FUNCTION inline NdContainment nd_contains(int n, double const *r12, double 
 }
 
 /// The factor by which ellipsoid 1 must be scaled to contain ellipsoid 2 in n dimensions, and where
-/// they touch then: n numbers, on the surface of ellipsoid 2, relative to the centre of ellipsoid 1.
-/// A null pointer leaves the point out. It is not stored if the status is not success.
+/// they touch then: n numbers, on the surface of ellipsoid 2, relative to the centre of ellipsoid
+/// 1. A null pointer leaves the point out. It is not stored if the status is not success.
 PW85_FUNCTION inline NdContainmentScale nd_containment(int n, double const *r12, double const *q1,
                                                        double const *q2, double *point) noexcept
 {

@@ -5,9 +5,9 @@
 /// distance/normal_search.hpp. What is theirs in two and three dimensions, by vectors of that size,
 /// is here by arrays.
 ///
-/// Any vector u gives the lower bound φ = (u·r12 - √(uᵀQ1u) - √(uᵀQ2u))/|u| of the distance, and the
-/// vector w between the points of the surfaces along u the upper bound |w|. Both are computed with
-/// twice the digits of double. The search ends where they agree to rounding.
+/// Any vector u gives the lower bound φ = (u·r12 - √(uᵀQ1u) - √(uᵀQ2u))/|u| of the distance, and
+/// the vector w between the points of the surfaces along u the upper bound |w|. Both are computed
+/// with twice the digits of double. The search ends where they agree to rounding.
 #ifndef PW85_ANY_DIMENSION_DISTANCE_HPP_INCLUDED
 #define PW85_ANY_DIMENSION_DISTANCE_HPP_INCLUDED
 
@@ -16,8 +16,8 @@
 
 namespace pw85 {
 
-/// The outputs of nd_distance() in addition to the distance, in arrays of the caller. A null pointer leaves
-/// one out.
+/// The outputs of nd_distance() in addition to the distance, in arrays of the caller. A null
+/// pointer leaves one out.
 struct NdClosestPoints {
     double *point1, *point2, *normal;
 };
@@ -165,8 +165,8 @@ template <class T> PW85_FUNCTION inline Multipliers<T> multipliers(NormalSlab co
         return {rounded(slab.extent1 / slab.extent2), rounded(shift)};
 }
 
-/// Searches from t and s by Newton's method, and by the nested search if this fails. Returns whether
-/// the slab is accurate.
+/// Searches from t and s by Newton's method, and by the nested search if this fails. Returns
+/// whether the slab is accurate.
 template <class T>
 [[gnu::noinline]] PW85_FUNCTION inline bool find_normal(DistancePair<T> const &given,
                                                         Pair<Doubled<double>> const &wide,

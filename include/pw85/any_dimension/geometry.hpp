@@ -43,7 +43,8 @@ find_tangency(Input const &in, double lambda, TangencySolution &result, Workspac
     }
     if (!evaluate(pair, t, at)) return false;
     T const error = T(solution_error(n)) * inverse_bound(pair, t, at) * operation_error<T>();
-    // Wider numbers must be right to rounding without the correction, whose residual they round, too.
+    // Wider numbers must be right to rounding without the correction, whose residual they round,
+    // too.
     int const digits = std::is_same_v<T, double> ? result_digits<T>() / 2 : result_digits<T>();
     if (!(error <= negative_power_of_two<T>(digits))) return false;
     T rest[max_dimension]{};

@@ -447,11 +447,11 @@ template <class T>
 /// The distance of the centres, with the ball as unit, up to which one sum by twice the digits is
 /// enough, also over the fourth power of half of the length of the axis in units of u/ε = 2^51.
 ///
-/// Where the surfaces touch except for a depth δ, and cross elsewhere, h⁴ is of the order of δ. D A2 and
-/// c·∫ n dA each lose ε c/h⁴ of the areas, and do not lose the same. In a search of pairs with c to
-/// 1024 and δ from 10⁻¹² to 10⁻²⁴, with 38 digits as truth, the error was at most 0.044 c ε/(u h⁴)
-/// of the bound. So it is at most 0.53 of the bound up to the second limit, and was up to 112 times
-/// the bound beyond it.
+/// Where the surfaces touch except for a depth δ, and cross elsewhere, h⁴ is of the order of δ. D
+/// A2 and c·∫ n dA each lose ε c/h⁴ of the areas, and do not lose the same. In a search of pairs
+/// with c to 1024 and δ from 10⁻¹² to 10⁻²⁴, with 38 digits as truth, the error was at most 0.044 c
+/// ε/(u h⁴) of the bound. So it is at most 0.53 of the bound up to the second limit, and was up to
+/// 112 times the bound beyond it.
 inline constexpr double largest_distance_of_one_sum = 1024.0, largest_distance_of_short_axis = 12.0;
 
 /// Tests whether one sum by twice the digits is enough.
