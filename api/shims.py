@@ -193,22 +193,24 @@ def row_argument(one, many):
     if len(many) > 1:
         return f"TwoNumbers{{{names}}}"
     if first.type == "unsigned char":
-        return f'Bytes{{"{names}", {names}}}'
+        return f"Bytes{{{names}}}"
     if not one.pointer:
-        return f'Numbers{{"{names}", {names}}}'
+        return f"Numbers{{{names}}}"
     columns = prod(batch.names_and_shape(one)[1])
     if first.nullable:
         return f"OptionalRowsOf<{columns}>{{{names}}}"
     element = first.type if first.is_output else f"{first.type} const"
-    return f"RowsOf<{columns}{'' if element == 'double const' else f', {element}'}>{{\"{names}\", {names}}}"
+    return f"RowsOf<{columns}{'' if element == 'double const' else f', {element}'}>{{{names}}}"
 
 
 def of_many_rows(statement):
     name, listed = statement.function.name, statement.arguments()
     declared = ["size_t n", *(argument.declared() for _, many in listed for argument in many)]
-    arguments = [f'"{name_of_many(name)}"', "n", name, *(row_argument(one, many) for one, many in listed)]
+    names = [name_of_many(name), *(many[0].name for _, many in listed)]
+    table = batch.wrapped("    static constexpr char const *names[] = {", [f'"{one}"' for one in names], "};")
+    arguments = ["names", "n", name, *(row_argument(one, many) for one, many in listed)]
     begin = batch.wrapped(f"int {name_of_many(name)}(", declared, ")")
-    return f"\n{begin}\n{{\n{batch.wrapped('    return each_row(', arguments, ');')}\n}}\n"
+    return f"\n{begin}\n{{\n{table}\n{batch.wrapped('    return each_row(', arguments, ');')}\n}}\n"
 
 
 def many_rows_file(title, listed):

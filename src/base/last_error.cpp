@@ -225,16 +225,16 @@ int refuse_noted(int status, char const *function, Argument const *arguments,
     return refuse(status, cause);
 }
 
-int refuse_arrays_or_size(char const *function, Argument const *arrays, std::size_t count) noexcept
+int refuse_arrays_or_size(char const *function, char const *name_of_size, std::size_t size,
+                          NamedArray const *arrays, std::size_t count) noexcept
 {
-    Argument const *one = arrays;
-    while (one != arrays + count && !one->is_null()) ++one;
-    char const *const text =
-        one->is_null() ? "must not be null"
-                       : "must be small enough for the bytes of each array to fit ptrdiff_t";
-    pw85_error cause = cause_of(*one, {text});
-    cause.function = function;
-    return refuse(PW85_EINVAL, cause);
+    for (std::size_t k = 0; k < count; ++k)
+        if (arrays[k].pointer == nullptr)
+            return refuse(PW85_EINVAL, {0, function, arrays[k].name, "must not be null", 0, 0,
+                                        quiet_nan<double>()});
+    return refuse(PW85_EINVAL, {0, function, name_of_size,
+                                "must be small enough for the bytes of each array to fit ptrdiff_t",
+                                0, 0, static_cast<double>(size)});
 }
 
 int refuse_row(int status, std::size_t row) noexcept

@@ -127,9 +127,16 @@ struct Argument {
 [[gnu::cold]] int refuse_noted(int status, char const *function, Argument const *arguments,
                                std::size_t count) noexcept;
 
-/// Records the first of `count` arrays that is null, or else the size behind them, which is too
-/// large, and returns PW85_EINVAL.
-[[gnu::cold]] int refuse_arrays_or_size(char const *function, Argument const *arrays,
+/// An array that must not be null.
+struct NamedArray {
+    char const *name;
+    void const *pointer;
+};
+
+/// Records the first of `count` arrays that is null, or else the size, which is too large, and
+/// returns PW85_EINVAL.
+[[gnu::cold]] int refuse_arrays_or_size(char const *function, char const *name_of_size,
+                                        std::size_t size, NamedArray const *arrays,
                                         std::size_t count) noexcept;
 
 /// Records a cause that the caller has found, and returns the status.
@@ -163,8 +170,8 @@ template <class... Arrays>
 [[gnu::cold, gnu::noinline]] int refuse_arrays(char const *function, char const *name_of_size,
                                                std::size_t size, Arrays... arrays) noexcept
 {
-    Argument const listed[] = {arrays..., Argument(name_of_size, static_cast<double>(size))};
-    return refuse_arrays_or_size(function, listed, sizeof...(arrays));
+    NamedArray const listed[] = {arrays..., {}};
+    return refuse_arrays_or_size(function, name_of_size, size, listed, sizeof...(arrays));
 }
 
 } // namespace

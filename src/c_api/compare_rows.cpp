@@ -11,7 +11,7 @@ using namespace pw85::detail::kernels;
 int pw85_compare_batch(size_t n, double const *r12, double const *q1, double const *q2,
                        double const *mu2, int *sign)
 {
-    return each_row("pw85_compare_batch", n, pw85_compare, RowsOf<3>{"r12", r12},
-                    RowsOf<6>{"q1", q1}, RowsOf<6>{"q2", q2}, Numbers{"mu2", mu2},
-                    RowsOf<1, int>{"sign", sign});
+    static constexpr char const *names[] = {"pw85_compare_batch", "r12", "q1", "q2", "mu2", "sign"};
+    return each_row(names, n, pw85_compare, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
+                    Numbers{mu2}, RowsOf<1, int>{sign});
 }

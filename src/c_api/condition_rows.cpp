@@ -11,7 +11,8 @@ using namespace pw85::detail::kernels;
 int pw85_condition_batch(size_t n, double const *r12, double const *q1, double const *q2,
                          double const *lambda, double *cond)
 {
-    return each_row("pw85_condition_batch", n, pw85_condition, RowsOf<3>{"r12", r12},
-                    RowsOf<6>{"q1", q1}, RowsOf<6>{"q2", q2}, Numbers{"lambda", lambda},
-                    RowsOf<1, double>{"cond", cond});
+    static constexpr char const *names[] = {"pw85_condition_batch", "r12", "q1", "q2", "lambda",
+                                            "cond"};
+    return each_row(names, n, pw85_condition, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
+                    Numbers{lambda}, RowsOf<1, double>{cond});
 }

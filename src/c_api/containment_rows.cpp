@@ -11,7 +11,8 @@ using namespace pw85::detail::kernels;
 int pw85_containment_batch(size_t n, double const *r12, double const *q1, double const *q2,
                            double *mu2, double *point)
 {
-    return each_row("pw85_containment_batch", n, pw85_containment, RowsOf<3>{"r12", r12},
-                    RowsOf<6>{"q1", q1}, RowsOf<6>{"q2", q2}, OptionalRowsOf<1>{mu2},
-                    OptionalRowsOf<3>{point});
+    static constexpr char const *names[] = {"pw85_containment_batch", "r12", "q1", "q2", "mu2",
+                                            "point"};
+    return each_row(names, n, pw85_containment, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
+                    OptionalRowsOf<1>{mu2}, OptionalRowsOf<3>{point});
 }

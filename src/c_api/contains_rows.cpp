@@ -11,6 +11,7 @@ using namespace pw85::detail::kernels;
 int pw85_contains_batch(size_t n, double const *r12, double const *q1, double const *q2,
                         unsigned char *contains)
 {
-    return each_row("pw85_contains_batch", n, pw85_contains, RowsOf<3>{"r12", r12},
-                    RowsOf<6>{"q1", q1}, RowsOf<6>{"q2", q2}, Bytes{"contains", contains});
+    static constexpr char const *names[] = {"pw85_contains_batch", "r12", "q1", "q2", "contains"};
+    return each_row(names, n, pw85_contains, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
+                    Bytes{contains});
 }

@@ -11,34 +11,39 @@ using namespace pw85::detail::kernels;
 int pw85_distance_derivatives_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                     double *d_r12, double *d_rot1, double *d_rot2, double *hessian)
 {
-    return each_row("pw85_distance_derivatives_batch", n, pw85_distance_derivatives,
-                    RowsOf<3>{"r12", r12}, RowsOf<6>{"q1", q1}, RowsOf<6>{"q2", q2},
-                    OptionalRowsOf<3>{d_r12}, OptionalRowsOf<3>{d_rot1}, OptionalRowsOf<3>{d_rot2},
-                    OptionalRowsOf<81>{hessian});
+    static constexpr char const *names[] = {"pw85_distance_derivatives_batch", "r12", "q1", "q2",
+                                            "d_r12", "d_rot1", "d_rot2", "hessian"};
+    return each_row(names, n, pw85_distance_derivatives, RowsOf<3>{r12}, RowsOf<6>{q1},
+                    RowsOf<6>{q2}, OptionalRowsOf<3>{d_r12}, OptionalRowsOf<3>{d_rot1},
+                    OptionalRowsOf<3>{d_rot2}, OptionalRowsOf<81>{hessian});
 }
 
 int pw85_penetration_batch(size_t n, double const *r12, double const *q1, double const *q2,
                            double *depth, double *direction)
 {
-    return each_row("pw85_penetration_batch", n, pw85_penetration, RowsOf<3>{"r12", r12},
-                    RowsOf<6>{"q1", q1}, RowsOf<6>{"q2", q2}, OptionalRowsOf<1>{depth},
-                    OptionalRowsOf<3>{direction});
+    static constexpr char const *names[] = {"pw85_penetration_batch", "r12", "q1", "q2", "depth",
+                                            "direction"};
+    return each_row(names, n, pw85_penetration, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
+                    OptionalRowsOf<1>{depth}, OptionalRowsOf<3>{direction});
 }
 
 int pw85_signed_distance_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                double *distance, double *point1, double *point2)
 {
-    return each_row("pw85_signed_distance_batch", n, pw85_signed_distance, RowsOf<3>{"r12", r12},
-                    RowsOf<6>{"q1", q1}, RowsOf<6>{"q2", q2}, OptionalRowsOf<1>{distance},
-                    OptionalRowsOf<3>{point1}, OptionalRowsOf<3>{point2});
+    static constexpr char const *names[] = {"pw85_signed_distance_batch", "r12", "q1", "q2",
+                                            "distance", "point1", "point2"};
+    return each_row(names, n, pw85_signed_distance, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
+                    OptionalRowsOf<1>{distance}, OptionalRowsOf<3>{point1},
+                    OptionalRowsOf<3>{point2});
 }
 
 int pw85_signed_distance_derivatives_batch(size_t n, double const *r12, double const *q1,
                                            double const *q2, double *d_r12, double *d_rot1,
                                            double *d_rot2, double *hessian)
 {
-    return each_row("pw85_signed_distance_derivatives_batch", n, pw85_signed_distance_derivatives,
-                    RowsOf<3>{"r12", r12}, RowsOf<6>{"q1", q1}, RowsOf<6>{"q2", q2},
-                    OptionalRowsOf<3>{d_r12}, OptionalRowsOf<3>{d_rot1}, OptionalRowsOf<3>{d_rot2},
-                    OptionalRowsOf<81>{hessian});
+    static constexpr char const *names[] = {"pw85_signed_distance_derivatives_batch", "r12", "q1",
+                                            "q2", "d_r12", "d_rot1", "d_rot2", "hessian"};
+    return each_row(names, n, pw85_signed_distance_derivatives, RowsOf<3>{r12}, RowsOf<6>{q1},
+                    RowsOf<6>{q2}, OptionalRowsOf<3>{d_r12}, OptionalRowsOf<3>{d_rot1},
+                    OptionalRowsOf<3>{d_rot2}, OptionalRowsOf<81>{hessian});
 }

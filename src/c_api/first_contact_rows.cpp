@@ -12,9 +12,9 @@ int pw85_first_contact_batch(size_t n, double const *r12, double const *q1, doub
                              pw85_motion const *motion1, pw85_motion const *motion2, double t_max,
                              double *t)
 {
-    return each_row("pw85_first_contact_batch", n, pw85_first_contact, RowsOf<3>{"r12", r12},
-                    RowsOf<6>{"q1", q1}, RowsOf<6>{"q2", q2},
-                    RowsOf<1, pw85_motion const>{"motion1", motion1},
-                    RowsOf<1, pw85_motion const>{"motion2", motion2}, SameNumber{t_max},
-                    RowsOf<1, double>{"t", t});
+    static constexpr char const *names[] = {"pw85_first_contact_batch", "r12", "q1", "q2",
+                                            "motion1", "motion2", "t_max", "t"};
+    return each_row(names, n, pw85_first_contact, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
+                    RowsOf<1, pw85_motion const>{motion1}, RowsOf<1, pw85_motion const>{motion2},
+                    SameNumber{t_max}, RowsOf<1, double>{t});
 }

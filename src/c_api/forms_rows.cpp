@@ -11,15 +11,17 @@ using namespace pw85::detail::kernels;
 int pw85_ellipsoid_factor_batch(size_t n, double const *semi_axes, double const *quaternions,
                                 double *s)
 {
-    return each_row("pw85_ellipsoid_factor_batch", n, pw85_ellipsoid_factor,
-                    RowsOf<3>{"semi_axes", semi_axes}, RowsOf<4>{"quaternions", quaternions},
-                    RowsOf<9, double>{"s", s});
+    static constexpr char const *names[] = {"pw85_ellipsoid_factor_batch", "semi_axes",
+                                            "quaternions", "s"};
+    return each_row(names, n, pw85_ellipsoid_factor, RowsOf<3>{semi_axes}, RowsOf<4>{quaternions},
+                    RowsOf<9, double>{s});
 }
 
 int pw85_ellipsoid_quaternion_batch(size_t n, double const *semi_axes, double const *quaternions,
                                     double *q)
 {
-    return each_row("pw85_ellipsoid_quaternion_batch", n, pw85_ellipsoid_quaternion,
-                    RowsOf<3>{"semi_axes", semi_axes}, RowsOf<4>{"quaternions", quaternions},
-                    RowsOf<6, double>{"q", q});
+    static constexpr char const *names[] = {"pw85_ellipsoid_quaternion_batch", "semi_axes",
+                                            "quaternions", "q"};
+    return each_row(names, n, pw85_ellipsoid_quaternion, RowsOf<3>{semi_axes},
+                    RowsOf<4>{quaternions}, RowsOf<6, double>{q});
 }

@@ -11,7 +11,8 @@ using namespace pw85::detail::kernels;
 int pw85_free_path_batch(size_t n, double const *r12, double const *q1, double const *q2,
                          double const *directions, double const *t_max, double *t)
 {
-    return each_row("pw85_free_path_batch", n, pw85_free_path, RowsOf<3>{"r12", r12},
-                    RowsOf<6>{"q1", q1}, RowsOf<6>{"q2", q2}, RowsOf<3>{"directions", directions},
-                    Numbers{"t_max", t_max}, RowsOf<1, double>{"t", t});
+    static constexpr char const *names[] = {"pw85_free_path_batch", "r12", "q1", "q2", "directions",
+                                            "t_max", "t"};
+    return each_row(names, n, pw85_free_path, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
+                    RowsOf<3>{directions}, Numbers{t_max}, RowsOf<1, double>{t});
 }

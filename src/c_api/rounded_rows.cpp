@@ -11,6 +11,7 @@ using namespace pw85::detail::kernels;
 int pw85_contact_rounded_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                double *mu2, double *lambda)
 {
-    return each_row("pw85_contact_rounded_batch", n, pw85_contact_rounded, RowsOf<3>{"r12", r12},
-                    RowsOf<6>{"q1", q1}, RowsOf<6>{"q2", q2}, TwoNumbers{mu2, lambda});
+    static constexpr char const *names[] = {"pw85_contact_rounded_batch", "r12", "q1", "q2", "mu2"};
+    return each_row(names, n, pw85_contact_rounded, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
+                    TwoNumbers{mu2, lambda});
 }

@@ -11,8 +11,9 @@ using namespace pw85::detail::kernels;
 int pw85_distance_segment_batch(size_t n, double const *end1, double const *end2, double const *q,
                                 double *distance, double *point1, double *point2, double *normal)
 {
-    return each_row("pw85_distance_segment_batch", n, pw85_distance_segment,
-                    RowsOf<3>{"end1", end1}, RowsOf<3>{"end2", end2}, RowsOf<6>{"q", q},
+    static constexpr char const *names[] = {"pw85_distance_segment_batch", "end1", "end2", "q",
+                                            "distance", "point1", "point2", "normal"};
+    return each_row(names, n, pw85_distance_segment, RowsOf<3>{end1}, RowsOf<3>{end2}, RowsOf<6>{q},
                     OptionalRowsOf<1>{distance}, OptionalRowsOf<3>{point1},
                     OptionalRowsOf<3>{point2}, OptionalRowsOf<3>{normal});
 }
@@ -21,9 +22,11 @@ int pw85_distance_triangle_batch(size_t n, double const *vertex1, double const *
                                  double const *vertex3, double const *q, double *distance,
                                  double *point1, double *point2, double *normal)
 {
-    return each_row("pw85_distance_triangle_batch", n, pw85_distance_triangle,
-                    RowsOf<3>{"vertex1", vertex1}, RowsOf<3>{"vertex2", vertex2},
-                    RowsOf<3>{"vertex3", vertex3}, RowsOf<6>{"q", q}, OptionalRowsOf<1>{distance},
+    static constexpr char const *names[] = {"pw85_distance_triangle_batch", "vertex1", "vertex2",
+                                            "vertex3", "q", "distance", "point1", "point2",
+                                            "normal"};
+    return each_row(names, n, pw85_distance_triangle, RowsOf<3>{vertex1}, RowsOf<3>{vertex2},
+                    RowsOf<3>{vertex3}, RowsOf<6>{q}, OptionalRowsOf<1>{distance},
                     OptionalRowsOf<3>{point1}, OptionalRowsOf<3>{point2},
                     OptionalRowsOf<3>{normal});
 }
@@ -32,8 +35,9 @@ int pw85_distance_solid_box_batch(size_t n, double const *lower, double const *u
                                   double const *q, double *distance, double *point1, double *point2,
                                   double *normal)
 {
-    return each_row("pw85_distance_solid_box_batch", n, pw85_distance_solid_box,
-                    RowsOf<3>{"lower", lower}, RowsOf<3>{"upper", upper}, RowsOf<6>{"q", q},
-                    OptionalRowsOf<1>{distance}, OptionalRowsOf<3>{point1},
+    static constexpr char const *names[] = {"pw85_distance_solid_box_batch", "lower", "upper", "q",
+                                            "distance", "point1", "point2", "normal"};
+    return each_row(names, n, pw85_distance_solid_box, RowsOf<3>{lower}, RowsOf<3>{upper},
+                    RowsOf<6>{q}, OptionalRowsOf<1>{distance}, OptionalRowsOf<3>{point1},
                     OptionalRowsOf<3>{point2}, OptionalRowsOf<3>{normal});
 }

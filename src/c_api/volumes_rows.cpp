@@ -10,29 +10,34 @@ using namespace pw85::detail::kernels;
 
 int pw85_volume_batch(size_t n, double const *q, double *volume)
 {
-    return each_row("pw85_volume_batch", n, pw85_volume, RowsOf<6>{"q", q},
-                    RowsOf<1, double>{"volume", volume});
+    static constexpr char const *names[] = {"pw85_volume_batch", "q", "volume"};
+    return each_row(names, n, pw85_volume, RowsOf<6>{q}, RowsOf<1, double>{volume});
 }
 
 int pw85_overlap_volume_batch(size_t n, double const *r12, double const *q1, double const *q2,
                               double *volume)
 {
-    return each_row("pw85_overlap_volume_batch", n, pw85_overlap_volume, RowsOf<3>{"r12", r12},
-                    RowsOf<6>{"q1", q1}, RowsOf<6>{"q2", q2}, RowsOf<1, double>{"volume", volume});
+    static constexpr char const *names[] = {"pw85_overlap_volume_batch", "r12", "q1", "q2",
+                                            "volume"};
+    return each_row(names, n, pw85_overlap_volume, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
+                    RowsOf<1, double>{volume});
 }
 
 int pw85_overlap_volume_gradient_batch(size_t n, double const *r12, double const *q1,
                                        double const *q2, double *d_r12, double *d_q1, double *d_q2)
 {
-    return each_row("pw85_overlap_volume_gradient_batch", n, pw85_overlap_volume_gradient,
-                    RowsOf<3>{"r12", r12}, RowsOf<6>{"q1", q1}, RowsOf<6>{"q2", q2},
-                    OptionalRowsOf<3>{d_r12}, OptionalRowsOf<6>{d_q1}, OptionalRowsOf<6>{d_q2});
+    static constexpr char const *names[] = {"pw85_overlap_volume_gradient_batch", "r12", "q1", "q2",
+                                            "d_r12", "d_q1", "d_q2"};
+    return each_row(names, n, pw85_overlap_volume_gradient, RowsOf<3>{r12}, RowsOf<6>{q1},
+                    RowsOf<6>{q2}, OptionalRowsOf<3>{d_r12}, OptionalRowsOf<6>{d_q1},
+                    OptionalRowsOf<6>{d_q2});
 }
 
 int pw85_overlap_volume_torque_batch(size_t n, double const *r12, double const *q1,
                                      double const *q2, double *d_rot1, double *d_rot2)
 {
-    return each_row("pw85_overlap_volume_torque_batch", n, pw85_overlap_volume_torque,
-                    RowsOf<3>{"r12", r12}, RowsOf<6>{"q1", q1}, RowsOf<6>{"q2", q2},
-                    OptionalRowsOf<3>{d_rot1}, OptionalRowsOf<3>{d_rot2});
+    static constexpr char const *names[] = {"pw85_overlap_volume_torque_batch", "r12", "q1", "q2",
+                                            "d_rot1", "d_rot2"};
+    return each_row(names, n, pw85_overlap_volume_torque, RowsOf<3>{r12}, RowsOf<6>{q1},
+                    RowsOf<6>{q2}, OptionalRowsOf<3>{d_rot1}, OptionalRowsOf<3>{d_rot2});
 }

@@ -11,73 +11,84 @@ using namespace pw85::detail::kernels;
 int pw85_overlap_volume_plane_batch(size_t n, double const *normals, double const *offsets,
                                     double const *q, double *volume)
 {
-    return each_row("pw85_overlap_volume_plane_batch", n, pw85_overlap_volume_plane,
-                    RowsOf<3>{"normals", normals}, Numbers{"offsets", offsets}, RowsOf<6>{"q", q},
-                    RowsOf<1, double>{"volume", volume});
+    static constexpr char const *names[] = {"pw85_overlap_volume_plane_batch", "normals", "offsets",
+                                            "q", "volume"};
+    return each_row(names, n, pw85_overlap_volume_plane, RowsOf<3>{normals}, Numbers{offsets},
+                    RowsOf<6>{q}, RowsOf<1, double>{volume});
 }
 
 int pw85_distance_plane_batch(size_t n, double const *normals, double const *offsets,
                               double const *q, double *distance, double *point)
 {
-    return each_row("pw85_distance_plane_batch", n, pw85_distance_plane,
-                    RowsOf<3>{"normals", normals}, Numbers{"offsets", offsets}, RowsOf<6>{"q", q},
-                    OptionalRowsOf<1>{distance}, OptionalRowsOf<3>{point});
+    static constexpr char const *names[] = {"pw85_distance_plane_batch", "normals", "offsets", "q",
+                                            "distance", "point"};
+    return each_row(names, n, pw85_distance_plane, RowsOf<3>{normals}, Numbers{offsets},
+                    RowsOf<6>{q}, OptionalRowsOf<1>{distance}, OptionalRowsOf<3>{point});
 }
 
 int pw85_distance_plane_derivatives_batch(size_t n, double const *normals, double const *q,
                                           double *d_center, double *d_rot)
 {
-    return each_row("pw85_distance_plane_derivatives_batch", n, pw85_distance_plane_derivatives,
-                    RowsOf<3>{"normals", normals}, RowsOf<6>{"q", q}, OptionalRowsOf<3>{d_center},
-                    OptionalRowsOf<3>{d_rot});
+    static constexpr char const *names[] = {"pw85_distance_plane_derivatives_batch", "normals", "q",
+                                            "d_center", "d_rot"};
+    return each_row(names, n, pw85_distance_plane_derivatives, RowsOf<3>{normals}, RowsOf<6>{q},
+                    OptionalRowsOf<3>{d_center}, OptionalRowsOf<3>{d_rot});
 }
 
 int pw85_contact_plane_batch(size_t n, double const *normals, double const *offsets,
                              double const *q, double *mu2, double *point)
 {
-    return each_row("pw85_contact_plane_batch", n, pw85_contact_plane,
-                    RowsOf<3>{"normals", normals}, Numbers{"offsets", offsets}, RowsOf<6>{"q", q},
-                    OptionalRowsOf<1>{mu2}, OptionalRowsOf<3>{point});
+    static constexpr char const *names[] = {"pw85_contact_plane_batch", "normals", "offsets", "q",
+                                            "mu2", "point"};
+    return each_row(names, n, pw85_contact_plane, RowsOf<3>{normals}, Numbers{offsets},
+                    RowsOf<6>{q}, OptionalRowsOf<1>{mu2}, OptionalRowsOf<3>{point});
 }
 
 int pw85_contact_plane_derivatives_batch(size_t n, double const *normals, double const *offsets,
                                          double const *q, double *d_center, double *d_rot)
 {
-    return each_row("pw85_contact_plane_derivatives_batch", n, pw85_contact_plane_derivatives,
-                    RowsOf<3>{"normals", normals}, Numbers{"offsets", offsets}, RowsOf<6>{"q", q},
-                    OptionalRowsOf<3>{d_center}, OptionalRowsOf<3>{d_rot});
+    static constexpr char const *names[] = {"pw85_contact_plane_derivatives_batch", "normals",
+                                            "offsets", "q", "d_center", "d_rot"};
+    return each_row(names, n, pw85_contact_plane_derivatives, RowsOf<3>{normals}, Numbers{offsets},
+                    RowsOf<6>{q}, OptionalRowsOf<3>{d_center}, OptionalRowsOf<3>{d_rot});
 }
 
 int pw85_distance_box_batch(size_t n, double const *lower, double const *upper, double const *q,
                             double *distance, double *point, double *normal)
 {
-    return each_row("pw85_distance_box_batch", n, pw85_distance_box, RowsOf<3>{"lower", lower},
-                    RowsOf<3>{"upper", upper}, RowsOf<6>{"q", q}, OptionalRowsOf<1>{distance},
-                    OptionalRowsOf<3>{point}, OptionalRowsOf<3>{normal});
+    static constexpr char const *names[] = {"pw85_distance_box_batch", "lower", "upper", "q",
+                                            "distance", "point", "normal"};
+    return each_row(names, n, pw85_distance_box, RowsOf<3>{lower}, RowsOf<3>{upper}, RowsOf<6>{q},
+                    OptionalRowsOf<1>{distance}, OptionalRowsOf<3>{point},
+                    OptionalRowsOf<3>{normal});
 }
 
 int pw85_distance_cylinder_batch(size_t n, double const *axis, double const *radius,
                                  double const *center, double const *q, double *distance,
                                  double *point, double *normal)
 {
-    return each_row("pw85_distance_cylinder_batch", n, pw85_distance_cylinder,
-                    RowsOf<3>{"axis", axis}, Numbers{"radius", radius}, RowsOf<3>{"center", center},
-                    RowsOf<6>{"q", q}, OptionalRowsOf<1>{distance}, OptionalRowsOf<3>{point},
-                    OptionalRowsOf<3>{normal});
+    static constexpr char const *names[] = {"pw85_distance_cylinder_batch", "axis", "radius",
+                                            "center", "q", "distance", "point", "normal"};
+    return each_row(names, n, pw85_distance_cylinder, RowsOf<3>{axis}, Numbers{radius},
+                    RowsOf<3>{center}, RowsOf<6>{q}, OptionalRowsOf<1>{distance},
+                    OptionalRowsOf<3>{point}, OptionalRowsOf<3>{normal});
 }
 
 int pw85_distance_point_batch(size_t n, double const *r, double const *q, double *distance,
                               double *point, double *normal)
 {
-    return each_row("pw85_distance_point_batch", n, pw85_distance_point, RowsOf<3>{"r", r},
-                    RowsOf<6>{"q", q}, OptionalRowsOf<1>{distance}, OptionalRowsOf<3>{point},
+    static constexpr char const *names[] = {"pw85_distance_point_batch", "r", "q", "distance",
+                                            "point", "normal"};
+    return each_row(names, n, pw85_distance_point, RowsOf<3>{r}, RowsOf<6>{q},
+                    OptionalRowsOf<1>{distance}, OptionalRowsOf<3>{point},
                     OptionalRowsOf<3>{normal});
 }
 
 int pw85_intersect_line_batch(size_t n, double const *origin, double const *directions,
                               double const *q, double *enter, double *leave)
 {
-    return each_row("pw85_intersect_line_batch", n, pw85_intersect_line,
-                    RowsOf<3>{"origin", origin}, RowsOf<3>{"directions", directions},
-                    RowsOf<6>{"q", q}, TwoNumbers{enter, leave});
+    static constexpr char const *names[] = {"pw85_intersect_line_batch", "origin", "directions",
+                                            "q", "enter"};
+    return each_row(names, n, pw85_intersect_line, RowsOf<3>{origin}, RowsOf<3>{directions},
+                    RowsOf<6>{q}, TwoNumbers{enter, leave});
 }

@@ -11,7 +11,8 @@ using namespace pw85::detail::kernels;
 int pw85_overlap_witness_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                unsigned char *overlap, double *lambda, double *point)
 {
-    return each_row("pw85_overlap_witness_batch", n, pw85_overlap_witness, RowsOf<3>{"r12", r12},
-                    RowsOf<6>{"q1", q1}, RowsOf<6>{"q2", q2}, Bytes{"overlap", overlap},
-                    OptionalRowsOf<1>{lambda}, OptionalRowsOf<3>{point});
+    static constexpr char const *names[] = {"pw85_overlap_witness_batch", "r12", "q1", "q2",
+                                            "overlap", "lambda", "point"};
+    return each_row(names, n, pw85_overlap_witness, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
+                    Bytes{overlap}, OptionalRowsOf<1>{lambda}, OptionalRowsOf<3>{point});
 }

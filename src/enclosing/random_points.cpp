@@ -90,7 +90,7 @@ int pw85_random_points(double const q[6], int surface, size_t seed, size_t num_p
 {
     if (num_points > PTRDIFF_MAX / (3 * sizeof(double)) || (num_points > 0 && any_null(points)))
         return refuse_arrays("pw85_random_points", "num_points", num_points,
-                             Argument("points", points));
+                             NamedArray{"points", points});
     int const found = in_default_environment([&] {
         auto const status =
             any_null(q) ? Status::invalid_argument : Status(validate(load_matrix<3>(q)));

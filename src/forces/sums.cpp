@@ -42,9 +42,10 @@ int pw85_contact_forces_pairs(pw85_pair_list const *list, pw85_system const *sys
         if (any_null(d_u) || (needs_r12 && any_null(d_r12)) ||
             (needs_rotations && any_null(d_rot1, d_rot2)))
             return refuse_arrays("pw85_contact_forces_pairs", "num_pairs", list->num_pairs,
-                                 Argument("d_u", d_u), Argument("d_r12", needs_r12 ? d_r12 : d_u),
-                                 Argument("d_rot1", needs_rotations ? d_rot1 : d_u),
-                                 Argument("d_rot2", needs_rotations ? d_rot2 : d_u));
+                                 NamedArray{"d_u", d_u},
+                                 NamedArray{"d_r12", needs_r12 ? d_r12 : d_u},
+                                 NamedArray{"d_rot1", needs_rotations ? d_rot1 : d_u},
+                                 NamedArray{"d_rot2", needs_rotations ? d_rot2 : d_u});
         if (int const status = prepare_list("pw85_contact_forces_pairs", *list,
                                             without_forms(*system), images, rows))
             return status;

@@ -56,8 +56,8 @@ inline bool are_valid(std::size_t num_pairs, std::int32_t const *pairs,
 inline int refuse_structs(char const *function, pw85_pair_list const *list,
                           pw85_system const *system) noexcept
 {
-    return refuse_arrays(function, "num_pairs", 0, Argument("list", list),
-                         Argument("system", system));
+    return refuse_arrays(function, "num_pairs", 0, NamedArray{"list", list},
+                         NamedArray{"system", system});
 }
 
 /// Records that there are too many particles.
@@ -119,8 +119,8 @@ inline int prepare_list(char const *function, pw85_pair_list const &list, pw85_s
     if (system.num_particles > max_rows) return refuse_size(function, system);
     if (list.num_pairs > max_rows || c_api::any_null(list.pairs) ||
         c_api::any_null(system.centers, system.q))
-        return refuse_arrays(function, "num_pairs", list.num_pairs, Argument("pairs", list.pairs),
-                             Argument("centers", system.centers), Argument("q", system.q));
+        return refuse_arrays(function, "num_pairs", list.num_pairs, NamedArray{"pairs", list.pairs},
+                             NamedArray{"centers", system.centers}, NamedArray{"q", system.q});
     if (int const status = prepare_images(function, system, list.images != nullptr, images))
         return status;
     made = {list.pairs,  system.centers, system.q,

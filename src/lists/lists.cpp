@@ -74,19 +74,19 @@ int pw85_overlap_any_indices(double const center[PW85_DIM], double const q1[PW85
                              int32_t const *images, int *any)
 {
     if (any_null(any))
-        return refuse_arrays("pw85_overlap_any_indices", "n", n, Argument("any", any));
+        return refuse_arrays("pw85_overlap_any_indices", "n", n, NamedArray{"any", any});
     bool const none = n == 0 && !any_null(system) && any_null(system->cell);
     *any = none ? 0 : -1;
     if (none) return PW85_SUCCESS;
     if (any_null(system))
-        return refuse_arrays("pw85_overlap_any_indices", "n", n, Argument("system", system));
+        return refuse_arrays("pw85_overlap_any_indices", "n", n, NamedArray{"system", system});
     if (system->num_particles > max_rows) return refuse_size("pw85_overlap_any_indices", *system);
     if (n > max_rows || any_null(center, q1))
-        return refuse_arrays("pw85_overlap_any_indices", "n", n, Argument("center", center),
-                             Argument("q1", q1));
+        return refuse_arrays("pw85_overlap_any_indices", "n", n, NamedArray{"center", center},
+                             NamedArray{"q1", q1});
     if (n > 0 && (any_null(indices) || any_null(system->centers, system->q)))
-        return refuse_arrays("pw85_overlap_any_indices", "n", n, Argument("indices", indices),
-                             Argument("centers", system->centers), Argument("q", system->q));
+        return refuse_arrays("pw85_overlap_any_indices", "n", n, NamedArray{"indices", indices},
+                             NamedArray{"centers", system->centers}, NamedArray{"q", system->q});
     if (!are_below(end_of(system->num_particles), indices, n))
         return refuse_index("pw85_overlap_any_indices", "indices", *system, indices, n, 1);
     return overlap_any_images(
@@ -103,7 +103,7 @@ int pw85_contact_pairs(pw85_pair_list const *list, pw85_system const *system, do
     if (list->num_pairs == 0) return PW85_SUCCESS;
     if (any_null(mu2))
         return refuse_arrays("pw85_contact_pairs", "num_pairs", list->num_pairs,
-                             Argument("mu2", mu2));
+                             NamedArray{"mu2", mu2});
     return compute_list("pw85_contact_pairs", *list, *system, ContactArrays{mu2, lambda});
 }
 
@@ -115,7 +115,7 @@ int pw85_overlap_pairs(pw85_pair_list const *list, pw85_system const *system,
     if (list->num_pairs == 0) return PW85_SUCCESS;
     if (any_null(overlap))
         return refuse_arrays("pw85_overlap_pairs", "num_pairs", list->num_pairs,
-                             Argument("overlap", overlap));
+                             NamedArray{"overlap", overlap});
     return compute_list("pw85_overlap_pairs", *list, *system, OverlapArray{overlap});
 }
 
@@ -139,13 +139,13 @@ int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system const *syst
     if (system->num_particles > max_rows || (any_null(next) && !any_null(next_pair)))
         return refuse_arrays(
             "pw85_first_contact_pairs", "num_particles", system->num_particles,
-            Argument("next", any_null(next_pair) ? static_cast<void const *>(system) : next));
+            NamedArray{"next", any_null(next_pair) ? static_cast<void const *>(system) : next});
     Images images;
     NeighborList rows{};
     if (list->num_pairs > 0) {
         if (any_null(t) || any_null(motions))
             return refuse_arrays("pw85_first_contact_pairs", "num_pairs", list->num_pairs,
-                                 Argument("t", t), Argument("motions", motions));
+                                 NamedArray{"t", t}, NamedArray{"motions", motions});
         if (int const status =
                 prepare_list("pw85_first_contact_pairs", *list, *system, images, rows))
             return status;
@@ -177,7 +177,7 @@ int pw85_overlap_volume_pairs(pw85_pair_list const *list, pw85_system const *sys
     if (list->num_pairs == 0) return PW85_SUCCESS;
     if (any_null(volume))
         return refuse_arrays("pw85_overlap_volume_pairs", "num_pairs", list->num_pairs,
-                             Argument("volume", volume));
+                             NamedArray{"volume", volume});
     Images images;
     NeighborList rows;
     if (int const status = prepare_list("pw85_overlap_volume_pairs", *list, *system, images, rows))
@@ -199,11 +199,11 @@ int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, pw85_system cons
 {
     if (any_null(system))
         return refuse_arrays("pw85_nearest_images", "num_pairs", num_pairs,
-                             Argument("system", system));
+                             NamedArray{"system", system});
     if (num_pairs == 0) return PW85_SUCCESS;
     if (any_null(system->cell))
         return refuse_arrays("pw85_nearest_images", "num_pairs", num_pairs,
-                             Argument("cell", system->cell));
+                             NamedArray{"cell", system->cell});
     Images nearest;
     NeighborList rows;
     if (int const status = prepare_list("pw85_nearest_images", {num_pairs, pairs, nullptr},

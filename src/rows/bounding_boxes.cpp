@@ -28,6 +28,6 @@ namespace {
 
 int pw85_bounding_boxes(size_t n, double const *q, double *half_widths)
 {
-    return each_row("pw85_bounding_boxes", n, bounding_box_of, RowsOf<6>{"q", q},
-                    RowsOf<3, double>{"half_widths", half_widths});
+    static constexpr char const *names[] = {"pw85_bounding_boxes", "q", "half_widths"};
+    return each_row(names, n, bounding_box_of, RowsOf<6>{q}, RowsOf<3, double>{half_widths});
 }

@@ -15,8 +15,8 @@ int pw85_contact_batch(size_t n, double const *r12, double const *q1, double con
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(r12, q1, q2, mu2))
-        return refuse_arrays("pw85_contact_batch", "n", n, Argument("r12", r12), Argument("q1", q1),
-                             Argument("q2", q2), Argument("mu2", mu2));
+        return refuse_arrays("pw85_contact_batch", "n", n, NamedArray{"r12", r12},
+                             NamedArray{"q1", q1}, NamedArray{"q2", q2}, NamedArray{"mu2", mu2});
     return compute_all(n, PairArrays<3>{r12, q1, q2}, ContactArrays{mu2, lambda});
 }
 
@@ -26,7 +26,7 @@ int pw85_closest_approach_batch(size_t n, double const *directions, double const
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(directions, q1, q2, distance))
         return refuse_arrays("pw85_closest_approach_batch", "n", n,
-                             Argument("directions", directions), Argument("q1", q1),
-                             Argument("q2", q2), Argument("distance", distance));
+                             NamedArray{"directions", directions}, NamedArray{"q1", q1},
+                             NamedArray{"q2", q2}, NamedArray{"distance", distance});
     return compute_all(n, Directions{{directions, q1, q2}}, ApproachArray{distance});
 }

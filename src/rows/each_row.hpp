@@ -44,12 +44,11 @@ template <class Record>
 }
 
 // The arguments of functions of many rows. row(i) is the argument of the function of one row for
-// row i. `name` is the name of an array that must not be null.
+// row i.
 
 /// An array with `columns` elements in each row.
 template <int columns, class T = double const> struct RowsOf {
     static constexpr int width = columns;
-    char const *name;
     T *first;
     bool is_missing() const noexcept { return first == nullptr; }
     T *row(std::size_t i) const noexcept { return row_of(first, columns, i); }
@@ -66,7 +65,6 @@ template <int columns> struct OptionalRowsOf {
 /// Numbers that are passed by value.
 struct Numbers {
     static constexpr int width = 1;
-    char const *name;
     double const *first;
     bool is_missing() const noexcept { return first == nullptr; }
     double row(std::size_t i) const noexcept { return first[i]; }
@@ -75,7 +73,6 @@ struct Numbers {
 /// Answers of the function of one row, an int each, as bytes: 255 for -1.
 struct Bytes {
     static constexpr int width = 1;
-    char const *name;
     unsigned char *first;
 
     /// Takes the answer of a row, and stores it at the end of the call.
@@ -128,24 +125,29 @@ template <class Number> SameNumber(Number) -> SameNumber<Number>;
 /// a few microseconds per row.
 constexpr std::size_t block_of_calls = 256;
 
-/// The array, if it must not be null, for the record of a refusal.
-template <class Array> Argument needed(Array const &array) noexcept
+/// Records the first array that is missing, or else that there are too many rows. names[0] is the
+/// name of the function, behind which those of the arguments are. It is not inlined, because its
+/// stack would be that of each caller.
+template <class... Arguments> [[gnu::cold, gnu::noinline]] int
+refuse_rows(char const *const *names, std::size_t n, Arguments... arguments) noexcept
 {
-    if constexpr (requires { array.name; })
-        return {array.name, array.first};
-    else
-        return {"", 0.0};
+    bool const missing[] = {arguments.is_missing()...};
+    std::size_t k = 0;
+    while (k < sizeof...(arguments) && !missing[k]) ++k;
+    if (k == sizeof...(arguments)) return refuse_arrays(names[0], "n", n);
+    return refuse_arrays(names[0], "n", n, NamedArray{names[k + 1], nullptr});
 }
 
 /// Calls a function of one row for n rows, in parallel, and returns the status of the first bad
-/// one. `name` is that of the function of many rows.
-template <class Function, class... Arguments> int
-each_row(char const *name, std::size_t n, Function const &function, Arguments... arguments) noexcept
+/// one. The names are those of refuse_rows().
+template <class Function, class... Arguments>
+int each_row(char const *const (&names)[sizeof...(Arguments) + 1], std::size_t n,
+             Function const &function, Arguments... arguments) noexcept
 {
     constexpr std::size_t widest = std::max({6, Arguments::width...});
     if (n == 0) return static_cast<int>(Status::success);
     if (n > PTRDIFF_MAX / (widest * sizeof(double)) || (arguments.is_missing() || ...))
-        return refuse_arrays(name, "n", n, needed(arguments)...);
+        return refuse_rows(names, n, arguments...);
     auto const call = [&](std::size_t i) { return function(arguments.row(i)...); };
     return refuse_first(for_blocks(
                             n, [&](Range range) { return for_rows(range, call); }, block_of_calls),

@@ -16,8 +16,9 @@ int pw85_grain_contact_batch(size_t n, double const *r12, double const *q1, doub
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(r12, q1, q2, starts))
-        return refuse_arrays("pw85_grain_contact_batch", "n", n, Argument("r12", r12),
-                             Argument("q1", q1), Argument("q2", q2), Argument("starts", starts));
+        return refuse_arrays("pw85_grain_contact_batch", "n", n, NamedArray{"r12", r12},
+                             NamedArray{"q1", q1}, NamedArray{"q2", q2},
+                             NamedArray{"starts", starts});
     return compute_all(n, PairArrays<3>{r12, q1, q2},
                        GrainArrays{starts, normal, depth, point, curvatures, radius});
 }

@@ -15,20 +15,21 @@ int pw85_overlap_batch(size_t n, double const *r12, double const *q1, double con
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(r12, q1, q2, overlap))
-        return refuse_arrays("pw85_overlap_batch", "n", n, Argument("r12", r12), Argument("q1", q1),
-                             Argument("q2", q2), Argument("overlap", overlap));
+        return refuse_arrays("pw85_overlap_batch", "n", n, NamedArray{"r12", r12},
+                             NamedArray{"q1", q1}, NamedArray{"q2", q2},
+                             NamedArray{"overlap", overlap});
     return compute_all(n, PairArrays<3>{r12, q1, q2}, OverlapArray{overlap});
 }
 
 int pw85_overlap_any(double const q1[PW85_SYM], size_t n, double const *r12, double const *q2,
                      int *any)
 {
-    if (any_null(any)) return refuse_arrays("pw85_overlap_any", "n", n, Argument("any", any));
+    if (any_null(any)) return refuse_arrays("pw85_overlap_any", "n", n, NamedArray{"any", any});
     *any = 0;
     if (n == 0) return PW85_SUCCESS;
     *any = -1;
     if (n > max_rows || any_null(q1, r12, q2))
-        return refuse_arrays("pw85_overlap_any", "n", n, Argument("q1", q1), Argument("r12", r12),
-                             Argument("q2", q2));
+        return refuse_arrays("pw85_overlap_any", "n", n, NamedArray{"q1", q1},
+                             NamedArray{"r12", r12}, NamedArray{"q2", q2});
     return in_default_environment([&] { return find_overlap(OneToMany{q1, r12, q2}, n, *any); });
 }

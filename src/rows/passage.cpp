@@ -15,8 +15,8 @@ int pw85_closest_passage_batch(size_t n, double const *r12, double const *q1, do
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(r12, q1, q2, velocity, mu2))
-        return refuse_arrays("pw85_closest_passage_batch", "n", n, Argument("r12", r12),
-                             Argument("q1", q1), Argument("q2", q2), Argument("velocity", velocity),
-                             Argument("mu2", mu2));
+        return refuse_arrays("pw85_closest_passage_batch", "n", n, NamedArray{"r12", r12},
+                             NamedArray{"q1", q1}, NamedArray{"q2", q2},
+                             NamedArray{"velocity", velocity}, NamedArray{"mu2", mu2});
     return compute_all(n, PairArrays<3>{r12, q1, q2}, PassageArrays{mu2, t, velocity, t_max});
 }

@@ -31,8 +31,8 @@ struct Planes {
     /// Records why the arrays cannot be read.
     int refuse(char const *function) const noexcept
     {
-        return refuse_arrays(function, "num_planes", count, Argument("normals", normals),
-                             Argument("offsets", offsets));
+        return refuse_arrays(function, "num_planes", count, NamedArray{"normals", normals},
+                             NamedArray{"offsets", offsets});
     }
 
     /// Records why an ellipsoid or the planes are refused.
@@ -82,9 +82,10 @@ int pw85_contact_polytope_batch(size_t num_ellipsoids, double const *centers, do
     if (num_ellipsoids > max_rows)
         return refuse_arrays("pw85_contact_polytope_batch", "num_ellipsoids", num_ellipsoids);
     auto const contact = [&](auto... arguments) { return contact_planes(planes, arguments...); };
-    return each_row("pw85_contact_polytope_batch", num_ellipsoids, contact,
-                    RowsOf<3>{"centers", centers}, RowsOf<6>{"q", q}, OptionalRowsOf<1>{mu2},
-                    OptionalRowsOf<3>{point});
+    static constexpr char const *names[] = {"pw85_contact_polytope_batch", "centers", "q", "mu2",
+                                            "point"};
+    return each_row(names, num_ellipsoids, contact, RowsOf<3>{centers}, RowsOf<6>{q},
+                    OptionalRowsOf<1>{mu2}, OptionalRowsOf<3>{point});
 }
 
 int pw85_overlap_polytope_batch(size_t num_ellipsoids, double const *centers, double const *q,
@@ -96,7 +97,8 @@ int pw85_overlap_polytope_batch(size_t num_ellipsoids, double const *centers, do
     if (num_ellipsoids > max_rows)
         return refuse_arrays("pw85_overlap_polytope_batch", "num_ellipsoids", num_ellipsoids);
     auto const decide = [&](auto... arguments) { return overlap_planes(planes, arguments...); };
-    return each_row("pw85_overlap_polytope_batch", num_ellipsoids, decide,
-                    RowsOf<3>{"centers", centers}, RowsOf<6>{"q", q},
-                    RowsOf<1, unsigned char>{"overlap", overlap});
+    static constexpr char const *names[] = {"pw85_overlap_polytope_batch", "centers", "q",
+                                            "overlap"};
+    return each_row(names, num_ellipsoids, decide, RowsOf<3>{centers}, RowsOf<6>{q},
+                    RowsOf<1, unsigned char>{overlap});
 }

@@ -27,9 +27,9 @@ compute_sets(char const *name, std::size_t n, SetRows<Set> const &rows, Arrays c
     if (n == 0) return PW85_SUCCESS;
     for (std::size_t i = 0; i < std::size(rows.points); ++i)
         if (c_api::any_null(rows.points[i]))
-            return refuse_arrays(name, "n", n, Argument(names<Set>[i], rows.points[i]));
+            return refuse_arrays(name, "n", n, NamedArray{names<Set>[i], rows.points[i]});
     if (n > max_rows || c_api::any_null(rows.q))
-        return refuse_arrays(name, "n", n, Argument("q", rows.q));
+        return refuse_arrays(name, "n", n, NamedArray{"q", rows.q});
     return compute_all(n, rows, out);
 }
 
@@ -37,7 +37,7 @@ template <class Set> int compute_overlaps(char const *name, std::size_t n, SetRo
                                           unsigned char *overlap) noexcept
 {
     if (n > 0 && c_api::any_null(overlap))
-        return refuse_arrays(name, "n", n, Argument("overlap", overlap));
+        return refuse_arrays(name, "n", n, NamedArray{"overlap", overlap});
     return compute_sets(name, n, rows, OverlapArray{overlap});
 }
 

@@ -15,8 +15,8 @@ int pw85_contact_batch_2d(size_t n, double const *r12, double const *q1, double 
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(r12, q1, q2, mu2))
-        return refuse_arrays("pw85_contact_batch_2d", "n", n, Argument("r12", r12),
-                             Argument("q1", q1), Argument("q2", q2), Argument("mu2", mu2));
+        return refuse_arrays("pw85_contact_batch_2d", "n", n, NamedArray{"r12", r12},
+                             NamedArray{"q1", q1}, NamedArray{"q2", q2}, NamedArray{"mu2", mu2});
     return compute_all(n, PairArrays<2>{r12, q1, q2}, ContactArrays{mu2, lambda});
 }
 
@@ -25,8 +25,9 @@ int pw85_overlap_batch_2d(size_t n, double const *r12, double const *q1, double 
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(r12, q1, q2, overlap))
-        return refuse_arrays("pw85_overlap_batch_2d", "n", n, Argument("r12", r12),
-                             Argument("q1", q1), Argument("q2", q2), Argument("overlap", overlap));
+        return refuse_arrays("pw85_overlap_batch_2d", "n", n, NamedArray{"r12", r12},
+                             NamedArray{"q1", q1}, NamedArray{"q2", q2},
+                             NamedArray{"overlap", overlap});
     return compute_all(n, PairArrays<2>{r12, q1, q2}, OverlapArray{overlap});
 }
 
@@ -35,7 +36,7 @@ int pw85_overlap_area_batch_2d(size_t n, double const *r12, double const *q1, do
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(r12, q1, q2, area))
-        return refuse_arrays("pw85_overlap_area_batch_2d", "n", n, Argument("r12", r12),
-                             Argument("q1", q1), Argument("q2", q2), Argument("area", area));
+        return refuse_arrays("pw85_overlap_area_batch_2d", "n", n, NamedArray{"r12", r12},
+                             NamedArray{"q1", q1}, NamedArray{"q2", q2}, NamedArray{"area", area});
     return compute_all(n, PairArrays<2>{r12, q1, q2}, AreaArray{area});
 }
