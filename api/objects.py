@@ -108,7 +108,7 @@ def files():
         declarations += map(worker, listed)
     what = "/// @file\n/// The functions that work on objects, each called by the function of the C API of its name."
     lines = [
-        BEGIN.format(what=what, headers=", ".join(NAMES)).rstrip(),
+        BEGIN.format(what=what, headers="pw85_systems.h and the parts of pw85_simulation.h").rstrip(),
         "#ifndef PW85_BASE_OBJECTS_HPP_INCLUDED",
         "#define PW85_BASE_OBJECTS_HPP_INCLUDED",
         "",
