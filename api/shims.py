@@ -216,7 +216,7 @@ def of_many_rows(statement):
 def many_rows_file(title, listed):
     head = BEGIN.format(what=f"The C API, many rows without lanes: {title[0].lower()}{title[1:]}.")
     head = head.replace("pw85.h, pw85_grains.h and pw85_shapes.h", "pw85.h, pw85_grains.h, pw85_shapes.h and api/pw85_batch.h.in")
-    head += '#include <pw85_batch.h>\n\n#include "../rows/each_row.hpp"\n\nusing namespace pw85::detail::kernels;\n'
+    head += '// clang-format off\n#include <pw85_batch.h>\n\n#include "../rows/each_row.hpp"\n\nusing namespace pw85::detail::kernels;\n'
     return head + "".join(map(of_many_rows, listed))
 
 

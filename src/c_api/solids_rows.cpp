@@ -2,6 +2,7 @@
 // The C API, many rows without lanes: distances to shapes.
 //
 // Made from pw85.h, pw85_grains.h, pw85_shapes.h and api/pw85_batch.h.in by api/committed.py.
+// clang-format off
 #include <pw85_batch.h>
 
 #include "../rows/each_row.hpp"

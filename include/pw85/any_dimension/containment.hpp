@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file Containment in n dimensions: whether ellipsoid 2 is inside ellipsoid 1, exactly, and the
-/// factor κ by which ellipsoid 1 must be scaled to contain it. The bounds and the search are those
-/// of overlap/containment_bounds.hpp and overlap/containment_factor.hpp, with M = Q1 + t Q2, t =
-/// -1/ν, of search.hpp.
+/// @file
+/// Containment in n dimensions: whether ellipsoid 2 is inside ellipsoid 1, exactly, and the factor
+/// κ by which ellipsoid 1 must be scaled to contain it. The bounds and the search are those of
+/// overlap/containment_bounds.hpp and overlap/containment_factor.hpp, with M = Q1 + t Q2, t = -1/ν,
+/// of search.hpp.
 ///
 /// With s = M⁻¹r12, any direction s gives a lower bound on κ², and any ν at which M is positive
 /// definite an upper bound. Rounding errors of forms are those of product() and dot(): 5n/4 + 9
