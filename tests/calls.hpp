@@ -264,8 +264,8 @@ class Call {
             all.insert(all.end(), pair.q2.entries, pair.q2.entries + 6);
             return all;
         }
-        bool const is_form =
-            name[0] == 'q' || name == "a" || name == "l" || name == "second_moments";
+        bool const is_form = name[0] == 'q' || name == "forms" || name == "a" || name == "l" ||
+                             name == "second_moments";
         if (is_form) return columns == 6 ? Numbers(q, q + 6) : Numbers(q + 3, q + 6);
         return separation;
     }
