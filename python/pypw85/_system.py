@@ -574,9 +574,10 @@ def _different(ids: NDArray[Any]) -> NDArray[Any]:
 
 
 def _check_vectors(cell: Floats) -> None:
-    """Refuses the cell that the functions of pairs refuse."""
+    """Refuses a cell whose vectors are not independent, whatever their lengths: the plane has a third one of length 1 in any unit."""
+    lengths = np.frexp(np.abs(cell).max(axis=1, keepdims=True))[1]
     try:
-        cell_reduce(cell)
+        cell_reduce(np.ldexp(cell, -lengths) if np.isfinite(cell).all() else cell)
     except PW85Error as error:
         raise PW85Error(error.status, "System", error.reason, error.detail) from None
 

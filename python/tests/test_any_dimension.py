@@ -139,3 +139,10 @@ def test_the_bad_row_is_named():
     far = [2.0**1000, 0, 2.0**-90]
     with pytest.raises(pypw85.PW85Error, match=r"row \(1,\): q1 must be positive definite, not \[1.0, 2.0, 1.0\]"):
         pypw85.nd_overlap([[1, 0], [1, 0]], [far, [1, 2, 1]], [far, [1, 0, 1]])
+
+
+def test_pairs_without_numbers():
+    """Lengths that are more than 2⁴⁰⁰ apart: no argument is wrong, and there is no distance."""
+    with pytest.raises(pypw85.PW85Error, match="^nd_distance: the iterations did not converge$") as caught:
+        pypw85.nd_distance([2.0**600, 0], np.eye(2), 2.0**-900 * np.eye(2))
+    assert caught.value.status == pypw85.Status.ECONVERGENCE

@@ -171,7 +171,7 @@ def test_committed_files(make, tmp_path):
     assert "StatusCode girth_batch(Forms q, std::span<double> girth) noexcept" in rows
     assert "PW85_API int pw85_girth_batch(size_t n, double const *q, double *girth);" in batch
     assert "return put(result.status, result.girth, girth);" in one_row
-    many = 'return each_row("pw85_girth_batch", n, pw85_girth, RowsOf<6>{q}, OptionalRowsOf<1>{girth});'
+    many = 'return each_row(names, n, pw85_girth, RowsOf<6>{q}, OptionalRowsOf<1>{girth});'
     assert many in " ".join(many_rows.split())
     assert "call_pairs(pw85_girth_pairs, list, particles, weight, d_mu2, girth)" in lists
     assert "/// @param weight one for each pair: at most 1\n/// @param[out] d_mu2,girth one for each pair, or empty\n" in lists

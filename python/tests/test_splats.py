@@ -79,7 +79,7 @@ def test_scales_without_logarithm(tmp_path):
     np.testing.assert_allclose(read(path, scales="log").semi_axes, [np.exp(LENGTHS)] * 2, rtol=1e-14)
     with pytest.raises(pypw85.FileError, match=r"splat 1 has the scale -0\.69.* leave out --scales linear"):
         pypw85.read(ply(path, PAIR), scales="linear")
-    with pytest.raises(ValueError, match="read: scales must be one of log, linear, not 'square'"):
+    with pytest.raises(ValueError, match="read: scales must be 'log' or 'linear', not 'square'"):
         pypw85.read(path, scales="square")
 
 
