@@ -74,10 +74,10 @@ struct Argument {
     char const *name;
     void const *pointer;
     std::size_t count = 0;
-    unsigned limits = 0;
-    double number = 0.0; ///< passed by value, if `pointer` is null and `is_number` is set
-    bool is_number = false;
     std::size_t columns = 0; ///< the numbers of a row; 0 for an array of one row
+    double number = 0.0;     ///< passed by value, if `pointer` is null and `is_number` is set
+    unsigned limits = 0;
+    bool is_number = false;
 
     [[gnu::always_inline]] Argument(char const *own, void const *array, std::size_t size = 0,
                                     unsigned allowed = 0) noexcept
@@ -85,7 +85,7 @@ struct Argument {
     {
     }
     [[gnu::always_inline]] Argument(char const *own, double value, unsigned allowed = 0) noexcept
-        : name(own), pointer(nullptr), count(1), limits(allowed), number(value), is_number(true)
+        : name(own), pointer(nullptr), count(1), number(value), limits(allowed), is_number(true)
     {
     }
 

@@ -83,8 +83,8 @@ bool AroundEllipsoids::add_point(std::size_t owner, double const *from_center) n
     double const *const center = bodies_.center(owner), *const q = bodies_.form(owner);
     int const unit = half_exponent(any_dimension::largest_diagonal(n, q));
     Wide z[max_dimension];
-    for (double share = 0x1p-52; share < 2.0; share *= 2.0) {
-        double const left = share < 1.0 ? 1.0 - share : 0.0;
+    for (int power = -52; power <= 0; ++power) {
+        double const left = 1.0 - times_power_of_two(1.0, power);
         for (int k = 0; k < n; ++k) point[k] = center[k] + left * from_center[k];
         difference(n, point, center, unit, z);
         if (is_point_inside(n, q, z, unit)) return true;
@@ -176,7 +176,8 @@ double AroundEllipsoids::reach(std::size_t i, double *point, double &nu) noexcep
     nu = wide / kappa;
     if (point == nullptr && kappa < 1.0 - 0x1p-20) return kappa * kappa;
     int const unit = half_exponent(largest_diagonal(n, outer_.form));
-    auto &[work, search] = memory_;
+    auto &work = memory_.work;
+    auto &search = memory_.search;
     scale({n, r, outer_.form, q}, {unit, unit, unit, false}, work.pair);
     search_reach(work.pair, search, work.at, [&](auto const &state) {
         return is_settled(work.pair, state, 4.0 * unit_roundoff<double>());

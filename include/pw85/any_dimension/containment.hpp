@@ -281,7 +281,8 @@ PW85_FUNCTION inline bool shows_inside(Pair<T> const &pair, T const &nu, T *memo
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline ContainmentDecision
 decide_containment_in(Input const &in, int unit, Workspace<T> &work) noexcept
 {
-    auto &[pair, at] = work;
+    auto &pair = work.pair;
+    auto &at = work.at;
     scale(in, {unit, unit, unit, false}, pair);
     for (int i = 0; i < in.n; ++i) {
         T axis[max_dimension]{};
@@ -350,7 +351,8 @@ template <class T>
                                                        double &mu2, double *point,
                                                        ReachWorkspace<T> &memory) noexcept
 {
-    auto &[pair, at] = memory.work;
+    auto &pair = memory.work.pair;
+    auto &at = memory.work.at;
     int const n = given.n;
     pair.n = n;
     scale(n, given.r12, 0, 1.0, pair.r12);

@@ -87,6 +87,7 @@ struct ExactPolynomial {
 
     [[gnu::always_inline]] ExactPolynomial() noexcept = default;
     [[gnu::always_inline]] ExactPolynomial(ExactPolynomial &&) noexcept = default;
+    // The copy of the array has a variable of the compiler. NOLINTNEXTLINE(*-identifier-naming)
     [[gnu::always_inline]] ExactPolynomial &operator=(ExactPolynomial &&) noexcept = default;
     [[gnu::always_inline]] ~ExactPolynomial() = default;
     [[gnu::always_inline]] void trim() noexcept

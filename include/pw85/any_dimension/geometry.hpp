@@ -31,7 +31,8 @@ struct TangencySolution {
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline bool
 find_tangency(Input const &in, double lambda, TangencySolution &result, Workspace<T> &work) noexcept
 {
-    auto &[pair, at] = work;
+    auto &pair = work.pair;
+    auto &at = work.at;
     int const n = in.n;
     scale(in, {result.length, result.form, result.form, false}, pair);
     // Q1 + t Q2 with the larger one of both weights put to 1

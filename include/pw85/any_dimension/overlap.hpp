@@ -94,7 +94,8 @@ PW85_FUNCTION inline bool is_moderate(double m) noexcept { return m > 0x1p-400 &
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline Decision
 decide_in(Input const &in, Units const &units, double m, Workspace<T> &work) noexcept
 {
-    auto &[pair, at] = work;
+    auto &pair = work.pair;
+    auto &at = work.at;
     scale(in, units, pair);
     if (!is_moderate(m) || !keep_digits(in, units)) return Decision::none;
     Candidate<T> candidate = start(pair, at);
