@@ -3,7 +3,8 @@
 import pypw85
 
 r12 = [3, 2, 1]  # from the first centre to the second
-q1 = pypw85.ellipsoid_quaternion([3, 2, 1], [1, 0, 0, 0])  # the form, from semi-axes and w, x, y, z
+# The forms, from semi-axes and quaternions w, x, y, z
+q1 = pypw85.ellipsoid_quaternion([3, 2, 1], [1, 0, 0, 0])
 q2 = pypw85.ellipsoid_quaternion([4, 1, 1], [0.9, 0.1, 0.3, 0.2])  # of any length
 mu2, lambda_ = pypw85.contact(r12, q1, q2)  # and where f has its maximum
 distance, p1, p2 = pypw85.distance(r12, q1, q2)

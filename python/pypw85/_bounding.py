@@ -7,7 +7,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._enclosing import enclosing_ellipsoid_of
+from ._numbers import instance
 from ._system import System
+from ._words import shown
 
 # In the plane: entries of a form of an ellipse among those of an ellipsoid.
 _OF_PLANE = [0, 1, 3]
@@ -33,9 +35,9 @@ def enclosing(system: System, clusters: ArrayLike | None = None, tolerance: floa
     Raises
     ------
     PW85Error
-        There is no particle, or its shape is not valid; see `enclosing_ellipsoid_of`.
+        The shape of a particle is not valid; see `enclosing_ellipsoid_of`.
     ValueError
-        There is not one cluster for each particle.
+        There is no particle, or there is not one cluster for each.
 
     Examples
     --------
@@ -45,9 +47,14 @@ def enclosing(system: System, clusters: ArrayLike | None = None, tolerance: floa
     >>> around.types, (around.centers.round(3) + 0).tolist()
     (array([1, 2]), [[1.5, 0.0, 0.0], [9.0, 9.0, 9.0]])
     """
+    instance(system, System, "enclosing: system")
+    if not len(system):
+        raise ValueError("enclosing: system must have particles")
     labels = np.zeros(len(system.centers), np.int64) if clusters is None else np.asarray(clusters)
+    if labels.dtype.kind not in "biufSU":
+        raise TypeError(f"enclosing: clusters must be numbers or strings, not {shown(clusters)}")
     if labels.shape != (len(system.centers),):
-        raise ValueError(f"clusters must have one entry for each of {len(system.centers)} particles, not the shape {labels.shape}")
+        raise ValueError(f"enclosing: clusters must have one entry for each of {len(system)} particles, not the shape {labels.shape}")
     names, members = np.unique(labels, return_inverse=True)
     n, entries = (2, _OF_PLANE) if system.dimensions == 2 else (3, list(range(6)))
     centers, forms = np.zeros((len(names), 3)), np.tile([1.0, 0, 0, 1, 0, 1], (len(names), 1))

@@ -94,7 +94,8 @@ def enclosing_ellipsoid_of(centers: ArrayLike, forms: ArrayLike, tolerance: floa
     Examples
     --------
     >>> import numpy as np, pypw85
-    >>> center, q, excess = pypw85.enclosing_ellipsoid_of([[0, 0], [4, 0], [2, 0.5]], [np.eye(2), np.eye(2), 0.1 * np.eye(2)])
+    >>> centers, forms = [[0, 0], [4, 0], [2, 0.5]], [np.eye(2), np.eye(2), 0.1 * np.eye(2)]
+    >>> center, q, excess = pypw85.enclosing_ellipsoid_of(centers, forms)
     >>> print(center.round(3) + 0, excess <= 1e-6)
     [2. 0.] True
     """
@@ -102,7 +103,8 @@ def enclosing_ellipsoid_of(centers: ArrayLike, forms: ArrayLike, tolerance: floa
     rows = _points(centers, f"{name}: centers")
     m, n = rows.shape
     tolerance = real(tolerance, f"{name}: tolerance")
-    packed = np.require(packed_rows(forms, n, name, "forms"), np.float64, ["C", "A"])
+    given = reals(forms, f"{name}: forms")
+    packed = np.require(given if n == 1 and given.ndim == 2 else packed_rows(given, n, name, "forms"), np.float64, ["C", "A"])
     if packed.shape != (m, n * (n + 1) // 2):
         raise ValueError(f"{name}: forms must have one row for each of {m} centers, not the shape {packed.shape}")
     explain = functools.partial(_explain_ellipsoids, rows, packed, tolerance)

@@ -151,6 +151,26 @@ def test_clusters_of_a_system():
     assert len(pypw85.enclosing(system).centers) == 1
     with pytest.raises(ValueError, match=r"clusters must have one entry for each of 12 particles, not the shape \(3,\)"):
         pypw85.enclosing(system, [1, 2, 3])
+    with pytest.raises(ValueError, match="enclosing: system must have particles"):
+        pypw85.enclosing(pypw85.System(np.zeros((0, 3)), np.zeros((0, 6))))
+    with pytest.raises(TypeError, match="enclosing: system must be a pypw85.System, not list"):
+        pypw85.enclosing([])
+    with pytest.raises(TypeError, match="enclosing: clusters must be numbers or strings, not"):
+        pypw85.enclosing(system, [None] * len(system))
+
+
+def test_one_ellipsoid_of_one_dimension():
+    center, q, excess = pypw85.enclosing_ellipsoid_of([[1.0]], [[4.0]])
+    np.testing.assert_allclose([center[0], q[0]], [1, 4], rtol=1e-6)
+    assert 0 <= excess <= 1e-6
+
+
+@pytest.mark.parametrize("n", [1, 2, 3, 8])
+def test_far_from_the_origin(n):
+    """Coordinates that are rounded to 2⁻²⁰ of the size of a ball do not allow the tolerance; the search ends, and says what it has."""
+    with pytest.warns(RuntimeWarning, match="the excess is .*, above the tolerance"):
+        *_, excess = pypw85.enclosing_ellipsoid_of([[1e10] * n], [np.eye(n)])
+    assert 1e-6 < excess < n * 1e-5
 
 
 def test_clusters_of_the_plane():

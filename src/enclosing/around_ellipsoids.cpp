@@ -212,10 +212,23 @@ bool AroundEllipsoids::add_protruding(double gap) noexcept
             if (kappa2_[i] > kappa2_[worst]) worst = i;
         if (kappa2_[worst] <= 1.0 + least_share * gap) break;
         reach(worst, point, nu_[worst]);
-        if (!add_point(worst, point)) return false;
+        if (!add_point(worst, point) || !drop_last_inside(gap)) return false;
         kappa2_[worst] = 0.0;
     }
     return true;
+}
+
+/// Removes the last point unless it protrudes by a share of the gap: where the gap is that of
+/// rounded points, a new one is no farther out than those before.
+bool AroundEllipsoids::drop_last_inside(double gap) noexcept
+{
+    int const n = bodies_.n;
+    std::size_t const last = owners_.size() - 1;
+    double z[max_dimension] = {}, normal[max_dimension] = {};
+    for (int k = 0; k < n; ++k) z[k] = points_[last * extent(n) + extent(k)] - outer_.center[k];
+    any_dimension::product(n, outer_.inverse, z, normal);
+    if (any_dimension::dot(n, z, normal) > 1.0 + 0.5 * least_share * gap) return true;
+    return points_.resize(last * extent(n)) && owners_.resize(last);
 }
 
 /// Appends, for each point near the surface, the point of its ellipsoid along the normal there. The
@@ -236,7 +249,8 @@ bool AroundEllipsoids::follow_normals(double gap) noexcept
         for (int k = 0; k < n; ++k)
             z[k] = bodies_.center(owner)[k] - outer_.center[k] + qs[k] / width;
         product(n, outer_.inverse, z, qs);
-        if (dot(n, z, qs) > 1.0 + least_share * gap && !add_support(owner, normal)) return false;
+        if (!(dot(n, z, qs) > 1.0 + least_share * gap)) continue;
+        if (!add_support(owner, normal) || !drop_last_inside(gap)) return false;
     }
     return true;
 }
@@ -300,15 +314,21 @@ Status AroundEllipsoids::run(double tolerance) noexcept
     double gap = 1.0, last = infinity<double>();
     for (int round = 0, idle = 0; round < max_rounds; ++round) {
         // The shape of an ellipsoid errs by the root of its excess.
-        double const inner = maximum(1e-12, minimum(1e-6, 0.01 * gap * gap));
-        Status const status = enclose_points(minimum(0.125 * tolerance, inner));
+        double const inner =
+            minimum(0.125 * tolerance, maximum(1e-12, minimum(1e-6, 0.01 * gap * gap)));
+        Status const status = enclose_points(inner);
         if (status != Status::success) return status;
         gap = measure();
         idle = gap < 0.5 * last ? 0 : idle + 1;
         if (idle == 0) last = gap;
         if (gap <= target || idle == max_idle_rounds) break;
+        std::size_t const count = owners_.size();
         if (round + 1 < max_rounds && !(follow_normals(gap) && add_protruding(gap)))
             return Status::out_of_memory;
+        if (owners_.size() == count) { // The search reads the points, which may have moved.
+            if (Status const again = enclose_points(inner); again != Status::success) return again;
+            break;
+        }
     }
     return certify(gap, tolerance);
 }

@@ -64,6 +64,7 @@ class AroundEllipsoids {
     Status enclose_points(double tolerance) noexcept;
     double reach(std::size_t i, double *point, double &nu) noexcept;
     double measure() noexcept;
+    bool drop_last_inside(double gap) noexcept;
     bool add_protruding(double gap) noexcept;
     bool follow_normals(double gap) noexcept;
     bool is_inside(std::size_t i) noexcept;
