@@ -15,7 +15,7 @@ using namespace pw85::detail::kernels;
 namespace {
 
 /// Names of the arrays of a set's points.
-template <class Set> constexpr char const *names[3];
+template <class Set> constexpr char const *names[3] = {};
 template <> constexpr char const *names<Segments>[2] = {"end1", "end2"};
 template <> constexpr char const *names<Triangles>[3] = {"vertex1", "vertex2", "vertex3"};
 template <> constexpr char const *names<Boxes>[2] = {"lower", "upper"};

@@ -5,7 +5,7 @@
 // overlaps take a sixteenth of the pairs, and functions that have no rows take one in 128.
 //
 // Usage: checksums check TABLE PARTS    compares; PARTS, 1 to 4, is how many checksums of each line
-//        checksums record               prints the table
+//        checksums record [FUNCTION]    prints the table, or one line of it
 //        checksums rows FUNCTION        prints the outputs for the first pairs, to compare two
 //                                       machines
 #include <cinttypes>
@@ -363,18 +363,18 @@ template <class Visit> void compute(int last_part, std::string const &only, Visi
 
 using Table = std::map<std::string, std::vector<std::uint64_t>>;
 
-Table computed(int last_part)
+Table computed(int last_part, std::string const &only)
 {
     Table table;
-    compute(last_part, "", [&](int, Checksums const &sums) {
+    compute(last_part, only, [&](int, Checksums const &sums) {
         for (auto const &[name, sum] : sums) table[name].push_back(sum.value());
     });
     return table;
 }
 
-int record()
+int record(char const *function)
 {
-    for (auto const &[name, sums] : computed(parts)) {
+    for (auto const &[name, sums] : computed(parts, function)) {
         for (std::uint64_t const sum : sums) std::printf("%016" PRIx64 " ", sum);
         std::printf("%s\n", name.c_str());
     }
@@ -400,7 +400,7 @@ int check(char const *path, int last_part)
 {
     Table expected = read(path);
     bool right = true;
-    for (auto const &[name, sums] : computed(last_part)) {
+    for (auto const &[name, sums] : computed(last_part, "")) {
         auto const &known = expected[name];
         bool const same =
             known.size() == parts && std::equal(sums.begin(), sums.end(), known.begin());
@@ -444,7 +444,7 @@ int main(int argc, char **argv)
     std::vector<double> const usual = contacts_of_first_pairs();
     bool switched = switch_to(1);
     int result = 2;
-    if (task == "record" && argc == 2) result = record();
+    if (task == "record" && argc <= 3) result = record(argc == 3 ? argv[2] : "");
     if (task == "check" && argc == 4) result = check(argv[2], std::atoi(argv[3]));
     if (task == "rows" && argc == 3) result = print_rows(argv[2]);
     switched = switch_to(0) && switched && are_same(contacts_of_first_pairs(), usual);

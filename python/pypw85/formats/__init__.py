@@ -169,8 +169,6 @@ def _refuse(path: Path, start: bytes, patterns: list[tuple[bytes, str]]) -> None
 def format_of(path: Path, format: str | None, convention: str | None) -> str:
     """The format that is named, or that of a convention, or that of the content: a table whose program is named is CSV, whatever its
     columns are called; regions have a format of their own."""
-    if format is not None and format not in READABLE:
-        raise ValueError(f"read: format must be one of {', '.join(READABLE)}, not {shown(format)}")
     if format is None and convention in (None, NONE, REGIONS):
         return guess(path)
     return format or "csv"
