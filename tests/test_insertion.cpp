@@ -517,7 +517,7 @@ void test_range_of_weights()
     for (double const energy : {-1e300, -5000.0, -1450.0, -720.0, 0.0, 701.0, 1e300, HUGE_VAL}) {
         auto const potential = [&](std::int32_t, Vector3 const &, Quaternion const &,
                                    Vector3 const &) { return energy; };
-        double weight;
+        double weight = -1.0;
         g_assert_true(simulation.set_potential(potential) == Status::success &&
                       simulation.insertion_weight(2, {0.1, 0.1, 0.1}, weight) == Status::success);
         g_assert_cmpfloat(weight, ==, energy < 0.0 ? HUGE_VAL : energy > 0.0 ? 0.0 : 1.0);

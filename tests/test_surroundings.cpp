@@ -384,8 +384,7 @@ void test_mesh_of_cell()
             auto const moved = [&](Vector3 x, Vector3 const &n) {
                 for (int l = 0; l < 3; ++l)
                     for (int d = 0; d < 3; ++d)
-                        x[d] += periodic[std::size_t(l)] * n[l] *
-                                start.cell[std::size_t(l)][std::size_t(d)];
+                        x[d] += periodic[std::size_t(l)] * n[l] * start.cell[std::size_t(l)][d];
                 return x;
             };
             center = moved(center, multiples);
