@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from .._bodies import inertia
@@ -32,3 +34,11 @@ def check_names(system: System, bodies: str) -> None:
     """Refuses a system whose bodies would not have names of their own."""
     if len(np.unique(system.ids)) < len(system):
         raise ValueError(f"{bodies} have different names, but several particles have the same id: renumber them")
+
+
+def losses_of_solids(system: System, program: str, bodies: str) -> Iterator[tuple[str, str]]:
+    """Yields what files of such programs cannot hold, and what becomes of it."""
+    if system.cell is not None:
+        yield "cell", f"{program} has no periodic boxes: the cell is left out"
+    if len(np.unique(system.types)) > 1:
+        yield "types", f"{bodies} have no types: they are left out"

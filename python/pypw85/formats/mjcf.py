@@ -13,7 +13,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from .._system import System
-from ._solids import DENSITY, check_names, masses_and_moments
+from ._solids import DENSITY, check_names, losses_of_solids, masses_and_moments
 
 SUFFIXES = (".xml", ".mjcf")
 # Masses and moments of bodies that move must be larger (mjMINVAL of MuJoCo).
@@ -25,10 +25,7 @@ _BODY = (
 
 
 def losses(system: System) -> Iterator[tuple[str, str]]:
-    if system.cell is not None:
-        yield "cell", "MuJoCo has no periodic boxes: the cell is left out"
-    if len(np.unique(system.types)) > 1:
-        yield "types", "bodies of MuJoCo have no types: they are left out"
+    yield from losses_of_solids(system, "MuJoCo", "bodies of MuJoCo")
     masses, moments = masses_and_moments(system.semi_axes)
     smallest = min(masses.min(), moments.min())
     if not smallest > _SMALLEST_INERTIA:

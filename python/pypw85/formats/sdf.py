@@ -13,7 +13,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from .._system import System
-from ._solids import DENSITY, check_names, masses_and_moments
+from ._solids import DENSITY, check_names, losses_of_solids, masses_and_moments
 
 SUFFIXES = (".sdf",)
 _GEOMETRY = "<geometry><ellipsoid><radii>{0} {1} {2}</radii></ellipsoid></geometry>"
@@ -27,10 +27,7 @@ _MODEL = (
 
 
 def losses(system: System) -> Iterator[tuple[str, str]]:
-    if system.cell is not None:
-        yield "cell", "SDFormat has no periodic boxes: the cell is left out"
-    if len(np.unique(system.types)) > 1:
-        yield "types", "models of SDFormat have no types: they are left out"
+    yield from losses_of_solids(system, "SDFormat", "models of SDFormat")
 
 
 def save(file: IO[Any], system: System, frame: int) -> None:
