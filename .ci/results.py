@@ -15,6 +15,7 @@ MAY_BE_SKIPPED = {
     "build-ci-address-undefined: * / stack *": "instrumented code takes more stack than the library does",
     "build-ci-clang: * -fopenmp is safe": "Clang 14 finds no OpenMP run-time library in Debian 12",
     "*test_lock_stays_off": "Debian's Python always has the global lock",
+    "*test_mujoco.py::test_mujoco": "Debian has no package of MuJoCo",
     "*test_lammps_reads_and_writes_data": "LAMMPS is installed for the part lammps only",
     "*test_equation_of_state.py::test_same_bits*": "sines of NumPy have other last bits on processors without AVX-512",
     "build-ci-*threads*": "Clang 14 finds no OpenMP run-time library in Debian 12",
