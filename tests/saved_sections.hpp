@@ -4,6 +4,7 @@
 #ifndef PW85_TESTS_SAVED_SECTIONS_HPP_INCLUDED
 #define PW85_TESTS_SAVED_SECTIONS_HPP_INCLUDED
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <span>
@@ -47,7 +48,7 @@ inline Bytes sealed(Bytes bytes)
     Bytes size;
     append_word(size, bytes.size());
     std::copy(size.begin(), size.end(), bytes.begin() + 16);
-    bytes.resize(bytes.size() - 8);
+    bytes.erase(bytes.end() - 8, bytes.end());
     append_word(bytes, crc32(bytes));
     return bytes;
 }
