@@ -808,12 +808,14 @@ void test_changed_bytes()
                   made.dimensions() == 2);
     g_assert_true(hard_ellipsoids_restore(with_number(bytes, 0.25, 0.5), made) ==
                   Status::invalid_argument);
-    g_assert_true(hard_ellipsoids_restore(with_number(bytes, 0.12345, 0.5), made) == Status::success);
+    g_assert_true(hard_ellipsoids_restore(with_number(bytes, 0.12345, 0.5), made) ==
+                  Status::success);
     g_assert_true(simulation.set_dimensions(3) == Status::success && simulation.dimensions() == 3);
     auto const in_space = bytes_of(simulation);
     g_assert_true(hard_ellipsoids_restore(in_space, made) == Status::success &&
                   made.dimensions() == 3);
-    g_assert_true(hard_ellipsoids_restore(with_number(in_space, 0.25, 0.5), made) == Status::success);
+    g_assert_true(hard_ellipsoids_restore(with_number(in_space, 0.25, 0.5), made) ==
+                  Status::success);
     g_assert_true(bytes_of(plane.simulation()) == in_space);
 }
 

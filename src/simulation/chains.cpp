@@ -129,8 +129,8 @@ void Chains::list_obstacles(std::size_t i, Vector3 const &direction, double stag
     insert_touched(i, direction, stage, pair, count);
 }
 
-/// Inserts those of one or two obstacles that may be touched, by the bounds at the t of spheres with
-/// these traces.
+/// Inserts those of one or two obstacles that may be touched, by the bounds at the t of spheres
+/// with these traces.
 void Chains::insert_touched(std::size_t i, Vector3 const &direction, double stage,
                             Obstacle (&pair)[2], std::size_t count) noexcept
 {
