@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Saved simulations are the same bytes on every machine, and every format can be restored for ever.
 // Usage:
-//     portable_saved_states check SPACE PLANE     two files of format 1, of which nothing may change
+//     portable_saved_states check SPACE PLANE     files of format 1, of which nothing may change
 //     portable_saved_states record SPACE PLANE    writes such files
 #include <cstdio>
 #include <cstring>
