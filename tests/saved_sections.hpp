@@ -62,7 +62,7 @@ struct SavedSections {
         : signature(word_at(bytes, 0)), format(word_at(bytes, 8))
     {
         for (std::size_t at = 24; at < bytes.size() - 8;) {
-            Words words(word_at(bytes, at + 8) / 8);
+            Words words(static_cast<std::size_t>(word_at(bytes, at + 8) / 8));
             for (std::size_t k = 0; k < words.size(); ++k)
                 words[k] = word_at(bytes, at + 16 + 8 * k);
             sections.emplace_back(std::string(&bytes[at], &bytes[at] + 8), words);

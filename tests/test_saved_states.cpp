@@ -133,7 +133,8 @@ void test_lengths()
 void test_huge_lengths()
 {
     for (Bytes const &state : states())
-        for (std::size_t at = 24; at < state.size() - 8; at += 16 + word_at(state, at + 8)) {
+        for (std::size_t at = 24; at < state.size() - 8;
+             at += 16 + static_cast<std::size_t>(word_at(state, at + 8))) {
             bool const is_mesh = std::memcmp(&state[at], "MESH", 4) == 0;
             for (std::size_t const place : {at + 8, at + 16})
                 for (std::uint64_t const length :
