@@ -177,7 +177,8 @@ def build_for(results, machine):
         (boost / "include/boost").symlink_to("/usr/include/boost")
     options = ["-Dgsl=disabled", *(f"-D{name}=disabled" for name in ("bench", "python", "fortran"))]
     return build(results, machine.stem, [f"--cross-file={machine}", *options], {"BOOST_ROOT": str(boost)},
-                 ["contact_problems", "headers_after_others", "portable_headers", "portable_library", "portable_c"])
+                 ["contact_problems", "headers_after_others", "portable_headers", "portable_library", "portable_saved_states",
+                  "portable_c"])
 
 
 def check_package_of_windows(results, machine, environment):

@@ -108,8 +108,8 @@ PW85_API double const *pw85_hard_ellipsoids_semi_axes(pw85_hard_ellipsoids const
 PW85_API size_t pw85_hard_ellipsoids_num_bytes(pw85_hard_ellipsoids const *simulation);
 
 /** Writes the whole state of a simulation as bytes: 80 for each particle and some hundreds. They
- * can be read on machines of the same type. They contain the energy of the caller's potential, but
- * not the function.
+ * are the same on every machine, and have a checksum: see the chapter on Monte Carlo. They contain
+ * the energy of the caller's potential, but not the function.
  *
  * @param simulation a simulation
  * @param num_bytes pw85_hard_ellipsoids_num_bytes()
@@ -119,14 +119,15 @@ PW85_API size_t pw85_hard_ellipsoids_num_bytes(pw85_hard_ellipsoids const *simul
 PW85_API int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, size_t num_bytes,
                                        unsigned char *bytes);
 
-/** Makes a simulation from the bytes of another, which it continues bit by bit.
+/** Makes a simulation from the bytes of another, which it continues bit by bit. The bytes may be of
+ * another machine or of an earlier version.
  *
  * @param num_bytes [number of bytes]
  * @param bytes [num_bytes]
  * @param[out] simulation [null on error] to be destroyed by pw85_hard_ellipsoids_destroy()
- * @return #PW85_SUCCESS; #PW85_EINVAL, also for bytes of another kind of machine or of another
- *         version; #PW85_EINVAL, #PW85_EOVERLAP, #PW85_ENOTPD, #PW85_EPOTENTIAL if bytes have
- *         been changed to a state that is not possible; #PW85_ENOMEM */
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also for bytes that are incomplete or have been changed, and
+ *         for those of a later format; #PW85_EINVAL, #PW85_EOVERLAP, #PW85_ENOTPD,
+ *         #PW85_EPOTENTIAL if they are a state that is not possible; #PW85_ENOMEM */
 PW85_API int pw85_hard_ellipsoids_restore(size_t num_bytes, unsigned char const *bytes,
                                           pw85_hard_ellipsoids **simulation);
 

@@ -8,6 +8,7 @@
 #include <pw85.h>
 
 #include "hard_particles.hpp"
+#include "saved_sections.hpp"
 #include "threads.hpp"
 
 using namespace pw85_tests;
@@ -795,16 +796,6 @@ void test_bad_input()
     g_assert_true(bytes_of(simulation) == before);
 }
 
-/// Replaces a number wherever an array has its bytes.
-std::vector<unsigned char> with(std::vector<unsigned char> bytes, double old, double number)
-{
-    auto const *const first = reinterpret_cast<unsigned char const *>(&old);
-    auto const place = std::search(bytes.begin(), bytes.end(), first, first + sizeof old);
-    g_assert_true(place != bytes.end());
-    std::memcpy(&*place, &number, sizeof number);
-    return bytes;
-}
-
 // A saved plane is one when it is read again, and bytes of a state that is none are refused.
 void test_changed_bytes()
 {
@@ -815,14 +806,16 @@ void test_changed_bytes()
     auto const bytes = bytes_of(simulation);
     g_assert_true(hard_ellipsoids_restore(bytes, made) == Status::success &&
                   made.dimensions() == 2);
-    g_assert_true(hard_ellipsoids_restore(with(bytes, 0.25, 0.5), made) ==
+    g_assert_true(hard_ellipsoids_restore(with_number(bytes, 0.25, 0.5), made) ==
                   Status::invalid_argument);
-    g_assert_true(hard_ellipsoids_restore(with(bytes, 0.12345, 0.5), made) == Status::success);
+    g_assert_true(hard_ellipsoids_restore(with_number(bytes, 0.12345, 0.5), made) ==
+                  Status::success);
     g_assert_true(simulation.set_dimensions(3) == Status::success && simulation.dimensions() == 3);
     auto const in_space = bytes_of(simulation);
     g_assert_true(hard_ellipsoids_restore(in_space, made) == Status::success &&
                   made.dimensions() == 3);
-    g_assert_true(hard_ellipsoids_restore(with(in_space, 0.25, 0.5), made) == Status::success);
+    g_assert_true(hard_ellipsoids_restore(with_number(in_space, 0.25, 0.5), made) ==
+                  Status::success);
     g_assert_true(bytes_of(plane.simulation()) == in_space);
 }
 

@@ -13,6 +13,7 @@
 
 #include "../src/base/random.hpp"
 #include "hard_particles.hpp"
+#include "saved_sections.hpp"
 #include "threads.hpp"
 
 using namespace pw85_tests;
@@ -305,8 +306,7 @@ void test_kind_steps_restart()
     g_assert_true(std::isnan(out[0]) && std::isnan(out[1]) &&
                   std::isnan(HardEllipsoids().kind_steps(kinds[0]).rotation));
     g_assert_true(HardEllipsoids().set_kind_steps(kinds, steps) == Status::invalid_argument);
-    auto changed = before;
-    changed[before.size() - 1] ^= 0xff; // the exponent of the last step
+    Bytes const changed = with_word(before, "SPECIES", 4, word_of(-1.0));
     g_assert_true(hard_ellipsoids_restore(changed, simulation) == Status::invalid_argument);
 }
 
@@ -1159,15 +1159,6 @@ void test_bad_steps()
     }
 }
 
-/// Replaces the only place where an array has the bytes of a number.
-void replace(std::vector<unsigned char> &bytes, double old, double number)
-{
-    auto const *const first = reinterpret_cast<unsigned char const *>(&old);
-    auto const place = std::search(bytes.begin(), bytes.end(), first, first + sizeof old);
-    g_assert_true(place != bytes.end());
-    std::memcpy(&*place, &number, sizeof number);
-}
-
 // Sweeps with these numbers would never end, or would make no trials.
 void test_changed_bytes()
 {
@@ -1177,10 +1168,8 @@ void test_changed_bytes()
     g_assert_true(simulation.set_fractions({fraction, other, 0.0, 0.0}) == Status::success);
     auto const bytes = bytes_of(simulation);
     auto const restored = [&](double old, double number) {
-        auto changed = bytes;
-        replace(changed, old, number);
         HardEllipsoids made;
-        return hard_ellipsoids_restore(changed, made);
+        return hard_ellipsoids_restore(with_number(bytes, old, number), made);
     };
     for (double const old : {steps[0], steps[1], steps[2], fraction, other})
         for (double const number : {-1.0, double{NAN}, HUGE_VAL, -HUGE_VAL})

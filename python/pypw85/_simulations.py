@@ -145,7 +145,7 @@ class HardEllipsoids:
         Parameters
         ----------
         state : bytes
-            Written on the same type of machine, by the same version of the library.
+            Written on any machine, by this version of the library or an earlier one.
 
         Returns
         -------

@@ -3,6 +3,7 @@
 
 import errno
 import functools
+import gzip
 import itertools
 import os
 import pathlib
@@ -108,6 +109,19 @@ def test_results(whole):
     text = (whole / "out").read_text().splitlines()
     assert text[0] == "run.h5: 24 particles, βP = 1.5, seed 1" and text[-1] == "no overlaps after 400 sweeps"
     assert {line.split()[0] for line in text} >= {"density", "nematic_order", "compressibility_chains", "director"}
+
+
+def test_old_format(run, folder):
+    """A run of 40 sweeps in the first format of its file, which every later version continues."""
+    content_of = gzip.decompress(pathlib.Path(__file__).with_name("run_1.h5.gz").read_bytes())
+    pathlib.Path("run.h5").write_bytes(content_of)
+    with h5py.File("run.h5") as file:
+        state, samples = file["pw85_mc/state"][()].tobytes(), file["pw85_mc/samples"][()]
+    assert pypw85.HardEllipsoids.restore(state).save() == state and len(samples) == 8
+    assert run("mc", "--resume", "run.h5", "--sweeps", 60).status == 0
+    with h5py.File("run.h5") as file:
+        later = file["pw85_mc/samples"][()]
+        assert (later[:8] == samples).all() and later["sweep"].tolist() == list(range(5, 61, 5))
 
 
 @pytest.mark.parametrize(("fraction", "axes"), [(0.02, (1, 1, 3)), (0.3, (1, 1, 1)), (0.5, (1, 1, 3)), (0.45, (1, 1, 0.2))])
@@ -716,7 +730,7 @@ BAD = [
     (["mc", "--resume", "missing.h5"], "missing.h5: there is no such file"),
     (["mc", "--resume", "start.xyz"], "start.xyz: is not a run: name a file that pw85 mc has written"),
     (["mc", "--resume", "other.h5"], r"other.h5: is not a run: name a file that pw85 mc has written with --out"),
-    (["mc", "--resume", "older.h5"], r"older.h5: is a run of pypw85 2.9.9, and this is .*: continue it with that version"),
+    (["mc", "--resume", "older.h5"], r"older.h5: is a run of pypw85 2.9.9 in a format that .* does not read: continue it with that"),
     (["mc", "--resume", "broken.h5"], "broken.h5: no readable HDF5 .*: it is broken or truncated; bring back a copy of it, or begin"),
     *[(["mc", "--resume", f"{name}.h5"], f"{name}.h5: was changed after pw85 mc had written it: bring back a copy") for name in CHANGED],
     (["mc", "--resume", "old.h5", "--sweeps", "10"], r"old.h5: has 20 sweeps already: ask for more \(--sweeps\)"),
@@ -764,6 +778,7 @@ def bad_files(tmp_path_factory, whole):
         shutil.copy(folder / "old.h5", folder / f"{name}.h5")
     with h5py.File(folder / "older.h5", "r+") as file:
         file["pw85_mc"].attrs["version"] = "2.9.9"
+        del file["pw85_mc"].attrs["format"]
     for name, path in CHANGED.items():
         change_a_bit(folder / f"{name}.h5", path)
     with open(folder / "broken.h5", "r+b") as file:

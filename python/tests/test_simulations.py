@@ -7,6 +7,7 @@ import itertools
 import operator
 import pickle
 import threading
+import zlib
 
 import numpy as np
 import pytest
@@ -214,7 +215,8 @@ def test_saved():
     simulation.sweep(6)
     for _ in range(6):
         again.sweep()
-    assert simulation.save() == again.save()
+    state = simulation.save()
+    assert state == again.save() and int.from_bytes(state[-8:], "little") == zlib.crc32(state[:-8])
     assert (simulation.centers == again.centers).all()
     other = pypw85.HardEllipsoids(lattice(), 10)
     other.sweep(6)
@@ -338,7 +340,7 @@ def test_bad_input():
         with pytest.raises(TypeError, match="number must be an integer >= 0, not 0.5"):
             call(0.5)
     assert simulation.save() == before
-    with pytest.raises(pypw85.PW85Error, match="restore: bytes must be a state that this version saved"):
+    with pytest.raises(pypw85.PW85Error, match="restore: bytes must be complete: num_bytes differs from the number in the state"):
         pypw85.HardEllipsoids.restore(before[:-1])
     with pytest.raises(TypeError):
         pypw85.HardEllipsoids.restore("text")

@@ -104,47 +104,50 @@ bool Chains::find_near(std::size_t i, Vector3 const &direction, double stage) no
     return has_room && obstacles_.reserve(near_.size());
 }
 
-/// Lists the images that are near as obstacles, without bounds. The image that touched particle i
-/// is not among them: particle i moves away from the plane between the two, so it cannot touch the
-/// other one again.
-void Chains::list_obstacles(std::size_t i, double stage) noexcept
+/// Lists the obstacles among the images that are near, two at a time. The image that touched
+/// particle i is not among them: particle i moves away from the plane between the two, so it cannot
+/// touch the other one again.
+void Chains::list_obstacles(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
     Vector3 const center = bodies_[i].center;
     double const scale = times_power_of_two(1.0, -unit_),
                  reach = stage + 0x1p-16 * scale * sum_of_magnitudes(center);
     obstacles_.clear();
+    Obstacle pair[2];
+    std::size_t count = 0;
     for (auto const &[cell, j] : near_) {
         Image const image = {configuration_.cell.translation(bins_.image_in(cell, j)), j};
         if (last_plane_ && image == last_plane_->image) continue;
         Vector3 const r12 = scale * separation(center, bodies_[j].center, image.translation);
         double const size =
             sum_of_magnitudes(r12) + reach + 0x1p-16 * scale * sum_of_magnitudes(image.translation);
-        obstacles_.push({image, r12, size, 0.0, 0.0, infinity<double>(), false, {}});
+        pair[count++] = {image, r12, size, 0.0, 0.0, infinity<double>(), false, {}};
+        if (count == 2) insert_touched(i, direction, stage, pair, std::exchange(count, 0));
     }
+    if (count == 0) return;
+    pair[1] = pair[0];
+    insert_touched(i, direction, stage, pair, count);
 }
 
-/// Keeps the obstacles that may be touched, by the bounds at the t of spheres with these traces.
-void Chains::bound_obstacles(std::size_t i, Vector3 const &direction, double stage) noexcept
+/// Inserts those of one or two obstacles that may be touched, by the bounds at the t of spheres
+/// with these traces.
+void Chains::insert_touched(std::size_t i, Vector3 const &direction, double stage,
+                            Obstacle (&pair)[2], std::size_t count) noexcept
 {
-    std::size_t const count = obstacles_.size();
-    Body const &moving = bodies_[i];
-    obstacles_.clear(); // they stay in the room, because none is overwritten before its turn
-    for (std::size_t k = 0; k < count; k += 2) {
-        Obstacle *const pair[2] = {&obstacles_[k], &obstacles_[std::min(k + 1, count - 1)]};
-        Body const &first = bodies_[pair[0]->image.index], &second = bodies_[pair[1]->image.index];
-        Pack const t = Pack(moving.root) * Pack(Register{first.inverse_root, second.inverse_root});
-        Pack const level =
-            Pack(1.0) + Pack(moving.inverse_root) * Pack(Register{first.root, second.root});
-        auto const e = moving_pair_of(moving, direction, *pair[0], *pair[1], bodies_);
-        auto const polynomial = evaluate_path(e, t, level).polynomial;
-        Pack const discriminant = polynomial.root_of_discriminant();
-        Pack const bound = polynomial.bound(polynomial.position(discriminant), discriminant, stage);
-        for (std::size_t lane = 0; lane < 2 && k + lane < count; ++lane) {
-            if (!(bound[lane] < stage)) continue;
-            pair[lane]->bound = bound[lane];
-            pair[lane]->t = t[lane];
-            insert(*pair[lane]);
-        }
+    Body const &moving = bodies_[i], &first = bodies_[pair[0].image.index],
+               &second = bodies_[pair[1].image.index];
+    Pack const t = Pack(moving.root) * Pack(Register{first.inverse_root, second.inverse_root});
+    Pack const level =
+        Pack(1.0) + Pack(moving.inverse_root) * Pack(Register{first.root, second.root});
+    auto const e = moving_pair_of(moving, direction, pair[0], pair[1], bodies_);
+    auto const polynomial = evaluate_path(e, t, level).polynomial;
+    Pack const discriminant = polynomial.root_of_discriminant();
+    Pack const bound = polynomial.bound(polynomial.position(discriminant), discriminant, stage);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+        if (!(bound[lane] < stage)) continue;
+        pair[lane].bound = bound[lane];
+        pair[lane].t = t[lane];
+        insert(pair[lane]);
     }
 }
 
@@ -209,8 +212,7 @@ void Chains::find_contact(std::size_t i, Vector3 const &direction, double stage)
 /// ellipsoids gives a free path with bounds on the rounding errors (motion/free_path.hpp).
 double Chains::free_path_length(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
-    list_obstacles(i, stage);
-    bound_obstacles(i, direction, stage);
+    list_obstacles(i, direction, stage);
     for (int steps = 0; !obstacles_.is_empty() && !obstacles_.last().is_exact; ++steps)
         if (obstacles_.last().step > last_step && steps < most_steps)
             improve(i, direction, stage);

@@ -97,8 +97,9 @@ class Chains {
     };
 
     bool find_near(std::size_t i, Vector3 const &direction, double stage) noexcept;
-    void list_obstacles(std::size_t i, double stage) noexcept;
-    void bound_obstacles(std::size_t i, Vector3 const &direction, double stage) noexcept;
+    void list_obstacles(std::size_t i, Vector3 const &direction, double stage) noexcept;
+    void insert_touched(std::size_t i, Vector3 const &direction, double stage, Obstacle (&pair)[2],
+                        std::size_t count) noexcept;
     void insert(Obstacle const &obstacle) noexcept;
     void improve(std::size_t i, Vector3 const &direction, double stage) noexcept;
     void find_contact(std::size_t i, Vector3 const &direction, double stage) noexcept;

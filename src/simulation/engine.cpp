@@ -103,6 +103,8 @@ void Engine::set_dimensions(int dimensions) noexcept
     forget();
 }
 
+/// Copies the configuration in memory order, unless it is the same as at the last end(). Returns a
+/// status.
 int Engine::begin() noexcept
 {
     if (is_taken_) return PW85_SUCCESS;
@@ -119,8 +121,8 @@ int Engine::begin() noexcept
     return PW85_SUCCESS;
 }
 
-/// A sweep moves a third of the particles, and their places are in random order. So the others are
-/// not copied.
+/// Copies the particles that have moved back to the configuration. A sweep moves a third of them,
+/// and their places are in random order. So the others are not copied.
 void Engine::end() noexcept
 {
     if (!is_taken_) return;

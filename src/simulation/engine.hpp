@@ -125,9 +125,9 @@ int find_first_overlap(Configuration const &configuration, std::int32_t *pair) n
 
 class Engine {
   public:
-    Configuration configuration; ///< in the caller's order; as it was at the last end()
+    Configuration configuration; ///< in the caller's order; as it was before the session
     Parameters parameters{};
-    ExternalPotential external;              ///< changes between end() and begin()
+    ExternalPotential external;              ///< changes outside of sessions
     PairEnergy pair_energy;                  ///< to be changed by set_law()
     Array<SpeciesSteps> species;             ///< with steps of their own: at most max_species
     Counts species_counts[max_species] = {}; ///< since tuning began
@@ -139,10 +139,10 @@ class Engine {
     /// are shorter where the third semi-axes are long. Returns a status.
     int start() noexcept;
 
-    /// To be called for a configuration that allows it, between end() and begin().
+    /// To be called for a configuration that allows it, outside of sessions.
     void set_dimensions(int dimensions) noexcept;
 
-    /// Sets the law of the energies of pairs, between end() and begin(). Returns a status.
+    /// Sets the law of the energies of pairs, outside of sessions. Returns a status.
     int set_law(pw85_law const *law) noexcept;
 
     /// Returns whether nothing but the hard cores acts on the particles.
@@ -152,20 +152,22 @@ class Engine {
     /// status.
     int energy_of_pairs(double &energy) const noexcept;
 
-    /// Takes over the configuration. To be called before sweeps and trials of the volume. Returns a
-    /// status.
-    int begin() noexcept;
-
-    /// Gives back the configuration. To be called after sweeps and trials of the volume, whether or
-    /// not they were successful.
-    void end() noexcept;
+    /// Calls work() in a session, and returns its status. In a session, sweeps, trials of the
+    /// volume and compress() change a copy of the configuration. At its end the configuration
+    /// becomes the copy, whether or not they were successful.
+    template <class Work> [[gnu::always_inline]] int in_session(Work const &work) noexcept
+    {
+        int status = begin();
+        if (status == PW85_SUCCESS) status = work();
+        end();
+        return status;
+    }
 
     /// To be called after something else has moved particles of the configuration.
     void forget() noexcept { is_taken_ = false; }
 
     /// Makes as many trials as there are particles. Returns a status. With fields or a potential,
-    /// each sweep begins with end(), so that the configuration is the state to which a sweep that
-    /// fails goes back.
+    /// the configuration first becomes the copy, because a sweep that fails goes back to it.
     ///
     /// A sweep divides the cell at random (domains.hpp). For a given division, each domain gets as
     /// many trials as it has particles, each of a random particle, and a trial that leaves the
@@ -194,8 +196,7 @@ class Engine {
                       bool &is_free) noexcept;
 
     /// The least isotropic factor of cell and centres without overlap, at most 1; 0 if there is
-    /// nothing to overlap. If `take`, it is applied. To be called between begin() and end().
-    /// Returns a status.
+    /// nothing to overlap. If `take`, it is applied. Returns a status.
     int compress(bool take, double &factor) noexcept;
 
     /// Adds a particle as the last one. Returns a status.
@@ -242,6 +243,8 @@ class Engine {
 
     void measure() noexcept;
     int rebuild_list() noexcept;
+    int begin() noexcept;
+    void end() noexcept;
     int begin_with_rows() noexcept;
     int order() noexcept;
     void refresh_boxes() noexcept;

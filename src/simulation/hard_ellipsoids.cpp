@@ -34,13 +34,14 @@ int check_change(Engine const &engine, double pressure, int kind) noexcept
     return PW85_SUCCESS;
 }
 
-/// Begins, calls work() until it fails or was called often enough, and ends.
+/// Calls work() in a session until it fails or was called often enough.
 template <class Work> int repeat(Engine &engine, std::size_t times, Work const &work) noexcept
 {
-    int status = engine.begin();
-    for (std::size_t k = 0; k < times && status == PW85_SUCCESS; ++k) status = work();
-    engine.end();
-    return status;
+    return engine.in_session([&] {
+        int status = PW85_SUCCESS;
+        for (std::size_t k = 0; k < times && status == PW85_SUCCESS; ++k) status = work();
+        return status;
+    });
 }
 
 /// One sweep after the other, each followed by a trial of the volume if there is a pressure.
@@ -230,7 +231,7 @@ int pw85::detail::hard_ellipsoids_compress(pw85_hard_ellipsoids &simulation, int
         return note_cause(PW85_EINVAL, "simulation",
                           "must have no walls, mesh, fields or potential");
     double found = 0.0;
-    int const status = repeat(engine, 1, [&] { return engine.compress(take != 0, found); });
+    int const status = engine.in_session([&] { return engine.compress(take != 0, found); });
     if (status == PW85_SUCCESS) *factor = found;
     return status;
 }

@@ -1,52 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The C API of the states of simulations: how they are made, saved and restored.
 #include <cmath>
-#include <cstddef>
-#include <cstring>
 #include <memory>
 #include <new>
 #include <utility>
 
 #include "../base/c_arrays.hpp"
 #include "hard_ellipsoids.hpp"
+#include "sections.hpp"
 
-using namespace pw85;
-using namespace pw85::detail;
-using namespace pw85::detail::simulation;
-
+namespace pw85::detail::simulation {
 namespace {
-
-/// Header of a saved simulation. The mark tells the order of the bytes, the number of dimensions,
-/// and whether a law, a mesh and the external potential follow after the particles, in this order:
-/// a version that does not know one of these refuses it.
-struct Header {
-    std::uint64_t mark;
-    std::size_t num_particles;
-    Parameters parameters;
-    Cell cell;
-};
-
-constexpr std::uint64_t mark_of_space = 0x70773835'6d630001u, mark_of_plane = 1,
-                        mark_of_environment = 2, mark_of_law = 4,
-                        mark_of_mesh = 8; ///< are added
-
-/// Numbers that precede the steps of species, walls and fields of a saved simulation.
-struct SavedExternalPotential {
-    std::size_t num_species, num_walls, num_fields;
-    double energy; ///< of the caller's potential
-    int has_potential;
-};
-
-/// Numbers that precede the parameters of a saved law.
-struct SavedLaw {
-    std::int64_t kind;
-    std::size_t num_parameters;
-};
-
-/// Counts that precede the vertices and triangles of a saved mesh.
-struct SavedMesh {
-    std::size_t num_vertices, num_triangles;
-};
 
 /// The numbers of a particle that are saved. The others follow from them.
 struct SavedParticle {
@@ -54,6 +18,43 @@ struct SavedParticle {
     Quaternion quaternion;
     Vector3 semi_axes;
 };
+
+// The numbers of objects in the order of a saved state: see visit_numbers().
+
+void each_number(Is<SavedParticle> auto &particle, auto const &visit) noexcept
+{
+    visit(particle.center, particle.quaternion, particle.semi_axes);
+}
+
+void each_number(Is<Parameters> auto &all, auto const &visit) noexcept
+{
+    visit(all.seed, all.step, all.translation, all.rotation, all.volume, all.fractions,
+          all.counts.trials, all.counts.accepted);
+}
+
+void each_number(Is<SpeciesSteps> auto &steps, auto const &visit) noexcept
+{
+    visit(steps.semi_axes, steps.translation, steps.rotation);
+}
+
+void each_number(Is<pw85_wall> auto &wall, auto const &visit) noexcept
+{
+    visit(wall.kind, wall.point, wall.vector, wall.size);
+}
+
+void each_number(Is<pw85_field> auto &field, auto const &visit) noexcept
+{
+    visit(field.kind, field.axis, field.point, field.vector, field.strength);
+}
+
+} // namespace
+} // namespace pw85::detail::simulation
+
+using namespace pw85;
+using namespace pw85::detail;
+using namespace pw85::detail::simulation;
+
+namespace {
 
 /// A compression of n ellipsoids by the relative volume δ makes no overlap with the probability
 /// exp(-n (Z - 1) δ). The first step of the volume suits Z = 11.
@@ -179,90 +180,38 @@ int set_dimensions(Engine &engine, int dimensions) noexcept
     return PW85_SUCCESS;
 }
 
-std::size_t num_bytes(std::size_t num_particles) noexcept
+/// Writes the state, with the energy of the caller's potential.
+void write_sections(Engine const &engine, double energy, Writer &writer) noexcept
 {
-    return sizeof(Header) + num_particles * sizeof(SavedParticle);
-}
-
-std::size_t num_bytes(PairEnergy const &pair_energy) noexcept
-{
-    if (!pair_energy.exists()) return 0;
-    return sizeof(SavedLaw) + pair_energy.law().num_parameters * sizeof(double);
-}
-
-std::size_t num_bytes(MeshWall const &mesh) noexcept
-{
-    if (!mesh.exists()) return 0;
-    return sizeof(SavedMesh) + mesh.vertices.size() * sizeof(double) +
-           mesh.triangles.size() * sizeof(std::int32_t);
-}
-
-/// Returns whether there is more to save than particles, parameters and a law.
-bool has_more(Engine const &engine) noexcept
-{
-    return !engine.external.is_empty() || engine.species.size() > 0;
-}
-
-std::size_t num_bytes(Engine const &engine) noexcept
-{
+    Configuration const &all = engine.configuration;
     ExternalPotential const &external = engine.external;
-    std::size_t const of_particles = num_bytes(engine.configuration.size()) +
-                                     num_bytes(engine.pair_energy) + num_bytes(external.mesh);
-    if (!has_more(engine)) return of_particles;
-    return of_particles + sizeof(SavedExternalPotential) +
-           engine.species.size() * sizeof(SpeciesSteps) +
-           external.walls.size() * sizeof(pw85_wall) + external.fields.size() * sizeof(pw85_field);
+    writer.section(settings, all.dimensions, engine.parameters);
+    if (all.cell.exists) writer.section(cell, all.cell.vectors, all.cell.periodic);
+    writer.section_of(particles, all.size(), [&](std::size_t i) {
+        return SavedParticle{all.centers[i], all.quaternions[i], all.semi_axes[i]};
+    });
+    pw85_law const own = engine.pair_energy.law();
+    if (engine.pair_energy.exists())
+        writer.section(law, own.kind, std::span(own.parameters, own.num_parameters));
+    if (external.mesh.exists())
+        writer.section(mesh, external.mesh.vertices.size() / 3, external.mesh.vertices,
+                       external.mesh.triangles);
+    if (engine.species.size() > 0) writer.section(species, engine.species);
+    if (external.walls.size() > 0) writer.section(walls, external.walls);
+    if (external.fields.size() > 0) writer.section(fields, external.fields);
+    if (external.potential != nullptr || external.lacks_potential)
+        writer.section(potential, energy);
 }
 
-/// Writes an object behind others, and returns where the next one is written.
-template <class Object> unsigned char *append(unsigned char *bytes, Object const &object) noexcept
+/// Writes a state of `size` bytes, or only counts them if the pointer is null.
+std::size_t write(Engine const &engine, double energy, std::size_t size,
+                  unsigned char *bytes) noexcept
 {
-    std::memcpy(bytes, &object, sizeof object);
-    return bytes + sizeof object;
-}
-
-/// A copy of a wall or a field whose bytes between members are zero.
-template <class Object> Object without_padding(Object const &object) noexcept
-{
-    Object copy;
-    std::memset(static_cast<void *>(&copy), 0, sizeof copy);
-    copy.kind = object.kind;
-    std::copy_n(object.point, 3, copy.point);
-    std::copy_n(object.vector, 3, copy.vector);
-    if constexpr (requires { object.size; }) {
-        copy.size = object.size;
-    } else {
-        copy.axis = object.axis;
-        copy.strength = object.strength;
-    }
-    return copy;
-}
-
-/// Writes the elements of an array, and returns where the next object is written.
-template <class Element>
-unsigned char *append_all(unsigned char *bytes, Array<Element> const &elements) noexcept
-{
-    std::memcpy(bytes, elements.data(), elements.size() * sizeof(Element));
-    return bytes + elements.size() * sizeof(Element);
-}
-
-/// Writes the mesh, if there is one, and returns where the next object is written.
-unsigned char *save_mesh(MeshWall const &mesh, unsigned char *bytes) noexcept
-{
-    if (!mesh.exists()) return bytes;
-    bytes = append(bytes, SavedMesh{mesh.vertices.size() / 3, mesh.triangles.size() / 3});
-    return append_all(append_all(bytes, mesh.vertices), mesh.triangles);
-}
-
-/// Writes the law, if there is one, and returns where the next object is written.
-unsigned char *save_law(PairEnergy const &pair_energy, unsigned char *bytes) noexcept
-{
-    if (!pair_energy.exists()) return bytes;
-    pw85_law const law = pair_energy.law();
-    bytes = append(bytes, SavedLaw{law.kind, law.num_parameters});
-    std::size_t const size = law.num_parameters * sizeof(double);
-    std::memcpy(bytes, law.parameters, size);
-    return bytes + size;
+    Writer writer(bytes);
+    writer.begin(size);
+    write_sections(engine, energy, writer);
+    writer.end();
+    return writer.num_bytes();
 }
 
 /// The energy of the caller's potential, or that of the state that was restored while it waits for
@@ -276,149 +225,102 @@ double energy_to_save(Engine const &engine) noexcept
                                         [&](std::size_t i) { return configuration.centers[i]; });
 }
 
-void save_environment(Engine const &engine, double energy, unsigned char *bytes) noexcept
-{
-    ExternalPotential const &external = engine.external;
-    SavedExternalPotential saved;
-    std::memset(static_cast<void *>(&saved), 0, sizeof saved);
-    saved.num_species = engine.species.size();
-    saved.num_walls = external.walls.size();
-    saved.num_fields = external.fields.size();
-    saved.has_potential = external.potential != nullptr || external.lacks_potential;
-    saved.energy = energy;
-    bytes = append(bytes, saved);
-    for (std::size_t k = 0; k < saved.num_species; ++k) bytes = append(bytes, engine.species[k]);
-    for (std::size_t k = 0; k < saved.num_walls; ++k)
-        bytes = append(bytes, without_padding(external.walls[k]));
-    for (std::size_t k = 0; k < saved.num_fields; ++k)
-        bytes = append(bytes, without_padding(external.fields[k]));
-}
-
 /// Writes the whole state. Returns a status.
-int save(Engine const &engine, unsigned char *bytes) noexcept
+int save(Engine const &engine, std::size_t size, unsigned char *bytes) noexcept
 {
     double const energy = energy_to_save(engine);
     // A state without a finite energy could not have its potential again: see set_potential().
     if (!std::isfinite(energy))
         return note_cause(PW85_EPOTENTIAL, "potential",
                           "must give an energy that is finite, because it is saved");
-    Configuration const &configuration = engine.configuration;
-    Header header;
-    // no byte between members is left to chance
-    std::memset(static_cast<void *>(&header), 0, sizeof header);
-    header.mark = mark_of_space;
-    if (configuration.dimensions == 2) header.mark += mark_of_plane;
-    if (engine.external.mesh.exists()) header.mark += mark_of_mesh;
-    if (has_more(engine)) header.mark += mark_of_environment;
-    if (engine.pair_energy.exists()) header.mark += mark_of_law;
-    header.num_particles = configuration.size();
-    header.parameters = engine.parameters;
-    header.cell = configuration.cell;
-    std::memcpy(bytes, &header, sizeof header);
-    for (std::size_t i = 0; i < configuration.size(); ++i) {
-        SavedParticle const particle{configuration.centers[i], configuration.quaternions[i],
-                                     configuration.semi_axes[i]};
-        std::memcpy(bytes + num_bytes(i), &particle, sizeof particle);
-    }
-    bytes = save_law(engine.pair_energy, bytes + num_bytes(configuration.size()));
-    bytes = save_mesh(engine.external.mesh, bytes);
-    if (has_more(engine)) save_environment(engine, energy, bytes);
+    write(engine, energy, size, bytes);
     return PW85_SUCCESS;
 }
 
-/// Reads elements of an array, and advances past them. Returns a status.
-template <class Element> int read(unsigned char const *&bytes, std::size_t &rest, std::size_t n,
-                                  Array<Element> &elements) noexcept
+/// Returns a status.
+int read_law(Reader &section, PairEnergy &pair_energy) noexcept
 {
-    if (n > rest / sizeof(Element)) return PW85_EINVAL;
-    if (!elements.resize(n)) return PW85_ENOMEM;
-    std::memcpy(elements.data(), bytes, n * sizeof(Element));
-    bytes += n * sizeof(Element);
-    rest -= n * sizeof(Element);
-    return PW85_SUCCESS;
-}
-
-/// Reads what save_law() has written, and advances past it. Returns a status.
-int load_law(std::size_t &rest, unsigned char const *&bytes, Engine &engine) noexcept
-{
-    SavedLaw saved;
-    if (rest < sizeof saved) return PW85_EINVAL;
-    std::memcpy(&saved, bytes, sizeof saved);
-    bytes += sizeof saved;
-    rest -= sizeof saved;
+    if (!section.exists()) return PW85_SUCCESS;
+    pw85_law read{};
     Array<double> parameters;
-    if (int const status = read(bytes, rest, saved.num_parameters, parameters)) return status;
-    if (saved.kind <= 0 || saved.kind > INT32_MAX) return PW85_EINVAL;
-    pw85_law const law = {static_cast<int>(saved.kind), parameters.size(), parameters.data()};
-    return engine.pair_energy.set(&law);
+    section.read(read.kind);
+    section.read_array(parameters);
+    if (int const status = section.finish()) return status;
+    if (read.kind == 0) return PW85_EINVAL;
+    read.num_parameters = parameters.size();
+    read.parameters = parameters.data();
+    return pair_energy.set(&read);
 }
 
-/// Reads what save_mesh() has written, and advances past it. Returns a status.
-int load_mesh(std::size_t &rest, unsigned char const *&bytes, Cell const &cell,
-              MeshWall &mesh) noexcept
+/// Returns a status.
+int read_mesh(Reader &section, Cell const &cell, MeshWall &mesh) noexcept
 {
-    SavedMesh saved;
-    if (rest < sizeof saved) return PW85_EINVAL;
-    std::memcpy(&saved, bytes, sizeof saved);
-    bytes += sizeof saved;
-    rest -= sizeof saved;
-    if (saved.num_vertices > INT32_MAX || saved.num_triangles > INT32_MAX) return PW85_EINVAL;
-    if (int const status = read(bytes, rest, 3 * saved.num_vertices, mesh.vertices)) return status;
-    if (int const status = read(bytes, rest, 3 * saved.num_triangles, mesh.triangles))
-        return status;
-    return mesh.prepare(cell);
+    if (!section.exists()) return PW85_SUCCESS;
+    std::size_t num_vertices;
+    section.read(num_vertices);
+    if (num_vertices > section.remaining<Vector3>()) return PW85_EINVAL;
+    section.read_array(3 * num_vertices, mesh.vertices);
+    section.read_array(mesh.triangles);
+    if (int const status = section.finish()) return status;
+    return mesh.triangles.size() % 3 == 0 ? mesh.prepare(cell) : int{PW85_EINVAL};
 }
 
-/// Reads what save_environment() has written. Returns a status.
-int load_environment(std::size_t size, unsigned char const *bytes, Engine &engine) noexcept
+/// Reads a section of objects, which need not exist. Returns a status.
+template <class Object> int read_objects(Reader &section, Array<Object> &objects) noexcept
 {
-    SavedExternalPotential saved;
-    if (size < sizeof saved) return PW85_EINVAL;
-    std::memcpy(&saved, bytes, sizeof saved);
-    ExternalPotential &external = engine.external;
-    std::size_t rest = size - sizeof saved;
-    bytes += sizeof saved;
-    if (int const status = read(bytes, rest, saved.num_species, engine.species)) return status;
-    if (int const status = read(bytes, rest, saved.num_walls, external.walls)) return status;
-    if (int const status = read(bytes, rest, saved.num_fields, external.fields)) return status;
-    if (rest != 0 || check_kinds(engine.species) != PW85_SUCCESS || !std::isfinite(saved.energy))
+    section.read_array(objects);
+    return section.finish();
+}
+
+/// Returns a status.
+int read_potential(Reader &section, ExternalPotential &external) noexcept
+{
+    external.lacks_potential = section.exists();
+    if (section.exists()) section.read(external.saved_energy);
+    return std::isfinite(external.saved_energy) ? section.finish() : int{PW85_EINVAL};
+}
+
+/// Returns a status.
+int read_cell(Reader &section, Cell &cell) noexcept
+{
+    cell.exists = section.exists();
+    if (section.exists()) section.read(cell.vectors, cell.periodic);
+    for (int const periodic : cell.periodic)
+        if (periodic != 0 && periodic != 1) return PW85_EINVAL;
+    return section.finish();
+}
+
+int restore(Reader (&sections)[num_sections], pw85_hard_ellipsoids *&simulation) noexcept
+{
+    int dimensions;
+    Parameters parameters;
+    sections[settings].read(dimensions, parameters);
+    Cell cell_read{};
+    if (sections[settings].finish() != PW85_SUCCESS || !sections[particles].exists() ||
+        (dimensions != 2 && dimensions != 3) || !are_parameters(parameters) ||
+        read_cell(sections[cell], cell_read) != PW85_SUCCESS)
         return PW85_EINVAL;
-    external.lacks_potential = saved.has_potential != 0;
-    external.saved_energy = saved.energy;
-    return PW85_SUCCESS;
-}
-
-int restore(std::size_t size, unsigned char const *bytes,
-            pw85_hard_ellipsoids *&simulation) noexcept
-{
-    Header header;
-    if (size < sizeof header) return PW85_EINVAL;
-    std::memcpy(&header, bytes, sizeof header);
-    std::uint64_t const marks = header.mark - mark_of_space;
-    if (marks >= 2 * mark_of_mesh || header.num_particles > INT32_MAX) return PW85_EINVAL;
-    std::size_t const of_particles = num_bytes(header.num_particles);
-    if (size < of_particles) return PW85_EINVAL;
-    if (bytes[offsetof(Header, cell) + offsetof(Cell, exists)] > 1) return PW85_EINVAL; // no bool
-    if (!are_parameters(header.parameters)) return PW85_EINVAL;
-    auto const load = [&](std::size_t i) {
+    auto const load = [&](std::size_t) {
         SavedParticle particle;
-        std::memcpy(&particle, bytes + num_bytes(i), sizeof particle);
+        sections[particles].read(particle);
         return particle;
     };
     auto const set = [&](Engine &engine) {
-        engine.parameters = header.parameters;
-        engine.configuration.dimensions = (marks & mark_of_plane) != 0 ? 2 : 3;
-        std::size_t rest = size - of_particles;
-        unsigned char const *next = bytes + of_particles;
-        if ((marks & mark_of_law) != 0)
-            if (int const status = load_law(rest, next, engine)) return status;
-        if ((marks & mark_of_mesh) != 0)
-            if (int const status = load_mesh(rest, next, header.cell, engine.external.mesh))
-                return status;
-        if ((marks & mark_of_environment) != 0) return load_environment(rest, next, engine);
-        return rest == 0 ? int{PW85_SUCCESS} : int{PW85_EINVAL};
+        engine.parameters = parameters;
+        engine.configuration.dimensions = dimensions;
+        ExternalPotential &external = engine.external;
+        for (int const status :
+             {sections[particles].finish(), read_law(sections[law], engine.pair_energy),
+              read_mesh(sections[mesh], cell_read, external.mesh),
+              read_objects(sections[species], engine.species),
+              read_objects(sections[walls], external.walls),
+              read_objects(sections[fields], external.fields),
+              read_potential(sections[potential], external)})
+            if (status != PW85_SUCCESS) return status;
+        return check_kinds(engine.species);
     };
-    return make(header.num_particles, header.cell, load, set, nullptr, simulation);
+    return make(sections[particles].remaining<SavedParticle>(), cell_read, load, set, nullptr,
+                simulation);
 }
 
 } // namespace
@@ -449,22 +351,24 @@ int pw85::detail::hard_ellipsoids_dimensions(pw85_hard_ellipsoids const &simulat
 
 size_t pw85_hard_ellipsoids_num_bytes(pw85_hard_ellipsoids const *simulation)
 {
-    return simulation == nullptr ? 0 : num_bytes(simulation->engine);
+    return simulation == nullptr ? 0 : write(simulation->engine, 0.0, 0, nullptr);
 }
 
 int pw85::detail::hard_ellipsoids_save(pw85_hard_ellipsoids const &simulation, size_t size,
                                        unsigned char *bytes) noexcept
 {
-    if (size != num_bytes(simulation.engine))
+    if (size != pw85_hard_ellipsoids_num_bytes(&simulation))
         return note_cause(PW85_EINVAL, "num_bytes", "must be pw85_hard_ellipsoids_num_bytes()");
-    return save(simulation.engine, bytes);
+    return save(simulation.engine, size, bytes);
 }
 
 int pw85::detail::hard_ellipsoids_restore(size_t size, unsigned char const *bytes,
                                           pw85_hard_ellipsoids *&simulation) noexcept
 {
-    int const status = restore(size, bytes, simulation);
+    Reader sections[num_sections];
+    if (char const *const requirement = find_sections(size, bytes, sections))
+        return note_cause(PW85_EINVAL, "bytes", requirement);
+    int const status = restore(sections, simulation);
     if (status != PW85_EINVAL) return status;
-    return note_cause(status, "bytes",
-                      "must be a state that this version saved on this type of machine");
+    return note_cause(status, "bytes", not_a_state);
 }

@@ -257,31 +257,57 @@ lane_of(Function const &lane, RimDirection<TwoLanes<T>> const &x) noexcept
             lane(x.excess)};
 }
 
-/// Adds the nodes φ at odd multiples of 2π/2^level, turned by `start`. function(direction, sums)
-/// adds a pair of half-planes. Two opposite nodes are computed side by side.
-template <class T, int N, class Function>
-PW85_FUNCTION inline void add_nodes(EllipticRule<T> const &rule, Function const &function,
-                                    UnitVector2<T> const *turns, UnitVector2<T> const &start,
-                                    int level, RimSums<T, N> &sums) noexcept
-{
-    using Two = TwoLanes<T>;
-    auto const first = turned(start, turns[level]);
-    if (level == 1) {
-        function(rim_direction(rule, first), sums);
-        ++sums.pairs;
+/// A ladder of trapezoidal rules. Their nodes φ are the multiples of 2π/2^level, or of a third of
+/// it. function(direction, sums) adds a pair of half-planes.
+template <class T, int N, class Function> struct RuleLadder {
+    EllipticRule<T> const &rule;
+    Function const &function;
+    int level = -1, rotations = 1;
+    RimSums<T, N> coarse{{}, 0}, added{{}, 0}; ///< coarse: of every other node
+    T half = T(0.5), third = T(half * square_root(T(3)));
+    UnitVector2<T> starts[3] = {{T(1), T(0)}, {-half, third}, {-half, -third}};
+    UnitVector2<T> turns[finest_rule + 1] = {{T(1), T(0)}, {T(-1), T(0)}, {T(0), T(1)}}; ///< 2π/2^k
+
+    /// Adds as many nodes as there are; the first one if there is none.
+    PW85_MEMBER void refine() noexcept
+    {
+        if (++level > 2) turns[level] = half_turned(turns[level - 1]);
+        for (int i = 0; i < N; ++i) coarse.numbers[i] = coarse.numbers[i] + added.numbers[i];
+        coarse.pairs += added.pairs;
+        added = {{}, 0};
+        for (int i = 0; i < rotations; ++i) add_nodes(starts[i], level, added);
     }
-    for (int j = 0; j < 1 << (level - 1) && level > 1; j += 2) {
-        UnitVector2<T> phi = first;
-        for (int bit = 1; bit < level - 1; ++bit)
-            if ((j >> bit & 1) != 0) phi = turned(phi, turns[level - 1 - bit]);
-        UnitVector2<T> const next = turned(phi, turns[level - 1]);
-        auto const both =
-            rim_direction(rule, UnitVector2<Two>{{phi.cosine, next.cosine}, {phi.sine, next.sine}});
-        function(lane_of<T>([](Two const &x) { return first_of(x); }, both), sums);
-        function(lane_of<T>([](Two const &x) { return second_of(x); }, both), sums);
-        sums.pairs += 2;
+
+    /// Adds twice as many nodes as there are. To be called once.
+    PW85_MEMBER void triple() noexcept
+    {
+        for (; rotations < 3; ++rotations) {
+            for (int k = 0; k < level; ++k) add_nodes(starts[rotations], k, coarse);
+            add_nodes(starts[rotations], level, added);
+        }
     }
-}
+
+    /// Adds the nodes at odd multiples of 2π/2^k, turned by `start`. Two opposite nodes are
+    /// computed side by side.
+    PW85_MEMBER void add_nodes(UnitVector2<T> const &start, int k,
+                               RimSums<T, N> &sums) const noexcept
+    {
+        using Two = TwoLanes<T>;
+        auto const first = turned(start, turns[k]);
+        if (k < 2) function(rim_direction(rule, first), sums);
+        for (int j = 0; k > 1 && j < 1 << (k - 1); j += 2) {
+            UnitVector2<T> phi = first;
+            for (int bit = 1; bit < k - 1; ++bit)
+                if ((j >> bit & 1) != 0) phi = turned(phi, turns[k - 1 - bit]);
+            UnitVector2<T> const next = turned(phi, turns[k - 1]);
+            auto const both = rim_direction(
+                rule, UnitVector2<Two>{{phi.cosine, next.cosine}, {phi.sine, next.sine}});
+            function(lane_of<T>([](Two const &x) { return first_of(x); }, both), sums);
+            function(lane_of<T>([](Two const &x) { return second_of(x); }, both), sums);
+        }
+        sums.pairs += k < 2 ? 1 : 1 << (k - 1);
+    }
+};
 
 /// The means over ψ and whether they have converged.
 template <class T, int N> struct RimMeans {
@@ -313,53 +339,22 @@ PW85_FUNCTION inline RimMeans<T, N> mean_over_half_planes(EllipticRule<T> const 
                                                           Function const &function,
                                                           Change const &change) noexcept
 {
-    UnitVector2<T> turns[finest_rule + 1]; // by 2π/2^k
-    turns[0] = {T(1), T(0)};
-    turns[1] = {T(-1), T(0)};
-    turns[2] = {T(0), T(1)};
-    T const half = T(0.5), third = T(half * square_root(T(3))),
-            enough = T(half * square_root(negative_power_of_two<T>(result_digits<T>())));
-    UnitVector2<T> const starts[3] = {{T(1), T(0)}, {-half, third}, {-half, -third}};
-    RimSums<T, N> coarse{{}, 0}, added{{}, 0};
-    int rotations = 1;
+    T const enough = T(T(0.5) * square_root(negative_power_of_two<T>(result_digits<T>())));
+    RuleLadder<T, N, Function> ladder{rule, function};
+    while (ladder.level < 2) ladder.refine();
     T previous = T(0);
-    for (int level = 0; level <= finest_rule; ++level) {
-        if (level > 2) turns[level] = half_turned(turns[level - 1]);
-        for (int i = 0; i < rotations; ++i) {
-            if (level == 0) {
-                function(rim_direction(rule, starts[0]), added);
-                ++added.pairs;
-            } else
-                add_nodes(rule, function, turns, starts[i], level, added);
-        }
-        auto mean = mean_of(coarse, added);
-        if (level == 2) previous = change(mean, mean_of(coarse, RimSums<T, N>{{}, 0}));
-        if (level >= 3) {
-            T distance = change(mean, mean_of(coarse, RimSums<T, N>{{}, 0}));
-            if (error_of_rule(distance, previous, false) <= T(enough * enough)) return {mean, true};
-            T const expected = T(distance * distance);
-            if (level == 3 && expected > enough && T(expected * distance) <= enough) {
-                rotations = 3;
-                for (int i = 1; i < 3; ++i) {
-                    function(rim_direction(rule, starts[i]), coarse);
-                    ++coarse.pairs;
-                    for (int below = 1; below < level; ++below)
-                        add_nodes(rule, function, turns, starts[i], below, coarse);
-                    add_nodes(rule, function, turns, starts[i], level, added);
-                }
-                mean = mean_of(coarse, added);
-                previous = distance;
-                distance = change(mean, mean_of(coarse, RimSums<T, N>{{}, 0}));
-                if (error_of_rule(distance, previous, true) <= T(enough * enough))
-                    return {mean, true};
-            }
-            previous = distance;
-        }
-        for (int i = 0; i < N; ++i) coarse.numbers[i] = coarse.numbers[i] + added.numbers[i];
-        coarse.pairs += added.pairs;
-        added = {{}, 0};
+    for (bool by_three = false;;) {
+        auto const mean = mean_of(ladder.coarse, ladder.added);
+        T const distance = change(mean, mean_of(ladder.coarse, RimSums<T, N>{{}, 0})),
+                expected = T(distance * distance);
+        bool const has_converged =
+            ladder.level > 2 && error_of_rule(distance, previous, by_three) <= T(enough * enough);
+        if (has_converged || ladder.level == finest_rule) return {mean, has_converged};
+        by_three =
+            ladder.level == 3 && !by_three && expected > enough && T(expected * distance) <= enough;
+        by_three ? ladder.triple() : ladder.refine();
+        previous = distance;
     }
-    return {mean_of(coarse, added), false};
 }
 
 } // namespace pw85::detail

@@ -37,6 +37,8 @@ _ROW = np.dtype([(name, "f8") for name in ("sweep", *Sample._fields)])
 # The acceptance to which steps are tuned: the default of HardEllipsoids.tune().
 ACCEPTANCE = 0.4
 _GROUP = "pw85_mc"
+# The format of the file of a run. A version that writes another one has a higher number, and still reads the lower ones.
+_FORMAT = 1
 # Part of the sweeps in the first of the windows of an equilibration, whose four windows have at most 15 times as many
 _FIRST_WINDOW = 1 / 16
 # Trials for each event chain, and free paths of a chain: one path for 5 trials. A path takes as long as two to five trials, so the chains
@@ -359,6 +361,7 @@ class Run:
         FORMATS["hdf5"].save(buffer, iter([self.system()]))
         with h5py.File(buffer, "r+") as file:
             group = file.create_group(_GROUP)
+            group.attrs["format"] = _FORMAT
             group.attrs["version"] = version()
             group.attrs["settings"] = json.dumps(self.settings._asdict())
             group["state"] = np.frombuffer(self.simulation.save(), np.uint8)
@@ -510,8 +513,9 @@ def _read(path: str, particles: System) -> Run:
         if _GROUP not in file:
             raise FileError(path, _NO_RUN)
         group = file[_GROUP]
-        if group.attrs["version"] != version():
-            raise FileError(path, f"is a run of pypw85 {group.attrs['version']}, and this is {version()}: continue it with that version")
+        if group.attrs.get("format", 0) != _FORMAT:
+            other = group.attrs["version"]
+            raise FileError(path, f"is a run of pypw85 {other} in a format that {version()} does not read: continue it with that version")
         if group.attrs["digest"] != _digest(file):
             raise FileError(path, f"was changed after pw85 mc had written it: {_CURE}")
         settings = Settings(**json.loads(group.attrs["settings"]))

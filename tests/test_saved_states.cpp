@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The format of saved simulations: what the manual says of it, and bytes that were changed.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <glib.h>
+
+#include "failures.hpp"
+#include "saved_sections.hpp"
+#include "saved_simulations.hpp"
+
+using namespace pw85_tests;
+
+namespace {
+
+/// Why bytes are refused; empty if they are not refused as invalid bytes.
+std::string cause_of(std::span<unsigned char const> bytes)
+{
+    pw85_hard_ellipsoids *made = nullptr;
+    int const status = pw85_hard_ellipsoids_restore(bytes.size(), bytes.data(), &made);
+    SimulationPointer const owner(made);
+    pw85_error error;
+    if (status != PW85_EINVAL || made != nullptr || pw85_last_error(&error) != PW85_SUCCESS ||
+        std::strcmp(error.argument, "bytes") != 0)
+        return {};
+    return error.requirement;
+}
+
+void expect_cause(Bytes const &bytes, char const *part)
+{
+    std::string const cause = cause_of(bytes);
+    if (cause.find(part) == std::string::npos)
+        g_test_fail_printf("\"%s\" instead of \"%s\"", cause.c_str(), part);
+}
+
+/// States of a simulation with all sections, and of one with the fewest.
+std::vector<Bytes> states()
+{
+    return {state_of(simulation_in_space()), state_of(simulation_in_plane())};
+}
+
+void test_numbers()
+{
+    SimulationPointer const simulation = simulation_in_space();
+    SavedSections state(state_of(simulation));
+    g_assert_true(state.bytes() == state_of(simulation));
+    std::string names;
+    for (auto const &[name, words] : state.sections) names += name;
+    g_assert_cmpstr(names.c_str(), ==,
+                    "SETTINGSCELL    PARTICLELAW     MESH    SPECIES WALLS   FIELDS  POTENTIA");
+    Words const &settings = state["SETTINGS"];
+    g_assert_true(settings.size() == 20 && settings[0] == 3 && settings[1] == 77 &&
+                  settings[2] == 3 && settings[6] == word_of(0.5));
+    std::uint64_t trials = 0;
+    for (std::size_t k = 10; k < 15; ++k) trials += settings[k];
+    g_assert_true(trials == 3 * 18);
+    Words const &particles = state["PARTICLE"];
+    pw85_system const system = pw85_hard_ellipsoids_system(simulation.get());
+    g_assert_true(particles.size() == 180);
+    for (std::size_t i = 0; i < 18; ++i)
+        for (std::size_t k = 0; k < 10; ++k) {
+            double const number =
+                k < 3   ? system.centers[3 * i + k]
+                : k < 7 ? pw85_hard_ellipsoids_quaternions(simulation.get())[4 * i + k - 3]
+                        : pw85_hard_ellipsoids_semi_axes(simulation.get())[3 * i + k - 7];
+            g_assert_true(particles[10 * i + k] == word_of(number));
+        }
+    Words const &cell = state["CELL"];
+    g_assert_true(cell.size() == 12 && cell[4] == word_of(9.25) && cell[10] == 1 && cell[11] == 0);
+    g_assert_true(state["LAW"] == Words({2, word_of(0.25), word_of(12.0), word_of(1.0),
+                                         word_of(6.0), word_of(1.5)}));
+    Words const &mesh = state["MESH"];
+    g_assert_true(mesh.size() == 1 + 12 + 6 && mesh[0] == 4 && mesh[3] == word_of(5.5) &&
+                  std::equal(mesh.begin() + 13, mesh.end(), Words({0, 1, 2, 1, 2, 3}).begin()));
+    g_assert_true(state["SPECIES"] ==
+                  Words({word_of(0.5), word_of(0.75), word_of(1.25), word_of(0.2), word_of(0.1)}));
+    Words const &walls = state["WALLS"], &fields = state["FIELDS"];
+    g_assert_true(walls.size() == 16 && walls[14] == word_of(-1.0) && walls[15] == word_of(4.0));
+    g_assert_true(fields.size() == 18 && fields[9] == 3 && fields[10] == 2 &&
+                  fields[17] == word_of(-0.4));
+    double energy = 0.0;
+    for (int i = 0; i < 18; ++i)
+        energy += quadratic_potential(nullptr, i, system.centers + 3 * i, nullptr, nullptr);
+    g_assert_true(state["POTENTIA"] == Words({word_of(energy)}));
+}
+
+// The first numbers of a state are the bytes that the manual names.
+void test_head()
+{
+    unsigned char const head[] = {0x89, 'P', 'W', '8', '5', '\r', '\n', 0x1a,
+                                  1,    0,   0,   0,   0,   0,    0,    0};
+    for (Bytes const &state : states()) {
+        g_assert_true(std::equal(std::begin(head), std::end(head), state.begin()));
+        g_assert_true(word_at(state, 16) == state.size());
+        g_assert_true(word_at(state, state.size() - 8) ==
+                      crc32(std::span(state).first(state.size() - 8)));
+    }
+    g_assert_cmpuint(crc32(std::vector<unsigned char>{'1', '2', '3', '4', '5', '6', '7', '8', '9'}),
+                     ==,
+                     0xcbf43926); // the check value of this CRC in the catalogue of Cook
+}
+
+void test_each_byte()
+{
+    for (Bytes const &state : states())
+        for (std::size_t k = 0; k < state.size(); ++k)
+            for (int const bit : {1, 2, 4, 8, 16, 32, 64, 128, 255}) {
+                Bytes changed = state;
+                changed[k] ^= static_cast<unsigned char>(bit);
+                if (cause_of(changed).empty()) g_test_fail_printf("byte %zu, bits %d", k, bit);
+            }
+}
+
+void test_lengths()
+{
+    for (Bytes const &state : states()) {
+        for (std::size_t size = 0; size < state.size(); ++size)
+            if (cause_of(std::span(state).first(size)).empty())
+                g_test_fail_printf("%zu bytes", size);
+        expect_cause(Bytes(state.begin(), state.end() - 1), "must be complete");
+        for (std::size_t more = 1; more < 20; ++more) {
+            Bytes longer = state;
+            longer.resize(state.size() + more);
+            expect_cause(longer, "must be complete");
+            if (more % 8 == 0 && cause_of(sealed(longer)).empty())
+                g_test_fail_printf("%zu zero bytes more", more);
+        }
+    }
+}
+
+// With the right checksum, and other lengths of sections and counts of vertices.
+void test_huge_lengths()
+{
+    for (Bytes const &state : states())
+        for (std::size_t at = 24; at < state.size() - 8;
+             at += 16 + static_cast<std::size_t>(word_at(state, at + 8))) {
+            bool const is_mesh = std::memcmp(&state[at], "MESH", 4) == 0;
+            for (std::size_t const place : {at + 8, at + 16})
+                for (std::uint64_t const length :
+                     {std::uint64_t{0}, word_at(state, place) + 8, word_at(state, place) - 8,
+                      word_at(state, place) + 4, std::uint64_t{1} << 31, std::uint64_t{1} << 32,
+                      std::uint64_t{1} << 60, std::uint64_t{1} << 61, std::uint64_t{1} << 63,
+                      0 - std::uint64_t{8}, ~std::uint64_t{0}}) {
+                    if (place == at + 16 && !is_mesh) continue; // no length
+                    Bytes word, changed = state;
+                    append_word(word, length);
+                    std::copy(word.begin(), word.end(), &changed[place]);
+                    if (cause_of(sealed(changed)).empty())
+                        g_test_fail_printf("%.8s: %llx", reinterpret_cast<char const *>(&state[at]),
+                                           static_cast<unsigned long long>(length));
+                }
+        }
+}
+
+void test_order()
+{
+    for (Bytes const &state : states()) {
+        SavedSections reversed(state);
+        std::reverse(reversed.sections.begin(), reversed.sections.end());
+        g_assert_true(reversed.bytes() != state && state_of(restored(reversed.bytes())) == state);
+        SavedSections const sections(state);
+        for (auto const &section : sections.sections) {
+            SavedSections repeated = sections;
+            repeated.sections.push_back(section);
+            expect_cause(repeated.bytes(), "that pw85_hard_ellipsoids_save() wrote");
+        }
+        for (std::size_t i = 0; i < sections.sections.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j) {
+                SavedSections swapped = sections;
+                std::swap(swapped.sections[i].first, swapped.sections[j].first);
+                if (cause_of(swapped.bytes()).empty())
+                    g_test_fail_printf("%s as %s", sections.sections[i].first.c_str(),
+                                       sections.sections[j].first.c_str());
+                swapped = sections;
+                swapped.sections[i].first = sections.sections[j].first;
+                if (cause_of(swapped.bytes()).empty())
+                    g_test_fail_printf("two of %s", sections.sections[j].first.c_str());
+            }
+    }
+}
+
+void test_unknown_sections()
+{
+    for (Bytes const &state : states())
+        for (std::size_t place = 0; place <= SavedSections(state).sections.size(); ++place)
+            for (Words const &words : {Words{}, Words{1, 2, 3}}) {
+                SavedSections more(state);
+                auto const at = more.sections.begin() + static_cast<std::ptrdiff_t>(place);
+                auto const added = more.sections.insert(at, {"comments", words});
+                g_assert_true(state_of(restored(more.bytes())) == state);
+                for (char const *const name :
+                     {"Comments", "COMMENTS", "1omments", "{omments", "`omments"}) {
+                    added->first = name;
+                    expect_cause(more.bytes(), "no section that this version does not know");
+                }
+            }
+}
+
+void test_missing_sections()
+{
+    Bytes const state = state_of(simulation_in_space());
+    for (std::size_t k = 0; k < SavedSections(state).sections.size(); ++k) {
+        SavedSections fewer(state);
+        std::string const name = fewer.sections[k].first;
+        fewer.sections.erase(fewer.sections.begin() + static_cast<std::ptrdiff_t>(k));
+        Bytes const bytes = fewer.bytes();
+        if (name == "SETTINGS" || name == "PARTICLE")
+            expect_cause(bytes, "that pw85_hard_ellipsoids_save() wrote");
+        else
+            g_assert_true(state_of(restored(bytes)) == bytes);
+    }
+}
+
+// Bytes of other versions.
+void test_formats()
+{
+    for (Bytes const &state : states())
+        for (std::uint64_t const format : {std::uint64_t{0}, std::uint64_t{2}, ~std::uint64_t{0}}) {
+            SavedSections other(state);
+            other.format = format;
+            expect_cause(other.bytes(), "must have a format that this version knows");
+        }
+    for (std::uint64_t const mark : {1U, 2U, 5U, 16U}) {
+        Bytes image;
+        append_word(image, 0x70773835'6d630000 + mark);
+        for (int k = 0; k < 60; ++k) append_word(image, 0);
+        expect_cause(image, "of a version that saved memory");
+        std::reverse(image.begin(),
+                     image.begin() + 8); // of a machine with the other order of bytes
+        expect_cause(image, "of a version that saved memory");
+    }
+    expect_cause({}, "that pw85_hard_ellipsoids_save() wrote");
+    expect_cause(Bytes(500), "that pw85_hard_ellipsoids_save() wrote");
+}
+
+// Numbers that no simulation has, with the right checksum.
+void test_impossible_numbers()
+{
+    Bytes const state = state_of(simulation_in_space());
+    std::uint64_t const nan = word_of(double{NAN}), minus_one = ~std::uint64_t{0},
+                        beyond = std::uint64_t{1} << 32; // 0 in 32 bits
+    struct {
+        char const *section;
+        std::size_t word;
+        std::uint64_t value;
+    } const changes[] = {
+        {"SETTINGS", 0, 4},
+        {"SETTINGS", 0, beyond + 3},
+        {"SETTINGS", 3, nan},
+        {"SETTINGS", 6, nan},
+        {"SETTINGS", 6, word_of(0.25)},
+        {"SETTINGS", 10, minus_one},
+        {"CELL", 0, nan},
+        {"CELL", 9, 2},
+        {"CELL", 11, minus_one},
+        {"PARTICLE", 0, nan},
+        {"PARTICLE", 3, word_of(2.0)},
+        {"PARTICLE", 7, word_of(-1.0)},
+        {"LAW", 0, 0},
+        {"LAW", 0, 7},
+        {"LAW", 0, beyond + 2},
+        {"LAW", 1, nan},
+        {"MESH", 0, 3},
+        {"MESH", 1, nan},
+        {"MESH", 13, 4},
+        {"MESH", 13, minus_one},
+        {"SPECIES", 3, nan},
+        {"SPECIES", 4, word_of(2.0)},
+        {"WALLS", 0, 9},
+        {"WALLS", 0, beyond},
+        {"FIELDS", 1, beyond},
+        {"MESH", 13, beyond},
+        {"WALLS", 7, nan},
+        {"FIELDS", 0, 9},
+        {"FIELDS", 1, 3},
+        {"FIELDS", 8, nan},
+        {"POTENTIA", 0, nan},
+    };
+    for (auto const &[section, word, value] : changes)
+        if (cause_of(with_word(state, section, word, value)).empty())
+            g_test_fail_printf("%s, word %zu: %llx", section, word,
+                               static_cast<unsigned long long>(value));
+    for (auto const &[name, words] : SavedSections(state).sections) {
+        SavedSections longer(state), shorter(state);
+        longer[name].push_back(0);
+        shorter[name].pop_back();
+        if (cause_of(longer.bytes()).empty() || cause_of(shorter.bytes()).empty())
+            g_test_fail_printf("%s: a number more or less", name.c_str());
+    }
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/saved_states/numbers", test_numbers);
+    g_test_add_func("/saved_states/head", test_head);
+    g_test_add_func("/saved_states/each_byte", test_each_byte);
+    g_test_add_func("/saved_states/lengths", test_lengths);
+    g_test_add_func("/saved_states/huge_lengths", test_huge_lengths);
+    g_test_add_func("/saved_states/order", test_order);
+    g_test_add_func("/saved_states/unknown_sections", test_unknown_sections);
+    g_test_add_func("/saved_states/missing_sections", test_missing_sections);
+    g_test_add_func("/saved_states/formats", test_formats);
+    g_test_add_func("/saved_states/impossible_numbers", test_impossible_numbers);
+    return g_test_run();
+}
