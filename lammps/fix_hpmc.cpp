@@ -211,7 +211,6 @@ void FixHpmc::setup_pre_exchange()
     diameter_ = 0.0;
     ellipsoids_.for_each_reach(
         [this](int, int, double reach) { diameter_ = std::max(diameter_, reach); });
-    if (diameter_ == 0.0) refuse("has no ellipsoids");
     make_cells();
     tried_ = accepted_ = {};
     first_sweep_ = true;
@@ -703,7 +702,8 @@ void FixHpmc::require_quaternions()
     ellipsoids_.read([](int) { return true; });
     if (!std::equal(written.begin(), written.end(), ellipsoids_.quaternion(0)))
         stop_one(*error,
-                 std::string(style_name) + " cannot set quaternions in this release of LAMMPS");
+                 std::string(style_name) +
+                     " cannot set quaternions in this release of LAMMPS: use another release");
 }
 
 /// Changes the steps of trials towards the wanted share of accepted ones.

@@ -71,7 +71,7 @@ class FixPour final : public LAMMPS_NS::Fix {
     void create(NewGrain const &grain, Vector const &center, LAMMPS_NS::tagint tag);
     bool owns(Vector const &x) const;
     void find_last_tag();
-    void finish_insertion(LAMMPS_NS::bigint count);
+    void announce(LAMMPS_NS::bigint count);
     void warn_of_full_region();
     [[noreturn]] void refuse(std::string const &reason) const;
 
@@ -88,8 +88,6 @@ class FixPour final : public LAMMPS_NS::Fix {
     Ellipsoids ellipsoids_;
     Others others_;
     std::vector<double> near_r12_, near_forms_; ///< memory for meets_others()
-    /// atoms that this processor has created in this step
-    LAMMPS_NS::bigint num_created_ = 0;
     bool warned_ = false;
 };
 

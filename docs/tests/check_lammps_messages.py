@@ -1,16 +1,17 @@
-"""Whether a test of the styles for LAMMPS expects each of their messages, by the sources alone.
+"""Compares the messages of the styles for LAMMPS with the tests, by the sources alone.
 
-A message is expected if four of its words in a row are in a test. lammps/tests/untested_messages.txt has those that no test expects
-yet; a new message needs a test, and a message with a test must not be in the list.
-Usage: check_lammps_messages.py SOURCE [--list], which prints what the list must be.
+Each message must be expected by a test: four of its words in a row stand in one, or all between two values that it prints. Messages
+are what the functions that stop LAMMPS or warn are given, and the sentences about grains and walls that other functions return to them.
+Usage: check_lammps_messages.py SOURCE
 """
 
 import re
 import sys
 from pathlib import Path
 
-STOPS = re.compile(r"\b(?:stop_all|stop_one|refuse\w*)\(")
+STOPS = re.compile(r"\b(?:stop_all|stop_one|refuse\w*|warning)\(")
 STRING = re.compile(r'"((?:\\.|[^"\\])*)"')
+RETURNED = re.compile(r'\breturn\s+((?:"(?:\\.|[^"\\])*"\s*)+);')
 WRONG_FORM = re.compile(r"\.$|!|\n|\bshould (be|have)\b|(?<!there )\bis no (?!longer)[a-z]")
 
 
@@ -25,35 +26,37 @@ def arguments(text, start):
 
 
 def messages(source):
-    """(file, line, message) of each message, without the values that it prints."""
+    """(file, line, parts) of each message; values stand between its parts."""
     for path in sorted((source / "lammps").glob("*.[ch]pp")):
         text = path.read_text(encoding="utf-8")
-        for call in STOPS.finditer(text):
-            message = "".join(STRING.findall(arguments(text, call.end()))).strip()
-            if message:
-                yield path.name, text.count("\n", 0, call.start()) + 1, message
+        given = [(call.start(), arguments(text, call.end())) for call in STOPS.finditer(text)]
+        returned = [(one.start(), one[1]) for one in RETURNED.finditer(text) if ": " in one[1]]
+        for start, strings in given + returned:
+            parts = re.findall(r'(?:"(?:\\.|[^"\\])*"\s*)+', strings)
+            parts = ["".join(STRING.findall(part)) for part in parts]
+            if "".join(parts).strip() not in ("", "(type )"):  # the type of an atom stands before another message
+                yield path.name, text.count("\n", 0, start) + 1, parts
 
 
-def is_expected(message, tests):
-    words = message.split()
-    return any(" ".join(words[k : k + 4]) in tests for k in range(max(1, len(words) - 3)))
+def is_expected(parts, tests):
+    """Returns whether tests have four words in a row of one of the parts of a message, or, if all are shorter, the longest one."""
+    longest = max(parts, key=len).strip(" :").split()
+    candidates = [part.split() for part in parts if len(part.split()) > 4] or [longest]
+    return any(" ".join(words[k : k + 4]) in tests for words in candidates for k in range(max(1, len(words) - 3)))
 
 
 def main():
     source = Path(sys.argv[1])
-    listed = source / "lammps/tests/untested_messages.txt"
     tests = "".join(path.read_text(encoding="utf-8") for path in sorted((source / "lammps/tests").glob("*.py")))
     tests = re.sub(r'"\s*\n\s*[rf]?"', "", tests).replace("\\", "")
     found = list(messages(source))
-    missing = {f"{file}: {message}": f"{file}:{line}" for file, line, message in found if not is_expected(message, tests)}
-    if sys.argv[2:] == ["--list"]:
-        print("\n".join(sorted(missing)))
-        return 0
-    known = {line for line in listed.read_text(encoding="utf-8").splitlines() if not line.startswith("#")}
-    wrong = [f"{missing[one]}: no test expects the message “{one.partition(': ')[2]}”" for one in sorted(set(missing) - known)]
-    wrong += [f"{listed}: remove “{one}”, which has a test or is gone" for one in sorted(known - set(missing))]
-    bad = [(file, line, message) for file, line, message in found if WRONG_FORM.search(message)]
-    wrong += [f"lammps/{file}:{line}: “{message}” does not have the form of a message" for file, line, message in bad]
+    wrong = []
+    for file, line, parts in found:
+        message = "".join(parts).strip()
+        if not is_expected(parts, tests):
+            wrong.append(f"lammps/{file}:{line}: no test expects the message “{message}”")
+        if WRONG_FORM.search(message):
+            wrong.append(f"lammps/{file}:{line}: “{message}” does not have the form of a message")
     wrong += [] if len(found) > 100 else [f"only {len(found)} messages were found: the check does not know the calls"]
     print("\n".join(wrong))
     return 1 if wrong else 0
