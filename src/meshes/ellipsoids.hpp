@@ -40,7 +40,9 @@ constexpr std::size_t block_of_ellipsoids = 32;
 template <class Row> int each_ellipsoid(std::size_t n, Row const &row) noexcept
 {
     if (n > max_rows)
-        return note_cause(PW85_EINVAL, "n", "must be a number of rows whose bytes can be counted");
+        return note_cause(PW85_EINVAL, "n",
+                          "must be small enough for the bytes of each array to fit ptrdiff_t", 0, 0,
+                          static_cast<double>(n));
     return for_all(
         n, [&](Range rows) { return kernels::for_rows(rows, row); }, block_of_ellipsoids);
 }

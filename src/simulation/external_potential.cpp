@@ -75,7 +75,7 @@ bool is_repeated(pw85_field const &field, Cell const &cell) noexcept
 char const *requirement_on(pw85_field const &field, Cell const &cell) noexcept
 {
     if (field.kind < PW85_FIELD_LINEAR || field.kind > PW85_FIELD_ALIGNING)
-        return "must be of a kind that there is";
+        return "must have a kind PW85_FIELD_...";
     if (field.axis < 0 || field.axis > 2) return "must have an axis from 0 to 2";
     Vector3 const point = load_vector<3>(field.point), vector = load_vector<3>(field.vector);
     bool const has_point = field.kind == PW85_FIELD_HARMONIC;

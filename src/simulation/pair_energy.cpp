@@ -52,7 +52,8 @@ int PairEnergy::set(pw85_law const *law) noexcept
     }
     if (law->kind == PW85_LAW_SOFT_REPULSION)
         return refuse_law("must not be a soft repulsion, which ends where the hard cores begin");
-    if (!kernels::is_valid(*law)) return refuse_law("must have parameters within their ranges");
+    if (kernels::LawComplaint const found = kernels::complaint_of(*law); found.text != nullptr)
+        return note_cause(PW85_EINVAL, found.member, found.text, 0, found.entry, found.value);
     double const *const x = law->parameters;
     PairEnergy made;
     if (law->kind == PW85_LAW_INVERSE_POWERS)
@@ -64,7 +65,7 @@ int PairEnergy::set(pw85_law const *law) noexcept
     made.kind_ = law->kind;
     // The relative error of a root is below 2⁻⁵².
     made.reach_ = std::max(1.0, (1.0 + 0x1p-50) * std::sqrt(cutoff_of(*law)));
-    if (made.reach_ > farthest) return refuse_law("must have a cutoff of at most μ = 1000");
+    if (made.reach_ > farthest) return refuse_law("must have a cutoff of at most 10⁶ in μ²");
     *this = std::move(made);
     return PW85_SUCCESS;
 }

@@ -193,7 +193,7 @@ bool is_repeated(pw85_wall const &wall, Cell const &cell) noexcept
 char const *requirement_on(pw85_wall const &wall, Configuration const &configuration) noexcept
 {
     if (wall.kind < PW85_WALL_PLANE || wall.kind > PW85_WALL_BOX)
-        return "must be of a kind that there is";
+        return "must have a kind PW85_WALL_...";
     if (char const *const text = requirement_on_numbers(wall, configuration.dimensions == 2))
         return text;
     return is_repeated(wall, configuration.cell) ? nullptr

@@ -1,8 +1,9 @@
-"""Compares the messages of the styles for LAMMPS with the tests, by the sources alone.
+"""Compares the messages of the styles for LAMMPS and the requirements of the C functions with their tests, by the sources alone.
 
 Each message must be expected by a test: four of its words in a row stand in one, or all between two values that it prints. Messages
 are what the functions that stop LAMMPS or warn are given, and the sentences about grains and walls that other functions return to them.
-Usage: check_lammps_messages.py SOURCE
+Each requirement that pw85_last_error() names must stand in a test as a whole.
+Usage: check_messages.py SOURCE
 """
 
 import re
@@ -11,6 +12,7 @@ from pathlib import Path
 
 STOPS = re.compile(r"\b(?:stop_all|stop_one|refuse\w*|warning)\(")
 STRING = re.compile(r'"((?:\\.|[^"\\])*)"')
+REQUIREMENT = re.compile(r'"must (?:\\.|[^"\\])*"(?:\s*"(?:\\.|[^"\\])*")*')
 RETURNED = re.compile(r'\breturn\s+((?:"(?:\\.|[^"\\])*"\s*)+);')
 WRONG_FORM = re.compile(r"\.$|!|\n|\bshould (be|have)\b|(?<!there )\bis no (?!longer)[a-z]")
 
@@ -45,12 +47,32 @@ def is_expected(parts, tests):
     return any(" ".join(words[k : k + 4]) in tests for words in candidates for k in range(max(1, len(words) - 3)))
 
 
+def text_of(paths):
+    """The text of files, with the parts of strings that stand in several lines put together."""
+    text = "".join(path.read_text(encoding="utf-8") for path in sorted(paths))
+    return re.sub(r'"\s*\n\s*[rf]?"', "", text).replace("\\", "")
+
+
+def requirements(source):
+    """(file, line, text) of each requirement that a function of the library can name."""
+    for path in sorted((source / "src").rglob("*.[ch]pp")):
+        text = path.read_text(encoding="utf-8")
+        for found in REQUIREMENT.finditer(text):
+            yield path.relative_to(source), text.count("\n", 0, found.start()) + 1, "".join(STRING.findall(found[0]))
+
+
+def wrong_requirements(source):
+    tests = text_of((source / "tests").glob("*.cpp"))
+    found = list(requirements(source))
+    wrong = [f"{file}:{line}: no test expects “{text}”" for file, line, text in found if f'"{text}"' not in tests]
+    return wrong + ([] if len(found) > 80 else [f"only {len(found)} requirements were found"])
+
+
 def main():
     source = Path(sys.argv[1])
-    tests = "".join(path.read_text(encoding="utf-8") for path in sorted((source / "lammps/tests").glob("*.py")))
-    tests = re.sub(r'"\s*\n\s*[rf]?"', "", tests).replace("\\", "")
+    tests = text_of((source / "lammps/tests").glob("*.py"))
     found = list(messages(source))
-    wrong = []
+    wrong = wrong_requirements(source)
     for file, line, parts in found:
         message = "".join(parts).strip()
         if not is_expected(parts, tests):
