@@ -28,7 +28,7 @@ struct ExactBox {
     /// The multiple of the unit of an axis that is nearest to x.
     double rounded(std::size_t k, double x) const;
 
-    /// The part of each vector of the box in the way from its lower corner to x.
+    /// The coordinates of x from the lower corner of the box, in units of its vectors.
     Vector fractions(double const *x) const;
 
     /// The sum of the vectors of the box, each times a number.

@@ -149,7 +149,7 @@ class ContactHistory final : public LAMMPS_NS::Fix {
     std::vector<Row> rows_;      ///< by owned atom
     /// by owned atom and ghost, while complete() works
     std::vector<std::vector<Stored>> shared_;
-    /// how many lists LAMMPS had made when the places were given
+    /// number of lists that LAMMPS had made when the indices were given
     LAMMPS_NS::bigint num_lists_ = 0;
     /// by owned atom and ghost, while follow_tags() works
     std::vector<LAMMPS_NS::tagint> stored_tags_;

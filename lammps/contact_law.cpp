@@ -237,7 +237,7 @@ double mass_of_contact(double m1, double m2)
 /// A law at some contacts.
 struct RowLaw {
     LawConstants constants;
-    /// how far from the surfaces forces act and velocities count, over the depth
+    /// distance from the surfaces within which forces act and velocities count, over the depth
     double inward_force, inward_motion;
     double timestep;
     std::size_t begin, end;

@@ -322,14 +322,14 @@ void FixHpmc::require_cells(int k, int largest) const
 /// apart, and in other cells.
 double FixHpmc::ghost_distance() const
 {
-    double const way = num_trials_ * largest_step_[translation];
+    double const path = num_trials_ * largest_step_[translation];
     double distance = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
         double const edge = cells_.height(k);
         distance = std::max(distance, scaled_ == Scaled::none
-                                          ? std::min(edge, diameter_ + way)
+                                          ? std::min(edge, diameter_ + path)
                                           : diameter_ * std::exp(largest_step_[expansion]) +
-                                                std::min(edge, way));
+                                                std::min(edge, path));
     }
     return 1.001 * distance; // far more than rounding errors
 }
@@ -478,7 +478,8 @@ Vector FixHpmc::random_shift(Stream &random) const
 
 /// Makes the box that of the cells. LAMMPS's sub-domains are parts of it, with the same number of
 /// cells each. An atom that was in one sub-domain of the box is in the same or in an adjacent one
-/// after the shift, and the same holds for the way back.
+/// after the shift, and the same holds when the box is made shorter
+/// again.
 void FixHpmc::lengthen_domain()
 {
     if (domain->nonperiodic == 0) return;
@@ -569,8 +570,8 @@ void FixHpmc::move(Mover const &mover)
     int const i = mover.atom;
     Stream random(seed_, static_cast<std::uint64_t>(update->ntimestep),
                   static_cast<std::uint64_t>(mover.tag));
-    double const way = num_trials_ * largest_step_[translation]; // the sum of all translations
-    gather(i, ellipsoids_.radius(i) + 0.5 * diameter_ + way);
+    double const path = num_trials_ * largest_step_[translation]; // the sum of all translations
+    gather(i, ellipsoids_.radius(i) + 0.5 * diameter_ + path);
     bool const turns = !is_sphere(i) && largest_step_[rotation] > 0.0;
     for (int trial = 0; trial < num_trials_; ++trial) {
         Kind const kind = turns && (random.bits() & 1) ? rotation : translation;
@@ -761,8 +762,8 @@ int FixHpmc::pack_forward_comm(int count, int *atoms, double *buffer, int pbc_fl
     return count * comm_forward;
 }
 
-/// The way to an image, by whole vectors of the box; pbc counts them along the axes as LAMMPS does:
-/// x, y, z, and the tilts yz, xz, xy.
+/// The displacement to an image, by whole vectors of the box; pbc counts them along the axes as
+/// LAMMPS does: x, y, z, and the tilts yz, xz, xy.
 Vector FixHpmc::image_shift(int const *pbc) const
 {
     Vector shift{pbc[0] * domain->xprd, pbc[1] * domain->yprd, pbc[2] * domain->zprd};

@@ -48,7 +48,7 @@ class FixPour final : public LAMMPS_NS::Fix {
     struct State {
         LAMMPS_NS::bigint inserted = 0, next_step = 0, refused = 0;
         LAMMPS_NS::tagint last_tag = 0; ///< the largest tag that any atom has had
-        double wanted = 0.0;            ///< how many grains should be there
+        double wanted = 0.0;            ///< number of grains at the present time
         double mass = 0.0;              ///< of the inserted grains
     };
 

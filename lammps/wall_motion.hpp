@@ -30,7 +30,7 @@ class WallClock {
   private:
     WallClock(double start, double timestep) : start_(start), timestep_(timestep) {}
 
-    /// when the time step became what it is, and the time step
+    /// step at which the time step was last changed, and the time step
     double start_ = 0.0, timestep_ = 0.0;
     double steps_ = 0.0; ///< since then
 };

@@ -19,8 +19,8 @@ namespace pw85 {
 template <int D> struct EnclosingEllipsoid {
     Vector<double, D> center;
     SymmetricMatrix<double, D> q; ///< form of the ellipsoid
-    double excess;     ///< how much the volume is above the least volume at most, relative
-    StatusCode status; ///< `no_convergence` if the excess exceeds the tolerance
+    double excess;                ///< bound of the volume over the least volume, less 1
+    StatusCode status;            ///< `no_convergence` if the excess exceeds the tolerance
 };
 
 /// The ellipsoid of least volume around points, up to a tolerance, in two or three dimensions. The

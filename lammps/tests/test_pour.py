@@ -281,7 +281,7 @@ class Schedule(unittest.TestCase):
         self.assertEqual([atoms[step] for step in (0, 1, 6, 7, 49, 60)], [0, 3, 3, 6, 25, 25])
 
     def test_reset_timestep(self):
-        dump = "dump state all custom 45 state.txt id\n"  # Releases from 2022 on do not set the step anew under a dump.
+        dump = "dump state all custom 45 state.txt id\n"  # Releases from 2022 on do not set the step again under a dump.
         runs = f"run 15\nundump state\nreset_timestep 0\n{dump}run 45\n"
         _, rows = poured(f"{REGION}\n{POUR}\n", 45, runs=runs)
         self.assertEqual(len(rows), 60)

@@ -173,7 +173,7 @@ def checked_law(law: Any, name: str) -> Law:
 
 
 def fault_of_law(law: Law) -> str:
-    """Which number of a law a simulation of hard cores refuses, where the library does not name it; empty if it names it."""
+    """Names a number of a law that a simulation of hard cores refuses, where the library does not; empty if there is none."""
     numbers = law.parameters.tolist()
     if len(numbers) < {1: 2, 2: 5, 3: 6}.get(law.kind, len(numbers) + 1):
         return ""

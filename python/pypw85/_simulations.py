@@ -210,7 +210,7 @@ class HardEllipsoids:
         Raises
         ------
         PW85Error
-            A wall cuts a particle, or is none that a simulation of this cell and these dimensions can have. Nothing changes then.
+            A wall cuts a particle, or a simulation of this cell and these dimensions cannot have it. Nothing changes then.
 
         Examples
         --------
@@ -288,7 +288,7 @@ class HardEllipsoids:
         Raises
         ------
         PW85Error
-            A field is none that a simulation of this cell can have, or the energy of a particle is not finite. Nothing changes then.
+            A simulation of this cell cannot have a field, or the energy of a particle is not finite. Nothing changes then.
 
         Examples
         --------
@@ -882,7 +882,7 @@ class HardEllipsoids:
             The length of a translation, > 0, and in a periodic cell at most that of its longest vector. The memory for lists of
             neighbours grows with its third power, in two dimensions with the second.
         rotation : float
-            The tangent of half of the angle of a rotation, > 0 and at most 1.
+            The tangent of half of the largest angle of a rotation, > 0 and at most 1: ``tan(angle/2)``.
         volume : float
             The relative change of a length of the cell, or the shear, > 0 and at most 1.
 
@@ -1067,7 +1067,7 @@ def _vector(name: str, argument: str, value: ArrayLike, size: int) -> Floats:
 
 
 def _records(rows: Sequence[tuple[Any, ...]], kind: np.dtype[Any]) -> NDArray[Any]:
-    """Walls or fields as the library has them. Numbers that are no index become -1, which it refuses."""
+    """Walls or fields as the library has them. Numbers that are not an index become -1, which it refuses."""
     index = [kind[name] == np.int32 for name in kind.names or ()]
     return np.array([tuple((int(x) if 0 <= x < 100 else -1) if one else x for one, x in zip(index, row)) for row in rows], kind)
 

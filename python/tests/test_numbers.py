@@ -143,6 +143,7 @@ WRONG_TYPES = [
     (lambda: simulation().set_law(pypw85.Law(2, None)), "HardEllipsoids.set_law: law: parameters must be real numbers, not None"),
     (lambda: pypw85.law_forces_pairs([[0, 1]], np.zeros((2, 3)), [Q, Q], pypw85.Law(None, np.ones(5))),
      "law_forces_pairs: law: kind must be an integer from 1 to 3, not None"),
+    (lambda: pypw85.from_labels("nosuch.npy"), "from_labels: image must be an array of integers, not the text 'nosuch.npy': read a"),
     (lambda: pypw85.random_addition([[0.1, 0.1]], np.eye(2), stage=None), "random_addition: stage must be a function, not None"),
     (lambda: pypw85.relax(pypw85.System(**ONE), stage=1), "relax: stage must be a function, not 1"),
 ]  # fmt: skip
@@ -201,6 +202,10 @@ WRONG_VALUES = [
      r"nd_contact: q1 must have 3×3 or 6 numbers for 3 dimensions, not the shape \(3,\)"),
     (lambda: pypw85.lattice(10, 0.5, 4), r"lattice: semi_axes must be three numbers, not an array of the shape \(\)"),
     (lambda: pypw85.formats.Options(periodic="ab"), "read: periodic must be True, False or three of them, not 'ab'"),
+    (lambda: pypw85.from_lammps([1, 2, 3], [0, 0, 0, 0]), "from_lammps: quaternion_wxyz must not be zero"),
+    (lambda: pypw85.from_rotation_vector([1, 2, 3], [np.nan, 0, 0]), "from_rotation_vector: quaternion_wxyz must be finite"),
+    (lambda: pypw85.plot([0, 0, np.nan], Q, [0, 0, 0], Q), "plot: r12 must be finite"),
+    (lambda: pypw85.from_inertia(np.diag([1, 1, 5])), "from_inertia: the moments must be those of a body, each smaller than the sum of the oth"),
     (lambda: pypw85.Law.table(0, 1, [1, 2], [1]), r"Law.table: u and d_u must be as many numbers, not have the shapes \(2,\) and \(1,\)"),
 ]  # fmt: skip
 WALLS = [

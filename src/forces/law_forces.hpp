@@ -107,7 +107,7 @@ struct LawSlot {
     Range particles; ///< a range that contains all particles of the block
     /// number of blocks that have been written into the slot
     std::atomic<std::size_t> computed = 0;
-    std::atomic<std::size_t> added = 0; ///< how often a thread has added the terms of a block
+    std::atomic<std::size_t> added = 0; ///< number of blocks whose terms a thread has added
 };
 
 /// The slots, which the blocks take in turn, and the sums of all blocks.

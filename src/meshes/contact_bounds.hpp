@@ -19,7 +19,7 @@
 namespace pw85::detail::meshes {
 namespace {
 
-/// How much smaller than μ² a computed μ² may be.
+/// The largest error of a computed μ² downwards.
 struct Margin {
     double factor;   ///< of μ²
     Vector3 weights; ///< of μ times the largest coordinates

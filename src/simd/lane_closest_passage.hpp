@@ -28,7 +28,7 @@ struct Parabola {
     PW85_INLINE Pack at(Pack const &tau) const noexcept { return (c[2] * tau + c[1]) * tau + c[0]; }
 };
 
-/// The forms of a pair on its way.
+/// The forms of a pair as polynomials of the time.
 struct PassageForms {
     Parabola rr, rv, vv; ///< rᵀadj r, rᵀadj v, vᵀadj v
     Pack b[4];           ///< det M

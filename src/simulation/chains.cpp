@@ -128,7 +128,9 @@ void Chains::bound_obstacles(std::size_t i, Vector3 const &direction, double sta
 {
     std::size_t const count = obstacles_.size();
     Body const &moving = bodies_[i];
-    obstacles_.clear(); // they stay in the room, because none is overwritten before its turn
+    // The kept obstacles move to the front of the same memory. At most as many have been kept as
+    // read, so that none is overwritten before it is read.
+    obstacles_.clear();
     for (std::size_t k = 0; k < count; k += 2) {
         Obstacle *const pair[2] = {&obstacles_[k], &obstacles_[std::min(k + 1, count - 1)]};
         Body const &first = bodies_[pair[0]->image.index], &second = bodies_[pair[1]->image.index];

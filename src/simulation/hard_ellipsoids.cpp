@@ -18,11 +18,11 @@ bool is_change_type(int type) noexcept
 }
 
 /// Returns the status of trials of the volume.
-int check_change(Engine const &engine, double pressure, int kind) noexcept
+int check_change(Engine const &engine, double pressure, int type) noexcept
 {
-    if (!is_change_type(kind))
-        return note_cause(PW85_EINVAL, "change", "must be a constant PW85_CHANGE_...", 0, 0, kind);
-    if (kind != PW85_CHANGE_ASPECT && !(pressure > 0.0))
+    if (!is_change_type(type))
+        return note_cause(PW85_EINVAL, "change", "must be a constant PW85_CHANGE_...", 0, 0, type);
+    if (type != PW85_CHANGE_ASPECT && !(pressure > 0.0))
         return note_cause(PW85_EINVAL, "pressure", "must be > 0", 0, 0, pressure);
     if (!engine.configuration.is_closed())
         return note_cause(PW85_EINVAL, "simulation",

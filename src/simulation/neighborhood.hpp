@@ -91,14 +91,16 @@ class Neighborhood {
     [[nodiscard]] bool set_cell(Cell const &cell) noexcept;
 
     /// Returns whether particle i, enlarged, with this centre and these half-widths, is in its
-    /// fixed box, and stays there if it moves by `room` along any axis.
+    /// fixed box, and stays there if it moves by `displacement` along any axis.
     [[gnu::always_inline]] bool holds(std::size_t i, Vector3 const &center,
-                                      Vector3 const &half_widths, double room) const noexcept
+                                      Vector3 const &half_widths,
+                                      double displacement) const noexcept
     {
         auto const motions = deformation_.shared_motions({center, half_widths}, extents_[i]);
         bool inside = true;
         for (int d = 0; d < 3; ++d)
-            inside = inside && motions.lower[d] <= -room && room <= motions.upper[d];
+            inside =
+                inside && motions.lower[d] <= -displacement && displacement <= motions.upper[d];
         return inside;
     }
 

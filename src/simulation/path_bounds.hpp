@@ -105,8 +105,8 @@ template <class T>
     Vector<T, 3> const s = add_scaled(view.s, T(-x), view.s_direction), bent = product(e.q2, s);
     auto const weights = outer_weights(s);
     T const a = quadratic_form(e.q1, weights), b = quadratic_form(e.q2, weights);
-    T const bend = dot(bent, product(view.adjugate, bent)) / view.determinant;
-    Step<T> step = newton_step(slope(first_jet(a, b, bend, t), T(1.0), t));
+    T const c = dot(bent, product(view.adjugate, bent)) / view.determinant;
+    Step<T> step = newton_step(slope(first_jet(a, b, c, t), T(1.0), t));
     step.numerator = maximum(T(-step.denominator), minimum(step.denominator, step.numerator));
     return {T(0.0), t * exponential(step), absolute(step.numerator) / step.denominator};
 }

@@ -120,13 +120,13 @@ PW85_FUNCTION inline void add(WideSum sum, Digits<N> const &x, int position, int
     DoubleLimb const neutral = flip & 1;
     DoubleLimb carry = neutral;
     Limb *const limbs = sum.limbs + position;
-    int const room = sum.size - position;
-    for (int i = 0; i < N && i < room; ++i) {
+    int const rest = sum.size - position;
+    for (int i = 0; i < N && i < rest; ++i) {
         carry += DoubleLimb{limbs[i]} + (x.limbs[i] ^ flip);
         limbs[i] = static_cast<Limb>(carry);
         carry >>= limb_bits;
     }
-    for (int i = N; i < room && carry != neutral; ++i) {
+    for (int i = N; i < rest && carry != neutral; ++i) {
         carry += DoubleLimb{limbs[i]} + flip;
         limbs[i] = static_cast<Limb>(carry);
         carry >>= limb_bits;
@@ -141,14 +141,14 @@ PW85_FUNCTION inline void add(WideSum sum, Digits<N> const &x, int position, int
     if (negative) complement(sum);
     for (int i = 0; i < x.size && i < sum.size; ++i) {
         Limb *const limbs = sum.limbs + i;
-        int const room = sum.size - i, size = y.size < room ? y.size : room;
+        int const rest = sum.size - i, size = y.size < rest ? y.size : rest;
         DoubleLimb carry = 0;
         for (int j = 0; j < size; ++j) {
             carry += limbs[j] + DoubleLimb{x.limbs[i]} * y.limbs[j];
             limbs[j] = static_cast<Limb>(carry);
             carry >>= limb_bits;
         }
-        for (int j = size; j < room && carry != 0; ++j) {
+        for (int j = size; j < rest && carry != 0; ++j) {
             carry += limbs[j];
             limbs[j] = static_cast<Limb>(carry);
             carry >>= limb_bits;

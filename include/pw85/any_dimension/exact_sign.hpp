@@ -219,7 +219,7 @@ PW85_FUNCTION inline Integer power(Integer const &x, int exponent) noexcept
     return result;
 }
 
-/// How often the sign changes along Sturm's sequence at 0, minus at infinity.
+/// Counts the changes of sign along Sturm's sequence at 0, minus at infinity.
 struct SignChanges {
     int at_zero = 0, at_infinity = 0, difference = 0;
 

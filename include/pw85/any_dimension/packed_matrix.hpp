@@ -24,8 +24,8 @@ PW85_FUNCTION constexpr int packed_size(int n) noexcept { return n * (n + 1) / 2
 
 inline constexpr int max_packed_size = packed_size(max_dimension);
 
-/// Where row i would begin if it had entries below the diagonal: entry (i, j) with i <= j is at
-/// row_offset(n, i) + j.
+/// Returns the position at which row i would begin if it had entries below the diagonal: entry (i,
+/// j) with i <= j is at row_offset(n, i) + j.
 PW85_FUNCTION constexpr int row_offset(int n, int i) noexcept { return i * (2 * n - i - 1) / 2; }
 
 /// The place of entry (i, j) = (j, i).

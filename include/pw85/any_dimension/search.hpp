@@ -139,7 +139,7 @@ last_evaluation(Pair<T> const &pair, Candidate<T> const &candidate, Evaluation<T
                        is_certified(candidate, value.step, error, T(1))};
 }
 
-/// Where a search begins.
+/// The start of a search.
 template <class T>
 PW85_FUNCTION inline Candidate<T> start(Pair<T> const &pair, Evaluation<T> &at) noexcept
 {

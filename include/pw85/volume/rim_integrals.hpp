@@ -144,7 +144,7 @@ template <class T> PW85_FUNCTION inline T area_between(BodyOnAxis<T, 3> const &b
     return select(is_outer, mean, T(T(foot * a + T(h2 * on.s) * axial) / T(T(a - hs) * T(a + hs))));
 }
 
-/// How the area of the part of a body follows from integrals along the rim. The end e of
+/// The area of the part of a body by integrals along the rim. The end e of
 /// area_beyond() is not inside the part: for one rim, it is the end that does not belong to the
 /// body.
 ///
