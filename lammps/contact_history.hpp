@@ -53,7 +53,7 @@ class ContactHistory final : public LAMMPS_NS::Fix {
         Vector sliding, normal; ///< the normal is unknown in step 0
     };
 
-    /// The contact of an entry of the list in the step before, or null for a new one.
+    /// Returns the contact of an entry of the list in the step before, or null for a new one.
     Contact const *find(std::uint32_t entry) const
     {
         std::uint32_t const place = places_[entry];

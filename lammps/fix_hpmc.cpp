@@ -192,7 +192,7 @@ void FixHpmc::refuse_pressure() const
                    ", where the box is not periodic: use pressure x, y or z for a periodic one");
 }
 
-/// The box as it is, without rounding.
+/// Returns the box as it is, without rounding.
 ExactBox FixHpmc::present_box() const
 {
     ExactBox box;
@@ -256,7 +256,7 @@ void FixHpmc::set_domain(ExactBox const &box)
     domain->set_local_box();
 }
 
-/// The box in which a sweep shifts the atoms of a box.
+/// Returns the box in which a sweep shifts the atoms of a box.
 ExactBox FixHpmc::lengthened(ExactBox box) const
 {
     for (std::size_t k = 0; k < 3; ++k)
@@ -428,7 +428,7 @@ Vector FixHpmc::random_factors(Stream &random) const
     return factors;
 }
 
-/// The box whose coordinates are longer by factors, from its lower corner.
+/// Returns the box whose coordinates are longer by factors, from its lower corner.
 ExactBox FixHpmc::scaled(ExactBox const &box, Vector const &factors) const
 {
     Vector upper;
@@ -468,7 +468,7 @@ bool FixHpmc::has_overlaps()
     return found != 0;
 }
 
-/// A vector in a cell. Shifts by whole cells would only give the cells other places.
+/// Returns a vector in a cell. Shifts by whole cells would only give the cells other places.
 Vector FixHpmc::random_shift(Stream &random) const
 {
     Vector fractions;
@@ -762,8 +762,8 @@ int FixHpmc::pack_forward_comm(int count, int *atoms, double *buffer, int pbc_fl
     return count * comm_forward;
 }
 
-/// The displacement to an image, by whole vectors of the box; pbc counts them along the axes as
-/// LAMMPS does: x, y, z, and the tilts yz, xz, xy.
+/// Returns the displacement to an image, by whole vectors of the box; pbc counts them along the
+/// axes as LAMMPS does: x, y, z, and the tilts yz, xz, xy.
 Vector FixHpmc::image_shift(int const *pbc) const
 {
     Vector shift{pbc[0] * domain->xprd, pbc[1] * domain->yprd, pbc[2] * domain->zprd};

@@ -33,7 +33,7 @@ bool has_no_end(Region const &region)
     return !(lower > -1e20 && upper < 1e20);
 }
 
-/// The image of a vector that is nearest to zero, coordinate by coordinate of the box.
+/// Returns the image of a vector that is nearest to zero, coordinate by coordinate of the box.
 Vector nearest_image(Domain const &domain, Vector const &r)
 {
     double const *const h = domain.h, *const inverse = domain.h_inv;
@@ -60,7 +60,7 @@ template <class Use> void visit_images(Domain const &domain, Vector const &r, Us
                     Vector{h[0] * a + h[5] * b + h[4] * c, h[1] * b + h[3] * c, h[2] * c});
 }
 
-/// The arrays of all processors, one after the other.
+/// Returns the arrays of all processors, one after the other.
 std::vector<double> gathered(std::vector<double> const &own, MPI_Comm world)
 {
     int num_ranks = 1;

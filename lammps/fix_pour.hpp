@@ -30,7 +30,7 @@ class FixPour final : public LAMMPS_NS::Fix {
     void init() override;
     void pre_exchange() override;
 
-    /// The number of inserted grains.
+    /// Returns the number of inserted grains.
     double compute_scalar() override { return static_cast<double>(state_.inserted); }
 
     /// Their number, their mass, the number of grains that wait for a place, and that of the places

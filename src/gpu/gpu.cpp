@@ -55,8 +55,8 @@ bool load(Driver const &driver, Code &code) noexcept
     return complete;
 }
 
-/// The functions of the program. The first call loads the program. The result is null if that
-/// fails.
+/// Returns the functions of the program. The first call loads the program. The result is null if
+/// that fails.
 Code const *code_for(Driver const &driver) noexcept
 {
     static Code code{};

@@ -166,7 +166,7 @@ PW85_FUNCTION inline Pair3 load(Tile const &, DeviceList const &list, std::size_
     return load(list, begin + thread);
 }
 
-/// The search on the rational form. Use the result only if it is certain.
+/// Returns the search on the rational form. Use the result only if it is certain.
 PW85_FUNCTION inline LastEvaluation<double> search_rationally(Pair3 const &pair) noexcept
 {
     auto search = start_search(pair);

@@ -17,8 +17,8 @@
 namespace pw85::detail::meshes {
 namespace {
 
-/// The status of an ellipsoid. The coordinates of all vertices relative to its centre must be
-/// finite.
+/// Returns the status of an ellipsoid. The coordinates of all vertices relative to its centre must
+/// be finite.
 inline Status validate(pw85_mesh const &mesh, Vector3 const &center, Form3 const &q) noexcept
 {
     if (!is_finite(center)) return Status::invalid_argument;

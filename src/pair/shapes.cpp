@@ -31,7 +31,7 @@ using namespace pw85::detail::c_api;
 
 namespace {
 
-/// The status for a null pointer; it marks the answer.
+/// Returns the status for a null pointer; it marks the answer.
 int null_overlap(int *overlap) noexcept
 {
     if (overlap != nullptr) *overlap = -1;

@@ -288,7 +288,7 @@ template <class Rows>
     }
 }
 
-/// A mask of the first `count` lanes; all lanes if there are fewer.
+/// Returns a mask of the first `count` lanes; all lanes if there are fewer.
 PW85_INLINE unsigned live_lanes(std::size_t count) noexcept
 {
     return count >= lanes ? all_lanes : (1u << count) - 1u;

@@ -37,7 +37,7 @@ constexpr int rows_per_order = 16;
 /// below 2⁻⁵⁰ times the coordinates.
 constexpr double reach_of_domains = 2.125;
 
-/// A quaternion after a rotation by (1, v), of length one.
+/// Returns a quaternion after a rotation by (1, v), of length one.
 Quaternion turned(Quaternion const &quaternion, Vector3 const &v) noexcept
 {
     auto const [w, x, y, z] = quaternion.coordinates;

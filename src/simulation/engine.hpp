@@ -148,8 +148,8 @@ class Engine {
     /// Returns whether nothing but the hard cores acts on the particles.
     bool is_hard() const noexcept { return external.is_empty() && !pair_energy.exists(); }
 
-    /// The energy of all pairs of the configuration, by a list of neighbours of its own. Returns a
-    /// status.
+    /// Computes the energy of all pairs of the configuration, by a list of neighbours of its own.
+    /// Returns a status.
     int energy_of_pairs(double &energy) const noexcept;
 
     /// Takes over the configuration. To be called before sweeps and trials of the volume. Returns a
@@ -193,9 +193,9 @@ class Engine {
     int try_placement(std::size_t particle, Particle const &moved, bool take,
                       bool &is_free) noexcept;
 
-    /// The least isotropic factor of cell and centres without overlap, at most 1; 0 if there is
-    /// nothing to overlap. If `take`, it is applied. To be called between begin() and end().
-    /// Returns a status.
+    /// Computes the least isotropic factor of cell and centres without overlap, at most 1; 0 if
+    /// there is nothing to overlap. If `take`, it is applied. To be called between begin() and
+    /// end(). Returns a status.
     int compress(bool take, double &factor) noexcept;
 
     /// Adds a particle as the last one. Returns a status.
@@ -219,7 +219,7 @@ class Engine {
         return k;
     }
 
-    /// The steps of particles with these semi-axes.
+    /// Returns the steps of particles with these semi-axes.
     SpeciesSteps steps_of(Vector3 const &semi_axes) const noexcept
     {
         std::size_t const k = species_of(semi_axes);

@@ -142,7 +142,7 @@ void store(Array<NearImage> const &found, std::size_t capacity, std::int32_t *pa
     }
 }
 
-/// The direction of chains, zero for random ones. Returns a status.
+/// Computes the direction of chains, zero for random ones. Returns a status.
 int load_direction(Engine const &engine, double const *direction, Vector3 &along) noexcept
 {
     along = direction == nullptr ? Vector3{} : c_api::load_vector<3>(direction);

@@ -265,8 +265,8 @@ unsigned char *save_law(PairEnergy const &pair_energy, unsigned char *bytes) noe
     return bytes + size;
 }
 
-/// The energy of the caller's potential, or that of the state that was restored while it waits for
-/// its potential.
+/// Returns the energy of the caller's potential, or that of the state that was restored while it
+/// waits for its potential.
 double energy_to_save(Engine const &engine) noexcept
 {
     ExternalPotential const &external = engine.external;

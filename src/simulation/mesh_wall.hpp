@@ -37,7 +37,7 @@ class MeshWall {
     /// Returns whether a particle meets a triangle.
     bool cuts(Particle const &particle) const noexcept;
 
-    /// The triangle that is nearest to a particle which meets the mesh.
+    /// Returns the triangle that is nearest to a particle which meets the mesh.
     std::int32_t nearest(Particle const &particle) const noexcept;
 
     /// A translation up to this length does not lead through a triangle, as long as the coordinates

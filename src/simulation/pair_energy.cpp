@@ -21,7 +21,7 @@ double cutoff_of(pw85_law const &law) noexcept
     return law.parameters[law.kind == PW85_LAW_TABLE ? 1 : 4];
 }
 
-/// A bound on the magnitude of the energy of pairs that do not overlap.
+/// Returns a bound on the magnitude of the energy of pairs that do not overlap.
 double bound_of(pw85_law const &law, kernels::InversePowers const &powers) noexcept
 {
     double const *const x = law.parameters;
@@ -156,7 +156,7 @@ EnergySum Engine::energy_of_row(std::size_t i, IsRead const &is_read) const noex
     return pairs.sum();
 }
 
-/// The energy of some particles that a thread moves, and of all pairs with others.
+/// Returns the energy of some particles that a thread moves, and of all pairs with others.
 EnergySum Engine::energy_of(std::size_t const *particles, std::size_t count,
                             ReadableDomains const &readable) const noexcept
 {
@@ -168,7 +168,7 @@ EnergySum Engine::energy_of(std::size_t const *particles, std::size_t count,
     return sum;
 }
 
-/// The energy of all pairs, by the rows.
+/// Returns the energy of all pairs, by the rows.
 EnergySum Engine::energy_of_rows() const noexcept
 {
     std::atomic<std::int64_t> halves{0};

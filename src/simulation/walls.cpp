@@ -24,7 +24,7 @@ constexpr double perpendicular = 0x1p-44;
 /// errors.
 constexpr double margin = 1.0 + 0x1p-40;
 
-/// A direction whose largest coordinate is one, so that no product overflows or vanishes.
+/// Returns a direction whose largest coordinate is one, so that no product overflows or vanishes.
 Vector3 scaled(Vector3 const &direction) noexcept
 {
     double const largest = largest_coordinate(direction);
@@ -158,7 +158,7 @@ bool is_repeated_across(Vector3 const &direction, Cell const &cell) noexcept
 
 namespace {
 
-/// The requirement on the numbers of a wall that does not meet it; null if it does.
+/// Returns the requirement on the numbers of a wall that does not meet it; null if it does.
 char const *requirement_on_numbers(pw85_wall const &wall, bool is_flat) noexcept
 {
     Vector3 const point = load_vector<3>(wall.point), vector = load_vector<3>(wall.vector);

@@ -414,8 +414,9 @@ PW85_FUNCTION inline NdContainment nd_contains(int n, double const *r12, double 
                                   : NdContainment{answer == 1, status};
 }
 
-/// The factor by which ellipsoid 1 must be scaled to contain ellipsoid 2 in n dimensions, and where
-/// they touch then: n numbers, on the surface of ellipsoid 2, relative to the centre of ellipsoid
+/// Returns the factor by which ellipsoid 1 must be scaled to contain ellipsoid 2 in n dimensions,
+/// and where they touch then: n numbers, on the surface of ellipsoid 2, relative to the centre of
+/// ellipsoid
 /// 1. A null pointer leaves the point out. It is not stored if the status is not success.
 PW85_FUNCTION inline NdContainmentScale nd_containment(int n, double const *r12, double const *q1,
                                                        double const *q2, double *point) noexcept

@@ -70,8 +70,9 @@ PW85_FUNCTION inline void set_leading(ExactPolynomial &p, Integer const &leading
     for (int i = 0; i <= p.degree; ++i) p.c[i] = exact_quotient(leading * p.c[i], old);
 }
 
-/// The greatest common divisor, up to a factor. Returns whether there is memory. Its leading
-/// coefficient becomes that of y: y is an integer times a divisor with integer coefficients.
+/// Computes the greatest common divisor, up to a factor. Returns whether there is memory. Its
+/// leading coefficient becomes that of y: y is an integer times a divisor with integer
+/// coefficients.
 PW85_FUNCTION inline bool find_common_divisor(ExactPolynomial const &x, ExactPolynomial const &y,
                                               ExactPolynomial &divisor) noexcept
 {

@@ -116,7 +116,7 @@ template <class T> struct Elimination {
         return {x[0], z1, s11 * rest - s12 * z1};
     }
 
-    /// The coordinates of z times their weights.
+    /// Returns the coordinates of z times their weights.
     PW85_MEMBER constexpr Vector<T, 3> weighted(Vector<T, 3> const &z) const noexcept
     {
         return {weight0 * z[0], weight1 * z[1], z[2]};

@@ -95,7 +95,7 @@ template <class T> struct FlattenedEllipse {
         return T(T(m.y - radius) * T(m.y + radius)) + T(m.x * m.x);
     }
 
-    /// The factors of y and -x in G.
+    /// Returns the factors of y and -x in G.
     PW85_MEMBER T along() const noexcept { return T(ratio * d0); }
     PW85_MEMBER T across() const noexcept { return d1; }
 
