@@ -163,7 +163,7 @@ def _parameters(name: str, **numbers: float) -> Floats:
     return np.array([real(number, f"Law.{name}: {argument}") for argument, number in numbers.items()])
 
 
-def checked_law(law: Any, name: str) -> Law:
+def checked_law(law: object, name: str) -> Law:
     """A law with an integer and a row of numbers, whatever they mean."""
     given = instance(law, Law, name)
     parameters = reals(given.parameters, f"{name}: parameters")
