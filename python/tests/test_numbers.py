@@ -131,7 +131,7 @@ WRONG_TYPES = [
     (lambda: pypw85.bad_rows([1.0], "a"), f"bad_rows: core_ndim {INTEGER} >= 0, not 'a'"),
     (lambda: pypw85.compressibility("a", 1), "compressibility: mu2 of configuration 0 must be real numbers, not 'a'"),
     (lambda: pypw85.lattice([1, 1, 3], 0.5, 1.5), f"lattice: number {INTEGER} >= 0, not 1.5"),
-    (lambda: simulation().set_walls([pypw85.Wall(0.5, P, P, 1)]), r"HardEllipsoids.set_walls: walls\[0\]: kind must be an integer, not 0.5"),
+    (lambda: simulation().set_walls([pypw85.Wall(0.5, P, P, 1)]), r".*set_walls: walls\[0\]: kind must be an integer, not 0.5"),
     (lambda: simulation().set_walls([pypw85.Wall(None, P, P, 1)]),
      r"HardEllipsoids.set_walls: walls\[0\]: kind must be an integer, not None"),
     (lambda: simulation().set_walls([pypw85.Wall(0, None, P, 1)]), r".*set_walls: walls\[0\]: point must be real numbers, not None"),
@@ -139,7 +139,7 @@ WRONG_TYPES = [
     (lambda: simulation().set_walls([pypw85.Wall(0, P, P, None)]), r".*set_walls: walls\[0\]: size must be a real number, not None"),
     (lambda: simulation().set_fields([pypw85.Field(0.5, 0, P, P, 1)]), r".*set_fields: fields\[0\]: kind must be an integer, not 0.5"),
     (lambda: simulation().set_fields([pypw85.Field(3, None, P, P, 1)]), r".*set_fields: fields\[0\]: axis must be an integer, not None"),
-    (lambda: simulation().set_fields([pypw85.Field(3, 0, P, P, "1")]), r".*set_fields: fields\[0\]: strength must be a real number, not '1'"),
+    (lambda: simulation().set_fields([pypw85.Field(3, 0, P, P, "1")]), r".*set_fields: fields\[0\]: strength must be a real number, not"),
     (lambda: simulation().set_law(pypw85.Law(2, None)), "HardEllipsoids.set_law: law: parameters must be real numbers, not None"),
     (lambda: pypw85.law_forces_pairs([[0, 1]], np.zeros((2, 3)), [Q, Q], pypw85.Law(None, np.ones(5))),
      "law_forces_pairs: law: kind must be an integer from 1 to 3, not None"),
@@ -205,7 +205,7 @@ WRONG_VALUES = [
     (lambda: pypw85.from_lammps([1, 2, 3], [0, 0, 0, 0]), "from_lammps: quaternion_wxyz must not be zero"),
     (lambda: pypw85.from_rotation_vector([1, 2, 3], [np.nan, 0, 0]), "from_rotation_vector: quaternion_wxyz must be finite"),
     (lambda: pypw85.plot([0, 0, np.nan], Q, [0, 0, 0], Q), "plot: r12 must be finite"),
-    (lambda: pypw85.from_inertia(np.diag([1, 1, 5])), "from_inertia: the moments must be those of a body, each smaller than the sum of the oth"),
+    (lambda: pypw85.from_inertia(np.diag([1, 1, 5])), "from_inertia: the moments must be those of a body, each smaller than the"),
     (lambda: pypw85.Law.table(0, 1, [1, 2], [1]), r"Law.table: u and d_u must be as many numbers, not have the shapes \(2,\) and \(1,\)"),
 ]  # fmt: skip
 WALLS = [
