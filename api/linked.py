@@ -196,7 +196,7 @@ def definition(template, function, dimension):
     outputs, before, after = outputs_in_c(function)
     result = in_doubles(template.type, dimension)
     unknown = [f"    result.{name} = OverlapTier::unknown;" for name in NOT_GIVEN_OUT.get(result_of(template), ())]
-    yield f"/// {template.name}() by {function.name}()."
+    yield f"/// Computes {template.name}() by {function.name}()."
     yield from wrapped(f"PW85_LINKED {result} {template.name}(", written, ") noexcept")
     yield from ("{", "    using namespace detail::linked;", f"    {result} result;", *before)
     yield from wrapped(f"    int const status = {function.name}(", [*inputs, *outputs], ");")

@@ -175,7 +175,8 @@ def brief(function):
     text = re.sub(r"\bn (?=[a-z])", "many ", function.brief())
     if is_of_plane(function.name):
         text = text.replace("pairs", "pairs of ellipses")
-    return f"{in_cpp(text)}: see {function.name}()."
+    verb = "Computes " if re.match(r"\w+\(\)", text) else ""
+    return f"{verb}{in_cpp(text)}: see {function.name}()."
 
 
 def described(function, parameter):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes the table of conventions.rst anew, of the data by which tables are read: conventions.py [--check]."""
+"""Writes the table of conventions.rst again, from the data by which tables are read: conventions.py [--check]."""
 
 import importlib.util
 import pathlib

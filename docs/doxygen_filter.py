@@ -53,7 +53,7 @@ def main():
     # It finds no scope for what is specialised in another namespace.
     source = re.sub(r"^(?:///[^\n]*\n)*template <class T> (?:class|struct) std::.*?^};\n", "", source, flags=re.DOTALL | re.MULTILINE)
     source = STATUS_MACRO.sub(lambda macro: enumerators(0 if macro["cpp"] == "cpp_name" else 1), source)
-    # Lists of facts are referred to by their numbers, which each list of Doxygen's begins anew.
+    # Lists of facts are referred to by their numbers, which each list of Doxygen's counts from 1.
     source = re.sub(r"^/// (\d+)\. ", r"///\n/// (\1) ", source, flags=re.MULTILINE)
     # Names of headers are not to become links to pages that there are not, nor words of prose links to types. Titles have no links.
     source = re.sub(

@@ -1,4 +1,4 @@
-"""Writes the measured sections of README.md and of lammps/README.md, and the pictures of measurements anew from docs/measurements.json.
+"""Rewrites the measured sections of README.md and of lammps/README.md, and the pictures of measurements, from docs/measurements.json.
 
 Usage: measured_pages.py [--check]; with --check nothing is written: it fails, and says why, if any of them is out of date.
 The measured tables of the manual are made with its pages (extensions/measured_table.py).
@@ -66,7 +66,7 @@ def minutes(part):
 
 
 def with_sections(page):
-    """The text of a page with its sections, and the minutes of its commands, made anew."""
+    """The text of a page with its sections, and the minutes of its commands, rewritten."""
 
     def section(found):
         return f"<!-- measured {found[1]} -->\n{SECTIONS[found[1]]()}\n<!-- end of measured -->"

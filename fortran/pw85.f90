@@ -1192,7 +1192,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_polytope
 
-    !> Whether an ellipsoid and a segment overlap, μ² < 1.
+    !> Tests whether an ellipsoid and a segment overlap, μ² < 1.
     function pw85_overlap_segment(end1, end2, q, overlap) result(status) bind(C, &
       name='pw85_overlap_segment')
       import
@@ -1201,7 +1201,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_segment
 
-    !> Whether an ellipsoid and a triangle overlap, μ² < 1.
+    !> Tests whether an ellipsoid and a triangle overlap, μ² < 1.
     function pw85_overlap_triangle(vertex1, vertex2, vertex3, q, overlap) result(status) bind(C, &
       name='pw85_overlap_triangle')
       import
@@ -1210,7 +1210,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_triangle
 
-    !> Whether an ellipsoid and a solid box with sides along the axes overlap, μ² < 1.
+    !> Tests whether an ellipsoid and a solid box with sides along the axes overlap, μ² < 1.
     function pw85_overlap_box(lower, upper, q, overlap) result(status) bind(C, &
       name='pw85_overlap_box')
       import
@@ -1219,7 +1219,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_box
 
-    !> Whether an ellipsoid and a polytope overlap, μ² < 1.
+    !> Tests whether an ellipsoid and a polytope overlap, μ² < 1.
     function pw85_overlap_polytope(n, normals, offsets, q, overlap) result(status) bind(C, &
       name='pw85_overlap_polytope')
       import
@@ -1283,7 +1283,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_box_2d
 
-    !> Whether an ellipse and a segment overlap, μ² < 1.
+    !> Tests whether an ellipse and a segment overlap, μ² < 1.
     function pw85_overlap_segment_2d(end1, end2, q, overlap) result(status) bind(C, &
       name='pw85_overlap_segment_2d')
       import
@@ -1292,7 +1292,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_segment_2d
 
-    !> Whether an ellipse and a solid rectangle with sides along the axes overlap, μ² < 1.
+    !> Tests whether an ellipse and a solid rectangle with sides along the axes overlap, μ² < 1.
     function pw85_overlap_box_2d(lower, upper, q, overlap) result(status) bind(C, &
       name='pw85_overlap_box_2d')
       import
@@ -2192,7 +2192,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_first_contact_batch
 
-    !> Whether an ellipsoid overlaps any of n others.
+    !> Tests whether an ellipsoid overlaps any of n others.
     function pw85_overlap_any(q1, n, r12, q2, any) result(status) bind(C, name='pw85_overlap_any')
       import
       integer(c_size_t), value :: n
@@ -2423,8 +2423,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_neighbors_check
 
-    !> Whether a list still has all pairs whose boxes intersect (without skin) after the particles
-    !> have moved and turned, and the cell has changed.
+    !> Tests whether a list still has all pairs whose boxes intersect (without skin) after the
+    !> particles have moved and turned, and the cell has changed.
     function pw85_neighbors_holds(list, system, holds) result(status) bind(C, &
       name='pw85_neighbors_holds')
       import
@@ -2469,7 +2469,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_mesh_contact
 
-    !> Whether an ellipsoid and a mesh overlap, μ² < 1 for any triangle.
+    !> Tests whether an ellipsoid and a mesh overlap, μ² < 1 for any triangle.
     function pw85_mesh_overlap(mesh, center, q, overlap) result(status) bind(C, &
       name='pw85_mesh_overlap')
       import
@@ -2795,7 +2795,8 @@ module pw85
   ! pw85_simulation_insertions.h
   interface
 
-    !> Whether a particle would be free of overlaps at another place, by the exact test.
+    !> Tests whether a particle would be free of overlaps at another place, by the exact test, and
+    !> moves it there, if wanted.
     function pw85_hard_ellipsoids_try(simulation, particle, center, quaternion, take, is_free) &
       result(status) bind(C, name='pw85_hard_ellipsoids_try')
       import
@@ -2807,7 +2808,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_try
 
-    !> Whether a new particle would be free of overlaps, by the exact test.
+    !> Tests whether a new particle would be free of overlaps, by the exact test, and inserts it as
+    !> the last one, if wanted.
     function pw85_hard_ellipsoids_insert(simulation, center, quaternion, semi_axes, take, is_free) &
       result(status) bind(C, name='pw85_hard_ellipsoids_insert')
       import
@@ -2896,7 +2898,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_check
 
-    !> How far cell and centres can be compressed before particles touch.
+    !> Finds how far cell and centres can be compressed before particles touch.
     function pw85_hard_ellipsoids_compress(simulation, take, factor) result(status) bind(C, &
       name='pw85_hard_ellipsoids_compress')
       import

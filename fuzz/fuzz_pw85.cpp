@@ -330,13 +330,13 @@ void check_device(Input const &in)
     bool const agreed = pw85_overlap_batch(1, in.r12, in.q1, in.q2, &expected) == status;
     Pair3 const pair = load(Pairs{in.r12, in.q1, in.q2}, 0);
     ContactArrays const contacts{&mu2, &lambda};
-    if (!attempt(contacts, pair, 0)) settle(contacts, pair, 0);
+    if (!attempt(contacts, pair, 0)) fallback(contacts, pair, 0);
     check("device: contact", in, status, &mu2, 1);
     OverlapArray const overlaps{&overlap};
-    bool const answered = attempt(overlaps, pair, 0) || settle(overlaps, pair, 0);
+    bool const answered = attempt(overlaps, pair, 0) || fallback(overlaps, pair, 0);
     if (agreed && answered && overlap != expected) fail("device: overlap", in);
     DerivativeArrays const derivatives{out, out + 1, out + 2, out + 5, out + 8, out + 11, out + 14};
-    if (!attempt(derivatives, pair, 0)) settle(derivatives, pair, 0);
+    if (!attempt(derivatives, pair, 0)) fallback(derivatives, pair, 0);
     check("device: derivatives", in, status, out + 8, 9);
 }
 

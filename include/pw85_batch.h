@@ -1038,7 +1038,7 @@ PW85_API int pw85_first_contact_batch(size_t n, double const *r12, double const 
                                       double const *q2, pw85_motion const *motion1,
                                       pw85_motion const *motion2, double t_max, double *t);
 
-/** Whether an ellipsoid overlaps any of n others.
+/** Tests whether an ellipsoid overlaps any of n others.
  *
  * The function tests the others one after the other, as pw85_overlap() does, and stops at the first
  * that overlaps or is bad. It runs in the calling thread, and uses SIMD.

@@ -219,8 +219,8 @@ PW85_API int pw85_contact_box(double const lower[3], double const upper[3], doub
 PW85_API int pw85_contact_polytope(size_t n, double const *normals, double const *offsets,
                                    double const q[6], double *mu2, double point[3]);
 
-/** Whether an ellipsoid and a segment overlap, μ² < 1. If they only touch, they do not. The answer
- * is that of exact arithmetic for the numbers given, as that of pw85_overlap().
+/** Tests whether an ellipsoid and a segment overlap, μ² < 1. If they only touch, they do not. The
+ * answer is that of exact arithmetic for the numbers given, as that of pw85_overlap().
  *
  * @param end1,end2,q [as pw85_contact_segment()]
  * @param[out] overlap [-1 on error] 1 or 0
@@ -228,8 +228,8 @@ PW85_API int pw85_contact_polytope(size_t n, double const *normals, double const
 PW85_API int pw85_overlap_segment(double const end1[3], double const end2[3], double const q[6],
                                   int *overlap);
 
-/** Whether an ellipsoid and a triangle overlap, μ² < 1. If they only touch, they do not. The answer
- * is that of exact arithmetic for the numbers given, as that of pw85_overlap().
+/** Tests whether an ellipsoid and a triangle overlap, μ² < 1. If they only touch, they do not. The
+ * answer is that of exact arithmetic for the numbers given, as that of pw85_overlap().
  *
  * @param vertex1,vertex2,vertex3,q [as pw85_contact_triangle()]
  * @param[out] overlap [-1 on error] 1 or 0
@@ -237,8 +237,8 @@ PW85_API int pw85_overlap_segment(double const end1[3], double const end2[3], do
 PW85_API int pw85_overlap_triangle(double const vertex1[3], double const vertex2[3],
                                    double const vertex3[3], double const q[6], int *overlap);
 
-/** Whether an ellipsoid and a solid box with sides along the axes overlap, μ² < 1. If they only
- * touch, they do not. The answer is that of exact arithmetic for the numbers given, as that of
+/** Tests whether an ellipsoid and a solid box with sides along the axes overlap, μ² < 1. If they
+ * only touch, they do not. The answer is that of exact arithmetic for the numbers given, as that of
  * pw85_overlap().
  *
  * @param lower,upper,q [as pw85_contact_box()]
@@ -247,9 +247,9 @@ PW85_API int pw85_overlap_triangle(double const vertex1[3], double const vertex2
 PW85_API int pw85_overlap_box(double const lower[3], double const upper[3], double const q[6],
                               int *overlap);
 
-/** Whether an ellipsoid and a polytope overlap, μ² < 1. If they only touch, they do not; an empty
- * polytope does not overlap. The answer is that of exact arithmetic for the numbers given, as that
- * of pw85_overlap().
+/** Tests whether an ellipsoid and a polytope overlap, μ² < 1. If they only touch, they do not; an
+ * empty polytope does not overlap. The answer is that of exact arithmetic for the numbers given, as
+ * that of pw85_overlap().
  *
  * @param n,normals,offsets,q [as pw85_contact_polytope()]
  * @param[out] overlap [-1 on error] 1 or 0
@@ -365,7 +365,7 @@ PW85_API int pw85_contact_segment_2d(double const end1[2], double const end2[2],
 PW85_API int pw85_contact_box_2d(double const lower[2], double const upper[2], double const q[3],
                                  double *mu2, double point[2]);
 
-/** Whether an ellipse and a segment overlap, μ² < 1; see pw85_overlap_segment().
+/** Tests whether an ellipse and a segment overlap, μ² < 1; see pw85_overlap_segment().
  *
  * @param end1,end2,q [as pw85_contact_segment()]
  * @param[out] overlap [-1 on error] 1 or 0
@@ -373,7 +373,7 @@ PW85_API int pw85_contact_box_2d(double const lower[2], double const upper[2], d
 PW85_API int pw85_overlap_segment_2d(double const end1[2], double const end2[2], double const q[3],
                                      int *overlap);
 
-/** Whether an ellipse and a solid rectangle with sides along the axes overlap, μ² < 1; see
+/** Tests whether an ellipse and a solid rectangle with sides along the axes overlap, μ² < 1; see
  * pw85_overlap_box().
  *
  * @param lower,upper,q [as pw85_contact_box()]

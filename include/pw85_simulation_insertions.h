@@ -15,9 +15,9 @@ extern "C" {
 /** @name Places, insertions and removals of particles
  * @{ */
 
-/** Whether a particle would be free of overlaps at another place, by the exact test; and moves it
- * there, if wanted. All images are tested, those of the particle itself, too. Counts and random
- * numbers stay as they are.
+/** Tests whether a particle would be free of overlaps at another place, by the exact test, and
+ * moves it there, if wanted. All images are tested, those of the particle itself, too. Counts and
+ * random numbers stay as they are.
  *
  * A place near the present one takes about as long as a trial of a sweep. For other places, a new
  * list of all neighbours is made. A place that a wall cuts, or that a potential forbids, is not
@@ -39,9 +39,9 @@ PW85_API int pw85_hard_ellipsoids_try(pw85_hard_ellipsoids *simulation, size_t p
                                       double const center[3], double const quaternion[4], int take,
                                       int *is_free);
 
-/** Whether a new particle would be free of overlaps, by the exact test; and inserts it as the last
- * one, if wanted. Its own images and walls are tested, too. A place that the potential forbids is
- * not free.
+/** Tests whether a new particle would be free of overlaps, by the exact test, and inserts it as the
+ * last one, if wanted. Its own images and walls are tested, too. A place that the potential forbids
+ * is not free.
  *
  * The pointers of pw85_hard_ellipsoids_system() and the like are of the old number of particles.
  * They may be read as long as the simulation lives, but do not show its present state any more. The

@@ -66,8 +66,9 @@ PW85_API int pw85_hard_ellipsoids_neighbors(pw85_hard_ellipsoids *simulation, si
  * @return #PW85_SUCCESS if there is no overlap, #PW85_EOVERLAP, #PW85_EINVAL, #PW85_ENOMEM */
 PW85_API int pw85_hard_ellipsoids_check(pw85_hard_ellipsoids const *simulation, int32_t pair[2]);
 
-/** How far cell and centres can be compressed before particles touch: the factor of all lengths,
- * the same in all directions, in two dimensions in those of the plane; and compresses, if wanted.
+/** Finds how far cell and centres can be compressed before particles touch: the factor of all
+ * lengths, which is the same in all directions, in two dimensions in those of the plane. It
+ * compresses them, if wanted.
  * Particles keep their sizes. The factor is that of the least μ of all pairs, 1/μ, enlarged by no
  * more than rounding errors require: the exact test finds no overlap after the coordinates are
  * multiplied by the factor and rounded. A law of pairs has no influence on it.

@@ -323,8 +323,8 @@ PW85_API int pw85_neighbors_create(pw85_system const *system, double scale, doub
 PW85_API int pw85_neighbors_check(pw85_system const *system, double scale, double skin,
                                   size_t *particle);
 
-/** Whether a list still has all pairs whose boxes intersect (without skin) after the particles have
- * moved and turned, and the cell has changed.
+/** Tests whether a list still has all pairs whose boxes intersect (without skin) after the
+ * particles have moved and turned, and the cell has changed.
  *
  * The linear map from the present periodic vectors of the cell to those of the list is applied to
  * each box. The answer is 1 if each box is then within its old box, enlarged by half the skin on
@@ -409,8 +409,9 @@ PW85_API int pw85_mesh_create(size_t num_vertices, double const *vertices, size_
 PW85_API int pw85_mesh_contact(pw85_mesh const *mesh, double const center[3], double const q[6],
                                double *mu2, double point[3], int32_t *triangle);
 
-/** Whether an ellipsoid and a mesh overlap, μ² < 1 for any triangle. If they only touch, they do
- * not. The answer is that of exact arithmetic for the rounded coordinates relative to the centre.
+/** Tests whether an ellipsoid and a mesh overlap, μ² < 1 for any triangle. If they only touch, they
+ * do not. The answer is that of exact arithmetic for the rounded coordinates relative to the
+ * centre.
  *
  * @param mesh,center,q [as pw85_mesh_contact()]
  * @param[out] overlap [-1 on error] 1 or 0

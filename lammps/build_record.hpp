@@ -20,8 +20,8 @@ struct Movement {
     /// largest displacement of any atom; infinite if the atoms are not those of the lists
     double displacement;
 
-    /// A lower bound for the distance of two atoms that were `distance` apart when the lists were
-    /// built.
+    /// Returns a lower bound for the distance of two atoms that were `distance` apart when the
+    /// lists were built.
     double closest(double distance) const { return (1.0 - strain) * distance - 2.0 * displacement; }
 };
 
@@ -41,7 +41,7 @@ class BuildRecord final : public LAMMPS_NS::Fix {
     void min_pre_neighbor() override { pre_neighbor(); }
     double memory_usage() override;
 
-    /// The motion since the last build. All processors call this together.
+    /// Returns the motion since the last build. All processors call this together.
     Movement movement() const;
 
   private:

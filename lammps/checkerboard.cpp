@@ -20,7 +20,7 @@ constexpr int unit_exponent = 50;
 /// unit finds the position again.
 constexpr int triclinic_unit_exponent = 44;
 
-/// The largest coordinates of a box and of the terms of LAMMPS's conversion.
+/// Returns the largest coordinates of a box and of the terms of LAMMPS's conversion.
 Vector largest_coordinates(ExactBox const &box)
 {
     Vector largest;

@@ -25,22 +25,22 @@ struct ExactBox {
     double upper(std::size_t k) const { return lower[k] + edges[k]; }
     double volume() const { return edges[0] * edges[1] * edges[2]; }
 
-    /// The multiple of the unit of an axis that is nearest to x.
+    /// Returns the multiple of the unit of an axis that is nearest to x.
     double rounded(std::size_t k, double x) const;
 
-    /// The part of each vector of the box in the way from its lower corner to x.
+    /// Returns the coordinates of x from the lower corner of the box, in units of its vectors.
     Vector fractions(double const *x) const;
 
-    /// The sum of the vectors of the box, each times a number.
+    /// Returns the sum of the vectors of the box, each times a number.
     Vector combination(Vector const &fractions) const;
 
-    /// The distances of opposite faces.
+    /// Returns the distances of opposite faces.
     Vector heights() const;
 
     bool operator==(ExactBox const &) const = default;
 };
 
-/// The smallest exact box with these tilts around this one. A box that is exact already is
+/// Returns the smallest exact box with these tilts around this one. A box that is exact already is
 /// unchanged.
 /// @param is_triclinic whether LAMMPS converts positions to fractions, also without tilts
 ExactBox exact_box(Vector const &lower, Vector const &upper, Vector const &tilts,
@@ -69,22 +69,22 @@ class Checkerboard {
             guards_[k] = guard_units * counts_[k] * box_.units[k] / box_.edges[k];
     }
 
-    /// The box that is longer by one of `count` cells along a direction.
+    /// Returns the box that is longer by one of `count` cells along a direction.
     static ExactBox lengthened(ExactBox box, std::size_t k, int count);
 
     ExactBox const &box() const { return box_; }
     Counts const &counts() const { return counts_; }
 
-    /// The distance of opposite faces of a cell.
+    /// Returns the distance of opposite faces of a cell.
     double height(std::size_t k) const { return heights_[k] / counts_[k]; }
 
-    /// The cell of a position in the box.
+    /// Returns the cell of a position in the box.
     Cell cell(double const *x) const;
 
     /// Returns whether a position is in a cell, and not within rounding errors of its sides.
     bool is_inside(Cell const &cell, double const *x) const;
 
-    /// A vector in a cell, from its lower corner.
+    /// Returns a vector in a cell, from its lower corner.
     Vector in_cell(Vector const &fractions) const;
 
     static int colour(Cell const &cell)
@@ -104,9 +104,9 @@ class Checkerboard {
     /// guards. These are at least 2 guard_units 2⁻⁵¹ = 2⁻⁴⁶ of half the box, so of the diameter.
     static int largest_count(double box_height, double diameter, bool is_periodic);
 
-    /// The number of cells by default. It does not depend on the processors, but suits as many
-    /// grids of processors as it can: a multiple of 12 or 4 if that makes cells by at most a third
-    /// longer.
+    /// Returns the number of cells by default. It does not depend on the processors, but suits as
+    /// many grids of processors as it can: a multiple of 12 or 4 if that makes cells by at most a
+    /// third longer.
     static int default_count(int largest);
 
   private:

@@ -27,13 +27,15 @@ class JkrContact {
     {
     }
 
-    /// The distance of the surfaces at which the contact ends, if their equivalent radius is R.
+    /// Returns the distance of the surfaces at which the contact ends, if their equivalent radius
+    /// is R.
     double largest_gap(double radius) const { return 0.5 * t_ * std::cbrt(1.5 * radius * t_); }
 
-    /// The largest tension, 3πγR.
+    /// Returns the largest tension, 3πγR.
     double pull_off_force(double radius) const { return 3.0 * s_ * t_ * radius; }
 
-    /// The radius of the contact at a depth, which may be negative down to the end of the contact.
+    /// Returns the radius of the contact at a depth, which may be negative down to the end of the
+    /// contact.
     ///
     /// √a is the largest root of x⁴/R - 2tx - δ, which is convex. It is less than (4Rt)^(1/3) or
     /// (2Rδ)^(1/4), from where Newton's method descends to it.
@@ -110,7 +112,7 @@ class LiquidBridge {
         return 1.0 / std::sqrt(curvatures[0] * curvatures[1]);
     }
 
-    /// The attraction of surfaces that are apart by a gap, or touch.
+    /// Returns the attraction of surfaces that are apart by a gap, or touch.
     ///
     /// @param radius ρ/2
     double force(double radius, double gap) const
@@ -135,7 +137,7 @@ class LiquidBridge {
     }
     double inverse_length(double radius) const { return std::sqrt(2.0 * radius / volume_); }
 
-    /// An integral of 1/(1 + 1.05 S + 2.5 S²) by the gap.
+    /// Returns an integral of 1/(1 + 1.05 S + 2.5 S²) by the gap.
     double integral(double radius, double gap) const
     {
         double const per_length = inverse_length(radius), root = std::sqrt(10.0 - 1.05 * 1.05);

@@ -53,7 +53,7 @@ Eigensystem eigensystem(std::array<Vector, 3> a)
     return result;
 }
 
-/// The vector or its negative, so that its largest component is positive.
+/// Returns the vector or its negative, so that its largest component is positive.
 Vector with_sign(Vector const &x)
 {
     auto const largest = std::max_element(
@@ -74,8 +74,8 @@ ComputeOrder::ComputeOrder(LAMMPS *lammps, int narg, char **arg)
     vector = new double[6];
 }
 
-/// The axis of an ellipsoid whose length differs most from the middle one; in two dimensions the
-/// long axis in the plane. Spheres and discs have none.
+/// Returns the axis of an ellipsoid whose length differs most from the middle one; in two
+/// dimensions the long axis in the plane. Spheres and discs have none.
 std::optional<Vector> ComputeOrder::axis(int i) const
 {
     double const *const q = ellipsoids_.quaternion(i);

@@ -53,7 +53,7 @@ class ContactHistory final : public LAMMPS_NS::Fix {
         Vector sliding, normal; ///< the normal is unknown in step 0
     };
 
-    /// The contact of an entry of the list in the step before, or null for a new one.
+    /// Returns the contact of an entry of the list in the step before, or null for a new one.
     Contact const *find(std::uint32_t entry) const
     {
         std::uint32_t const place = places_[entry];
@@ -149,7 +149,7 @@ class ContactHistory final : public LAMMPS_NS::Fix {
     std::vector<Row> rows_;      ///< by owned atom
     /// by owned atom and ghost, while complete() works
     std::vector<std::vector<Stored>> shared_;
-    /// how many lists LAMMPS had made when the places were given
+    /// number of lists that LAMMPS had made when the indices were given
     LAMMPS_NS::bigint num_lists_ = 0;
     /// by owned atom and ghost, while follow_tags() works
     std::vector<LAMMPS_NS::tagint> stored_tags_;

@@ -27,8 +27,8 @@ double shear_of_contact(double e1, double nu1, double e2, double nu2)
     return 1.0 / (2.0 * (2.0 - nu1) * (1.0 + nu1) / e1 + 2.0 * (2.0 - nu2) * (1.0 + nu2) / e2);
 }
 
-/// The factor of √(m k) for a coefficient of restitution: the polynomial of LAMMPS's `damping
-/// tsuji`, which fits Tsuji, Tanaka and Ishida (Powder Technology 71, 239, 1992).
+/// Returns the factor of √(m k) for a coefficient of restitution: the polynomial of LAMMPS's
+/// `damping tsuji`, which fits Tsuji, Tanaka and Ishida (Powder Technology 71, 239, 1992).
 double tsuji_factor(double restitution)
 {
     double sum = 0.0;
@@ -66,9 +66,9 @@ struct Slider {
     double stiffness, damping, limit, spring;
 };
 
-/// The force of a slider with a spring that has been turned with the contact. If it slides, the
-/// spring becomes as long as Coulomb's limit allows. A spring of zero, which contacts have while a
-/// run is set up for the first time, gives no force above the limit, as in LAMMPS.
+/// Returns the force of a slider with a spring that has been turned with the contact. If it slides,
+/// the spring becomes as long as Coulomb's limit allows. A spring of zero, which contacts have
+/// while a run is set up for the first time, gives no force above the limit, as in LAMMPS.
 Vector friction(Slider const &slider, Vector const &slip, Vector &spring)
 {
     Vector const force = -slider.stiffness * spring - slider.damping * slip;
@@ -81,8 +81,8 @@ Vector friction(Slider const &slider, Vector const &slip, Vector &spring)
     return limited;
 }
 
-/// The couple that resists rolling. The velocity of rolling is that of Wang, Alonso-Marroquin, Xue
-/// and Xie (Particuology 23, 49, 2015), as in LAMMPS's `rolling sds`.
+/// Returns the couple that resists rolling. The velocity of rolling is that of Wang,
+/// Alonso-Marroquin, Xue and Xie (Particuology 23, 49, 2015), as in LAMMPS's `rolling sds`.
 Vector rolling_couple(LawConstants::Slider const &c, Encounter const &e, double pressure,
                       Vector &spring)
 {
@@ -93,10 +93,10 @@ Vector rolling_couple(LawConstants::Slider const &c, Encounter const &e, double 
                  friction({c.stiffness, c.damping, c.friction * pressure, c.spring}, slip, spring));
 }
 
-/// The couple about the normal that resists twisting, as in LAMMPS's `twisting sds` and `twisting
-/// marshall`. The second law is that of a disc with the contact's radius, on which sliding has its
-/// stiffness, its damping and its limit everywhere (J. S. Marshall, J. Comp. Phys. 228, 1541,
-/// 2009). Beyond the limit, the couple is that of the limit against the spin.
+/// Returns the couple about the normal that resists twisting, as in LAMMPS's `twisting sds` and
+/// `twisting marshall`. The second law is that of a disc with the contact's radius, on which
+/// sliding has its stiffness, its damping and its limit everywhere (J. S. Marshall, J. Comp. Phys.
+/// 228, 1541, 2009). Beyond the limit, the couple is that of the limit against the spin.
 ///
 /// @param size the contact's radius
 Vector twisting_couple(LawConstants::Twister const &c, Slider const &sliding, Encounter const &e,
@@ -148,7 +148,7 @@ bool is_apart(LawConstants const &c, double radius, double depth)
     return !(depth > (c.jkr ? -c.jkr->largest_gap(radius) : 0.0));
 }
 
-/// The contact's radius; 0 if surfaces are apart.
+/// Returns the contact's radius; 0 if surfaces are apart.
 double contact_size(LawConstants const &c, double radius, double depth)
 {
     if (is_apart(c, radius, depth)) return 0.0;
@@ -175,8 +175,8 @@ NormalPart cohesive_part(LawConstants const &c, Encounter const &e)
     return part;
 }
 
-/// The force on which Coulomb's limits depend. With attraction it is that of Thornton (J. Phys. D
-/// 24, 1942, 1991), as in LAMMPS: the largest tension comes twice on top.
+/// Returns the force on which Coulomb's limits depend. With attraction it is that of Thornton (J.
+/// Phys. D 24, 1942, 1991), as in LAMMPS: the largest tension comes twice on top.
 double pressing_force(LawConstants const &c, Encounter const &e, double force)
 {
     double const tension = c.jkr ? c.jkr->pull_off_force(e.radius) : c.pull * e.radius;
@@ -227,7 +227,7 @@ Reaction reaction(LawConstants const &c, Encounter const &e, Springs &springs)
     return result;
 }
 
-/// The mass m1 m2/(m1 + m2) of a contact. A frozen body moves as if its mass were infinite.
+/// Returns the mass m1 m2/(m1 + m2) of a contact. A frozen body moves as if its mass were infinite.
 double mass_of_contact(double m1, double m2)
 {
     double const both = m1 * m2 / (m1 + m2);
@@ -237,7 +237,7 @@ double mass_of_contact(double m1, double m2)
 /// A law at some contacts.
 struct RowLaw {
     LawConstants constants;
-    /// how far from the surfaces forces act and velocities count, over the depth
+    /// distance from the surfaces within which forces act and velocities count, over the depth
     double inward_force, inward_motion;
     double timestep;
     std::size_t begin, end;

@@ -35,7 +35,7 @@ inline Arms parse_arms(Words &words)
         {{"contact", Arms::contact}, {"surface", Arms::surface}, {"granular", Arms::granular}});
 }
 
-/// A vector of the same length, along its part in the tangent plane.
+/// Returns a vector of the same length, along its part in the tangent plane.
 Vector turn_into_plane(Vector const &x, Vector const &normal);
 
 /// Input of a law: the state of a contact. Velocities are those of the first body relative to the
@@ -73,8 +73,9 @@ struct Springs {
     }
 };
 
-/// The numbers of an atom and its contacts from a restart file, after the first one, which is how
-/// many numbers there are. Version 3.0.0 wrote contacts without twisting, the last number of each.
+/// Returns the numbers of an atom and its contacts from a restart file, after the first one, which
+/// is how many numbers there are. Version 3.0.0 wrote contacts without twisting, the last number of
+/// each.
 ///
 /// @param head numbers before those of the contacts; the first of them is the number of contacts
 /// @param size numbers of a contact
@@ -161,7 +162,7 @@ class ContactLaw {
     static ContactLaw parse(LAMMPS_NS::LAMMPS *lammps, std::string const &style, int count,
                             char **words);
 
-    /// The law of two materials, or nothing if their laws have different forms.
+    /// Returns the law of two materials, or nothing if their laws have different forms.
     static std::optional<ContactLaw> mixed(ContactLaw const &a, ContactLaw const &b);
 
     bool has_spring() const
@@ -175,17 +176,17 @@ class ContactLaw {
     /// Returns whether the law attracts.
     bool sticks() const { return constants_.pull > 0.0 || constants_.jkr || constants_.bridge; }
 
-    /// The gap between surfaces at which a contact ends that has begun by touching, for an
+    /// Returns the gap between surfaces at which a contact ends that has begun by touching, for an
     /// equivalent radius; 0 without attraction. It grows with the radius.
     double largest_gap(double radius) const;
 
     bool conducts() const { return heat_ != Heat::none; }
 
-    /// The heat that flows through a contact in a unit of time, over the difference of
+    /// Returns the heat that flows through a contact in a unit of time, over the difference of
     /// temperatures.
     double conductance(GrainGeometry const &contact) const;
 
-    /// The reaction of a contact, and its new springs.
+    /// Returns the reaction of a contact, and its new springs.
     Reaction react(Encounter const &e, Springs &springs) const;
 
     /// Computes the forces of contacts from their geometry. Results are meaningless for pairs that

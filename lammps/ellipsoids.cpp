@@ -17,7 +17,8 @@ namespace pw85_lammps {
 
 namespace {
 
-/// A compute property/atom that is not in LAMMPS's list of computes. Only its owner runs it.
+/// Returns a compute property/atom that is not in LAMMPS's list of computes. Only its owner runs
+/// it.
 std::unique_ptr<Compute> property_compute(LAMMPS *lammps, Modify &modify,
                                           std::vector<std::string> properties)
 {
@@ -170,7 +171,8 @@ void Ellipsoids::expect(int type, double radius, double curvature_radius)
     raise(expected_curvature_radii_, curvature_radius);
 }
 
-/// The largest bounding radius of each atom type on all processors; 0 for types without ellipsoids.
+/// Returns the largest bounding radius of each atom type on all processors; 0 for types without
+/// ellipsoids.
 std::vector<double> Ellipsoids::largest_radii() const
 {
     std::vector<double> largest = expected_radii_;

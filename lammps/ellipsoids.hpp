@@ -53,8 +53,8 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     /// radius, and radii of curvature of up to another one, will be inserted.
     void expect(int type, double radius, double curvature_radius);
 
-    /// The largest radius of curvature of the ellipsoids of each type on all processors; 0 for
-    /// types without ellipsoids.
+    /// Returns the largest radius of curvature of the ellipsoids of each type on all processors; 0
+    /// for types without ellipsoids.
     std::vector<double> largest_curvature_radii() const;
 
     int pack(int count, int const *atoms, double *buffer) const;
@@ -68,11 +68,11 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     /// processors call this together.
     void require_cutoff(int t, int u, double cutoff, double distance) const;
 
-    /// The forms by local index, n×6.
+    /// Returns the forms by local index, n×6.
     double const *forms() const { return forms_.data(); }
 
-    /// The system of owned atoms and ghosts. It has no cell, because the ghosts are the periodic
-    /// images.
+    /// Returns the system of owned atoms and ghosts. It has no cell, because the ghosts are the
+    /// periodic images.
     pw85_system system() const
     {
         return {static_cast<std::size_t>(atom->nlocal + atom->nghost),
@@ -84,14 +84,14 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
 
     double const *form(int i) const { return &forms_[PW85_SYM * static_cast<std::size_t>(i)]; }
 
-    /// The radius of the bounding sphere, of owned ellipsoids and ghosts; 0 for atoms that are not
-    /// selected.
+    /// Returns the radius of the bounding sphere, of owned ellipsoids and ghosts; 0 for atoms that
+    /// are not selected.
     double radius(int i) const { return radii_[static_cast<std::size_t>(i)]; }
 
-    /// The quaternion (w, i, j, k) of an owned ellipsoid, as last read or set by turn().
+    /// Returns the quaternion (w, i, j, k) of an owned ellipsoid, as last read or set by turn().
     double const *quaternion(int i) const { return quaternions_->array_atom[i]; }
 
-    /// The form that an owned ellipsoid has with another quaternion.
+    /// Returns the form that an owned ellipsoid has with another quaternion.
     std::array<double, PW85_SYM> form_with(int i, double const *quaternion) const;
 
     /// Gives an owned ellipsoid a quaternion and its form. LAMMPS knows it after
@@ -139,7 +139,7 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
         double scale2_, gap_;
     };
 
-    /// A test of pairs, which is valid until atoms move.
+    /// Returns a test of pairs, which is valid until atoms move.
     Reach reach(double scale2, double gap = 0.0) const
     {
         return {atom->x[0], radii_.data(), scale2, gap};

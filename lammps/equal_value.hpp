@@ -27,12 +27,12 @@ class EqualValue {
         return value;
     }
 
-    /// The number that denotes no variable.
+    /// Returns the number that denotes no variable.
     double number() const { return number_; }
 
     bool is_variable() const { return !name_.empty(); }
 
-    /// The present value. All processors call this together.
+    /// Returns the present value. All processors call this together.
     double read(LAMMPS_NS::LAMMPS &lammps, std::string const &style) const
     {
         if (!is_variable()) return number_;

@@ -143,7 +143,7 @@ void FixFire::scale_momenta(double kept, double push)
     }
 }
 
-/// An upper bound on the speeds of all points of the ellipsoids.
+/// Returns an upper bound on the speeds of all points of the ellipsoids.
 double FixFire::fastest() const
 {
     double speed = 0.0;

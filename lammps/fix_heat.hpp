@@ -23,8 +23,8 @@ class FixHeat final : public LAMMPS_NS::Fix {
     FixHeat(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
     ~FixHeat() override;
 
-    /// The fix of a running LAMMPS. If there is none, the run stops with an error of a style whose
-    /// law conducts heat. All processors call this together.
+    /// Returns the fix of a running LAMMPS. If there is none, the run stops with an error of a
+    /// style whose law conducts heat. All processors call this together.
     static FixHeat &require(LAMMPS_NS::LAMMPS &lammps, std::string const &style);
 
     /// Of an owned atom or a ghost, while forces are computed.
@@ -47,7 +47,7 @@ class FixHeat final : public LAMMPS_NS::Fix {
     void final_integrate() override;
     void reset_dt() override {}
 
-    /// The heat of the group, Σ m c T.
+    /// Returns the heat of the group, Σ m c T.
     double compute_scalar() override;
 
     void grow_arrays(int nmax) override;

@@ -192,7 +192,7 @@ void FixHpmc::refuse_pressure() const
                    ", where the box is not periodic: use pressure x, y or z for a periodic one");
 }
 
-/// The box as it is, without rounding.
+/// Returns the box as it is, without rounding.
 ExactBox FixHpmc::present_box() const
 {
     ExactBox box;
@@ -211,7 +211,6 @@ void FixHpmc::setup_pre_exchange()
     diameter_ = 0.0;
     ellipsoids_.for_each_reach(
         [this](int, int, double reach) { diameter_ = std::max(diameter_, reach); });
-    if (diameter_ == 0.0) refuse("has no ellipsoids");
     make_cells();
     tried_ = accepted_ = {};
     first_sweep_ = true;
@@ -257,7 +256,7 @@ void FixHpmc::set_domain(ExactBox const &box)
     domain->set_local_box();
 }
 
-/// The box in which a sweep shifts the atoms of a box.
+/// Returns the box in which a sweep shifts the atoms of a box.
 ExactBox FixHpmc::lengthened(ExactBox box) const
 {
     for (std::size_t k = 0; k < 3; ++k)
@@ -323,14 +322,14 @@ void FixHpmc::require_cells(int k, int largest) const
 /// apart, and in other cells.
 double FixHpmc::ghost_distance() const
 {
-    double const way = num_trials_ * largest_step_[translation];
+    double const path = num_trials_ * largest_step_[translation];
     double distance = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
         double const edge = cells_.height(k);
         distance = std::max(distance, scaled_ == Scaled::none
-                                          ? std::min(edge, diameter_ + way)
+                                          ? std::min(edge, diameter_ + path)
                                           : diameter_ * std::exp(largest_step_[expansion]) +
-                                                std::min(edge, way));
+                                                std::min(edge, path));
     }
     return 1.001 * distance; // far more than rounding errors
 }
@@ -429,7 +428,7 @@ Vector FixHpmc::random_factors(Stream &random) const
     return factors;
 }
 
-/// The box whose coordinates are longer by factors, from its lower corner.
+/// Returns the box whose coordinates are longer by factors, from its lower corner.
 ExactBox FixHpmc::scaled(ExactBox const &box, Vector const &factors) const
 {
     Vector upper;
@@ -469,7 +468,7 @@ bool FixHpmc::has_overlaps()
     return found != 0;
 }
 
-/// A vector in a cell. Shifts by whole cells would only give the cells other places.
+/// Returns a vector in a cell. Shifts by whole cells would only give the cells other places.
 Vector FixHpmc::random_shift(Stream &random) const
 {
     Vector fractions;
@@ -479,7 +478,8 @@ Vector FixHpmc::random_shift(Stream &random) const
 
 /// Makes the box that of the cells. LAMMPS's sub-domains are parts of it, with the same number of
 /// cells each. An atom that was in one sub-domain of the box is in the same or in an adjacent one
-/// after the shift, and the same holds for the way back.
+/// after the shift, and the same holds when the box is made shorter
+/// again.
 void FixHpmc::lengthen_domain()
 {
     if (domain->nonperiodic == 0) return;
@@ -570,8 +570,8 @@ void FixHpmc::move(Mover const &mover)
     int const i = mover.atom;
     Stream random(seed_, static_cast<std::uint64_t>(update->ntimestep),
                   static_cast<std::uint64_t>(mover.tag));
-    double const way = num_trials_ * largest_step_[translation]; // the sum of all translations
-    gather(i, ellipsoids_.radius(i) + 0.5 * diameter_ + way);
+    double const path = num_trials_ * largest_step_[translation]; // the sum of all translations
+    gather(i, ellipsoids_.radius(i) + 0.5 * diameter_ + path);
     bool const turns = !is_sphere(i) && largest_step_[rotation] > 0.0;
     for (int trial = 0; trial < num_trials_; ++trial) {
         Kind const kind = turns && (random.bits() & 1) ? rotation : translation;
@@ -703,7 +703,8 @@ void FixHpmc::require_quaternions()
     ellipsoids_.read([](int) { return true; });
     if (!std::equal(written.begin(), written.end(), ellipsoids_.quaternion(0)))
         stop_one(*error,
-                 std::string(style_name) + " cannot set quaternions in this release of LAMMPS");
+                 std::string(style_name) +
+                     " cannot set quaternions in this release of LAMMPS: use another release");
 }
 
 /// Changes the steps of trials towards the wanted share of accepted ones.
@@ -761,8 +762,8 @@ int FixHpmc::pack_forward_comm(int count, int *atoms, double *buffer, int pbc_fl
     return count * comm_forward;
 }
 
-/// The way to an image, by whole vectors of the box; pbc counts them along the axes as LAMMPS does:
-/// x, y, z, and the tilts yz, xz, xy.
+/// Returns the displacement to an image, by whole vectors of the box; pbc counts them along the
+/// axes as LAMMPS does: x, y, z, and the tilts yz, xz, xy.
 Vector FixHpmc::image_shift(int const *pbc) const
 {
     Vector shift{pbc[0] * domain->xprd, pbc[1] * domain->yprd, pbc[2] * domain->zprd};

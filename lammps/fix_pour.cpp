@@ -33,7 +33,7 @@ bool has_no_end(Region const &region)
     return !(lower > -1e20 && upper < 1e20);
 }
 
-/// The image of a vector that is nearest to zero, coordinate by coordinate of the box.
+/// Returns the image of a vector that is nearest to zero, coordinate by coordinate of the box.
 Vector nearest_image(Domain const &domain, Vector const &r)
 {
     double const *const h = domain.h, *const inverse = domain.h_inv;
@@ -60,7 +60,7 @@ template <class Use> void visit_images(Domain const &domain, Vector const &r, Us
                     Vector{h[0] * a + h[5] * b + h[4] * c, h[1] * b + h[3] * c, h[2] * c});
 }
 
-/// The arrays of all processors, one after the other.
+/// Returns the arrays of all processors, one after the other.
 std::vector<double> gathered(std::vector<double> const &own, MPI_Comm world)
 {
     int num_ranks = 1;
@@ -188,7 +188,6 @@ void FixPour::pre_exchange()
                  state_.wanted + count_ + rate_ * update->dt * static_cast<double>(every_));
     find_others();
     forget_ghosts(*atom);
-    num_created_ = 0;
     find_last_tag();
     bigint const before = state_.inserted;
     while (static_cast<double>(state_.inserted) + 1.0 <= state_.wanted) {
@@ -207,7 +206,7 @@ void FixPour::pre_exchange()
         ++state_.inserted;
         state_.mass += grain.mass();
     }
-    finish_insertion(state_.inserted - before);
+    announce(state_.inserted - before);
     state_.next_step += every_;
     next_reneighbor = state_.inserted < number_ ? state_.next_step : -1;
 }
@@ -332,7 +331,6 @@ void FixPour::create(NewGrain const &grain, Vector const &center, tagint tag)
                      static_cast<imageint>(IMGMAX) << IMGBITS | IMGMAX;
     domain->remap(x.data(), image);
     if (!owns(x)) return;
-    ++num_created_;
     create_ellipsoid(*atom, grain.type, x, grain.semi_axes, grain.quaternion);
     int const i = atom->nlocal - 1;
     atom->tag[i] = tag;
@@ -372,11 +370,9 @@ void FixPour::find_last_tag()
         refuse("would give atoms larger IDs than LAMMPS has: renumber them by reset_atom_ids");
 }
 
-void FixPour::finish_insertion(bigint count)
+/// Adds the new grains to the number of atoms and to the map of their tags.
+void FixPour::announce(bigint count)
 {
-    bigint created = 0;
-    MPI_Allreduce(&num_created_, &created, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-    if (created != count) refuse("has lost a new grain between two processors");
     atom->natoms += count;
     if (atom->map_style == 0) return;
     atom->map_init();

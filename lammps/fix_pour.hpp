@@ -30,7 +30,7 @@ class FixPour final : public LAMMPS_NS::Fix {
     void init() override;
     void pre_exchange() override;
 
-    /// The number of inserted grains.
+    /// Returns the number of inserted grains.
     double compute_scalar() override { return static_cast<double>(state_.inserted); }
 
     /// Their number, their mass, the number of grains that wait for a place, and that of the places
@@ -48,7 +48,7 @@ class FixPour final : public LAMMPS_NS::Fix {
     struct State {
         LAMMPS_NS::bigint inserted = 0, next_step = 0, refused = 0;
         LAMMPS_NS::tagint last_tag = 0; ///< the largest tag that any atom has had
-        double wanted = 0.0;            ///< how many grains should be there
+        double wanted = 0.0;            ///< number of grains at the present time
         double mass = 0.0;              ///< of the inserted grains
     };
 
@@ -71,7 +71,7 @@ class FixPour final : public LAMMPS_NS::Fix {
     void create(NewGrain const &grain, Vector const &center, LAMMPS_NS::tagint tag);
     bool owns(Vector const &x) const;
     void find_last_tag();
-    void finish_insertion(LAMMPS_NS::bigint count);
+    void announce(LAMMPS_NS::bigint count);
     void warn_of_full_region();
     [[noreturn]] void refuse(std::string const &reason) const;
 
@@ -88,8 +88,6 @@ class FixPour final : public LAMMPS_NS::Fix {
     Ellipsoids ellipsoids_;
     Others others_;
     std::vector<double> near_r12_, near_forms_; ///< memory for meets_others()
-    /// atoms that this processor has created in this step
-    LAMMPS_NS::bigint num_created_ = 0;
     bool warned_ = false;
 };
 

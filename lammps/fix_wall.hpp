@@ -45,10 +45,10 @@ class FixWall final : public LAMMPS_NS::Fix {
     /// Returns whether a hard ellipsoid cuts the wall, by an exact decision.
     bool cuts(Vector const &center, double const *form, double radius) const;
 
-    /// The energy of the normal springs.
+    /// Returns the energy of the normal springs.
     double compute_scalar() override;
 
-    /// The force and the torque of the grains on the wall, its number of contacts, its
+    /// Returns the force and the torque of the grains on the wall, its number of contacts, its
     /// displacement, its velocity, and the heat that flows into it.
     double compute_vector(int k) override;
 

@@ -91,7 +91,7 @@ class GrainSearch {
     std::size_t size_ = 0;
 };
 
-/// The geometry of an ellipsoid and a wall, at a point of the wall with a given normal.
+/// Returns the geometry of an ellipsoid and a wall, at a point of the wall with a given normal.
 ///
 /// @param normal unit vector out of the ellipsoid, into the wall
 /// @param distance of the wall's tangent plane from the centre along the normal

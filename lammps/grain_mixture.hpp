@@ -62,10 +62,11 @@ class GrainMixture {
 
     bool empty() const { return kinds_.empty(); }
 
-    /// The largest radius of a sphere around a grain of a type, or of any type; 0 if there is none.
+    /// Returns the largest radius of a sphere around a grain of a type, or of any type; 0 if there
+    /// is none.
     double largest_radius(std::optional<int> type = {}) const;
 
-    /// The largest radius of curvature of the grains of a type.
+    /// Returns the largest radius of curvature of the grains of a type.
     double largest_curvature_radius(int type) const;
 
     /// @param in_plane whether grains turn around z alone

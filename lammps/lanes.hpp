@@ -25,7 +25,7 @@ inline constexpr std::size_t row_capacity = 32;
 /// Vectors of `width` numbers, for each pair. Each component of all of them is a row.
 template <std::size_t width> using Row = double[width][row_capacity];
 
-/// The vector of pair l.
+/// Returns the vector of pair l.
 template <std::size_t width>
 std::array<double, width> load(double const (&row)[width][row_capacity], std::size_t l)
 {

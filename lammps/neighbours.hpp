@@ -86,7 +86,7 @@ class PairBatch {
     template <class Refuse, class Holds>
     pw85_pair_list keep_overlaps(pw85_system const &system, Refuse refuse, Holds holds);
 
-    /// The pairs of the present batch, without images.
+    /// Returns the pairs of the present batch, without images.
     pw85_pair_list list() const { return {size_, pairs.data(), nullptr}; }
 
     std::vector<std::int32_t> pairs; ///< (i, j) by local index

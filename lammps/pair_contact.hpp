@@ -29,9 +29,9 @@ class PairContact final : public LAMMPS_NS::Pair {
     /// For the name "epsilon", the matrix of ε by type.
     void *extract(char const *name, int &dimension) override;
 
-    /// The energy of a pair of atoms. A distance `rsq` that is not that of the atoms is an error.
-    /// `fforce` is the component of the force along the line of centres divided by the distance;
-    /// svector holds μ² and the force on the first atom.
+    /// Returns the energy of a pair of atoms. A distance `rsq` that is not that of the atoms is an
+    /// error. `fforce` is the component of the force along the line of centres divided by the
+    /// distance; svector holds μ² and the force on the first atom.
     double single(int i, int j, int itype, int jtype, double rsq, double factor_coul,
                   double factor_lj, double &fforce) override;
     int pack_forward_comm(int count, int *atoms, double *buffer, int pbc_flag, int *pbc) override;

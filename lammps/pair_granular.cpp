@@ -376,8 +376,8 @@ bool PairGranular::is_certified(std::size_t l) const
            dot(load(rows.normal, l), overlaps_[l].start) >= least_cosine;
 }
 
-/// The depth below which there is no contact in row l. It is negative where surfaces attract each
-/// other that have touched.
+/// Returns the depth below which there is no contact in row l. It is negative where surfaces
+/// attract each other that have touched.
 double PairGranular::least_depth(std::size_t l) const
 {
     if (largest_gap_ == 0.0 || !overlaps_[l].has_touched) return 0.0;

@@ -45,14 +45,14 @@ class Stream {
         return static_cast<std::uint32_t>(std::uint64_t{bits()} * n >> 32);
     }
 
-    /// A multiple of 2⁻⁵³ from 0 up to but not including 1.
+    /// Returns a multiple of 2⁻⁵³ from 0 up to but not including 1.
     double uniform()
     {
         std::uint64_t const high = bits(), low = bits();
         return static_cast<double>((high << 32 | low) >> 11) * 0x1p-53;
     }
 
-    /// A point in the unit ball. A point and its negative are equally probable, because the
+    /// Returns a point in the unit ball. A point and its negative are equally probable, because the
     /// coordinates are odd multiples of 2⁻³².
     Vector in_ball()
     {

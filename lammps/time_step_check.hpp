@@ -37,8 +37,8 @@ class TimeStepCheck {
     bool warned_ = false;     ///< equal on all processors
 };
 
-/// The limit for contacts of which the largest stiffness over mass is this rate, in the units of
-/// LAMMPS.
+/// Returns the limit for contacts of which the largest stiffness over mass is this rate, in the
+/// units of LAMMPS.
 double limit_of_contacts(double rate, LAMMPS_NS::Force const &force);
 
 /// Its trouble.

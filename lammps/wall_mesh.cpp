@@ -280,8 +280,8 @@ std::string WallMesh::touch(Grain const &grain, double gap,
     return {};
 }
 
-/// The minima on all triangles that a grain overlaps, or that are closer than a gap, the smallest
-/// first.
+/// Returns the minima on all triangles that a grain overlaps, or that are closer than a gap, the
+/// smallest first.
 ///
 /// The grain scaled by μ touches a triangle whose surface is (μ - 1) h from its own, with h at
 /// least the smallest semi-axis. All triangles up to this μ are there, so that each minimum of a
@@ -318,7 +318,7 @@ WallMesh::Minimum WallMesh::minimum(int triangle, Grain const &grain) const
     return m;
 }
 
-/// The normal of a contact, out of the grain.
+/// Returns the normal of a contact, out of the grain.
 Vector WallMesh::normal(Minimum const &m, Grain const &grain) const
 {
     if (!(m.uses[0] && m.uses[1] && m.uses[2]))

@@ -29,7 +29,7 @@ class WallMesh final : public WallSurface {
 
     WallMesh(std::vector<Vector> vertices, std::vector<Triangle> triangles);
 
-    /// The surface of a box.
+    /// Returns the surface of a box.
     static std::unique_ptr<WallMesh> box(Vector const &lower, Vector const &upper);
 
     /// Reads `FILE [scale S] [shift X Y Z] [open]`.
@@ -61,7 +61,7 @@ class WallMesh final : public WallSurface {
       public:
         void build(std::vector<std::array<Vector, 2>> const &boxes);
 
-        /// The triangles of the cells that a box meets; none twice.
+        /// Returns the triangles of the cells that a box meets; none twice.
         std::vector<int> find(std::array<Vector, 2> const &box) const;
 
       private:

@@ -30,7 +30,7 @@ class WallClock {
   private:
     WallClock(double start, double timestep) : start_(start), timestep_(timestep) {}
 
-    /// when the time step became what it is, and the time step
+    /// step at which the time step was last changed, and the time step
     double start_ = 0.0, timestep_ = 0.0;
     double steps_ = 0.0; ///< since then
 };
@@ -75,26 +75,27 @@ class WallMotion {
     /// @param per_mass LAMMPS's factor from force over mass to acceleration
     void finish_servo_step(Vector const &load, double timestep, double per_mass);
 
-    /// A point of the wall in space.
+    /// Returns a point of the wall in space.
     Vector to_space(Vector const &point) const;
 
     /// Displacement and velocity of the wall along itself or in space, without rotation.
     Vector const &shift() const { return shift_; }
     Vector const &speed() const { return speed_; }
 
-    /// The point through which the axis of a rotation goes, or the origin.
+    /// Returns the point through which the axis of a rotation goes, or the origin.
     Vector const &pivot() const { return pivot_; }
 
-    /// A grain with its centre, form and bounding radius in space, in the coordinates of the wall.
+    /// Returns a grain with its centre, form and bounding radius in space, in the coordinates of
+    /// the wall.
     Grain to_wall(Vector const &center, double const *form, double radius) const;
 
-    /// A contact in the coordinates of the wall, in space.
+    /// Returns a contact in the coordinates of the wall, in space.
     GrainGeometry to_space(GrainGeometry const &contact) const;
 
-    /// The velocity of the point of the wall that is at a place in space.
+    /// Returns the velocity of the point of the wall that is at a place in space.
     Vector velocity(Vector const &place) const { return speed_ + cross(spin_, place - pivot_); }
 
-    /// The angular velocity.
+    /// Returns the angular velocity.
     Vector const &spin() const { return spin_; }
 
   private:

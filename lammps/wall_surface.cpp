@@ -134,7 +134,7 @@ class InsideOfCylinder : public WallSurface {
     std::size_t first() const { return static_cast<std::size_t>((axis_ + 1) % 3); }
     std::size_t second() const { return static_cast<std::size_t>((axis_ + 2) % 3); }
 
-    /// The part of a vector across the axis.
+    /// Returns the part of a vector across the axis.
     Vector across(Vector x) const
     {
         x[static_cast<std::size_t>(axis_)] = 0.0;
@@ -144,14 +144,14 @@ class InsideOfCylinder : public WallSurface {
     /// Returns the coordinates of a point in the plane across the axis.
     std::array<double, 2> shadow(Vector const &x) const { return {x[first()], x[second()]}; }
 
-    /// The form of the ellipse that a grain is in this plane, seen along the axis.
+    /// Returns the form of the ellipse that a grain is in this plane, seen along the axis.
     std::array<double, 3> shadow_form(double const *q) const
     {
         Vector const e1 = unit(static_cast<int>(first())), e2 = unit(static_cast<int>(second()));
         return {dot(e1, product(q, e1)), dot(e1, product(q, e2)), dot(e2, product(q, e2))};
     }
 
-    /// The form of the cylinder in this plane.
+    /// Returns the form of the cylinder in this plane.
     std::array<double, 3> disc() const { return {radius_ * radius_, 0.0, radius_ * radius_}; }
 
     /// Adds the contact with the plane that touches the cylinder, whose curvature comes on top of

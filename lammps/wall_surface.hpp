@@ -32,7 +32,7 @@ class WallSurface {
     virtual std::string touch(Grain const &grain, double gap,
                               std::vector<GrainGeometry> &contacts) const = 0;
 
-    /// An upper bound on the equivalent radius of the contacts of a grain.
+    /// Returns an upper bound on the equivalent radius of the contacts of a grain.
     ///
     /// @param radius the largest radius of curvature of the grain
     virtual double largest_radius(double radius) const { return radius; }

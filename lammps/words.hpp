@@ -16,7 +16,7 @@
 
 namespace pw85_lammps {
 
-/// A number in a message.
+/// Returns a number in a message.
 inline std::string decimal(double value)
 {
     std::array<char, 32> text{};
@@ -35,7 +35,7 @@ class Words : protected LAMMPS_NS::Pointers {
 
     bool done() const { return position_ == count_; }
 
-    /// The words that are left.
+    /// Returns the words that are left.
     int num_left() const { return count_ - position_; }
     char **left() const { return words_ + position_; }
 
@@ -81,7 +81,7 @@ class Words : protected LAMMPS_NS::Pointers {
         return value;
     }
 
-    /// A whole number.
+    /// Returns a whole number.
     LAMMPS_NS::bigint whole(std::string const &what, LAMMPS_NS::bigint smallest,
                             LAMMPS_NS::bigint largest)
     {
@@ -94,7 +94,7 @@ class Words : protected LAMMPS_NS::Pointers {
         return static_cast<LAMMPS_NS::bigint>(value);
     }
 
-    /// The next word as a number, or nothing for the word NULL.
+    /// Returns the next word as a number, or nothing for the word NULL.
     std::optional<double> number_or_null(std::string const &what, double smallest = 0.0)
     {
         if (skip("NULL")) return {};
@@ -118,7 +118,7 @@ class Words : protected LAMMPS_NS::Pointers {
     }
 
   private:
-    /// The numbers that number() allows, in words.
+    /// Returns the numbers that number() allows, in words.
     static std::string range(double smallest, double largest)
     {
         if (std::isinf(smallest)) return "a finite number";

@@ -69,7 +69,7 @@ LIBRARY_MUTANTS = [
     ("../include/pw85/volume/crossings.hpp", "begins_inside != has_maximum) return {};", "begins_inside == has_maximum) return {};",
      "plane_kinds/along_axes"),
     ("../include/pw85/volume/crossings.hpp", "if (is_inside != was_inside) {", "if (is_inside && !was_inside) {", "plane_kinds/specimens"),
-    ("../include/pw85/volume/crossings.hpp", "is_inside && bend <= accuracy.noise ?", "is_inside ?", "plane_kinds/specimens"),
+    ("../include/pw85/volume/crossings.hpp", "is_inside && half_second <= accuracy.noise ?", "is_inside ?", "plane_kinds/specimens"),
     ("../include/pw85/volume/elliptic_rule.hpp", "if (!(r < T(smallest_stretch2)", "if (!(r < T(0)", "space_kinds/specimens"),
     ("../include/pw85/volume/crossings.hpp", "return radius >= T(0.5) &&", "return radius < T(0) &&", "plane_kinds/copies"),
     ("../include/pw85/volume/section.hpp", "(k % 2 == 0) != found.first_inside", "(k % 2 == 0) == found.first_inside",

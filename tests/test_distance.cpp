@@ -208,12 +208,12 @@ template <int D> void test_polynomials()
         };
         Wide const weight = b.a * b.b, t = x.ratio;
         check(a.r, b.r, b.r, "R");
-        check(a.bend, b.bend, b.bend, "bend");
+        check(a.form_u, b.form_u, b.form_u, "form_u");
         check(a.a, b.a, b.a, "A");
         check(a.b, b.b, b.b, "B");
         check(a.sum, b.sum, b.sum, "S");
         check(a.log_ratio, b.log_ratio, weight / t, "log_ratio");
-        check(a.log_shift, b.log_shift, weight * b.bend / b.r, "log_shift");
+        check(a.log_shift, b.log_shift, weight * b.form_u / b.r, "log_shift");
         check(a.sum_ratio, b.sum_ratio, b.sum / t, "sum_ratio");
         check(a.sum_shift, b.sum_shift, b.sum_shift, "sum_shift");
     }

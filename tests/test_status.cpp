@@ -8,7 +8,6 @@
 #include <cstring>
 #include <initializer_list>
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +22,7 @@
 #include <pw85/distance/bounding_box.hpp>
 
 #include "call_checks.hpp"
+#include "causes.hpp"
 
 using namespace pw85_tests;
 
@@ -253,29 +253,6 @@ void test_reproducible()
         g_assert_cmpint(on, ==, wanted);
     }
     g_assert_cmpint(pw85_is_reproducible(nullptr), ==, PW85_EINVAL);
-}
-
-/// The cause of the last refusal in this thread.
-pw85_error last_error()
-{
-    pw85_error error;
-    g_assert_cmpint(pw85_last_error(&error), ==, PW85_SUCCESS);
-    return error;
-}
-
-/// `value` is NaN where the cause is not one number; without it the value is not compared.
-void expect_cause(char const *function, char const *argument, char const *requirement,
-                  std::size_t row, std::size_t entry, std::optional<double> value = {})
-{
-    pw85_error const error = last_error();
-    if (value && (std::isnan(*value) ? !std::isnan(error.value) : error.value != *value))
-        g_error("%s: %s %s, not %a", function, argument, requirement, error.value);
-    g_assert_cmpstr(error.function, ==, function);
-    g_assert_cmpstr(error.argument, ==, argument);
-    g_assert_cmpstr(error.requirement, ==, requirement);
-    g_assert_cmpuint(error.row, ==, row);
-    g_assert_cmpuint(error.entry, ==, entry);
-    g_assert_null(last_error().function); // it is forgotten
 }
 
 void test_cause_of_one_row()

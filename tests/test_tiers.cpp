@@ -179,7 +179,7 @@ void test_errors_of_solutions()
     auto const m = pw85::detail::blend(f.pair.q1, f.t, f.pair.q2);
     auto const factors = pw85::detail::factorize(m, static_cast<float>(u));
     double const by_factors = error_across(exact(f), pw85::detail::solve(factors, f.pair.r12)) /
-                              (u * double(pw85::detail::condition(factors, m)));
+                              (u * double(pw85::detail::inverse_eigenvalue_bound(factors, m)));
     g_test_message("factorisation: %.2f", by_factors);
     g_assert_cmpfloat(by_factors, <=, pw85::detail::factorization_error);
 }

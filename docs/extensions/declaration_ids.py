@@ -1,6 +1,6 @@
 """Keeps the identifiers of C++ declarations, as newer versions of Sphinx do.
 
-Sphinx 5 looks a name up by comparing identifiers, and makes that of each candidate anew: 265,000 times for these pages.
+Sphinx 5 looks a name up by comparing identifiers, and recomputes that of each candidate: 265,000 times for these pages.
 """
 
 from sphinx.domains.cpp import ASTDeclaration

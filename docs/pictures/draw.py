@@ -1,4 +1,4 @@
-"""Draws all pictures of these pages anew from the library's output and the measured tables, with pypw85 on the path.
+"""Draws all pictures of these pages again, from the library's output and the measured tables, with pypw85 on the path.
 
 Usage: draw.py [LIBRARY], the shared library for the one picture that calls it directly.
 """

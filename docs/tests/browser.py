@@ -266,7 +266,7 @@ def check_interactive(driver, address, states, screenshots):
 
 
 def check_without_webgl(driver, address, states):
-    """Whether the interactive page says that there is no picture, and goes on."""
+    """Whether the interactive page says that there is no picture, and continues."""
     yield from check_states(driver, address, states)
     if not driver.find_element("id", "pair-flat").is_displayed():
         yield "interactive.html: without WebGL, nothing is said"

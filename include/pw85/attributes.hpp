@@ -13,8 +13,8 @@
 
 namespace pw85::detail {
 
-/// True if this is compiled for a device, which has neither the memory for extended numbers nor the
-/// time.
+/// True if this is compiled for a device. Extended numbers are too large and too slow for its
+/// threads.
 #ifdef __CUDA_ARCH__
 inline constexpr bool is_for_device = true;
 #else

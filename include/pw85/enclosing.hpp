@@ -19,12 +19,12 @@ namespace pw85 {
 template <int D> struct EnclosingEllipsoid {
     Vector<double, D> center;
     SymmetricMatrix<double, D> q; ///< form of the ellipsoid
-    double excess;     ///< how much the volume is above the least volume at most, relative
-    StatusCode status; ///< `no_convergence` if the excess exceeds the tolerance
+    double excess;                ///< bound of the volume over the least volume, less 1
+    StatusCode status;            ///< `no_convergence` if the excess exceeds the tolerance
 };
 
-/// The ellipsoid of least volume around points, up to a tolerance, in two or three dimensions. The
-/// contract is that of the C function.
+/// Returns the ellipsoid of least volume around points, up to a tolerance, in two or three
+/// dimensions. The contract is that of the C function.
 ///
 /// @param points at least D + 1, not in a line or plane
 /// @param tolerance of the volume, relative; above zero
@@ -44,8 +44,8 @@ enclosing_ellipsoid(std::span<Vector<double, D> const> points, double tolerance)
     return found;
 }
 
-/// The ellipsoid of least volume around ellipsoids, up to a tolerance, in two or three dimensions.
-/// The contract is that of the C function.
+/// Returns the ellipsoid of least volume around ellipsoids, up to a tolerance, in two or three
+/// dimensions. The contract is that of the C function.
 ///
 /// @param centers of the ellipsoids, at least one
 /// @param forms of the ellipsoids, as many

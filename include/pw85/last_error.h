@@ -29,7 +29,7 @@ typedef struct pw85_error {
      * if the cause is not one argument. For a pair of a pair list, r12, q1 and q2 are what the
      * library makes of the centres and forms of the two particles. */
     char const *argument;
-    /** What is required, as "must be positive definite"; a sentence or the text of the status if the
+    /** The requirement, such as "must be positive definite"; a sentence or the text of the status if the
      * cause is not one argument. */
     char const *requirement;
     /** Row of the arrays, or number of the pair of a list, from 0; 0 also if the cause is not one

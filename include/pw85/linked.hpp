@@ -89,7 +89,7 @@ PW85_LINKED MotionInC in(Motion<double, 3> const &m) noexcept { return MotionInC
 
 } // namespace detail::linked
 
-/// ellipse() by pw85_ellipse().
+/// Computes ellipse() by pw85_ellipse().
 PW85_LINKED Form<double, 2> ellipse(double const &a, double const &b, double const &angle) noexcept
 {
     using namespace detail::linked;
@@ -99,7 +99,7 @@ PW85_LINKED Form<double, 2> ellipse(double const &a, double const &b, double con
     return result;
 }
 
-/// contact() by pw85_contact().
+/// Computes contact() by pw85_contact().
 PW85_LINKED Contact<double> contact(Vector<double, 3> const &r12,
                                     SymmetricMatrix<double, 3> const &q1,
                                     SymmetricMatrix<double, 3> const &q2) noexcept
@@ -114,7 +114,7 @@ PW85_LINKED Contact<double> contact(Vector<double, 3> const &r12,
     return result;
 }
 
-/// contact() by pw85_contact_2d().
+/// Computes contact() by pw85_contact_2d().
 PW85_LINKED Contact<double> contact(Vector<double, 2> const &r12,
                                     SymmetricMatrix<double, 2> const &q1,
                                     SymmetricMatrix<double, 2> const &q2) noexcept
@@ -129,7 +129,7 @@ PW85_LINKED Contact<double> contact(Vector<double, 2> const &r12,
     return result;
 }
 
-/// contact_rounded() by pw85_contact_rounded().
+/// Computes contact_rounded() by pw85_contact_rounded().
 PW85_LINKED Contact<double> contact_rounded(Vector<double, 3> const &r12,
                                             SymmetricMatrix<double, 3> const &q1,
                                             SymmetricMatrix<double, 3> const &q2) noexcept
@@ -144,7 +144,7 @@ PW85_LINKED Contact<double> contact_rounded(Vector<double, 3> const &r12,
     return result;
 }
 
-/// contact_factored() by pw85_contact_factored().
+/// Computes contact_factored() by pw85_contact_factored().
 PW85_LINKED Contact<double> contact_factored(Vector<double, 3> const &r12,
                                              Factor<double, 3> const &s1,
                                              Factor<double, 3> const &s2) noexcept
@@ -159,7 +159,7 @@ PW85_LINKED Contact<double> contact_factored(Vector<double, 3> const &r12,
     return result;
 }
 
-/// condition() by pw85_condition().
+/// Computes condition() by pw85_condition().
 PW85_LINKED Condition<double> condition(Vector<double, 3> const &r12,
                                         SymmetricMatrix<double, 3> const &q1,
                                         SymmetricMatrix<double, 3> const &q2,
@@ -172,7 +172,7 @@ PW85_LINKED Condition<double> condition(Vector<double, 3> const &r12,
     return result;
 }
 
-/// contact_geometry() by pw85_contact_geometry().
+/// Computes contact_geometry() by pw85_contact_geometry().
 PW85_LINKED ContactGeometry<double, 3> contact_geometry(Vector<double, 3> const &r12,
                                                         SymmetricMatrix<double, 3> const &q1,
                                                         SymmetricMatrix<double, 3> const &q2,
@@ -186,7 +186,7 @@ PW85_LINKED ContactGeometry<double, 3> contact_geometry(Vector<double, 3> const 
     return result;
 }
 
-/// contact_geometry() by pw85_contact_geometry_2d().
+/// Computes contact_geometry() by pw85_contact_geometry_2d().
 PW85_LINKED ContactGeometry<double, 2> contact_geometry(Vector<double, 2> const &r12,
                                                         SymmetricMatrix<double, 2> const &q1,
                                                         SymmetricMatrix<double, 2> const &q2,
@@ -200,7 +200,7 @@ PW85_LINKED ContactGeometry<double, 2> contact_geometry(Vector<double, 2> const 
     return result;
 }
 
-/// contact_gradient() by pw85_contact_gradient().
+/// Computes contact_gradient() by pw85_contact_gradient().
 PW85_LINKED ContactGradient<double, 3> contact_gradient(Vector<double, 3> const &r12,
                                                         SymmetricMatrix<double, 3> const &q1,
                                                         SymmetricMatrix<double, 3> const &q2,
@@ -214,7 +214,7 @@ PW85_LINKED ContactGradient<double, 3> contact_gradient(Vector<double, 3> const 
     return result;
 }
 
-/// contact_gradient() by pw85_contact_gradient_2d().
+/// Computes contact_gradient() by pw85_contact_gradient_2d().
 PW85_LINKED ContactGradient<double, 2> contact_gradient(Vector<double, 2> const &r12,
                                                         SymmetricMatrix<double, 2> const &q1,
                                                         SymmetricMatrix<double, 2> const &q2,
@@ -228,7 +228,7 @@ PW85_LINKED ContactGradient<double, 2> contact_gradient(Vector<double, 2> const 
     return result;
 }
 
-/// contact_geometry_factored() by pw85_contact_geometry_factored().
+/// Computes contact_geometry_factored() by pw85_contact_geometry_factored().
 PW85_LINKED ContactGeometry<double, 3> contact_geometry_factored(Vector<double, 3> const &r12,
                                                                  Factor<double, 3> const &s1,
                                                                  Factor<double, 3> const &s2,
@@ -242,7 +242,7 @@ PW85_LINKED ContactGeometry<double, 3> contact_geometry_factored(Vector<double, 
     return result;
 }
 
-/// contact_gradient_factored() by pw85_contact_gradient_factored().
+/// Computes contact_gradient_factored() by pw85_contact_gradient_factored().
 PW85_LINKED FactorGradient<double, 3> contact_gradient_factored(Vector<double, 3> const &r12,
                                                                 Factor<double, 3> const &s1,
                                                                 Factor<double, 3> const &s2,
@@ -257,7 +257,7 @@ PW85_LINKED FactorGradient<double, 3> contact_gradient_factored(Vector<double, 3
     return result;
 }
 
-/// contact_torque() by pw85_contact_torque().
+/// Computes contact_torque() by pw85_contact_torque().
 PW85_LINKED ContactTorque<double, 3> contact_torque(Vector<double, 3> const &r12,
                                                     SymmetricMatrix<double, 3> const &q1,
                                                     SymmetricMatrix<double, 3> const &q2,
@@ -271,7 +271,7 @@ PW85_LINKED ContactTorque<double, 3> contact_torque(Vector<double, 3> const &r12
     return result;
 }
 
-/// contact_torque() by pw85_contact_torque_2d().
+/// Computes contact_torque() by pw85_contact_torque_2d().
 PW85_LINKED ContactTorque<double, 2> contact_torque(Vector<double, 2> const &r12,
                                                     SymmetricMatrix<double, 2> const &q1,
                                                     SymmetricMatrix<double, 2> const &q2,
@@ -285,7 +285,7 @@ PW85_LINKED ContactTorque<double, 2> contact_torque(Vector<double, 2> const &r12
     return result;
 }
 
-/// contact_hessian() by pw85_contact_hessian().
+/// Computes contact_hessian() by pw85_contact_hessian().
 PW85_LINKED ContactHessian<double, 3> contact_hessian(Vector<double, 3> const &r12,
                                                       SymmetricMatrix<double, 3> const &q1,
                                                       SymmetricMatrix<double, 3> const &q2,
@@ -299,7 +299,7 @@ PW85_LINKED ContactHessian<double, 3> contact_hessian(Vector<double, 3> const &r
     return result;
 }
 
-/// contact_hessian() by pw85_contact_hessian_2d().
+/// Computes contact_hessian() by pw85_contact_hessian_2d().
 PW85_LINKED ContactHessian<double, 2> contact_hessian(Vector<double, 2> const &r12,
                                                       SymmetricMatrix<double, 2> const &q1,
                                                       SymmetricMatrix<double, 2> const &q2,
@@ -313,7 +313,7 @@ PW85_LINKED ContactHessian<double, 2> contact_hessian(Vector<double, 2> const &r
     return result;
 }
 
-/// overlap() by pw85_overlap().
+/// Computes overlap() by pw85_overlap().
 PW85_LINKED Overlap overlap(Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
                             SymmetricMatrix<double, 3> const &q2) noexcept
 {
@@ -327,7 +327,7 @@ PW85_LINKED Overlap overlap(Vector<double, 3> const &r12, SymmetricMatrix<double
     return result;
 }
 
-/// overlap() by pw85_overlap_2d().
+/// Computes overlap() by pw85_overlap_2d().
 PW85_LINKED Overlap overlap(Vector<double, 2> const &r12, SymmetricMatrix<double, 2> const &q1,
                             SymmetricMatrix<double, 2> const &q2) noexcept
 {
@@ -341,7 +341,7 @@ PW85_LINKED Overlap overlap(Vector<double, 2> const &r12, SymmetricMatrix<double
     return result;
 }
 
-/// overlap_factored() by pw85_overlap_factored().
+/// Computes overlap_factored() by pw85_overlap_factored().
 PW85_LINKED Overlap overlap_factored(Vector<double, 3> const &r12, Factor<double, 3> const &s1,
                                      Factor<double, 3> const &s2) noexcept
 {
@@ -355,7 +355,7 @@ PW85_LINKED Overlap overlap_factored(Vector<double, 3> const &r12, Factor<double
     return result;
 }
 
-/// contains() by pw85_contains().
+/// Computes contains() by pw85_contains().
 PW85_LINKED Containment contains(Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
                                  SymmetricMatrix<double, 3> const &q2) noexcept
 {
@@ -368,7 +368,7 @@ PW85_LINKED Containment contains(Vector<double, 3> const &r12, SymmetricMatrix<d
     return result;
 }
 
-/// contains() by pw85_contains_2d().
+/// Computes contains() by pw85_contains_2d().
 PW85_LINKED Containment contains(Vector<double, 2> const &r12, SymmetricMatrix<double, 2> const &q1,
                                  SymmetricMatrix<double, 2> const &q2) noexcept
 {
@@ -381,7 +381,7 @@ PW85_LINKED Containment contains(Vector<double, 2> const &r12, SymmetricMatrix<d
     return result;
 }
 
-/// containment() by pw85_containment().
+/// Computes containment() by pw85_containment().
 PW85_LINKED ContainmentScale<double, 3> containment(Vector<double, 3> const &r12,
                                                     SymmetricMatrix<double, 3> const &q1,
                                                     SymmetricMatrix<double, 3> const &q2) noexcept
@@ -394,7 +394,7 @@ PW85_LINKED ContainmentScale<double, 3> containment(Vector<double, 3> const &r12
     return result;
 }
 
-/// containment() by pw85_containment_2d().
+/// Computes containment() by pw85_containment_2d().
 PW85_LINKED ContainmentScale<double, 2> containment(Vector<double, 2> const &r12,
                                                     SymmetricMatrix<double, 2> const &q1,
                                                     SymmetricMatrix<double, 2> const &q2) noexcept
@@ -407,7 +407,7 @@ PW85_LINKED ContainmentScale<double, 2> containment(Vector<double, 2> const &r12
     return result;
 }
 
-/// volume() by pw85_volume().
+/// Computes volume() by pw85_volume().
 PW85_LINKED Volume<double> volume(SymmetricMatrix<double, 3> const &q) noexcept
 {
     using namespace detail::linked;
@@ -417,7 +417,7 @@ PW85_LINKED Volume<double> volume(SymmetricMatrix<double, 3> const &q) noexcept
     return result;
 }
 
-/// area() by pw85_area_2d().
+/// Computes area() by pw85_area_2d().
 PW85_LINKED Area<double> area(SymmetricMatrix<double, 2> const &q) noexcept
 {
     using namespace detail::linked;
@@ -427,7 +427,7 @@ PW85_LINKED Area<double> area(SymmetricMatrix<double, 2> const &q) noexcept
     return result;
 }
 
-/// surface_area() by pw85_surface_area().
+/// Computes surface_area() by pw85_surface_area().
 PW85_LINKED Area<double> surface_area(SymmetricMatrix<double, 3> const &q) noexcept
 {
     using namespace detail::linked;
@@ -437,7 +437,7 @@ PW85_LINKED Area<double> surface_area(SymmetricMatrix<double, 3> const &q) noexc
     return result;
 }
 
-/// perimeter() by pw85_perimeter_2d().
+/// Computes perimeter() by pw85_perimeter_2d().
 PW85_LINKED Perimeter<double> perimeter(SymmetricMatrix<double, 2> const &q) noexcept
 {
     using namespace detail::linked;
@@ -447,7 +447,7 @@ PW85_LINKED Perimeter<double> perimeter(SymmetricMatrix<double, 2> const &q) noe
     return result;
 }
 
-/// second_moments() by pw85_second_moments().
+/// Computes second_moments() by pw85_second_moments().
 PW85_LINKED Moments<double, 3> second_moments(SymmetricMatrix<double, 3> const &q) noexcept
 {
     using namespace detail::linked;
@@ -457,7 +457,7 @@ PW85_LINKED Moments<double, 3> second_moments(SymmetricMatrix<double, 3> const &
     return result;
 }
 
-/// second_moments() by pw85_second_moments_2d().
+/// Computes second_moments() by pw85_second_moments_2d().
 PW85_LINKED Moments<double, 2> second_moments(SymmetricMatrix<double, 2> const &q) noexcept
 {
     using namespace detail::linked;
@@ -467,7 +467,7 @@ PW85_LINKED Moments<double, 2> second_moments(SymmetricMatrix<double, 2> const &
     return result;
 }
 
-/// from_moments() by pw85_from_moments().
+/// Computes from_moments() by pw85_from_moments().
 PW85_LINKED Form<double, 3> from_moments(SymmetricMatrix<double, 3> const &second_moments) noexcept
 {
     using namespace detail::linked;
@@ -477,7 +477,7 @@ PW85_LINKED Form<double, 3> from_moments(SymmetricMatrix<double, 3> const &secon
     return result;
 }
 
-/// from_moments() by pw85_from_moments_2d().
+/// Computes from_moments() by pw85_from_moments_2d().
 PW85_LINKED Form<double, 2> from_moments(SymmetricMatrix<double, 2> const &second_moments) noexcept
 {
     using namespace detail::linked;
@@ -487,7 +487,7 @@ PW85_LINKED Form<double, 2> from_moments(SymmetricMatrix<double, 2> const &secon
     return result;
 }
 
-/// shell_moments() by pw85_shell_moments().
+/// Computes shell_moments() by pw85_shell_moments().
 PW85_LINKED Moments<double, 3> shell_moments(SymmetricMatrix<double, 3> const &q) noexcept
 {
     using namespace detail::linked;
@@ -497,7 +497,7 @@ PW85_LINKED Moments<double, 3> shell_moments(SymmetricMatrix<double, 3> const &q
     return result;
 }
 
-/// shell_moments() by pw85_shell_moments_2d().
+/// Computes shell_moments() by pw85_shell_moments_2d().
 PW85_LINKED Moments<double, 2> shell_moments(SymmetricMatrix<double, 2> const &q) noexcept
 {
     using namespace detail::linked;
@@ -507,7 +507,7 @@ PW85_LINKED Moments<double, 2> shell_moments(SymmetricMatrix<double, 2> const &q
     return result;
 }
 
-/// inertia() by pw85_inertia().
+/// Computes inertia() by pw85_inertia().
 PW85_LINKED Inertia<double> inertia(SymmetricMatrix<double, 3> const &q, int shell) noexcept
 {
     using namespace detail::linked;
@@ -517,7 +517,7 @@ PW85_LINKED Inertia<double> inertia(SymmetricMatrix<double, 3> const &q, int she
     return result;
 }
 
-/// overlap_volume() by pw85_overlap_volume().
+/// Computes overlap_volume() by pw85_overlap_volume().
 PW85_LINKED Volume<double> overlap_volume(Vector<double, 3> const &r12,
                                           SymmetricMatrix<double, 3> const &q1,
                                           SymmetricMatrix<double, 3> const &q2) noexcept
@@ -529,7 +529,7 @@ PW85_LINKED Volume<double> overlap_volume(Vector<double, 3> const &r12,
     return result;
 }
 
-/// overlap_area() by pw85_overlap_area_2d().
+/// Computes overlap_area() by pw85_overlap_area_2d().
 PW85_LINKED Area<double> overlap_area(Vector<double, 2> const &r12,
                                       SymmetricMatrix<double, 2> const &q1,
                                       SymmetricMatrix<double, 2> const &q2) noexcept
@@ -541,7 +541,7 @@ PW85_LINKED Area<double> overlap_area(Vector<double, 2> const &r12,
     return result;
 }
 
-/// overlap_volume_gradient() by pw85_overlap_volume_gradient().
+/// Computes overlap_volume_gradient() by pw85_overlap_volume_gradient().
 PW85_LINKED OverlapVolumeGradient<double> overlap_volume_gradient(
     Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
     SymmetricMatrix<double, 3> const &q2) noexcept
@@ -554,7 +554,7 @@ PW85_LINKED OverlapVolumeGradient<double> overlap_volume_gradient(
     return result;
 }
 
-/// overlap_volume_torque() by pw85_overlap_volume_torque().
+/// Computes overlap_volume_torque() by pw85_overlap_volume_torque().
 PW85_LINKED OverlapVolumeTorque<double> overlap_volume_torque(
     Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
     SymmetricMatrix<double, 3> const &q2) noexcept
@@ -567,7 +567,7 @@ PW85_LINKED OverlapVolumeTorque<double> overlap_volume_torque(
     return result;
 }
 
-/// overlap_area_gradient() by pw85_overlap_area_gradient_2d().
+/// Computes overlap_area_gradient() by pw85_overlap_area_gradient_2d().
 PW85_LINKED OverlapAreaGradient<double> overlap_area_gradient(
     Vector<double, 2> const &r12, SymmetricMatrix<double, 2> const &q1,
     SymmetricMatrix<double, 2> const &q2) noexcept
@@ -580,7 +580,7 @@ PW85_LINKED OverlapAreaGradient<double> overlap_area_gradient(
     return result;
 }
 
-/// overlap_area_torque() by pw85_overlap_area_torque_2d().
+/// Computes overlap_area_torque() by pw85_overlap_area_torque_2d().
 PW85_LINKED OverlapAreaTorque<double> overlap_area_torque(
     Vector<double, 2> const &r12, SymmetricMatrix<double, 2> const &q1,
     SymmetricMatrix<double, 2> const &q2) noexcept
@@ -593,7 +593,7 @@ PW85_LINKED OverlapAreaTorque<double> overlap_area_torque(
     return result;
 }
 
-/// overlap_volume_plane() by pw85_overlap_volume_plane().
+/// Computes overlap_volume_plane() by pw85_overlap_volume_plane().
 PW85_LINKED Volume<double> overlap_volume_plane(Vector<double, 3> const &normal,
                                                 double const &offset,
                                                 SymmetricMatrix<double, 3> const &q) noexcept
@@ -605,7 +605,7 @@ PW85_LINKED Volume<double> overlap_volume_plane(Vector<double, 3> const &normal,
     return result;
 }
 
-/// compare() by pw85_compare().
+/// Computes compare() by pw85_compare().
 PW85_LINKED Comparison compare(Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
                                SymmetricMatrix<double, 3> const &q2, double const &mu2) noexcept
 {
@@ -616,7 +616,7 @@ PW85_LINKED Comparison compare(Vector<double, 3> const &r12, SymmetricMatrix<dou
     return result;
 }
 
-/// closest_approach() by pw85_closest_approach().
+/// Computes closest_approach() by pw85_closest_approach().
 PW85_LINKED ClosestApproach<double> closest_approach(Vector<double, 3> direction,
                                                      SymmetricMatrix<double, 3> const &q1,
                                                      SymmetricMatrix<double, 3> const &q2) noexcept
@@ -628,7 +628,7 @@ PW85_LINKED ClosestApproach<double> closest_approach(Vector<double, 3> direction
     return result;
 }
 
-/// closest_approach() by pw85_closest_approach_2d().
+/// Computes closest_approach() by pw85_closest_approach_2d().
 PW85_LINKED ClosestApproach<double> closest_approach(Vector<double, 2> direction,
                                                      SymmetricMatrix<double, 2> const &q1,
                                                      SymmetricMatrix<double, 2> const &q2) noexcept
@@ -641,7 +641,7 @@ PW85_LINKED ClosestApproach<double> closest_approach(Vector<double, 2> direction
     return result;
 }
 
-/// distance_derivatives() by pw85_distance_derivatives().
+/// Computes distance_derivatives() by pw85_distance_derivatives().
 PW85_LINKED DistanceDerivatives<double> distance_derivatives(
     Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
     SymmetricMatrix<double, 3> const &q2) noexcept
@@ -655,7 +655,7 @@ PW85_LINKED DistanceDerivatives<double> distance_derivatives(
     return result;
 }
 
-/// penetration() by pw85_penetration().
+/// Computes penetration() by pw85_penetration().
 PW85_LINKED Penetration<double, 3> penetration(Vector<double, 3> const &r12,
                                                SymmetricMatrix<double, 3> const &q1,
                                                SymmetricMatrix<double, 3> const &q2) noexcept
@@ -668,7 +668,7 @@ PW85_LINKED Penetration<double, 3> penetration(Vector<double, 3> const &r12,
     return result;
 }
 
-/// penetration() by pw85_penetration_2d().
+/// Computes penetration() by pw85_penetration_2d().
 PW85_LINKED Penetration<double, 2> penetration(Vector<double, 2> const &r12,
                                                SymmetricMatrix<double, 2> const &q1,
                                                SymmetricMatrix<double, 2> const &q2) noexcept
@@ -681,7 +681,7 @@ PW85_LINKED Penetration<double, 2> penetration(Vector<double, 2> const &r12,
     return result;
 }
 
-/// gap_inside() by pw85_gap_inside().
+/// Computes gap_inside() by pw85_gap_inside().
 PW85_LINKED GapInside<double, 3> gap_inside(Vector<double, 3> const &r12,
                                             SymmetricMatrix<double, 3> const &q1,
                                             SymmetricMatrix<double, 3> const &q2) noexcept
@@ -694,7 +694,7 @@ PW85_LINKED GapInside<double, 3> gap_inside(Vector<double, 3> const &r12,
     return result;
 }
 
-/// gap_inside() by pw85_gap_inside_2d().
+/// Computes gap_inside() by pw85_gap_inside_2d().
 PW85_LINKED GapInside<double, 2> gap_inside(Vector<double, 2> const &r12,
                                             SymmetricMatrix<double, 2> const &q1,
                                             SymmetricMatrix<double, 2> const &q2) noexcept
@@ -708,7 +708,7 @@ PW85_LINKED GapInside<double, 2> gap_inside(Vector<double, 2> const &r12,
     return result;
 }
 
-/// signed_distance_derivatives() by pw85_signed_distance_derivatives().
+/// Computes signed_distance_derivatives() by pw85_signed_distance_derivatives().
 PW85_LINKED DistanceDerivatives<double> signed_distance_derivatives(
     Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
     SymmetricMatrix<double, 3> const &q2) noexcept
@@ -722,7 +722,7 @@ PW85_LINKED DistanceDerivatives<double> signed_distance_derivatives(
     return result;
 }
 
-/// first_contact() by pw85_first_contact().
+/// Computes first_contact() by pw85_first_contact().
 PW85_LINKED FirstContact<double> first_contact(Vector<double, 3> const &r12,
                                                SymmetricMatrix<double, 3> const &q1,
                                                SymmetricMatrix<double, 3> const &q2,
@@ -738,7 +738,7 @@ PW85_LINKED FirstContact<double> first_contact(Vector<double, 3> const &r12,
     return result;
 }
 
-/// closest_passage() by pw85_closest_passage().
+/// Computes closest_passage() by pw85_closest_passage().
 PW85_LINKED ClosestPassage<double> closest_passage(Vector<double, 3> const &r12,
                                                    SymmetricMatrix<double, 3> const &q1,
                                                    SymmetricMatrix<double, 3> const &q2,
@@ -753,7 +753,7 @@ PW85_LINKED ClosestPassage<double> closest_passage(Vector<double, 3> const &r12,
     return result;
 }
 
-/// free_path() by pw85_free_path().
+/// Computes free_path() by pw85_free_path().
 PW85_LINKED FreePath<double> free_path(Vector<double, 3> const &r12,
                                        SymmetricMatrix<double, 3> const &q1,
                                        SymmetricMatrix<double, 3> const &q2,
@@ -768,7 +768,7 @@ PW85_LINKED FreePath<double> free_path(Vector<double, 3> const &r12,
     return result;
 }
 
-/// grain_contact() by pw85_grain_contact().
+/// Computes grain_contact() by pw85_grain_contact().
 PW85_LINKED GrainContact<double> grain_contact(Vector<double, 3> const &r12,
                                                SymmetricMatrix<double, 3> const &q1,
                                                SymmetricMatrix<double, 3> const &q2,
@@ -783,7 +783,7 @@ PW85_LINKED GrainContact<double> grain_contact(Vector<double, 3> const &r12,
     return result;
 }
 
-/// grain_radius_gradient() by pw85_grain_radius_gradient().
+/// Computes grain_radius_gradient() by pw85_grain_radius_gradient().
 PW85_LINKED GrainRadiusGradient<double> grain_radius_gradient(Vector<double, 3> const &r12,
                                                               SymmetricMatrix<double, 3> const &q1,
                                                               SymmetricMatrix<double, 3> const &q2,
@@ -798,7 +798,7 @@ PW85_LINKED GrainRadiusGradient<double> grain_radius_gradient(Vector<double, 3> 
     return result;
 }
 
-/// grain_contact_wall() by pw85_grain_contact_wall().
+/// Computes grain_contact_wall() by pw85_grain_contact_wall().
 PW85_LINKED GrainWallContact<double> grain_contact_wall(
     Vector<double, 3> const &normal, double const &offset, Vector<double, 3> direction,
     double const &curvature_of_wall, SymmetricMatrix<double, 3> const &q) noexcept
@@ -813,7 +813,7 @@ PW85_LINKED GrainWallContact<double> grain_contact_wall(
     return result;
 }
 
-/// distance_plane_derivatives() by pw85_distance_plane_derivatives().
+/// Computes distance_plane_derivatives() by pw85_distance_plane_derivatives().
 PW85_LINKED PlaneDerivatives<double> distance_plane_derivatives(
     Vector<double, 3> const &normal, SymmetricMatrix<double, 3> const &q) noexcept
 {
@@ -825,7 +825,7 @@ PW85_LINKED PlaneDerivatives<double> distance_plane_derivatives(
     return result;
 }
 
-/// contact_plane() by pw85_contact_plane().
+/// Computes contact_plane() by pw85_contact_plane().
 PW85_LINKED PlaneContact<double, 3> contact_plane(Vector<double, 3> const &normal,
                                                   double const &offset,
                                                   SymmetricMatrix<double, 3> const &q) noexcept
@@ -838,7 +838,7 @@ PW85_LINKED PlaneContact<double, 3> contact_plane(Vector<double, 3> const &norma
     return result;
 }
 
-/// contact_plane_derivatives() by pw85_contact_plane_derivatives().
+/// Computes contact_plane_derivatives() by pw85_contact_plane_derivatives().
 PW85_LINKED PlaneDerivatives<double> contact_plane_derivatives(
     Vector<double, 3> const &normal, double const &offset,
     SymmetricMatrix<double, 3> const &q) noexcept
@@ -851,7 +851,7 @@ PW85_LINKED PlaneDerivatives<double> contact_plane_derivatives(
     return result;
 }
 
-/// distance_box() by pw85_distance_box().
+/// Computes distance_box() by pw85_distance_box().
 PW85_LINKED SurfaceDistance<double, 3> distance_box(Vector<double, 3> const &lower,
                                                     Vector<double, 3> const &upper,
                                                     SymmetricMatrix<double, 3> const &q) noexcept
@@ -864,7 +864,7 @@ PW85_LINKED SurfaceDistance<double, 3> distance_box(Vector<double, 3> const &low
     return result;
 }
 
-/// distance_cylinder() by pw85_distance_cylinder().
+/// Computes distance_cylinder() by pw85_distance_cylinder().
 PW85_LINKED SurfaceDistance<double, 3> distance_cylinder(
     Vector<double, 3> axis, double const &radius, Vector<double, 3> const &center,
     SymmetricMatrix<double, 3> const &q) noexcept
@@ -878,7 +878,7 @@ PW85_LINKED SurfaceDistance<double, 3> distance_cylinder(
     return result;
 }
 
-/// distance_point() by pw85_distance_point().
+/// Computes distance_point() by pw85_distance_point().
 PW85_LINKED SurfaceDistance<double, 3> distance_point(Vector<double, 3> const &r,
                                                       SymmetricMatrix<double, 3> const &q) noexcept
 {
@@ -890,7 +890,7 @@ PW85_LINKED SurfaceDistance<double, 3> distance_point(Vector<double, 3> const &r
     return result;
 }
 
-/// distance_point() by pw85_distance_point_2d().
+/// Computes distance_point() by pw85_distance_point_2d().
 PW85_LINKED SurfaceDistance<double, 2> distance_point(Vector<double, 2> const &r,
                                                       SymmetricMatrix<double, 2> const &q) noexcept
 {
@@ -902,7 +902,7 @@ PW85_LINKED SurfaceDistance<double, 2> distance_point(Vector<double, 2> const &r
     return result;
 }
 
-/// intersect_line() by pw85_intersect_line().
+/// Computes intersect_line() by pw85_intersect_line().
 PW85_LINKED Chord<double> intersect_line(Vector<double, 3> const &origin,
                                          Vector<double, 3> const &direction,
                                          SymmetricMatrix<double, 3> const &q) noexcept
@@ -917,7 +917,7 @@ PW85_LINKED Chord<double> intersect_line(Vector<double, 3> const &origin,
     return result;
 }
 
-/// contact_segment() by pw85_contact_segment().
+/// Computes contact_segment() by pw85_contact_segment().
 PW85_LINKED ShapeContact<double, 3> contact_segment(Vector<double, 3> const &end1,
                                                     Vector<double, 3> const &end2,
                                                     SymmetricMatrix<double, 3> const &q) noexcept
@@ -930,7 +930,7 @@ PW85_LINKED ShapeContact<double, 3> contact_segment(Vector<double, 3> const &end
     return result;
 }
 
-/// contact_triangle() by pw85_contact_triangle().
+/// Computes contact_triangle() by pw85_contact_triangle().
 PW85_LINKED ShapeContact<double, 3> contact_triangle(Vector<double, 3> const &vertex1,
                                                      Vector<double, 3> const &vertex2,
                                                      Vector<double, 3> const &vertex3,
@@ -944,7 +944,7 @@ PW85_LINKED ShapeContact<double, 3> contact_triangle(Vector<double, 3> const &ve
     return result;
 }
 
-/// contact_box() by pw85_contact_box().
+/// Computes contact_box() by pw85_contact_box().
 PW85_LINKED ShapeContact<double, 3> contact_box(Vector<double, 3> const &lower,
                                                 Vector<double, 3> const &upper,
                                                 SymmetricMatrix<double, 3> const &q) noexcept
@@ -957,7 +957,7 @@ PW85_LINKED ShapeContact<double, 3> contact_box(Vector<double, 3> const &lower,
     return result;
 }
 
-/// overlap_segment() by pw85_overlap_segment().
+/// Computes overlap_segment() by pw85_overlap_segment().
 PW85_LINKED ShapeOverlap overlap_segment(Vector<double, 3> const &end1,
                                          Vector<double, 3> const &end2,
                                          SymmetricMatrix<double, 3> const &q) noexcept
@@ -971,7 +971,7 @@ PW85_LINKED ShapeOverlap overlap_segment(Vector<double, 3> const &end1,
     return result;
 }
 
-/// overlap_triangle() by pw85_overlap_triangle().
+/// Computes overlap_triangle() by pw85_overlap_triangle().
 PW85_LINKED ShapeOverlap overlap_triangle(Vector<double, 3> const &vertex1,
                                           Vector<double, 3> const &vertex2,
                                           Vector<double, 3> const &vertex3,
@@ -986,7 +986,7 @@ PW85_LINKED ShapeOverlap overlap_triangle(Vector<double, 3> const &vertex1,
     return result;
 }
 
-/// overlap_box() by pw85_overlap_box().
+/// Computes overlap_box() by pw85_overlap_box().
 PW85_LINKED ShapeOverlap overlap_box(Vector<double, 3> const &lower, Vector<double, 3> const &upper,
                                      SymmetricMatrix<double, 3> const &q) noexcept
 {
@@ -999,7 +999,7 @@ PW85_LINKED ShapeOverlap overlap_box(Vector<double, 3> const &lower, Vector<doub
     return result;
 }
 
-/// distance_segment() by pw85_distance_segment().
+/// Computes distance_segment() by pw85_distance_segment().
 PW85_LINKED ShapeDistance<double> distance_segment(Vector<double, 3> const &end1,
                                                    Vector<double, 3> const &end2,
                                                    SymmetricMatrix<double, 3> const &q) noexcept
@@ -1013,7 +1013,7 @@ PW85_LINKED ShapeDistance<double> distance_segment(Vector<double, 3> const &end1
     return result;
 }
 
-/// distance_triangle() by pw85_distance_triangle().
+/// Computes distance_triangle() by pw85_distance_triangle().
 PW85_LINKED ShapeDistance<double> distance_triangle(Vector<double, 3> const &vertex1,
                                                     Vector<double, 3> const &vertex2,
                                                     Vector<double, 3> const &vertex3,
@@ -1028,7 +1028,7 @@ PW85_LINKED ShapeDistance<double> distance_triangle(Vector<double, 3> const &ver
     return result;
 }
 
-/// distance_solid_box() by pw85_distance_solid_box().
+/// Computes distance_solid_box() by pw85_distance_solid_box().
 PW85_LINKED ShapeDistance<double> distance_solid_box(Vector<double, 3> const &lower,
                                                      Vector<double, 3> const &upper,
                                                      SymmetricMatrix<double, 3> const &q) noexcept
@@ -1042,7 +1042,7 @@ PW85_LINKED ShapeDistance<double> distance_solid_box(Vector<double, 3> const &lo
     return result;
 }
 
-/// contact_segment() by pw85_contact_segment_2d().
+/// Computes contact_segment() by pw85_contact_segment_2d().
 PW85_LINKED ShapeContact<double, 2> contact_segment(Vector<double, 2> const &end1,
                                                     Vector<double, 2> const &end2,
                                                     SymmetricMatrix<double, 2> const &q) noexcept
@@ -1055,7 +1055,7 @@ PW85_LINKED ShapeContact<double, 2> contact_segment(Vector<double, 2> const &end
     return result;
 }
 
-/// contact_box() by pw85_contact_box_2d().
+/// Computes contact_box() by pw85_contact_box_2d().
 PW85_LINKED ShapeContact<double, 2> contact_box(Vector<double, 2> const &lower,
                                                 Vector<double, 2> const &upper,
                                                 SymmetricMatrix<double, 2> const &q) noexcept
@@ -1068,7 +1068,7 @@ PW85_LINKED ShapeContact<double, 2> contact_box(Vector<double, 2> const &lower,
     return result;
 }
 
-/// overlap_segment() by pw85_overlap_segment_2d().
+/// Computes overlap_segment() by pw85_overlap_segment_2d().
 PW85_LINKED ShapeOverlap overlap_segment(Vector<double, 2> const &end1,
                                          Vector<double, 2> const &end2,
                                          SymmetricMatrix<double, 2> const &q) noexcept
@@ -1082,7 +1082,7 @@ PW85_LINKED ShapeOverlap overlap_segment(Vector<double, 2> const &end1,
     return result;
 }
 
-/// overlap_box() by pw85_overlap_box_2d().
+/// Computes overlap_box() by pw85_overlap_box_2d().
 PW85_LINKED ShapeOverlap overlap_box(Vector<double, 2> const &lower, Vector<double, 2> const &upper,
                                      SymmetricMatrix<double, 2> const &q) noexcept
 {

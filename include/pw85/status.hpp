@@ -27,7 +27,7 @@ using StatusCode = Status;
 
 #pragma pop_macro("Status")
 
-/// A sentence that says what a status means; a constant, never null.
+/// Returns a sentence that says what a status means; a constant, never null.
 PW85_FUNCTION constexpr char const *strerror(StatusCode status) noexcept
 {
     switch (status) {

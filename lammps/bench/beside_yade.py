@@ -3,7 +3,7 @@
 
     python3 beside_yade.py path/to/pw85.in [--edge 4] [--nodes 1000] [--cells 20] [--timesteps 0.002 0.004]
 
-YADE's ellipsoids are bodies of its shape LevelSet: distances on a grid, with so many cells along the shortest axis, and nodes on the
+YADE's ellipsoids are bodies of its shape LevelSet: distances on a grid, with a number of cells along the shortest axis, and nodes on the
 surface. Both programs have the same shapes, springs and walls, and starts of the same kind. There is neither damping nor friction,
 so that the energy does not change. Prints a table with commas. Its largest errors of the energy are in units of the work of gravity.
 Its times are those of a step for each grain, in microseconds on one core, after the start: YADE's is processor time, LAMMPS's is its

@@ -53,7 +53,7 @@ def measure_ranks(include, repeat):
 
 
 def starts(styles, include, edge, program=("lmp",)):
-    """For styles of STYLES: functions that start a run with so many steps."""
+    """For styles of STYLES: functions that start a run with a number of steps."""
     return {STYLES[style]: functools.partial(start, include, style, edge, edge, program=program) for style in styles}
 
 

@@ -23,7 +23,7 @@ PARTS = {
     "law of force": ("react_sliding",),
     "overlap test of new pairs": ("OverlapArray",),
     "integration, forms of ellipsoids": ("FixNVE", "MathExtra::", "pw85_ellipsoid_quaternion", "pw85_lammps::Ellipsoids"),
-    "the pair style besides: list, atoms, springs, sums": ("PairGranHertzHistory", "pw85_lammps::"),
+    "the rest of the pair style: list, atoms, springs, sums": ("PairGranHertzHistory", "pw85_lammps::"),
     "ghosts and the rest": ("",),
 }
 

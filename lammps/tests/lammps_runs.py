@@ -104,22 +104,26 @@ def launch(directory, ranks):
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
 
 
-def run(script, system=None, ranks=1, outputs=()):
-    """Runs a script; returns the text it printed and the arrays of its dump files, one array for each snapshot."""
+def run(script, system=None, ranks=1, outputs=(), files=None):
+    """Runs a script in a folder with the files of a dict, name: text.
+
+    Returns the text it printed and the arrays of its dump files, one array for each snapshot."""
     with tempfile.TemporaryDirectory() as directory:
         Path(directory, "in.lammps").write_text(script)
         if system is not None:
             Path(directory, "system.data").write_text(system.data_file())
+        for name, text in (files or {}).items():
+            Path(directory, name).write_text(text)
         result = launch(directory, ranks)
         if result.returncode != 0:
             raise RuntimeError(f"LAMMPS on {ranks} ranks failed\n{script}\n{result.stdout[-4000:]}")
         return result.stdout, [read_dump(Path(directory, output)) for output in outputs]
 
 
-def failure(script, system=None, ranks=1):
+def failure(script, system=None, ranks=1, files=None):
     """Runs a script that must stop with an error; returns what it printed, in one line."""
     try:
-        text, _ = run(script, system, ranks)
+        text, _ = run(script, system, ranks, files=files)
     except RuntimeError as error:
         return " ".join(str(error).split())
     raise AssertionError(f"LAMMPS did not stop\n{script}\n{text[-2000:]}")

@@ -174,7 +174,7 @@ class Atoms(unittest.TestCase):
             self.assertIn(law, printed)
 
     def test_delete_atoms(self):
-        """The command numbers the remaining atoms anew, unless it says `compress no`."""
+        """The command renumbers the remaining atoms, unless it says `compress no`."""
         removed = "group gone id 1:30:7 41\ndelete_atoms group gone compress {}"
         for ranks in (1, 2):
             found, expected = (self.forces(removed.format(words), ranks) for words in ("yes", "no"))

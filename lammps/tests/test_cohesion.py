@@ -84,7 +84,7 @@ class AgainstCohesion(unittest.TestCase):
             self.check(theirs, ours, 100, 1e-9, 2)
 
     def test_walls(self):
-        """The same on a plane, which has the material of the sphere. LAMMPS's walls of September 2021 have another modulus."""
+        """Forces on a plane, which has the material of the sphere. LAMMPS's walls of September 2021 have another modulus."""
         gamma, friction, radius = 10.0, 0.4, 0.5
         sphere = Grains(np.diag([4.0, 4.0, 4.0]), False, np.array([[2.0, 2, 0.49]]), np.full((1, 3), radius), np.array([[1.0, 0, 0, 0]]),
                         np.ones(1, dtype=int), np.array([[1e-3, 0, 0]]), np.zeros((1, 3)))
@@ -421,7 +421,7 @@ class Walls(Impact, unittest.TestCase):
 
 
 class Cylinders(Impact, unittest.TestCase):
-    """The same in and around cylinders, with Hertz's radius for the sum of the curvatures."""
+    """Cohesion in and around cylinders, with Hertz's radius for the sum of the curvatures."""
 
     CYLINDERS = (("out", 0.7), ("in", 2.2))
 

@@ -165,7 +165,7 @@ class Errors(unittest.TestCase):
         run(start + self.computes(float(cure)), self.system)
 
     def test_cutoff_when_a_group_grows(self):
-        """Large ellipsoids join the group during a run in which no list is built anew."""
+        """Large ellipsoids join the group during a run in which no list is rebuilt."""
         script = preamble(self.system) + (
             f"pair_style zero {0.99 * self.system.cutoff:.17g}\npair_coeff * *\n"
             "variable joined atom \"type == 2 || step > 5\"\ngroup some dynamic all var joined every 1\n"

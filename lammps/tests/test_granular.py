@@ -475,7 +475,7 @@ class Mixtures(unittest.TestCase):
         return grains, normals, depths, arms
 
     def states(self, grains, law, steps, every, ranks):
-        """Every so many steps, the rows of move()."""
+        """The rows of move(), at every n-th step."""
         commands = script(grains, granular(law), steps, "on").replace("timestep 0.0005", "timestep 2e-5")
         return np.array(run(commands.replace(f"all custom {steps}", f"all custom {every}"), grains, ranks, ("state.txt",))[1][0])
 

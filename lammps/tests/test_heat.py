@@ -122,7 +122,7 @@ class Pairs(unittest.TestCase):
         self.assertGreater(b2, 2 * c2)
 
     def test_turned_contact(self):
-        """The ellipse is that of the new normal where the search for it starts anew: it has turned by a right angle in a step."""
+        """The ellipse is that of the new normal where the search for it is restarted: it has turned by a right angle in a step."""
         grains = self.ellipsoids()
         depth, _, ellipse = hertz_contact(grains)
         start = grains.centers - [[0, 0, 0], [1.04, -1.27, 0]]

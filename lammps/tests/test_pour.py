@@ -281,7 +281,7 @@ class Schedule(unittest.TestCase):
         self.assertEqual([atoms[step] for step in (0, 1, 6, 7, 49, 60)], [0, 3, 3, 6, 25, 25])
 
     def test_reset_timestep(self):
-        dump = "dump state all custom 45 state.txt id\n"  # Releases from 2022 on do not set the step anew under a dump.
+        dump = "dump state all custom 45 state.txt id\n"  # Releases from 2022 on do not set the step again under a dump.
         runs = f"run 15\nundump state\nreset_timestep 0\n{dump}run 45\n"
         _, rows = poured(f"{REGION}\n{POUR}\n", 45, runs=runs)
         self.assertEqual(len(rows), 60)
@@ -302,6 +302,7 @@ class Schedule(unittest.TestCase):
         text, rows = poured(f"{region}\n{POUR}\n")
         self.assertLess(len(rows), 40)
         self.assertEqual(text.count("region filling is full in step 1: 500 places of grain"), 1)
+        self.assertIn(" overlap other grains or walls. It waits, and is tried again in later insertions. Use a larger region", text)
         last = thermo(text)[-1]
         self.assertEqual(last[2] + last[5], 60)
         self.assertGreater(last[6], 500 * 5)
@@ -335,7 +336,7 @@ class Refused(unittest.TestCase):
             "10 0.5": "bad seed: 0.5, which must be a whole number",
             "10 1": "lacks its region",
             "10 1 region filling": "lacks the shapes of its grains: add grain TYPE DX DY DZ",
-            "10 1 region nowhere grain 1 1 1 1": "does not find region nowhere",
+            "10 1 region nowhere grain 1 1 1 1": "does not find region nowhere: define it with the region command before",
             "10 1 region endless grain 1 1 1 1": "needs a region of finite size, unlike region endless",
             "10 1 region column grain 1 1 1 1": "needs a region of finite size, unlike region column",
             "10 1 region filling grain 3 1 1 1": "bad type of grain: 3, which must be a whole number from 1 to 2",

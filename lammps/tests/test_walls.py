@@ -371,11 +371,11 @@ class Errors(unittest.TestCase):
         self.check(f"mesh {self.file} scale 1e308 {law}", "a mesh with a vertex that is not finite")
         soup[2, 1, 0] = np.nan
         write_binary(self.file, soup)
-        self.check(f"mesh {self.file} open {law}", "has a bad vertex 8 in its mesh")
+        self.check(f"mesh {self.file} open {law}", "has a bad vertex 8 in its mesh, which must be finite: export the file again")
         Path(self.file).write_text("solid\nvertex 1 2 three\n")
         self.check(f"mesh {self.file} {law}", "has a bad vertex 1 in its mesh")
         Path(self.file).write_text("ply\n")
-        self.check(f"mesh {self.file} {law}", "a mesh without triangles", "as STL")
+        self.check(f"mesh {self.file} {law}", "has a mesh without triangles, or with an incomplete one", "as STL")
 
     def test_depth(self):
         """Grains whose centres are behind the surface, or nearly so."""
@@ -385,7 +385,7 @@ class Errors(unittest.TestCase):
         for shape, x in (("zcylinder 1.0 at 6 6", 1.1), ("zcylinder 1.0 at 6 6 side out", 0.9), (f"mesh {self.file}", 2.95),
                          ("xplane 6.1 NULL", 0.0), ("xplane NULL 6.1", 0.1), ("xplane 6.1 9", 5.0), ("box 6.1 9 4 8 4 8", 0.0)):
             placed = dataclasses.replace(one, centers=MIDDLE[None, :] + [[x, 0.0, 0.0]])
-            depth = "is so" if "mesh" in shape else "is too deep in the wall"
+            depth = "is so deep in the mesh of the wall" if "mesh" in shape else "is too deep in the wall"
             self.check(f"{shape} {law}", f"atom 1 (type 1) {depth}", "smaller time step", grains=placed)
 
     def test_shapes(self):

@@ -19,7 +19,7 @@ _ALLOWED = {"lambda_": ("in [0, 1]", 1), "mu2": ("at least 0", np.inf)}
 
 
 class NdContactGeometry(NamedTuple):
-    """Where scaled ellipsoids touch, and the derivatives of μ²; see `nd_contact_geometry`."""
+    """Point of contact of scaled ellipsoids, and derivatives of μ²; see `nd_contact_geometry`."""
 
     point: Floats
     normal: Floats

@@ -23,7 +23,7 @@ _FACTOR = 0.85
 # A run is too short if its samples are correlated over more than this part of it.
 _LONGEST_TIME = 1 / 8
 # An error from m independent blocks has itself the relative error 1/√(2 (m - 1)): 18 % for 16. A deviation over it has the mean square
-# (m - 1)/(m - 3) of Student's t: 1.15. So many samples of a number must be independent, and so many of its 48 to 95 blocks, counted
+# (m - 1)/(m - 3) of Student's t: 1.15. Least numbers of independent samples of a number, and of its 48 to 95 blocks, counted
 # without the correlation that is left between them: those of the shortest of the three longest lengths of which there are at least 12. With
 # 8 in place of 12 there are 32 to 63 blocks. Of 32, white noise has too few in a quarter of all runs, and of 63 hardly ever.
 LEAST_INDEPENDENT, _LEAST_TO_RESOLVE = 16, 12
@@ -238,7 +238,7 @@ class Blocking:
         return result
 
     def _levels(self, least: int = _LEAST_BLOCKS) -> list[int]:
-        """The three longest lengths of which there are at least so many blocks; none if there are too few samples."""
+        """The three longest lengths that have at least `least` blocks; none if there are too few samples."""
         enough = [level for level, count in enumerate(self._counts) if count >= least]
         return enough[-_LENGTHS:] if len(enough) >= _LENGTHS else []
 

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import doubles, plain
+from ._errors import named
 from ._forms import packed
 from ._functions import ellipsoid, ellipsoid_quaternion
 from ._numbers import truth
@@ -44,7 +45,8 @@ def from_lammps(diameters: ArrayLike, quaternions_wxyz: ArrayLike) -> Floats:
     >>> pypw85.from_lammps([2, 4, 6], [1, 0, 0, 0])
     array([1., 0., 0., 4., 0., 9.])
     """
-    return ellipsoid_quaternion(0.5 * doubles(diameters), quaternions_wxyz)
+    with named("from_lammps"):
+        return ellipsoid_quaternion(0.5 * doubles(diameters), quaternions_wxyz)
 
 
 def _plain_rows(function: str, x: ArrayLike, size: int) -> Floats:
@@ -82,7 +84,8 @@ def from_ovito(semi_axes: ArrayLike, quaternions_xyzw: ArrayLike) -> Floats:
     array([4., 0., 0., 1., 0., 9.])
     """
     quaternions = _plain_rows("from_ovito", quaternions_xyzw, 4)
-    return ellipsoid_quaternion(semi_axes, quaternions[..., [3, 0, 1, 2]])
+    with named("from_ovito"):
+        return ellipsoid_quaternion(semi_axes, quaternions[..., [3, 0, 1, 2]])
 
 
 def from_gsd(
@@ -131,7 +134,8 @@ def from_gsd(
         if not 0 <= k < len(type_shapes):
             raise IndexError(f"typeid must be an index of the {len(type_shapes)} shapes, not {k}")
         semi_axes[k] = _gsd_semi_axes(type_shapes[k])
-    return ellipsoid_quaternion(semi_axes[types], orientations_wxyz)
+    with named("from_gsd"):
+        return ellipsoid_quaternion(semi_axes[types], orientations_wxyz)
 
 
 def from_euler(semi_axes: ArrayLike, seq: str, angles: ArrayLike, degrees: bool = False) -> Floats:
@@ -174,7 +178,8 @@ def from_euler(semi_axes: ArrayLike, seq: str, angles: ArrayLike, degrees: bool 
     leading = angles.shape[:-1] if len(seq) > 1 else angles.shape
     rows = angles.reshape((-1, len(seq))) if len(seq) > 1 else angles.reshape(-1)
     matrices = np.empty((0, 3, 3)) if rows.shape[0] == 0 else Rotation.from_euler(seq, rows, degrees).as_matrix()
-    return ellipsoid(semi_axes, matrices.reshape((*leading, 3, 3)))
+    with named("from_euler"):
+        return ellipsoid(semi_axes, matrices.reshape((*leading, 3, 3)))
 
 
 def from_rotation_vector(semi_axes: ArrayLike, rotation_vectors: ArrayLike) -> Floats:
@@ -202,7 +207,8 @@ def from_rotation_vector(semi_axes: ArrayLike, rotation_vectors: ArrayLike) -> F
     omega = _plain_rows("from_rotation_vector", rotation_vectors, 3)
     half = 0.5 * np.sqrt((omega * omega).sum(axis=-1, keepdims=True))
     quaternions = np.concatenate([np.cos(half), 0.5 * np.sinc(half / np.pi) * omega], axis=-1)
-    return ellipsoid_quaternion(semi_axes, quaternions)
+    with named("from_rotation_vector"):
+        return ellipsoid_quaternion(semi_axes, quaternions)
 
 
 def from_covariance(covariance: ArrayLike, confidence: float) -> Floats:
@@ -336,8 +342,11 @@ def _of_uniform_body(function: str, moments: Any) -> Floats:
             wrong = ~(finite & (np.linalg.eigvalsh(np.where(finite[..., None, None], moments, 0))[..., 0] > 0))
         if wrong.any():
             which = f" (row {np.argwhere(wrong)[0].tolist()})" if wrong.ndim else ""
-            raise ValueError(f"{function}: the moments{which} must be positive definite: check that they are second moments or a "
-                             "tensor of inertia, about the centre, of a body that is not flat")  # fmt: skip
+            cause = "must be positive definite: check that they are second moments, about the centre, of a body that is not flat"
+            if function == "from_inertia":
+                cause = ("must be those of a body, each smaller than the sum of the other two: check that they are a tensor of inertia, "
+                         "about the centre, of a body that is not flat")  # fmt: skip
+            raise ValueError(f"{function}: the moments{which} {cause}")
     in_space = moments
     if n == 2:
         in_space = np.zeros((*moments.shape[:-2], 3, 3))

@@ -35,7 +35,7 @@ COLOURINGS = ("overlaps", "orientation", "type")
 _LEVELS = 20
 # The least nematic order with which the director is drawn
 _LEAST_ORDER = 0.2
-# A picture of so many pixels on a side has 1.2 GB.
+# A picture with this number of pixels on a side has 1.2 GB.
 _MOST_PIXELS = 20000
 _THREE = "/usr/share/javascript/three"
 

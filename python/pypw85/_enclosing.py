@@ -19,7 +19,8 @@ from ._errors import PW85Error, Status
 from ._numbers import real
 from ._typing import Floats
 
-# The mean and the covariance of the most central samples are computed so many times at most; they are final when the samples stay the same.
+# The mean and the covariance of the most central samples are recomputed at most this many times. They are final when the samples stay the
+# same.
 MOST_STEPS = 100
 
 

@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import enum
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -51,6 +53,15 @@ class PW85Error(ValueError, ArithmeticError):
 
     def __str__(self) -> str:
         return f"{self.function}: {self.detail or self.reason}"
+
+
+@contextlib.contextmanager
+def named(function: str) -> Iterator[None]:
+    """Errors of the library in the body are those of a function that the caller knows."""
+    try:
+        yield
+    except PW85Error as error:
+        raise PW85Error(error.status, function, error.reason, error.detail) from None
 
 
 def bad_rows(result: Any, core_ndim: int = 0) -> NDArray[np.intp]:

@@ -12,7 +12,7 @@ from . import _core
 from ._device import apply_to_pairs, is_device_array
 from ._functions import ContactDerivatives
 from ._arrays import reals
-from ._numbers import instance, real
+from ._numbers import instance, integer, real
 from ._pairs import _cell, _explain, _pair_list, _rows
 from ._typing import Floats
 
@@ -163,11 +163,20 @@ def _parameters(name: str, **numbers: float) -> Floats:
     return np.array([real(number, f"Law.{name}: {argument}") for argument, number in numbers.items()])
 
 
-def fault_of_law(law: Law | None) -> str:
-    """Which number of a law a simulation of hard cores refuses, where the library does not name it; empty if it names it."""
-    if law is None or not len(law.parameters):
-        return ""
+def checked_law(law: object, name: str) -> Law:
+    """A law with an integer and a row of numbers, whatever they mean."""
+    given = instance(law, Law, name)
+    parameters = reals(given.parameters, f"{name}: parameters")
+    if parameters.ndim != 1:
+        raise ValueError(f"{name}: parameters must be a row of numbers, not an array of the shape {parameters.shape}")
+    return Law(integer(given.kind, f"{name}: kind", 1, 3), parameters)
+
+
+def fault_of_law(law: Law) -> str:
+    """Names a number of a law that a simulation of hard cores refuses, where the library does not; empty if there is none."""
     numbers = law.parameters.tolist()
+    if len(numbers) < {1: 2, 2: 5, 3: 6}.get(law.kind, len(numbers) + 1):
+        return ""
     if not np.isfinite(numbers[:4]).all():
         return f"the parameters of the law must be finite, not {numbers}"
     if law.kind == 1:
@@ -234,7 +243,8 @@ def law_forces_pairs(
     """
     arrays = _pair_list(pairs, centers, q, cell, images)
     num_particles = len(arrays[1])
-    parameters = np.require(instance(law, Law, "law_forces_pairs: law").parameters, np.float64, ["C", "A"])
+    law = checked_law(law, "law_forces_pairs: law")
+    parameters = np.require(law.parameters, np.float64, ["C", "A"])
     energy = np.full(1, -np.inf)
     result = LawForces(0.0, np.empty((num_particles, 3)), np.empty((num_particles, 3)), np.empty((3, 3)))
     status = _core.law_forces_pairs(*arrays, law.kind, parameters, energy, *result[1:])

@@ -105,6 +105,8 @@ def _numbers(values: ArrayLike, n: int, name: str) -> Floats:
 
 
 def _check_image(labels: NDArray[Any]) -> None:
+    if labels.ndim == 0 and labels.dtype.kind in "SU":
+        raise TypeError(f"from_labels: image must be an array of integers, not the text {str(labels)[:40]!r}: read a file with pypw85.read")
     if labels.ndim not in (2, 3):
         raise ValueError(f"from_labels: the image must have two or three dimensions, not the shape {labels.shape}")
     if labels.dtype.kind == "b":

@@ -66,6 +66,13 @@ def flags(value: Any, name: str, count: int = 3) -> NDArray[np.bool_]:
     return np.broadcast_to(array.astype(bool), count)
 
 
+def function(value: Any, name: str) -> Any:
+    """A function, or another object that can be called."""
+    if not callable(value):
+        raise TypeError(f"{name} must be a function, not {shown(value)}")
+    return value
+
+
 def instance(value: Any, kind: type[Type], name: str) -> Type:
     """An object of a class of this package."""
     if not isinstance(value, kind):

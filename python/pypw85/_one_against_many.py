@@ -100,6 +100,8 @@ def _blame(
 def overlap_any(q1: ArrayLike, r12: ArrayLike, q2: ArrayLike) -> bool:
     """Decides whether an ellipsoid overlaps any of n others. Tests one after the other, up to the first overlap.
 
+    Unlike in functions of pairs, the form of the one ellipsoid comes first, before the separations.
+
     Parameters
     ----------
     q1 : (6) array_like

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from ._choices import choice
 from ._functions import ellipsoid_quaternion
 from ._arrays import reals
-from ._numbers import instance, integer, real
+from ._numbers import function, instance, integer, real
 from ._words import shown
 from ._neighbors import Neighbors, neighbors
 from ._pairs import overlap_pairs
@@ -220,6 +220,7 @@ def relax(system: System, steps: int = 20000, stage: Callable[[str], object] = s
         Ctrl-C. It has the same attribute, and is a KeyboardInterrupt.
     """
     soft, steps = _Soft(instance(system, System, "relax: system")), integer(steps, "relax: steps", 1)
+    function(stage, "relax: stage")
     best, least = (soft.centers, soft.quaternions), np.inf
     try:
         for k, push in zip(range(steps), _pushes(soft)):

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import plain
+from ._errors import named
 from ._forms import principal_axes
 from ._functions import contact, contact_geometry
 from ._typing import Floats
@@ -46,8 +47,9 @@ def plot(
         Invalid input, or coincident centres.
     """
     c1, q1, c2, q2 = (np.asarray(plain(x), dtype=np.float64) for x in (center1, q1, center2, q2))
-    mu2, lambda_ = contact(c2 - c1, q1, q2)
-    point, normal = contact_geometry(c2 - c1, q1, q2, lambda_)
+    with named("plot"):
+        mu2, lambda_ = contact(c2 - c1, q1, q2)
+        point, normal = contact_geometry(c2 - c1, q1, q2, lambda_)
     ax = _new_axes() if ax is None else ax
     ax.computed_zorder = False  # so that what is drawn in front stays there
     for k, (center, q) in enumerate(((c1, q1), (c2, q2))):

@@ -118,7 +118,7 @@ def pose_distance(semi_axes: ArrayLike, pose1: Any, solid: ArrayLike | Mesh, pos
     Raises
     ------
     ValueError
-        A pose or the solid is none of these.
+        A pose or the solid is of another type.
     PW85Error
         A semi-axis is not positive, or a number is not finite.
 

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import reals
-from ._numbers import integer, real, seed_of
+from ._numbers import function, integer, real, seed_of
 from ._packing import check_axes, check_cell
 from ._system import UNIT_BALL, System
 from ._typing import Floats
@@ -126,6 +126,7 @@ def random_addition(
     _check_room(axes, shape)
     most = _NO_NUMBER if number is None else integer(number, "random_addition: number", 1, _NO_NUMBER)
     key = seed_of(seed, "random_addition: seed")
+    function(stage, "random_addition: stage")
     for name, value in (("attempts", attempts), ("seconds", seconds)):
         if value is not None and not real(value, f"random_addition: {name}") > 0:
             raise ValueError(f"random_addition: {name} must be > 0, not {value}")

@@ -14,13 +14,24 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._choices import choice
 from ._errors import PW85Error, Status, last_cause
-from ._forces import Law, fault_of_law
+from ._forces import Law, checked_law, fault_of_law
 from ._neighbors import _periodic_cell
 from ._arrays import reals
 from ._numbers import instance, instances, integer, real, seed_of, truth
 from ._words import shown
 from ._meshes import Mesh
-from ._surroundings import CompiledPotential, Field, Potential, Wall, compile_potential, describe_cut, fault_of_field, fault_of_wall
+from ._surroundings import (
+    CompiledPotential,
+    Field,
+    Potential,
+    Wall,
+    checked_field,
+    checked_wall,
+    compile_potential,
+    describe_cut,
+    fault_of_field,
+    fault_of_wall,
+)
 from ._system import System
 from ._typing import Floats
 
@@ -199,7 +210,7 @@ class HardEllipsoids:
         Raises
         ------
         PW85Error
-            A wall cuts a particle, or is none that a simulation of this cell and these dimensions can have. Nothing changes then.
+            A wall cuts a particle, or a simulation of this cell and these dimensions cannot have it. Nothing changes then.
 
         Examples
         --------
@@ -211,7 +222,8 @@ class HardEllipsoids:
         >>> bool(np.linalg.norm(simulation.centers) < 0.7)
         True
         """
-        given = instances(walls, Wall, "HardEllipsoids.set_walls: walls")
+        name = "HardEllipsoids.set_walls: walls"
+        given = [checked_wall(wall, f"{name}[{k}]") for k, wall in enumerate(instances(walls, Wall, name))]
         status, particle, cutting = self._replace_walls(given)
         if status:
             faults = [f"wall {k}: {fault}" for k, fault in enumerate(map(fault_of_wall, given)) if fault]
@@ -276,7 +288,7 @@ class HardEllipsoids:
         Raises
         ------
         PW85Error
-            A field is none that a simulation of this cell can have, or the energy of a particle is not finite. Nothing changes then.
+            A simulation of this cell cannot have a field, or the energy of a particle is not finite. Nothing changes then.
 
         Examples
         --------
@@ -290,7 +302,8 @@ class HardEllipsoids:
         >>> bool(simulation.energy() == (simulation.centers**2).sum() / 2)
         True
         """
-        given = instances(fields, Field, "HardEllipsoids.set_fields: fields")
+        name = "HardEllipsoids.set_fields: fields"
+        given = [checked_field(field, f"{name}[{k}]") for k, field in enumerate(instances(fields, Field, name))]
         with self._lock:
             status = _core.hard_ellipsoids_set_fields(self._simulation, _records(given, _FIELD))
         if status:
@@ -312,7 +325,7 @@ class HardEllipsoids:
         ------
         PW85Error
             The law is a soft repulsion, which ends where the hard cores begin; its parameters are not allowed; the energy of a pair could
-            exceed 10**6; or the cutoff is beyond μ = 1000. Nothing changes then.
+            exceed 2**20; or the cutoff is not above 1 or above 10**6 (μ = 1000). Nothing changes then.
 
         Examples
         --------
@@ -325,13 +338,11 @@ class HardEllipsoids:
         >>> bool(abs(simulation.energy() - (4 * (1.1**-12 - 1.1**-6) - at_cutoff)) < 1e-9)
         True
         """
-        if law is not None:
-            instance(law, Law, "HardEllipsoids.set_law: law")
-        if fault := fault_of_law(law):
+        given = Law(0, np.empty(0)) if law is None else checked_law(law, "HardEllipsoids.set_law: law")
+        if fault := fault_of_law(given):
             self._fail(Status.EINVAL, "set_law", fault)
-        kind, parameters = (0, np.empty(0)) if law is None else (law.kind, np.require(law.parameters, np.float64, ["C", "A"]))
         with self._lock:
-            status = _core.hard_ellipsoids_set_law(self._simulation, kind, parameters)
+            status = _core.hard_ellipsoids_set_law(self._simulation, given.kind, np.require(given.parameters, np.float64, ["C", "A"]))
         if status:
             self._fail(status, "set_law", last_cause())
 
@@ -871,7 +882,7 @@ class HardEllipsoids:
             The length of a translation, > 0, and in a periodic cell at most that of its longest vector. The memory for lists of
             neighbours grows with its third power, in two dimensions with the second.
         rotation : float
-            The tangent of half of the angle of a rotation, > 0 and at most 1.
+            The tangent of half of the largest angle of a rotation, > 0 and at most 1: ``tan(angle/2)``.
         volume : float
             The relative change of a length of the cell, or the shear, > 0 and at most 1.
 
@@ -1056,7 +1067,7 @@ def _vector(name: str, argument: str, value: ArrayLike, size: int) -> Floats:
 
 
 def _records(rows: Sequence[tuple[Any, ...]], kind: np.dtype[Any]) -> NDArray[Any]:
-    """Walls or fields as the library has them. Numbers that are no index become -1, which it refuses."""
+    """Walls or fields as the library has them. Numbers that are not an index become -1, which it refuses."""
     index = [kind[name] == np.int32 for name in kind.names or ()]
     return np.array([tuple((int(x) if 0 <= x < 100 else -1) if one else x for one, x in zip(index, row)) for row in rows], kind)
 

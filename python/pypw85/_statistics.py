@@ -67,7 +67,7 @@ class PairCorrelation(NamedTuple):
 
 
 def nematic_order(system: System) -> float:
-    """The largest eigenvalue of 3/2 <u uᵀ> - 1/2: 1 if all axes u are parallel, 0 on average if they have no order.
+    """The largest eigenvalue of 3/2 <u uᵀ> - 1/2: 1 if all axes u are parallel, about 1/√N for N axes without order.
 
     u is the axis whose length differs most from the middle one: the long axis of rods, the short one of plates. Spheres have none, and do
     not count. In two dimensions, u is the long axis of an ellipse, and the order is the largest eigenvalue of 2 <u uᵀ> - 1, which is
@@ -88,8 +88,8 @@ def nematic_order(system: System) -> float:
 def tetratic_order(system: System) -> float:
     """The order of ellipses along two directions at right angles: the largest <cos 4(θ - φ)> over all directions φ.
 
-    It is 1 if the long axes of all ellipses are parallel to one of two directions at right angles, and 0 on average if they have no order.
-    Discs do not count.
+    It is 1 if the long axes of all ellipses are parallel to one of two directions at right angles, and about 1/√N for N ellipses
+    without order. Discs do not count.
 
     Parameters
     ----------
@@ -254,7 +254,7 @@ def pair_correlation(systems: System | Iterable[System], reach: float, bins: int
     systems : System or iterable of System
         With cells. The error is right for independent configurations, and NaN for a single one.
     reach : float
-        The largest distance, in any relation to the cell: all images count, but those of the particle itself.
+        The largest distance. It may exceed the cell: all images count, except those of the particle itself.
     bins : int
         How many there are between 0 and `reach`.
 

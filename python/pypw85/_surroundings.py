@@ -202,6 +202,19 @@ def describe_cut(wall: Wall, center: ArrayLike, particle: object) -> str:
     return f"it cuts particle {particle}: move one of them"
 
 
+def checked_wall(wall: Wall, name: str) -> Wall:
+    """A wall with an integer, two vectors and a number, whatever they mean."""
+    point, vector = _vector(f"{name}: point", wall.point), _vector(f"{name}: vector", wall.vector)
+    return Wall(integer(wall.kind, f"{name}: kind", None), point, vector, real(wall.size, f"{name}: size"))
+
+
+def checked_field(field: Field, name: str) -> Field:
+    """A field with two integers, two vectors and a number, whatever they mean."""
+    kind, axis = integer(field.kind, f"{name}: kind", None), integer(field.axis, f"{name}: axis", None)
+    point, vector = _vector(f"{name}: point", field.point), _vector(f"{name}: vector", field.vector)
+    return Field(kind, axis, point, vector, real(field.strength, f"{name}: strength"))
+
+
 def fault_of_wall(wall: Wall) -> str:
     """Names the fault of a wall that no simulation can have; empty if there is none."""
     if wall.kind not in range(4):
@@ -222,6 +235,10 @@ def fault_of_wall(wall: Wall) -> str:
 
 def fault_of_field(field: Field) -> str:
     """Names the fault of a field that no simulation can have; empty if there is none."""
+    if field.kind not in range(4):
+        return f"kind must be an integer from 0 to 3, not {field.kind}"
+    if field.axis not in range(3):
+        return f"axis must be 0, 1 or 2, not {field.axis}"
     vector = {2: "stiffness", 3: "direction"}.get(field.kind, "gradient")
     for name, value in (("center", field.point), (vector, field.vector)):
         if not np.isfinite(value).all():

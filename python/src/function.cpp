@@ -28,14 +28,14 @@ bool all_finite(double const *x, int count) noexcept
 /// Status of a function that returns none: whether its result is NaN.
 int status_of(double value) noexcept { return std::isnan(value) ? PW85_EINVAL : PW85_SUCCESS; }
 
-/// The same for a function of one matrix, which fails where that is not positive definite.
+/// Status of a function of one matrix, which fails where that is not positive definite.
 int status_of(double value, double const *a) noexcept
 {
     if (!std::isnan(value)) return PW85_SUCCESS;
     return all_finite(a, PW85_SYM) ? PW85_ENOTPD : PW85_EINVAL;
 }
 
-/// The same for a function of λ and a pair: λ is to blame where the pair is good.
+/// Status of a function of λ and a pair: a bad λ if the pair is good.
 int status_of(double value, double const *r12, double const *q1, double const *q2) noexcept
 {
     if (!std::isnan(value)) return PW85_SUCCESS;
@@ -121,7 +121,7 @@ template <auto function> int codes(std::size_t n, Inputs in, unsigned char *answ
     return call_codes(function, n, in, answers);
 }
 
-/// The same by a function of one row, whose inputs are arrays of these sizes.
+/// Calls a function of one row for n rows; its inputs are arrays of these sizes.
 template <auto function, std::size_t... sizes>
 int codes_of_each(std::size_t n, Inputs in, unsigned char *answers)
 {

@@ -30,7 +30,7 @@ using Outputs = double *const *;
 /// One function for one row: reads `in`, writes `out`, returns a status.
 using Evaluate = int (*)(Inputs in, Outputs out);
 
-/// The same for n rows.
+/// One function for n rows: reads `in`, writes `out`, returns the status of the first bad row.
 using Batch = int (*)(std::size_t n, Inputs in, Outputs out);
 
 /// The only output of a function of n rows if it is a truth value: 0, 1, or 255 for a bad row.
@@ -69,7 +69,7 @@ void batch_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t co
 void code_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps,
                void *data);
 
-/// The same with a boolean output, `if_bad` for a bad row.
+/// The loop of a function with a boolean output, which is `if_bad` for a bad row.
 void boolean_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps,
                   void *data);
 

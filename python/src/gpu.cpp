@@ -98,7 +98,7 @@ PyObject *gpu(PyObject *, PyObject *const *args, Py_ssize_t nargs)
     if (name == nullptr) return nullptr;
     GpuFunction const *const function = find(name, nargs - 1);
     if (function == nullptr)
-        return PyErr_Format(PyExc_TypeError, "no function %s of so many arguments", name);
+        return PyErr_Format(PyExc_TypeError, "no function %s with this number of arguments", name);
     Numbers numbers{};
     for (Py_ssize_t k = 1; k < nargs; ++k) {
         numbers.values[k - 1] = PyLong_AsSize_t(args[k]);

@@ -30,8 +30,8 @@ constexpr double pi = 3.14159265358979323846;
 // the distribution of the packings.
 constexpr std::size_t least_attempts = 4096, most_voxels = 10'000'000;
 constexpr double few_accepted = 0.02, most_at_first = 1e8;
-// Voxels are halved so many times at most. They are smaller than 2⁻³⁰ of a semi-axis then, and what
-// is left counts as nothing.
+// The largest number of halvings of a voxel. Voxels are smaller than 2⁻³⁰ of a semi-axis then, and
+// what is left counts as nothing.
 constexpr int most_halvings = 30;
 // What a particle must overlap to cover a voxel has its semi-axes made smaller by this share, and
 // then their squares by what lost() says. Distances are compared with this margin.
@@ -305,7 +305,7 @@ template <std::size_t D> class Packing {
 class Addition {
   public:
     virtual ~Addition() = default;
-    /// Makes some attempts, until there are so many particles at most, or so many attempts, in all.
+    /// Makes some attempts, until the largest number of particles or of attempts is reached.
     virtual void advance(std::size_t most, double limit) = 0;
     virtual PyObject *state() const = 0;
     virtual PyObject *placed() const = 0;

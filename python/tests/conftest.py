@@ -25,7 +25,7 @@ def pytest_configure():
         given = pathlib.Path(os.environ.setdefault(name, str(usual)))
         if not (given / witness).exists():
             raise pytest.UsageError(f"set {name} to {what}: there is no {given / witness}")
-    # Programs that tests start load the package anew, and may be told to leave no bytecode. Where the package cannot be written to, it
+    # Programs that tests start load the package again, and may be told to leave no bytecode. Where the package cannot be written to, it
     # stays as it is.
     compileall.compile_dir(pathlib.Path(pypw85.__file__).parent, quiet=2)
 

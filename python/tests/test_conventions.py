@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tables of other programs: what these measured is read as the ellipses that they were shown, and what has two meanings is refused.
 
-With PYPW85_FORMATS the programs write their tables anew before.
+With PYPW85_FORMATS the programs first write their tables.
 """
 
 import functools

@@ -159,7 +159,7 @@ def run_program(folder, *arguments):
 
 
 def test_committed_files(make, tmp_path):
-    """One command makes them anew with the new functions; before, it names each of them."""
+    """One command regenerates them with the new functions; before, it names each of them."""
     status, text = run_program(tmp_path, "api/committed.py", "check")
     names = ("fortran/pw85.f90", "include/pw85/batch/rows.hpp", "include/pw85/systems/lists.hpp", "debian/libpw85-3.symbols",
              "include/pw85_batch.h", "src/c_api/others_rows.cpp", "src/c_api/others.cpp")

@@ -724,8 +724,8 @@ BAD = [
     ([*GOOD[:5], "old.h5"], r"old.h5: is there already: continue it \(--resume\), or name another file"),
     ([*GOOD[:5], "table.csv"], "table.csv: is there already"),
     ([*GOOD, "--trajectory", "start.xyz"], "start.xyz: is there already"),
-    ([*GOOD, "--trajectory", "new.h5"], "a trajectory grows while the run goes on: end its name with .gsd, .xyz or .dump"),
-    ([*GOOD, "--trajectory", "new.xyz.gz"], "a trajectory grows while the run goes on: end its name with .gsd, .xyz or .dump"),
+    ([*GOOD, "--trajectory", "new.h5"], "a trajectory grows during the run: end its name with .gsd, .xyz or .dump"),
+    ([*GOOD, "--trajectory", "new.xyz.gz"], "a trajectory grows during the run: end its name with .gsd, .xyz or .dump"),
     ([*GOOD, "--trajectory", "no/new.xyz"], "no/new.xyz: there is no folder no"),
     (["mc", "--resume", "missing.h5"], "missing.h5: there is no such file"),
     (["mc", "--resume", "start.xyz"], "start.xyz: is not a run: name a file that pw85 mc has written"),
@@ -748,7 +748,7 @@ BAD = [
       for number in ("-1", "0.5", "nan", "inf", "x")],
     *[([*GOOD, "--seed", number], rf"must be a whole number from 0 to 2\*\*64 - 1.*, not '{number}'")
       for number in ("1.5", "18446744073709551616")],
-    ([*GOOD, "--trajectory", "/dev/full"], "/dev/full: a trajectory grows while the run goes on: end its name with .gsd, .xyz or .dump"),
+    ([*GOOD, "--trajectory", "/dev/full"], "/dev/full: a trajectory grows during the run: end its name with .gsd, .xyz or .dump"),
     (["mc", "--resume", "elsewhere/old.h5"], "elsewhere/old.xyz: is shorter than at the checkpoint"),
 ]  # fmt: skip
 

@@ -11,6 +11,7 @@ import pypw85
 Q, E, R = [1, 0, 0, 1, 0, 1], np.eye(4), [4, 0, 0, 0]
 TRIANGLE = [[1, 2], [3, 5], [5, 6]]
 PAIR = pypw85.System.from_axes([[0, 0, 0], [3, 0, 0]], [[0.5, 0.5, 1]] * 2, [[1, 0, 0, 0]] * 2, cell=6 * np.eye(3))
+P = (0.0, 0.0, 1.0)
 ONE = {"centers": [[0, 0, 0]], "q": [Q]}
 MASKED = np.ma.masked_array(Q, [1, 0, 0, 0, 0, 0])
 INTEGER, SEED, REAL = "must be an integer", r"must be an integer from 0 to 2\*\*64 - 1", "must be a real number"
@@ -130,6 +131,21 @@ WRONG_TYPES = [
     (lambda: pypw85.bad_rows([1.0], "a"), f"bad_rows: core_ndim {INTEGER} >= 0, not 'a'"),
     (lambda: pypw85.compressibility("a", 1), "compressibility: mu2 of configuration 0 must be real numbers, not 'a'"),
     (lambda: pypw85.lattice([1, 1, 3], 0.5, 1.5), f"lattice: number {INTEGER} >= 0, not 1.5"),
+    (lambda: simulation().set_walls([pypw85.Wall(0.5, P, P, 1)]), r".*set_walls: walls\[0\]: kind must be an integer, not 0.5"),
+    (lambda: simulation().set_walls([pypw85.Wall(None, P, P, 1)]),
+     r"HardEllipsoids.set_walls: walls\[0\]: kind must be an integer, not None"),
+    (lambda: simulation().set_walls([pypw85.Wall(0, None, P, 1)]), r".*set_walls: walls\[0\]: point must be real numbers, not None"),
+    (lambda: simulation().set_walls([pypw85.Wall(0, P, "abc", 1)]), r".*set_walls: walls\[0\]: vector must be real numbers, not 'abc'"),
+    (lambda: simulation().set_walls([pypw85.Wall(0, P, P, None)]), r".*set_walls: walls\[0\]: size must be a real number, not None"),
+    (lambda: simulation().set_fields([pypw85.Field(0.5, 0, P, P, 1)]), r".*set_fields: fields\[0\]: kind must be an integer, not 0.5"),
+    (lambda: simulation().set_fields([pypw85.Field(3, None, P, P, 1)]), r".*set_fields: fields\[0\]: axis must be an integer, not None"),
+    (lambda: simulation().set_fields([pypw85.Field(3, 0, P, P, "1")]), r".*set_fields: fields\[0\]: strength must be a real number, not"),
+    (lambda: simulation().set_law(pypw85.Law(2, None)), "HardEllipsoids.set_law: law: parameters must be real numbers, not None"),
+    (lambda: pypw85.law_forces_pairs([[0, 1]], np.zeros((2, 3)), [Q, Q], pypw85.Law(None, np.ones(5))),
+     "law_forces_pairs: law: kind must be an integer from 1 to 3, not None"),
+    (lambda: pypw85.from_labels("nosuch.npy"), "from_labels: image must be an array of integers, not the text 'nosuch.npy': read a"),
+    (lambda: pypw85.random_addition([[0.1, 0.1]], np.eye(2), stage=None), "random_addition: stage must be a function, not None"),
+    (lambda: pypw85.relax(pypw85.System(**ONE), stage=1), "relax: stage must be a function, not 1"),
 ]  # fmt: skip
 # Numbers that are not allowed
 WRONG_VALUES = [
@@ -158,6 +174,12 @@ WRONG_VALUES = [
      r"set_kind_steps: semi_axes must have the shape \(3,\) or \(species, 3\), not \(2,\)"),
     (lambda: simulation().set_kind_steps([1, 1, 1], [1, 2], 1),
      "set_kind_steps: translation must be one number, or one for each of the 1 spe"),
+    (lambda: pypw85.law_forces_pairs([[0, 1]], np.zeros((2, 3)), [Q, Q], pypw85.Law(0, np.ones(5))),
+     "law_forces_pairs: law: kind must be an integer from 1 to 3, not 0"),
+    (lambda: simulation().set_law(pypw85.Law(9, np.ones(5))), "HardEllipsoids.set_law: law: kind must be an integer from 1 to 3, not 9"),
+    (lambda: simulation().set_law(pypw85.Law(2, np.ones((1, 5)))),
+     r"HardEllipsoids.set_law: law: parameters must be a row of numbers, not an array of the shape \(1, 5\)"),
+    (lambda: simulation().set_law(pypw85.Law(2, [1, 2])), "HardEllipsoids.set_law: num_parameters must be 5 for this kind"),
     (lambda: simulation().set_potential(3), "HardEllipsoids.set_potential: potential must be an integer from 4096 to .*, not 3"),
     (lambda: pypw85.System(**ONE, periodic="ab"), "periodic must be True, False or three of them, not 'ab'"),
     (lambda: pypw85.System(**ONE, periodic=[0.5, 2, 0]), r"periodic must be True, False or three of them, not \[0.5, 2, 0\]"),
@@ -180,6 +202,10 @@ WRONG_VALUES = [
      r"nd_contact: q1 must have 3×3 or 6 numbers for 3 dimensions, not the shape \(3,\)"),
     (lambda: pypw85.lattice(10, 0.5, 4), r"lattice: semi_axes must be three numbers, not an array of the shape \(\)"),
     (lambda: pypw85.formats.Options(periodic="ab"), "read: periodic must be True, False or three of them, not 'ab'"),
+    (lambda: pypw85.from_lammps([1, 2, 3], [0, 0, 0, 0]), "from_lammps: quaternion_wxyz must not be zero"),
+    (lambda: pypw85.from_rotation_vector([1, 2, 3], [np.nan, 0, 0]), "from_rotation_vector: quaternion_wxyz must be finite"),
+    (lambda: pypw85.plot([0, 0, np.nan], Q, [0, 0, 0], Q), "plot: r12 must be finite"),
+    (lambda: pypw85.from_inertia(np.diag([1, 1, 5])), "from_inertia: the moments must be those of a body, each smaller than the"),
     (lambda: pypw85.Law.table(0, 1, [1, 2], [1]), r"Law.table: u and d_u must be as many numbers, not have the shapes \(2,\) and \(1,\)"),
 ]  # fmt: skip
 WALLS = [
@@ -188,6 +214,7 @@ WALLS = [
     (pypw85.Wall.sphere([0, np.inf, 0], 1), r"wall 1: center must be finite, not \[0.0, inf, 0.0\]"),
     (pypw85.Wall.cylinder([0, 0, 0], [0, 0, 1], -1), "wall 1: radius must be finite and > 0, not -1.0"),
     (pypw85.Wall.box([0, 0, 0], [-1, 1, 1]), "wall 1: lower and upper must be finite, and lower below upper"),
+    (pypw85.Wall(10**30, (0, 0, 0), (0, 0, 1), 1), "wall 1: kind must be an integer from 0 to 3, not 1000000000"),
     (pypw85.Wall.sphere([0, 0, 0], 9)._replace(kind=7), "wall 1: kind must be an integer from 0 to 3, not 7"),
     (pypw85.Wall.sphere([0, 0, 0], 9), "wall 0 must be the same in all images of the cell, not Wall"),
 ]
@@ -196,6 +223,8 @@ FIELDS = [
     (pypw85.Field.harmonic([np.inf, 0, 0], [1, 1, 1]), r"field 1: center must be finite, not \[inf, 0.0, 0.0\]"),
     (pypw85.Field.aligning([0, 0, 1], np.nan), "field 1: strength must be finite, not nan"),
     (pypw85.Field.aligning([0, 0, 0], 1), "field 1: direction must not be zero"),
+    (pypw85.Field(9, 0, (0, 0, 0), (1, 0, 0), 1), "field 1: kind must be an integer from 0 to 3, not 9"),
+    (pypw85.Field(3, 7, (0, 0, 0), (1, 0, 0), 1), "field 1: axis must be 0, 1 or 2, not 7"),
     (pypw85.Field.linear([1, 0, 0]), "field 0 must be the same in all images of the cell, not Field"),
 ]
 
@@ -204,7 +233,7 @@ LAWS = [
     (pypw85.Law.soft_repulsion(1), "law must not be a soft repulsion, which ends where the hard cores begin: use Law.inverse"),
     (pypw85.Law.inverse_powers(np.nan, 12, 4, 6, 4), r"the parameters of the law must be finite, not \[nan"),
     (pypw85.Law.inverse_powers(4, 6, 4, 12, 4), "n and m must be n > m > 0, not 6.0 and 12.0"),
-    (pypw85.Law.inverse_powers(4, 12, 4, 6), "law must have a cutoff of at most μ = 1000"),
+    (pypw85.Law.inverse_powers(4, 12, 4, 6), "law must have a cutoff of at most 10⁶ in μ²"),
     (pypw85.Law.inverse_powers(4e6, 12, 4, 6, 4), "law must have energies of pairs of at most 2²⁰ k_B T"),
 ]
 

@@ -471,6 +471,12 @@ def test_points_of_lammps(columns, tmp_path):
             pypw85.read(path)
 
 
+def test_superquadrics_without_exponents(tmp_path):
+    (tmp_path / "a.dump").write_text(dump("id x y z shapex shapey shapez quat1 quat2 quat3 quat4", "1 0 0 0 1 1 2 1 0 0 0"))
+    with pytest.warns(UserWarning, match="there are no columns blockiness1 and blockiness2: superquadrics of LIGGGHTS are taken as ellip"):
+        pypw85.read(tmp_path / "a.dump")
+
+
 def test_points_without_types(tmp_path):
     (tmp_path / "a.dump").write_text(dump("id x y z radius", "1 0 0 0 1"))
     with pytest.raises(pypw85.FileError, match="the particles have no types: leave out --points"):

@@ -127,7 +127,7 @@ def test_errors():
     for bad in (lambda: Wall.plane([0, 1, 2, 3], 1), lambda: Field.harmonic([0, 0, 0], 1.0)):
         with pytest.raises(ValueError, match="must be"):
             bad()
-    for kind in (np.nan, 1e300, -1e300, 7):
+    for kind in (7, -1, 10**30):
         assert error_of(slit.set_walls, [Wall(kind, (0, 0, 0), (0, 0, 1), 99.0)]).status == Status.EINVAL
         assert error_of(slit.set_fields, [Field(0, kind, (0, 0, 0), (0, 0, 1), 99.0)]).status == Status.EINVAL
     assert not slit.try_placement(0, [0, 0, -1.6])
@@ -258,7 +258,7 @@ def test_law():
     assert simulation.compress() == other.compress() < 1
     for bad, reason in (
         (pypw85.Law.soft_repulsion(1), "law must not be a soft repulsion"),
-        (pypw85.Law.inverse_powers(4, 12, 4, 6), "law must have a cutoff of at most μ = 1000"),
+        (pypw85.Law.inverse_powers(4, 12, 4, 6), "law must have a cutoff of at most 10⁶ in μ²"),
         (pypw85.Law.inverse_powers(1e7, 12, 4, 6, 4), "law must have energies of pairs of at most 2²⁰ k_B T"),
     ):
         assert reason in str(error_of(simulation.set_law, bad))

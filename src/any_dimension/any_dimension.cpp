@@ -69,8 +69,8 @@ double *row(double *x, int size, Size k) noexcept
     return x == nullptr ? x : x + k * static_cast<Size>(size);
 }
 
-/// The length of an output of this many numbers per row. It is 0 if n is wrong: then nothing is
-/// known of the array.
+/// Returns the length of an output of this many numbers per row. It is 0 if n is wrong: then
+/// nothing is known of the array.
 int length(int n, int size) noexcept { return n < 1 || n > PW85_ND_MAX ? 0 : size; }
 
 void store_all_nan(int n, NdGeometry const &out) noexcept

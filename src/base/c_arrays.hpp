@@ -110,10 +110,10 @@ void store_member(Status status, Member const &member, Output output) noexcept
     }
 }
 
-/// The part of an output from an entry on; null if the output is.
+/// Returns the part of an output from an entry on; null if the output is.
 inline double *part(double *x, int entry) noexcept { return x == nullptr ? x : x + entry; }
 
-/// The status of a result, all of whose members are stored.
+/// Returns the status of a result, all of whose members are stored.
 inline int put(Status status) noexcept { return static_cast<int>(status); }
 
 /// Stores members of a result, each of which is followed by the output that receives it, and
@@ -131,7 +131,7 @@ inline void store_nan(double *x, int count) noexcept
     for (int i = 0; x != nullptr && i < count; ++i) x[i] = quiet_nan<double>();
 }
 
-/// The status for a null pointer.
+/// Returns the status for a null pointer.
 inline int null_pointer() noexcept { return static_cast<int>(Status::invalid_argument); }
 
 /// Returns the status for a null pointer, and fills the outputs that are not null with NaN: arrays,

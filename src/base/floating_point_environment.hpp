@@ -3,10 +3,10 @@
 /// Computes in the default floating-point environment of IEEE 754, whatever the caller's
 /// environment is. All functions of the C API use it.
 ///
-/// Results are checked after they are computed, so that valid input may overflow or give NaN on the
-/// way. The caller does not see this: status flags and traps stay as they were. The caller's modes
-/// do not change a result: rounding is to nearest, and subnormal numbers are kept. (A program that
-/// is linked with -ffast-math flushes them to zero in all of its threads.)
+/// Results are checked after they are computed, so that intermediate numbers of valid input may
+/// overflow or be NaN. The caller does not see this: status flags and traps stay as they were. The
+/// caller's modes do not change a result: rounding is to nearest, and subnormal numbers are kept.
+/// (A program that is linked with -ffast-math flushes them to zero in all of its threads.)
 #ifndef PW85_BASE_FLOATING_POINT_ENVIRONMENT_HPP_INCLUDED
 #define PW85_BASE_FLOATING_POINT_ENVIRONMENT_HPP_INCLUDED
 

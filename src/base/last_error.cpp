@@ -73,7 +73,7 @@ bool is_all_zero(double const *numbers, std::size_t count) noexcept
     return true;
 }
 
-/// The first row that is zero.
+/// Returns the first row that is zero.
 Complaint of_zero_rows(Argument const &one, std::size_t columns) noexcept
 {
     for (std::size_t i = 0; i + columns <= one.count; i += columns)
@@ -159,7 +159,7 @@ template <class Find> bool find_cause(Argument const *begin, Argument const *end
     return any;
 }
 
-/// The first complaint about an argument; of two about an entry, that it is not finite.
+/// Returns the first complaint about an argument; of two about an entry, that it is not finite.
 Complaint of_number(Argument const &one, Argument const *begin, Argument const *end) noexcept
 {
     Complaint const finite = of_finite(one), range = of_range(one);

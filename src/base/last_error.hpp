@@ -89,7 +89,7 @@ struct Argument {
     {
     }
 
-    /// An input of many rows, which may be null if there are none.
+    /// Returns an input of many rows, which may be null if there are none.
     [[gnu::always_inline]] static Argument rows(char const *own, double const *array, std::size_t n,
                                                 std::size_t columns, unsigned allowed = 0) noexcept
     {
@@ -98,7 +98,7 @@ struct Argument {
         return made;
     }
 
-    /// An output, or an array of another type than double, which may be null without rows.
+    /// Returns an output, or an array of another type than double, which may be null without rows.
     [[gnu::always_inline]] static Argument array(char const *own, void const *array,
                                                  std::size_t n) noexcept
     {

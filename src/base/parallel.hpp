@@ -18,7 +18,7 @@
 namespace pw85::detail {
 namespace {
 
-/// The largest number of threads that share a loop.
+/// Returns the largest number of threads that share a loop.
 inline std::size_t most_threads() noexcept
 {
 #ifdef _OPENMP

@@ -36,14 +36,14 @@ class Stream {
     }
 
     /// An integer from 0 to n - 1. The probabilities differ by less than 2⁻³². They do not depend
-    /// on the state of the simulation, so that a choice and the choice of the way back are equally
-    /// probable.
+    /// on the state of the simulation, so that a move and its reverse are chosen with equal
+    /// probability.
     [[gnu::always_inline]] std::uint32_t below(std::uint32_t n) noexcept
     {
         return static_cast<std::uint32_t>(std::uint64_t{bits()} * n >> 32);
     }
 
-    /// A multiple of 2⁻⁵³ from 0 up to but not including 1.
+    /// Returns a multiple of 2⁻⁵³ from 0 up to but not including 1.
     [[gnu::always_inline]] double uniform() noexcept
     {
         std::uint64_t const high = bits(), low = bits();
@@ -56,7 +56,7 @@ class Stream {
         return (2.0 * static_cast<std::int32_t>(bits()) + 1.0) * 0x1p-32;
     }
 
-    /// A point in the unit ball. A point and its negative are equally probable.
+    /// Returns a point in the unit ball. A point and its negative are equally probable.
     [[gnu::always_inline]] Vector<double, 3> in_ball() noexcept
     {
         Vector<double, 3> x;
@@ -65,9 +65,9 @@ class Stream {
         return x;
     }
 
-    /// A point in the unit disc of the plane of x and y. A point and its negative are equally
-    /// probable. z is -0.0, because a sum with it, or with a positive multiple of it, keeps all
-    /// bits of the other number; 0.0 would change -0.0.
+    /// Returns a point in the unit disc of the plane of x and y. A point and its negative are
+    /// equally probable. z is -0.0, because a sum with it, or with a positive multiple of it, keeps
+    /// all bits of the other number; 0.0 would change -0.0.
     [[gnu::always_inline]] Vector<double, 3> in_disc() noexcept
     {
         Vector<double, 3> x;
@@ -76,7 +76,7 @@ class Stream {
         return x;
     }
 
-    /// A point of the unit ball of some dimensions: in_ball() or in_disc().
+    /// Returns a point of the unit ball of some dimensions: in_ball() or in_disc().
     [[gnu::always_inline]] Vector<double, 3> in_ball(int dimensions) noexcept
     {
         return dimensions == 2 ? in_disc() : in_ball();

@@ -37,10 +37,10 @@ double objective(double x, void *data) noexcept
 Maximum<double> maximize(Pair<double, 3> const &pair, Options const &options) noexcept
 {
     Candidate<double> candidate{maximizer_by_brent(pair, options).t, 1.0, 0.0};
-    bool const settled = refine(pair, candidate, options);
+    bool const converged = refine(pair, candidate, options);
     auto const last = last_evaluation(pair, candidate, Precision::working);
-    return settled && last.certified ? to_maximum(last, 0, true)
-                                     : maximize_factorized(pair, candidate, 0);
+    return converged && last.certified ? to_maximum(last, 0, true)
+                                       : maximize_factorized(pair, candidate, 0);
 }
 
 } // namespace

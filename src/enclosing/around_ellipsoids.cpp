@@ -179,8 +179,8 @@ double AroundEllipsoids::reach(std::size_t i, double *point, double &nu) noexcep
     auto &work = memory_.work;
     auto &search = memory_.search;
     scale({n, r, outer_.form, q}, {unit, unit, unit, false}, work.pair);
-    search_reach(work.pair, search, work.at, [&](auto const &state) {
-        return is_settled(work.pair, state, 4.0 * unit_roundoff<double>());
+    minimize_dual(work.pair, search, work.at, [&](auto const &state) {
+        return has_converged(work.pair, state, 4.0 * unit_roundoff<double>());
     });
     auto const &best = search.best;
     if (!(best.mu2 > 0.0)) return far * far; // a point

@@ -30,18 +30,19 @@ class Certificate {
     /// if the form is not positive definite, or too close to a singular one for the proofs.
     bool prepare(Cloud const &cloud, double const *center, double const *form) noexcept;
 
-    /// The relative change of |A z|² by a relative change of u of each entry of the form.
+    /// Returns the relative change of |A z|² by a relative change of u of each entry of the form.
     double sensitivity() const noexcept { return sensitivity_; }
 
-    /// An upper bound of |A (x - c)|² - (1 - η), not above 0 if the point is proved to be inside.
+    /// Returns an upper bound of |A (x - c)|² - (1 - η), not above 0 if the point is proved to be
+    /// inside.
     double protrusion(std::size_t point) const noexcept;
 
-    /// The largest bound of these points, and of all points. Those of all points are compared in
-    /// double precision first.
+    /// Returns the largest bound of these points, and of all points. Those of all points are
+    /// compared in double precision first.
     double largest_protrusion(std::size_t count, std::size_t const *points) const noexcept;
     double largest_protrusion() const noexcept;
 
-    /// An upper bound of volume/least - 1 by the weights of some points.
+    /// Returns an upper bound of volume/least - 1 by the weights of some points.
     double excess(std::size_t count, std::size_t const *points,
                   double const *weights) const noexcept;
 

@@ -31,7 +31,7 @@ class CoreSet {
     std::size_t size() const noexcept { return size_; }
     std::size_t const *points() const noexcept { return points_.data(); }
     double const *weights() const noexcept { return weights_.data(); }
-    /// The coordinates w of a point, for the caller to set before solve().
+    /// Returns the coordinates w of a point, for the caller to set before solve().
     double *coordinates(std::size_t i) noexcept { return &coordinates_[i * rows_]; }
 
     bool contains(std::size_t point) const noexcept;

@@ -10,7 +10,7 @@ namespace {
 constexpr int max_rounds = 200;
 /// Upper bound of rounds that together do not halve the gap. After them rounding errors prevent it.
 constexpr int max_idle_rounds = 12;
-/// How much larger the form is made, in units of its sensitivity to rounding, at most.
+/// The largest increase of the form, in units of its sensitivity to rounding.
 constexpr int max_enlargements = 12;
 
 } // namespace
@@ -121,9 +121,9 @@ void Search::add_to_worst(std::size_t candidate, Outermost &worst) noexcept
 int Search::add_worst(double gap) noexcept
 {
     Outermost worst;
-    auto const room = static_cast<int>(capacity() - core_.size());
+    auto const free = static_cast<int>(capacity() - core_.size());
     worst.size = 0;
-    worst.limit = room < 2 * (cloud_.n + 1) ? room : 2 * (cloud_.n + 1);
+    worst.limit = free < 2 * (cloud_.n + 1) ? free : 2 * (cloud_.n + 1);
     for (std::size_t i = 0; i < count_ && worst.limit > 0; ++i) {
         bool const is_full = worst.size == worst.limit;
         if (kappa_[i] <= 1.0 + gap) continue;

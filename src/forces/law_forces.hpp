@@ -107,7 +107,7 @@ struct LawSlot {
     Range particles; ///< a range that contains all particles of the block
     /// number of blocks that have been written into the slot
     std::atomic<std::size_t> computed = 0;
-    std::atomic<std::size_t> added = 0; ///< how often a thread has added the terms of a block
+    std::atomic<std::size_t> added = 0; ///< number of blocks whose terms a thread has added
 };
 
 /// The slots, which the blocks take in turn, and the sums of all blocks.
@@ -137,13 +137,14 @@ struct LawRing {
     }
 };
 
-/// The number of slots. A thread that is delayed holds the others up only when all slots are full.
+/// Returns the number of slots. A thread that is delayed holds the others up only when all slots
+/// are full.
 constexpr std::size_t num_slots(std::size_t threads) noexcept
 {
     return threads > 1 ? 8 * threads : 1;
 }
 
-/// The smallest range that contains all particles of a block.
+/// Returns the smallest range that contains all particles of a block.
 inline Range particles_of(LawBlock const &made) noexcept
 {
     std::int32_t first = INT32_MAX, last = -1;
@@ -208,7 +209,7 @@ inline void add_blocks(BlockSums const *blocks, std::size_t n, double *energy,
     });
 }
 
-/// The number of threads that share n pairs.
+/// Returns the number of threads that share n pairs.
 inline std::size_t threads_for(std::size_t n) noexcept
 {
     return n > block ? std::min(most_threads(), n / law_block) : 1;

@@ -45,10 +45,10 @@ static_assert(pw85::detail::gpu::block_size == 128);
         if (pw85::detail::gpu::is_staged<pw85::detail::gpu::Out>) synchronize();                   \
         store_tile(work, tile, block(), thread());                                                 \
     }                                                                                              \
-    PW85_KERNEL(pw85_##name##_settle)                                                              \
-    (pw85::detail::gpu::Settle<pw85::detail::gpu::Rows, pw85::detail::gpu::Out> const work)        \
+    PW85_KERNEL(pw85_##name##_fallback)                                                            \
+    (pw85::detail::gpu::Fallback<pw85::detail::gpu::Rows, pw85::detail::gpu::Out> const work)      \
     {                                                                                              \
-        settle(work, thread_of_all(), all_threads());                                              \
+        fallback(work, thread_of_all(), all_threads());                                            \
     }
 
 PW85_GPU_KERNELS(PW85_ENTRIES)

@@ -39,7 +39,7 @@ bool is_usable(Driver const &driver) noexcept
     return driver.init(0) == 0 && driver.device_count(&count) == 0 && count > 0;
 }
 
-/// The primary context of the first device. It is never released.
+/// Returns the primary context of the first device. It is never released.
 Handle first_context(Driver const &driver) noexcept
 {
     int device = 0;

@@ -64,9 +64,9 @@ struct Driver {
 #undef PW85_DRIVER_POINTER
 };
 
-/// The driver, initialised and with at least one device. The result is null if there is no device,
-/// or if the driver is too old to have all functions. The first call searches for the driver, and
-/// later calls return the same pointer.
+/// Returns the driver, initialised and with at least one device. The result is null if there is no
+/// device, or if the driver is too old to have all functions. The first call searches for the
+/// driver, and later calls return the same pointer.
 Driver const *driver() noexcept;
 
 /// Ensures that the calling thread has a context while the object lives. It uses the current
@@ -78,7 +78,7 @@ class Context {
     Context &operator=(Context const &) = delete;
     ~Context();
 
-    /// The context; null if there is none.
+    /// Returns the context; null if there is none.
     Handle handle() const noexcept { return handle_; }
 
   private:

@@ -23,7 +23,7 @@ namespace {
 
 /// The two stages for one type of rows and one of outputs.
 struct Stages {
-    Handle attempt, settle;
+    Handle attempt, fallback;
 };
 
 /// The functions of the program for the device.
@@ -49,14 +49,14 @@ bool load(Driver const &driver, Code &code) noexcept
 #define PW85_GPU_STAGES(Rows, Out, name)                                                           \
     complete = complete &&                                                                         \
                driver.kernel(&code.name.attempt, library, "pw85_" #name "_attempt") == 0 &&        \
-               driver.kernel(&code.name.settle, library, "pw85_" #name "_settle") == 0;
+               driver.kernel(&code.name.fallback, library, "pw85_" #name "_fallback") == 0;
     PW85_GPU_KERNELS(PW85_GPU_STAGES)
 #undef PW85_GPU_STAGES
     return complete;
 }
 
-/// The functions of the program. The first call loads the program. The result is null if that
-/// fails.
+/// Returns the functions of the program. The first call loads the program. The result is null if
+/// that fails.
 Code const *code_for(Driver const &driver) noexcept
 {
     static Code code{};
@@ -117,9 +117,9 @@ queue_stages(Queue const &queue, Attempt<Rows, Out> const &attempt, Mailbox cons
 {
     std::size_t const blocks = (attempt.size + block_size - 1) / block_size;
     Stages const &s = stages(queue.code, attempt.rows, attempt.out);
-    Settle<Rows, Out> const settle{attempt.rows, attempt.out, attempt.rest, mailbox};
+    Fallback<Rows, Out> const fallback{attempt.rows, attempt.out, attempt.rest, mailbox};
     return queue.clear(attempt.rest.count) && queue.launch(s.attempt, blocks, attempt) &&
-           queue.launch(s.settle, std::min(blocks, max_list_blocks), settle);
+           queue.launch(s.fallback, std::min(blocks, max_list_blocks), fallback);
 }
 
 /// Queues both stages for overlaps. The host computes the pairs that both stages leave undecided.

@@ -26,8 +26,8 @@ struct SharedMailbox {
     SharedMailbox *next;
 };
 
-/// A mailbox with room for `capacity` pairs that no other call uses. The result is null if there is
-/// no memory, or if the device and the host cannot use the memory at the same time.
+/// Returns a mailbox with room for `capacity` pairs that no other call uses. The result is null if
+/// there is no memory, or if the device and the host cannot use the memory at the same time.
 SharedMailbox *acquire_mailbox(Driver const &driver, Handle context, std::size_t capacity) noexcept;
 
 /// Computes the overlaps of the pairs in a mailbox by pw85_overlap_batch(). Driver::launch_host

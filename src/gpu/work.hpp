@@ -166,7 +166,7 @@ PW85_FUNCTION inline Pair3 load(Tile const &, DeviceList const &list, std::size_
     return load(list, begin + thread);
 }
 
-/// The search on the rational form. Use the result only if it is certain.
+/// Returns the search on the rational form. Use the result only if it is certain.
 PW85_FUNCTION inline LastEvaluation<double> search_rationally(Pair3 const &pair) noexcept
 {
     auto search = start_search(pair);
@@ -187,10 +187,10 @@ PW85_FUNCTION inline bool attempt(ContactArrays const &out, Pair3 const &pair,
     return last.certified;
 }
 
-// settle() is the second stage for one pair. It returns false if the host must compute the pair.
+// fallback() is the second stage for one pair. It returns false if the host must compute the pair.
 
-PW85_FUNCTION inline bool settle(ContactArrays const &out, Pair3 const &pair,
-                                 std::size_t i) noexcept
+PW85_FUNCTION inline bool fallback(ContactArrays const &out, Pair3 const &pair,
+                                   std::size_t i) noexcept
 {
     auto const c = contact(pair.r12, pair.q1, pair.q2);
     store(c.mu2, out.mu2, i);
@@ -211,7 +211,8 @@ PW85_FUNCTION inline bool attempt(OverlapArray const &out, Pair3 const &pair,
     return store(decide_by_quartic(pair.r12, pair.q1, pair.q2), out, i);
 }
 
-PW85_FUNCTION inline bool settle(OverlapArray const &out, Pair3 const &pair, std::size_t i) noexcept
+PW85_FUNCTION inline bool fallback(OverlapArray const &out, Pair3 const &pair,
+                                   std::size_t i) noexcept
 {
     return store(decide_near_contact(pair).decision, out, i);
 }
@@ -234,8 +235,8 @@ PW85_FUNCTION inline bool attempt(DerivativeArrays const &out, Pair3 const &pair
 }
 
 /// A concentric pair is valid, although it has no normal.
-PW85_FUNCTION inline bool settle(DerivativeArrays const &out, Pair3 const &pair,
-                                 std::size_t i) noexcept
+PW85_FUNCTION inline bool fallback(DerivativeArrays const &out, Pair3 const &pair,
+                                   std::size_t i) noexcept
 {
     auto const c = contact(pair.r12, pair.q1, pair.q2);
     store(c.mu2, out.mu2, i);
@@ -336,7 +337,7 @@ PW85_FUNCTION inline void store_tile(Attempt<Rows, DerivativeArrays> const &work
 
 /// The second stage. It has the pairs of the list `rest`, and the mailbox for pairs that the host
 /// must compute.
-template <class Rows, class Out> struct Settle {
+template <class Rows, class Out> struct Fallback {
     Rows rows;
     Out out;
     Remainder rest;
@@ -358,13 +359,13 @@ PW85_FUNCTION inline void post_request(Mailbox const &mailbox, std::uint32_t ind
 
 /// The work of one of `threads` threads in the second stage.
 template <class Rows, class Out> PW85_FUNCTION inline void
-settle(Settle<Rows, Out> const &work, std::size_t thread, std::size_t threads) noexcept
+fallback(Fallback<Rows, Out> const &work, std::size_t thread, std::size_t threads) noexcept
 {
     std::size_t const count = *work.rest.count;
     for (std::size_t k = thread; k < count; k += threads) {
         std::uint32_t const index = work.rest.indices[k];
         Pair3 const pair = load(work.rows, index);
-        if (!settle(work.out, pair, index)) post_request(work.mailbox, index, pair);
+        if (!fallback(work.out, pair, index)) post_request(work.mailbox, index, pair);
     }
 }
 

@@ -20,7 +20,7 @@
 namespace pw85::detail::kernels {
 namespace {
 
-/// The smallest number that is not an index of a particle.
+/// Returns the smallest number that is not an index of a particle.
 inline std::uint32_t end_of(std::size_t num_particles) noexcept
 {
     return static_cast<std::uint32_t>(
@@ -129,8 +129,8 @@ inline int prepare_list(char const *function, pw85_pair_list const &list, pw85_s
     return refuse_index(function, "pairs", system, list.pairs, 2 * list.num_pairs, 2);
 }
 
-/// A system for functions that read no forms. Its pointer to the forms is that to the centres, so
-/// that it is not null.
+/// Returns a system for functions that read no forms. Its pointer to the forms is that to the
+/// centres, so that it is not null.
 inline pw85_system without_forms(pw85_system const &system) noexcept
 {
     pw85_system rest = system;

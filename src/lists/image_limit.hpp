@@ -35,7 +35,7 @@ template <class Visit> void for_face_vectors(Lattice const &lattice, Visit const
     }
 }
 
-/// The largest vᵀQv/|v|⁴, for one form. The limit of μ² is 1/16 of its inverse.
+/// Returns the largest vᵀQv/|v|⁴, for one form. The limit of μ² is 1/16 of its inverse.
 inline double largest_relative_width(Lattice const &lattice,
                                      SymmetricMatrix<double, 3> const &q) noexcept
 {

@@ -19,7 +19,7 @@
 namespace pw85::detail::meshes {
 namespace {
 
-/// How much smaller than μ² a computed μ² may be.
+/// The largest error of a computed μ² downwards.
 struct Margin {
     double factor;   ///< of μ²
     Vector3 weights; ///< of μ times the largest coordinates
@@ -30,10 +30,10 @@ struct Margin {
     }
 };
 
-/// The margin of contact_triangle(). If the form is not clearly definite, contact_triangle() uses
-/// numbers of more digits, and rounds the result. Rounding errors of adj(Q)_ii and det Q are at
-/// most a half of these numbers if the form is clearly definite (definite.hpp), so that the
-/// quotient is at least a quarter of the exact one.
+/// Returns the margin of contact_triangle(). If the form is not clearly definite,
+/// contact_triangle() uses numbers of more digits, and rounds the result. Rounding errors of
+/// adj(Q)_ii and det Q are at most a half of these numbers if the form is clearly definite
+/// (definite.hpp), so that the quotient is at least a quarter of the exact one.
 inline Margin margin_of_contact(Form3 const &q) noexcept
 {
     constexpr double u = unit_roundoff<double>(), error = 2 * 80 * u;

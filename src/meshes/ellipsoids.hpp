@@ -17,8 +17,8 @@
 namespace pw85::detail::meshes {
 namespace {
 
-/// The status of an ellipsoid. The coordinates of all vertices relative to its centre must be
-/// finite.
+/// Returns the status of an ellipsoid. The coordinates of all vertices relative to its centre must
+/// be finite.
 inline Status validate(pw85_mesh const &mesh, Vector3 const &center, Form3 const &q) noexcept
 {
     if (!is_finite(center)) return Status::invalid_argument;
@@ -40,7 +40,9 @@ constexpr std::size_t block_of_ellipsoids = 32;
 template <class Row> int each_ellipsoid(std::size_t n, Row const &row) noexcept
 {
     if (n > max_rows)
-        return note_cause(PW85_EINVAL, "n", "must be a number of rows whose bytes can be counted");
+        return note_cause(PW85_EINVAL, "n",
+                          "must be small enough for the bytes of each array to fit ptrdiff_t", 0, 0,
+                          static_cast<double>(n));
     return for_all(
         n, [&](Range rows) { return kernels::for_rows(rows, row); }, block_of_ellipsoids);
 }

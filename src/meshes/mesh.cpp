@@ -111,7 +111,7 @@ struct NearestTriangle {
     std::int32_t index;
 };
 
-/// The triangle with the least computed μ²; the first one of several.
+/// Returns the triangle with the least computed μ²; the first one of several.
 NearestTriangle find_nearest(pw85_mesh const &mesh, Vector3 const &center, Form3 const &q) noexcept
 {
     Status const status = validate(mesh, center, q);

@@ -29,7 +29,7 @@ FoundDistance failure(Status status) noexcept
     return {all_nan<ShapeDistance<double>>(status), -1, -1};
 }
 
-/// The triangle with the least computed distance; the first one of several.
+/// Returns the triangle with the least computed distance; the first one of several.
 FoundDistance find_distance(pw85_mesh const &mesh, Vector3 const &center, Form3 const &q) noexcept
 {
     Status const status = validate(mesh, center, q);

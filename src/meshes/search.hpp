@@ -77,7 +77,7 @@ class Ellipsoid {
     double per_unit_;
 };
 
-/// The largest magnitudes of the coordinates of a box.
+/// Returns the largest magnitudes of the coordinates of a box.
 inline Vector3 largest_magnitudes(SolidBox<double> const &box) noexcept
 {
     Vector3 sizes;

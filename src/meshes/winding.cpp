@@ -29,7 +29,7 @@ std::uint64_t hash_of(Vector3 const &x, std::uint64_t seed) noexcept
     return seed;
 }
 
-/// A number that is opposite for the opposite edge.
+/// Returns a number that is opposite for the opposite edge.
 std::uint64_t hash_of_edge(std::uint64_t a, std::uint64_t b) noexcept
 {
     return mixed(a + mixed(b)) - mixed(b + mixed(a));
@@ -47,9 +47,10 @@ int compare_products(double a, double b, double c, double d) noexcept
     return sign != 0 ? sign : compare(std::fma(a, b, -first), std::fma(c, d, -second));
 }
 
-/// The side of an edge, seen along z, on which the origin is. If it is on the edge, an origin that
-/// is moved by an infinitesimal length along x, and by one that is infinitely smaller along y. So
-/// the opposite edge has the opposite sign, and 0 stands for edges that are points only.
+/// Returns the side of an edge, seen along z, on which the origin is. If it is on the edge, an
+/// origin that is moved by an infinitesimal length along x, and by one that is infinitely smaller
+/// along y. So the opposite edge has the opposite sign, and 0 stands for edges that are points
+/// only.
 int side_of_edge(Vector3 const &a, Vector3 const &b) noexcept
 {
     int const sign = compare_products(a[0], b[1], a[1], b[0]);
@@ -58,7 +59,7 @@ int side_of_edge(Vector3 const &a, Vector3 const &b) noexcept
     return moved != 0 ? moved : compare(b[0], a[0]);
 }
 
-/// The sign of a determinant.
+/// Returns the sign of a determinant.
 int orientation(Vector3 const &a, Vector3 const &b, Vector3 const &c) noexcept
 {
     auto const minor = [](double x, double y, double z, double w) {
@@ -70,7 +71,7 @@ int orientation(Vector3 const &a, Vector3 const &b, Vector3 const &c) noexcept
     return compare(sum.high, 0.0);
 }
 
-/// The orientation of a triangle if the half-line from the origin along z crosses it, or 0.
+/// Returns the orientation of a triangle if the half-line from the origin along z crosses it, or 0.
 int crossing(Vector3 const (&x)[3]) noexcept
 {
     int const side = side_of_edge(x[0], x[1]);

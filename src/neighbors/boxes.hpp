@@ -45,7 +45,7 @@ static constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 static constexpr Box empty_box{{nan_value, nan_value, nan_value},
                                {nan_value, nan_value, nan_value}};
 
-/// The smallest box around two boxes. Either box may be empty.
+/// Returns the smallest box around two boxes. Either box may be empty.
 static inline Box enclose(Box const &a, Box const &b) noexcept
 {
     Box box;
@@ -66,7 +66,7 @@ static inline bool intersect(Box const &a, Box const &b) noexcept
     return result;
 }
 
-/// The smallest box around the boxes of a block.
+/// Returns the smallest box around the boxes of a block.
 static inline Box enclose(Block const &block) noexcept
 {
     Box box = empty_box;

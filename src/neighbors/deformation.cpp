@@ -58,11 +58,11 @@ Box Deformation::shared_motions(Extent const &now, Extent const &then) const noe
         // max|K_ed|), the last part of which is in error_. Those of g and of differences with H are
         // below 10 u H. The list has room for these: its boxes grow by 16 u H, of which it needs 2
         // (periodicity.hpp).
-        double const room =
+        double const clearance =
             then.half_widths[d] - reach - margin * std::fabs(motion) - error_[d] * size;
-        bool const is_empty = !(room >= 0.0); // also true for NaN, which an overflow gives
-        motions.lower[d] = is_empty ? HUGE_VAL : motion - room;
-        motions.upper[d] = is_empty ? -HUGE_VAL : motion + room;
+        bool const is_empty = !(clearance >= 0.0); // also true for NaN, which an overflow gives
+        motions.lower[d] = is_empty ? HUGE_VAL : motion - clearance;
+        motions.upper[d] = is_empty ? -HUGE_VAL : motion + clearance;
     }
     return motions;
 }

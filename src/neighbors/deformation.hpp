@@ -24,8 +24,8 @@ class Deformation {
     /// @param then the cell for which the list was made, in the same form
     Deformation(Periodicity const &periodicity, double const *now, double const *then) noexcept;
 
-    /// The interval [w_d - s_d, w_d + s_d] of a particle along each axis d, with s = H - g and
-    /// g_d = Σ_e |δ_ed + K_ed| h'_e. An empty interval has a lower end above its upper end.
+    /// Returns the interval [w_d - s_d, w_d + s_d] of a particle along each axis d, with s = H - g
+    /// and g_d = Σ_e |δ_ed + K_ed| h'_e. An empty interval has a lower end above its upper end.
     ///
     /// Boxes intersect now if |r'_d| <= h'_id + h'_jd along each axis. Then |r_d| <= g_id + g_jd +
     /// |w_jd - w_id|. The list has all pairs with |r_d| <= H_id + H_jd. So it has this pair, and

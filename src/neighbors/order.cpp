@@ -34,8 +34,8 @@ constexpr std::size_t most_shares = 64;
 constexpr int digit_bits = 9, digits = 2;
 constexpr std::size_t radix = std::size_t{1} << digit_bits;
 
-/// The lowest bit of the digits. It is chosen so that the digits contain the highest bit in which
-/// the keys differ.
+/// Returns the lowest bit of the digits. It is chosen so that the digits contain the highest bit in
+/// which the keys differ.
 int first_bit(Array<KeyedIndex> const &points) noexcept
 {
     std::uint64_t different = 0;

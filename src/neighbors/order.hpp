@@ -19,8 +19,8 @@
 
 namespace pw85::detail::neighbors {
 
-/// The position of a point on the curve through a box. The curve divides the box into 2²¹ parts
-/// along each axis.
+/// Returns the position of a point on the curve through a box. The curve divides the box into 2²¹
+/// parts along each axis.
 std::uint64_t key_of(Vector<double, 3> const &point, Box const &around) noexcept;
 
 /// The first pass. It assigns points to parts of the curve. The points are divided into shares that
@@ -43,7 +43,7 @@ class Partition {
 
     std::size_t num_parts() const noexcept { return std::size_t{1} << bits_; }
 
-    /// The end of the places of a part. Call this after for_places().
+    /// Returns the end of the places of a part. Call this after for_places().
     std::size_t end(std::size_t part) const noexcept
     {
         return ends_[(num_shares_ - 1) * num_parts() + part];

@@ -52,38 +52,39 @@ class Periodicity {
     /// false if its multiples are too large.
     bool reduce(Vector<double, 3> const &point, LatticeVector &vector) const noexcept;
 
-    /// A point near the origin that differs from the given one by a lattice vector, up to rounding.
+    /// Returns a point near the origin that differs from the given one by a lattice vector, up to
+    /// rounding.
     Vector<double, 3> wrapped(Vector<double, 3> const &point) const noexcept;
 
     /// The box around a centre after multiples of the reduced vectors are subtracted.
     Box wrapped(Vector<double, 3> const &center, Vector<double, 3> const &half_widths,
                 Multiples const &multiples) const noexcept;
 
-    /// A box that is moved by multiples of the reduced vectors.
+    /// Returns a box that is moved by multiples of the reduced vectors.
     Box moved(Box const &box, Multiples const &multiples) const noexcept;
 
-    /// The largest multiple of each reduced vector by which a box can be moved and still intersect
-    /// itself. The result may exceed most_multiples.
+    /// Returns the largest multiple of each reduced vector by which a box can be moved and still
+    /// intersect itself. The result may exceed most_multiples.
     Vector<double, 3> reach(Box const &box) const noexcept;
 
     /// Computes `of_cell` from `of_reduced`. Returns false if the multiples are too large.
     bool set_multiples_of_cell(LatticeVector &vector) const noexcept;
 
-    /// The length of the shortest vector of the lattice; infinity if nothing is periodic.
+    /// Returns the length of the shortest vector of the lattice; infinity if nothing is periodic.
     double shortest() const noexcept;
 
     /// Returns whether there are images along vector l of the cell.
     bool is_periodic(int l) const noexcept { return periodic_[l]; }
 
-    /// The dual of vector l of the cell, which must be periodic. The product of the dual with this
-    /// vector is 1, and with the other periodic vectors 0.
+    /// Returns the dual of vector l of the cell, which must be periodic. The product of the dual
+    /// with this vector is 1, and with the other periodic vectors 0.
     Vector<double, 3> dual_of_cell(int l) const noexcept;
 
-    /// A bound on the entries of dual_of_cell() that includes rounding errors.
+    /// Returns a bound on the entries of dual_of_cell() that includes rounding errors.
     double dual_of_cell_bound(int l) const noexcept;
 
   private:
-    /// The coordinate of a point along reduced vector k, rounded to an integer.
+    /// Returns the coordinate of a point along reduced vector k, rounded to an integer.
     double multiples_in(Vector<double, 3> const &point, int k) const noexcept;
 
     Vector<double, 3> sum(Multiples const &multiples, double const (&vectors)[3][3]) const noexcept;

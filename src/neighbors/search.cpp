@@ -27,7 +27,7 @@ MovedGroup move_group(Tree const &tree, Periodicity const &lattice, std::size_t 
     return moved;
 }
 
-/// The bits above bit k.
+/// Returns the bits above bit k.
 constexpr unsigned above(std::size_t k) noexcept { return ~0u << (k + 1); }
 
 /// Finds the pairs of one box, number `i`, with the boxes of a group. In the group of the box

@@ -24,8 +24,8 @@ void Tree::enclose_levels() noexcept
 {
     for (int level = 0; level < top_; ++level) {
         std::size_t const count = first_[level + 1] - first_[level],
-                          room = first_[level + 2] - first_[level + 1];
-        for_parts(room, [&](std::size_t begin, std::size_t end) {
+                          capacity = first_[level + 2] - first_[level + 1];
+        for_parts(capacity, [&](std::size_t begin, std::size_t end) {
             for (std::size_t k = begin * width; k < end * width; ++k)
                 blocks_[first_[level + 1] + k / width].set(
                     static_cast<int>(k % width), k < count ? enclose(*block(level, k)) : empty_box);

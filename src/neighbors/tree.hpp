@@ -41,9 +41,9 @@ class Tree {
     {
         return block(level, k / width)->get(static_cast<int>(k % width));
     }
-    /// The level of the block that has all boxes.
+    /// Returns the level of the block that has all boxes.
     [[gnu::always_inline]] int top_level() const noexcept { return top_; }
-    /// The smallest box around all boxes.
+    /// Returns the smallest box around all boxes.
     [[gnu::always_inline]] Box root() const noexcept { return enclose(*block(top_, 0)); }
 
     /// Calls visit(group) for each group from `first` on whose box intersects `box`.

@@ -31,7 +31,7 @@ using namespace pw85::detail::c_api;
 
 namespace {
 
-/// The status for a null pointer; it marks the answer.
+/// Returns the status for a null pointer; it marks the answer.
 int null_overlap(int *overlap) noexcept
 {
     if (overlap != nullptr) *overlap = -1;
@@ -42,7 +42,7 @@ int null_overlap(int *overlap) noexcept
 /// the first one. The functions are not inlined, because each call would save registers that only
 /// they need.
 template <class Core, class... Points> [[gnu::noinline, gnu::cold]] int
-settle_contact(Core core, double *mu2, double *point, double const *q, Points... points) noexcept
+contact_of_core(Core core, double *mu2, double *point, double const *q, Points... points) noexcept
 {
     return in_default_environment([&] {
         auto const result = core(load_matrix<3>(q), load_vector<3>(points)...);
@@ -51,7 +51,7 @@ settle_contact(Core core, double *mu2, double *point, double const *q, Points...
 }
 
 template <class Make, class... Points> [[gnu::noinline, gnu::cold]] int
-settle_overlap(Make make, int *overlap, double const *q, Points... points) noexcept
+overlap_of_core(Make make, int *overlap, double const *q, Points... points) noexcept
 {
     *overlap = -1;
     return in_default_environment([&] {
@@ -102,7 +102,7 @@ int pw85_contact_segment(double const end1[3], double const end2[3], double cons
     if (any_null(end1, end2, q)) return refused(null_pointer(mu2, 1, point, PW85_DIM));
     auto const kernel = PW85_OF_PAIR(kernels::chosen(), contact_segment);
     if (in_default_environment(kernel, end1, end2, q, mu2, point)) return PW85_SUCCESS;
-    return checked(settle_contact(contact_of_hull<FindOnSegment<>>, mu2, point, q, end1, end2),
+    return checked(contact_of_core(contact_of_hull<FindOnSegment<>>, mu2, point, q, end1, end2),
                    refused);
 }
 
@@ -119,9 +119,9 @@ int pw85_contact_triangle(double const vertex1[3], double const vertex2[3], doub
     auto const kernel = PW85_OF_PAIR(kernels::chosen(), contact_triangle);
     if (in_default_environment(kernel, vertex1, vertex2, vertex3, q, mu2, point))
         return PW85_SUCCESS;
-    return checked(
-        settle_contact(contact_of_hull<FindOnTriangle<>>, mu2, point, q, vertex1, vertex2, vertex3),
-        refused);
+    return checked(contact_of_core(contact_of_hull<FindOnTriangle<>>, mu2, point, q, vertex1,
+                                   vertex2, vertex3),
+                   refused);
 }
 
 int pw85_contact_box(double const lower[3], double const upper[3], double const q[6], double *mu2,
@@ -135,9 +135,9 @@ int pw85_contact_box(double const lower[3], double const upper[3], double const 
     if (any_null(lower, upper, q)) return refused(null_pointer(mu2, 1, point, PW85_DIM));
     auto const kernel = PW85_OF_PAIR(kernels::chosen(), contact_box);
     if (in_default_environment(kernel, lower, upper, q, mu2, point)) return PW85_SUCCESS;
-    return checked(settle_contact([](auto const &form,
-                                     auto const &...x) { return contact_box_scaled(x..., form); },
-                                  mu2, point, q, lower, upper),
+    return checked(contact_of_core([](auto const &form,
+                                      auto const &...x) { return contact_box_scaled(x..., form); },
+                                   mu2, point, q, lower, upper),
                    refused);
 }
 
@@ -152,7 +152,7 @@ int pw85_overlap_segment(double const end1[3], double const end2[3], double cons
     if (any_null(end1, end2, q, overlap)) return refused(null_overlap(overlap));
     auto const kernel = PW85_OF_PAIR(kernels::chosen(), overlap_segment);
     if (in_default_environment(kernel, end1, end2, q, overlap)) return PW85_SUCCESS;
-    return checked(settle_overlap(hull_of, overlap, q, end1, end2), refused);
+    return checked(overlap_of_core(hull_of, overlap, q, end1, end2), refused);
 }
 
 int pw85_overlap_triangle(double const vertex1[3], double const vertex2[3], double const vertex3[3],
@@ -166,7 +166,7 @@ int pw85_overlap_triangle(double const vertex1[3], double const vertex2[3], doub
     if (any_null(vertex1, vertex2, vertex3, q, overlap)) return refused(null_overlap(overlap));
     auto const kernel = PW85_OF_PAIR(kernels::chosen(), overlap_triangle);
     if (in_default_environment(kernel, vertex1, vertex2, vertex3, q, overlap)) return PW85_SUCCESS;
-    return checked(settle_overlap(hull_of, overlap, q, vertex1, vertex2, vertex3), refused);
+    return checked(overlap_of_core(hull_of, overlap, q, vertex1, vertex2, vertex3), refused);
 }
 
 int pw85_overlap_box(double const lower[3], double const upper[3], double const q[6], int *overlap)
@@ -180,8 +180,8 @@ int pw85_overlap_box(double const lower[3], double const upper[3], double const 
     if (any_null(lower, upper, q, overlap)) return refused(null_overlap(overlap));
     auto const kernel = PW85_OF_PAIR(kernels::chosen(), overlap_box);
     if (in_default_environment(kernel, lower, upper, q, overlap)) return PW85_SUCCESS;
-    return checked(settle_overlap([](auto const &...x) { return SolidBox<double>{x...}; }, overlap,
-                                  q, lower, upper),
+    return checked(overlap_of_core([](auto const &...x) { return SolidBox<double>{x...}; }, overlap,
+                                   q, lower, upper),
                    refused);
 }
 

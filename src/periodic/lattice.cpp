@@ -210,8 +210,8 @@ void rescale(Lattice &lattice, double unit) noexcept
     }
 }
 
-/// A faster prepare() for a cell whose vectors are along the axes and need no scaling. It returns
-/// false for other cells. Monte Carlo simulations prepare a cell for each move.
+/// Does what prepare() does, faster, for a cell whose vectors are along the axes and need no
+/// scaling. It returns false for other cells. Monte Carlo simulations prepare a cell for each move.
 bool prepare_rectangular(double const *cell, Lattice &lattice) noexcept
 {
     for (int const k : {1, 2, 3, 5, 6, 7})

@@ -17,7 +17,7 @@ double largest_entry(Vector<double, 3> const &v) noexcept
     return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])});
 }
 
-/// A vector along x × y of the given length; zero if x and y are parallel.
+/// Returns a vector along x × y of the given length; zero if x and y are parallel.
 Vector<double, 3> normal(Vector<double, 3> const &x, Vector<double, 3> const &y,
                          double length) noexcept
 {
@@ -29,7 +29,7 @@ Vector<double, 3> normal(Vector<double, 3> const &x, Vector<double, 3> const &y,
     return length / std::sqrt(dot(direction, direction)) * direction;
 }
 
-/// The axis that makes the greatest angle with a vector.
+/// Returns the axis that makes the greatest angle with a vector.
 Vector<double, 3> axis_across(Vector<double, 3> const &v) noexcept
 {
     Vector<double, 3> axis = {0.0, 0.0, 0.0};

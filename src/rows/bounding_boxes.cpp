@@ -13,8 +13,8 @@ using namespace pw85::detail::kernels;
 
 namespace {
 
-/// The bounding box of one form. The function is not inlined, so that the compiler cannot move its
-/// arithmetic out of the default floating-point environment.
+/// Computes the bounding box of one form. The function is not inlined, so that the compiler cannot
+/// move its arithmetic out of the default floating-point environment.
 [[gnu::noinline]] int bounding_box_of(double const *q, double *half_widths) noexcept
 {
     auto const box = bounding_box(c_api::load_matrix<3>(q));

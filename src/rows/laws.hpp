@@ -84,7 +84,7 @@ template <class Law> double energy_of(Law const &law, double mu2) noexcept
     return evaluate_of<Law>(chosen())(law, 1, &mu2, &d_u).energy;
 }
 
-/// The law with the shift by which its energy at the cutoff is 0.
+/// Returns the law with the shift by which its energy at the cutoff is 0.
 inline InversePowers shifted(InversePowers law) noexcept
 {
     InversePowers everywhere = law;

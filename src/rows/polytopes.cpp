@@ -49,8 +49,8 @@ struct Planes {
     }
 };
 
-/// The contact function of one ellipsoid and a polytope. The function is not inlined, so that
-/// the compiler cannot move its arithmetic out of the default floating-point environment.
+/// Computes the contact function of one ellipsoid and a polytope. The function is not inlined, so
+/// that the compiler cannot move its arithmetic out of the default floating-point environment.
 [[gnu::noinline]] int contact_planes(Planes const &planes, double const *center, double const *q,
                                      double *mu2, double *point) noexcept
 {

@@ -39,7 +39,7 @@ constexpr Targets targets = numbered();
 /// on every processor.
 constexpr Target reproducible = {"reproducible", 0};
 
-/// The newest available target that is not newer than the one that PW85_TARGET names.
+/// Returns the newest available target that is not newer than the one that PW85_TARGET names.
 Target const &newest() noexcept
 {
 #define PW85_AVAILABLE(target, one_pair, available) available,

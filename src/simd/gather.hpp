@@ -221,7 +221,7 @@ PW85_INLINE LanePairOf<Rows> load(Rows const &rows, std::size_t const *indices) 
     return load_pairs<Pack>(rows, indices);
 }
 
-/// Particles of lists, and their images, take so many instructions that they are compiled once for
+/// Particles of lists, and their images, need much code, and are compiled once for
 /// all kernels of a file. This costs no time, because packs do not stay in registers.
 [[gnu::noinline, gnu::flatten]] inline LanePair<3> load(kernels::NeighborList const &list,
                                                         std::size_t const *indices) noexcept
@@ -288,7 +288,7 @@ template <class Rows>
     }
 }
 
-/// A mask of the first `count` lanes; all lanes if there are fewer.
+/// Returns a mask of the first `count` lanes; all lanes if there are fewer.
 PW85_INLINE unsigned live_lanes(std::size_t count) noexcept
 {
     return count >= lanes ? all_lanes : (1u << count) - 1u;

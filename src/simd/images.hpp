@@ -43,7 +43,7 @@ PW85_EACH_TARGET(PW85_DECLARE_IMAGES)
 
 namespace {
 
-/// The function of a target.
+/// Returns the function of a target.
 inline auto find_overlap_of(Target const &target) noexcept
 {
     return PW85_OF_LANES(target, FindOverlap, find_overlap_of_images);

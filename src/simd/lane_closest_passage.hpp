@@ -28,7 +28,7 @@ struct Parabola {
     PW85_INLINE Pack at(Pack const &tau) const noexcept { return (c[2] * tau + c[1]) * tau + c[0]; }
 };
 
-/// The forms of a pair on its way.
+/// The forms of a pair as polynomials of the time.
 struct PassageForms {
     Parabola rr, rv, vv; ///< rᵀadj r, rᵀadj v, vᵀadj v
     Pack b[4];           ///< det M
@@ -45,7 +45,7 @@ struct PassageSearch {
     PackMask active, valid; ///< valid: the pair, the velocity and the range pass the fast checks
 };
 
-/// The place of the time -rv/vv, with vv > 0.
+/// Returns the place of the time -rv/vv, with vv > 0.
 PW85_INLINE Pack place_of(Pack const &end, Pack const &rv, Pack const &vv) noexcept
 {
     return select(rv < Pack(0.0), select(-rv < end * vv, Pack(0.0), Pack(1.0)), Pack(-1.0));
@@ -66,7 +66,7 @@ PW85_INLINE PassageForms passage_forms(LanePair<3> const &pair, Vector<Pack, 3> 
             {quadratic_form(pair.q1, ww), quadratic_form(pair.q2, ww)}};
 }
 
-/// The form at the end of the range where a place is not 0.
+/// Returns the form at the end of the range where a place is not 0.
 PW85_INLINE RationalForm<Pack> form_at_end(PassageForms const &forms, Pack const &place,
                                            Pack const &end) noexcept
 {
@@ -77,7 +77,7 @@ PW85_INLINE RationalForm<Pack> form_at_end(PassageForms const &forms, Pack const
     return form;
 }
 
-/// The form for τ.
+/// Returns the form for τ.
 PW85_INLINE RationalForm<Pack> form_for(PassageForms const &forms, Pack const &place,
                                         Pack const &end) noexcept
 {
@@ -157,7 +157,7 @@ PW85_INLINE Pack delay_of(PassageSearch const &state, Pack const &tau, Pack cons
     return Pack(Pack(next - tau) * slope) / Pack(norm * vv.at(next));
 }
 
-/// The value at the last τ, by the quadratic forms. The time includes the last step.
+/// Returns the value at the last τ, by the quadratic forms. The time includes the last step.
 PW85_INLINE LanePassage finish(PassageSearch const &state, LanePair<3> const &pair,
                                Vector<Pack, 3> const &v) noexcept
 {

@@ -54,7 +54,7 @@ struct LaneCertainty {
     Pack next; ///< square of the next t of the fixed-point map
 };
 
-/// The first t. It is that of the function for one pair, up to a few per cent.
+/// Returns the first t. It is that of the function for one pair, up to a few per cent.
 template <int D> PW85_INLINE Pack first_point(LanePair<D> const &pair) noexcept
 {
     auto const weights = outer_weights(pair.r12);

@@ -10,7 +10,7 @@ namespace {
 
 static_assert(kernels::most_images <= overlap_chunk_size);
 
-/// The first test, up to the first pack with an overlap. Returns whether there is one.
+/// Makes the first test, up to the first pack with an overlap. Returns whether there is one.
 PW85_INLINE bool test_first(kernels::OneToImages const &rows, std::size_t n,
                             UndecidedList &undecided, kernels::Worklist &rejected_lanes) noexcept
 {

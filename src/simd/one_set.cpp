@@ -32,7 +32,7 @@ PW85_INLINE SymmetricMatrix<Pack, 3> load_form(double const *q) noexcept
     return {{Pack(q[0]), Pack(q[1]), Pack(q[2]), Pack(q[3]), Pack(q[4]), Pack(q[5])}};
 }
 
-/// The first lane of one pack, and the second lane of another.
+/// Returns the first lane of one pack, and the second lane of another.
 PW85_INLINE Pack lanes_of(Pack const &first, Pack const &second) noexcept
 {
     return Register{first.v[0], second.v[1]};
@@ -61,7 +61,7 @@ PW85_INLINE BoxMinimum<Pack, 3> lane_of(BoxMinimum<Pack, 3> minimum, std::size_t
     return minimum;
 }
 
-/// The coordinates with that of axis i first.
+/// Returns the coordinates with that of axis i first.
 PW85_INLINE Vector<Pack, 3> with_axis_first(Vector<Pack, 3> const &x, int i) noexcept
 {
     return {x[i], x[other_axis(i, 0)], x[other_axis(i, 1)]};
@@ -76,7 +76,7 @@ PW85_INLINE BoxProblem<Pack, 3> with_axis_first(BoxProblem<Pack, 3> const &box, 
             {{box.q(i, i), box.q(i, j), box.q(i, k), box.q(j, j), box.q(j, k), box.q(k, k)}}};
 }
 
-/// The inverse, for the point of a minimum.
+/// Returns the inverse, for the point of a minimum.
 PW85_INLINE BoxMinimum<Pack, 3> with_axis_at(BoxMinimum<Pack, 3> const &minimum, int i) noexcept
 {
     BoxMinimum<Pack, 3> turned = minimum;
@@ -85,8 +85,8 @@ PW85_INLINE BoxMinimum<Pack, 3> with_axis_at(BoxMinimum<Pack, 3> const &minimum,
     return turned;
 }
 
-/// The minimum on the face that is orthogonal to the first axis. It is infinite if the face does
-/// not face the centre.
+/// Returns the minimum on the face that is orthogonal to the first axis. It is infinite if the face
+/// does not face the centre.
 PW85_INLINE BoxMinimum<Pack, 3> minimum_on_first_face(BoxProblem<Pack, 3> const &box) noexcept
 {
     Pack const x = clamped(box.center[0], box.lower[0], box.upper[0]), offset = x - box.center[0];

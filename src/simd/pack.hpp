@@ -96,7 +96,7 @@ using MaskRegister = VectorOf<lanes>::Integers;
 struct PackMask {
     MaskRegister bits;
 
-    /// The truth values as bits: bit i is that of lane i.
+    /// Returns the truth values as bits: bit i is that of lane i.
     PW85_INLINE unsigned to_bits() const noexcept
     {
 #if defined(PW85_LANES_AVX512)
@@ -114,7 +114,7 @@ struct PackMask {
 #endif
     }
 
-    /// The inverse of to_bits().
+    /// Returns the inverse of to_bits().
     static PW85_INLINE PackMask from_bits(unsigned all) noexcept
     {
 #if defined(PW85_LANES_AVX512)

@@ -23,9 +23,9 @@ struct Target {
     int number;
 };
 
-/// The target for this processor. If the environment variable PW85_TARGET names another that the
-/// processor can run, it is that one. In the reproducible mode it is the baseline. The first call
-/// decides for the whole process, until set_reproducible().
+/// Returns the target for this processor. If the environment variable PW85_TARGET names another
+/// that the processor can run, it is that one. In the reproducible mode it is the baseline. The
+/// first call decides for the whole process, until set_reproducible().
 Target const &chosen() noexcept;
 
 /// Switches the reproducible mode on or off, for all threads.
@@ -35,7 +35,7 @@ bool is_reproducible() noexcept;
 
 namespace {
 
-/// The function of a target, of the list of one function for all targets.
+/// Returns the function of a target, of the list of one function for all targets.
 template <auto baseline, auto... others> auto one_of(Target const &target) noexcept
 {
     static constexpr decltype(baseline) functions[] = {baseline, others...};

@@ -11,8 +11,8 @@
 
 namespace pw85::detail::kernels {
 
-/// The length of a vector of SVE in bits. It is 0 if the processor or its operating system has no
-/// SVE.
+/// Returns the length of a vector of SVE in bits. It is 0 if the processor or its operating system
+/// has no SVE.
 [[gnu::always_inline]] inline int vector_bits_of_sve() noexcept
 {
 #if defined(PR_SVE_GET_VL)

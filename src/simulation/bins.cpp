@@ -126,8 +126,8 @@ void Bins::widen_margin(double magnitude) noexcept
     margin_ = static_cast<float>(0x1p-20 * (farthest_ + largest_coordinate(largest_)));
 }
 
-/// The largest magnitude that the margin must cover for a particle at a place. 2⁻²⁸ times a centre
-/// that is not moved into the cell is one, because its coordinates are rounded as doubles.
+/// Returns the largest magnitude that the margin must cover for a particle at a place. 2⁻²⁸ times a
+/// centre that is not moved into the cell is one, because its coordinates are rounded as doubles.
 double Bins::magnitude_of(Vector3 const &center, Box const &box) noexcept
 {
     double largest = 0x1p-28 * largest_coordinate(center);

@@ -41,7 +41,7 @@ class Bins {
         order_[i] = static_cast<std::int32_t>(in_configuration);
     }
 
-    /// The number of a particle in the configuration.
+    /// Returns the number of a particle in the configuration.
     [[gnu::always_inline]] std::size_t number_in_configuration(std::size_t i) const noexcept
     {
         return static_cast<std::size_t>(order_[i]);
@@ -82,8 +82,8 @@ class Bins {
                 }
     }
 
-    /// The image of particle j whose centre is in a cell, as that of the configuration, whose
-    /// centres are not moved into the cell.
+    /// Returns the image of particle j whose centre is in a cell, as that of the configuration,
+    /// whose centres are not moved into the cell.
     [[gnu::always_inline]] Multiples image_in(Multiples const &cell, std::size_t j) const noexcept
     {
         auto const &home = places_[j].cell;

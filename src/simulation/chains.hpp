@@ -81,9 +81,9 @@ class Chains {
     struct Obstacle {
         Image image;
         Vector3 r12;    ///< from the centre of the particle that moves, at its start
-        double size;    ///< that of an MovingPair (path_bounds.hpp)
+        double size;    ///< MovingPair::size (path_bounds.hpp)
         double bound;   ///< no contact before this path
-        double t, step; ///< where the search for a larger bound is
+        double t, step; ///< state of the search for a larger bound
         bool is_exact;  ///< the bound is the path to the contact
         Vector3 normal; ///< of a plane between the two until they touch; zero without a plane
 

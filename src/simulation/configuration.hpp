@@ -117,7 +117,7 @@ struct Configuration {
                (dimensions == 2 || cell.periodic[2]);
     }
 
-    /// The volume of the cell, or its area in two dimensions.
+    /// Returns the volume of the cell, or its area in two dimensions.
     [[gnu::always_inline]] double volume() const noexcept
     {
         Vector3 const a = cell.vector(0), b = cell.vector(1);
@@ -141,7 +141,8 @@ struct Configuration {
         return inside;
     }
 
-    /// The length of the longest semi-axis in the space of its dimensions; 0 without particles.
+    /// Returns the length of the longest semi-axis in the space of its dimensions; 0 without
+    /// particles.
     [[gnu::always_inline]] double longest_semi_axis() const noexcept
     {
         double longest = 0.0;
@@ -191,7 +192,7 @@ struct Configuration {
         return simulation::separation(centers[i], centers[j], translation);
     }
 
-    /// A view for the C API.
+    /// Returns a view for the C API.
     pw85_system system() const noexcept
     {
         return {size(),

@@ -91,7 +91,7 @@ void DomainScheduler::restart(Domains const &domains) noexcept
         if (state(domains, label) == stopped) state(domains, label) = waiting;
 }
 
-/// The threads begin in equal distances.
+/// Returns the threads begin in equal distances.
 std::size_t DomainScheduler::first_of_thread() const noexcept
 {
     auto const [thread, threads] = this_thread();

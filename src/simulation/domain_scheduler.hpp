@@ -32,7 +32,7 @@ class DomainScheduler {
 
     std::size_t size() const noexcept { return order_.size(); }
 
-    /// A domain by its position in the order.
+    /// Returns a domain by its position in the order.
     Label domain(std::size_t position) const noexcept { return order_[position]; }
 
     /// Calls work(position) for all domains that are not finished, in parallel. It returns whether

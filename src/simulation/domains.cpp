@@ -12,14 +12,14 @@ namespace {
 /// trials leave them, but the threads have less to share.
 constexpr double particles_per_domain = 32.0;
 
-/// The largest number of parts of a vector if all vectors of some dimensions have as many.
+/// Returns the largest number of parts of a vector if all vectors of some dimensions have as many.
 double most_parts_of(std::size_t num_particles, int dimensions) noexcept
 {
     double const domains = static_cast<double>(num_particles) / particles_per_domain;
     return std::max(2.0, std::floor(dimensions == 2 ? std::sqrt(domains) : std::cbrt(domains)));
 }
 
-/// The largest even number of parts of a vector, or 1.
+/// Returns the largest even number of parts of a vector, or 1.
 ///
 /// @param reach the least width of a part, over that of the cell
 std::uint32_t parts_of(double reach, double most) noexcept

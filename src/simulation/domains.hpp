@@ -71,7 +71,7 @@ class Domains {
     int prepare(Configuration const &configuration, std::span<std::int32_t const> places,
                 double reach, Stream &stream) noexcept;
 
-    /// The number of parts of vector k.
+    /// Returns the number of parts of vector k.
     std::uint32_t num_parts(int k) const noexcept { return parts_[k]; }
 
     std::uint32_t num_colors() const noexcept
@@ -79,16 +79,16 @@ class Domains {
         return 1u << (is_divided(0) + is_divided(1) + is_divided(2));
     }
 
-    /// The number of all domains.
+    /// Returns the number of all domains.
     std::uint32_t size() const noexcept { return parts_[0] * parts_[1] * parts_[2]; }
 
-    /// The number of domains of each colour.
+    /// Returns the number of domains of each colour.
     std::uint32_t num_domains() const noexcept { return size() / num_colors(); }
 
-    /// The domain with number `place` of a colour.
+    /// Returns the domain with number `place` of a colour.
     Label domain(std::uint32_t color, std::uint32_t place) const noexcept;
 
-    /// A number for each domain, from 0 on.
+    /// Returns a number for each domain, from 0 on.
     [[gnu::always_inline]] std::uint32_t number(Label label) const noexcept
     {
         return (label.part(0) * parts_[1] + label.part(1)) * parts_[2] + label.part(2);
@@ -103,7 +103,7 @@ class Domains {
     /// Sets the marks of a domain and of those next to it.
     void mark_readable(Label label, std::uint8_t mark, std::uint8_t *marks) const noexcept;
 
-    /// The domain of a centre.
+    /// Returns the domain of a centre.
     [[gnu::always_inline]] Label label_of(Vector3 const &center) const noexcept
     {
         std::uint32_t part[3];
@@ -115,7 +115,7 @@ class Domains {
         return Label(part);
     }
 
-    /// The number of the domain of a particle in its place.
+    /// Returns the number of the domain of a particle in its place.
     [[gnu::always_inline]] std::uint32_t number_at(std::size_t place) const noexcept
     {
         return numbers_[place];

@@ -37,7 +37,7 @@ constexpr int rows_per_order = 16;
 /// below 2⁻⁵⁰ times the coordinates.
 constexpr double reach_of_domains = 2.125;
 
-/// A quaternion after a rotation by (1, v), of length one.
+/// Returns a quaternion after a rotation by (1, v), of length one.
 Quaternion turned(Quaternion const &quaternion, Vector3 const &v) noexcept
 {
     auto const [w, x, y, z] = quaternion.coordinates;
@@ -188,12 +188,12 @@ double Engine::skin() const noexcept
          parameters.fractions[exchange] > 0.0 ? 2.125 * spread_ * pair_energy.reach() : 0.0});
 }
 
-bool Engine::all_within_skin(double room) const noexcept
+bool Engine::all_within_skin(double displacement) const noexcept
 {
     if (neighborhood_.size() != ordered_.size()) return false;
     return for_all(ordered_.size(), [&](Range range) {
                std::size_t i = range.begin;
-               while (i < range.end && is_within_skin(i, room)) ++i;
+               while (i < range.end && is_within_skin(i, displacement)) ++i;
                return Failure{i, i < range.end};
            }) == 0;
 }

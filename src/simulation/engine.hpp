@@ -22,14 +22,14 @@
 namespace pw85::detail::simulation {
 
 /// The types of trials, in the order of the C API: a translation by a point of a ball; a rotation
-/// by the quaternion (1, v), in which v is a point of a ball and its negative belongs to the way
-/// back; both; an exchange of the semi-axes of two particles of a domain; and a change of the
-/// volume.
+/// by the quaternion (1, v), in which v is a point of a ball and its negative belongs to the
+/// reverse move; both; an exchange of the semi-axes of two particles of a domain; and a change of
+/// the volume.
 ///
 /// In two dimensions (configuration.hpp) translations are by a point of a disc. A rotation is by
 /// the quaternion (1, 0, 0, v), v uniform in an interval around 0. Its angle, 2 atan(v), is an odd
-/// function of v, and angles about z add. So the density of the angle is even, and the way back is
-/// equally probable.
+/// function of v, and angles about z add. So the density of the angle is even, and the reverse move
+/// is equally probable.
 enum Move {
     translation,
     rotation,
@@ -148,8 +148,8 @@ class Engine {
     /// Returns whether nothing but the hard cores acts on the particles.
     bool is_hard() const noexcept { return external.is_empty() && !pair_energy.exists(); }
 
-    /// The energy of all pairs of the configuration, by a list of neighbours of its own. Returns a
-    /// status.
+    /// Computes the energy of all pairs of the configuration, by a list of neighbours of its own.
+    /// Returns a status.
     int energy_of_pairs(double &energy) const noexcept;
 
     /// Calls work() in a session, and returns its status. In a session, sweeps, trials of the
@@ -195,8 +195,8 @@ class Engine {
     int try_placement(std::size_t particle, Particle const &moved, bool take,
                       bool &is_free) noexcept;
 
-    /// The least isotropic factor of cell and centres without overlap, at most 1; 0 if there is
-    /// nothing to overlap. If `take`, it is applied. Returns a status.
+    /// Computes the least isotropic factor of cell and centres without overlap, at most 1; 0 if
+    /// there is nothing to overlap. If `take`, it is applied, in a session. Returns a status.
     int compress(bool take, double &factor) noexcept;
 
     /// Adds a particle as the last one. Returns a status.
@@ -220,7 +220,7 @@ class Engine {
         return k;
     }
 
-    /// The steps of particles with these semi-axes.
+    /// Returns the steps of particles with these semi-axes.
     SpeciesSteps steps_of(Vector3 const &semi_axes) const noexcept
     {
         std::size_t const k = species_of(semi_axes);
@@ -249,14 +249,15 @@ class Engine {
     int order() noexcept;
     void refresh_boxes() noexcept;
     bool set_cell() noexcept;
-    bool all_within_skin(double room) const noexcept;
+    bool all_within_skin(double displacement) const noexcept;
 
-    /// Returns whether particle i is in its fixed box, and stays there if it moves by `room` along
-    /// any axis.
-    [[gnu::always_inline]] bool is_within_skin(std::size_t i, double room = 0.0) const noexcept
+    /// Returns whether particle i is in its fixed box, and stays there if it moves by
+    /// `displacement` along any axis.
+    [[gnu::always_inline]] bool is_within_skin(std::size_t i,
+                                               double displacement = 0.0) const noexcept
     {
         return neighborhood_.holds(i, ordered_.centers[i],
-                                   pair_energy.reach() * ordered_.half_widths[i], room);
+                                   pair_energy.reach() * ordered_.half_widths[i], displacement);
     }
 
     /// Images that may overlap a particle.
@@ -379,7 +380,7 @@ class Engine {
     bool is_started_ = false;             ///< true if the orders belong to the present particles
     std::unique_ptr<RetiredArrays> retired_;
     bool is_taken_ = false; ///< true if it is the configuration, or one that follows from it
-    int num_rows_ = 0;      ///< how often sweeps made rows
+    int num_rows_ = 0;      ///< number of times that sweeps rebuilt the Verlet list
     double skin_of_rows_ = 0.0;
     Neighborhood neighborhood_;
     FloatBoxes boxes_;

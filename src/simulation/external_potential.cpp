@@ -17,14 +17,14 @@ namespace {
 
 using c_api::load_vector;
 
-/// A principal axis, of length one: a column of the matrix of the rotation.
+/// Returns a principal axis, of length one: a column of the matrix of the rotation.
 Vector3 principal_axis(Quaternion const &quaternion, int axis) noexcept
 {
     auto const [m] = rotation_matrix(quaternion, 1.0);
     return {m[axis], m[3 + axis], m[6 + axis]};
 }
 
-/// The volume of an ellipsoid, or the area of an ellipse.
+/// Returns the volume of an ellipsoid, or the area of an ellipse.
 double volume_of(Vector3 const &semi_axes, int dimensions) noexcept
 {
     double const rectangle = semi_axes[0] * semi_axes[1];
@@ -71,11 +71,11 @@ bool is_repeated(pw85_field const &field, Cell const &cell) noexcept
     return repeated;
 }
 
-/// The requirement that a field in a cell does not meet; null if it meets all.
+/// Returns the requirement that a field in a cell does not meet; null if it meets all.
 char const *requirement_on(pw85_field const &field, Cell const &cell) noexcept
 {
     if (field.kind < PW85_FIELD_LINEAR || field.kind > PW85_FIELD_ALIGNING)
-        return "must be of a kind that there is";
+        return "must have a kind PW85_FIELD_...";
     if (field.axis < 0 || field.axis > 2) return "must have an axis from 0 to 2";
     Vector3 const point = load_vector<3>(field.point), vector = load_vector<3>(field.vector);
     bool const has_point = field.kind == PW85_FIELD_HARMONIC;
@@ -94,8 +94,8 @@ double without_minus_infinity(double energy) noexcept
 
 } // namespace
 
-/// The first wall that cuts a particle, or the triangle of the mesh that is nearest to a particle
-/// which the mesh cuts; -1 if there is none.
+/// Returns the first wall that cuts a particle, or the triangle of the mesh that is nearest to a
+/// particle which the mesh cuts; -1 if there is none.
 std::int32_t ExternalPotential::first_cut(Particle const &particle, int dimensions) const noexcept
 {
     for (std::size_t k = 0; k < walls.size(); ++k)

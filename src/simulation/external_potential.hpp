@@ -38,7 +38,7 @@ class ExternalPotential {
     bool has_energy() const noexcept { return fields.size() > 0 || potential != nullptr; }
     bool is_empty() const noexcept { return !has_walls() && !has_energy() && !lacks_potential; }
 
-    /// The status of an energy that is NaN.
+    /// Returns the status of an energy that is NaN.
     static int refuse_energy() noexcept;
 
     /// Returns a status: PW85_EPOTENTIAL if a restored simulation waits for its potential.
@@ -47,7 +47,7 @@ class ExternalPotential {
     /// Returns whether any wall or the mesh cuts a particle.
     bool cuts(Particle const &particle, int dimensions) const noexcept;
 
-    /// The longest translation of a particle of the given ones, which the mesh limits.
+    /// Returns the longest translation of a particle of the given ones, which the mesh limits.
     [[gnu::always_inline]] double shortened(double translation,
                                             Vector3 const &semi_axes) const noexcept
     {
@@ -55,13 +55,13 @@ class ExternalPotential {
                              : translation;
     }
 
-    /// The energy of a particle. NaN is an error, which minus infinity becomes, too.
+    /// Returns the energy of a particle. NaN is an error, which minus infinity becomes, too.
     double energy(std::size_t i, Particle const &particle, int dimensions) const noexcept;
 
     double energy_of_fields(Particle const &particle, int dimensions) const noexcept;
     double energy_of_potential(std::size_t i, Particle const &particle) const noexcept;
 
-    /// The sum of the energies of all particles, in their order.
+    /// Returns the sum of the energies of all particles, in their order.
     double energy(Configuration const &configuration) const noexcept;
 
     /// The part of the caller's potential, with the centres that place(i) returns.

@@ -71,16 +71,16 @@ class FloatBoxes {
     }
 
     /// Stores the boxes of all particles, and the translations of the rows. They hold until the
-    /// rows or the cell change, for particles that move by at most `room` along any axis, which is
-    /// at least two half-widths.
+    /// rows or the cell change, for particles that move by at most `displacement` along any axis,
+    /// which is at least two half-widths.
     [[gnu::always_inline]] void refresh(Configuration const &configuration,
                                         Neighborhood const &neighborhood, double longest,
-                                        double reach, double room) noexcept
+                                        double reach, double displacement) noexcept
     {
         per_unit_ = 1.0 / (reach * longest);
         per_half_width_ = 1.0 / longest;
         if (boxes_.size() > 0) origin_ = configuration.centers[0];
-        double farthest = room + set_all(configuration).distance;
+        double farthest = displacement + set_all(configuration).distance;
         for (std::size_t k = 0; k < neighborhood.num_images(); ++k) {
             Vector3 const &translation = neighborhood.translation(static_cast<std::int32_t>(k));
             translations_[k] = rounded(per_unit_ * translation);

@@ -18,11 +18,11 @@ bool is_change_type(int type) noexcept
 }
 
 /// Returns the status of trials of the volume.
-int check_change(Engine const &engine, double pressure, int kind) noexcept
+int check_change(Engine const &engine, double pressure, int type) noexcept
 {
-    if (!is_change_type(kind))
-        return note_cause(PW85_EINVAL, "change", "must be a type of change", 0, 0, kind);
-    if (kind != PW85_CHANGE_ASPECT && !(pressure > 0.0))
+    if (!is_change_type(type))
+        return note_cause(PW85_EINVAL, "change", "must be a constant PW85_CHANGE_...", 0, 0, type);
+    if (type != PW85_CHANGE_ASPECT && !(pressure > 0.0))
         return note_cause(PW85_EINVAL, "pressure", "must be > 0", 0, 0, pressure);
     if (!engine.configuration.is_closed())
         return note_cause(PW85_EINVAL, "simulation",
@@ -143,7 +143,7 @@ void store(Array<NearImage> const &found, std::size_t capacity, std::int32_t *pa
     }
 }
 
-/// The direction of chains, zero for random ones. Returns a status.
+/// Computes the direction of chains, zero for random ones. Returns a status.
 int load_direction(Engine const &engine, double const *direction, Vector3 &along) noexcept
 {
     along = direction == nullptr ? Vector3{} : c_api::load_vector<3>(direction);

@@ -25,7 +25,7 @@ template <class Coordinates>
     return scaled / magnitude(scaled);
 }
 
-/// A particle from its numbers, whose quaternion has the length one. Returns a status.
+/// Computes a particle from its numbers, whose quaternion has the length one. Returns a status.
 [[gnu::always_inline]] inline int make_particle(Vector3 const &center, Quaternion const &quaternion,
                                                 Vector3 const &semi_axes,
                                                 Particle &particle) noexcept
@@ -52,8 +52,8 @@ int check_kinds(Array<SpeciesSteps> const &kinds) noexcept;
 /// rounding errors.
 bool are_parameters(Parameters const &parameters) noexcept;
 
-/// The longest translation that is of use: a longer one leads to places that shorter ones reach,
-/// too.
+/// Returns the longest translation that is of use: a longer one leads to places that shorter ones
+/// reach, too.
 double most_useful_translation(Configuration const &configuration) noexcept;
 
 } // namespace pw85::detail::simulation

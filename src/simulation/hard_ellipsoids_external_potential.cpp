@@ -57,7 +57,7 @@ int set_mesh(Engine &engine, std::size_t num_vertices, double const *vertices,
     return replace(engine, &ExternalPotential::mesh, std::move(made), overlap);
 }
 
-/// The energy of the caller's potential in the present state.
+/// Returns the energy of the caller's potential in the present state.
 double energy_of_potential(Engine const &engine) noexcept
 {
     Configuration const &configuration = engine.configuration;

@@ -18,8 +18,8 @@ constexpr std::size_t least_trials = 256;
 
 constexpr Quaternion upright = {1.0, 0.0, 0.0, 0.0};
 
-/// The status of semi-axes of particles that are inserted. With energies of pairs, those of all
-/// particles matter.
+/// Returns the status of semi-axes of particles that are inserted. With energies of pairs, those of
+/// all particles matter.
 int check_axes(Engine const &engine, Vector3 const &semi_axes, bool with_energies) noexcept
 {
     Particle particle;
@@ -41,7 +41,7 @@ int check_axes(Engine const &engine, Vector3 const &semi_axes, bool with_energie
                       0, 0, longest);
 }
 
-/// The status of a simulation in which particles are to be inserted at random.
+/// Returns the status of a simulation in which particles are to be inserted at random.
 int check_cell(Engine const &engine) noexcept
 {
     Configuration const &all = engine.configuration;

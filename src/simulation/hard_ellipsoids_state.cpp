@@ -214,8 +214,8 @@ std::size_t write(Engine const &engine, double energy, std::size_t size,
     return writer.num_bytes();
 }
 
-/// The energy of the caller's potential, or that of the state that was restored while it waits for
-/// its potential.
+/// Returns the energy of the caller's potential, or that of the state that was restored while it
+/// waits for its potential.
 double energy_to_save(Engine const &engine) noexcept
 {
     ExternalPotential const &external = engine.external;

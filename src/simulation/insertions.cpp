@@ -24,8 +24,8 @@ constexpr std::size_t none = SIZE_MAX;
 /// Images that are tested together.
 constexpr std::size_t most_candidates = 64;
 
-/// A uniform orientation: a point of a ball of four dimensions, or of a disc, divided by its
-/// length.
+/// Returns a uniform orientation: a point of a ball of four dimensions, or of a disc, divided by
+/// its length.
 Quaternion random_orientation(Stream &stream, int dimensions) noexcept
 {
     if (dimensions == 2) {
@@ -237,7 +237,7 @@ int Insertions::add_pair_energy(Particle const &particle, std::size_t skipped,
     return sum.is_bad ? PW85_EPOTENTIAL : PW85_SUCCESS;
 }
 
-/// A particle at a random place of the cell.
+/// Returns a particle at a random place of the cell.
 bool Insertions::draw(Stream &stream, Vector3 const &semi_axes, Particle &particle) const noexcept
 {
     Configuration const &all = engine_.configuration;

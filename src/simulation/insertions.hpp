@@ -74,9 +74,8 @@ class Insertions {
 
     Engine &engine_;
     Bins bins_;
-    Array<std::int32_t>
-        /// in the bins, by the numbers in the configuration; behind them, those that are free
-        numbers_;
+    /// numbers_[i] is the number of particle i in the bins; behind them stand the free numbers
+    Array<std::int32_t> numbers_;
     neighbors::Periodicity periodicity_;
     /// vectors of the lattice, one of each pair of opposite ones, and up to which length along each
     /// axis they are there

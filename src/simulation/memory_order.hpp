@@ -18,7 +18,7 @@ class MemoryOrder {
     /// are.
     int prepare(Configuration const &configuration) noexcept;
 
-    /// The places of all particles.
+    /// Returns the places of all particles.
     std::span<std::int32_t const> all() const noexcept { return {places_.data(), places_.size()}; }
 
     std::size_t of(std::size_t particle) const noexcept

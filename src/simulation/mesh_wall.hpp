@@ -7,7 +7,7 @@
 ///    rounded centre. The decision depends on nothing but the particle, so a trial that the mesh
 ///    rejects is in detailed balance. The cell does not change: trials of the volume are refused.
 /// 2. No translation is longer than longest_step(), which is less than twice the radius of a ball
-///    in the particle. If the way between two centres met a triangle, the point where it does
+///    in the particle. If the segment between two centres met a triangle, the point where it does
 ///    would be less than this radius from one of them, and the particle would overlap the triangle
 ///    there. So particles stay on their side of the mesh.
 #ifndef PW85_SIMULATION_MESH_WALL_HPP_INCLUDED
@@ -37,7 +37,7 @@ class MeshWall {
     /// Returns whether a particle meets a triangle.
     bool cuts(Particle const &particle) const noexcept;
 
-    /// The triangle that is nearest to a particle which meets the mesh.
+    /// Returns the triangle that is nearest to a particle which meets the mesh.
     std::int32_t nearest(Particle const &particle) const noexcept;
 
     /// A translation up to this length does not lead through a triangle, as long as the coordinates

@@ -34,7 +34,7 @@ class ImageTable {
   public:
     explicit ImageTable(Array<Multiples> &images) noexcept : images_(images) {}
 
-    /// The number of an image; -1 if there is no memory.
+    /// Returns the number of an image; -1 if there is no memory.
     std::int32_t number_of(Multiples const &image) noexcept
     {
         if (2 * count_ >= slots_.size() && !grow()) return -1;
@@ -51,7 +51,7 @@ class ImageTable {
     /// Gives back memory that is not used.
     bool finish() noexcept { return images_.resize(count_); }
 
-    /// The number of an image that has one.
+    /// Returns the number of an image that has one.
     std::int32_t known(Multiples const &image) const noexcept { return slots_[find(image)]; }
 
   private:

@@ -23,7 +23,7 @@ struct DestroyList {
     void operator()(pw85_neighbors *list) const noexcept { pw85_neighbors_destroy(list); }
 };
 
-/// The image of a pair; zero in a list without cell.
+/// Returns the image of a pair; zero in a list without cell.
 static inline Multiples image_of(pw85_pair_list const &list, std::size_t pair) noexcept
 {
     if (list.images == nullptr) return {{0, 0, 0}};
@@ -84,21 +84,23 @@ class Neighborhood {
     /// Returns a status. On error there are no rows.
     int update(Configuration const &configuration, double reach, double skin) noexcept;
 
-    /// The number of rows: that of the particles, or 0 after an error.
+    /// Returns the number of rows: that of the particles, or 0 after an error.
     std::size_t size() const noexcept { return extents_.size(); }
 
     /// Takes over a change of the cell. Returns false if the cell is singular.
     [[nodiscard]] bool set_cell(Cell const &cell) noexcept;
 
     /// Returns whether particle i, enlarged, with this centre and these half-widths, is in its
-    /// fixed box, and stays there if it moves by `room` along any axis.
+    /// fixed box, and stays there if it moves by `displacement` along any axis.
     [[gnu::always_inline]] bool holds(std::size_t i, Vector3 const &center,
-                                      Vector3 const &half_widths, double room) const noexcept
+                                      Vector3 const &half_widths,
+                                      double displacement) const noexcept
     {
         auto const motions = deformation_.shared_motions({center, half_widths}, extents_[i]);
         bool inside = true;
         for (int d = 0; d < 3; ++d)
-            inside = inside && motions.lower[d] <= -room && room <= motions.upper[d];
+            inside =
+                inside && motions.lower[d] <= -displacement && displacement <= motions.upper[d];
         return inside;
     }
 
@@ -116,7 +118,7 @@ class Neighborhood {
         row(i).prefetch();
     }
 
-    /// The translations of all images.
+    /// Returns the translations of all images.
     Vector3 const *translations() const noexcept { return translations_.data(); }
 
     std::size_t num_images() const noexcept { return translations_.size(); }
@@ -126,7 +128,7 @@ class Neighborhood {
         return images_[static_cast<std::size_t>(image)];
     }
 
-    /// The translation of an image, in the present cell.
+    /// Returns the translation of an image, in the present cell.
     [[gnu::always_inline]] Vector3 const &translation(std::int32_t image) const noexcept
     {
         return translations_[static_cast<std::size_t>(image)];

@@ -21,7 +21,7 @@ double cutoff_of(pw85_law const &law) noexcept
     return law.parameters[law.kind == PW85_LAW_TABLE ? 1 : 4];
 }
 
-/// A bound on the magnitude of the energy of pairs that do not overlap.
+/// Returns a bound on the magnitude of the energy of pairs that do not overlap.
 double bound_of(pw85_law const &law, kernels::InversePowers const &powers) noexcept
 {
     double const *const x = law.parameters;
@@ -52,7 +52,8 @@ int PairEnergy::set(pw85_law const *law) noexcept
     }
     if (law->kind == PW85_LAW_SOFT_REPULSION)
         return refuse_law("must not be a soft repulsion, which ends where the hard cores begin");
-    if (!kernels::is_valid(*law)) return refuse_law("must have parameters within their ranges");
+    if (kernels::LawComplaint const found = kernels::complaint_of(*law); found.text != nullptr)
+        return note_cause(PW85_EINVAL, found.member, found.text, 0, found.entry, found.value);
     double const *const x = law->parameters;
     PairEnergy made;
     if (law->kind == PW85_LAW_INVERSE_POWERS)
@@ -64,7 +65,7 @@ int PairEnergy::set(pw85_law const *law) noexcept
     made.kind_ = law->kind;
     // The relative error of a root is below 2⁻⁵².
     made.reach_ = std::max(1.0, (1.0 + 0x1p-50) * std::sqrt(cutoff_of(*law)));
-    if (made.reach_ > farthest) return refuse_law("must have a cutoff of at most μ = 1000");
+    if (made.reach_ > farthest) return refuse_law("must have a cutoff of at most 10⁶ in μ²");
     *this = std::move(made);
     return PW85_SUCCESS;
 }
@@ -155,7 +156,7 @@ EnergySum Engine::energy_of_row(std::size_t i, IsRead const &is_read) const noex
     return pairs.sum();
 }
 
-/// The energy of some particles that a thread moves, and of all pairs with others.
+/// Returns the energy of some particles that a thread moves, and of all pairs with others.
 EnergySum Engine::energy_of(std::size_t const *particles, std::size_t count,
                             ReadableDomains const &readable) const noexcept
 {
@@ -167,7 +168,7 @@ EnergySum Engine::energy_of(std::size_t const *particles, std::size_t count,
     return sum;
 }
 
-/// The energy of all pairs, by the rows.
+/// Returns the energy of all pairs, by the rows.
 EnergySum Engine::energy_of_rows() const noexcept
 {
     std::atomic<std::int64_t> halves{0};

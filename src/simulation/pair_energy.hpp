@@ -61,22 +61,22 @@ class PairEnergy {
     /// By how much ellipsoids are enlarged that touch if they have an energy; 1 without a law.
     double reach() const noexcept { return reach_; }
 
-    /// The law. It points to the array of this object.
+    /// Returns the law. It points to the array of this object.
     pw85_law law() const noexcept { return {kind_, parameters_.size(), parameters_.data()}; }
 
-    /// The energy of a pair, which counts once or twice.
+    /// Returns the energy of a pair, which counts once or twice.
     EnergySum of(double mu2, int count) const noexcept;
 
-    /// The energies of at most most_at_once pairs by their separations and forms, in lanes.
+    /// Returns the energies of at most most_at_once pairs by their separations and forms, in lanes.
     EnergySum of_pairs(double const *r12, double const *q1, double const *q2, int const *counts,
                        std::size_t n) const noexcept;
 
-    /// The energy of all pairs of a configuration, by a list of neighbours of its own. Returns a
-    /// status.
+    /// Computes the energy of all pairs of a configuration, by a list of neighbours of its own.
+    /// Returns a status.
     int of_all(Configuration const &all, EnergySum &sum) const noexcept;
 
-    /// The virial -2 Σ μ² dβU/dμ² of the same pairs: the trace of Σ r12 ⊗ force on the second
-    /// particle, because r12·∂μ²/∂r12 = 2 μ². Returns a status.
+    /// Computes the virial -2 Σ μ² dβU/dμ² of the same pairs: the trace of Σ r12 ⊗ force on the
+    /// second particle, because r12·∂μ²/∂r12 = 2 μ². Returns a status.
     int virial_of_all(Configuration const &all, double &virial) const noexcept;
 
   private:

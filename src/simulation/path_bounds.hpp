@@ -36,18 +36,18 @@ template <class T> struct PathPolynomial {
         return square_root(maximum(T(0.0), T(approach * approach - excess * speed)));
     }
 
-    /// The first root ahead, or the position of the least value if there is no root; zero if the
-    /// polynomial begins at zero or below, or grows.
+    /// Returns the first root ahead, or the position of the least value if there is no root; zero
+    /// if the polynomial begins at zero or below, or grows.
     [[gnu::always_inline]] T position(T const &root) const noexcept
     {
         T const x = minimum(T(excess / (approach + root)), T(approach / speed));
         return select(approach > T(0.0) && excess > T(0.0), x, T(0.0));
     }
 
-    /// The bound from the position and the root, or infinity if no path up to a length has a
-    /// contact. The polynomial is convex, so its root becomes less by no more than margin/(2 root)
-    /// if the margin is subtracted: `root` is that of the discriminant, half of the slope at the
-    /// first root.
+    /// Returns the bound from the position and the root, or infinity if no path up to a length has
+    /// a contact. The polynomial is convex, so its root becomes less by no more than margin/(2
+    /// root) if the margin is subtracted: `root` is that of the discriminant, half of the slope at
+    /// the first root.
     [[gnu::always_inline]] T bound(T const &position, T const &root, T const &length) const noexcept
     {
         T const lowest = maximum(T(0.0), minimum(T(approach / speed), length));
@@ -105,8 +105,8 @@ template <class T>
     Vector<T, 3> const s = add_scaled(view.s, T(-x), view.s_direction), bent = product(e.q2, s);
     auto const weights = outer_weights(s);
     T const a = quadratic_form(e.q1, weights), b = quadratic_form(e.q2, weights);
-    T const bend = dot(bent, product(view.adjugate, bent)) / view.determinant;
-    Step<T> step = newton_step(slope(first_jet(a, b, bend, t), T(1.0), t));
+    T const c = dot(bent, product(view.adjugate, bent)) / view.determinant;
+    Step<T> step = newton_step(slope(first_jet(a, b, c, t), T(1.0), t));
     step.numerator = maximum(T(-step.denominator), minimum(step.denominator, step.numerator));
     return {T(0.0), t * exponential(step), absolute(step.numerator) / step.denominator};
 }

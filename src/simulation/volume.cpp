@@ -17,8 +17,8 @@ namespace {
 /// Particles per block of a thread: each takes some hundred nanoseconds.
 constexpr std::size_t block_of_particles = 256;
 
-/// The least μ² of all pairs whose bounding boxes meet, the ellipsoids scaled; infinity without
-/// pairs. Returns a status.
+/// Computes the least μ² of all pairs whose bounding boxes meet, the ellipsoids scaled; infinity
+/// without pairs. Returns a status.
 int least_mu2_of_list(pw85_system const &system, double scale, double &mu2) noexcept
 {
     mu2 = HUGE_VAL;
@@ -34,8 +34,8 @@ int least_mu2_of_list(pw85_system const &system, double scale, double &mu2) noex
     return status;
 }
 
-/// The least μ² of all pairs, of which there is at least one. A list that is scaled by s has all
-/// pairs with μ <= s.
+/// Computes the least μ² of all pairs, of which there is at least one. A list that is scaled by s
+/// has all pairs with μ <= s.
 int find_least_mu2(pw85_system const &system, double &mu2) noexcept
 {
     for (double scale = 1.25;;

@@ -24,7 +24,7 @@ constexpr double perpendicular = 0x1p-44;
 /// errors.
 constexpr double margin = 1.0 + 0x1p-40;
 
-/// A direction whose largest coordinate is one, so that no product overflows or vanishes.
+/// Returns a direction whose largest coordinate is one, so that no product overflows or vanishes.
 Vector3 scaled(Vector3 const &direction) noexcept
 {
     double const largest = largest_coordinate(direction);
@@ -158,7 +158,7 @@ bool is_repeated_across(Vector3 const &direction, Cell const &cell) noexcept
 
 namespace {
 
-/// The requirement on the numbers of a wall that does not meet it; null if it does.
+/// Returns the requirement on the numbers of a wall that does not meet it; null if it does.
 char const *requirement_on_numbers(pw85_wall const &wall, bool is_flat) noexcept
 {
     Vector3 const point = load_vector<3>(wall.point), vector = load_vector<3>(wall.vector);
@@ -193,7 +193,7 @@ bool is_repeated(pw85_wall const &wall, Cell const &cell) noexcept
 char const *requirement_on(pw85_wall const &wall, Configuration const &configuration) noexcept
 {
     if (wall.kind < PW85_WALL_PLANE || wall.kind > PW85_WALL_BOX)
-        return "must be of a kind that there is";
+        return "must have a kind PW85_WALL_...";
     if (char const *const text = requirement_on_numbers(wall, configuration.dimensions == 2))
         return text;
     return is_repeated(wall, configuration.cell) ? nullptr

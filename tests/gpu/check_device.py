@@ -16,10 +16,10 @@ from pathlib import Path
 KERNELS = [
     f"pw85_{what}_{stage}"
     for what in ("contact_batch", "overlap_batch", "derivatives_batch", "contact_pairs", "overlap_pairs", "derivatives_pairs")
-    for stage in ("attempt", "settle")
+    for stage in ("attempt", "fallback")
 ] + ["pw85_deliver"]
-MOST_REGISTERS = {"attempt": 128, "settle": 168, "deliver": 128}
-MOST_LOCAL = {"attempt": 0, "settle": 4096, "deliver": 0}
+MOST_REGISTERS = {"attempt": 128, "fallback": 168, "deliver": 128}
+MOST_LOCAL = {"attempt": 0, "fallback": 4096, "deliver": 0}
 
 complaints = []
 
@@ -38,7 +38,7 @@ def check_usage(kernel, registers, local, spilled):
         complain(f"{kernel} has {registers} registers")
     if local > MOST_LOCAL[stage(kernel)]:
         complain(f"{kernel} has {local} bytes of local memory")
-    if spilled > 0 and stage(kernel) != "settle":
+    if spilled > 0 and stage(kernel) != "fallback":
         complain(f"{kernel} spills {spilled} bytes")
 
 

@@ -206,8 +206,8 @@ void run_list(void const *argument, unsigned blocks)
 
 #define ENTRIES(Rows, Out, name)                                                                   \
     {"pw85_" #name "_attempt", sizeof(Attempt<Rows, Out>), run_attempt<Attempt<Rows, Out>>},       \
-        {"pw85_" #name "_settle", sizeof(Settle<Rows, Out>),                                       \
-         run_list<Settle<Rows, Out>, settle<Rows, Out>>},
+        {"pw85_" #name "_fallback", sizeof(Fallback<Rows, Out>),                                   \
+         run_list<Fallback<Rows, Out>, fallback<Rows, Out>>},
 Kernel kernels[] = {
     PW85_GPU_KERNELS(ENTRIES){"pw85_deliver", sizeof(Deliver), run_list<Deliver, deliver>}};
 

@@ -51,9 +51,9 @@ int main(int argc, char **argv)
         Pair3 const pair = load(Pairs{p[i].pair, p[i].pair + 3, p[i].pair + 9}, 0);
         double lambda;
         if (!attempt(ContactArrays{&a[i].mu2, &lambda}, pair, 0))
-            settle(ContactArrays{&a[i].mu2, &lambda}, pair, 0);
+            fallback(ContactArrays{&a[i].mu2, &lambda}, pair, 0);
         OverlapArray const out{&a[i].overlap};
-        a[i].host = !attempt(out, pair, 0) && !settle(out, pair, 0);
+        a[i].host = !attempt(out, pair, 0) && !fallback(out, pair, 0);
     }
 #pragma omp target map(from : on_host)
     on_host = omp_is_initial_device();

@@ -66,7 +66,8 @@ template <class T> PW85_FUNCTION inline Extended<T> not_a_number() noexcept
     return x;
 }
 
-/// The number of zero bits above the highest bit that is set. For zero, all bits are counted.
+/// Returns the number of zero bits above the highest bit that is set. For zero, all bits are
+/// counted.
 template <int N> PW85_FUNCTION inline int leading_zeros(Digits<N> const &x) noexcept
 {
     int i = N - 1;

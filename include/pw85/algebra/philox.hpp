@@ -17,8 +17,9 @@ struct PhiloxWords {
     std::uint32_t word[4];
 };
 
-/// The random words of a counter: a bijection of the counters for each key. Each of the ten rounds
-/// multiplies two of the words and adds the key, which grows by a constant from round to round.
+/// Returns the random words of a counter: a bijection of the counters for each key. Each of the ten
+/// rounds multiplies two of the words and adds the key, which grows by a constant from round to
+/// round.
 [[gnu::always_inline]] PW85_FUNCTION inline PhiloxWords philox(PhiloxWords counter,
                                                                std::uint64_t key) noexcept
 {

@@ -16,8 +16,8 @@ template <class T> PW85_FUNCTION inline int binary_exponent(T const &x) noexcept
     return ilogb(x);
 }
 
-/// The binary exponent of a double, from its bits, because devices have no ilogb. A subnormal
-/// number is first made normal.
+/// Returns the binary exponent of a double, from its bits, because devices have no ilogb. A
+/// subnormal number is first made normal.
 PW85_FUNCTION inline int binary_exponent(double x) noexcept
 {
     bool const subnormal = x < smallest_number<double>();

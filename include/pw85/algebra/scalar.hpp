@@ -196,7 +196,7 @@ template <class T> PW85_FUNCTION inline T coarse_root_of_ratio(T const &x, T con
     return rough_root(rough_quotient(x, y));
 }
 
-/// The bits of a positive double, read as an integer, approximate its logarithm.
+/// Returns the bits of a positive double, read as an integer, approximate its logarithm.
 PW85_FUNCTION inline double coarse_root_of_ratio(double x, double y) noexcept
 {
     static_assert(std::numeric_limits<double>::is_iec559);

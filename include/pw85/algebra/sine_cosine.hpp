@@ -37,7 +37,7 @@ struct ReducedAngle {
     int quarters; ///< the multiple, modulo 4
 };
 
-/// The nearest integer to x, for |x| < 2^51.
+/// Returns the nearest integer to x, for |x| < 2^51.
 PW85_FUNCTION constexpr double nearest_integer(double x) noexcept
 {
     constexpr double shift = 0x1.8p52;
@@ -72,7 +72,7 @@ PW85_FUNCTION inline ReducedAngle reduce_angle(double angle) noexcept
     return reduced;
 }
 
-/// The sine of an angle that is reduced, by its series about the first part.
+/// Returns the sine of an angle that is reduced, by its series about the first part.
 PW85_FUNCTION inline double sine_of_rest(Doubled<double> const &x) noexcept
 {
     double const h = x.high, w = h * h;
@@ -86,7 +86,7 @@ PW85_FUNCTION inline double sine_of_rest(Doubled<double> const &x) noexcept
     return h + (h * w * series + x.low * (1.0 - 0.5 * w));
 }
 
-/// The cosine likewise. The rounding error of 1 - h²/2 is added to the rest of the series.
+/// Returns the cosine likewise. The rounding error of 1 - h²/2 is added to the rest of the series.
 PW85_FUNCTION inline double cosine_of_rest(Doubled<double> const &x) noexcept
 {
     double const h = x.high, w = h * h, half = 0.5 * w, first = 1.0 - half;

@@ -178,7 +178,7 @@ PW85_FUNCTION inline TwoLaneMask operator&&(TwoLaneMask const &x, TwoLaneMask co
     return {x.bits & y.bits};
 }
 #ifdef __SSE2__
-/// The truth values as the two lowest bits.
+/// Returns the truth values as the two lowest bits.
 PW85_FUNCTION inline int to_bits(TwoLaneMask const &mask) noexcept
 {
     return __builtin_ia32_movmskpd((TwoLanes<double>::Register)mask.bits);

@@ -27,7 +27,7 @@ using SignedDoubleLimb = std::int64_t;
 
 static constexpr int limb_bits = std::numeric_limits<Limb>::digits;
 
-/// The number of limbs for this number of bits.
+/// Returns the number of limbs for this number of bits.
 PW85_FUNCTION constexpr int limbs_for(int bits) noexcept
 {
     return (bits + limb_bits - 1) / limb_bits;
@@ -63,7 +63,7 @@ PW85_FUNCTION inline Digits<N + 1> times_power_of_two(Digits<N> const &x, int ex
     return x * Digits<1>{{Limb{1} << exponent}};
 }
 
-/// The largest power of two that divides x > 0.
+/// Returns the largest power of two that divides x > 0.
 template <int N> PW85_FUNCTION inline int trailing_zeros(Digits<N> const &x) noexcept
 {
     int i = 0;
@@ -120,13 +120,13 @@ PW85_FUNCTION inline void add(WideSum sum, Digits<N> const &x, int position, int
     DoubleLimb const neutral = flip & 1;
     DoubleLimb carry = neutral;
     Limb *const limbs = sum.limbs + position;
-    int const room = sum.size - position;
-    for (int i = 0; i < N && i < room; ++i) {
+    int const rest = sum.size - position;
+    for (int i = 0; i < N && i < rest; ++i) {
         carry += DoubleLimb{limbs[i]} + (x.limbs[i] ^ flip);
         limbs[i] = static_cast<Limb>(carry);
         carry >>= limb_bits;
     }
-    for (int i = N; i < room && carry != neutral; ++i) {
+    for (int i = N; i < rest && carry != neutral; ++i) {
         carry += DoubleLimb{limbs[i]} + flip;
         limbs[i] = static_cast<Limb>(carry);
         carry >>= limb_bits;
@@ -141,14 +141,14 @@ PW85_FUNCTION inline void add(WideSum sum, Digits<N> const &x, int position, int
     if (negative) complement(sum);
     for (int i = 0; i < x.size && i < sum.size; ++i) {
         Limb *const limbs = sum.limbs + i;
-        int const room = sum.size - i, size = y.size < room ? y.size : room;
+        int const rest = sum.size - i, size = y.size < rest ? y.size : rest;
         DoubleLimb carry = 0;
         for (int j = 0; j < size; ++j) {
             carry += limbs[j] + DoubleLimb{x.limbs[i]} * y.limbs[j];
             limbs[j] = static_cast<Limb>(carry);
             carry >>= limb_bits;
         }
-        for (int j = size; j < room && carry != 0; ++j) {
+        for (int j = size; j < rest && carry != 0; ++j) {
             carry += limbs[j];
             limbs[j] = static_cast<Limb>(carry);
             carry >>= limb_bits;
@@ -187,8 +187,8 @@ struct SumOfProducts {
     DoubleLimb low, high;
 };
 
-/// The sum of the products that contribute to one limb of |x y|, without the carry from lower
-/// limbs.
+/// Returns the sum of the products that contribute to one limb of |x y|, without the carry from
+/// lower limbs.
 PW85_FUNCTION inline SumOfProducts column_of_product(WideInteger x, WideInteger y,
                                                      int column) noexcept
 {
@@ -201,9 +201,9 @@ PW85_FUNCTION inline SumOfProducts column_of_product(WideInteger x, WideInteger 
     return sum;
 }
 
-/// The sign of |x y| - |u v|. It needs no memory for the products. The difference is computed limb
-/// by limb, the lowest one first. Only two facts are kept: whether all limbs are zero, and what the
-/// last limb borrows.
+/// Returns the sign of |x y| - |u v|. It needs no memory for the products. The difference is
+/// computed limb by limb, the lowest one first. Only two facts are kept: whether all limbs are
+/// zero, and what the last limb borrows.
 [[gnu::noinline]] PW85_FUNCTION inline int compare_products(WideInteger x, WideInteger y,
                                                             WideInteger u, WideInteger v) noexcept
 {

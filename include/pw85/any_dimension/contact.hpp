@@ -66,7 +66,7 @@ contact_extended(Input const &in, Units const &units) noexcept
     return {m.mu2, units.swapped ? m.complement : m.lambda, StatusCode::success};
 }
 
-/// The contact function of a valid pair with r12 != 0, in the units of the pair.
+/// Returns the contact function of a valid pair with r12 != 0, in the units of the pair.
 PW85_FUNCTION inline Contact<double> contact_in_units(Input const &in, Units const &units) noexcept
 {
     if (!keep_digits(in, units)) return all_nan<Contact<double>>(StatusCode::no_convergence);

@@ -34,24 +34,24 @@ struct NdContainmentScale {
 namespace pw85::detail::any_dimension {
 
 /// κ² from below by a direction s with s·r12 >= 0.
-template <class T> struct Reach {
+template <class T> struct SupportRatio {
     T s[max_dimension], q2s[max_dimension];
     T mu2;                 ///< 0 if s is not a direction
     T form1, root2, along; ///< sᵀQ1s, √(sᵀQ2s) and s·r12
     T nu;                  ///< the ν that belongs to s: κ √(sᵀQ2s)/√(sᵀQ1s)
 };
 
-/// The state of the search for κ: see GaugeSearch.
-template <class T> struct ReachSearch {
+/// The state of the search for κ: see DualBoundSearch of overlap/containment_factor.hpp.
+template <class T> struct DualBoundSearch {
     T lower, upper; ///< of ν
     T bound, nu;    ///< κ² from above, and the ν that gives it
     T width;
-    Reach<T> best;
+    SupportRatio<T> best;
 };
 
-/// support_ratio() in n dimensions.
+/// Computes the support ratio of a direction s.
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline void
-reach_along(Pair<T> const &pair, T const *s, Reach<T> &reach) noexcept
+support_ratio(Pair<T> const &pair, T const *s, SupportRatio<T> &reach) noexcept
 {
     int const n = pair.n;
     T q1s[max_dimension]{};
@@ -72,8 +72,8 @@ reach_along(Pair<T> const &pair, T const *s, Reach<T> &reach) noexcept
     reach.nu = valid ? T(sum * reach.root2 / form1) : T(0);
 }
 
-template <class T>
-PW85_FUNCTION inline void keep_better(ReachSearch<T> &search, Reach<T> const &reach) noexcept
+template <class T> PW85_FUNCTION inline void keep_better(DualBoundSearch<T> &search,
+                                                         SupportRatio<T> const &reach) noexcept
 {
     if (reach.mu2 > search.best.mu2) search.best = reach;
 }
@@ -102,7 +102,7 @@ find_null_vector(Pair<T> const &pair, Evaluation<T> const &at, T *z) noexcept
 /// reach_beyond() in n dimensions: the two vectors s + αz with sᵀQ2s = ν².
 template <class T> PW85_FUNCTION inline void try_beyond(Pair<T> const &pair,
                                                         Evaluation<T> const &at, T const &nu,
-                                                        ReachSearch<T> &search) noexcept
+                                                        DualBoundSearch<T> &search) noexcept
 {
     int const n = pair.n;
     T z[max_dimension]{}, q2z[max_dimension]{};
@@ -113,9 +113,9 @@ template <class T> PW85_FUNCTION inline void try_beyond(Pair<T> const &pair,
     if (!(discriminant >= T(0) && a > T(0))) return;
     T const root = square_root(discriminant), sum = b < T(0) ? T(b - root) : T(b + root);
     for (T const &alpha : {T(-(c / sum)), T(-(sum / a))}) {
-        Reach<T> reach;
+        SupportRatio<T> reach;
         for (int i = 0; i < n; ++i) q2z[i] = at.s[i] + alpha * z[i];
-        reach_along(pair, q2z, reach);
+        support_ratio(pair, q2z, reach);
         keep_better(search, reach);
     }
 }
@@ -132,8 +132,10 @@ PW85_FUNCTION inline T residual_form(Pair<T> const &pair, T const &t, Evaluation
 
 /// Evaluates at ν, and returns the ν that Newton's method suggests (take_gauge_step()). M must be
 /// positive definite in spite of rounding: its factors err by n (n + 4) u of its diagonal.
-template <class T> [[gnu::noinline]] PW85_FUNCTION inline T
-evaluate_reach(Pair<T> const &pair, ReachSearch<T> &search, T const &nu, Evaluation<T> &at) noexcept
+template <class T>
+[[gnu::noinline]] PW85_FUNCTION inline T evaluate_dual(Pair<T> const &pair,
+                                                       DualBoundSearch<T> &search, T const &nu,
+                                                       Evaluation<T> &at) noexcept
 {
     int const n = pair.n;
     T const t = T(-1) / nu, error = T(4 * factorization_error(n)) * T(unit_roundoff<T>());
@@ -145,8 +147,8 @@ evaluate_reach(Pair<T> const &pair, ReachSearch<T> &search, T const &nu, Evaluat
     T const form = dot(n, at.s, at.p) + t * q;
     T const upper = nu + (T(2) * dot(n, pair.r12, at.s) - form) + residual_form(pair, t, at);
     if (upper < search.bound) search.bound = upper, search.nu = nu;
-    Reach<T> reach;
-    reach_along(pair, at.s, reach);
+    SupportRatio<T> reach;
+    support_ratio(pair, at.s, reach);
     keep_better(search, reach);
     if (e < T(1)) try_beyond(pair, at, nu, search);
     (e > T(1) ? search.lower : search.upper) = nu;
@@ -157,7 +159,7 @@ evaluate_reach(Pair<T> const &pair, ReachSearch<T> &search, T const &nu, Evaluat
 
 /// ratio_condition_sum() in n dimensions.
 template <class T>
-PW85_FUNCTION inline T condition_sum(Pair<T> const &pair, Reach<T> const &reach) noexcept
+PW85_FUNCTION inline T condition_sum(Pair<T> const &pair, SupportRatio<T> const &reach) noexcept
 {
     int const n = pair.n;
     T form1 = T(0), form2 = T(0), along = T(0);
@@ -175,7 +177,7 @@ PW85_FUNCTION inline T condition_sum(Pair<T> const &pair, Reach<T> const &reach)
 }
 
 template <class T> PW85_FUNCTION inline bool
-is_settled(Pair<T> const &pair, ReachSearch<T> const &search, T const &tolerance) noexcept
+has_converged(Pair<T> const &pair, DualBoundSearch<T> const &search, T const &tolerance) noexcept
 {
     T const mu2 = search.best.mu2, gap = search.bound - mu2;
     return mu2 > T(0) &&
@@ -195,8 +197,8 @@ PW85_FUNCTION inline T initial_nu(Pair<T> const &pair, Evaluation<T> &at) noexce
         solve(n, at.factors, column, at.v);
         sum = sum + at.v[i];
     }
-    Reach<T> reach;
-    reach_along(pair, at.s, reach);
+    SupportRatio<T> reach;
+    support_ratio(pair, at.s, reach);
     T const ball = reach.mu2 > T(0)
                        ? T(square_root(reach.mu2) * (reach.root2 / square_root(reach.form1)))
                        : T(0);
@@ -205,10 +207,9 @@ PW85_FUNCTION inline T initial_nu(Pair<T> const &pair, Evaluation<T> &at) noexce
 
 /// Searches until is_done(search), for search_gauge() steps. Returns false if the search ends
 /// otherwise.
-template <class T, class Done>
-[[gnu::noinline]] PW85_FUNCTION inline bool search_reach(Pair<T> const &pair,
-                                                         ReachSearch<T> &search, Evaluation<T> &at,
-                                                         Done const &is_done) noexcept
+template <class T, class Done> [[gnu::noinline]] PW85_FUNCTION inline bool
+minimize_dual(Pair<T> const &pair, DualBoundSearch<T> &search, Evaluation<T> &at,
+              Done const &is_done) noexcept
 {
     T const largest = largest_number<T>();
     search.lower = T(0);
@@ -220,7 +221,7 @@ template <class T, class Done>
     search.best.mu2 = search.best.nu = T(0);
     T nu = initial_nu(pair, at);
     for (int step = 0; step < max_dual_steps<T>(); ++step) {
-        T next = evaluate_reach(pair, search, nu, at);
+        T next = evaluate_dual(pair, search, nu, at);
         if (is_done(search)) return true;
         if (!(next > search.lower && next < search.upper)) next = next_in_bracket(search);
         if (!(next > search.lower && next < search.upper)) return false;
@@ -290,11 +291,11 @@ decide_containment_in(Input const &in, int unit, Workspace<T> &work) noexcept
         if (shows_outside(pair, axis)) return ContainmentDecision::outside;
     }
     if (shows_inside(pair, T(0.5), at.factors)) return ContainmentDecision::inside;
-    ReachSearch<T> search;
+    DualBoundSearch<T> search;
     T const tolerance = T(4) * T(unit_roundoff<T>()), margin = T(0x1p-20);
-    search_reach(pair, search, at, [&](auto const &found) {
+    minimize_dual(pair, search, at, [&](auto const &found) {
         return found.bound < T(1) - margin || found.best.mu2 > T(1) + margin ||
-               is_settled(pair, found, tolerance);
+               has_converged(pair, found, tolerance);
     });
     if (search.best.mu2 > T(1) && shows_outside(pair, search.best.s))
         return ContainmentDecision::outside;
@@ -341,13 +342,13 @@ PW85_FUNCTION inline ReachUnits scale_for_reach(Input const &in, Pair<double> &p
 /// Memory of a search for κ.
 template <class T> struct ReachWorkspace {
     Workspace<T> work;
-    ReachSearch<T> search;
+    DualBoundSearch<T> search;
 };
 
 /// κ² and the point in the units of the pair, by numbers of type T. Returns false if the bounds on
 /// κ² differ by more than tolerance S, with S of condition_sum().
 template <class T>
-[[gnu::noinline]] PW85_FUNCTION inline bool find_reach(Pair<double> const &given, double tolerance,
+[[gnu::noinline]] PW85_FUNCTION inline bool find_scale(Pair<double> const &given, double tolerance,
                                                        double &mu2, double *point,
                                                        ReachWorkspace<T> &memory) noexcept
 {
@@ -358,41 +359,41 @@ template <class T>
     scale(n, given.r12, 0, 1.0, pair.r12);
     scale(packed_size(n), given.q1, 0, 1.0, pair.q1);
     scale(packed_size(n), given.q2, 0, 1.0, pair.q2);
-    bool const settled = search_reach(pair, memory.search, at, [&](auto const &state) {
-        return is_settled(pair, state, T(tolerance));
+    bool const converged = minimize_dual(pair, memory.search, at, [&](auto const &state) {
+        return has_converged(pair, state, T(tolerance));
     });
     auto const &best = memory.search.best;
     mu2 = rounded(best.mu2);
     for (int i = 0; i < n; ++i) point[i] = rounded(T(pair.r12[i] + best.q2s[i] / best.root2));
-    return settled;
+    return converged;
 }
 
 /// Searches with numbers of twice, and then of seven times, the digits.
 [[gnu::cold, gnu::noinline]] PW85_FUNCTION inline StatusCode
-find_reach_wider(Pair<double> const &pair, double &mu2, double *point) noexcept
+find_scale_wider(Pair<double> const &pair, double &mu2, double *point) noexcept
 {
     constexpr double u = unit_roundoff<double>();
     if constexpr (FLT_EVAL_METHOD == 0) {
         ReachWorkspace<Doubled<double>> memory;
-        if (find_reach(pair, u, mu2, point, memory)) return StatusCode::success;
+        if (find_scale(pair, u, mu2, point, memory)) return StatusCode::success;
     }
     using Memory = ReachWorkspace<exact::Extended<double>>;
     auto *const memory = static_cast<Memory *>(std::malloc(sizeof(Memory)));
     if (memory == nullptr) return StatusCode::out_of_memory;
-    bool const settled = find_reach(pair, u, mu2, point, *memory);
+    bool const converged = find_scale(pair, u, mu2, point, *memory);
     std::free(memory);
-    return settled ? StatusCode::success : StatusCode::no_convergence;
+    return converged ? StatusCode::success : StatusCode::no_convergence;
 }
 
 /// Searches with double precision first. It rounds the lower bound by (5n/4 + 12) u S, the upper
 /// one by as much, and M by 3 u S: with the tolerance the error is below (2n + 20) u S.
-PW85_FUNCTION inline StatusCode find_reach(Pair<double> const &pair, double &mu2,
+PW85_FUNCTION inline StatusCode find_scale(Pair<double> const &pair, double &mu2,
                                            double *point) noexcept
 {
     ReachWorkspace<double> memory;
-    if (find_reach(pair, 4.0 * unit_roundoff<double>(), mu2, point, memory))
+    if (find_scale(pair, 4.0 * unit_roundoff<double>(), mu2, point, memory))
         return StatusCode::success;
-    return find_reach_wider(pair, mu2, point);
+    return find_scale_wider(pair, mu2, point);
 }
 
 } // namespace pw85::detail::any_dimension
@@ -413,8 +414,9 @@ PW85_FUNCTION inline NdContainment nd_contains(int n, double const *r12, double 
                                   : NdContainment{answer == 1, status};
 }
 
-/// The factor by which ellipsoid 1 must be scaled to contain ellipsoid 2 in n dimensions, and where
-/// they touch then: n numbers, on the surface of ellipsoid 2, relative to the centre of ellipsoid
+/// Returns the factor by which ellipsoid 1 must be scaled to contain ellipsoid 2 in n dimensions,
+/// and where they touch then: n numbers, on the surface of ellipsoid 2, relative to the centre of
+/// ellipsoid
 /// 1. A null pointer leaves the point out. It is not stored if the status is not success.
 PW85_FUNCTION inline NdContainmentScale nd_containment(int n, double const *r12, double const *q1,
                                                        double const *q2, double *point) noexcept
@@ -429,7 +431,7 @@ PW85_FUNCTION inline NdContainmentScale nd_containment(int n, double const *r12,
     double mu2 = quiet_nan<double>(), at[max_dimension]{};
     bool const in_range =
         keeps_digits(n, q1, -2 * units.form) && keeps_digits(n, q2, -2 * units.second);
-    status = in_range ? find_reach(pair, mu2, at) : StatusCode::no_convergence;
+    status = in_range ? find_scale(pair, mu2, at) : StatusCode::no_convergence;
     if (status != StatusCode::success) return {quiet_nan<double>(), status};
     for (int i = 0; point != nullptr && i < n; ++i)
         point[i] = times_power_of_two(at[i], units.length);

@@ -39,7 +39,7 @@ status_of_difficult_form(int n, double const *q, int exponent) noexcept
                                     : StatusCode::not_positive_definite;
 }
 
-/// The status of numbers that must be finite.
+/// Returns the status of numbers that must be finite.
 PW85_FUNCTION inline StatusCode status_of_numbers(int size, double const *x) noexcept
 {
     double sum = 0.0;
@@ -47,7 +47,7 @@ PW85_FUNCTION inline StatusCode status_of_numbers(int size, double const *x) noe
     return sum == 0.0 ? StatusCode::success : StatusCode::invalid_argument;
 }
 
-/// The status of one form. Whether it is positive definite is decided exactly.
+/// Returns the status of one form. Whether it is positive definite is decided exactly.
 PW85_FUNCTION inline StatusCode status_of_form(int n, double const *q) noexcept
 {
     if (status_of_numbers(packed_size(n), q) != StatusCode::success)
@@ -62,7 +62,7 @@ PW85_FUNCTION inline StatusCode status_of_form(int n, double const *q) noexcept
 
 PW85_FUNCTION constexpr bool is_dimension(int n) noexcept { return n >= 1 && n <= max_dimension; }
 
-/// The status of a pair.
+/// Returns the status of a pair.
 [[gnu::noinline]] PW85_FUNCTION inline StatusCode status_of(Input const &in) noexcept
 {
     if (!is_dimension(in.n) || status_of_numbers(in.n, in.r12) != StatusCode::success)

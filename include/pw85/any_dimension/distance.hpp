@@ -114,7 +114,7 @@ struct NormalSlab {
     bool accurate;
 };
 
-/// The point Qn/√(nᵀQn), and the width √(nᵀQn).
+/// Returns the point Qn/√(nᵀQn), and the width √(nᵀQn).
 PW85_FUNCTION inline Doubled<double> find_support(int n, Doubled<double> const *q,
                                                   Doubled<double> const *normal,
                                                   Doubled<double> *point) noexcept
@@ -234,9 +234,9 @@ PW85_FUNCTION inline void store(Input const &in, int unit, NormalSlab const &sla
 
 namespace pw85 {
 
-/// The distance of two ellipsoids in n dimensions; see nd_contact(). The points, relative to the
-/// centre of ellipsoid 1, and the normal, out of ellipsoid 1, are stored if the status is success
-/// and the ellipsoids do not overlap.
+/// Returns the distance of two ellipsoids in n dimensions; see nd_contact(). The points, relative
+/// to the centre of ellipsoid 1, and the normal, out of ellipsoid 1, are stored if the status is
+/// success and the ellipsoids do not overlap.
 PW85_FUNCTION inline NdDistance nd_distance(int n, double const *r12, double const *q1,
                                             double const *q2, NdClosestPoints const &out) noexcept
 {

@@ -50,7 +50,8 @@ PW85_FUNCTION inline void stretch(ExactPolynomial &p) noexcept
     for (int i = 0; i < p.degree; ++i) p.c[i] = p.c[i] * to_integer(1.0, p.degree - i);
 }
 
-/// How often the coefficients change sign: the number of positive roots, if all roots are real.
+/// Counts the changes of sign of the coefficients: the number of positive roots, if all roots are
+/// real.
 PW85_FUNCTION inline int count_sign_changes(ExactPolynomial const &p) noexcept
 {
     int count = 0, last = 0;
@@ -69,8 +70,9 @@ PW85_FUNCTION inline void set_leading(ExactPolynomial &p, Integer const &leading
     for (int i = 0; i <= p.degree; ++i) p.c[i] = exact_quotient(leading * p.c[i], old);
 }
 
-/// The greatest common divisor, up to a factor. Returns whether there is memory. Its leading
-/// coefficient becomes that of y: y is an integer times a divisor with integer coefficients.
+/// Computes the greatest common divisor, up to a factor. Returns whether there is memory. Its
+/// leading coefficient becomes that of y: y is an integer times a divisor with integer
+/// coefficients.
 PW85_FUNCTION inline bool find_common_divisor(ExactPolynomial const &x, ExactPolynomial const &y,
                                               ExactPolynomial &divisor) noexcept
 {
@@ -115,8 +117,8 @@ PW85_FUNCTION inline bool remove_roots(ExactPolynomial &p, ExactPolynomial const
     }
 }
 
-/// Which of three polynomials has the largest root, or -1 if there is no memory. All roots must be
-/// real and between 0 and 1, and no two polynomials may have one in common.
+/// Returns the index of the polynomial with the largest root of three, or -1 if there is no memory.
+/// All roots must be real and between 0 and 1, and no two polynomials may have one in common.
 PW85_FUNCTION inline int find_largest_root(ExactPolynomial (&p)[3]) noexcept
 {
     for (;;) {

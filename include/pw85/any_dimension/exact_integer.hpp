@@ -96,7 +96,7 @@ PW85_FUNCTION inline Integer to_integer(double x, long exponent) noexcept
     return result;
 }
 
-/// The sign of |x| - |y|.
+/// Returns the sign of |x| - |y|.
 PW85_FUNCTION inline int compare_magnitudes(Integer const &x, Integer const &y) noexcept
 {
     if (x.size() != y.size()) return x.size() > y.size() ? 1 : -1;
@@ -165,7 +165,7 @@ PW85_FUNCTION inline Integer operator-(Integer const &x, Integer const &y) noexc
 
 PW85_FUNCTION inline Integer copy(Integer const &x) noexcept { return x + Integer(); }
 
-/// The number of zero bits below the lowest bit that is set, for x != 0.
+/// Returns the number of zero bits below the lowest bit that is set, for x != 0.
 PW85_FUNCTION inline std::size_t trailing_zeros(Integer const &x) noexcept
 {
     std::size_t i = 0;
@@ -190,8 +190,8 @@ PW85_FUNCTION inline Integer shifted_down(Integer const &x, std::size_t zeros) n
     return result;
 }
 
-/// The inverse of an odd number modulo 2^limb_bits. Newton's method doubles the right bits, which
-/// are three at first: x² = 1 modulo 8.
+/// Returns the inverse of an odd number modulo 2^limb_bits. Newton's method doubles the right bits,
+/// which are three at first: x² = 1 modulo 8.
 PW85_FUNCTION constexpr Limb inverse_of_odd(Limb x) noexcept
 {
     Limb y = x;

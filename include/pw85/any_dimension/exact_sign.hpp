@@ -22,13 +22,13 @@ namespace pw85::detail::any_dimension {
 
 inline constexpr int sign_unknown = Integer::undefined; ///< there is no memory
 
-/// The power of two by which an axis is scaled: its longest extent becomes about one.
+/// Returns the power of two by which an axis is scaled: its longest extent becomes about one.
 PW85_FUNCTION inline int axis_exponent(double q1, double q2) noexcept
 {
     return -half_exponent(maximum(q1, q2));
 }
 
-/// The exponent of the lowest bit of x 2^exponent, or `otherwise` for 0.
+/// Returns the exponent of the lowest bit of x 2^exponent, or `otherwise` for 0.
 PW85_FUNCTION inline long lowest_bit(double x, long exponent, long otherwise) noexcept
 {
     if (x == 0.0) return otherwise;
@@ -219,7 +219,7 @@ PW85_FUNCTION inline Integer power(Integer const &x, int exponent) noexcept
     return result;
 }
 
-/// How often the sign changes along Sturm's sequence at 0, minus at infinity.
+/// Counts the changes of sign along Sturm's sequence at 0, minus at infinity.
 struct SignChanges {
     int at_zero = 0, at_infinity = 0, difference = 0;
 
@@ -287,7 +287,8 @@ PW85_FUNCTION inline RootCount count_roots(ExactPolynomial (&pair)[2]) noexcept
     return last == nullptr ? RootCount{-1, 0} : RootCount{changes.difference, last->degree};
 }
 
-/// The sign of μ² - m for a pair of positive definite forms and a finite m > 0, or sign_unknown.
+/// Returns the sign of μ² - m for a pair of positive definite forms and a finite m > 0, or
+/// sign_unknown.
 [[gnu::cold, gnu::noinline]] PW85_FUNCTION inline int compare_exactly(Input const &in,
                                                                       double m) noexcept
 {

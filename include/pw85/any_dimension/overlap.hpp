@@ -113,7 +113,7 @@ decide_in(Input const &in, Units const &units, double m, Workspace<T> &work) noe
     return Decision::none;
 }
 
-/// The sign of μ² - m for a valid pair with r12 != 0 and a finite m > 0, or sign_unknown.
+/// Returns the sign of μ² - m for a valid pair with r12 != 0 and a finite m > 0, or sign_unknown.
 PW85_FUNCTION inline int sign_of_difference(Input const &in, double m) noexcept
 {
     Units const units = units_of(in);
@@ -130,7 +130,7 @@ PW85_FUNCTION inline int sign_of_difference(Input const &in, double m) noexcept
 
 namespace pw85 {
 
-/// The sign of μ² - m in n dimensions, exactly; see nd_contact().
+/// Returns the sign of μ² - m in n dimensions, exactly; see nd_contact().
 PW85_FUNCTION inline NdComparison nd_compare(int n, double const *r12, double const *q1,
                                              double const *q2, double m) noexcept
 {

@@ -19,16 +19,16 @@ namespace pw85::detail::any_dimension {
 
 inline constexpr int max_dimension = 16;
 
-/// The number of entries of a packed matrix.
+/// Returns the number of entries of a packed matrix.
 PW85_FUNCTION constexpr int packed_size(int n) noexcept { return n * (n + 1) / 2; }
 
 inline constexpr int max_packed_size = packed_size(max_dimension);
 
-/// Where row i would begin if it had entries below the diagonal: entry (i, j) with i <= j is at
-/// row_offset(n, i) + j.
+/// Returns the position at which row i would begin if it had entries below the diagonal: entry (i,
+/// j) with i <= j is at row_offset(n, i) + j.
 PW85_FUNCTION constexpr int row_offset(int n, int i) noexcept { return i * (2 * n - i - 1) / 2; }
 
-/// The place of entry (i, j) = (j, i).
+/// Returns the place of entry (i, j) = (j, i).
 PW85_FUNCTION constexpr int packed_index(int n, int i, int j) noexcept
 {
     return i <= j ? row_offset(n, i) + j : row_offset(n, j) + i;
@@ -107,11 +107,11 @@ template <class T> PW85_FUNCTION inline T determinant(int n, T const *factors) n
     return det;
 }
 
-/// A bound, in units of u, on the norm of E in A + E = L D Lᵀ relative to the diagonal: xᵀEx <= n
-/// (n + 4) u Σ a_ii x_i². An entry is at most (n + 3) u √(a_ii a_jj)/(1 - (n + 3) u): N. J. Higham,
-/// Accuracy and Stability of Numerical Algorithms, theorem 10.5, with two more roundings by the
-/// reciprocal of the pivot; |L| D |Lᵀ| has such entries by Cauchy and Schwarz. A matrix whose
-/// entries have these bounds has the norm n times that of an entry.
+/// Returns a bound, in units of u, on the norm of E in A + E = L D Lᵀ relative to the diagonal:
+/// xᵀEx <= n (n + 4) u Σ a_ii x_i². An entry is at most (n + 3) u √(a_ii a_jj)/(1 - (n + 3) u): N.
+/// J. Higham, Accuracy and Stability of Numerical Algorithms, theorem 10.5, with two more roundings
+/// by the reciprocal of the pivot; |L| D |Lᵀ| has such entries by Cauchy and Schwarz. A matrix
+/// whose entries have these bounds has the norm n times that of an entry.
 PW85_FUNCTION constexpr int factorization_error(int n) noexcept { return n * (n + 4); }
 
 /// Returns whether A - shift diag(A) has positive pivots. Then xᵀAx >= (shift - n (n + 4) u) Σ a_ii

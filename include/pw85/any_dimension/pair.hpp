@@ -44,7 +44,8 @@ PW85_FUNCTION inline double largest_magnitude(int n, double const *x) noexcept
     return largest;
 }
 
-/// The units of a pair with positive diagonals. Pairs of ordinary sizes keep those of the caller.
+/// Returns the units of a pair with positive diagonals. Pairs of ordinary sizes keep those of the
+/// caller.
 PW85_FUNCTION inline Units units_of(Input const &in) noexcept
 {
     double const r = largest_magnitude(in.n, in.r12);

@@ -110,8 +110,8 @@ template <class T> PW85_FUNCTION inline T inverse_bound(Pair<T> const &pair, T c
     return sum;
 }
 
-/// A bound on the error of s in the norm of M, in units of u κ with κ from inverse_bound(): the
-/// backward error of factorisation and of both solutions, (3n + 3) u |L| D |Lᵀ| (N. J. Higham,
+/// Returns a bound on the error of s in the norm of M, in units of u κ with κ from inverse_bound():
+/// the backward error of factorisation and of both solutions, (3n + 3) u |L| D |Lᵀ| (N. J. Higham,
 /// theorem 10.4, with two more roundings by the reciprocals), whose norm is that of
 /// factorization_error().
 PW85_FUNCTION constexpr int solution_error(int n) noexcept { return n * (3 * n + 4); }
@@ -139,7 +139,7 @@ last_evaluation(Pair<T> const &pair, Candidate<T> const &candidate, Evaluation<T
                        is_certified(candidate, value.step, error, T(1))};
 }
 
-/// Where a search begins.
+/// The start of a search.
 template <class T>
 PW85_FUNCTION inline Candidate<T> start(Pair<T> const &pair, Evaluation<T> &at) noexcept
 {

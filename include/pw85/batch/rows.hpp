@@ -17,7 +17,7 @@ namespace pw85 {
 /// @name Many pairs
 /// @{
 
-/// contact() for many pairs: see pw85_contact_batch().
+/// Computes contact() for many pairs: see pw85_contact_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] mu2 one for each pair
@@ -29,7 +29,7 @@ static inline StatusCode contact_batch(Vectors r12, Forms q1, Forms q2, std::spa
     return detail::call_rows(pw85_contact_batch, r12, q1, q2, mu2, lambda);
 }
 
-/// overlap() for many pairs: see pw85_overlap_batch().
+/// Computes overlap() for many pairs: see pw85_overlap_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] overlap one for each pair: 1, 0, or 255 for a bad pair
@@ -40,7 +40,7 @@ static inline StatusCode overlap_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_overlap_batch, r12, q1, q2, overlap);
 }
 
-/// contact_rounded() for many pairs: see pw85_contact_rounded_batch().
+/// Computes contact_rounded() for many pairs: see pw85_contact_rounded_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] mu2,lambda one for each pair, or empty
@@ -52,7 +52,7 @@ static inline StatusCode contact_rounded_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_contact_rounded_batch, r12, q1, q2, mu2, lambda);
 }
 
-/// overlap_factored() for many pairs: see pw85_overlap_factored_batch().
+/// Computes overlap_factored() for many pairs: see pw85_overlap_factored_batch().
 ///
 /// @param r12,s1,s2 one for each pair
 /// @param[out] overlap one for each pair: 1, 0, or 255 for a bad pair
@@ -64,7 +64,7 @@ static inline StatusCode overlap_factored_batch(Vectors r12, std::span<Factor<do
     return detail::call_rows(pw85_overlap_factored_batch, r12, s1, s2, overlap);
 }
 
-/// compare() for many pairs: see pw85_compare_batch().
+/// Computes compare() for many pairs: see pw85_compare_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param mu2 one for each pair; >= 0; may be infinite
@@ -76,7 +76,7 @@ static inline StatusCode compare_batch(Vectors r12, Forms q1, Forms q2, std::spa
     return detail::call_rows(pw85_compare_batch, r12, q1, q2, mu2, sign);
 }
 
-/// overlap_witness() for many pairs: see pw85_overlap_witness_batch().
+/// Computes overlap_witness() for many pairs: see pw85_overlap_witness_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] overlap one for each pair: 1, 0, or 255 for a bad pair
@@ -91,7 +91,7 @@ static inline StatusCode overlap_witness_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_overlap_witness_batch, r12, q1, q2, overlap, lambda, point);
 }
 
-/// contains() for many pairs: see pw85_contains_batch().
+/// Computes contains() for many pairs: see pw85_contains_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] contains one for each pair: 1, 0, or 255 for a bad pair
@@ -102,7 +102,7 @@ static inline StatusCode contains_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_contains_batch, r12, q1, q2, contains);
 }
 
-/// containment() for many pairs: see pw85_containment_batch().
+/// Computes containment() for many pairs: see pw85_containment_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] mu2,point one for each pair, or empty
@@ -113,7 +113,7 @@ static inline StatusCode containment_batch(Vectors r12, Forms q1, Forms q2, std:
     return detail::call_rows(pw85_containment_batch, r12, q1, q2, mu2, point);
 }
 
-/// closest_passage() for many pairs: see pw85_closest_passage_batch().
+/// Computes closest_passage() for many pairs: see pw85_closest_passage_batch().
 ///
 /// @param r12,q1,q2,velocity one for each pair
 /// @param t_max the end of the time; for all rows; >= 0; may be infinite
@@ -127,7 +127,7 @@ static inline StatusCode closest_passage_batch(Vectors r12, Forms q1, Forms q2, 
     return detail::call_rows(pw85_closest_passage_batch, r12, q1, q2, velocity, t_max, mu2, t);
 }
 
-/// free_path() for many pairs: see pw85_free_path_batch().
+/// Computes free_path() for many pairs: see pw85_free_path_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param directions one for each pair; not zero
@@ -141,7 +141,7 @@ static inline StatusCode free_path_batch(Vectors r12, Forms q1, Forms q2, Vector
     return detail::call_rows(pw85_free_path_batch, r12, q1, q2, directions, t_max, t);
 }
 
-/// closest_approach() for many pairs: see pw85_closest_approach_batch().
+/// Computes closest_approach() for many pairs: see pw85_closest_approach_batch().
 ///
 /// @param directions one for each pair; not zero
 /// @param q1,q2 one for each pair
@@ -153,7 +153,7 @@ static inline StatusCode closest_approach_batch(Vectors directions, Forms q1, Fo
     return detail::call_rows(pw85_closest_approach_batch, directions, q1, q2, distance);
 }
 
-/// volume() for many ellipsoids: see pw85_volume_batch().
+/// Computes volume() for many ellipsoids: see pw85_volume_batch().
 ///
 /// @param q one for each ellipsoid
 /// @param[out] volume one for each ellipsoid
@@ -163,7 +163,7 @@ static inline StatusCode volume_batch(Forms q, std::span<double> volume) noexcep
     return detail::call_rows(pw85_volume_batch, q, volume);
 }
 
-/// overlap_volume() for many pairs: see pw85_overlap_volume_batch().
+/// Computes overlap_volume() for many pairs: see pw85_overlap_volume_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] volume one for each pair
@@ -174,7 +174,7 @@ static inline StatusCode overlap_volume_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_overlap_volume_batch, r12, q1, q2, volume);
 }
 
-/// overlap_volume_gradient() for many pairs: see pw85_overlap_volume_gradient_batch().
+/// Computes overlap_volume_gradient() for many pairs: see pw85_overlap_volume_gradient_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] d_r12,d_q1,d_q2 one for each pair, or empty
@@ -187,7 +187,7 @@ static inline StatusCode overlap_volume_gradient_batch(
     return detail::call_rows(pw85_overlap_volume_gradient_batch, r12, q1, q2, d_r12, d_q1, d_q2);
 }
 
-/// overlap_volume_torque() for many pairs: see pw85_overlap_volume_torque_batch().
+/// Computes overlap_volume_torque() for many pairs: see pw85_overlap_volume_torque_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] d_rot1,d_rot2 one for each pair, or empty
@@ -199,7 +199,7 @@ static inline StatusCode overlap_volume_torque_batch(
     return detail::call_rows(pw85_overlap_volume_torque_batch, r12, q1, q2, d_rot1, d_rot2);
 }
 
-/// overlap_volume_plane() for many ellipsoids and half-spaces: see
+/// Computes overlap_volume_plane() for many ellipsoids and half-spaces: see
 /// pw85_overlap_volume_plane_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
@@ -213,7 +213,7 @@ static inline StatusCode overlap_volume_plane_batch(Vectors normals,
     return detail::call_rows(pw85_overlap_volume_plane_batch, normals, offsets, q, volume);
 }
 
-/// area() for many ellipses: see pw85_area_batch_2d().
+/// Computes area() for many ellipses: see pw85_area_batch_2d().
 ///
 /// @param q one for each ellipse
 /// @param[out] area one for each ellipse
@@ -223,7 +223,7 @@ static inline StatusCode area_batch(FlatForms q, std::span<double> area) noexcep
     return detail::call_rows(pw85_area_batch_2d, q, area);
 }
 
-/// overlap_area() for many pairs of ellipses: see pw85_overlap_area_batch_2d().
+/// Computes overlap_area() for many pairs of ellipses: see pw85_overlap_area_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] area one for each pair
@@ -234,7 +234,8 @@ static inline StatusCode overlap_area_batch(FlatVectors r12, FlatForms q1, FlatF
     return detail::call_rows(pw85_overlap_area_batch_2d, r12, q1, q2, area);
 }
 
-/// overlap_area_gradient() for many pairs of ellipses: see pw85_overlap_area_gradient_batch_2d().
+/// Computes overlap_area_gradient() for many pairs of ellipses: see
+/// pw85_overlap_area_gradient_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] d_r12,d_q1,d_q2 one for each pair, or empty
@@ -247,7 +248,8 @@ static inline StatusCode overlap_area_gradient_batch(
     return detail::call_rows(pw85_overlap_area_gradient_batch_2d, r12, q1, q2, d_r12, d_q1, d_q2);
 }
 
-/// overlap_area_torque() for many pairs of ellipses: see pw85_overlap_area_torque_batch_2d().
+/// Computes overlap_area_torque() for many pairs of ellipses: see
+/// pw85_overlap_area_torque_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] d_rot1,d_rot2 one for each pair, or empty
@@ -259,7 +261,7 @@ static inline StatusCode overlap_area_torque_batch(FlatVectors r12, FlatForms q1
     return detail::call_rows(pw85_overlap_area_torque_batch_2d, r12, q1, q2, d_rot1, d_rot2);
 }
 
-/// surface_area() for many ellipsoids: see pw85_surface_area_batch().
+/// Computes surface_area() for many ellipsoids: see pw85_surface_area_batch().
 ///
 /// @param q one for each ellipsoid
 /// @param[out] area one for each ellipsoid
@@ -269,7 +271,7 @@ static inline StatusCode surface_area_batch(Forms q, std::span<double> area) noe
     return detail::call_rows(pw85_surface_area_batch, q, area);
 }
 
-/// second_moments() for many ellipsoids: see pw85_second_moments_batch().
+/// Computes second_moments() for many ellipsoids: see pw85_second_moments_batch().
 ///
 /// @param q one for each ellipsoid
 /// @param[out] moments one for each ellipsoid
@@ -280,7 +282,7 @@ static inline StatusCode second_moments_batch(
     return detail::call_rows(pw85_second_moments_batch, q, moments);
 }
 
-/// from_moments() for many ellipsoids: see pw85_from_moments_batch().
+/// Computes from_moments() for many ellipsoids: see pw85_from_moments_batch().
 ///
 /// @param second_moments one for each ellipsoid
 /// @param[out] q one for each ellipsoid
@@ -291,7 +293,7 @@ static inline StatusCode from_moments_batch(Forms second_moments,
     return detail::call_rows(pw85_from_moments_batch, second_moments, q);
 }
 
-/// shell_moments() for many ellipsoids: see pw85_shell_moments_batch().
+/// Computes shell_moments() for many ellipsoids: see pw85_shell_moments_batch().
 ///
 /// @param q one for each ellipsoid
 /// @param[out] moments one for each ellipsoid
@@ -302,7 +304,7 @@ static inline StatusCode shell_moments_batch(Forms q,
     return detail::call_rows(pw85_shell_moments_batch, q, moments);
 }
 
-/// inertia() for many ellipsoids: see pw85_inertia_batch().
+/// Computes inertia() for many ellipsoids: see pw85_inertia_batch().
 ///
 /// @param q one for each ellipsoid
 /// @param shell 0 for a solid body, any other number for a shell; for all rows
@@ -314,7 +316,7 @@ static inline StatusCode inertia_batch(Forms q, int shell,
     return detail::call_rows(pw85_inertia_batch, q, shell, inertia);
 }
 
-/// perimeter() for many ellipses: see pw85_perimeter_batch_2d().
+/// Computes perimeter() for many ellipses: see pw85_perimeter_batch_2d().
 ///
 /// @param q one for each ellipse
 /// @param[out] perimeter one for each ellipse
@@ -324,7 +326,7 @@ static inline StatusCode perimeter_batch(FlatForms q, std::span<double> perimete
     return detail::call_rows(pw85_perimeter_batch_2d, q, perimeter);
 }
 
-/// second_moments() for many ellipses: see pw85_second_moments_batch_2d().
+/// Computes second_moments() for many ellipses: see pw85_second_moments_batch_2d().
 ///
 /// @param q one for each ellipse
 /// @param[out] moments one for each ellipse
@@ -335,7 +337,7 @@ static inline StatusCode second_moments_batch(
     return detail::call_rows(pw85_second_moments_batch_2d, q, moments);
 }
 
-/// from_moments() for many ellipses: see pw85_from_moments_batch_2d().
+/// Computes from_moments() for many ellipses: see pw85_from_moments_batch_2d().
 ///
 /// @param second_moments one for each ellipse
 /// @param[out] q one for each ellipse
@@ -346,7 +348,7 @@ static inline StatusCode from_moments_batch(FlatForms second_moments,
     return detail::call_rows(pw85_from_moments_batch_2d, second_moments, q);
 }
 
-/// shell_moments() for many ellipses: see pw85_shell_moments_batch_2d().
+/// Computes shell_moments() for many ellipses: see pw85_shell_moments_batch_2d().
 ///
 /// @param q one for each ellipse
 /// @param[out] moments one for each ellipse
@@ -357,7 +359,7 @@ static inline StatusCode shell_moments_batch(FlatForms q,
     return detail::call_rows(pw85_shell_moments_batch_2d, q, moments);
 }
 
-/// contact_factored() for many pairs: see pw85_contact_factored_batch().
+/// Computes contact_factored() for many pairs: see pw85_contact_factored_batch().
 ///
 /// @param r12,s1,s2 one for each pair
 /// @param[out] mu2,lambda one for each pair, or empty
@@ -370,7 +372,7 @@ static inline StatusCode contact_factored_batch(Vectors r12, std::span<Factor<do
     return detail::call_rows(pw85_contact_factored_batch, r12, s1, s2, mu2, lambda);
 }
 
-/// condition() for many pairs: see pw85_condition_batch().
+/// Computes condition() for many pairs: see pw85_condition_batch().
 ///
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] cond one for each pair
@@ -382,7 +384,7 @@ static inline StatusCode condition_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_condition_batch, r12, q1, q2, lambda, cond);
 }
 
-/// pw85_contact_function() for many pairs: see pw85_contact_function_batch().
+/// Computes pw85_contact_function() for many pairs: see pw85_contact_function_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] mu2,lambda one for each pair, or empty
@@ -394,7 +396,7 @@ static inline StatusCode contact_function_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_contact_function_batch, r12, q1, q2, mu2, lambda);
 }
 
-/// contact_geometry() for many pairs: see pw85_contact_geometry_batch().
+/// Computes contact_geometry() for many pairs: see pw85_contact_geometry_batch().
 ///
 /// @param r12 one for each pair; not zero
 /// @param q1,q2,lambda one for each pair
@@ -408,7 +410,7 @@ static inline StatusCode contact_geometry_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_contact_geometry_batch, r12, q1, q2, lambda, point, normal);
 }
 
-/// contact_gradient() for many pairs: see pw85_contact_gradient_batch().
+/// Computes contact_gradient() for many pairs: see pw85_contact_gradient_batch().
 ///
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] d_r12,d_q1,d_q2 one for each pair, or empty
@@ -421,7 +423,7 @@ static inline StatusCode contact_gradient_batch(
     return detail::call_rows(pw85_contact_gradient_batch, r12, q1, q2, lambda, d_r12, d_q1, d_q2);
 }
 
-/// contact_geometry_factored() for many pairs: see pw85_contact_geometry_factored_batch().
+/// Computes contact_geometry_factored() for many pairs: see pw85_contact_geometry_factored_batch().
 ///
 /// @param r12 one for each pair; not zero
 /// @param s1,s2,lambda one for each pair
@@ -436,7 +438,7 @@ static inline StatusCode contact_geometry_factored_batch(
                              normal);
 }
 
-/// contact_gradient_factored() for many pairs: see pw85_contact_gradient_factored_batch().
+/// Computes contact_gradient_factored() for many pairs: see pw85_contact_gradient_factored_batch().
 ///
 /// @param r12,s1,s2,lambda one for each pair
 /// @param[out] d_r12,d_s1,d_s2 one for each pair, or empty
@@ -450,7 +452,7 @@ static inline StatusCode contact_gradient_factored_batch(
                              d_s2);
 }
 
-/// contact_torque() for many pairs: see pw85_contact_torque_batch().
+/// Computes contact_torque() for many pairs: see pw85_contact_torque_batch().
 ///
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] d_rot1,d_rot2 one for each pair, or empty
@@ -463,7 +465,7 @@ static inline StatusCode contact_torque_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_contact_torque_batch, r12, q1, q2, lambda, d_rot1, d_rot2);
 }
 
-/// contact_hessian() for many pairs: see pw85_contact_hessian_batch().
+/// Computes contact_hessian() for many pairs: see pw85_contact_hessian_batch().
 ///
 /// @param r12 one for each pair; not zero
 /// @param q1,q2,lambda one for each pair
@@ -476,7 +478,7 @@ static inline StatusCode contact_hessian_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_contact_hessian_batch, r12, q1, q2, lambda, hessian);
 }
 
-/// contact() for many pairs of ellipses: see pw85_contact_batch_2d().
+/// Computes contact() for many pairs of ellipses: see pw85_contact_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] mu2 one for each pair
@@ -489,7 +491,7 @@ static inline StatusCode contact_batch(FlatVectors r12, FlatForms q1, FlatForms 
     return detail::call_rows(pw85_contact_batch_2d, r12, q1, q2, mu2, lambda);
 }
 
-/// overlap() for many pairs of ellipses: see pw85_overlap_batch_2d().
+/// Computes overlap() for many pairs of ellipses: see pw85_overlap_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] overlap one for each pair: 1, 0, or 255 for a bad pair
@@ -500,7 +502,7 @@ static inline StatusCode overlap_batch(FlatVectors r12, FlatForms q1, FlatForms 
     return detail::call_rows(pw85_overlap_batch_2d, r12, q1, q2, overlap);
 }
 
-/// contact_geometry() for many pairs of ellipses: see pw85_contact_geometry_batch_2d().
+/// Computes contact_geometry() for many pairs of ellipses: see pw85_contact_geometry_batch_2d().
 ///
 /// @param r12 one for each pair; not zero
 /// @param q1,q2,lambda one for each pair
@@ -514,7 +516,7 @@ static inline StatusCode contact_geometry_batch(FlatVectors r12, FlatForms q1, F
     return detail::call_rows(pw85_contact_geometry_batch_2d, r12, q1, q2, lambda, point, normal);
 }
 
-/// contact_gradient() for many pairs of ellipses: see pw85_contact_gradient_batch_2d().
+/// Computes contact_gradient() for many pairs of ellipses: see pw85_contact_gradient_batch_2d().
 ///
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] d_r12,d_q1,d_q2 one for each pair, or empty
@@ -528,7 +530,7 @@ static inline StatusCode contact_gradient_batch(
                              d_q2);
 }
 
-/// contact_torque() for many pairs of ellipses: see pw85_contact_torque_batch_2d().
+/// Computes contact_torque() for many pairs of ellipses: see pw85_contact_torque_batch_2d().
 ///
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] d_rot1,d_rot2 one for each pair, or empty
@@ -541,7 +543,7 @@ static inline StatusCode contact_torque_batch(FlatVectors r12, FlatForms q1, Fla
     return detail::call_rows(pw85_contact_torque_batch_2d, r12, q1, q2, lambda, d_rot1, d_rot2);
 }
 
-/// contact_hessian() for many pairs of ellipses: see pw85_contact_hessian_batch_2d().
+/// Computes contact_hessian() for many pairs of ellipses: see pw85_contact_hessian_batch_2d().
 ///
 /// @param r12 one for each pair; not zero
 /// @param q1,q2,lambda one for each pair
@@ -554,7 +556,7 @@ static inline StatusCode contact_hessian_batch(FlatVectors r12, FlatForms q1, Fl
     return detail::call_rows(pw85_contact_hessian_batch_2d, r12, q1, q2, lambda, hessian);
 }
 
-/// closest_approach() for many pairs of ellipses: see pw85_closest_approach_batch_2d().
+/// Computes closest_approach() for many pairs of ellipses: see pw85_closest_approach_batch_2d().
 ///
 /// @param directions one for each pair; not zero
 /// @param q1,q2 one for each pair
@@ -566,8 +568,8 @@ static inline StatusCode closest_approach_batch(FlatVectors directions, FlatForm
     return detail::call_rows(pw85_closest_approach_batch_2d, directions, q1, q2, distance);
 }
 
-/// contact(), contact_geometry(), contact_gradient() and contact_torque() for many pairs: see
-/// pw85_contact_derivatives_batch().
+/// Computes contact(), contact_geometry(), contact_gradient() and contact_torque() for many pairs:
+/// see pw85_contact_derivatives_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] out one row for each pair in all spans, or in some: see
@@ -580,7 +582,7 @@ static inline StatusCode contact_derivatives_batch(Vectors r12, Forms q1, Forms 
                              out.point, out.normal, out.d_r12, out.d_rot1, out.d_rot2);
 }
 
-/// distance() for many pairs: see pw85_distance_batch().
+/// Computes distance() for many pairs: see pw85_distance_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] distance,point1,point2 one for each pair, or empty
@@ -592,7 +594,7 @@ static inline StatusCode distance_batch(Vectors r12, Forms q1, Forms q2, std::sp
     return detail::call_rows(pw85_distance_batch, r12, q1, q2, distance, point1, point2);
 }
 
-/// distance_derivatives() for many pairs: see pw85_distance_derivatives_batch().
+/// Computes distance_derivatives() for many pairs: see pw85_distance_derivatives_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] d_r12,d_rot1,d_rot2,hessian one for each pair, or empty
@@ -606,7 +608,7 @@ static inline StatusCode distance_derivatives_batch(
                              hessian);
 }
 
-/// distance() for many pairs of ellipses: see pw85_distance_batch_2d().
+/// Computes distance() for many pairs of ellipses: see pw85_distance_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] distance,point1,point2 one for each pair, or empty
@@ -619,7 +621,7 @@ static inline StatusCode distance_batch(FlatVectors r12, FlatForms q1, FlatForms
     return detail::call_rows(pw85_distance_batch_2d, r12, q1, q2, distance, point1, point2);
 }
 
-/// penetration() for many pairs of ellipses: see pw85_penetration_batch_2d().
+/// Computes penetration() for many pairs of ellipses: see pw85_penetration_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] depth,direction one for each pair, or empty
@@ -631,7 +633,7 @@ static inline StatusCode penetration_batch(FlatVectors r12, FlatForms q1, FlatFo
     return detail::call_rows(pw85_penetration_batch_2d, r12, q1, q2, depth, direction);
 }
 
-/// signed_distance() for many pairs of ellipses: see pw85_signed_distance_batch_2d().
+/// Computes signed_distance() for many pairs of ellipses: see pw85_signed_distance_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] distance,point1,point2 one for each pair, or empty
@@ -644,7 +646,7 @@ static inline StatusCode signed_distance_batch(FlatVectors r12, FlatForms q1, Fl
     return detail::call_rows(pw85_signed_distance_batch_2d, r12, q1, q2, distance, point1, point2);
 }
 
-/// penetration() for many pairs: see pw85_penetration_batch().
+/// Computes penetration() for many pairs: see pw85_penetration_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] depth,direction one for each pair, or empty
@@ -655,7 +657,7 @@ static inline StatusCode penetration_batch(Vectors r12, Forms q1, Forms q2, std:
     return detail::call_rows(pw85_penetration_batch, r12, q1, q2, depth, direction);
 }
 
-/// signed_distance() for many pairs: see pw85_signed_distance_batch().
+/// Computes signed_distance() for many pairs: see pw85_signed_distance_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] distance,point1,point2 one for each pair, or empty
@@ -668,7 +670,8 @@ static inline StatusCode signed_distance_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_signed_distance_batch, r12, q1, q2, distance, point1, point2);
 }
 
-/// signed_distance_derivatives() for many pairs: see pw85_signed_distance_derivatives_batch().
+/// Computes signed_distance_derivatives() for many pairs: see
+/// pw85_signed_distance_derivatives_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] d_r12,d_rot1,d_rot2,hessian one for each pair, or empty
@@ -682,7 +685,7 @@ static inline StatusCode signed_distance_derivatives_batch(
                              d_rot2, hessian);
 }
 
-/// gap_inside() for many pairs: see pw85_gap_inside_batch().
+/// Computes gap_inside() for many pairs: see pw85_gap_inside_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] gap,point1,point2,normal one for each pair, or empty
@@ -695,7 +698,7 @@ static inline StatusCode gap_inside_batch(Vectors r12, Forms q1, Forms q2, std::
     return detail::call_rows(pw85_gap_inside_batch, r12, q1, q2, gap, point1, point2, normal);
 }
 
-/// gap_inside() for many pairs of ellipses: see pw85_gap_inside_batch_2d().
+/// Computes gap_inside() for many pairs of ellipses: see pw85_gap_inside_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] gap,point1,point2,normal one for each pair, or empty
@@ -709,7 +712,7 @@ static inline StatusCode gap_inside_batch(FlatVectors r12, FlatForms q1, FlatFor
     return detail::call_rows(pw85_gap_inside_batch_2d, r12, q1, q2, gap, point1, point2, normal);
 }
 
-/// curvature() for many ellipsoids: see pw85_curvature_batch().
+/// Computes curvature() for many ellipsoids: see pw85_curvature_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
 /// @param q one for each ellipsoid
@@ -722,7 +725,7 @@ static inline StatusCode curvature_batch(Vectors normals, Forms q,
     return detail::call_rows(pw85_curvature_batch, normals, q, curvatures, directions);
 }
 
-/// hertz() for many contacts: see pw85_hertz_batch().
+/// Computes hertz() for many contacts: see pw85_hertz_batch().
 ///
 /// @param curvatures one for each contact; > 0
 /// @param[out] radius,ellipse one for each contact, or empty
@@ -734,7 +737,7 @@ static inline StatusCode hertz_batch(std::span<std::array<double, 2> const> curv
     return detail::call_rows(pw85_hertz_batch, curvatures, radius, ellipse);
 }
 
-/// hertz_contact() for many pairs: see pw85_hertz_contact_batch().
+/// Computes hertz_contact() for many pairs: see pw85_hertz_contact_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param normals one for each pair; not zero
@@ -752,7 +755,7 @@ static inline StatusCode hertz_contact_batch(Vectors r12, Forms q1, Forms q2, Ve
                              curvatures, directions, radius, ellipse);
 }
 
-/// grain_contact() for many pairs: see pw85_grain_contact_batch().
+/// Computes grain_contact() for many pairs: see pw85_grain_contact_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param starts one for each pair; not zero
@@ -769,7 +772,7 @@ static inline StatusCode grain_contact_batch(Vectors r12, Forms q1, Forms q2, Ve
                              curvatures, radius);
 }
 
-/// grain_radius_gradient() for many pairs: see pw85_grain_radius_gradient_batch().
+/// Computes grain_radius_gradient() for many pairs: see pw85_grain_radius_gradient_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param normals one for each pair; not zero
@@ -783,7 +786,8 @@ static inline StatusCode grain_radius_gradient_batch(
                              d_rot2);
 }
 
-/// grain_contact_wall() for many ellipsoids and walls: see pw85_grain_contact_wall_batch().
+/// Computes grain_contact_wall() for many ellipsoids and walls: see
+/// pw85_grain_contact_wall_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
 /// @param offsets one for each ellipsoid
@@ -803,7 +807,7 @@ static inline StatusCode grain_contact_wall_batch(Vectors normals, std::span<dou
                              q, depth, point, curvatures, radius);
 }
 
-/// distance_plane() for many ellipsoids and half-spaces: see pw85_distance_plane_batch().
+/// Computes distance_plane() for many ellipsoids and half-spaces: see pw85_distance_plane_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
 /// @param offsets,q one for each ellipsoid
@@ -816,7 +820,7 @@ static inline StatusCode distance_plane_batch(Vectors normals, std::span<double 
     return detail::call_rows(pw85_distance_plane_batch, normals, offsets, q, distance, point);
 }
 
-/// distance_plane_derivatives() for many ellipsoids and half-spaces: see
+/// Computes distance_plane_derivatives() for many ellipsoids and half-spaces: see
 /// pw85_distance_plane_derivatives_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
@@ -830,7 +834,7 @@ static inline StatusCode distance_plane_derivatives_batch(
     return detail::call_rows(pw85_distance_plane_derivatives_batch, normals, q, d_center, d_rot);
 }
 
-/// contact_plane() for many ellipsoids and half-spaces: see pw85_contact_plane_batch().
+/// Computes contact_plane() for many ellipsoids and half-spaces: see pw85_contact_plane_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
 /// @param offsets,q one for each ellipsoid
@@ -843,7 +847,7 @@ static inline StatusCode contact_plane_batch(Vectors normals, std::span<double c
     return detail::call_rows(pw85_contact_plane_batch, normals, offsets, q, mu2, point);
 }
 
-/// contact_plane_derivatives() for many ellipsoids and half-spaces: see
+/// Computes contact_plane_derivatives() for many ellipsoids and half-spaces: see
 /// pw85_contact_plane_derivatives_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
@@ -858,7 +862,7 @@ static inline StatusCode contact_plane_derivatives_batch(
                              d_rot);
 }
 
-/// distance_box() for many ellipsoids and boxes: see pw85_distance_box_batch().
+/// Computes distance_box() for many ellipsoids and boxes: see pw85_distance_box_batch().
 ///
 /// @param lower,upper one for each ellipsoid; `lower` <= `upper`
 /// @param q one for each ellipsoid
@@ -872,7 +876,8 @@ static inline StatusCode distance_box_batch(Vectors lower, Vectors upper, Forms 
     return detail::call_rows(pw85_distance_box_batch, lower, upper, q, distance, point, normal);
 }
 
-/// distance_cylinder() for many ellipsoids and cylinders: see pw85_distance_cylinder_batch().
+/// Computes distance_cylinder() for many ellipsoids and cylinders: see
+/// pw85_distance_cylinder_batch().
 ///
 /// @param axis one for each ellipsoid; not zero
 /// @param radius one for each ellipsoid; > 0
@@ -889,7 +894,7 @@ static inline StatusCode distance_cylinder_batch(Vectors axis, std::span<double 
                              normal);
 }
 
-/// distance_point() for many points and ellipsoids: see pw85_distance_point_batch().
+/// Computes distance_point() for many points and ellipsoids: see pw85_distance_point_batch().
 ///
 /// @param r,q one for each point
 /// @param[out] distance,point,normal one for each point, or empty
@@ -901,7 +906,7 @@ static inline StatusCode distance_point_batch(Vectors r, Forms q, std::span<doub
     return detail::call_rows(pw85_distance_point_batch, r, q, distance, point, normal);
 }
 
-/// distance_segment() for many ellipsoids and segments: see pw85_distance_segment_batch().
+/// Computes distance_segment() for many ellipsoids and segments: see pw85_distance_segment_batch().
 ///
 /// @param end1,end2,q one for each ellipsoid
 /// @param[out] distance,point1,point2,normal one for each ellipsoid, or empty
@@ -916,7 +921,8 @@ static inline StatusCode distance_segment_batch(Vectors end1, Vectors end2, Form
                              normal);
 }
 
-/// distance_triangle() for many ellipsoids and triangles: see pw85_distance_triangle_batch().
+/// Computes distance_triangle() for many ellipsoids and triangles: see
+/// pw85_distance_triangle_batch().
 ///
 /// @param vertex1,vertex2,vertex3,q one for each ellipsoid
 /// @param[out] distance,point1,point2,normal one for each ellipsoid, or empty
@@ -931,7 +937,8 @@ static inline StatusCode distance_triangle_batch(Vectors vertex1, Vectors vertex
                              point1, point2, normal);
 }
 
-/// distance_solid_box() for many ellipsoids and boxes: see pw85_distance_solid_box_batch().
+/// Computes distance_solid_box() for many ellipsoids and boxes: see
+/// pw85_distance_solid_box_batch().
 ///
 /// @param lower,upper one for each ellipsoid; `lower` <= `upper`
 /// @param q one for each ellipsoid
@@ -947,7 +954,7 @@ static inline StatusCode distance_solid_box_batch(Vectors lower, Vectors upper, 
                              point2, normal);
 }
 
-/// intersect_line() for many lines and ellipsoids: see pw85_intersect_line_batch().
+/// Computes intersect_line() for many lines and ellipsoids: see pw85_intersect_line_batch().
 ///
 /// @param origin one for each line
 /// @param directions one for each line; not zero
@@ -961,7 +968,7 @@ static inline StatusCode intersect_line_batch(Vectors origin, Vectors directions
     return detail::call_rows(pw85_intersect_line_batch, origin, directions, q, enter, leave);
 }
 
-/// contact_segment() for many ellipsoids and segments: see pw85_contact_segment_batch().
+/// Computes contact_segment() for many ellipsoids and segments: see pw85_contact_segment_batch().
 ///
 /// @param end1,end2,q one for each ellipsoid
 /// @param[out] mu2,point one for each ellipsoid, or empty
@@ -973,7 +980,8 @@ static inline StatusCode contact_segment_batch(Vectors end1, Vectors end2, Forms
     return detail::call_rows(pw85_contact_segment_batch, end1, end2, q, mu2, point);
 }
 
-/// contact_triangle() for many ellipsoids and triangles: see pw85_contact_triangle_batch().
+/// Computes contact_triangle() for many ellipsoids and triangles: see
+/// pw85_contact_triangle_batch().
 ///
 /// @param vertex1,vertex2,vertex3,q one for each ellipsoid
 /// @param[out] mu2,point one for each ellipsoid, or empty
@@ -985,7 +993,7 @@ static inline StatusCode contact_triangle_batch(Vectors vertex1, Vectors vertex2
     return detail::call_rows(pw85_contact_triangle_batch, vertex1, vertex2, vertex3, q, mu2, point);
 }
 
-/// contact_box() for many ellipsoids and boxes: see pw85_contact_box_batch().
+/// Computes contact_box() for many ellipsoids and boxes: see pw85_contact_box_batch().
 ///
 /// @param lower,upper one for each ellipsoid; `lower` <= `upper`
 /// @param q one for each ellipsoid
@@ -998,7 +1006,7 @@ static inline StatusCode contact_box_batch(Vectors lower, Vectors upper, Forms q
     return detail::call_rows(pw85_contact_box_batch, lower, upper, q, mu2, point);
 }
 
-/// overlap_segment() for many ellipsoids and segments: see pw85_overlap_segment_batch().
+/// Computes overlap_segment() for many ellipsoids and segments: see pw85_overlap_segment_batch().
 ///
 /// @param end1,end2,q one for each ellipsoid
 /// @param[out] overlap one for each ellipsoid: 1, 0, or 255 for a bad ellipsoid
@@ -1009,7 +1017,8 @@ static inline StatusCode overlap_segment_batch(Vectors end1, Vectors end2, Forms
     return detail::call_rows(pw85_overlap_segment_batch, end1, end2, q, overlap);
 }
 
-/// overlap_triangle() for many ellipsoids and triangles: see pw85_overlap_triangle_batch().
+/// Computes overlap_triangle() for many ellipsoids and triangles: see
+/// pw85_overlap_triangle_batch().
 ///
 /// @param vertex1,vertex2,vertex3,q one for each ellipsoid
 /// @param[out] overlap one for each ellipsoid: 1, 0, or 255 for a bad ellipsoid
@@ -1020,7 +1029,7 @@ static inline StatusCode overlap_triangle_batch(Vectors vertex1, Vectors vertex2
     return detail::call_rows(pw85_overlap_triangle_batch, vertex1, vertex2, vertex3, q, overlap);
 }
 
-/// overlap_box() for many ellipsoids and boxes: see pw85_overlap_box_batch().
+/// Computes overlap_box() for many ellipsoids and boxes: see pw85_overlap_box_batch().
 ///
 /// @param lower,upper one for each ellipsoid; `lower` <= `upper`
 /// @param q one for each ellipsoid
@@ -1032,7 +1041,7 @@ static inline StatusCode overlap_box_batch(Vectors lower, Vectors upper, Forms q
     return detail::call_rows(pw85_overlap_box_batch, lower, upper, q, overlap);
 }
 
-/// distance_point() for many points and ellipses: see pw85_distance_point_batch_2d().
+/// Computes distance_point() for many points and ellipses: see pw85_distance_point_batch_2d().
 ///
 /// @param r,q one for each point
 /// @param[out] distance,point,normal one for each point, or empty
@@ -1045,7 +1054,7 @@ static inline StatusCode distance_point_batch(FlatVectors r, FlatForms q,
     return detail::call_rows(pw85_distance_point_batch_2d, r, q, distance, point, normal);
 }
 
-/// contact_segment() for many ellipses and segments: see pw85_contact_segment_batch_2d().
+/// Computes contact_segment() for many ellipses and segments: see pw85_contact_segment_batch_2d().
 ///
 /// @param end1,end2,q one for each ellipse
 /// @param[out] mu2,point one for each ellipse, or empty
@@ -1057,7 +1066,7 @@ static inline StatusCode contact_segment_batch(FlatVectors end1, FlatVectors end
     return detail::call_rows(pw85_contact_segment_batch_2d, end1, end2, q, mu2, point);
 }
 
-/// contact_box() for many ellipses and boxes: see pw85_contact_box_batch_2d().
+/// Computes contact_box() for many ellipses and boxes: see pw85_contact_box_batch_2d().
 ///
 /// @param lower,upper one for each ellipse; `lower` <= `upper`
 /// @param q one for each ellipse
@@ -1070,7 +1079,7 @@ static inline StatusCode contact_box_batch(FlatVectors lower, FlatVectors upper,
     return detail::call_rows(pw85_contact_box_batch_2d, lower, upper, q, mu2, point);
 }
 
-/// overlap_segment() for many ellipses and segments: see pw85_overlap_segment_batch_2d().
+/// Computes overlap_segment() for many ellipses and segments: see pw85_overlap_segment_batch_2d().
 ///
 /// @param end1,end2,q one for each ellipse
 /// @param[out] overlap one for each ellipse: 1, 0, or 255 for a bad ellipse
@@ -1081,7 +1090,7 @@ static inline StatusCode overlap_segment_batch(FlatVectors end1, FlatVectors end
     return detail::call_rows(pw85_overlap_segment_batch_2d, end1, end2, q, overlap);
 }
 
-/// overlap_box() for many ellipses and boxes: see pw85_overlap_box_batch_2d().
+/// Computes overlap_box() for many ellipses and boxes: see pw85_overlap_box_batch_2d().
 ///
 /// @param lower,upper one for each ellipse; `lower` <= `upper`
 /// @param q one for each ellipse
@@ -1093,7 +1102,7 @@ static inline StatusCode overlap_box_batch(FlatVectors lower, FlatVectors upper,
     return detail::call_rows(pw85_overlap_box_batch_2d, lower, upper, q, overlap);
 }
 
-/// first_contact() for many pairs: see pw85_first_contact_batch().
+/// Computes first_contact() for many pairs: see pw85_first_contact_batch().
 ///
 /// @param r12,q1,q2,motion1,motion2 one for each pair
 /// @param t_max the time up to which contacts count; for all rows; >= 0; may be infinite
@@ -1112,7 +1121,7 @@ static inline StatusCode first_contact_batch(Vectors r12, Forms q1, Forms q2,
 /// @name Many forms
 /// @{
 
-/// ellipsoid_factor() for many ellipsoids: see pw85_ellipsoid_factor_batch().
+/// Computes ellipsoid_factor() for many ellipsoids: see pw85_ellipsoid_factor_batch().
 ///
 /// @param semi_axes one for each ellipsoid; > 0
 /// @param quaternions one for each ellipsoid; not zero
@@ -1125,7 +1134,7 @@ static inline StatusCode ellipsoid_factor_batch(Vectors semi_axes,
     return detail::call_rows(pw85_ellipsoid_factor_batch, semi_axes, quaternions, s);
 }
 
-/// ellipsoid_quaternion() for many ellipsoids: see pw85_ellipsoid_quaternion_batch().
+/// Computes ellipsoid_quaternion() for many ellipsoids: see pw85_ellipsoid_quaternion_batch().
 ///
 /// @param semi_axes one for each ellipsoid; > 0
 /// @param quaternions one for each ellipsoid; not zero

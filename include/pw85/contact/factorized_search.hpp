@@ -80,8 +80,9 @@ search(Pair<T, D> const &pair, Candidate<T> &candidate, Precision precision, int
 
 /// A bound on the inverse of the smallest eigenvalue of M, with M scaled to a unit diagonal: the
 /// sum of M_ii (M⁻¹)_ii.
-template <class T, int D> PW85_FUNCTION inline T condition(Factorization<T, D> const &factors,
-                                                           SymmetricMatrix<T, D> const &m) noexcept
+template <class T, int D>
+PW85_FUNCTION inline T inverse_eigenvalue_bound(Factorization<T, D> const &factors,
+                                                SymmetricMatrix<T, D> const &m) noexcept
 {
     T sum = T(0);
     for (int i = 0; i < D; ++i) {
@@ -93,8 +94,8 @@ template <class T, int D> PW85_FUNCTION inline T condition(Factorization<T, D> c
 }
 
 /// A bound on the error of the solution by factorisation across s, in the norm of M, in units of u
-/// κ, with κ from condition() (theorem `factorization` of tests/bounds/proofs.cpp). To first order
-/// the error is 4.8 at least (scripts/rounding_bounds.py).
+/// κ, with κ from inverse_eigenvalue_bound() (theorem `factorization` of tests/bounds/proofs.cpp).
+/// To first order the error is 4.8 at least (scripts/rounding_bounds.py).
 inline constexpr int factorization_error = 12;
 
 /// A bound on the relative error of a correction of refine() in the norm of M, in units of u κ
@@ -141,7 +142,7 @@ last_evaluation(Pair<T, D> const &pair, Candidate<T> const &candidate, Precision
     auto const weights = outer_weights(s);
     T const a = positive_form(pair.q1, weights), b = positive_form(pair.q2, weights);
     auto const value = stationary_value(candidate, pair.ratio, a, b, dot(pair.r12, s));
-    T const error = error_of_solution(condition(factors, m), precision);
+    T const error = error_of_solution(inverse_eigenvalue_bound(factors, m), precision);
     return {value, candidate.k > noise_of_slope(pair, weights, a, b) &&
                        is_certified(candidate, value.step, error, T(1))};
 }

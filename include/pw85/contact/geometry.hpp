@@ -96,7 +96,7 @@ solve_ill_conditioned(T const &w1, SymmetricMatrix<T, D> const &q1, T const &w2,
     auto const m = blend(w1, q1, w2, q2);
     auto const factors = factorize(m, T(unit_roundoff<T>()));
     if constexpr (has_extended_numbers<T>)
-        if (!(T(factorization_error) * unit_roundoff<T>() * condition(factors, m) <=
+        if (!(T(factorization_error) * unit_roundoff<T>() * inverse_eigenvalue_bound(factors, m) <=
               tolerated_error<T>()))
             return solve_blend_extended(w1, q1, w2, q2, x);
     return solve(factors, x);

@@ -8,7 +8,7 @@
 ///    for a number or one pack, and src/simd/lane_contact.hpp has one for several packs.
 /// 3. accept: last_evaluation() gives the result. Use the result only where last_evaluation() says
 ///    that it is certain.
-/// 4. settle: a slower method computes the pairs that are not certain. For a number it is
+/// 4. fallback: a slower method computes the pairs that are not certain. For a number it is
 ///    maximize_factorized() (solver.hpp); lanes and devices leave these pairs to the functions for
 ///    one pair.
 #ifndef PW85_CONTACT_RATIONAL_SEARCH_HPP_INCLUDED

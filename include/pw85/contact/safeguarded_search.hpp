@@ -21,7 +21,7 @@ template <class T> struct SafeguardedSearch {
     T lower, upper; ///< the bracket of the root; a limit of the scalar if no bound is known
     T shortest;     ///< the size of the shortest step in log t until now; 2 at the beginning
     T reach;        ///< the factor from the known end of the bracket to the next probe
-    int free_steps; ///< how many of the next steps may go anywhere in the bracket
+    int free_steps; ///< number of next steps that may go anywhere in the bracket
 };
 
 /// The first probe is the known end of the bracket times 2 to the power of this exponent. Each

@@ -117,8 +117,8 @@ enum class DepthProof { complete, better, incomplete };
 
 /// The proof for c from the lower end of a range up to c.
 template <class T> struct DepthProgress {
-    T c, width;            ///< w of the next tangent
-    DepthVertex<T> vertex; ///< where that begins
+    T c, width;            ///< c, and w of the next tangent
+    DepthVertex<T> vertex; ///< the first vertex of the next tangent
     bool begun;            ///< true if `vertex` has been tested
 };
 

@@ -305,7 +305,7 @@ refined_distance(DistancePair<T, D> const &pair, FoundSlab<T, D> const &slab) no
 /// The distance of a pair that is apart, from the result of find_slab(). Both points are relative
 /// to their own centres.
 template <class T, int D> PW85_FUNCTION inline Distance<T, D>
-settled_distance(DistancePair<T, D> const &pair, FoundSlab<T, D> const &found) noexcept
+distance_of_slab(DistancePair<T, D> const &pair, FoundSlab<T, D> const &found) noexcept
 {
     return found.accurate ? distance_across(found.slab) : refined_distance(pair, found);
 }
@@ -327,11 +327,11 @@ PW85_FUNCTION inline Distance<T, D> distance_apart(Vector<T, D> const &r12,
     Distance<T, D> result;
     if (is_in_range(sum_of_magnitudes(r12), largest_diagonal(q1), largest_diagonal(q2))) {
         DistancePair<T, D> const pair{r12, q1, q2, T(1), T(1)};
-        result = settled_distance(pair, find_slab(pair, true));
+        result = distance_of_slab(pair, find_slab(pair, true));
     } else {
         DistanceUnits units;
         DistancePair<T, D> const pair = scale_distance(r12, q1, q2, units);
-        result = settled_distance(pair, find_slab(pair, true));
+        result = distance_of_slab(pair, find_slab(pair, true));
         result.distance = times_power_of_two(result.distance, units.length);
         result.point1 = times_power_of_two(result.point1, units.form1);
         result.point2 = times_power_of_two(result.point2, units.form2);
@@ -371,7 +371,7 @@ PW85_FUNCTION inline Distance<T, D> distance(Vector<T, D> const &r12,
     Overlap const decision = overlap(r12, q1, q2);
     if (decision.status != StatusCode::success || decision.overlap)
         return no_distance<T, D>(decision.status);
-    return found.tried ? with_point2(r12, settled_distance(pair, found))
+    return found.tried ? with_point2(r12, distance_of_slab(pair, found))
                        : distance_apart(r12, q1, q2);
 }
 

@@ -44,7 +44,7 @@ template <class T> PW85_FUNCTION constexpr Vector<T, 3> unit_vector(int i) noexc
 
 /// Computes K of item 2.
 template <class T> PW85_FUNCTION inline SymmetricMatrix<T, 3>
-bend(SurfaceElement<T, 3> const &element, Vector<T, 3> const &n) noexcept
+curvature_matrix(SurfaceElement<T, 3> const &element, Vector<T, 3> const &n) noexcept
 {
     SymmetricMatrix<T, 3> k{};
     Vector<T, 3> const &p = element.point;
@@ -79,7 +79,7 @@ PW85_FUNCTION inline void distance_hessian(SurfaceElement<T, 3> const (&elements
     for (int i = 0; i < 9; ++i)
         for (int j = i; j < 9; ++j) hessian[i][j] = hessian[j][i] = dot(turned[i], rows[j]);
     for (int e = 0; e < 2; ++e) {
-        SymmetricMatrix<T, 3> const k = bend(elements[e], n);
+        SymmetricMatrix<T, 3> const k = curvature_matrix(elements[e], n);
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) {
                 T &entry = hessian[3 + 3 * e + i][3 + 3 * e + j];

@@ -65,9 +65,9 @@ template <class T, int D> PW85_FUNCTION inline T gap_level(GapProof<T, D> const 
 /// and the same for |n| with w. The first line is Taylor's series, the other one √(1 + x) <= 1 +
 /// x/2. With the matrix H that takes 1 - radius²/4 and the largest 1/(1 + b·t/β), F is at least e·t
 /// + tᵀHt/2, with the gradient e, which is rounding. With d in place of g it is larger by (g - d)
-/// |n(m + t)|, at least `room`. So it is not negative if H - λ is semidefinite for λ = e²/(2 room).
-/// The margin of 64 u times the trace covers the errors of H, whose entries err by less than 16 u
-/// times those of its terms, and of the factorisation. e errs by less than 32 u.
+/// |n(m + t)|, at least `slack`. So it is not negative if H - λ is semidefinite for λ = e²/(2
+/// slack). The margin of 64 u times the trace covers the errors of H, whose entries err by less
+/// than 16 u times those of its terms, and of the factorisation. e errs by less than 32 u.
 template <class T, int D> PW85_FUNCTION inline bool
 is_proved_around(GapProof<T, D> const &proof, GapState<T, D> const &at, T const &radius) noexcept
 {
@@ -78,13 +78,13 @@ is_proved_around(GapProof<T, D> const &proof, GapState<T, D> const &at, T const 
     T const close = negative_power_of_two<T>(5);
     if (!(inner > close && metric > close)) return false;
     T const error = magnitude(e) + T(32) * u,
-            room = metric * (at.gap - (level + gap_rounding(proof.frame, at))) * at.length;
-    if (!(room > T(0))) return false;
+            slack = metric * (at.gap - (level + gap_rounding(proof.frame, at))) * at.length;
+    if (!(slack > T(0))) return false;
     T trace_metric = T(0);
     for (int i = 0; i < D; ++i) trace_metric = trace_metric + proof.frame.metric[i];
     T const size = T(1) + trace(proof.frame.inner) / (inner * at.inner_extent) +
                    at.gap * trace_metric / (metric * at.length);
-    T const shift = T(0.5) * error * error / room + T(64) * u * size;
+    T const shift = T(0.5) * error * error / slack + T(64) * u * size;
     GapWeights<T> const weights{T(1) - T(0.25) * (radius * radius), T(1) / inner, T(1) / metric};
     return has_positive_pivots(
         factorize(gap_hessian(proof.frame, at, at.gap, weights, shift), T(0)));

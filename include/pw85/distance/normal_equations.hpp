@@ -29,7 +29,7 @@ template <class T> struct Multipliers {
 
 /// The numbers at some t and s from which the equations are formed. S = A + tB.
 template <class T> struct NormalJet {
-    T r, bend;                   ///< rᵀu, uᵀM⁻¹u
+    T r, form_u;                 ///< rᵀu, uᵀM⁻¹u
     T a, b;                      ///< A and B
     T log_ratio, log_shift;      ///< ½ AB ∂(log B/A)/∂t, ½ AB ∂(log B/A)/∂s
     T sum, sum_ratio, sum_shift; ///< S, -½ ∂S/∂t, -½ ∂S/∂s
@@ -101,10 +101,10 @@ PW85_FUNCTION constexpr NormalJet<T> evaluate_normal(DistancePair<T, D> const &p
     T const q = rough_quotient(T(1), b), q2 = q * q, log_t = b_t * q, log_s = b_s * q;
     T const form_b = n * q2, form_c = c * q2, sum = (a * b - s * c) * q2;
     T const b_ratio = log_t * form_b - half_n_t * q2, b_shift = log_s * form_b - half_n_s * q2;
-    T const bend = log_s * form_c - half_c_s * q2, sum_shift = form_c - s * bend;
+    T const form_u = log_s * form_c - half_c_s * q2, sum_shift = form_c - s * form_u;
     T const unit1 = T(1) / pair.scale1, unit2 = T(1) / pair.scale2, unit = unit1 * unit2;
     return {a * q,
-            bend,
+            form_u,
             unit1 * (sum - t * form_b),
             unit2 * form_b,
             unit * (form_b * (form_b - s * b_shift) - sum * b_ratio),
@@ -156,7 +156,7 @@ is_within(NormalStep<T> const &step, NormalJet<T> const &j, int digits) noexcept
 {
     T const bound = negative_power_of_two<T>(digits);
     return absolute(step.numerator) <= bound * absolute(step.denominator) &&
-           step.shift * step.shift * j.bend <= bound * bound * j.r;
+           step.shift * step.shift * j.form_u <= bound * bound * j.r;
 }
 
 /// The largest step in log t: t changes by at most a factor of 7. This is a choice

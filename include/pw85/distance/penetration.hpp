@@ -118,20 +118,21 @@ penetration_in_range(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
 
 /// Computes penetration() of a valid pair that overlaps. A pair of like sizes is scaled to sizes of
 /// order one, so that it gets the bits of a pair that needs no scaling. Otherwise the larger
-/// ellipsoid is scaled to size 2^room, so that cQ1 and Q2/c are in range for any aspect ratio. A
-/// smaller ellipsoid that would leave the range is made larger. This change is far below rounding.
+/// ellipsoid is scaled to size 2^headroom, so that cQ1 and Q2/c are in range for any aspect ratio.
+/// A smaller ellipsoid that would leave the range is made larger. This change is far below
+/// rounding.
 template <class T, int D> PW85_FUNCTION inline Penetration<T, D>
 penetration_overlapping(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                         SymmetricMatrix<T, D> const &q2) noexcept
 {
-    constexpr int limit = std::numeric_limits<T>::max_exponent, room = limit / 5 * 2,
+    constexpr int limit = std::numeric_limits<T>::max_exponent, headroom = limit / 5 * 2,
                   least = 16 - limit / 2;
     T const size1 = largest_diagonal(q1), size2 = largest_diagonal(q2);
     if (is_in_range(T(1), size1, size2)) return penetration_in_range(r12, q1, q2);
     int const e1 = half_exponent(size1), e2 = half_exponent(size2), larger = maximum(e1, e2);
     bool const alike = is_in_range(T(1), T(times_power_of_two(size1, -2 * larger)),
                                    T(times_power_of_two(size2, -2 * larger)));
-    int const unit = alike ? larger : larger - room;
+    int const unit = alike ? larger : larger - headroom;
     int const unit1 = minimum(unit, e1 - least), unit2 = minimum(unit, e2 - least);
     auto result =
         penetration_in_range(times_power_of_two(r12, -unit), times_power_of_two(q1, -2 * unit1),

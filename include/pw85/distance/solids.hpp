@@ -137,7 +137,7 @@ template <class T> struct EdgeFrame {
             SymmetricMatrix<T, 2>{positive_form(q, e1, q1), dot(e1, q2), positive_form(q, e2, q2)});
     }
 
-    /// The normal of one of the two local maxima. Returns false if there is none.
+    /// Computes the normal of one of the two local maxima. Returns false if there is none.
     PW85_MEMBER bool normal(Vector<T, 3> const &point, bool global, Vector<T, 3> &n) const noexcept
     {
         Vector<T, 2> const across{dot(e1, point), dot(e2, point)};

@@ -24,7 +24,7 @@ template <class T, int D> struct PlaneContact {
     /// square of the factor by which the ellipsoid must be scaled to touch; 0 if its centre is in
     /// the wall
     T mu2;
-    Vector<T, D> point; ///< where the scaled ellipsoid touches, relative to its centre
+    Vector<T, D> point; ///< at which the scaled ellipsoid touches, relative to its centre
     StatusCode status;
 };
 

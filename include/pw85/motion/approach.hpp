@@ -129,7 +129,7 @@ meeting_of_spheres(Vector<T, D> const &r12, Vector<T, D> const &velocity, Reach<
 }
 
 /// The vector between the centres when the spheres meet. If it is short, item 2 gives it, because
-/// the rounding errors of the long way would matter.
+/// the rounding errors of r12 + t velocity would matter.
 template <class T, int D> PW85_FUNCTION inline Vector<T, D>
 r12_at_meeting(Vector<T, D> const &r12, Vector<T, D> const &velocity, Reach<T> const &reach,
                Moment<T, D> const &moment, Meeting<T> const &meeting) noexcept

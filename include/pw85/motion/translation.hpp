@@ -131,13 +131,13 @@ bound_outcome(SeparationBound<T, D> const &p, T const &target, T const &origin, 
     return BoundOutcome::too_near;
 }
 
-/// A Jet without second derivatives, for Newton's steps, from A, B and bend = (Q2s)ᵀM⁻¹Q2s: A' = -2
-/// (B - t bend), B' = -2 bend.
+/// A Jet without second derivatives, for Newton's steps, from A, B and c = (Q2s)ᵀM⁻¹Q2s: A' = -2
+/// (B - t c), B' = -2 c.
 template <class T>
-PW85_FUNCTION constexpr Jet<T> first_jet(T const &a, T const &b, T const &bend, T const &t) noexcept
+PW85_FUNCTION constexpr Jet<T> first_jet(T const &a, T const &b, T const &c, T const &t) noexcept
 {
     T const unit = T(1) / a, twice = T(-2) * unit;
-    return {T(1), twice * (b - t * bend), T(0), unit * b, twice * bend, T(0), T(0)};
+    return {T(1), twice * (b - t * c), T(0), unit * b, twice * c, T(0), T(0)};
 }
 
 /// A step in log t after which one more bound gives the contact: the error of the next t is about

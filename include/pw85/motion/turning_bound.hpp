@@ -71,8 +71,8 @@ state_at_time(BodyPair<T, D> const &pair, T const &t) noexcept
     Vector<T, D> const &s = blend.s, y1 = product(body1.rest, s), y2 = product(body2.rest, s);
     T const square = dot(s, s), a = dot(s, y1) + body1.least * square,
             b = dot(s, y2) + body2.least * square;
-    T const bend = inverse_form(blend.factors, add_scaled(y2, body2.least, s));
-    Slope<T> const of_h = slope(first_jet(a, b, bend, t), pair.ratio, t);
+    T const c = inverse_form(blend.factors, add_scaled(y2, body2.least, s));
+    Slope<T> const of_h = slope(first_jet(a, b, c, t), pair.ratio, t);
     T const target = target_at(pair.tangent, pair.ratio, t), per = of_h.weight / of_h.k;
     return {blend,
             {y1, y2},

@@ -215,7 +215,7 @@ nearest_number(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
 {
     T const largest = largest_number<T>();
     T x = minimum(guess, largest);
-    // Whether μ² rounds to more than x.
+    // Returns whether μ² rounds to more than x.
     auto const exceeds = [&](T const &number) {
         ++comparisons;
         int const sign = compare_exactly(r12, q1, q2, middle_above(number));
@@ -241,8 +241,9 @@ template <class T> struct RoundedContact {
 
 /// Steps 2 and 3, for what step 1 has left open.
 template <class T, int D>
-PW85_RARE RoundedContact<T> settle(Pair<T, D> const &pair, ScaledPair<T, D> const &scaled,
-                                   MaximumBounds<T> const &bounds) noexcept
+PW85_RARE RoundedContact<T> round_by_doubled_numbers(Pair<T, D> const &pair,
+                                                     ScaledPair<T, D> const &scaled,
+                                                     MaximumBounds<T> const &bounds) noexcept
 {
     auto const &[r12, q1, q2, unit] = pair;
     ExtendedMaximum<T> maximum{bounds.lower, bounds.lambda};
@@ -267,7 +268,7 @@ round_contact(Pair<T, D> const &pair, ScaledPair<T, D> const &scaled) noexcept
     if constexpr (FLT_EVAL_METHOD == 0) bounds = bound_maximum(scaled);
     if (decides(bounds))
         return {{bounds.lower, bounds.lambda, StatusCode::success}, bounds.evaluations, 0};
-    return settle(pair, scaled, bounds);
+    return round_by_doubled_numbers(pair, scaled, bounds);
 }
 
 /// contact_rounded() for a pair that fails the fast checks.
@@ -290,7 +291,7 @@ PW85_FUNCTION inline RoundedContact<T> round_contact(Pair<T, D> const &pair) noe
 }
 
 #define PW85_RARE_ROUNDED(rare, T, D)                                                              \
-    rare(settle,                                                                                   \
+    rare(round_by_doubled_numbers,                                                                 \
          (Pair<T, D> const &pair, ScaledPair<T, D> const &scaled, MaximumBounds<T> const &bounds), \
          (pair, scaled, bounds))
 PW85_RARE_TIER(PW85_RARE_ROUNDED)

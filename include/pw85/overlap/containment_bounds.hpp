@@ -132,7 +132,7 @@ PW85_FUNCTION inline SupportRatio<T, D> reach_beyond(ContainedPair<T, D> const &
 /// each entry (N. J. Higham, Accuracy and Stability of Numerical Algorithms, SIAM 2002, section
 /// 10.1, with one more rounding for the reciprocal pivots). With M scaled to a unit diagonal, its
 /// eigenvalues change by 18 u. The smallest one is at least 4/9 of the determinant, and at least
-/// 1/condition().
+/// 1/inverse_eigenvalue_bound().
 template <class T, int D> PW85_FUNCTION inline bool
 exceeds_rounding(SymmetricMatrix<T, D> const &m, Factorization<T, D> const &factors) noexcept
 {
@@ -142,7 +142,7 @@ exceeds_rounding(SymmetricMatrix<T, D> const &m, Factorization<T, D> const &fact
         if (!(m(i, i) > T(0) && factors.pivots[i] > T(0))) return false;
         determinant = determinant * T(factors.pivots[i] / m(i, i));
     }
-    return determinant > T(T(64) * u) || T(T(32) * u) * condition(factors, m) < T(1);
+    return determinant > T(T(64) * u) || T(T(32) * u) * inverse_eigenvalue_bound(factors, m) < T(1);
 }
 
 } // namespace pw85::detail

@@ -67,9 +67,10 @@ template <class T, int D> struct DualBoundSearch {
 };
 
 /// Returns whether the bounds on κ² differ by no more than `tolerance` S.
-template <class T, int D> PW85_FUNCTION inline bool is_settled(ContainedPair<T, D> const &pair,
-                                                               DualBoundSearch<T, D> const &search,
-                                                               T const &tolerance) noexcept
+template <class T, int D>
+PW85_FUNCTION inline bool has_converged(ContainedPair<T, D> const &pair,
+                                        DualBoundSearch<T, D> const &search,
+                                        T const &tolerance) noexcept
 {
     T const mu2 = search.best.mu2, gap = search.bound - mu2;
     return mu2 > T(0) &&
@@ -130,7 +131,7 @@ template <class T, int D> PW85_FUNCTION inline bool search_dual(ContainedPair<T,
 {
     for (int step = 0; step < max_dual_steps<T>(); ++step) {
         T next = evaluate_at(pair, search, nu);
-        if (is_settled(pair, search, tolerance)) return true;
+        if (has_converged(pair, search, tolerance)) return true;
         if (!(next > search.lower && next < search.upper)) next = next_in_bracket(search);
         if (!(next > search.lower && next < search.upper)) return false;
         nu = next;
@@ -161,7 +162,7 @@ PW85_FUNCTION inline T initial_nu(ContainedPair<T, D> const &pair) noexcept
 template <class T, int D> struct DualMinimum {
     T mu2;
     Vector<T, D> point;
-    bool settled;
+    bool converged;
 };
 
 /// Searches with numbers of type W, which may be wider than those of the pair. The point is r +
@@ -180,10 +181,10 @@ minimize_dual_with(ContainedPair<T, D> const &pair, W const &tolerance) noexcept
     for (int i = 0; i < D; ++i)
         search.lower = maximum(search.lower, W(wide.q2(i, i) / wide.q1(i, i)));
     search.lower = W(T(0.5)) * search.lower;
-    bool const settled = search_dual(wide, search, initial_nu(wide), tolerance);
+    bool const converged = search_dual(wide, search, initial_nu(wide), tolerance);
     auto const point =
         add_scaled(wide.r12, W(W(1) / search.best.root2), product(wide.q2, search.best.n));
-    DualMinimum<T, D> dual{rounded(search.best.mu2), {}, settled};
+    DualMinimum<T, D> dual{rounded(search.best.mu2), {}, converged};
     for (int i = 0; i < D; ++i) dual.point[i] = rounded(point[i]);
     return dual;
 }
@@ -194,7 +195,7 @@ PW85_RARE DualMinimum<T, D> minimize_dual_wider(ContainedPair<T, D> const &pair)
 {
     T const u = T(unit_roundoff<T>());
     auto const finer = minimize_dual_with(pair, Doubled<T>(u));
-    return finer.settled ? finer : minimize_dual_with(pair, exact::Extended<T>(u));
+    return finer.converged ? finer : minimize_dual_with(pair, exact::Extended<T>(u));
 }
 
 #define PW85_RARE_DUAL(rare, T, D)                                                                 \
@@ -207,7 +208,7 @@ PW85_FUNCTION inline DualMinimum<T, D> minimize_dual(ContainedPair<T, D> const &
 {
     auto const dual = minimize_dual_with(pair, T(T(4) * T(unit_roundoff<T>())));
     if constexpr (has_extended_numbers<T>)
-        if (!dual.settled) return minimize_dual_wider(pair);
+        if (!dual.converged) return minimize_dual_wider(pair);
     return dual;
 }
 
@@ -226,7 +227,7 @@ PW85_FUNCTION inline ContainmentScale<T, D> containment(Vector<T, D> const &r12,
     if (status != StatusCode::success) return all_nan<ContainmentScale<T, D>>(status);
     auto const scaled = scale_contained(pair);
     auto const dual = minimize_dual(scaled.pair);
-    if (!dual.settled) return all_nan<ContainmentScale<T, D>>(StatusCode::no_convergence);
+    if (!dual.converged) return all_nan<ContainmentScale<T, D>>(StatusCode::no_convergence);
     return {times_power_of_two(dual.mu2, 2 * (scaled.length - scaled.form)),
             times_power_of_two(dual.point, scaled.length), StatusCode::success};
 }

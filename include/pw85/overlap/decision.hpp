@@ -15,8 +15,8 @@ enum class Decision { none, apart, overlap };
 
 namespace pw85::detail {
 
-/// The decision from two conditions, of which at most one is true. It has no branches, because a
-/// processor could not predict them.
+/// Returns the decision from two conditions, of which at most one is true. It has no branches,
+/// because a processor could not predict them.
 PW85_FUNCTION constexpr Decision to_decision(bool apart, bool overlap) noexcept
 {
     return static_cast<Decision>(static_cast<unsigned>(apart) +

@@ -133,7 +133,7 @@ PW85_FUNCTION inline WideInteger sum_of_products(WideInteger x, WideInteger y, i
     return value(sum);
 }
 
-/// The sign of x y + sign2·u v.
+/// Returns the sign of x y + sign2·u v.
 PW85_FUNCTION inline int sign_of_products(WideInteger x, WideInteger y, int sign2, WideInteger u,
                                           WideInteger v) noexcept
 {
@@ -224,7 +224,7 @@ has_root_for_inside(Numbers<T, D> const &numbers, Sizes const &sizes, Limb *memo
     return second == 0 || sign_of_products(a[1], a[1], -1, value(product), one) != 0;
 }
 
-/// The number of limbs that the functions above need.
+/// Returns the number of limbs that the functions above need.
 PW85_FUNCTION constexpr int limbs_for_containment(Sizes const &sizes) noexcept
 {
     return maximum(sizes.total + sizes.coefficient, 6 * sizes.coefficient + 3 * sizes.quadratic);

@@ -78,7 +78,8 @@ PW85_FUNCTION inline int unit(SquareOfNumbers<T, D> const &square) noexcept
     return square.exponent;
 }
 
-/// The determinant of D columns in symbols, which stand for the columns one after the other.
+/// Returns the determinant of D columns in symbols, which stand for the columns one after the
+/// other.
 template <int D> PW85_FUNCTION constexpr Polynomial symbolic_determinant() noexcept
 {
     Vector<Polynomial, D> columns[std::size_t(D)];

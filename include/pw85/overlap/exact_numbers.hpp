@@ -88,8 +88,8 @@ PW85_FUNCTION constexpr Polynomial operator-(Polynomial const &x, Polynomial con
     return x + -y;
 }
 
-/// The rational form, with b multiplied by m, in the symbols x. The symbols stand for r12, q1, q2
-/// and m in this order.
+/// Returns the rational form, with b multiplied by m, in the symbols x. The symbols stand for r12,
+/// q1, q2 and m in this order.
 template <int D> PW85_FUNCTION constexpr RationalForm<Polynomial> symbolic_form() noexcept
 {
     Pair<Polynomial, D> pair{};
@@ -144,7 +144,7 @@ struct BitRange {
     }
 };
 
-/// The empty range.
+/// Returns the empty range.
 PW85_FUNCTION constexpr BitRange no_digits() noexcept { return {1 << 24, -(1 << 24)}; }
 
 /// The numbers of a pair and of a comparison, in the order of symbolic_form().

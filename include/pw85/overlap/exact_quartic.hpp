@@ -76,7 +76,8 @@ PW85_FUNCTION inline WideInteger invariant_i(Quartic const &p, Sizes const &size
     return value(sum);
 }
 
-/// The sign of the discriminant, which is that of 4I³ - J². It uses the memory of a quartic sum.
+/// Computes the sign of the discriminant, which is that of 4I³ - J². It uses the memory of a
+/// quartic sum.
 PW85_FUNCTION inline int sign_of_discriminant(WideInteger i, WideInteger twice_j,
                                               Sizes const &sizes, Limb *memory) noexcept
 {
@@ -87,8 +88,8 @@ PW85_FUNCTION inline int sign_of_discriminant(WideInteger i, WideInteger twice_j
     return compare_products(value(square), i, twice_j, twice_j);
 }
 
-/// The sign of the subdiscriminant if the discriminant is zero: that of 2aJ + I(3b² - 8ac). It uses
-/// the memory of a quadratic sum.
+/// Computes the sign of the subdiscriminant if the discriminant is zero: that of 2aJ + I(3b² -
+/// 8ac). It uses the memory of a quadratic sum.
 PW85_FUNCTION inline int sign_of_subdiscriminant(Quartic const &p, WideInteger i,
                                                  WideInteger twice_j, Sizes const &sizes,
                                                  Limb *memory) noexcept
@@ -103,8 +104,8 @@ PW85_FUNCTION inline int sign_of_subdiscriminant(Quartic const &p, WideInteger i
     return left != right ? (left > right ? 1 : -1) : left * compare_products(i, k, a, twice_j);
 }
 
-/// The sign of the double root if there is one and the other roots are real and simple. It uses the
-/// memory of two quadratic sums. The second one may be that of the last two coefficients.
+/// Computes the sign of the double root if there is one and the other roots are real and simple. It
+/// uses the memory of two quadratic sums. The second one may be that of the last two coefficients.
 ///
 /// Let x be the double root, and H the Hessian of p as a binary form. The covariant 2J p + I H is k
 /// (t - x)⁴ with k = 2aJ + I(3b² - 8ac) > 0. Its second coefficient gives -4kx = 2bJ + 4I(bc -

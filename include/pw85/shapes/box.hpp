@@ -34,7 +34,7 @@ PW85_FUNCTION constexpr T clamped(T const &x, T const &lower, T const &upper) no
     return minimum(maximum(x, lower), upper);
 }
 
-/// The index of the k-th coordinate other than i.
+/// Returns the index of the k-th coordinate other than i.
 PW85_FUNCTION constexpr int other_axis(int i, int k) noexcept { return k < i ? k : k + 1; }
 
 /// The problem that is left where coordinate i differs from that of the centre by `offset`. The

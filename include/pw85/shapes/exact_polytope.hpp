@@ -31,7 +31,7 @@ template <int N> struct Product {
     int length, exponent, sign;
 };
 
-/// The product of no numbers.
+/// Returns the product of no numbers.
 PW85_FUNCTION constexpr Product<1> unit_product() noexcept { return {{{1}}, 1, 0, 1}; }
 
 template <int N> PW85_FUNCTION constexpr Product<N> operator-(Product<N> x) noexcept

@@ -102,7 +102,7 @@ PW85_FUNCTION inline WideVector product(Workspace &space, WideForm const &q,
     return y;
 }
 
-/// An entry of adj(Q).
+/// Returns an entry of adj(Q).
 PW85_FUNCTION inline WideInteger cofactor(Workspace &space, WideForm const &q, int i,
                                           int j) noexcept
 {
@@ -215,8 +215,8 @@ PW85_FUNCTION inline WideVector difference(Workspace &space, ShapeNumbers<T, N> 
     return v;
 }
 
-/// The limbs of mᵀQm - e·f, for c limbs of a coordinate and f limbs of an entry of the form. m has
-/// up to 2 c + 1 limbs, f 2 f + c + 1.
+/// Returns the limbs of mᵀQm - e·f, for c limbs of a coordinate and f limbs of an entry of the
+/// form. m has up to 2 c + 1 limbs, f 2 f + c + 1.
 PW85_FUNCTION constexpr int limbs_of_line(int c, int f) noexcept
 {
     return 2 * c + 3 + f + maximum(f, 2 * c);

@@ -27,7 +27,7 @@ template <class T, int D = 3> struct ShapeContact {
     /// square of the factor by which the ellipsoid must be scaled to touch; 0 if its centre is in
     /// the set
     T mu2;
-    Vector<T, D> point; ///< where the scaled ellipsoid touches, relative to its centre
+    Vector<T, D> point; ///< at which the scaled ellipsoid touches, relative to its centre
     StatusCode status;
 };
 
@@ -116,7 +116,7 @@ template <class T> struct Elimination {
         return {x[0], z1, s11 * rest - s12 * z1};
     }
 
-    /// The coordinates of z times their weights.
+    /// Returns the coordinates of z times their weights.
     PW85_MEMBER constexpr Vector<T, 3> weighted(Vector<T, 3> const &z) const noexcept
     {
         return {weight0 * z[0], weight1 * z[1], z[2]};
@@ -264,7 +264,7 @@ PW85_RARE ShapeContact<T, 3> contact_with_all_digits(Vector<T, 3> const (&points
     return {found.mu2, found.point, StatusCode::success};
 }
 
-/// These tiers for a set of N points.
+/// Finds the nearest point of a set of N points by the tiers above.
 #define PW85_RARE_SHAPE(rare, T, N, Find)                                                          \
     rare(find_finer,                                                                               \
          (Vector<T, 3> const(&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find),       \

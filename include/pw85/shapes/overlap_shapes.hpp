@@ -35,7 +35,7 @@ template <class T, int N> struct Hull {
 
     PW85_MEMBER bool is_valid() const noexcept { return is_finite(points); }
 
-    /// The least s·y of the set.
+    /// Returns the least s·y of the set.
     PW85_MEMBER T least_projection(Vector<T, 3> const &s) const noexcept
     {
         T least = dot(s, points[0]);

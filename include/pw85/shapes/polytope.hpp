@@ -285,8 +285,8 @@ template <class T> PW85_FUNCTION inline bool is_accurate(TouchedPlanes<T> const 
 ///
 /// The search has left no violation above 8 u (|g|·r + m). If the sum of r is at most three times
 /// that of |x|, this is within the bound of has_point(), with the errors of its own.
-template <class T>
-PW85_FUNCTION inline bool settle(Polytope<T> const &polytope, PolytopeSearch<T> &search) noexcept
+template <class T> PW85_FUNCTION inline bool accept_point(Polytope<T> const &polytope,
+                                                          PolytopeSearch<T> &search) noexcept
 {
     auto &at = search.at;
     if (search.end != PolytopeSearch<T>::End::found || !is_accurate(at)) return false;
@@ -354,7 +354,7 @@ contact_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMat
     polytope = scaled(polytope, binary_exponent(largest), form);
     auto search = search_polytope(polytope, infinity<T>());
     if constexpr (exact::is_decidable<T>) {
-        if (!settle(polytope, search))
+        if (!accept_point(polytope, search))
             return contact_polytope_exactly(n, normals, offsets, q, center);
     }
     auto nowhere = all_nan<ShapeContact<T, 3>>(

@@ -328,7 +328,7 @@ class HardEllipsoids {
                 system().num_particles};
     }
 
-    /// The length of the array that save() fills.
+    /// Returns the length of the array that save() fills.
     [[gnu::always_inline]] std::size_t num_bytes() const noexcept
     {
         return pw85_hard_ellipsoids_num_bytes(get());

@@ -13,7 +13,7 @@ namespace pw85 {
 
 /// A hard wall: see pw85_hard_ellipsoids_set_walls().
 struct Wall : pw85_wall {
-    /// The half-space normal·x >= offset.
+    /// Returns the half-space normal·x >= offset.
     [[gnu::always_inline]] static Wall plane(Vector<double, 3> const &normal,
                                              double offset) noexcept
     {

@@ -17,7 +17,7 @@ namespace pw85 {
 /// @name Lists of pairs
 /// @{
 
-/// contact() for the pairs of a list: see pw85_contact_pairs().
+/// Computes contact() for the pairs of a list: see pw85_contact_pairs().
 ///
 /// @param list indices of particles, with or without images
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
@@ -32,7 +32,7 @@ static inline StatusCode contact_pairs(PairList const &list, Particles const &pa
     return detail::call_pairs(pw85_contact_pairs, list, particles, mu2, lambda);
 }
 
-/// overlap() for the pairs of a list: see pw85_overlap_pairs().
+/// Computes overlap() for the pairs of a list: see pw85_overlap_pairs().
 ///
 /// @param list indices of particles, with or without images
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
@@ -45,7 +45,7 @@ static inline StatusCode overlap_pairs(PairList const &list, Particles const &pa
     return detail::call_pairs(pw85_overlap_pairs, list, particles, overlap);
 }
 
-/// overlap_volume() for the pairs of a list: see pw85_overlap_volume_pairs().
+/// Computes overlap_volume() for the pairs of a list: see pw85_overlap_volume_pairs().
 ///
 /// @param list indices of particles, with or without images
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles

@@ -35,7 +35,7 @@ class Mesh {
 /// The contact of an ellipsoid and a mesh.
 struct MeshContact {
     double mu2;              ///< infinity if the mesh has no triangles
-    Vector<double, 3> point; ///< where the scaled ellipsoid touches, relative to its centre
+    Vector<double, 3> point; ///< at which the scaled ellipsoid touches, relative to its centre
     std::int32_t triangle;   ///< index of the nearest triangle; -1 if there is none
     StatusCode status;
 };

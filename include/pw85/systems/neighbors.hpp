@@ -25,7 +25,8 @@ class Neighbors {
     /// Takes ownership of a list of the C API, which may be null.
     [[gnu::always_inline]] explicit Neighbors(pw85_neighbors *list) noexcept : list_(list) {}
 
-    /// The pairs, with images if the list has a cell. They are valid as long as this object lives.
+    /// Returns the pairs, with images if the list has a cell. They are valid as long as this object
+    /// lives.
     [[gnu::always_inline]] PairList list() const noexcept
     {
         pw85_pair_list const list = pw85_neighbors_list(list_.get());

@@ -61,8 +61,8 @@ static inline StatusCode overlap_any_indices(Vector<double, 3> const &center,
 /// @name Periodic cells
 /// @{
 
-/// A reduced cell of the same lattice. It can be passed in place of the cell, and needs less
-/// preparation: see pw85_cell_reduce().
+/// Returns a reduced cell of the same lattice. It can be passed in place of the cell, and needs
+/// less preparation: see pw85_cell_reduce().
 ///
 /// @param cell rows are its vectors
 /// @return the reduced cell; Status::invalid_argument for a cell that is singular or not finite
@@ -74,7 +74,7 @@ static inline ReducedCell cell_reduce(Cell const &cell) noexcept
     return result;
 }
 
-/// The nearest images of the pairs of a list: see pw85_nearest_images().
+/// Returns the nearest images of the pairs of a list: see pw85_nearest_images().
 ///
 /// @param pairs indices of particles
 /// @param particles centres and cell; forms may be left out
@@ -96,7 +96,7 @@ static inline StatusCode nearest_images(std::span<IndexPair const> pairs,
                                                        detail::in_c(r12), detail::in_c(images)));
 }
 
-/// The largest μ² up to which only nearest images count: see pw85_nearest_image_limit().
+/// Computes the largest μ² up to which only nearest images count: see pw85_nearest_image_limit().
 ///
 /// @param particles forms and cell; centres may be left out
 /// @param[out] mu2 the limit; infinity if there are no particles

@@ -72,7 +72,7 @@ static inline StatusCode contact_forces_pairs(PairList const &list, Particles co
         reinterpret_cast<double *>(out.virial)));
 }
 
-/// The energy, forces, torques and virial of a law for the pairs of a neighbour list: see
+/// Returns the energy, forces, torques and virial of a law for the pairs of a neighbour list: see
 /// pw85_law_forces_pairs().
 ///
 /// @param list,particles as for contact_pairs()

@@ -73,8 +73,8 @@ PW85_FUNCTION inline CirclePair<T> circle_pair(Vector<T, 2> const &r12,
     return p;
 }
 
-/// A root of x = z³ with a relative error below 2.2e-5 (scripts/chord_bounds.py), for a positive
-/// normal number: a third of the exponent, and one step of Halley's method.
+/// Returns a root of x = z³ with a relative error below 2.2e-5 (scripts/chord_bounds.py), for a
+/// positive normal number: a third of the exponent, and one step of Halley's method.
 PW85_FUNCTION inline double third_of_exponent(double x) noexcept
 {
     static_assert(std::numeric_limits<double>::is_iec559);

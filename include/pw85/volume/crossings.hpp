@@ -62,7 +62,7 @@ template <class T> struct ValueAndSlope {
 /// Criteria that end the search for a root: its rounding error, and a bound on half of the second
 /// derivative.
 template <class T> struct Accuracy {
-    T noise, bend;
+    T noise, half_second;
 };
 
 /// The ellipse in its metric: the ratio ρ of the semi-axes, the shorter one, and the centre. P and
@@ -95,7 +95,7 @@ template <class T> struct FlattenedEllipse {
         return T(T(m.y - radius) * T(m.y + radius)) + T(m.x * m.x);
     }
 
-    /// The factors of y and -x in G.
+    /// Returns the factors of y and -x in G.
     PW85_MEMBER T along() const noexcept { return T(ratio * d0); }
     PW85_MEMBER T across() const noexcept { return d1; }
 
@@ -106,7 +106,7 @@ template <class T> struct FlattenedEllipse {
     }
 
     /// Half of the second derivative.
-    PW85_MEMBER T half_bend(PlanePoint<T> const &p) const noexcept
+    PW85_MEMBER T half_second_derivative(PlanePoint<T> const &p) const noexcept
     {
         return T(T(flattening * T(T(p.x - p.y) * T(p.x + p.y))) + T(along() * p.x)) +
                T(across() * p.y);
@@ -148,8 +148,8 @@ template <class T> struct FlattenedEllipse {
     PW85_MEMBER ValueAndSlope<T> half_derivative_at(CirclePlace<T> const &place) const noexcept
     {
         auto const p = point_at(place);
-        T const bend = half_bend(p);
-        return {half_derivative(p), T(T(bend + bend) / T(T(1) + place.t * place.t))};
+        T const half_second = half_second_derivative(p);
+        return {half_derivative(p), T(T(half_second + half_second) / T(T(1) + place.t * place.t))};
     }
 };
 
@@ -176,9 +176,9 @@ template <class T> PW85_FUNCTION inline auto rounded(FlattenedEllipse<T> const &
 /// A change of sign of a function of t between low and high, where it has the opposite sign of that
 /// at low, from a start between them. Newton's method; a bisection replaces a step that leaves the
 /// bracket, or that does not halve the last but one. The last step is one after which the error,
-/// bend step²/|slope|, is below u. From a value that is a rounding error, it is one that changes
-/// the function by at most as much more, bend step². A longer one is due to a slope that is a
-/// rounding error as well, as it is near a root of multiplicity three.
+/// half_second step²/|slope|, is below u. From a value that is a rounding error, it is one that
+/// changes the function by at most as much more, half_second step². A longer one is due to a slope
+/// that is a rounding error as well, as it is near a root of multiplicity three.
 template <class T, class Function>
 PW85_FUNCTION inline T sign_change(T low, T high, T t, bool is_negative_at_low,
                                    Accuracy<T> const &accuracy, Function const &function) noexcept
@@ -190,11 +190,11 @@ PW85_FUNCTION inline T sign_change(T low, T high, T t, bool is_negative_at_low,
         ((at.value < T(0)) == is_negative_at_low ? low : high) = t;
         T const newton = T(t - at.value / at.slope), length = absolute(T(newton - t));
         bool const is_inside = newton > low && newton < high;
-        T const bend = T(accuracy.bend * T(length * length));
+        T const half_second = T(accuracy.half_second * T(length * length));
         if (absolute(at.value) <= accuracy.noise)
-            return is_inside && bend <= accuracy.noise ? newton : t;
+            return is_inside && half_second <= accuracy.noise ? newton : t;
         bool const is_good = is_inside && length <= T(half * before);
-        if (is_good && bend <= T(u * absolute(at.slope))) return newton;
+        if (is_good && half_second <= T(u * absolute(at.slope))) return newton;
         T const next = is_good ? newton : T(half * T(low + high));
         before = last;
         last = absolute(T(next - t));

@@ -193,7 +193,8 @@ has_larger_volume(LowerFactor<T, D> const &a, LowerFactor<T, D> const &b) noexce
                            : T(a.determinant * power) > b.determinant;
 }
 
-/// How far rounded forms move the surfaces, in units of 7Du/2 and of the radius of the ball.
+/// Bounds the displacement of the surfaces by rounded forms, in units of 7Du/2 and of the radius of
+/// the ball.
 ///
 /// The factors are those of forms whose entries differ by up to 7u √(q_ii q_jj). The square of the
 /// support nᵀQn then changes by 7u (Σ √q_ii |n_i|)² <= 7Du Σ q_ii n_i² <= 7Du κ nᵀQn. Where the

@@ -61,7 +61,7 @@ template <class T> struct PoleInterval {
 
     /// Value, slope, half of the negative second derivative, and the sum of its terms by magnitude.
     struct Value {
-        T h, slope, bend, sharpness;
+        T h, slope, half_second, sharpness;
     };
 
     PW85_MEMBER Value at(T const &delta, T const &epsilon) const noexcept
@@ -104,7 +104,7 @@ template <class T> PW85_FUNCTION inline bool descend(PoleInterval<T> const &f, T
 {
     for (int step = 0; step < most_newton_steps; ++step) {
         auto const value = f.at(delta, T(f.gap - delta));
-        if (!(value.bend >= T(0) && value.slope < T(0))) return false;
+        if (!(value.half_second >= T(0) && value.slope < T(0))) return false;
         if (value.h >= T(0)) return true;
         T const next = T(delta + value.h / value.slope);
         if (!(next < f.gap)) return false;

@@ -144,7 +144,7 @@ template <class T> PW85_FUNCTION inline T area_between(BodyOnAxis<T, 3> const &b
     return select(is_outer, mean, T(T(foot * a + T(h2 * on.s) * axial) / T(T(a - hs) * T(a + hs))));
 }
 
-/// How the area of the part of a body follows from integrals along the rim. The end e of
+/// The area of the part of a body by integrals along the rim. The end e of
 /// area_beyond() is not inside the part: for one rim, it is the end that does not belong to the
 /// body.
 ///
@@ -233,8 +233,8 @@ template <class T> struct RimIntegration {
 
     PW85_MEMBER bool has_no_rim() const noexcept { return is_empty() || is_whole(); }
 
-    /// The area of the whole body over 2π and the radius of the metric, or nothing for the other
-    /// one, where there is no rim.
+    /// Returns the area of the whole body over 2π and the radius of the metric, or nothing for the
+    /// other one, where there is no rim.
     PW85_MEMBER T area_without_rim(int body, T const &radius) const noexcept
     {
         return is_whole() && rim.ends.ball_above == (body == 0) ? T(T(2) * radius) : T(0);
@@ -261,7 +261,7 @@ template <class T> struct RimIntegration {
         add(plane, points, w);
     }
 
-    /// The areas A1 and, over the radius of the metric, A2.
+    /// Returns the areas A1 and, over the radius of the metric, A2.
     PW85_MEMBER T area(int body, MovingHalfPlane<Two> const &plane,
                        RimPoint<Two> const (&points)[2], Two const &speed) const noexcept
     {
@@ -275,7 +275,8 @@ template <class T> struct RimIntegration {
         return rules[body].is_rest ? T(T(2) * radius) : T(0);
     }
 
-    /// The least squared distance of an end of a body from the rim in the planes of the vertices.
+    /// Returns the least squared distance of an end of a body from the rim in the planes of the
+    /// vertices.
     PW85_MEMBER T distance_from_end(int body, int side) const noexcept
     {
         T least = T(64); // above the square of a diameter of bodies of this volume

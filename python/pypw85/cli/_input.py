@@ -86,7 +86,7 @@ class Numbers(click.ParamType):
 
 
 def _number(text: Any) -> float:
-    """NaN if it is none."""
+    """The number of a text; NaN if it is not one."""
     try:
         return float(text)
     except ValueError:
@@ -94,7 +94,7 @@ def _number(text: Any) -> float:
 
 
 def _whole_number(text: Any) -> int | None:
-    """The number of 5, 1e5 or 18446744073709551615; None if the text is no whole number."""
+    """The number of 5, 1e5 or 18446744073709551615; None if the text is not an integer."""
     try:
         return int(text)
     except ValueError:

@@ -22,7 +22,7 @@ except ImportError:
 def progress() -> Iterator[Callable[[str], None]]:
     """Yields a function that takes a description of the current work, and raises KeyboardInterrupt after Ctrl-C.
 
-    Another thread shows it, so that time goes on while nothing else does.
+    Another thread shows it, so that the time is shown while nothing else happens.
     """
     stage, finished = ["starting"], threading.Event()
     thread = threading.Thread(target=_show, args=(stage, finished), daemon=True)
@@ -51,7 +51,7 @@ def _show(stage: list[str], finished: threading.Event) -> None:
 
 
 def beside(output: str) -> TextIO:
-    """Where a sentence on an output goes: not into it."""
+    """The stream for a sentence about an output, which is not that output."""
     return sys.stderr if output == STANDARD_OUTPUT else sys.stdout
 
 

@@ -87,7 +87,7 @@ class Settings(NamedTuple):
 
 
 def usual_chains(trials: int) -> int:
-    """The number of event chains for so many trials."""
+    """The number of event chains for a number of trials."""
     return max(1, round(trials / _TRIALS_PER_CHAIN))
 
 
@@ -165,7 +165,7 @@ class Run:
 
     @property
     def most_equilibration(self) -> int:
-        """How many sweeps the equilibration takes, at most."""
+        """The largest number of sweeps of the equilibration."""
         if self.equilibration is None:
             return self.settings.equilibrate or 0
         return self.equilibrated if self.equilibration.is_finished else self.equilibration.most_sweeps
@@ -288,7 +288,7 @@ class Run:
 
     @property
     def samples_path(self) -> str:
-        """Where samples are until the run ends. They are added there at each checkpoint."""
+        """The file of samples until the run ends. Each checkpoint adds samples to it."""
         return self.path + ".samples"
 
     @property
@@ -440,7 +440,7 @@ def _synced(path: str) -> int:
 
 
 def _checksum(path: str, size: int) -> int:
-    """That of the first bytes of a file."""
+    """The checksum of the first bytes of a file."""
     found = 0
     with open(path, "rb") as file:
         while size > 0 and (part := file.read(min(size, 1 << 20))):

@@ -27,7 +27,7 @@ def is_table(path: str) -> bool:
 
 
 def read_series(path: str) -> dict[str, Floats] | None:
-    """The columns of the samples of a run by their names; None if the file is no run of `pw85 mc`."""
+    """The columns of the samples of a run by their names; None if the file is not a run of `pw85 mc`."""
     if is_table(path):
         return _from_table(path)
     return _from_run(path) if _start(path).startswith(b"\x89HDF") else None
@@ -92,12 +92,12 @@ def _has_values(values: Floats | None) -> bool:
     return values is not None and bool(np.isfinite(values).all()) and bool(values.any())
 
 
-# Densities are quotients of numbers that are the same but for some units of rounding.
+# Densities are quotients of numbers that are the same up to some units of rounding.
 _ROUNDING = 1e-12
 
 
 def _limits(values: Floats) -> tuple[float, float] | None:
-    """Those of the axis of a number that is constant up to rounding errors, 5 % to either side; None for others."""
+    """The limits of the axis of a number that is constant up to rounding errors, 5 % to either side; None for others."""
     least, most = float(values.min()), float(values.max())
     if most - least > _ROUNDING * max(abs(least), abs(most)):
         return None

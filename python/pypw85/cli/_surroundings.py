@@ -34,7 +34,7 @@ class _Kind(NamedTuple):
 
     @property
     def counts(self) -> tuple[int, ...]:
-        """How many numbers there may be. What stands between brackets may be left out."""
+        """The allowed counts of numbers. Numbers in brackets may be left out."""
         most, least = self.form.count(",") + 1, self.form.partition("[")[0].count(",") + 1
         return tuple(range(least, most + 1))
 
@@ -83,7 +83,7 @@ class _SurroundingType(click.ParamType):
         return kind.make(Numbers(*kind.counts).convert(text, param, ctx).tolist())
 
     def forms(self) -> str:
-        """How each kind is written."""
+        """The words and numbers of all walls, fields or laws, for help and messages."""
         return "; ".join(f"{name}:{kind.form}" for name, kind in self.kinds.items())
 
 

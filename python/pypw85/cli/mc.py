@@ -48,8 +48,8 @@ MOST_THREADS = 1024
 @click.option("--pressure", type=Finite(), metavar="P",
               help="βP in the inverse cube of the unit of length, in two dimensions its inverse square; the volume is constant if absent.")
 @click.option("--volume", type=click.Choice(["isotropic", "axis", "triclinic"]), default="isotropic", show_default=True,
-              help="What changes of the volume scale: all axes alike, one of them, or shear, too. The latter two are for crystals: "
-                   "a fluid lets its cell become a needle.")
+              help="What changes of the volume scale: all axes alike, one of them, or shear, too. Changes of one axis and shear are for "
+                   "crystals: a fluid lets its cell become a needle.")
 @click.option("--volume-trials", type=WholeNumber(), default=1, show_default=True, metavar="N",
               help="Trials of the volume after each sweep.")
 @click.option("--exchange", type=Finite(may_be_zero=True, below=1), default="0", show_default=True, metavar="PART",
@@ -227,7 +227,7 @@ def _growing_format(trajectory: str) -> str:
         if trajectory.lower().endswith(FORMATS[name].SUFFIXES):
             check_output(trajectory)
             return name
-    raise FileError(trajectory, "a trajectory grows while the run goes on: end its name with .gsd, .xyz or .dump (pw85 convert makes "
+    raise FileError(trajectory, "a trajectory grows during the run: end its name with .gsd, .xyz or .dump (pw85 convert makes "
                     "others)")  # fmt: skip
 
 
@@ -261,7 +261,7 @@ def _checked(given: Input, system: System, is_surrounded: bool) -> System:
 
 
 def _check_exchange(given: Input, system: System) -> None:
-    """Exchanges need particles with different semi-axes. Types go with the semi-axes, so each kind of particle has one type."""
+    """Exchanges need particles with different semi-axes. Types go with the semi-axes, so each species has one type."""
     _, kinds = np.unique(system.semi_axes, axis=0, return_inverse=True)
     names, types = np.unique(system.types, return_inverse=True)
     pairs = np.unique(np.stack([kinds.ravel(), types.ravel()]), axis=1)
@@ -292,7 +292,7 @@ def _go(run: Run, checkpoint: float, stage: Callable[[str], None]) -> int:
 
 
 class _Clock:
-    """Says how far a run is, and how long the rest will take if it goes on like this."""
+    """Says how far a run is, and how long the rest will take at this speed."""
 
     def __init__(self, run: Run) -> None:
         self._run, self._start, self._done = run, time.monotonic(), run.equilibrated + run.sweeps
@@ -390,7 +390,7 @@ def _unsettled(run: Run) -> Iterator[str]:
                f"still changed, or too few samples could tell: equilibrate longer (--equilibrate {2 * windows.sweeps})")  # fmt: skip
 
 
-# A bias of the contacts that is as many times its error is no accident.
+# A bias of the contacts beyond this many errors is not an accident.
 _LARGEST_BIAS = 3.0
 
 

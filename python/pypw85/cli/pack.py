@@ -55,7 +55,7 @@ _to = click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT; 
                    "for ellipses.")
 @click.option("--dimensions", type=click.Choice(["2", "3"]), default="3", show_default=True, help="2 for ellipses in a plane.")
 @click.option("--rsa", is_flag=True, help="Add ellipsoids at random places one after the other, until no other one finds room.")
-@click.option("--attempts", type=Finite(), help="With --rsa: end after so many.")
+@click.option("--attempts", type=Finite(), help="With --rsa: end after this number of attempts.")
 @click.option("--seconds", type=Finite(), help="With --rsa: end after this time.")
 @click.option("--lattice", "kind", type=click.Choice(["fcc", "sc", "stretched"]),
               help="An ordered start instead: parallel ellipsoids on a cubic lattice, or on a face-centred one that is stretched with "

@@ -157,7 +157,7 @@ def guess(path: Path) -> str:
     _refuse(path, start, _OTHERS)
     if end.removesuffix(".gz").endswith((*csv.SUFFIXES, ".tsv")) and b"\0" not in start:  # it says which column is missing
         return "csv"
-    raise FileError(path, f"the format is not recognised: use --format with one of {', '.join(READABLE)}")
+    raise FileError(path, f"the format is not recognised: use --format (format= in Python) with one of {', '.join(READABLE)}")
 
 
 def _refuse(path: Path, start: bytes, patterns: list[tuple[bytes, str]]) -> None:
@@ -184,7 +184,7 @@ def guess_for_writing(path: Path) -> str:
         if plain.endswith(end):
             raise FileError(path, reason)
     ends = ", ".join(suffix for module in FORMATS.values() for suffix in module.SUFFIXES)
-    raise FileError(path, f"no format has this suffix: use --to FORMAT, or end the name with one of {ends}")
+    raise FileError(path, f"no format has this suffix: use --to FORMAT (format= in Python), or end the name with one of {ends}")
 
 
 def check_written_name(path: Path, format: str | None) -> str:
@@ -333,7 +333,8 @@ def read(path: Path, frame: int = 0, format: str | None = None, **options: Any) 
     ------
     FileError
         There is something wrong with the file; or the frame is not there; or two programs mean different things by the names in the
-        file: the message says by which options to decide.
+        file. The message names the options that decide, as the command spells them: ``--shape-columns`` is the argument
+        `shape_columns`.
     OSError
         It cannot be opened.
     """
@@ -373,8 +374,8 @@ def write(path: Path, systems: System | Iterable[System], format: str | None = N
     Raises
     ------
     ValueError
-        The format cannot hold such a system (names of types, for instance), or no more than one frame; or the system is none
-        that could be read again: an ellipsoid has no finite position or no positive semi-axes.
+        The format cannot hold such a system (names of types, for instance), or no more than one frame; or the system could
+        not be read again, because an ellipsoid has a position that is not finite or a semi-axis that is not positive.
     OSError
         The file cannot be written.
     """

@@ -15,7 +15,7 @@ Names = tuple[str, ...]
 
 
 class Convention(NamedTuple):
-    """How a program says centres, lengths and angles.
+    """The convention of a program for centres, lengths and angles.
 
     `centers`, `lengths` and `angles` have alternatives, of which the first whose columns are there counts. `lengths` are "diameters",
     "radii" or "rms" by `meaning`. One angle is that of an ellipse, counted from the axis `zero`; with the sense "xy" it grows from x

@@ -37,7 +37,7 @@ _MOMENT = 2e-4
 
 
 class Target(NamedTuple):
-    """Where an output goes: `path` is behind all links, `status` is of what is there, if anything.
+    """The destination of an output: `path` is behind all links, `status` is of what is there, if anything.
 
     `is_replaced` is false for devices, pipes and the like: the output is copied into these.
     """

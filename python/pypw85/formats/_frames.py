@@ -346,7 +346,7 @@ class Frame:
             raise self.error(f"the first two vectors of the cell do not lie in the plane of x and y: {cure}")
 
     def check(self) -> NDArray[np.bool_]:
-        """Which particles have a shape.
+        """A boolean for each particle: it has a shape.
 
         Raises
         ------

@@ -25,7 +25,7 @@ from ._names import LONGEST
 _BLOCK = 1 << 22
 # Rows that are written at once: some ten megabytes.
 _WRITTEN = 1 << 16
-# The longest line in bytes. A file that is no text may be one line of any length, and small if it is compressed.
+# The longest line in bytes. A file that is not text may be one line of any length, and small if it is compressed.
 _LONGEST = READ_AHEAD
 # The longest number; the midpoint of two numbers in double precision has up to 1075 digits.
 _LONGEST_NUMBER = 1 << 13
@@ -104,7 +104,7 @@ class Lines:
         return skipped
 
     def columns_ahead(self) -> int:
-        """How many words the next line has."""
+        """The number of words of the next line."""
         place = self.location(self.frame)
         count = len(self.read().decode("utf-8", errors="replace").split())
         self.back(place)
@@ -122,7 +122,7 @@ class Lines:
         return FileError(self.path, reason, self.frame, self.number or None)
 
     def numbers(self, text: str, count: int, what: str) -> list[float]:
-        """The numbers of a line, of which there must be so many."""
+        """The numbers of a line, whose count is checked."""
         try:
             values = [_number(word) for word in text.split()]
         except ValueError:

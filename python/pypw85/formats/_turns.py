@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which columns say how particles are turned, other than by quaternions: the angle of an ellipse, Euler angles, polar angles, directions.
+"""Columns of orientations other than quaternions: the angle of an ellipse, Euler angles, polar angles, directions.
 
 Angles of three dimensions have many meanings: they are refused until an option says theirs.
 """

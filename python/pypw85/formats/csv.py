@@ -287,7 +287,7 @@ def _unit(name: str) -> str:
 
 
 def _remaining(lines: Lines) -> int:
-    """How many lines there are up to the last one that is not blank."""
+    """The number of lines up to the last one that is not blank."""
     place = lines.location(lines.frame)
     count = last = 0
     while (block := lines.read_block(2**62))[1]:

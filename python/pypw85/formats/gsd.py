@@ -252,7 +252,7 @@ class Growing:
 
 
 def _keep(path: str, frames: int, precision: str) -> None:
-    """Leaves so many frames in a file."""
+    """Shortens a file to a number of frames."""
     with _open_hoomd(Path(path)) as file:
         found = int(file.nframes)
         if found < frames:

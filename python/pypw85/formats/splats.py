@@ -47,5 +47,5 @@ def _gaussians(path: os.PathLike[str], options: Options) -> Gaussians:
         return read_spz(path, start != SPZ)
     if os.fspath(path).lower().endswith(RECOGNISED_NAMES):
         return read_splat(path)
-    raise FileError(path, "no file of splats begins so: files of .splat have that end of their name, those of .ply and .spz a mark at "
-                    "their start; name the right file", 0)  # fmt: skip
+    raise FileError(path, "the file must be a .splat, or have the mark of .ply or .spz at its start, and has neither: name the right "
+                    "file", 0)  # fmt: skip

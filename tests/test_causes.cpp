@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The causes of refusals that belong to single functions: cells, lists, meshes, and simulations.
+// test_status.cpp has those that a declaration states. docs/tests/check_messages.py compares both
+// with the sources: each requirement that a function can name is provoked.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <memory>
+#include <vector>
+
+#include <glib.h>
+
+#include <pw85.h>
+#include <pw85_batch.h>
+#include <pw85_simulation.h>
+#include <pw85_systems.h>
+
+#include "causes.hpp"
+
+using namespace pw85_tests;
+
+namespace {
+
+constexpr double cube[] = {9, 0, 0, 0, 9, 0, 0, 0, 9}, unit_form[] = {1, 0, 0, 1, 0, 1},
+                 upright[] = {1, 0, 0, 0}, axes[] = {1, 1, 1}, origin[] = {0, 0, 0};
+constexpr std::size_t too_many = std::size_t{1} << 31;
+
+/// What the next refusal must say.
+struct Expected {
+    char const *function, *argument, *requirement;
+    std::size_t row = 0, entry = 0;
+
+    void operator()(int status, int wanted = PW85_EINVAL) const
+    {
+        if (status != wanted) g_error("%s: %s %s", function, argument, requirement);
+        expect_cause(function, argument, requirement, row, entry);
+    }
+};
+
+/// A simulation of spheres with the radius 1 in a cube with the edge 9, or in open space.
+class Simulation {
+  public:
+    explicit Simulation(std::vector<double> centers, double const *cell = cube,
+                        std::initializer_list<int> periodic = {1, 1, 1}, int dimensions = 3)
+    {
+        std::vector<double> turns, all_axes;
+        for (std::size_t i = 0; i < centers.size() / 3; ++i) {
+            turns.insert(turns.end(), upright, upright + 4);
+            all_axes.insert(all_axes.end(), axes, axes + 3);
+        }
+        int const *const p = periodic.begin();
+        pw85_system const system{
+            centers.size() / 3, centers.data(), nullptr, cell, {p[0], p[1], p[2]}};
+        g_assert_cmpint(
+            pw85_hard_ellipsoids_create(&system, all_axes.data(), turns.data(), 1, nullptr, &made_),
+            ==, PW85_SUCCESS);
+        g_assert_cmpint(pw85_hard_ellipsoids_set_dimensions(made_, dimensions), ==, PW85_SUCCESS);
+    }
+
+    Simulation(Simulation const &) = delete;
+    Simulation &operator=(Simulation const &) = delete;
+    ~Simulation() { pw85_hard_ellipsoids_destroy(made_); }
+
+    operator pw85_hard_ellipsoids *() const { return made_; }
+
+  private:
+    pw85_hard_ellipsoids *made_ = nullptr;
+};
+
+/// Two circles, in a plane without a cell.
+Simulation in_plane() { return Simulation({0, 0, 0, 4, 0, 0}, nullptr, {0, 0, 0}, 2); }
+
+void test_numbers()
+{
+    double q[6];
+    double const small[] = {1, 1e-200, 1}, flat[] = {1, 0, 0, 0, 1, 0, 0, 0, 0},
+                 identity[] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    Expected{"pw85_ellipsoid", "semi_axes", "must have a finite square that is not 0", 0,
+             1}(pw85_ellipsoid(small, identity, q));
+    Expected{"pw85_ellipsoid", "rotation",
+             "must be a rotation matrix, whose columns are orthonormal"}(
+        pw85_ellipsoid(axes, flat, q));
+    double const negative[] = {1, 1, -1}, r12[] = {3, 0, 0}, low[] = {-1, 2, -1};
+    int found = 0;
+    Expected{"pw85_ellipsoid", "semi_axes", "must be > 0", 0,
+             2}(pw85_ellipsoid(negative, identity, q));
+    Expected{"pw85_compare", "mu2",
+             "must not be NaN"}(pw85_compare(r12, unit_form, unit_form, NAN, &found));
+    Expected{"pw85_contact_gradient", "lambda", "must be in [0, 1]"}(
+        pw85_contact_gradient(r12, unit_form, unit_form, 2.0, q, nullptr, nullptr));
+    Expected{"pw85_overlap_box", "lower", "must be at most upper", 0,
+             1}(pw85_overlap_box(low, axes, unit_form, &found));
+    pw85_motion const rest{}, shrinking{{}, {}, -1.0};
+    Expected{"pw85_first_contact", "motion2", "must not shrink to nothing before t_max", 0,
+             6}(pw85_first_contact(r12, unit_form, unit_form, &rest, &shrinking, 2.0, q));
+}
+
+void test_lists()
+{
+    double const centers[] = {0, 0, 0, 3, 0, 0}, far[] = {0, 0, 0, 1e300, 0, 0},
+                 two[] = {1, 0, 0, 1, 0, 1, 1, 0, 0, 1, 0, 1}, long_form[] = {90, 0, 0, 1, 0, 1};
+    std::int32_t const pairs[] = {0, 1}, image[] = {1, 0, 0}, other[] = {1};
+    double mu2, r12[3];
+    int any = 0;
+    pw85_pair_list const list{1, pairs, image};
+    pw85_system system{2, centers, two, nullptr, {0, 0, 0}};
+    Expected{"pw85_contact_pairs", "cell", "must not be null, because there are images"}(
+        pw85_contact_pairs(&list, &system, &mu2, nullptr));
+    system = {2, centers, two, cube, {1, 1, 1}};
+    double const beside[] = {4.5, 4.5, 4.5};
+    Expected{"pw85_overlap_any_indices", "images",
+             "must be given, because farther images of the neighbors could overlap"}(
+        pw85_overlap_any_indices(beside, long_form, &system, 1, other, nullptr, &any));
+    system.centers = far;
+    Expected{"pw85_nearest_images", "centers", "must be finite and near the cell"}(
+        pw85_nearest_images(1, pairs, &system, r12, nullptr));
+    system = {too_many, centers, two, cube, {1, 1, 1}};
+    pw85_neighbors *neighbors = nullptr;
+    Expected{"pw85_neighbors_create", "num_particles",
+             "must be below 2³¹"}(pw85_neighbors_create(&system, 1.0, 0.0, &neighbors));
+    system.num_particles = 2;
+    g_assert_cmpint(pw85_neighbors_create(&system, 1.0, 0.0, &neighbors), ==, PW85_SUCCESS);
+    system.num_particles = 1;
+    Expected{"pw85_neighbors_holds", "system",
+             "must have as many particles as the list, and a cell that is periodic along the same "
+             "vectors, or none if the list has none"}(
+        pw85_neighbors_holds(neighbors, &system, &any));
+    pw85_neighbors_destroy(neighbors);
+}
+
+void test_meshes()
+{
+    double const corners[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    unsigned char overlap = 0;
+    std::int32_t const triangle[] = {0, 1, 2};
+    pw85_mesh *mesh = nullptr;
+    Expected{"pw85_mesh_create", "num_vertices",
+             "must be below 2³¹"}(pw85_mesh_create(too_many, corners, 1, triangle, &mesh));
+    Expected{"pw85_mesh_create", "num_triangles",
+             "must be below 2³¹"}(pw85_mesh_create(3, corners, too_many, triangle, &mesh));
+    g_assert_cmpint(pw85_mesh_create(3, corners, 1, triangle, &mesh), ==, PW85_SUCCESS);
+    Expected{"pw85_mesh_overlap_batch", "n",
+             "must be small enough for the bytes of each array to fit ptrdiff_t"}(
+        pw85_mesh_overlap_batch(mesh, SIZE_MAX, corners, unit_form, &overlap));
+    pw85_mesh_destroy(mesh);
+    Simulation const one({4, 4, 4});
+    double const wide[] = {0, 0, 0, 999, 0, 0, 0, 1, 0};
+    Expected const set{"pw85_hard_ellipsoids_set_mesh", "vertices",
+                       "must be within 16 periods of the cell"};
+    set(pw85_hard_ellipsoids_set_mesh(one, 3, wide, 1, triangle, nullptr));
+    Expected{"pw85_hard_ellipsoids_set_mesh", "num_vertices", "must be below 2³¹"}(
+        pw85_hard_ellipsoids_set_mesh(one, too_many, wide, 1, triangle, nullptr));
+    Expected{"pw85_hard_ellipsoids_set_mesh", "num_triangles", "must be below 2³¹"}(
+        pw85_hard_ellipsoids_set_mesh(one, 3, wide, too_many, triangle, nullptr));
+    Expected{"pw85_hard_ellipsoids_set_mesh", "triangles", "must not be set in two dimensions"}(
+        pw85_hard_ellipsoids_set_mesh(in_plane(), 3, corners, 1, triangle, nullptr));
+    g_assert_cmpint(pw85_hard_ellipsoids_set_mesh(one, 3, corners, 1, triangle, nullptr), ==,
+                    PW85_SUCCESS);
+    Expected{"pw85_hard_ellipsoids_volume_moves", "simulation", "must have no mesh"}(
+        pw85_hard_ellipsoids_volume_moves(one, 1, 1.0, PW85_CHANGE_ISOTROPIC));
+}
+
+void test_walls()
+{
+    Simulation const open({0, 0, 0}, nullptr, {0, 0, 0}), flat = in_plane();
+    auto const refuse = [](pw85_hard_ellipsoids *simulation, pw85_wall const &wall,
+                           char const *text) {
+        Expected{"pw85_hard_ellipsoids_set_walls", "walls",
+                 text}(pw85_hard_ellipsoids_set_walls(simulation, 1, &wall, nullptr));
+    };
+    refuse(open, {9, {}, {}, 1}, "must have a kind PW85_WALL_...");
+    refuse(open, {PW85_WALL_BOX, {1, 1, 1}, {-1, 2, 2}, 0}, "must have lower <= upper corners");
+    refuse(open, {PW85_WALL_PLANE, {}, {0, 0, 0}, 9},
+           "must have a normal or an axis that is not zero");
+    refuse(flat, {PW85_WALL_PLANE, {}, {0, 1, 1}, 9},
+           "must have a normal without z in two dimensions");
+    refuse(flat, {PW85_WALL_CYLINDER, {}, {1, 0, 1}, 9},
+           "must have an axis along z in two dimensions");
+    Simulation const periodic({4, 4, 4});
+    refuse(periodic, {PW85_WALL_PLANE, {}, {0, 0, 1}, 9},
+           "must be the same in all images of the cell");
+}
+
+void test_fields()
+{
+    Simulation const one({4, 4, 4});
+    auto const refuse = [&](pw85_field const &field, char const *text) {
+        Expected{"pw85_hard_ellipsoids_set_fields", "fields",
+                 text}(pw85_hard_ellipsoids_set_fields(one, 1, &field));
+    };
+    refuse({9, 0, {}, {1, 0, 0}, 1}, "must have a kind PW85_FIELD_...");
+    refuse({PW85_FIELD_ALIGNING, 3, {}, {1, 0, 0}, 1}, "must have an axis from 0 to 2");
+    refuse({PW85_FIELD_ALIGNING, 0, {}, {0, 0, 0}, 1},
+           "must have a direction whose square is finite and not 0");
+    refuse({PW85_FIELD_LINEAR, 0, {}, {1, 0, 0}, 1}, "must be the same in all images of the cell");
+}
+
+double constant(void *context, int32_t, double const *, double const *, double const *)
+{
+    return *static_cast<double *>(context);
+}
+
+void test_potentials()
+{
+    double energy = 1.0;
+    auto const set = [&](pw85_hard_ellipsoids *one) {
+        return pw85_hard_ellipsoids_set_potential(one, constant, &energy);
+    };
+    Simulation const one({4, 4, 4});
+    g_assert_cmpint(set(one), ==, PW85_SUCCESS);
+    Expected const sweep{"pw85_hard_ellipsoids_sweep", "potential",
+                         "must not return NaN or -infinity"};
+    energy = NAN;
+    sweep(pw85_hard_ellipsoids_sweep(one, 1), PW85_EPOTENTIAL);
+    std::vector<unsigned char> bytes(pw85_hard_ellipsoids_num_bytes(one));
+    Expected{"pw85_hard_ellipsoids_save", "num_bytes", "must be pw85_hard_ellipsoids_num_bytes()"}(
+        pw85_hard_ellipsoids_save(one, 1, bytes.data()));
+    Expected{"pw85_hard_ellipsoids_save", "potential",
+             "must give an energy that is finite, because it is saved"}(
+        pw85_hard_ellipsoids_save(one, bytes.size(), bytes.data()), PW85_EPOTENTIAL);
+    energy = 1.0;
+    g_assert_cmpint(pw85_hard_ellipsoids_save(one, bytes.size(), bytes.data()), ==, PW85_SUCCESS);
+    pw85_hard_ellipsoids *restored = nullptr;
+    Expected{"pw85_hard_ellipsoids_restore", "bytes",
+             "must be a state that this version saved on this type of machine"}(
+        pw85_hard_ellipsoids_restore(bytes.size() - 1, bytes.data(), &restored));
+    g_assert_cmpint(pw85_hard_ellipsoids_restore(bytes.size(), bytes.data(), &restored), ==,
+                    PW85_SUCCESS);
+    Expected{"pw85_hard_ellipsoids_sweep", "potential",
+             "must be set again after the state is restored"}(
+        pw85_hard_ellipsoids_sweep(restored, 1), PW85_EPOTENTIAL);
+    energy = 2.0;
+    Expected{"pw85_hard_ellipsoids_set_potential", "potential",
+             "must be that of the restored state: their energies differ"}(set(restored));
+    pw85_hard_ellipsoids_destroy(restored);
+}
+
+void test_laws()
+{
+    Simulation const one({4, 4, 4});
+    auto const refuse = [&](std::initializer_list<double> x, char const *argument, char const *text,
+                            std::size_t entry = 0) {
+        pw85_law const law{PW85_LAW_INVERSE_POWERS, x.size(), x.begin()};
+        Expected{"pw85_hard_ellipsoids_set_law", argument, text, 0,
+                 entry}(pw85_hard_ellipsoids_set_law(one, &law));
+    };
+    refuse({4, 6, 4, 12, 2}, "parameters", "must have a first exponent above the second", 1);
+    double const soft[] = {1, 2};
+    pw85_law const repulsion{PW85_LAW_SOFT_REPULSION, 2, soft};
+    Expected{"pw85_hard_ellipsoids_set_law", "law",
+             "must not be a soft repulsion, which ends where the hard cores begin"}(
+        pw85_hard_ellipsoids_set_law(one, &repulsion));
+    refuse({4, 12, 4, 6, 1e7}, "law", "must have a cutoff of at most 10⁶ in μ²");
+    refuse({1e30, 12, 4, 6, 2}, "law", "must have energies of pairs of at most 2²⁰ k_B T");
+}
+
+void test_trials()
+{
+    Simulation const one({4, 4, 4}), flat = in_plane();
+    double const far[] = {1e300, 0, 0}, above[] = {0, 0, 1}, lying[] = {1, 1, 0, 0},
+                 no_moves[4] = {};
+    int is_free = 0;
+    double factor = 0.0;
+    Expected{"pw85_hard_ellipsoids_volume_moves", "change", "must be a constant PW85_CHANGE_..."}(
+        pw85_hard_ellipsoids_volume_moves(one, 1, 1.0, 9));
+    Expected{"pw85_hard_ellipsoids_volume_moves", "pressure",
+             "must be > 0"}(pw85_hard_ellipsoids_volume_moves(one, 1, 0.0, PW85_CHANGE_ISOTROPIC));
+    Expected{"pw85_hard_ellipsoids_volume_moves", "simulation",
+             "must have a cell that is periodic along its first two vectors"}(
+        pw85_hard_ellipsoids_volume_moves(flat, 1, 1.0, PW85_CHANGE_ISOTROPIC));
+    Expected{"pw85_hard_ellipsoids_set_fractions", "fractions",
+             "must have a sum that is > 0 and finite"}(
+        pw85_hard_ellipsoids_set_fractions(one, no_moves));
+    Expected{"pw85_hard_ellipsoids_set_dimensions", "dimensions",
+             "must be 2 or 3"}(pw85_hard_ellipsoids_set_dimensions(one, 4));
+    Expected{"pw85_hard_ellipsoids_try", "center",
+             "must not be too far away from the cell for its images"}(
+        pw85_hard_ellipsoids_try(one, 0, far, nullptr, 0, &is_free));
+    Expected{"pw85_hard_ellipsoids_try", "center", "must be in the plane of the ellipses", 0,
+             2}(pw85_hard_ellipsoids_try(flat, 0, above, nullptr, 0, &is_free));
+    Expected{"pw85_hard_ellipsoids_try", "quaternion",
+             "must be a rotation about z, which keeps the ellipse in its plane"}(
+        pw85_hard_ellipsoids_try(flat, 0, nullptr, lying, 0, &is_free));
+    Expected{"pw85_hard_ellipsoids_chain", "direction", "must be in the plane", 0,
+             2}(pw85_hard_ellipsoids_chain(flat, 1, 1.0, above, nullptr));
+    pw85_field const field{PW85_FIELD_ALIGNING, 0, {}, {1, 0, 0}, 1};
+    g_assert_cmpint(pw85_hard_ellipsoids_set_fields(one, 1, &field), ==, PW85_SUCCESS);
+    Expected{"pw85_hard_ellipsoids_chain", "simulation",
+             "must have no walls, mesh, fields, potential or law: use sweeps"}(
+        pw85_hard_ellipsoids_chain(one, 1, 1.0, nullptr, nullptr));
+    Expected{"pw85_hard_ellipsoids_compress", "simulation",
+             "must have no walls, mesh, fields or potential"}(
+        pw85_hard_ellipsoids_compress(one, 0, &factor));
+    Simulation const two({0, 0, 0, 4, 0, 0});
+    Expected{"pw85_hard_ellipsoids_chain", "length",
+             "must let chains advance: particles block each other within rounding errors, or the "
+             "length is too long"}(pw85_hard_ellipsoids_chain(two, 1, 1e300, nullptr, nullptr),
+                                   PW85_ECONVERGENCE);
+}
+
+void test_kinds()
+{
+    Simulation const one({4, 4, 4});
+    double const same[] = {1, 1, 1, 1, 1, 1}, steps[] = {0.1, 0.1, 0.1, 0.1},
+                 long_steps[] = {99, 0.1};
+    std::vector<double> const many(17 * 3, 1.0);
+    Expected{"pw85_hard_ellipsoids_set_kind_steps", "num_kinds", "must be at most 16"}(
+        pw85_hard_ellipsoids_set_kind_steps(one, 17, many.data(), many.data()));
+    Expected{"pw85_hard_ellipsoids_set_kind_steps", "semi_axes", "must differ from those before",
+             1}(pw85_hard_ellipsoids_set_kind_steps(one, 2, same, steps));
+    Expected{"pw85_hard_ellipsoids_set_kind_steps", "steps",
+             "must be at most the longest vector of the cell"}(
+        pw85_hard_ellipsoids_set_kind_steps(one, 1, same, long_steps));
+    double const activities[] = {1, 1};
+    Expected{"pw85_hard_ellipsoids_insertion_moves", "semi_axes", "must differ from those before",
+             1}(pw85_hard_ellipsoids_insertion_moves(one, 1, 2, same, activities, nullptr));
+    Expected{"pw85_hard_ellipsoids_insertion_moves", "num_kinds", "must be > 0 and below 2³¹"}(
+        pw85_hard_ellipsoids_insertion_moves(one, 1, 0, same, activities, nullptr));
+}
+
+void test_insertions()
+{
+    Simulation const one({4, 4, 4}), open({0, 0, 0}, nullptr, {0, 0, 0});
+    double const large[] = {1, 1, 999}, far[] = {1e300, 0, 0}, lying[] = {1, 1, 0, 0},
+                 flat_axes[] = {1, 1, 1e-12}, turned[] = {1, 2, 2, 0}, away[] = {0, 4, 0};
+    double weight = 0.0;
+    int is_free = 0;
+    Expected{"pw85_hard_ellipsoids_insertion_weight", "simulation",
+             "must have a cell with independent vectors"}(
+        pw85_hard_ellipsoids_insertion_weight(open, 1, axes, &weight));
+    Expected{"pw85_hard_ellipsoids_insertion_weight", "semi_axes",
+             "must be at most 32 times the shortest vector of the lattice, with a law of pairs "
+             "also if enlarged by its reach"}(
+        pw85_hard_ellipsoids_insertion_weight(one, 1, large, &weight));
+    Expected{"pw85_hard_ellipsoids_insert", "center",
+             "must not be too far away from the cell for its images"}(
+        pw85_hard_ellipsoids_insert(one, far, upright, axes, 0, &is_free));
+    Expected{"pw85_hard_ellipsoids_insert", "semi_axes",
+             "must give a form that is positive definite"}(
+        pw85_hard_ellipsoids_insert(one, origin, turned, flat_axes, 0, &is_free), PW85_ENOTPD);
+    Expected{"pw85_hard_ellipsoids_insert", "quaternion", "must be a rotation about z"}(
+        pw85_hard_ellipsoids_insert(in_plane(), away, lying, axes, 0, &is_free));
+}
+
+void test_states()
+{
+    pw85_hard_ellipsoids *made = nullptr;
+    pw85_system const many{too_many, origin, nullptr, cube, {1, 1, 1}};
+    Expected{"pw85_hard_ellipsoids_create", "num_particles", "must be below 2³¹"}(
+        pw85_hard_ellipsoids_create(&many, axes, upright, 1, nullptr, &made));
+    auto const refuse = [](pw85_hard_ellipsoids *one, char const *argument, char const *text,
+                           std::size_t row, std::size_t entry) {
+        Expected{"pw85_hard_ellipsoids_set_dimensions", argument, text, row,
+                 entry}(pw85_hard_ellipsoids_set_dimensions(one, 2));
+    };
+    Simulation const high({0, 0, 0, 4, 0, 1}), one({4, 4, 4}), open({0, 0, 0}, nullptr, {0, 0, 0});
+    double const lying[] = {1, 1, 0, 0};
+    int is_free = 0;
+    refuse(high, "centers", "must all have the same z in two dimensions", 1, 2);
+    refuse(one, "cell",
+           "must have its first two vectors in the plane, and the third along z and not periodic",
+           0, 0);
+    g_assert_cmpint(pw85_hard_ellipsoids_try(open, 0, nullptr, lying, 1, &is_free), ==,
+                    PW85_SUCCESS);
+    refuse(open, "quaternions", "must be rotations about z in two dimensions", 0, 1);
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/causes/numbers", test_numbers);
+    g_test_add_func("/causes/lists", test_lists);
+    g_test_add_func("/causes/meshes", test_meshes);
+    g_test_add_func("/causes/walls", test_walls);
+    g_test_add_func("/causes/fields", test_fields);
+    g_test_add_func("/causes/potentials", test_potentials);
+    g_test_add_func("/causes/laws", test_laws);
+    g_test_add_func("/causes/trials", test_trials);
+    g_test_add_func("/causes/kinds", test_kinds);
+    g_test_add_func("/causes/insertions", test_insertions);
+    g_test_add_func("/causes/states", test_states);
+    return g_test_run();
+}
