@@ -10,7 +10,7 @@ import re
 import textwrap
 import unicodedata
 from dataclasses import dataclass
-from itertools import groupby
+from functools import cache
 from math import prod
 
 from declarations import ONE_ROW, SOURCE, parameters, version
@@ -28,6 +28,7 @@ ELLIPSOIDS = {
          "ellipsoid (`x`, `y`, `z`, `xx`, `xy`, `xz`, `yy`, `yz`, `zz`), as ellipses() and ellipsoids() make it.",
     "y": "the second ellipsoid of each pair, as `x`.",
 }  # fmt: skip
+DIMENSIONS = {(2, 3): "For ellipses and ellipsoids.", (2,): "For ellipses.", (3,): "For ellipsoids in three dimensions."}
 MARK = "made by api/r.py from the headers of the C API"
 # Letters that pages of help have in other words, because not every typesetter of R has them.
 ASCII = {"λ": "lambda", "μ": "mu", "α": "alpha", "β": "beta", "κ": "kappa", "ρ": "rho", "ε": "epsilon", "ω": "omega", "δ": "delta", "Σ": "Sigma",
@@ -76,6 +77,18 @@ def questions():
         name, is_flat = row.name.removesuffix("_2d"), row.name.endswith("_2d") or row.name == "ellipse"
         found.setdefault(name, {})[2 if is_flat else 3] = row
     return [Question(NAMES.get(name, name), rows) for name, rows in found.items()]
+
+
+@cache
+def exported():
+    """The questions that users ask, without what the constructors call."""
+    return [one for one in questions() if not one.is_constructor()]
+
+
+@cache
+def names_in_r():
+    """The names in R of functions of C."""
+    return {row.function.name: one.name for one in exported() for row in one.rows.values()}
 
 
 def columns(row, dimension):
@@ -218,9 +231,8 @@ def page(question, names):
     """The page of help of a function."""
     voice, row = InR(question, names), question.first
     brief, *rest = voice.head()
-    dimensions = {(2, 3): "Ellipses and ellipsoids.", (2,): "Ellipses only.", (3,): "Ellipsoids in three dimensions only."}
     is_pair = "y" in question.arguments()
-    details = [*rest, *voice.notes(), dimensions[tuple(sorted(question.rows))]]
+    details = [*rest, *voice.notes(), DIMENSIONS[tuple(sorted(question.rows))]]
     details.append(
         "Row i of the result belongs to row i of `x` (ellipsoid 1, form q1) and of `y` (ellipsoid 2, form q2); r12 is the centre of "
         "ellipsoid 2 minus that of ellipsoid 1. Fewer rows are recycled." if is_pair else "The centre plays no part."
@@ -250,17 +262,15 @@ def title(brief):
 
 def example_of(question):
     is_flat = 3 not in question.rows
-    made = "ellipses({}, 0, a = 2, b = 1, angle = {})" if is_flat else "ellipsoids({}, 0, 0, a = 3, b = 2, c = 1, quaternion = c(1, 0, {}, 0))"
+    made = "ellipses({}, {}, a = 2, b = 1)" if is_flat else "ellipsoids({}, {}, 0, a = 3, b = 2, c = 1)"
     values = {"lambda": "0.5", "mu2": "1", "t_max": "Inf", "motion1": "numeric(7)", "motion2": "c(-1, numeric(6))"}
-    lines = [f"x <- {made.format(0, 0)}"] + [f"y <- {made.format(3, 0.5)}"] * ("y" in question.arguments())
+    lines = [f"x <- {made.format(0, 0)}"] + [f"y <- {made.format('3.5' if is_flat else '5.5', '0.5')}"] * ("y" in question.arguments())
     others = [values.get(one.name, "c(1, 0, 0)") for one in question.others()]
     return "\n".join([*lines, f"{question.name}({', '.join([name for name in question.arguments() if name in 'xy'] + others)})"])
 
 
 def files():
     """The texts of all made files by their paths."""
-    listed = [one for one in questions() if not one.is_constructor()]
-    names = {row.function.name: one.name for one in listed for row in one.rows.values()}
     description = (FOLDER / "DESCRIPTION.in").read_text(encoding="utf-8").replace("@version@", version())
     made = {FOLDER / "DESCRIPTION": description, FOLDER / "src/questions.c": c_source(), FOLDER / "R/questions.R": r_source()}
-    return made | {FOLDER / f"man/{one.name}.Rd": page(one, names) for one in listed}
+    return made | {FOLDER / f"man/{one.name}.Rd": page(one, names_in_r()) for one in exported()}

@@ -7,6 +7,7 @@
 .numbers <- function(values, name) {
   call <- sys.call(sys.parent())
   if (is.factor(values)) .refuse(name, NULL, NULL, "must be numeric, not a factor", call)
+  if (inherits(values, "integer64")) .refuse(name, NULL, NULL, "must be numeric, not integer64: see as.double()", call)
   if (is.list(values)) .refuse(name, NULL, NULL, "must be numbers, not a list", call)
   if (!is.numeric(values)) .refuse(name, NULL, NULL, paste("must be numeric, not", typeof(values)), call)
   bad <- which(!is.finite(values))

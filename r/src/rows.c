@@ -45,6 +45,8 @@ static struct column column_of(SEXP values, R_xlen_t offset, char const *argumen
 {
     struct column found = {NULL, NULL};
     if (Rf_isFactor(values)) pw85_refuse(argument, -1, name, "must be numeric, not a factor");
+    if (Rf_inherits(values, "integer64")) /* integers in the place of doubles */
+        pw85_refuse(argument, -1, name, "must be numeric, not integer64: see as.double()");
     if (TYPEOF(values) == REALSXP)
         found.doubles = REAL_RO(values) + offset;
     else if (TYPEOF(values) == INTSXP)
@@ -166,35 +168,48 @@ static R_xlen_t common_rows(struct table const *tables, int count)
     return most;
 }
 
-/* Writes a column to every `stride`-th number of a block, from a row on. */
-static void gather(struct column column, R_xlen_t rows, R_xlen_t from, R_xlen_t n, int stride,
-                   double *to)
+/* Writes rows of columns of doubles one behind the other. The compiler knows the size. */
+static inline void interleave(struct column const *columns, int size, R_xlen_t row, R_xlen_t n,
+                              double *to)
 {
-    if (column.doubles && from + n <= rows) {
-        double const *const source = column.doubles + from;
-        for (R_xlen_t i = 0; i < n; ++i) to[i * stride] = source[i];
+    for (R_xlen_t i = 0; i < n; ++i)
+        for (int j = 0; j < size; ++j) to[i * size + j] = columns[j].doubles[row + i];
+}
+
+static bool are_doubles(struct column const *columns, int size)
+{
+    for (int j = 0; j < size; ++j)
+        if (!columns[j].doubles) return false;
+    return true;
+}
+
+/* Writes n rows, which do not begin again, one behind the other. */
+static void gather_run(struct column const *columns, int size, R_xlen_t row, R_xlen_t n, double *to)
+{
+    if (!are_doubles(columns, size)) {
+        for (R_xlen_t i = 0; i < n; ++i)
+            for (int j = 0; j < size; ++j) to[i * size + j] = number(columns[j], row + i);
         return;
     }
-    R_xlen_t row = from % rows;
-    for (R_xlen_t i = 0; i < n; ++i) {
-        to[i * stride] = number(column, row);
-        row = row + 1 == rows ? 0 : row + 1;
+    switch (size) {
+    case 1: interleave(columns, 1, row, n, to); break;
+    case 2: interleave(columns, 2, row, n, to); break;
+    case 3: interleave(columns, 3, row, n, to); break;
+    case 6: interleave(columns, 6, row, n, to); break;
+    default: interleave(columns, size, row, n, to);
     }
 }
 
-/* The separation y - x of the centres. */
-static void gather_separation(struct table const *x, struct table const *y, R_xlen_t from,
-                              R_xlen_t n, double *to)
+/* Writes n rows from a row of the result on, one behind the other. After the last row of the columns
+ * comes their first one. */
+static void gather(struct column const *columns, int size, R_xlen_t rows, R_xlen_t from, R_xlen_t n,
+                   double *to)
 {
-    int const d = x->dimension;
-    for (int k = 0; k < d; ++k) {
-        R_xlen_t i1 = from % x->rows, i2 = from % y->rows;
-        for (R_xlen_t i = 0; i < n; ++i) {
-            to[i * d + k] = number(y->center[k], i2) - number(x->center[k], i1);
-            i1 = i1 + 1 == x->rows ? 0 : i1 + 1;
-            i2 = i2 + 1 == y->rows ? 0 : i2 + 1;
-        }
-    }
+    R_xlen_t const different = rows < n ? rows : n;
+    R_xlen_t const row = from % rows, first = different < rows - row ? different : rows - row;
+    gather_run(columns, size, row, first, to);
+    gather_run(columns, size, 0, different - first, to + first * size);
+    for (R_xlen_t i = different * size; i < n * size; ++i) to[i] = to[i - different * size];
 }
 
 /* Everything that a call needs. */
@@ -202,7 +217,7 @@ struct call {
     struct pw85_function const *function;
     struct table tables[MOST_ARGUMENTS];
     int num_ellipsoids, num_tables;
-    double *in[PW85_INPUTS];
+    double *in[PW85_INPUTS], *centers; /* numbers of a block */
     void *out[PW85_OUTPUTS];
 };
 
@@ -215,17 +230,25 @@ static struct table const *table_of(struct call const *call, struct pw85_input c
     }
 }
 
+/* The separations of a block: the centres of y minus those of x. */
+static void gather_separation(struct call const *call, R_xlen_t from, R_xlen_t n, double *to)
+{
+    struct table const *const x = &call->tables[0], *const y = &call->tables[1];
+    int const d = x->dimension;
+    gather(y->center, d, y->rows, from, n, to);
+    gather(x->center, d, x->rows, from, n, call->centers);
+    for (R_xlen_t i = 0; i < n * d; ++i) to[i] -= call->centers[i];
+}
+
 static void gather_inputs(struct call const *call, R_xlen_t from, R_xlen_t n)
 {
     for (int k = 0; k < call->function->num_inputs; ++k) {
         struct pw85_input const *const input = &call->function->inputs[k];
-        if (input->kind == PW85_SEPARATION) {
-            gather_separation(&call->tables[0], &call->tables[1], from, n, call->in[k]);
-            continue;
-        }
         struct table const *const table = table_of(call, input);
-        for (int j = 0; j < input->size; ++j)
-            gather(table->numbers[j], table->rows, from, n, input->size, call->in[k] + j);
+        if (input->kind == PW85_SEPARATION)
+            gather_separation(call, from, n, call->in[k]);
+        else
+            gather(table->numbers, input->size, table->rows, from, n, call->in[k]);
     }
 }
 
@@ -291,6 +314,7 @@ static void compute(struct call *call, R_xlen_t rows, void *const *columns)
 {
     size_t const block = rows < BLOCK ? (size_t)rows : BLOCK;
     struct pw85_function const *const function = call->function;
+    call->centers = (double *)R_alloc(3 * block, sizeof(double));
     for (int k = 0; k < function->num_inputs; ++k)
         call->in[k] = (double *)R_alloc(block * (size_t)function->inputs[k].size, sizeof(double));
     for (int k = 0; k < function->num_outputs; ++k)

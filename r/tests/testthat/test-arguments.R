@@ -82,7 +82,11 @@ test_that("ellipsoids that are none are refused", {
   refused(overlap_volume(x, x), "x: must be ellipsoids, in three dimensions", "x")
   refused(area(transform(x, xx = factor(xx))), "x, column xx: must be numeric, not a factor", "x", column = "xx")
   refused(area(transform(x, xx = "4")), "x, column xx: must be numeric, not character", "x", column = "xx")
+  refused(area(transform(x, xx = NA)), "x, column xx: must be numeric, not logical", "x", column = "xx")
   odd <- x
+  class(odd$xx) <- "integer64"
+  refused(area(odd), "x, column xx: must be numeric, not integer64: see as.double()", "x", column = "xx")
+  refused(ellipses(0, 0, structure(1, class = "integer64")), "a: must be numeric, not integer64: see as.double()", "a")
   odd$xx <- cbind(odd$xx, odd$xx)
   refused(area(odd), "x, column xx: must be a vector with a number for each row", "x", column = "xx")
   odd$xx <- as.list(x$xx)
