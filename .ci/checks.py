@@ -398,6 +398,11 @@ def check_wheel(results):
     add_unless_missing(results, "scripts/test_wheel.sh", ["scripts/test_wheel.sh"])
 
 
+def check_r(results):
+    """The R package: R CMD check, its tests and README, and the bits of C."""
+    results.add("scripts/test_r.sh", run(["scripts/test_r.sh"]))
+
+
 def check_foreign(results):
     """The library by a compiler and an emulator for 64-bit ARM."""
     machine = ROOT / "scripts/cross/aarch64-linux-gnu.ini"
@@ -458,6 +463,7 @@ PARTS = {
     "all-sanitizers": Part(check_all_sanitizers, f"{TEST} clang libclang-rt-14-dev", after=("tests", "sanitizers"), by_default=False),
     "lammps-of-debian-13": Part(check_lammps_of_debian_13, "git mmdebstrap", after=("lammps",), by_default=False),
     "python-of-debian-13": Part(check_python_of_debian_13, "git mmdebstrap", by_default=False),
+    "r": Part(check_r, "$build_packages libboost-dev $r_packages", by_default=False),
     "formats": Part(check_formats, f"{TEST} {MEASURING}", after=("tests",), by_default=False),
     "valgrind": Part(check_valgrind, f"{TEST} valgrind", after=("tests", "pages"), by_default=False),
     "platforms": Part(check_platforms, f"{TEST} {MACHINES}", after=("tests", "foreign"), by_default=False),
