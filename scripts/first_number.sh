@@ -50,7 +50,9 @@ END
 # The commands and the first program of the README of the R package.
 by_r() {
   follow build
+  # shellcheck disable=SC2016 # the marks of blocks
   sed -n '/^```sh$/,/^```$/p' r/README.md | sed '/^```/d' >"$work/commands"
+  # shellcheck disable=SC2016
   sed -n '/^```r$/,/^```$/p;/^```text$/q' r/README.md | sed '/^```/d' >"$work/pair.R"
   mkdir "$work/library"
   (cd "$work/pw85" && R_LIBS="$work/library" sh -e "$work/commands")

@@ -32,7 +32,9 @@ cc -std=c99 pw85/data-raw/pairs.c -o pairs $(pkg-config --cflags --libs pw85) -W
 ./pairs | diff - pw85/tests/testthat/pairs.txt
 
 echo '+ README'
+# shellcheck disable=SC2016 # the marks of blocks
 sed -n '/^```r$/,/^```$/p' pw85/README.md | sed '/^```/d' >readme.R
+# shellcheck disable=SC2016
 sed -n '/^```text$/,/^```$/p' pw85/README.md | sed '/^```/d' >expected
 sed -n 's/^overlap_area.* # /[1] /p' pw85/README.md >>expected
 Rscript readme.R | diff - expected
