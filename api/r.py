@@ -135,9 +135,8 @@ def wrapped(text, indent):
 def table(question):
     """The C code of a question."""
     for dimension, row in question.rows.items():
-        yield f"static int {question.name}_{dimension}(size_t n, double const *const *in, void *const *out, size_t *row)\n{{"
-        if takes_rows(row):
-            yield "    (void)row;"
+        head = f"static int {question.name}_{dimension}(size_t n, double const *const *in, void *const *out, size_t *row)"
+        yield wrapped(head, "") + ("\n{\n    (void)row;" if takes_rows(row) else "\n{")
         yield from (wrapped(line.strip(), " " * (4 + len(line) - len(line.lstrip()))) for line in call(row))
         yield "}\n"
     yield f"static struct pw85_question const {question.name}_question = {{"
@@ -159,7 +158,8 @@ def table(question):
 
 
 def c_source():
-    lines = ["/* SPDX-License-Identifier: BSD-3-Clause */", f"/* The questions of ellipsoids: {MARK}. */", '#include "pw85_r.h"', ""]
+    head = f"/* SPDX-License-Identifier: BSD-3-Clause */\n/* The questions of ellipsoids: {MARK}. */\n/* clang-format off */"
+    lines = [head, '#include "pw85_r.h"', ""]
     lines += [line for question in questions() for line in table(question)]
     lines.append("R_CallMethodDef const pw85_questions[] = {")
     lines += [f'    {{"{one.name}", (DL_FUNC)&call_{one.name}, {len(one.arguments())}}},' for one in questions()]
@@ -206,9 +206,9 @@ def value_of(question, voice):
             *(f"@\\item{{\\code{{{name}}}}}{{{help_text(text)}}}" for name, text in texts), "@}"]  # fmt: skip
 
 
-def page(question, names):
+def page(question):
     """The page of help of a function."""
-    voice, row = InR(question, names), question.first
+    voice, row = InR(question, names_in_r()), question.first
     brief, *rest = voice.head()
     details = [*rest, *voice.notes(), DIMENSIONS[tuple(sorted(question.rows))]]
     details.append(
@@ -245,6 +245,6 @@ def example_of(question):
 
 def files():
     """The texts of all made files by their paths."""
-    description = (FOLDER / "DESCRIPTION.in").read_text(encoding="utf-8").replace("@version@", version())
-    made = {FOLDER / "DESCRIPTION": description, FOLDER / "src/questions.c": c_source(), FOLDER / "R/questions.R": r_source()}
-    return made | {FOLDER / f"man/{one.name}.Rd": page(one, names_in_r()) for one in exported()}
+    made = {"DESCRIPTION": (FOLDER / "DESCRIPTION.in").read_text(encoding="utf-8").replace("@version@", version())}
+    made |= {"src/questions.c": c_source(), "R/questions.R": r_source()} | {f"man/{one.name}.Rd": page(one) for one in exported()}
+    return {FOLDER / path: text for path, text in made.items()}

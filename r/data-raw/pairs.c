@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Prints the bits that the C API gives for 1,000 pairs: the table tests/testthat/pairs.txt. The tests make
- * the same pairs in R.
+/* Prints the bits that the C API gives for 1,000 pairs: the table tests/testthat/pairs.txt. The
+ * tests make the same pairs in R.
  *
  * cc -std=c99 r/data-raw/pairs.c -o pairs $(pkg-config --cflags --libs pw85) && ./pairs */
 #include <inttypes.h>

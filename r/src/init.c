@@ -18,8 +18,8 @@ static void refuse_enclosing(int status, char const *argument, int dimensions, R
         pw85_refuse(argument, -1, NULL, pw85_strerror(status));
 }
 
-/* Smallest ellipsoid around points, or around ellipsoids if there are forms: center, form and excess in
- * one vector. `points` and `forms` have a column for each row of the result of R. */
+/* Smallest ellipsoid around points, or around ellipsoids if there are forms: center, form and
+ * excess in one vector. `points` and `forms` have a column for each point or ellipsoid. */
 static SEXP call_enclosing(SEXP points, SEXP forms, SEXP tolerance)
 {
     int const n = Rf_nrows(points), m = Rf_ncols(points), packed = n * (n + 1) / 2;
@@ -44,10 +44,7 @@ static SEXP call_reproducible(SEXP on)
     return Rf_ScalarLogical(is_on);
 }
 
-static SEXP call_version(void)
-{
-    return Rf_mkString(pw85_version());
-}
+static SEXP call_version(void) { return Rf_mkString(pw85_version()); }
 
 void R_init_pw85(DllInfo *info)
 {

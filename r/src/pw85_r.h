@@ -28,7 +28,8 @@ struct pw85_input {
 };
 
 /* A function of C. `call` computes n rows and returns a status. If it computes them one by one, it
- * stops at the first bad row and writes its index to `row`; otherwise pw85_last_error() knows it. */
+ * stops at the first bad row and writes its index to `row`; otherwise pw85_last_error() knows the
+ * row. */
 struct pw85_function {
     int (*call)(size_t n, double const *const *in, void *const *out, size_t *row);
     bool is_truth; /* the output is a byte: 0, 1, or 255 for a bad row */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The questions of ellipsoids: made by api/r.py from the headers of the C API. */
+/* clang-format off */
 #include "pw85_r.h"
 
 static int ellipsoid_3(size_t n, double const *const *in, void *const *out, size_t *row)
@@ -527,7 +528,8 @@ static SEXP call_overlap_volume(SEXP x, SEXP y)
     return pw85_rows(&overlap_volume_question, 2, 0, given);
 }
 
-static int overlap_volume_gradient_3(size_t n, double const *const *in, void *const *out, size_t *row)
+static int overlap_volume_gradient_3(size_t n, double const *const *in, void *const *out, size_t
+    *row)
 {
     (void)row;
     return pw85_overlap_volume_gradient_batch(n, in[0], in[1], in[2], out[0], out[1], out[2]);
@@ -786,7 +788,8 @@ static SEXP call_signed_distance(SEXP x, SEXP y)
     return pw85_rows(&signed_distance_question, 2, 0, given);
 }
 
-static int signed_distance_derivatives_3(size_t n, double const *const *in, void *const *out, size_t *row)
+static int signed_distance_derivatives_3(size_t n, double const *const *in, void *const *out, size_t
+    *row)
 {
     (void)row;
     return pw85_signed_distance_derivatives_batch(n, in[0], in[1], in[2], out[0], out[1], out[2],

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Answers questions of rows: reads the arguments of R, which have columns, into blocks of rows, calls
- * the function of C for each block, and writes its results to columns. */
+/* Answers questions of rows: reads the arguments of R, which have columns, into blocks of rows,
+ * calls the function of C for each block, and writes its results to columns. */
 #include "pw85_r.h"
 
 #include <math.h>
@@ -146,8 +146,7 @@ static void read_values(SEXP values, int size, struct table *table)
         pw85_refuse(table->name, -1, NULL, text);
     }
     table->rows = is_line ? Rf_xlength(values) : 1;
-    for (int k = 0; k < size; ++k)
-        table->numbers[k] = column_of(values, k, table->name, NULL);
+    for (int k = 0; k < size; ++k) table->numbers[k] = column_of(values, k, table->name, NULL);
 }
 
 /* How many rows the result has: as many as the longest argument, or none if one has none. */
@@ -192,16 +191,25 @@ static void gather_run(struct column const *columns, int size, R_xlen_t row, R_x
         return;
     }
     switch (size) {
-    case 1: interleave(columns, 1, row, n, to); break;
-    case 2: interleave(columns, 2, row, n, to); break;
-    case 3: interleave(columns, 3, row, n, to); break;
-    case 6: interleave(columns, 6, row, n, to); break;
-    default: interleave(columns, size, row, n, to);
+    case 1:
+        interleave(columns, 1, row, n, to);
+        break;
+    case 2:
+        interleave(columns, 2, row, n, to);
+        break;
+    case 3:
+        interleave(columns, 3, row, n, to);
+        break;
+    case 6:
+        interleave(columns, 6, row, n, to);
+        break;
+    default:
+        interleave(columns, size, row, n, to);
     }
 }
 
-/* Writes n rows from a row of the result on, one behind the other. After the last row of the columns
- * comes their first one. */
+/* Writes n rows from a row of the result on, one behind the other. After the last row of the
+ * columns comes their first one. */
 static void gather(struct column const *columns, int size, R_xlen_t rows, R_xlen_t from, R_xlen_t n,
                    double *to)
 {
@@ -224,9 +232,12 @@ struct call {
 static struct table const *table_of(struct call const *call, struct pw85_input const *input)
 {
     switch (input->kind) {
-    case PW85_FORM2: return &call->tables[1];
-    case PW85_VALUES: return &call->tables[call->num_ellipsoids + input->index];
-    default: return &call->tables[0];
+    case PW85_FORM2:
+        return &call->tables[1];
+    case PW85_VALUES:
+        return &call->tables[call->num_ellipsoids + input->index];
+    default:
+        return &call->tables[0];
     }
 }
 
@@ -253,7 +264,8 @@ static void gather_inputs(struct call const *call, R_xlen_t from, R_xlen_t n)
 }
 
 /* Writes the results of a block to the columns: vectors, of doubles or of truth values. */
-static void scatter_outputs(struct call const *call, R_xlen_t from, R_xlen_t n, void *const *columns)
+static void scatter_outputs(struct call const *call, R_xlen_t from, R_xlen_t n,
+                            void *const *columns)
 {
     if (call->function->is_truth) {
         unsigned char const *const bytes = call->out[0];
@@ -386,8 +398,7 @@ static int dimension_of(struct pw85_question const *question, struct call const 
     if (call->num_ellipsoids == 0) return question->functions[0].call ? 2 : 3;
     int const d = call->tables[0].dimension;
     if (call->num_ellipsoids == 2 && call->tables[1].dimension != d)
-        pw85_refuse("y", -1, NULL,
-                    d == 2 ? "must be ellipses, as x" : "must be ellipsoids, as x");
+        pw85_refuse("y", -1, NULL, d == 2 ? "must be ellipses, as x" : "must be ellipsoids, as x");
     if (!question->functions[d - 2].call)
         pw85_refuse("x", -1, NULL,
                     d == 2 ? "must be ellipsoids, in three dimensions" : "must be ellipses");
@@ -398,7 +409,8 @@ SEXP pw85_rows(struct pw85_question const *question, int num_ellipsoids, int num
                SEXP const *given)
 {
     static char const *const ellipsoids[] = {"x", "y"};
-    struct call call = {.num_ellipsoids = num_ellipsoids, .num_tables = num_ellipsoids + num_values};
+    struct call call = {.num_ellipsoids = num_ellipsoids,
+                        .num_tables = num_ellipsoids + num_values};
     for (int k = 0; k < num_ellipsoids; ++k) {
         call.tables[k].name = ellipsoids[k];
         read_ellipsoids(given[k], &call.tables[k]);
