@@ -316,6 +316,8 @@ static void NORET refuse_row(struct call const *call, int status, R_xlen_t row)
         bool const is_form = input->kind == PW85_FORM1 || input->kind == PW85_FORM2;
         table = table_of(call, input);
         if (input->kind == PW85_SEPARATION) table = blamed_center(call, row, &column);
+        if (input->kind == PW85_SEPARATION && !column) /* a matter of both centres */
+            pw85_refuse("y", row, NULL, "must have another centre than x, at a finite distance");
         if (is_form && !R_FINITE(number(table->numbers[error.entry], row % table->rows)))
             column = forms[table->dimension - 2][error.entry];
     }

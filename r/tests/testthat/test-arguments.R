@@ -111,6 +111,10 @@ test_that("errors name argument, row and column", {
   refused(overlaps(y, flat), "y, row 2: must be positive definite", "y", 2)
   # The row of an argument that is recycled is its own.
   refused(overlaps(x[rep(1:3, 2), ], flat), "y, row 2: must be positive definite", "y", 2)
+  # What the centres of both are to blame for has the row of the pair.
+  both <- "must have another centre than x, at a finite distance"
+  refused(contact_geometry(x, ellipses(2, 0, 1), 0.5), paste0("y, row 3: ", both), "y", 3)
+  refused(overlaps(transform(x, x = -1e308), transform(y, x = 1e308)), paste0("y, row 1: ", both), "y", 1)
   # Behind the first block, and where rows are computed one by one.
   many <- x[rep(1, 5000), ]
   many$xx[4321] <- 0
