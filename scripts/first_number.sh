@@ -49,7 +49,6 @@ END
 
 # The commands and the first program of the README of the R package.
 by_r() {
-  follow build
   # shellcheck disable=SC2016 # the marks of blocks
   sed -n '/^```sh$/,/^```$/p' r/README.md | sed '/^```/d' >"$work/commands"
   # shellcheck disable=SC2016
