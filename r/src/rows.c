@@ -167,12 +167,21 @@ static R_xlen_t common_rows(struct table const *tables, int count)
     return most;
 }
 
-/* Writes rows of columns of doubles one behind the other. The compiler knows the size. */
-static inline void interleave(struct column const *columns, int size, R_xlen_t row, R_xlen_t n,
-                              double *to)
+/* Writes three columns of doubles, or one of them, into rows of `size` numbers. */
+static void copy_three(struct column const *columns, int size, R_xlen_t row, R_xlen_t n, double *to)
 {
-    for (R_xlen_t i = 0; i < n; ++i)
-        for (int j = 0; j < size; ++j) to[i * size + j] = columns[j].doubles[row + i];
+    double const *const a = columns[0].doubles + row, *const b = columns[1].doubles + row,
+                        *const c = columns[2].doubles + row;
+    for (R_xlen_t i = 0; i < n; ++i, to += size) {
+        to[0] = a[i];
+        to[1] = b[i];
+        to[2] = c[i];
+    }
+}
+
+static void copy_one(struct column column, int size, R_xlen_t row, R_xlen_t n, double *to)
+{
+    for (R_xlen_t i = 0; i < n; ++i, to += size) *to = column.doubles[row + i];
 }
 
 static bool are_doubles(struct column const *columns, int size)
@@ -190,22 +199,9 @@ static void gather_run(struct column const *columns, int size, R_xlen_t row, R_x
             for (int j = 0; j < size; ++j) to[i * size + j] = number(columns[j], row + i);
         return;
     }
-    switch (size) {
-    case 1:
-        interleave(columns, 1, row, n, to);
-        break;
-    case 2:
-        interleave(columns, 2, row, n, to);
-        break;
-    case 3:
-        interleave(columns, 3, row, n, to);
-        break;
-    case 6:
-        interleave(columns, 6, row, n, to);
-        break;
-    default:
-        interleave(columns, size, row, n, to);
-    }
+    int j = 0;
+    for (; j + 2 < size; j += 3) copy_three(columns + j, size, row, n, to + j);
+    for (; j < size; ++j) copy_one(columns[j], size, row, n, to + j);
 }
 
 /* Writes n rows from a row of the result on, one behind the other. After the last row of the
