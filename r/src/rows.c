@@ -6,8 +6,9 @@
 #include <math.h>
 #include <string.h>
 
-/* Rows of a block. The numbers of a block stay in the cache of a core. */
-enum { BLOCK = 2048, MOST_NUMBERS = 9, MOST_ARGUMENTS = 6 };
+/* Rows of a block. The numbers of a block stay in the first cache of a core. They are too few for
+ * the library to start threads, which would not survive a fork, as that of parallel::mclapply(). */
+enum { BLOCK = 256, MOST_NUMBERS = 9, MOST_ARGUMENTS = 6 };
 
 static char const *const forms[2][6] = {{"xx", "xy", "yy"}, {"xx", "xy", "xz", "yy", "yz", "zz"}};
 static char const *const coordinates[3] = {"x", "y", "z"};
