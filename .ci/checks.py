@@ -225,7 +225,7 @@ def check_static(results):
     results.add("licences", run(["reuse", "lint"]))
     add_unless_missing(results, "ruff", ["scripts/sid.sh", "ruff", "check"])
     glib = subprocess.run(["pkg-config", "--cflags", "glib-2.0"], check=True, text=True, stdout=subprocess.PIPE).stdout.split()
-    for file in tracked("*.c", ":!tests/headers/c89.c"):
+    for file in tracked("*.c", ":!tests/headers/c89.c", ":!r/src"):  # R is not installed here
         results.add(f"analyzer: {file}", run(["gcc", "-std=c99", "-O2", "-fanalyzer", "-Werror", "-Iinclude",
                                               f"-I{TEST_COMMAND_BUILD}/include", "-D_POSIX_C_SOURCE=200809L",
                                               *glib, "-c", file, "-o", "/dev/null"]))
@@ -399,6 +399,11 @@ def check_wheel(results):
     add_unless_missing(results, "scripts/test_wheel.sh", ["scripts/test_wheel.sh"])
 
 
+def check_r(results):
+    """The R package: R CMD check, its tests and README, and the bits of C."""
+    results.add("scripts/test_r.sh", run(["scripts/test_r.sh"]))
+
+
 def check_foreign(results):
     """The library by a compiler and an emulator for 64-bit ARM."""
     machine = ROOT / "scripts/cross/aarch64-linux-gnu.ini"
@@ -459,6 +464,7 @@ PARTS = {
     "all-sanitizers": Part(check_all_sanitizers, f"{TEST} clang libclang-rt-14-dev", after=("tests", "sanitizers"), by_default=False),
     "lammps-of-debian-13": Part(check_lammps_of_debian_13, "git mmdebstrap", after=("lammps",), by_default=False),
     "python-of-debian-13": Part(check_python_of_debian_13, "git mmdebstrap", by_default=False),
+    "r": Part(check_r, "$build_packages libboost-dev $r_packages", by_default=False),
     "formats": Part(check_formats, f"{TEST} {MEASURING}", after=("tests",), by_default=False),
     "valgrind": Part(check_valgrind, f"{TEST} valgrind", after=("tests", "pages"), by_default=False),
     "platforms": Part(check_platforms, f"{TEST} {MACHINES}", after=("tests", "foreign"), by_default=False),

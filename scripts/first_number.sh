@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
 # From nothing to the first number: installs the packages that a way to use pw85 needs, follows README and the chapter on installation in a
-# copy of the sources, and says how long both took. WAY is pkg-config, cmake (FetchContent), meson (a subproject) or pip; without one, all
-# of them, of which later ones find packages of earlier ones. In a system where nothing is installed:
+# copy of the sources, and says how long both took. WAY is pkg-config, cmake (FetchContent), meson (a subproject), pip or r (the R
+# package); without one, all of them, of which later ones find packages of earlier ones. In a system where nothing is installed:
 #   scripts/test_release.sh bookworm scripts/first_number.sh cmake
 set -eu
 cd "$(dirname "$0")/.."
@@ -47,7 +47,18 @@ END
   "$work/build/pair"
 }
 
-[ $# -gt 0 ] || set -- pkg-config cmake meson pip
+# The commands and the first program of the README of the R package.
+by_r() {
+  # shellcheck disable=SC2016 # the marks of blocks
+  sed -n '/^```sh$/,/^```$/p' r/README.md | sed '/^```/d' >"$work/commands"
+  # shellcheck disable=SC2016
+  sed -n '/^```r$/,/^```$/p;/^```text$/q' r/README.md | sed '/^```/d' >"$work/pair.R"
+  mkdir "$work/library"
+  (cd "$work/pw85" && R_LIBS="$work/library" sh -e "$work/commands")
+  R_LIBS="$work/library" Rscript "$work/pair.R"
+}
+
+[ $# -gt 0 ] || set -- pkg-config cmake meson pip r
 for way in "$@"; do
   # shellcheck disable=SC2154 # of packages.sh
   case $way in
@@ -55,7 +66,8 @@ for way in "$@"; do
     cmake) packages='gcc g++ cmake make libboost-dev' ;;
     meson) packages='gcc g++ meson ninja-build libboost-dev' ;;
     pip) packages="gcc g++ $python_packages" ;;
-    *) echo "usage: $0 [pkg-config] [cmake] [meson] [pip]" >&2 && exit 2 ;;
+    r) packages="$build_packages r-base-core r-base-dev" ;;
+    *) echo "usage: $0 [pkg-config] [cmake] [meson] [pip] [r]" >&2 && exit 2 ;;
   esac
   work=$(mktemp -d)
   trap 'rm -rf "$work"' EXIT

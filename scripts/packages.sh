@@ -32,3 +32,5 @@ python_test_packages='python3 python3-pytest python3-h5py python3-gsd libjs-thre
   python3-zstandard python3-mdanalysis mypy'
 test_packages="$build_packages $python_packages $python_test_packages ccache python3-pip patchelf cmake gfortran binutils libglib2.0-dev
   libhdf5-dev libmpfr-dev libx11-dev libeigen3-dev libtbb-dev python3-yaml"
+# Those of scripts/test_r.sh; devscripts has checkbashisms.
+r_packages='r-base-core r-base-dev r-cran-testthat r-cran-knitr r-cran-rmarkdown devscripts'

@@ -20,6 +20,10 @@
 
     The same for Fortran, in the sections of the C header.
 
+.. r-functions:: pw85.h
+
+    The functions of R that are made from the sections of a C header.
+
 .. python-functions:: Distance
 
     The functions of Python for those of a section of the C headers, with their texts.
@@ -35,6 +39,7 @@ import textwrap
 import declarations
 import fortran
 import pages
+import r
 from docutils import nodes
 from docutils.parsers.rst import Directive
 from docutils.statemachine import StringList
@@ -133,6 +138,23 @@ class FortranFunctions(FromHeader):
         yield ""
 
 
+class RFunctions(FromHeader):
+    def lines(self, section):
+        listed = [one for one in r.exported() if one.first.function in section.functions]
+        if listed and section.title:
+            yield from (section.title, "~" * len(section.title), "")
+        for question in listed:
+            yield from self.entry(question)
+
+    def entry(self, question):
+        row, dimension = question.first, max(question.rows)
+        names = r.columns(row, dimension)
+        shown = ", ".join(f"``{name}``" for name in names) if len(names) < 12 else f"``{names[0]}``, ..., ``{names[-1]}``"
+        said = " ".join(r.InR(question, r.names_in_r()).head())
+        yield from (f"``{question.usage()}``", f"   {as_text(said)}", "")
+        yield from (f"   Result: {shown}. {r.DIMENSIONS[tuple(sorted(question.rows))]} See :c:func:`{row.function.name}`.", "")
+
+
 class PythonFunctions(FromHeader):
     final_argument_whitespace = True
 
@@ -167,4 +189,5 @@ def setup(app):
     app.add_directive("cpp-headers", CppHeaders)
     app.add_directive("cpp-values", CppValues)
     app.add_directive("python-functions", PythonFunctions)
+    app.add_directive("r-functions", RFunctions)
     return {"parallel_read_safe": True}

@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Data frames of ellipses and ellipsoids: centres and forms.
+
+.form_names <- function(d) if (d == 2) c("xx", "xy", "yy") else c("xx", "xy", "xz", "yy", "yz", "zz")
+
+# Numbers without dimensions, whatever vector they are. An error is one of the function that the user called.
+.numbers <- function(values, name) {
+  call <- sys.call(sys.parent())
+  if (is.factor(values)) .refuse(name, NULL, NULL, "must be numeric, not a factor", call)
+  if (inherits(values, "integer64")) .refuse(name, NULL, NULL, "must be numeric, not integer64: see as.double()", call)
+  if (is.list(values)) .refuse(name, NULL, NULL, "must be numbers, not a list", call)
+  if (!is.numeric(values)) .refuse(name, NULL, NULL, paste("must be numeric, not", typeof(values)), call)
+  bad <- which(!is.finite(values))
+  if (length(bad)) .refuse(name, bad[1], NULL, "must be finite", call)
+  as.vector(values, "double")
+}
+
+# Columns of the same length: each one is recycled, as data.frame() does it.
+.recycled <- function(columns, call = sys.call(sys.parent())) {
+  lengths <- vapply(columns, length, 0)
+  most <- if (any(lengths == 0)) 0 else max(lengths)
+  bad <- which(lengths > 0 & most %% pmax(lengths, 1) != 0)
+  if (length(bad)) {
+    text <- sprintf("has %.0f numbers, of which %.0f rows are not a multiple", lengths[bad[1]], most)
+    .refuse(names(columns)[bad[1]], NULL, NULL, text, call)
+  }
+  lapply(columns, rep_len, most)
+}
+
+.frame <- function(centers, forms) {
+  d <- length(centers)
+  names(centers) <- c("x", "y", "z")[seq_len(d)]
+  colnames(forms) <- .form_names(d)
+  cbind(as.data.frame(centers), as.data.frame(forms))
+}
+
+# The value of an expression, whose errors are those of the function that the user called.
+.made <- function(expression, call = sys.call(sys.parent())) {
+  force(call)
+  tryCatch(expression, pw85_error = function(condition) {
+    condition$call <- call
+    stop(condition)
+  })
+}
+
+ellipses <- function(x, y, a, b = a, angle = 0) {
+  given <- .recycled(list(
+    x = .numbers(x, "x"), y = .numbers(y, "y"), a = .numbers(a, "a"), b = .numbers(b, "b"), angle = .numbers(angle, "angle")
+  ))
+  forms <- .made(.ellipse(given$a, given$b, given$angle))
+  .frame(given[c("x", "y")], forms)
+}
+
+ellipsoids <- function(x, y, z, a, b = a, c = a, quaternion = NULL, rotation = NULL) {
+  given <- .recycled(list(
+    x = .numbers(x, "x"), y = .numbers(y, "y"), z = .numbers(z, "z"), a = .numbers(a, "a"), b = .numbers(b, "b"), c = .numbers(c, "c")
+  ))
+  axes <- cbind(given$a, given$b, given$c, deparse.level = 0)
+  if (!is.null(quaternion) && !is.null(rotation)) .refuse("rotation", NULL, NULL, "must be NULL if there is a quaternion")
+  if (is.null(quaternion)) quaternion <- c(1, 0, 0, 0)
+  # The library has matrices by rows.
+  if (is.matrix(rotation) && all(dim(rotation) == 3)) rotation <- as.vector(t(rotation))
+  forms <- .made(if (is.null(rotation)) .ellipsoid_quaternion(axes, quaternion) else .ellipsoid(axes, rotation))
+  centers <- .recycled(c(given[c("x", "y", "z")], list(quaternion = seq_len(nrow(forms)))))[1:3]
+  .frame(centers, forms)
+}
+
+# The scale of a covariance whose ellipse holds a share of a normal distribution.
+.scale <- function(level, d, call = sys.call(sys.parent())) {
+  if (is.null(level)) return(1)
+  if (!is.numeric(level) || length(level) != 1 || !is.finite(level) || level <= 0 || level >= 1) {
+    .refuse("level", NULL, NULL, "must be one number between 0 and 1", call)
+  }
+  qchisq(level, d)
+}
+
+covariance_ellipsoids <- function(mean, covariance, level = NULL) {
+  covariances <- if (is.list(covariance)) covariance else list(covariance)
+  sizes <- vapply(covariances, function(one) if (is.matrix(one) && is.numeric(one) && nrow(one) == ncol(one)) nrow(one) else 0L, 0L)
+  bad <- which(!sizes %in% 2:3 | sizes != sizes[1])
+  if (length(bad)) .refuse("covariance", bad[1], NULL, "must be a numeric matrix, 2 x 2 or 3 x 3, as the first one")
+  d <- if (length(sizes)) sizes[1] else 2L
+  if (is.data.frame(mean)) mean <- as.matrix(mean)
+  if (!is.matrix(mean) && length(mean) == d) mean <- matrix(mean, 1)
+  if (!is.matrix(mean) || ncol(mean) != d) .refuse("mean", NULL, NULL, sprintf("must have %d columns, as covariance", d))
+  asymmetric <- which(!vapply(covariances, isSymmetric, TRUE, check.attributes = FALSE))
+  if (length(asymmetric)) .refuse("covariance", asymmetric[1], NULL, "must be symmetric")
+  rows <- vapply(covariances, function(one) one[lower.tri(one, diag = TRUE)], numeric(d * (d + 1) / 2))
+  made <- .recycled(list(mean = seq_len(nrow(mean)), covariance = seq_along(covariances)))
+  centers <- matrix(.numbers(mean, "mean"), ncol = d)[made$mean, , drop = FALSE]
+  forms <- .scale(level, d) * matrix(.numbers(rows, "covariance"), ncol = d * (d + 1) / 2, byrow = TRUE)[made$covariance, , drop = FALSE]
+  .frame(lapply(seq_len(d), function(k) centers[, k]), forms)
+}
+
+# Points as a matrix with a row for each point.
+.points <- function(points, call = sys.call(sys.parent())) {
+  if (is.data.frame(points)) {
+    bad <- which(!vapply(points, is.numeric, TRUE))
+    if (length(bad)) .refuse("points", NULL, names(points)[bad[1]], paste("must be numeric, not", class(points[[bad[1]]])[1]), call)
+    points <- as.matrix(points)
+  }
+  if (!is.matrix(points) || !is.numeric(points)) .refuse("points", NULL, NULL, "must be a data frame or matrix of numbers", call)
+  bad <- which(!is.finite(points), arr.ind = TRUE)
+  if (length(bad)) .refuse("points", min(bad[, 1]), NULL, "must be finite", call)
+  storage.mode(points) <- "double"
+  unname(points)
+}
+
+# The row numbers of each group, in the order of its levels; all rows if there are no groups.
+.groups <- function(points, group, call = sys.call(sys.parent())) {
+  if (is.null(group)) return(list(seq_len(nrow(points))))
+  if (length(group) != nrow(points)) .refuse("group", NULL, NULL, "must have a value for each row of points", call)
+  if (anyNA(group)) .refuse("group", which(is.na(group))[1], NULL, "must not be NA", call)
+  split(seq_len(nrow(points)), group, drop = TRUE)
+}
+
+# One row for each group; the column `group` has their names.
+.bound <- function(found) {
+  rows <- do.call(rbind, found)
+  if (is.null(names(found))) rows else cbind(group = names(found), rows, row.names = NULL)
+}
+
+standard_ellipsoids <- function(points, group = NULL, level = NULL, corrected = FALSE) {
+  points <- .points(points)
+  d <- ncol(points)
+  if (!d %in% 2:3) .refuse("points", NULL, NULL, "must have 2 or 3 columns")
+  members <- .groups(points, group)
+  scale <- .scale(level, d)
+  bad <- which(lengths(members) <= d)
+  if (length(bad)) {
+    .refuse("points", NULL, NULL, sprintf("must have more than %d rows in each group, not %d", d, length(members[[bad[1]]])))
+  }
+  .bound(lapply(members, function(rows) {
+    n <- length(rows)
+    factor <- if (corrected) scale * (n - 1) / (n - d) else scale
+    covariance_ellipsoids(colMeans(points[rows, , drop = FALSE]), factor * cov(points[rows, , drop = FALSE]))
+  }))
+}
+
+# Names of the columns of an ellipsoid in any number of dimensions.
+.enclosing_names <- function(d) {
+  if (d %in% 2:3) return(c(c("x", "y", "z")[seq_len(d)], .form_names(d), "excess"))
+  pairs <- which(lower.tri(diag(d), diag = TRUE), arr.ind = TRUE)
+  c(paste0("x", seq_len(d)), sprintf("q%d_%d", pairs[, 2], pairs[, 1]), "excess")
+}
+
+.enclosing <- function(points, forms, tolerance, call = sys.call(sys.parent())) {
+  if (!is.numeric(tolerance) || length(tolerance) != 1 || !is.finite(tolerance) || tolerance <= 0) {
+    .refuse("tolerance", NULL, NULL, "must be one positive number", call)
+  }
+  numbers <- .made(.Call(C_enclosing, t(points), forms, tolerance), call)
+  names(numbers) <- .enclosing_names(ncol(points))
+  as.data.frame(as.list(numbers))
+}
+
+enclosing_ellipsoid <- function(points, group = NULL, tolerance = 1e-6) {
+  call <- sys.call()
+  points <- .points(points)
+  if (!ncol(points) %in% 1:16) .refuse("points", NULL, NULL, "must have 1 to 16 columns")
+  .bound(lapply(.groups(points, group), function(rows) .enclosing(points[rows, , drop = FALSE], NULL, tolerance, call)))
+}
+
+enclosing_ellipsoid_of <- function(x, tolerance = 1e-6) {
+  d <- if (all(c("z", "zz") %in% colnames(x))) 3 else 2
+  .made(second_moments(x)) # the errors of rows of `x` that are no ellipsoids
+  names <- c(c("x", "y", "z")[seq_len(d)], .form_names(d))
+  numbers <- matrix(as.double(as.matrix(x[, names])), ncol = length(names))
+  bad <- which(!is.finite(numbers), arr.ind = TRUE)
+  if (length(bad)) .refuse("x", bad[1, 1], names[bad[1, 2]], "must be finite")
+  .enclosing(numbers[, seq_len(d), drop = FALSE], t(numbers[, -seq_len(d), drop = FALSE]), tolerance)
+}
+
+outline <- function(x, points = 100) {
+  if (!is.numeric(points) || length(points) != 1 || !is.finite(points) || points < 1) {
+    .refuse("points", NULL, NULL, "must be one number, at least 1")
+  }
+  .made(area(x)) # the errors of rows of `x` that are no ellipses
+  x <- as.data.frame(x)
+  turn <- 2 * pi * (seq_len(points) - 1) / points
+  # By Cholesky's factor of the form.
+  first <- sqrt(x$xx)
+  second <- sqrt(pmax(0, x$yy - x$xy^2 / x$xx))
+  data.frame(
+    ellipse = rep(seq_len(nrow(x)), each = points),
+    x = as.vector(outer(cos(turn), first)) + rep(x$x, each = points),
+    y = as.vector(outer(cos(turn), x$xy / first) + outer(sin(turn), second)) + rep(x$y, each = points)
+  )
+}
+
+reproducible <- function(on = NULL) {
+  if (!is.null(on) && !isTRUE(on) && !isFALSE(on)) .refuse("on", NULL, NULL, "must be TRUE, FALSE or NULL")
+  before <- .Call(C_reproducible, on)
+  if (is.null(on)) before else invisible(before)
+}
+
+library_version <- function() .Call(C_version)

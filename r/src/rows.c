@@ -1,0 +1,430 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Answers questions of rows: reads the arguments of R, which have columns, into blocks of rows,
+ * calls the function of C for each block, and writes its results to columns. */
+#include "pw85_r.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Rows of a block. The numbers of a block stay in the first cache of a core. They are too few for
+ * the library to start threads, which would not survive a fork, as that of parallel::mclapply(). */
+enum { BLOCK = 256, MOST_NUMBERS = 9, MOST_ARGUMENTS = 6 };
+
+static char const *const forms[2][6] = {{"xx", "xy", "yy"}, {"xx", "xy", "xz", "yy", "yz", "zz"}};
+static char const *const coordinates[3] = {"x", "y", "z"};
+
+/* A column of numbers: of doubles, or of integers, of which the smallest is NA. */
+struct column {
+    double const *doubles;
+    int const *integers;
+};
+
+/* An argument: its columns, all of the same length. */
+struct table {
+    char const *name;
+    R_xlen_t rows;
+    int dimension; /* of ellipsoids; 0 of other arguments */
+    struct column center[3];
+    struct column numbers[MOST_NUMBERS];
+};
+
+void pw85_refuse(char const *argument, R_xlen_t row, char const *column, char const *requirement)
+{
+    SEXP const package = PROTECT(Rf_mkString("pw85"));
+    SEXP const space = PROTECT(R_FindNamespace(package));
+    SEXP const name = PROTECT(argument ? Rf_mkString(argument) : R_NilValue);
+    SEXP const number = PROTECT(row < 0 ? R_NilValue : Rf_ScalarReal((double)row + 1));
+    SEXP const entry = PROTECT(column ? Rf_mkString(column) : R_NilValue);
+    SEXP const text = PROTECT(Rf_mkString(requirement));
+    SEXP const call = PROTECT(Rf_lang5(Rf_install(".refuse"), name, number, entry, text));
+    Rf_eval(call, space);
+    Rf_error("%s", requirement); /* not reached */
+}
+
+/* The numbers of a vector, from an offset. */
+static struct column column_of(SEXP values, R_xlen_t offset, char const *argument, char const *name)
+{
+    struct column found = {NULL, NULL};
+    if (Rf_isFactor(values)) pw85_refuse(argument, -1, name, "must be numeric, not a factor");
+    if (Rf_inherits(values, "integer64")) /* integers in the place of doubles */
+        pw85_refuse(argument, -1, name, "must be numeric, not integer64: see as.double()");
+    if (TYPEOF(values) == REALSXP)
+        found.doubles = REAL_RO(values) + offset;
+    else if (TYPEOF(values) == INTSXP)
+        found.integers = INTEGER_RO(values) + offset;
+    else {
+        char text[80];
+        snprintf(text, sizeof text, "must be numeric, not %s", Rf_type2char(TYPEOF(values)));
+        pw85_refuse(argument, -1, name, text);
+    }
+    return found;
+}
+
+static double number(struct column column, R_xlen_t row)
+{
+    if (column.doubles) return column.doubles[row];
+    int const value = column.integers[row];
+    return value == NA_INTEGER ? NA_REAL : value;
+}
+
+/* The names of the columns of a data frame or matrix, or NULL. */
+static SEXP names_of(SEXP values)
+{
+    if (Rf_inherits(values, "data.frame")) return Rf_getAttrib(values, R_NamesSymbol);
+    if (!Rf_isMatrix(values)) return R_NilValue;
+    SEXP const names = Rf_getAttrib(values, R_DimNamesSymbol);
+    return names == R_NilValue ? names : VECTOR_ELT(names, 1);
+}
+
+static R_xlen_t find_name(SEXP names, char const *name)
+{
+    for (R_xlen_t k = 0; k < Rf_xlength(names); ++k)
+        if (strcmp(CHAR(STRING_ELT(names, k)), name) == 0) return k;
+    return -1;
+}
+
+/* Column k of a data frame or matrix. The first one decides how many rows there are. */
+static struct column column_at(SEXP values, R_xlen_t k, struct table *table, char const *name)
+{
+    if (TYPEOF(values) != VECSXP) return column_of(values, k * table->rows, table->name, name);
+    SEXP const found = VECTOR_ELT(values, k);
+    if (Rf_isMatrix(found) || Rf_xlength(found) != table->rows)
+        pw85_refuse(table->name, -1, name, "must be a vector with a number for each row");
+    return column_of(found, 0, table->name, name);
+}
+
+static R_xlen_t rows_of(SEXP values)
+{
+    if (TYPEOF(values) != VECSXP) return Rf_nrows(values);
+    return Rf_xlength(values) == 0 ? 0 : Rf_xlength(VECTOR_ELT(values, 0));
+}
+
+static struct column named_column(SEXP values, SEXP names, char const *name, struct table *table)
+{
+    R_xlen_t const k = find_name(names, name);
+    if (k < 0)
+        pw85_refuse(table->name, -1, name,
+                    table->dimension == 2 ? "is missing: ellipses have columns x, y, xx, xy, yy"
+                                          : "is missing: ellipsoids have columns x, y, z, xx, xy, "
+                                            "xz, yy, yz, zz");
+    return column_at(values, k, table, name);
+}
+
+static void read_ellipsoids(SEXP values, struct table *table)
+{
+    SEXP const names = names_of(values);
+    if (names == R_NilValue)
+        pw85_refuse(table->name, -1, NULL,
+                    "must be a data frame of ellipses or ellipsoids: see ellipses(), ellipsoids()");
+    table->dimension = find_name(names, "z") < 0 && find_name(names, "zz") < 0 ? 2 : 3;
+    table->rows = rows_of(values);
+    for (int k = 0; k < table->dimension; ++k)
+        table->center[k] = named_column(values, names, coordinates[k], table);
+    for (int k = 0; k < 3 * table->dimension - 3; ++k)
+        table->numbers[k] = named_column(values, names, forms[table->dimension - 2][k], table);
+}
+
+/* An argument with `size` numbers in a row: columns, or a vector of one number for each row or of
+ * one row. */
+static void read_values(SEXP values, int size, struct table *table)
+{
+    bool const is_frame = Rf_inherits(values, "data.frame");
+    if (TYPEOF(values) == VECSXP && !is_frame)
+        pw85_refuse(table->name, -1, NULL, "must be numbers, not a list");
+    bool const has_columns = is_frame || Rf_isMatrix(values);
+    if (has_columns && (is_frame ? Rf_length(values) : Rf_ncols(values)) == size) {
+        table->rows = rows_of(values);
+        for (int k = 0; k < size; ++k) table->numbers[k] = column_at(values, k, table, NULL);
+        return;
+    }
+    bool const is_row = size > 1 && !has_columns && Rf_xlength(values) == size;
+    bool const is_line = !is_frame && size == 1; /* a vector, whatever its dimensions */
+    bool const is_turned = size > 1 && !is_frame && Rf_isMatrix(values) && Rf_ncols(values) == 1 &&
+                           Rf_nrows(values) == size; /* a vector that is a column */
+    if (!is_row && !is_line && !is_turned) {
+        char text[80];
+        snprintf(text, sizeof text, "must have %d column%s", size, size == 1 ? "" : "s");
+        pw85_refuse(table->name, -1, NULL, text);
+    }
+    table->rows = is_line ? Rf_xlength(values) : 1;
+    for (int k = 0; k < size; ++k) table->numbers[k] = column_of(values, k, table->name, NULL);
+}
+
+/* How many rows the result has: as many as the longest argument, or none if one has none. */
+static R_xlen_t common_rows(struct table const *tables, int count)
+{
+    R_xlen_t most = 0;
+    for (int k = 0; k < count; ++k) {
+        if (tables[k].rows == 0) return 0;
+        most = tables[k].rows > most ? tables[k].rows : most;
+    }
+    for (int k = 0; k < count; ++k)
+        if (most % tables[k].rows != 0) {
+            char text[120];
+            snprintf(text, sizeof text, "has %lld rows, of which %lld rows are not a multiple",
+                     (long long)tables[k].rows, (long long)most);
+            pw85_refuse(tables[k].name, -1, NULL, text);
+        }
+    return most;
+}
+
+/* Writes three columns of doubles, or one of them, into rows of `size` numbers. */
+static void copy_three(struct column const *columns, int size, R_xlen_t row, R_xlen_t n, double *to)
+{
+    double const *const a = columns[0].doubles + row, *const b = columns[1].doubles + row,
+                        *const c = columns[2].doubles + row;
+    for (R_xlen_t i = 0; i < n; ++i, to += size) {
+        to[0] = a[i];
+        to[1] = b[i];
+        to[2] = c[i];
+    }
+}
+
+static void copy_one(struct column column, int size, R_xlen_t row, R_xlen_t n, double *to)
+{
+    for (R_xlen_t i = 0; i < n; ++i, to += size) *to = column.doubles[row + i];
+}
+
+static bool are_doubles(struct column const *columns, int size)
+{
+    for (int j = 0; j < size; ++j)
+        if (!columns[j].doubles) return false;
+    return true;
+}
+
+/* Writes n rows, which do not begin again, one behind the other. */
+static void gather_run(struct column const *columns, int size, R_xlen_t row, R_xlen_t n, double *to)
+{
+    if (!are_doubles(columns, size)) {
+        for (R_xlen_t i = 0; i < n; ++i)
+            for (int j = 0; j < size; ++j) to[i * size + j] = number(columns[j], row + i);
+        return;
+    }
+    int j = 0;
+    for (; j + 2 < size; j += 3) copy_three(columns + j, size, row, n, to + j);
+    for (; j < size; ++j) copy_one(columns[j], size, row, n, to + j);
+}
+
+/* Writes n rows from a row of the result on, one behind the other. After the last row of the
+ * columns comes their first one. */
+static void gather(struct column const *columns, int size, R_xlen_t rows, R_xlen_t from, R_xlen_t n,
+                   double *to)
+{
+    R_xlen_t const different = rows < n ? rows : n;
+    R_xlen_t const row = from % rows, first = different < rows - row ? different : rows - row;
+    gather_run(columns, size, row, first, to);
+    gather_run(columns, size, 0, different - first, to + first * size);
+    for (R_xlen_t i = different * size; i < n * size; ++i) to[i] = to[i - different * size];
+}
+
+/* Everything that a call needs. */
+struct call {
+    struct pw85_function const *function;
+    struct table tables[MOST_ARGUMENTS];
+    int num_ellipsoids, num_tables;
+    double *in[PW85_INPUTS], *centers; /* numbers of a block */
+    void *out[PW85_OUTPUTS];
+};
+
+static struct table const *table_of(struct call const *call, struct pw85_input const *input)
+{
+    switch (input->kind) {
+    case PW85_FORM2:
+        return &call->tables[1];
+    case PW85_VALUES:
+        return &call->tables[call->num_ellipsoids + input->index];
+    default:
+        return &call->tables[0];
+    }
+}
+
+/* The separations of a block: the centres of y minus those of x. */
+static void gather_separation(struct call const *call, R_xlen_t from, R_xlen_t n, double *to)
+{
+    struct table const *const x = &call->tables[0], *const y = &call->tables[1];
+    int const d = x->dimension;
+    gather(y->center, d, y->rows, from, n, to);
+    gather(x->center, d, x->rows, from, n, call->centers);
+    for (R_xlen_t i = 0; i < n * d; ++i) to[i] -= call->centers[i];
+}
+
+static void gather_inputs(struct call const *call, R_xlen_t from, R_xlen_t n)
+{
+    for (int k = 0; k < call->function->num_inputs; ++k) {
+        struct pw85_input const *const input = &call->function->inputs[k];
+        struct table const *const table = table_of(call, input);
+        if (input->kind == PW85_SEPARATION)
+            gather_separation(call, from, n, call->in[k]);
+        else
+            gather(table->numbers, input->size, table->rows, from, n, call->in[k]);
+    }
+}
+
+/* Writes the results of a block to the columns: vectors, of doubles or of truth values. */
+static void scatter_outputs(struct call const *call, R_xlen_t from, R_xlen_t n,
+                            void *const *columns)
+{
+    if (call->function->is_truth) {
+        unsigned char const *const bytes = call->out[0];
+        for (R_xlen_t i = 0; i < n; ++i) ((int *)columns[0])[from + i] = bytes[i];
+        return;
+    }
+    for (int k = 0, column = 0; k < call->function->num_outputs; ++k) {
+        int const size = call->function->sizes[k];
+        double const *const source = call->out[k];
+        for (int j = 0; j < size; ++j, ++column) {
+            double *const to = (double *)columns[column] + from;
+            for (R_xlen_t i = 0; i < n; ++i) to[i] = source[i * size + j];
+        }
+    }
+}
+
+static int sum_of(int const *sizes, int count)
+{
+    int sum = 0;
+    for (int k = 0; k < count; ++k) sum += sizes[k];
+    return sum;
+}
+
+/* The centre that is to blame for a separation that is refused. */
+static struct table const *blamed_center(struct call const *call, R_xlen_t row, char const **column)
+{
+    for (int t = 0; t < 2; ++t)
+        for (int k = 0; k < call->tables[t].dimension; ++k)
+            if (!R_FINITE(number(call->tables[t].center[k], row % call->tables[t].rows))) {
+                *column = coordinates[k];
+                return &call->tables[t];
+            }
+    return &call->tables[1];
+}
+
+/* Ends the call with the cause that the library tells, in the words of R. */
+static void NORET refuse_row(struct call const *call, int status, R_xlen_t row)
+{
+    pw85_error error;
+    pw85_last_error(&error);
+    char const *const text = error.function ? error.requirement : pw85_strerror(status);
+    row += error.function ? (R_xlen_t)error.row : 0;
+    struct table const *table = NULL;
+    char const *column = NULL;
+    for (int k = 0; error.function && error.argument && k < call->function->num_inputs; ++k) {
+        struct pw85_input const *const input = &call->function->inputs[k];
+        if (strcmp(input->name, error.argument) != 0) continue;
+        bool const is_form = input->kind == PW85_FORM1 || input->kind == PW85_FORM2;
+        table = table_of(call, input);
+        if (input->kind == PW85_SEPARATION) table = blamed_center(call, row, &column);
+        if (input->kind == PW85_SEPARATION && !column) /* a matter of both centres */
+            pw85_refuse("y", row, NULL, "must have another centre than x, at a finite distance");
+        if (is_form && !R_FINITE(number(table->numbers[error.entry], row % table->rows)))
+            column = forms[table->dimension - 2][error.entry];
+    }
+    pw85_refuse(table ? table->name : NULL, table ? row % table->rows : row, column, text);
+}
+
+static void compute(struct call *call, R_xlen_t rows, void *const *columns)
+{
+    size_t const block = rows < BLOCK ? (size_t)rows : BLOCK;
+    struct pw85_function const *const function = call->function;
+    call->centers = (double *)R_alloc(3 * block, sizeof(double));
+    for (int k = 0; k < function->num_inputs; ++k)
+        call->in[k] = (double *)R_alloc(block * (size_t)function->inputs[k].size, sizeof(double));
+    for (int k = 0; k < function->num_outputs; ++k)
+        call->out[k] = R_alloc(block * (size_t)function->sizes[k], sizeof(double));
+    for (R_xlen_t from = 0; from < rows; from += BLOCK) {
+        R_xlen_t const n = rows - from < BLOCK ? rows - from : BLOCK;
+        size_t bad = 0;
+        gather_inputs(call, from, n);
+        int const status =
+            function->call((size_t)n, (double const *const *)call->in, call->out, &bad);
+        if (status != 0) refuse_row(call, status, from + (R_xlen_t)bad);
+        scatter_outputs(call, from, n, columns);
+        R_CheckUserInterrupt();
+    }
+}
+
+static SEXP names_of_columns(struct pw85_function const *function, int count)
+{
+    SEXP const names = PROTECT(Rf_allocVector(STRSXP, count));
+    for (int k = 0; k < count; ++k) SET_STRING_ELT(names, k, Rf_mkChar(function->columns[k]));
+    UNPROTECT(1);
+    return names;
+}
+
+/* One output: a vector, or a matrix if a row has several numbers. */
+static SEXP one_output(struct call *call, R_xlen_t rows, int count)
+{
+    bool const is_truth = call->function->is_truth;
+    SEXP const result = PROTECT(count == 1 ? Rf_allocVector(is_truth ? LGLSXP : REALSXP, rows)
+                                           : Rf_allocMatrix(REALSXP, (int)rows, count));
+    void *columns[PW85_COLUMNS];
+    for (int k = 0; k < count; ++k)
+        columns[k] = is_truth ? (void *)LOGICAL(result) : (void *)(REAL(result) + k * rows);
+    compute(call, rows, columns);
+    if (count > 1) {
+        SEXP const names = PROTECT(Rf_allocVector(VECSXP, 2));
+        SET_VECTOR_ELT(names, 1, names_of_columns(call->function, count));
+        Rf_setAttrib(result, R_DimNamesSymbol, names);
+        UNPROTECT(1);
+    }
+    UNPROTECT(1);
+    return result;
+}
+
+/* Several outputs: a data frame. */
+static SEXP frame_of_outputs(struct call *call, R_xlen_t rows, int count)
+{
+    SEXP const result = PROTECT(Rf_allocVector(VECSXP, count));
+    void *columns[PW85_COLUMNS];
+    for (int k = 0; k < count; ++k) {
+        SET_VECTOR_ELT(result, k, Rf_allocVector(REALSXP, rows));
+        columns[k] = REAL(VECTOR_ELT(result, k));
+    }
+    compute(call, rows, columns);
+    Rf_setAttrib(result, R_NamesSymbol, names_of_columns(call->function, count));
+    SEXP const numbers = PROTECT(Rf_allocVector(INTSXP, 2));
+    INTEGER(numbers)[0] = NA_INTEGER;
+    INTEGER(numbers)[1] = -(int)rows;
+    Rf_setAttrib(result, R_RowNamesSymbol, numbers);
+    SEXP const name = PROTECT(Rf_mkString("data.frame"));
+    Rf_setAttrib(result, R_ClassSymbol, name);
+    UNPROTECT(3);
+    return result;
+}
+
+/* The dimension of the question: that of the ellipsoids, or the only one of a constructor. */
+static int dimension_of(struct pw85_question const *question, struct call const *call)
+{
+    if (call->num_ellipsoids == 0) return question->functions[0].call ? 2 : 3;
+    int const d = call->tables[0].dimension;
+    if (call->num_ellipsoids == 2 && call->tables[1].dimension != d)
+        pw85_refuse("y", -1, NULL, d == 2 ? "must be ellipses, as x" : "must be ellipsoids, as x");
+    if (!question->functions[d - 2].call)
+        pw85_refuse("x", -1, NULL,
+                    d == 2 ? "must be ellipsoids, in three dimensions" : "must be ellipses");
+    return d;
+}
+
+SEXP pw85_rows(struct pw85_question const *question, int num_ellipsoids, int num_values,
+               SEXP const *given)
+{
+    static char const *const ellipsoids[] = {"x", "y"};
+    struct call call = {.num_ellipsoids = num_ellipsoids,
+                        .num_tables = num_ellipsoids + num_values};
+    for (int k = 0; k < num_ellipsoids; ++k) {
+        call.tables[k].name = ellipsoids[k];
+        read_ellipsoids(given[k], &call.tables[k]);
+    }
+    call.function = &question->functions[dimension_of(question, &call) - 2];
+    for (int k = 0; k < call.function->num_inputs; ++k) {
+        struct pw85_input const *const input = &call.function->inputs[k];
+        if (input->kind != PW85_VALUES) continue;
+        int const place = num_ellipsoids + input->index;
+        call.tables[place].name = input->name;
+        read_values(given[place], input->size, &call.tables[place]);
+    }
+    R_xlen_t const rows = common_rows(call.tables, call.num_tables);
+    int const count = sum_of(call.function->sizes, call.function->num_outputs);
+    if (count > 1 && rows > INT_MAX) pw85_refuse(NULL, -1, NULL, "there are too many rows");
+    bool const is_one = call.function->num_outputs == 1;
+    return is_one ? one_output(&call, rows, count) : frame_of_outputs(&call, rows, count);
+}

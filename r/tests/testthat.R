@@ -1,0 +1,4 @@
+library(testthat)
+library(pw85)
+
+test_check("pw85")
