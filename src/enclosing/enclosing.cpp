@@ -7,6 +7,7 @@
 
 #include "../base/floating_point_environment.hpp"
 #include "around_ellipsoids.hpp"
+#include "smallest.hpp"
 
 using namespace pw85;
 using namespace pw85::detail;
@@ -27,7 +28,7 @@ struct Outputs {
         if (excess != nullptr) *excess = nan;
     }
 
-    void put(Search const &search) const noexcept
+    template <class Found> void put(Found const &search) const noexcept
     {
         for (int i = 0, k = 0; i < n; ++i) {
             if (center != nullptr) center[i] = search.center(i);
@@ -66,7 +67,7 @@ Status find_around(enclosing::Ellipsoids const &bodies, double tolerance,
     std::unique_ptr<AroundEllipsoids> const around(new (std::nothrow) AroundEllipsoids(bodies));
     if (around == nullptr) return Status::out_of_memory;
     Status const status = around->run(tolerance);
-    if (has_ellipsoid(status)) outputs.put(around->search());
+    if (has_ellipsoid(status)) outputs.put(*around);
     return status;
 }
 
