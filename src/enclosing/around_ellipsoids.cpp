@@ -226,8 +226,8 @@ void AroundEllipsoids::find_map(std::size_t i, Wide *map) const noexcept
     }
 }
 
-/// Takes the outer ellipsoid of Z: its centre is -Z₁₁⁻¹ z₁₂ and its form ρ Z₁₁⁻¹ in the frame, with ρ
-/// = d - (z₂₂ - z₁₂ᵀ Z₁₁⁻¹ z₁₂).
+/// Takes the outer ellipsoid of Z: its centre is -Z₁₁⁻¹ z₁₂ and its form ρ Z₁₁⁻¹ in the frame, with
+/// ρ = d - (z₂₂ - z₁₂ᵀ Z₁₁⁻¹ z₁₂).
 template <class T> bool AroundEllipsoids::read_outer(MaxDet<T> const &search) noexcept
 {
     int const n = bodies_.n, d = n + 1;
