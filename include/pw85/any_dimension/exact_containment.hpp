@@ -161,7 +161,7 @@ PW85_FUNCTION inline int find_containment_polynomials(Input const &in, ExactPoly
 }
 
 /// Decides by the largest roots, for p and B with real roots above 0 and at most 1. If ν1 = 1, B
-/// has it: h < 0 there, so that it is no root of q. Returns 1, 0 or sign_unknown.
+/// has it: h < 0 there, so it is not a root of q. Returns 1, 0 or sign_unknown.
 PW85_FUNCTION inline int compare_largest_roots(ExactPolynomial &p, ExactPolynomial &b) noexcept
 {
     ExactPolynomial candidates[3]; // q', B' and c
