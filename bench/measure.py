@@ -32,8 +32,10 @@ REPETITIONS = 11  # in each of them
 # Tables of Python's programs, which are in python/bench: the program, and the library that it gets, in the build directory
 PYTHON = {
     "arrays": ("compare_batches.py", "src/libpw85.so"),
+    "any_dimension": ("compare_any_dimension.py", "python/bench/pypw85_any_dimension_loops.so"),
     "bodies": ("compare_bodies.py", "python/bench/pypw85_body_loops.so"),
     "calls": ("compare_calls.py", "python/bench/pypw85_c_loops.so"),
+    "enclosing": ("compare_enclosing.py", "python/bench/pypw85_enclosing_peers.so"),
     "files": ("measure_files.py", None),
 }
 # What starts a LAMMPS that has pair_style granular/superellipsoid, if the one that is installed has not

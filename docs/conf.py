@@ -67,6 +67,8 @@ rst_epilog = f"""
 .. |conditions-of-rounded| replace:: {measurements.conditions("rounded")}
 .. |conditions-of-signed_distance| replace:: {measurements.conditions("signed_distance")}
 .. |conditions-of-growth| replace:: {measurements.conditions("growth")}
+.. |conditions-of-any_dimension| replace:: {measurements.conditions("any_dimension")}
+.. |conditions-of-enclosing| replace:: {measurements.conditions("enclosing")}
 .. |conditions-of-monte_carlo| replace:: {measurements.conditions("monte_carlo")}
 .. |conditions-of-hoomd_monte_carlo| replace:: {measurements.conditions("hoomd_monte_carlo")}
 .. |conditions-of-public_monte_carlo| replace:: {measurements.conditions("public_monte_carlo")}

@@ -20,7 +20,7 @@ SECTION = re.compile(r"<!-- measured (\w+) -->\n.*?<!-- end of measured -->", re
 TIMES = HERE.parent / ".ci" / "times.json"  # of README's commands, by `.ci/run --record tests tutorial pip`
 # What README says before the minutes of its commands, and the parts of .ci/run that run them
 COMMANDS = {r"scripts/tutorial\.sh +# ": "tutorial", r"scripts/test\.sh +# ": "tests", "These commands take ": "pip"}
-PICTURES = {"accuracy": "accuracy", "digits": "digits", "evaluations": "evaluations", "growth": "growth", "throughput": "speed"}
+PICTURES = {**{name: name for name in ("accuracy", "any_dimension", "digits", "evaluations", "growth")}, "throughput": "speed"}
 ASPECTS = ("2", "10", "100", "1000")
 
 

@@ -13,7 +13,6 @@
  * - Nearly singular forms and ties can need memory, which the functions allocate and free. If there
  *   is none, the status is #PW85_ENOMEM.
  * - #PW85_EINVAL also says that n is not in 1 … 16.
- * - These functions keep no record for pw85_last_error().
  */
 #ifndef PW85_ANY_DIMENSION_H_INCLUDED
 #define PW85_ANY_DIMENSION_H_INCLUDED

@@ -618,6 +618,152 @@ void test_random_ellipsoids()
     }
 }
 
+/// The form H diag(squares) Hᵀ with H = n - 2 (1, ..., 1)(1, ..., 1)ᵀ, whose columns are orthogonal
+/// and have the length n: integers, which are exact.
+Numbers reflected(Numbers const &squares)
+{
+    std::size_t const n = squares.size();
+    auto const h = [&](std::size_t i, std::size_t j) {
+        return (i == j ? static_cast<double>(n) : 0.0) - 2.0;
+    };
+    Numbers form;
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = i; j < n; ++j) {
+            double sum = 0.0;
+            for (std::size_t k = 0; k < n; ++k) sum += h(i, k) * squares[k] * h(j, k);
+            form.push_back(sum);
+        }
+    return form;
+}
+
+/// Few ellipsoids with one centre and the same directions of the axes, in many dimensions: each
+/// touches the smallest ellipsoid, whose semi-axes are the longest ones, along several axes.
+void test_few_in_many_dimensions()
+{
+    Failures failures;
+    std::mt19937 random(12);
+    for (int draw = 0; draw < draws(24); ++draw) {
+        int const n = 6 + draw % 11, m = 2 + static_cast<int>(random() % 4);
+        auto const size = static_cast<std::size_t>(n);
+        double const unit = std::ldexp(1.0, static_cast<int>(random() % 81) - 40);
+        Numbers center(size), largest(size, 0.0), forms;
+        for (double &x : center) x = unit * (static_cast<double>(random() % 9) - 4.0);
+        for (int i = 0; i < m; ++i) {
+            Numbers squares(size);
+            for (std::size_t k = 0; k < size; ++k) {
+                double const axis = unit * static_cast<double>(1 + random() % 12);
+                squares[k] = axis * axis;
+                largest[k] = std::max(largest[k], squares[k]);
+            }
+            auto const form = reflected(squares);
+            forms.insert(forms.end(), form.begin(), form.end());
+        }
+        Bodies bodies{n, {}, forms};
+        for (int i = 0; i < m; ++i)
+            bodies.centers.insert(bodies.centers.end(), center.begin(), center.end());
+        double const tolerance = draw % 3 == 0 ? 1e-6 : draw % 3 == 1 ? 1e-9 : 1e-12;
+        Found const found = find(bodies, tolerance);
+        auto const text = [&] { return bodies.text(); };
+        failures.check(found.status == PW85_SUCCESS, "status", found.status, 0.0, text);
+        Number least(1); // the square of its volume
+        for (double const square : largest) least *= Number(square) * n * n;
+        Number const ratio = sqrt(determinant(found.form()) / least) - 1;
+        failures.check(ratio >= 0, "below the least", static_cast<double>(ratio), 0.0, text);
+        failures.check(ratio <= Number(found.excess), "above 1 + excess",
+                       static_cast<double>(ratio), found.excess, text);
+        failures.check(found.excess <= tolerance, "excess", found.excess, tolerance, text);
+        if (n <= 8) check_inside(failures, bodies, found);
+    }
+}
+
+/// Ellipsoids with random axes: each touches at points in a subspace, which must be found.
+void test_few_of_any_directions()
+{
+    Failures failures;
+    Random random(13);
+    for (int draw = 0; draw < draws(11); ++draw) {
+        int const n = 6 + draw, m = 2 + draw % 3;
+        Bodies bodies{n, {}, {}};
+        for (int i = 0; i < m; ++i) {
+            auto const form = nd::random_form(random, n, 1.0, draw % 2 ? 3 : 100);
+            bodies.forms.insert(bodies.forms.end(), form.begin(), form.end());
+            for (int k = 0; k < n; ++k) bodies.centers.push_back(0.3 * random.normal());
+        }
+        auto const text = [&] { return bodies.text(); };
+        Found const rough = find(bodies, 1e-3), fine = find(bodies, 1e-10);
+        failures.check(rough.status == PW85_SUCCESS, "status", rough.status, 0.0, text);
+        failures.check(fine.status == PW85_SUCCESS, "status", fine.status, 0.0, text);
+        if (n <= 8) check_inside(failures, bodies, fine);
+        Number const ratio = sqrt(determinant(rough.form()) / determinant(fine.form()));
+        failures.check(ratio <= Number(1 + rough.excess), "rough", static_cast<double>(ratio),
+                       rough.excess, text);
+        failures.check(1 <= ratio * Number(1 + fine.excess), "fine", static_cast<double>(ratio),
+                       fine.excess, text);
+    }
+}
+
+/// Powers of two in each coordinate change the exponents alone.
+void test_units_of_ellipsoids()
+{
+    Failures failures;
+    Random random(14);
+    for (int draw = 0; draw < draws(24); ++draw) {
+        int const n = 2 + draw % 5, m = 1 + draw % 4;
+        auto const size = static_cast<std::size_t>(n);
+        Bodies bodies{n, {}, {}};
+        for (int i = 0; i < m; ++i) {
+            auto const form = nd::random_form(random, n, 1.0, 10);
+            bodies.forms.insert(bodies.forms.end(), form.begin(), form.end());
+            for (int k = 0; k < n; ++k) bodies.centers.push_back(random.normal());
+        }
+        std::vector<int> exponents;
+        for (int k = 0; k < n; ++k)
+            exponents.push_back(k % 2 ? 470 : -static_cast<int>(random.uniform(0, 470)));
+        Bodies scaled = bodies;
+        for (std::size_t i = 0; i < bodies.centers.size(); ++i)
+            scaled.centers[i] = std::ldexp(bodies.centers[i], exponents[i % size]);
+        for (std::size_t i = 0, at = 0; i < static_cast<std::size_t>(m); ++i)
+            for (std::size_t k = 0; k < size; ++k)
+                for (std::size_t l = k; l < size; ++l, ++at)
+                    scaled.forms[at] = std::ldexp(bodies.forms[at], exponents[k] + exponents[l]);
+        Found const found = find(bodies, 1e-9), other = find(scaled, 1e-9);
+        bool same = found.status == PW85_SUCCESS && other.status == found.status &&
+                    other.excess == found.excess;
+        for (std::size_t k = 0, at = 0; k < size; ++k) {
+            same = same && other.center[k] == std::ldexp(found.center[k], exponents[k]);
+            for (std::size_t l = k; l < size; ++l, ++at)
+                same = same && other.q[at] == std::ldexp(found.q[at], exponents[k] + exponents[l]);
+        }
+        failures.check(same, "other units", 0.0, 1.0, [&] { return bodies.text(); });
+    }
+}
+
+/// Needles and discs: the ellipsoid holds them, with an excess of some n u (aspect ratio)², the
+/// change of a form of double precision by rounding.
+void test_needles()
+{
+    Failures failures;
+    Random random(15);
+    for (int draw = 0; draw < draws(24); ++draw) {
+        int const n = 2 + draw % 4, m = 1 + draw % 3;
+        double const aspect = std::pow(10.0, random.uniform(4.0, 6.5));
+        Bodies bodies{n, {}, {}};
+        auto const form = nd::random_form(random, n, 1.0, aspect);
+        for (int i = 0; i < m; ++i) {
+            bodies.forms.insert(bodies.forms.end(), form.begin(), form.end());
+            for (int k = 0; k < n; ++k) bodies.centers.push_back(i == 0 ? 0.0 : random.normal());
+        }
+        Found const found = find(bodies, 1e-6);
+        auto const text = [&] { return bodies.text(); };
+        bool const usual = found.status == PW85_SUCCESS || found.status == PW85_ECONVERGENCE;
+        failures.check(usual, "status", found.status, 0.0, text);
+        if (!usual) continue;
+        double const bound = 1e-6 + 64.0 * n * u * aspect * aspect;
+        failures.check(found.excess <= bound, "excess", found.excess, bound, text);
+        check_inside(failures, bodies, found);
+    }
+}
+
 void test_status_of_ellipsoids()
 {
     double const nan = std::numeric_limits<double>::quiet_NaN();
@@ -664,6 +810,10 @@ int main(int argc, char **argv)
     g_test_add_func("/enclosing/dense", test_dense);
     g_test_add_func("/enclosing/balls", test_balls);
     g_test_add_func("/enclosing/random_ellipsoids", test_random_ellipsoids);
+    g_test_add_func("/enclosing/few_in_many_dimensions", test_few_in_many_dimensions);
+    g_test_add_func("/enclosing/few_of_any_directions", test_few_of_any_directions);
+    g_test_add_func("/enclosing/units_of_ellipsoids", test_units_of_ellipsoids);
+    g_test_add_func("/enclosing/needles", test_needles);
     g_test_add_func("/enclosing/status_of_ellipsoids", test_status_of_ellipsoids);
     return g_test_run();
 }

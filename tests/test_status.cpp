@@ -14,6 +14,7 @@
 #include <glib.h>
 
 #include <pw85.h>
+#include <pw85_any_dimension.h>
 #include <pw85_batch.h>
 #include <pw85_enclosing.h>
 #include <pw85_simulation.h>
@@ -479,6 +480,90 @@ void test_cause_of_laws()
            "must have a range whose end is above its begin", 1, 1.0);
 }
 
+/// Causes of functions in n dimensions, of one pair and of rows.
+void test_cause_in_any_dimension()
+{
+    double const r12[] = {3, 0, 0, 0}, zero[4] = {}, bad[] = {3, 0, nan, 0},
+                 form[] = {1, 0, 0, 0, 1, 0, 0, 1, 0, 1}, flat[] = {1, 1, 0, 0, 1, 0, 0, 1, 0, 1};
+    double out[2], numbers[4];
+    int sign;
+    g_assert_cmpint(pw85_nd_contact(17, r12, form, form, out), ==, PW85_EINVAL);
+    expect_cause("pw85_nd_contact", "n", "must be from 1 to 16", 0, 0, 17);
+    g_assert_cmpint(pw85_nd_contact(4, r12, form, form, nullptr), ==, PW85_EINVAL);
+    expect_cause("pw85_nd_contact", "out", "must not be null", 0, 0);
+    g_assert_cmpint(pw85_nd_contact(4, bad, form, form, out), ==, PW85_EINVAL);
+    expect_cause("pw85_nd_contact", "r12", "must be finite", 0, 2, nan);
+    g_assert_cmpint(pw85_nd_overlap(4, r12, form, flat, &sign), ==, PW85_ENOTPD);
+    expect_cause("pw85_nd_overlap", "q2", "must be positive definite", 0, 0, nan);
+    g_assert_cmpint(pw85_nd_contains(4, r12, flat, form, &sign), ==, PW85_ENOTPD);
+    expect_cause("pw85_nd_contains", "q1", "must be positive definite", 0, 0, nan);
+    g_assert_cmpint(pw85_nd_containment(4, nullptr, form, form, out, nullptr), ==, PW85_EINVAL);
+    expect_cause("pw85_nd_containment", "r12", "must not be null", 0, 0);
+    g_assert_cmpint(pw85_nd_distance(0, r12, form, form, out, nullptr, nullptr, nullptr), ==,
+                    PW85_EINVAL);
+    expect_cause("pw85_nd_distance", "n", "must be from 1 to 16", 0, 0, 0);
+    g_assert_cmpint(pw85_nd_compare(4, r12, form, form, -1.0, &sign), ==, PW85_EINVAL);
+    expect_cause("pw85_nd_compare", "mu2", "must be >= 0", 0, 0, -1.0);
+    auto const geometry = [&](double const *r, double lambda) {
+        return pw85_nd_contact_geometry(4, r, form, form, lambda, numbers, nullptr, nullptr,
+                                        nullptr, nullptr);
+    };
+    g_assert_cmpint(geometry(r12, 1.5), ==, PW85_EINVAL);
+    expect_cause("pw85_nd_contact_geometry", "lambda", "must be in [0, 1]", 0, 0, 1.5);
+    g_assert_cmpint(geometry(zero, 0.5), ==, PW85_EINVAL);
+    expect_cause("pw85_nd_contact_geometry", "r12", "must not be zero", 0, 0);
+    double const two[] = {3, 0, 0, 0}, forms[] = {1, 0, 1, 1, 1, 1}, good[] = {1, 0, 1, 1, 0, 1};
+    double mu2[2];
+    g_assert_cmpint(pw85_nd_contact_batch(2, 2, two, good, forms, mu2, nullptr), ==, PW85_ENOTPD);
+    expect_cause("pw85_nd_contact", "q2", "must be positive definite", 1, 0, nan);
+    g_assert_cmpint(pw85_nd_contact_batch(2, 2, two, good, forms, nullptr, nullptr), ==,
+                    PW85_EINVAL);
+    expect_cause("pw85_nd_contact_batch", "mu2", "must not be null", 0, 0);
+    g_assert_cmpint(pw85_nd_contact_batch(0, 17, two, good, forms, mu2, nullptr), ==, PW85_EINVAL);
+    expect_cause("pw85_nd_contact_batch", "n", "must be from 1 to 16", 0, 0, 17);
+}
+
+/// Causes of the functions for ellipsoids around points and around ellipsoids.
+void test_cause_of_clouds()
+{
+    double const points[] = {0, 0, 1, 0, 0, 1, 1, HUGE_VAL}, line[] = {0, 0, 1, 1, 2, 2},
+                 wide[] = {-1e300, 1e300, 0}, forms[] = {1, 0, 1, 1, 0, 1, 1, 1, 1, 1, 0, 1};
+    auto const around = [&](int n, std::size_t m, double const *x, double tolerance) {
+        return pw85_enclosing_ellipsoid(n, m, x, tolerance, nullptr, nullptr, nullptr);
+    };
+    auto const around_ellipsoids = [&](std::size_t m, double const *x, double const *q,
+                                       double tolerance) {
+        return pw85_enclosing_ellipsoid_of(2, m, x, q, tolerance, nullptr, nullptr, nullptr);
+    };
+    char const *const one = "pw85_enclosing_ellipsoid", *const other =
+                                                            "pw85_enclosing_ellipsoid_of";
+    g_assert_cmpint(around(0, 3, points, 1.0), ==, PW85_EINVAL);
+    expect_cause(one, "n", "must be from 1 to 16", 0, 0, 0);
+    g_assert_cmpint(around(2, 2, points, 1.0), ==, PW85_EINVAL);
+    expect_cause(one, "m", "must be at least n + 1", 0, 0, 2);
+    g_assert_cmpint(around(2, 3, nullptr, 1.0), ==, PW85_EINVAL);
+    expect_cause(one, "points", "must not be null", 0, 0);
+    g_assert_cmpint(around(2, 4, points, 1.0), ==, PW85_EINVAL);
+    expect_cause(one, "points", "must be finite", 3, 1, HUGE_VAL);
+    g_assert_cmpint(around(2, 3, points, -1.0), ==, PW85_EINVAL);
+    expect_cause(one, "tolerance", "must be > 0", 0, 0, -1);
+    g_assert_cmpint(around(1, 3, wide, 1.0), ==, PW85_EINVAL);
+    expect_cause(one, "points",
+                 "must have an extent between 2^-480 and 2^480 along each coordinate", 0, 0);
+    g_assert_cmpint(around(2, 3, line, 1.0), ==, PW85_ENOTPD);
+    expect_cause(one, nullptr, "the points are in a hyperplane, or too close to one", 0, 0);
+    g_assert_cmpint(around_ellipsoids(0, points, forms, 1.0), ==, PW85_EINVAL);
+    expect_cause(other, "m", "must be at least 1", 0, 0, 0);
+    g_assert_cmpint(around_ellipsoids(4, points, forms, 1.0), ==, PW85_EINVAL);
+    expect_cause(other, "centers", "must be finite", 3, 1, HUGE_VAL);
+    g_assert_cmpint(around_ellipsoids(3, points, forms, 1.0), ==, PW85_ENOTPD);
+    expect_cause(other, "forms", "must be positive definite", 2, 0);
+    g_assert_cmpint(around_ellipsoids(2, points, nullptr, 1.0), ==, PW85_EINVAL);
+    expect_cause(other, "forms", "must not be null", 0, 0);
+    g_assert_cmpint(around_ellipsoids(2, points, forms, 1e-300), ==, PW85_ECONVERGENCE);
+    expect_cause(other, nullptr, "the excess is above the tolerance", 0, 0);
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -498,6 +583,8 @@ int main(int argc, char **argv)
     g_test_add_func("/status/last_error/whole_calls", test_cause_of_whole_calls);
     g_test_add_func("/status/last_error/systems", test_cause_of_systems);
     g_test_add_func("/status/last_error/laws", test_cause_of_laws);
+    g_test_add_func("/status/last_error/any_dimension", test_cause_in_any_dimension);
+    g_test_add_func("/status/last_error/clouds", test_cause_of_clouds);
     g_test_add_func("/status/texts", test_texts);
     g_test_add_func("/status/version", test_version);
     g_test_add_func("/status/reproducible", test_reproducible);

@@ -249,14 +249,15 @@ def shown(value):
 def has_record(function):
     """Whether the function records its refusals."""
     is_of_list = function.header == "pw85_systems.h" and not any(one.is_handle() for one in declared(function))
-    return (function.header in (*ONE_ROW, "pw85_batch.h") or is_of_list) and function.name not in SILENT
+    return (function.header in (*ONE_ROW, "pw85_batch.h", "pw85_enclosing.h") or is_of_list) and function.name not in SILENT
 
 
 def is_told(function, cause):
     """Whether pw85_last_error() names the function and its argument: in functions of many rows the causes that are not those of a row."""
     if function.header in ONE_ROW:
         return has_record(function) and cause.key != "size"  # an integer has no attributes
-    return has_record(function) and cause.key in ("null", "size", "index", "singular", "not periodic")
+    is_of_cloud = function.header == "pw85_enclosing.h" and cause.key in ("NaN", "infinity", "not positive", "dimension")
+    return has_record(function) and (is_of_cloud or cause.key in ("null", "size", "index", "singular", "not periodic"))
 
 
 def wrong_cause(caller, function, cause, p, change, status):

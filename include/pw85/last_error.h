@@ -48,9 +48,8 @@ typedef struct pw85_error {
  * Call it directly after a function of one row, of many rows or of pair lists has returned a status
  * other than success, in the same thread. For many rows it tells of the first bad row. Success does
  * not change the record, and costs no time. `argument` is `simulation` or `system` if the object or
- * the system as a whole does not allow the call. The functions of ellipsoids around points and of n
- * dimensions and those of the other libraries keep no record: `function` is null then, unless an
- * earlier refusal has not been read.
+ * the system as a whole does not allow the call. The functions of the other libraries keep no
+ * record: `function` is null then, unless an earlier refusal has not been read.
  *
  * @param[out] error the cause; `function` is null and `status` is #PW85_SUCCESS if there is none
  * @return #PW85_SUCCESS or #PW85_EINVAL, if `error` is null */

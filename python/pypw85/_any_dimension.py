@@ -14,8 +14,6 @@ from ._errors import PW85Error
 from ._typing import Floats
 
 MAX_DIMENSION = 16
-# What further numbers of a pair must be, and the largest that they may be
-_ALLOWED = {"lambda_": ("in [0, 1]", 1), "mu2": ("at least 0", np.inf)}
 
 
 class NdContactGeometry(NamedTuple):
@@ -309,32 +307,14 @@ class _Rows:
         return rows.reshape((*self.shape, *rows.shape[1:]))[()]
 
     def check(self, status: int) -> None:
-        """Raises the error of a status other than zero, and names the first row that is bad."""
+        """Raises the error of a status other than zero, with the cause that the library gives."""
         if not status:
             return
-        for k in range(self.count):
-            row = [array[k : k + 1] for array in self.arrays]
-            one = _core.nd_contact(*row[:3], np.empty(1), np.empty(1))
-            detail = self._detail(*row[:3]) if one == status else self._detail_of_numbers(*row)
-            if detail:  # of the first bad row
-                where = f"row {tuple(map(int, np.unravel_index(k, self.shape)))}: " if self.shape else ""
-                raise PW85Error(status, self.name, _core.strerror(status), where + detail)
-        raise PW85Error(status, self.name, _core.strerror(status))
-
-    def _detail(self, r12: NDArray[Any], q1: NDArray[Any], q2: NDArray[Any]) -> str:
-        """Names the fault of a pair, if there is one."""
-        for name, array in (("r12", r12), ("q1", q1), ("q2", q2)):
-            if not np.isfinite(array).all():
-                return f"{name} must be finite, not {array[0].tolist()}"
-        for name, array in (("q1", q1), ("q2", q2)):
-            if _core.nd_contact(0 * r12, array, array, np.empty(1), np.empty(1)):
-                return f"{name} must be positive definite, not {array[0].tolist()}"
-        return ""
-
-    def _detail_of_numbers(self, r12: NDArray[Any], _1: NDArray[Any], _2: NDArray[Any], *numbers: NDArray[Any]) -> str:
-        """Names the fault of a pair that has a contact function."""
-        for name, number in zip(self.numbers, numbers):
-            allowed, most = _ALLOWED[name]
-            if not 0 <= number[0] <= most:
-                return f"{name} must be {allowed}, not {number[0]}"
-        return f"r12 must not be zero, not {r12[0].tolist()}" if "lambda_" in self.numbers and not r12.any() else ""
+        _, argument, requirement, row, *_ = _core.last_error() or (None,) * 6
+        detail = ""
+        if argument is not None:
+            names = ("r12", "q1", "q2", *self.numbers)
+            name = next(own for own in names if own.rstrip("_") == argument)
+            where = f"row {tuple(map(int, np.unravel_index(row, self.shape)))}: " if self.shape else ""
+            detail = f"{where}{name} {requirement}, not {self.arrays[names.index(name)][row].tolist()}"
+        raise PW85Error(status, self.name, _core.strerror(status), detail)

@@ -3,10 +3,8 @@
 
 from __future__ import annotations
 
-import functools
 import math
 import warnings
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -15,7 +13,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._any_dimension import MAX_DIMENSION, packed_rows
 from ._arrays import reals
-from ._errors import PW85Error, Status
+from ._errors import PW85Error, Status, last_cause
 from ._numbers import real
 from ._typing import Floats
 
@@ -62,7 +60,7 @@ def enclosing_ellipsoid(points: ArrayLike, tolerance: float = 1e-6) -> tuple[Flo
     """
     name = "enclosing_ellipsoid"
     rows, tolerance = _points(points, f"{name}: points"), real(tolerance, f"{name}: tolerance")
-    return _enclose(name, functools.partial(_explain, "points", rows, tolerance), _core.enclosing_ellipsoid, tolerance, rows)
+    return _enclose(name, _core.enclosing_ellipsoid, tolerance, points=rows)
 
 
 def enclosing_ellipsoid_of(centers: ArrayLike, forms: ArrayLike, tolerance: float = 1e-6) -> tuple[Floats, Floats, float]:
@@ -108,8 +106,7 @@ def enclosing_ellipsoid_of(centers: ArrayLike, forms: ArrayLike, tolerance: floa
     packed = np.require(given if n == 1 and given.ndim == 2 else packed_rows(given, n, name, "forms"), np.float64, ["C", "A"])
     if packed.shape != (m, n * (n + 1) // 2):
         raise ValueError(f"{name}: forms must have one row for each of {m} centers, not the shape {packed.shape}")
-    explain = functools.partial(_explain_ellipsoids, rows, packed, tolerance)
-    return _enclose(name, explain, _core.enclosing_ellipsoid_of, tolerance, rows, packed)
+    return _enclose(name, _core.enclosing_ellipsoid_of, tolerance, centers=rows, forms=packed)
 
 
 def credible_ellipsoid(samples: ArrayLike, share: float, tolerance: float = 1e-6) -> tuple[Floats, Floats, float]:
@@ -156,7 +153,9 @@ def credible_ellipsoid(samples: ArrayLike, share: float, tolerance: float = 1e-6
     if n < m and count <= n:
         raise ValueError(f"{name}: share must take at least {n + 1} of the {m} samples in {n} dimensions, not {count}, as {share:g} does")
     if not np.isfinite(rows).all():
-        raise PW85Error(Status.EINVAL, name, _core.strerror(Status.EINVAL), _explain("samples", rows, tolerance, Status.EINVAL))
+        bad = int(np.flatnonzero(~np.isfinite(rows).all(axis=1))[0])
+        detail = f"row {bad}: samples must be finite, not {rows[bad].tolist()}"
+        raise PW85Error(Status.EINVAL, name, _core.strerror(Status.EINVAL), detail)
     # In units of the extents, so that coordinates may have different units. Powers of two change no digit.
     extents = rows.max(axis=0) / 2 - rows.min(axis=0) / 2
     scaled = np.ldexp(rows, -np.frexp(extents)[1])
@@ -166,19 +165,21 @@ def credible_ellipsoid(samples: ArrayLike, share: float, tolerance: float = 1e-6
         if np.array_equal(np.sort(nearest), kept):
             break
         kept = np.sort(nearest)
-    explain = functools.partial(_explain, "samples", rows[kept], tolerance)
-    return _enclose(name, explain, _core.enclosing_ellipsoid, tolerance, rows[kept])
+    return _enclose(name, _core.enclosing_ellipsoid, tolerance, points=rows[kept])
 
 
-def _enclose(name: str, explain: Callable[[int], str], function: Any, tolerance: float, *inputs: Floats) -> tuple[Floats, Floats, float]:
-    """Calls a function of C for points, or for centres and forms; `explain` says what is wrong where it refuses them."""
-    n = inputs[0].shape[1]
+def _enclose(name: str, function: Any, tolerance: float, **inputs: Floats) -> tuple[Floats, Floats, float]:
+    """Calls a function of C for points, or for centres and forms."""
+    what, rows = next(iter(inputs.items()))
+    m, n = rows.shape
     center, q, excess = np.empty(n), np.empty(n * (n + 1) // 2), np.empty(1)
-    status = function(*inputs, tolerance, center, q, excess)
-    if status == Status.ECONVERGENCE:
-        warnings.warn(f"{name}: the excess is {excess[0]:.3g}, above the tolerance {tolerance:g}", RuntimeWarning, stacklevel=3)
-    elif status:
-        raise PW85Error(status, name, _core.strerror(status), explain(status))
+    status = function(*inputs.values(), tolerance, center, q, excess)
+    if not status:
+        return center, q, float(excess[0])
+    cause = last_cause("row", tolerance=tolerance, m=m, **inputs)
+    if status != Status.ECONVERGENCE:
+        raise PW85Error(status, name, _core.strerror(status), f"{what}: {cause}" if cause.startswith("m must") else cause)
+    warnings.warn(f"{name}: the excess is {excess[0]:.3g}, above the tolerance {tolerance:g}", RuntimeWarning, stacklevel=3)
     return center, q, float(excess[0])
 
 
@@ -196,35 +197,3 @@ def _distances(rows: Floats, chosen: Floats) -> Floats:
     inverse = np.where(values > 1e-14 * values[-1], 1 / np.where(values > 0, values, 1), 0)
     squares: Floats = (((rows - mean) @ vectors) ** 2 * inverse).sum(axis=1)
     return squares
-
-
-def _explain(name: str, rows: Floats, tolerance: float, status: int) -> str:
-    """Says what is wrong, with the row and the value."""
-    m, n = rows.shape
-    if not np.isfinite(rows).all():
-        bad = int(np.flatnonzero(~np.isfinite(rows).all(axis=1))[0])
-        return f"row {bad}: {name} must be finite, not {rows[bad].tolist()}"
-    if m < n + 1:
-        return f"{name} must be at least {n + 1} in {n} dimensions, not {m}"
-    if status == Status.ENOTPD:
-        return f"{name} must not be in a hyperplane, or too close to one"
-    return _explain_tolerance(tolerance)
-
-
-def _explain_ellipsoids(centers: Floats, forms: Floats, tolerance: float, status: int) -> str:
-    """Says what is wrong, with the ellipsoid and the value."""
-    if not len(centers):
-        return "there must be at least one ellipsoid"
-    for k, numbers in enumerate(zip(centers, forms)):
-        for what, x in zip(("centre", "form"), numbers):
-            if not np.isfinite(x).all():
-                return f"the {what} of ellipsoid {k} must be finite, not {x.tolist()}"
-        if _core.nd_contact(0 * numbers[0][None], numbers[1][None], numbers[1][None], np.empty(1), np.empty(1)) == Status.ENOTPD:
-            return f"the form of ellipsoid {k} must be positive definite, not {numbers[1].tolist()}"
-    if status == Status.ENOTPD:
-        return "the ellipsoid around all is too flat to be certified"
-    return _explain_tolerance(tolerance)
-
-
-def _explain_tolerance(tolerance: float) -> str:
-    return "" if 0 < tolerance < math.inf else f"tolerance must be positive and finite, not {tolerance}"

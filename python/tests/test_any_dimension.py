@@ -76,7 +76,7 @@ def test_comparison():
     np.testing.assert_array_equal(pypw85.nd_compare(r12, q1, q2, mu2 * (1 - 1e-9)), np.ones(8))
     np.testing.assert_array_equal(pypw85.nd_compare(r12, q1, q2, mu2 * (1 + 1e-9)), -np.ones(8))
     assert pypw85.nd_compare(r12[0], q1, q2, [[0], [np.inf]]).tolist() == [[1], [-1]]
-    with pytest.raises(PW85Error, match=r"row \(1,\): mu2 must be at least 0, not -1.0"):
+    with pytest.raises(PW85Error, match=r"row \(1,\): mu2 must be >= 0, not -1.0"):
         pypw85.nd_compare(r12[0], q1, q2, [1, -1])
 
 
@@ -130,8 +130,10 @@ def test_causes_are_named():
             pypw85.nd_overlap(*arguments)
         with pytest.raises(PW85Error, match=words):
             pypw85.nd_containment(*arguments)
-    with pytest.raises(PW85Error):
+    with pytest.raises(PW85Error, match=r"nd_contact_geometry: lambda_ must be in \[0, 1\], not 2.0"):
         pypw85.nd_contact_geometry(np.ones(4), eye, eye, 2.0)
+    with pytest.raises(PW85Error, match=r"nd_contact_geometry: row \(1,\): r12 must not be zero, not \[0.0, 0.0, 0.0, 0.0\]"):
+        pypw85.nd_contact_geometry([np.ones(4), np.zeros(4)], eye, eye, 0.5)
 
 
 def test_the_bad_row_is_named():

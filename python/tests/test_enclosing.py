@@ -44,9 +44,9 @@ def test_what_double_precision_does_not_allow_is_said():
 
 @pytest.mark.parametrize("points, tolerance, words", [
     ([[0, 0], [1, 1], [0, np.nan]], 1e-6, r"row 2: points must be finite, not \[0.0, nan\]"),
-    ([[0, 0], [1, 0]], 1e-6, "points must be at least 3 in 2 dimensions, not 2"),
-    ([[0, 0], [1, 1], [3, 3]], 1e-6, "points must not be in a hyperplane"),
-    ([[0, 0], [1, 1], [0, 1]], 0, "tolerance must be positive and finite, not 0"),
+    ([[0, 0], [1, 0]], 1e-6, r"points: m must be at least n \+ 1, not 2"),
+    ([[0, 0], [1, 1], [3, 3]], 1e-6, "the points are in a hyperplane, or too close to one"),
+    ([[0, 0], [1, 1], [0, 1]], 0, "tolerance must be > 0, not 0"),
 ])  # fmt: skip
 def test_bad_points(points, tolerance, words):
     with pytest.raises(pypw85.PW85Error, match=words):
@@ -115,11 +115,11 @@ def test_one_ellipsoid_is_its_own():
 
 
 @pytest.mark.parametrize("centers, forms, tolerance, words", [
-    ([[0, np.inf]], [[1, 0, 1]], 1e-6, r"the centre of ellipsoid 0 must be finite, not \[0.0, inf\]"),
-    ([[0, 0], [1, 0]], [[1, 0, 1], [1, 1, 1]], 1e-6, r"the form of ellipsoid 1 must be positive definite, not \[1.0, 1.0, 1.0\]"),
-    (np.zeros((0, 2)), np.zeros((0, 3)), 1e-6, "there must be at least one ellipsoid"),
-    ([[0, 0]], [[1, 0, 1]], -1, "tolerance must be positive and finite, not -1"),
-    ([[0, 0]], [[1, 1 - 2**-52, 1]], 1e-6, "the ellipsoid around all is too flat to be certified"),
+    ([[0, np.inf]], [[1, 0, 1]], 1e-6, r"row 0: centers must be finite, not \[0.0, inf\]"),
+    ([[0, 0], [1, 0]], [[1, 0, 1], [1, 1, 1]], 1e-6, r"row 1: forms must be positive definite, not \[1.0, 1.0, 1.0\]"),
+    (np.zeros((0, 2)), np.zeros((0, 3)), 1e-6, "m must be at least 1, not 0"),
+    ([[0, 0]], [[1, 0, 1]], -1, "tolerance must be > 0, not -1"),
+    ([[0, 0]], [[1, 1 - 2**-52, 1]], 1e-6, "the ellipsoid is too flat to be certified"),
 ])  # fmt: skip
 def test_bad_ellipsoids(centers, forms, tolerance, words):
     with pytest.raises(pypw85.PW85Error, match=words):

@@ -13,13 +13,17 @@
 
 #include "../base/c_arrays.hpp"
 #include "../base/floating_point_environment.hpp"
+#include "causes.hpp"
 
 using namespace pw85;
 using namespace pw85::detail::c_api;
+using pw85::detail::Argument, pw85::detail::checked, pw85::detail::NamedArray;
 using pw85::detail::in_default_environment;
 using pw85::detail::any_dimension::packed_size;
 
 static_assert(PW85_ND_MAX == pw85::detail::any_dimension::max_dimension);
+
+namespace limit = pw85::detail::limit;
 
 namespace {
 
@@ -44,23 +48,47 @@ struct Rows {
     }
 };
 
-/// Calls function(k, r12, q1, q2), which returns a status, for each row. Returns the first status
-/// that is not success; PW85_EINVAL if n is wrong, if there are rows and no arrays for them, or if
-/// the bytes of the rows cannot be counted. `others` are further arrays that must not be null.
-template <class Function, class... Others>
-int for_each_row(Rows const &rows, Function const &function, Others... others) noexcept
+/// Returns the length of an output of this many numbers per row. It is 0 if n is wrong: then nothing is
+/// known of the array.
+int length(int n, int size) noexcept { return n < 1 || n > PW85_ND_MAX ? 0 : size; }
+
+/// Records the cause of a status of one pair. `others` are further arguments.
+template <class... Others>
+[[gnu::cold, gnu::noinline]] int refuse_pair(int status, char const *function, int n,
+                                             double const *r12, double const *q1, double const *q2,
+                                             Others... others) noexcept
 {
-    if (rows.n < 1 || rows.n > PW85_ND_MAX) return PW85_EINVAL;
+    auto const size = static_cast<Size>(length(n, packed_size(n)));
+    Argument const listed[] = {Argument("r12", r12, static_cast<Size>(length(n, n))),
+                               Argument("q1", q1, size), Argument("q2", q2, size), others...};
+    return pw85::detail::any_dimension::refuse_pair(status, function, n, listed,
+                                                    3 + sizeof...(others));
+}
+
+/// Calls function(k, r12, q1, q2), which returns a status, for each row. Returns the first status
+/// that is not success, and records its cause with the row; PW85_EINVAL if n is wrong, if there are
+/// rows and no arrays for them, or if the bytes of the rows cannot be counted. `others` are further
+/// arrays that must not be null.
+template <class Function, class... Others> int for_each_row(char const *name, Rows const &rows,
+                                                            Function const &function,
+                                                            Others... others) noexcept
+{
+    if (rows.n < 1 || rows.n > PW85_ND_MAX)
+        return pw85::detail::any_dimension::refuse_dimension(name, rows.n);
     if (rows.count == 0) return PW85_SUCCESS;
     Size const bytes = static_cast<Size>(packed_size(rows.n)) * sizeof(double);
-    if (any_null(rows.r12, rows.q1, rows.q2, others...) || rows.count > PTRDIFF_MAX / bytes)
-        return null_pointer();
-    int first = PW85_SUCCESS;
-    for (Size k = 0; k < rows.count; ++k) {
-        int const status = function(k, rows.r12_of(k), rows.q1_of(k), rows.q2_of(k));
-        if (first == PW85_SUCCESS) first = status;
-    }
-    return first;
+    if (any_null(rows.r12, rows.q1, rows.q2, others.pointer...) || rows.count > PTRDIFF_MAX / bytes)
+        return pw85::detail::refuse_arrays(name, "num_pairs", rows.count,
+                                           NamedArray{"r12", rows.r12}, NamedArray{"q1", rows.q1},
+                                           NamedArray{"q2", rows.q2}, others...);
+    Size bad = rows.count;
+    auto const call = [&](Size k) {
+        return function(k, rows.r12_of(k), rows.q1_of(k), rows.q2_of(k));
+    };
+    for (Size k = 0; k < rows.count; ++k)
+        if (call(k) != PW85_SUCCESS && bad == rows.count) bad = k;
+    // Bad rows after the first one have recorded their causes, too.
+    return bad == rows.count ? PW85_SUCCESS : pw85::detail::refuse_row(call(bad), bad);
 }
 
 /// Row k of an output, or null.
@@ -69,32 +97,24 @@ double *row(double *x, int size, Size k) noexcept
     return x == nullptr ? x : x + k * static_cast<Size>(size);
 }
 
-/// Returns the length of an output of this many numbers per row. It is 0 if n is wrong: then
-/// nothing is known of the array.
-int length(int n, int size) noexcept { return n < 1 || n > PW85_ND_MAX ? 0 : size; }
-
 void store_all_nan(int n, NdGeometry const &out) noexcept
 {
     for (double *x : {out.point, out.normal, out.d_r12}) store_nan(x, length(n, n));
     for (double *x : {out.d_q1, out.d_q2}) store_nan(x, length(n, packed_size(n)));
 }
 
-[[gnu::noinline]] Status geometry_of(int n, double const *r12, double const *q1, double const *q2,
-                                     double lambda, NdGeometry const &out) noexcept
-{
-    Status const status =
-        in_default_environment([&] { return nd_contact_geometry(n, r12, q1, q2, lambda, out); });
-    if (status != Status::success) store_all_nan(n, out);
-    return status;
-}
-
 } // namespace
 
 int pw85_nd_contact(int n, double const *r12, double const *q1, double const *q2, double out[2])
 {
-    if (any_null(r12, q1, q2, out)) return null_pointer(out, 2);
-    auto const result = in_default_environment([&] { return nd_contact(n, r12, q1, q2); });
-    return put(result.status, result.mu2, out, result.lambda, out + 1);
+    auto const work = [&] {
+        if (any_null(r12, q1, q2, out)) return null_pointer(out, 2);
+        auto const result = in_default_environment([&] { return nd_contact(n, r12, q1, q2); });
+        return put(result.status, result.mu2, out, result.lambda, out + 1);
+    };
+    return checked(work(), [&](int status) PW85_IN_COLD_PATH {
+        return refuse_pair(status, "pw85_nd_contact", n, r12, q1, q2, Argument("out", out));
+    });
 }
 
 int pw85_nd_contact_geometry(int n, double const *r12, double const *q1, double const *q2,
@@ -102,63 +122,96 @@ int pw85_nd_contact_geometry(int n, double const *r12, double const *q1, double 
                              double *d_q1, double *d_q2)
 {
     NdGeometry const out{point, normal, d_r12, d_q1, d_q2};
-    if (any_null(r12, q1, q2)) {
-        store_all_nan(n, out);
-        return null_pointer();
-    }
-    return static_cast<int>(geometry_of(n, r12, q1, q2, lambda, out));
+    auto status = Status::invalid_argument;
+    if (!any_null(r12, q1, q2))
+        status = in_default_environment(
+            [&] { return nd_contact_geometry(n, r12, q1, q2, lambda, out); });
+    if (status == Status::success) [[likely]]
+        return PW85_SUCCESS;
+    store_all_nan(n, out);
+    return refuse_pair(static_cast<int>(status), "pw85_nd_contact_geometry", n, r12, q1, q2,
+                       Argument("lambda", lambda, limit::unit_interval),
+                       Argument("r12", r12, static_cast<Size>(length(n, n)), limit::not_zero));
 }
 
 int pw85_nd_compare(int n, double const *r12, double const *q1, double const *q2, double mu2,
                     int *sign)
 {
-    if (sign == nullptr) return null_pointer();
-    *sign = 2;
-    if (any_null(r12, q1, q2)) return null_pointer();
-    auto const result = in_default_environment([&] { return nd_compare(n, r12, q1, q2, mu2); });
-    if (result.status == Status::success) *sign = result.sign;
-    return put(result.status);
+    auto const work = [&] {
+        if (sign == nullptr) return null_pointer();
+        *sign = 2;
+        if (any_null(r12, q1, q2)) return null_pointer();
+        auto const result = in_default_environment([&] { return nd_compare(n, r12, q1, q2, mu2); });
+        if (result.status == Status::success) *sign = result.sign;
+        return put(result.status);
+    };
+    return checked(work(), [&](int status) PW85_IN_COLD_PATH {
+        return refuse_pair(status, "pw85_nd_compare", n, r12, q1, q2,
+                           Argument("mu2", mu2, limit::from_zero | limit::may_be_infinite),
+                           Argument("sign", sign));
+    });
 }
 
 int pw85_nd_overlap(int n, double const *r12, double const *q1, double const *q2, int *overlap)
 {
-    if (overlap == nullptr) return null_pointer();
-    *overlap = -1;
-    if (any_null(r12, q1, q2)) return null_pointer();
-    auto const result = in_default_environment([&] { return nd_overlap(n, r12, q1, q2); });
-    return put(result.status, result.overlap, overlap);
+    auto const work = [&] {
+        if (overlap == nullptr) return null_pointer();
+        *overlap = -1;
+        if (any_null(r12, q1, q2)) return null_pointer();
+        auto const result = in_default_environment([&] { return nd_overlap(n, r12, q1, q2); });
+        return put(result.status, result.overlap, overlap);
+    };
+    return checked(work(), [&](int status) PW85_IN_COLD_PATH {
+        return refuse_pair(status, "pw85_nd_overlap", n, r12, q1, q2, Argument("overlap", overlap));
+    });
 }
 
 int pw85_nd_contains(int n, double const *r12, double const *q1, double const *q2, int *contains)
 {
-    if (contains == nullptr) return null_pointer();
-    *contains = -1;
-    if (any_null(r12, q1, q2)) return null_pointer();
-    auto const result = in_default_environment([&] { return nd_contains(n, r12, q1, q2); });
-    return put(result.status, result.contains, contains);
+    auto const work = [&] {
+        if (contains == nullptr) return null_pointer();
+        *contains = -1;
+        if (any_null(r12, q1, q2)) return null_pointer();
+        auto const result = in_default_environment([&] { return nd_contains(n, r12, q1, q2); });
+        return put(result.status, result.contains, contains);
+    };
+    return checked(work(), [&](int status) PW85_IN_COLD_PATH {
+        return refuse_pair(status, "pw85_nd_contains", n, r12, q1, q2,
+                           Argument("contains", contains));
+    });
 }
 
 int pw85_nd_containment(int n, double const *r12, double const *q1, double const *q2, double *mu2,
                         double *point)
 {
-    store(nan, mu2);
-    store_nan(point, length(n, n));
-    if (any_null(r12, q1, q2)) return null_pointer();
-    auto const result =
-        in_default_environment([&] { return nd_containment(n, r12, q1, q2, point); });
-    return put(result.status, result.mu2, mu2);
+    auto const work = [&] {
+        store(nan, mu2);
+        store_nan(point, length(n, n));
+        if (any_null(r12, q1, q2)) return null_pointer();
+        auto const result =
+            in_default_environment([&] { return nd_containment(n, r12, q1, q2, point); });
+        return put(result.status, result.mu2, mu2);
+    };
+    return checked(work(), [&](int status) PW85_IN_COLD_PATH {
+        return refuse_pair(status, "pw85_nd_containment", n, r12, q1, q2);
+    });
 }
 
 int pw85_nd_distance(int n, double const *r12, double const *q1, double const *q2, double *distance,
                      double *point1, double *point2, double *normal)
 {
-    store(nan, distance);
-    for (double *x : {point1, point2, normal}) store_nan(x, length(n, n));
-    if (any_null(r12, q1, q2)) return null_pointer();
-    auto const result = in_default_environment([&] {
-        return nd_distance(n, r12, q1, q2, {point1, point2, normal});
+    auto const work = [&] {
+        store(nan, distance);
+        for (double *x : {point1, point2, normal}) store_nan(x, length(n, n));
+        if (any_null(r12, q1, q2)) return null_pointer();
+        auto const result = in_default_environment([&] {
+            return nd_distance(n, r12, q1, q2, {point1, point2, normal});
+        });
+        return put(result.status, result.distance, distance);
+    };
+    return checked(work(), [&](int status) PW85_IN_COLD_PATH {
+        return refuse_pair(status, "pw85_nd_distance", n, r12, q1, q2);
     });
-    return put(result.status, result.distance, distance);
 }
 
 int pw85_nd_contact_batch(size_t num_pairs, int n, double const *r12, double const *q1,
@@ -171,7 +224,8 @@ int pw85_nd_contact_batch(size_t num_pairs, int n, double const *r12, double con
         if (lambda != nullptr) lambda[k] = out[1];
         return status;
     };
-    return for_each_row({num_pairs, n, r12, q1, q2}, contact, mu2);
+    return for_each_row("pw85_nd_contact_batch", {num_pairs, n, r12, q1, q2}, contact,
+                        NamedArray{"mu2", mu2});
 }
 
 int pw85_nd_contact_geometry_batch(size_t num_pairs, int n, double const *r12, double const *q1,
@@ -180,11 +234,11 @@ int pw85_nd_contact_geometry_batch(size_t num_pairs, int n, double const *r12, d
 {
     int const size = packed_size(n);
     auto const geometry = [&](Size k, auto... pair) {
-        return static_cast<int>(geometry_of(n, pair..., lambda[k],
-                                            {row(point, n, k), row(normal, n, k), row(d_r12, n, k),
-                                             row(d_q1, size, k), row(d_q2, size, k)}));
+        return pw85_nd_contact_geometry(n, pair..., lambda[k], row(point, n, k), row(normal, n, k),
+                                        row(d_r12, n, k), row(d_q1, size, k), row(d_q2, size, k));
     };
-    return for_each_row({num_pairs, n, r12, q1, q2}, geometry, lambda);
+    return for_each_row("pw85_nd_contact_geometry_batch", {num_pairs, n, r12, q1, q2}, geometry,
+                        NamedArray{"lambda", lambda});
 }
 
 int pw85_nd_overlap_batch(size_t num_pairs, int n, double const *r12, double const *q1,
@@ -196,7 +250,8 @@ int pw85_nd_overlap_batch(size_t num_pairs, int n, double const *r12, double con
         overlap[k] = static_cast<unsigned char>(answer);
         return status;
     };
-    return for_each_row({num_pairs, n, r12, q1, q2}, decide, overlap);
+    return for_each_row("pw85_nd_overlap_batch", {num_pairs, n, r12, q1, q2}, decide,
+                        NamedArray{"overlap", overlap});
 }
 
 int pw85_nd_compare_batch(size_t num_pairs, int n, double const *r12, double const *q1,
@@ -207,7 +262,8 @@ int pw85_nd_compare_batch(size_t num_pairs, int n, double const *r12, double con
         if (status != PW85_SUCCESS) sign[k] = 2;
         return status;
     };
-    return for_each_row({num_pairs, n, r12, q1, q2}, compare, mu2, sign);
+    return for_each_row("pw85_nd_compare_batch", {num_pairs, n, r12, q1, q2}, compare,
+                        NamedArray{"mu2", mu2}, NamedArray{"sign", sign});
 }
 
 int pw85_nd_contains_batch(size_t num_pairs, int n, double const *r12, double const *q1,
@@ -219,7 +275,8 @@ int pw85_nd_contains_batch(size_t num_pairs, int n, double const *r12, double co
         contains[k] = static_cast<unsigned char>(answer);
         return status;
     };
-    return for_each_row({num_pairs, n, r12, q1, q2}, decide, contains);
+    return for_each_row("pw85_nd_contains_batch", {num_pairs, n, r12, q1, q2}, decide,
+                        NamedArray{"contains", contains});
 }
 
 int pw85_nd_containment_batch(size_t num_pairs, int n, double const *r12, double const *q1,
@@ -228,7 +285,7 @@ int pw85_nd_containment_batch(size_t num_pairs, int n, double const *r12, double
     auto const scale = [&](Size k, auto... pair) {
         return pw85_nd_containment(n, pair..., row(mu2, 1, k), row(point, n, k));
     };
-    return for_each_row({num_pairs, n, r12, q1, q2}, scale);
+    return for_each_row("pw85_nd_containment_batch", {num_pairs, n, r12, q1, q2}, scale);
 }
 
 int pw85_nd_distance_batch(size_t num_pairs, int n, double const *r12, double const *q1,
@@ -239,5 +296,5 @@ int pw85_nd_distance_batch(size_t num_pairs, int n, double const *r12, double co
         return pw85_nd_distance(n, pair..., row(distance, 1, k), row(point1, n, k),
                                 row(point2, n, k), row(normal, n, k));
     };
-    return for_each_row({num_pairs, n, r12, q1, q2}, find);
+    return for_each_row("pw85_nd_distance_batch", {num_pairs, n, r12, q1, q2}, find);
 }

@@ -4,44 +4,36 @@
 
 #include <new>
 
+#include "cholesky.hpp"
+
 namespace pw85::detail::enclosing {
 
 namespace {
 
 using any_dimension::packed_index, any_dimension::packed_size;
 
-/// More rounds than this are not taken. They are needed for few ellipsoids in many dimensions.
+/// More rounds than this are not taken. Random ellipsoids need about 10.
 constexpr int max_rounds = 60;
-/// Upper bound of rounds that together do not halve the gap.
-constexpr int max_idle_rounds = 20;
-/// Upper bound of ellipsoids whose conjugate axes give first points.
-constexpr std::size_t max_first = 4;
-/// A point or an ellipsoid counts in a round if it protrudes by this share of the largest
-/// protrusion.
+/// An ellipsoid becomes active if it protrudes by this share of the largest protrusion.
 constexpr double least_share = 0.03;
+/// How often the ellipsoid is enlarged, each time by twice as much, at most.
+constexpr int max_enlargements = 48;
 
 std::size_t extent(int n) noexcept { return static_cast<std::size_t>(n); }
 
 /// Proves that z is in the ellipsoid of the form q around 0: q - z zᵀ is positive definite. The
 /// errors are those of shows_inside() in any_dimension/containment.hpp.
-template <class T> bool is_point_inside(int n, double const *q, T const *z, int unit) noexcept
+template <class T> bool is_point_inside(int n, double const *q, T const *z) noexcept
 {
     T matrix[max_packed];
     T const share = T(4 * any_dimension::factorization_error(n) + 64 * n) * T(unit_roundoff<T>());
     for (int i = 0; i < n; ++i)
         for (int j = i; j < n; ++j) {
             int const k = packed_index(n, i, j);
-            T const entry = T(times_power_of_two(q[k], -2 * unit));
+            T const entry = T(q[k]);
             matrix[k] = (i == j ? entry - share * entry : entry) - z[i] * z[j];
         }
     return any_dimension::factorize(n, matrix);
-}
-
-/// x - y exactly, in units of 2^unit.
-void difference(int n, double const *x, double const *y, int unit, Wide *z) noexcept
-{
-    for (int k = 0; k < n; ++k)
-        z[k] = Wide(times_power_of_two(x[k], -unit)) - Wide(times_power_of_two(y[k], -unit));
 }
 
 void invert(int n, double const *form, double *inverse) noexcept
@@ -53,6 +45,55 @@ void invert(int n, double const *form, double *inverse) noexcept
         for (int j = 0; j < n; ++j) column[j] = i == j ? 1.0 : 0.0;
         any_dimension::solve(n, factors, column, column);
         for (int j = i; j < n; ++j) inverse[packed_index(n, i, j)] = column[j];
+    }
+}
+
+/// The Cholesky factor B of a form, with rows of the length n: the ellipsoid is the image of the
+/// unit ball. A form that is not definite to twice the digits of double gets a tiny pivot.
+void factor_of(int n, double const *form, Wide *b) noexcept
+{
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) b[i * n + j] = Wide(form[packed_index(n, i, j)]);
+    factorize(extent(n), b, 0x1p-100);
+    for (int i = 0; i < n; ++i)
+        for (int j = i + 1; j < n; ++j) b[i * n + j] = Wide(0.0);
+}
+
+/// Vectors f_k with Σ f_k f_kᵀ = W and f_kᵀ J f_k = 0, where tr J W = 0: rotations of pairs of
+/// columns of a Cholesky factor, each of which makes one form zero (J. F. Sturm and S. Zhang, Math.
+/// Oper. Res. 28, 246 (2003)). The rows of the result are the vectors.
+void split(std::size_t d, Square<double> const &moments, Square<double> &vectors) noexcept
+{
+    Square<double> factor = moments;
+    double forms[max_lifted];
+    factorize(d, factor.x, 0x1p-60);
+    auto const form = [&](double const *f, double const *g) {
+        return dot(d - 1, f, g) - f[d - 1] * g[d - 1];
+    };
+    for (std::size_t k = 0; k < d; ++k) {
+        double *const f = vectors.x + k * d;
+        for (std::size_t i = 0; i < d; ++i) f[i] = i < k ? 0.0 : factor.x[i * d + k];
+        forms[k] = form(f, f);
+    }
+    for (std::size_t turn = 0; turn + 1 < d; ++turn) {
+        std::size_t high = 0, low = 0;
+        for (std::size_t k = 1; k < d; ++k) {
+            if (forms[k] > forms[high]) high = k;
+            if (forms[k] < forms[low]) low = k;
+        }
+        if (!(forms[high] > 0.0 && forms[low] < 0.0)) break;
+        double *const f = vectors.x + high * d, *const g = vectors.x + low * d;
+        double const mixed = form(f, g),
+                     root = elementary::sqrt(mixed * mixed - forms[high] * forms[low]),
+                     t = -forms[high] / (mixed < 0.0 ? mixed - root : mixed + root),
+                     norm = elementary::sqrt(1.0 + t * t);
+        for (std::size_t i = 0; i < d; ++i) {
+            double const x = f[i], y = g[i];
+            f[i] = (x + t * y) / norm;
+            g[i] = (y - t * x) / norm;
+        }
+        forms[low] += forms[high];
+        forms[high] = 0.0;
     }
 }
 
@@ -71,58 +112,67 @@ Status AroundEllipsoids::status_of_input() const noexcept
     return first;
 }
 
-/// Appends a point of an ellipsoid, moved towards the centre until it is proved to be inside: by
-/// rounding errors, or to the centre if these are larger than the ellipsoid.
-bool AroundEllipsoids::add_point(std::size_t owner, double const *from_center) noexcept
+/// Chooses units of the coordinates, powers of two, in which the extent of all ellipsoids is in [1,
+/// 2).
+Status AroundEllipsoids::choose_units() noexcept
 {
     int const n = bodies_.n;
-    std::size_t const size = points_.size();
-    if (!points_.resize(size + extent(n)) || !owners_.resize(owners_.size() + 1)) return false;
-    owners_[owners_.size() - 1] = owner;
-    double *const point = &points_[size];
-    double const *const center = bodies_.center(owner), *const q = bodies_.form(owner);
-    int const unit = half_exponent(any_dimension::largest_diagonal(n, q));
-    Wide z[max_dimension];
-    for (int power = -52; power <= 0; ++power) {
-        double const left = 1.0 - times_power_of_two(1.0, power);
-        for (int k = 0; k < n; ++k) point[k] = center[k] + left * from_center[k];
-        difference(n, point, center, unit, z);
-        if (is_point_inside(n, q, z, unit)) return true;
+    cloud_.n = n;
+    for (int k = 0; k < n; ++k) {
+        double lowest = infinity<double>(), highest = -lowest, widest = 0.0;
+        for (std::size_t i = 0; i < bodies_.m; ++i) {
+            double const x = 0.5 * bodies_.center(i)[k],
+                         width = 0.5 * elementary::sqrt(bodies_.form(i)[packed_index(n, k, k)]);
+            lowest = minimum(lowest, x - width);
+            highest = maximum(highest, x + width);
+            widest = maximum(widest, width);
+        }
+        int const exponent = binary_exponent(maximum(highest - lowest, widest)) + 1;
+        if (exponent > max_exponent || exponent < -max_exponent) return Status::invalid_argument;
+        cloud_.exponents[k] = exponent;
+        cloud_.scale[k] = 1.0;
     }
-    return true; // the centre
+    return Status::success;
 }
 
-/// Appends the point of an ellipsoid that is farthest along a normal.
-bool AroundEllipsoids::add_support(std::size_t owner, double const *normal) noexcept
+/// An ellipsoid in these units. Entries that underflow are rounded by 2⁻¹⁰⁷⁴, which shows_inside()
+/// allows for.
+Body AroundEllipsoids::body(std::size_t i) const noexcept
 {
     int const n = bodies_.n;
-    double point[max_dimension] = {};
-    any_dimension::product(n, bodies_.form(owner), normal, point);
-    double const width = elementary::sqrt(any_dimension::dot(n, normal, point));
-    for (int k = 0; k < n; ++k) point[k] /= width;
-    return add_point(owner, point);
-}
-
-bool AroundEllipsoids::add_first_points() noexcept
-{
-    int const n = bodies_.n;
-    double z[max_dimension] = {};
-    for (std::size_t i = 0; i < bodies_.m && i < max_first; ++i) {
-        double factors[max_packed] = {}; // the rows of √D Lᵀ are conjugate semi-axes
-        for (int k = 0; k < packed_size(n); ++k) factors[k] = bodies_.form(i)[k];
-        any_dimension::factorize(n, factors);
-        for (int k = 0; k < 2 * n; ++k) {
-            int const row = k / 2;
-            double const pivot = elementary::sqrt(factors[packed_index(n, row, row)]);
-            for (int j = 0; j < n; ++j)
-                z[j] = (k % 2 ? -pivot : pivot) * (j < row    ? 0.0
-                                                   : j == row ? 1.0
-                                                              : factors[packed_index(n, row, j)]);
-            if (!add_point(i, z)) return false;
+    int const *const units = cloud_.exponents;
+    Body body;
+    for (int k = 0; k < n; ++k) {
+        body.center[k] = times_power_of_two(bodies_.center(i)[k], -units[k]);
+        for (int l = k; l < n; ++l) {
+            int const at = packed_index(n, k, l);
+            body.form[at] = times_power_of_two(bodies_.form(i)[at], -(units[k] + units[l]));
         }
     }
-    // A single ellipsoid is the smallest one around its conjugate axes.
-    for (int k = 0; bodies_.m > 1 && k < 2 * n; ++k) {
+    return body;
+}
+
+bool AroundEllipsoids::is_active(std::size_t i) const noexcept
+{
+    for (std::size_t k = 0; k < active_.size(); ++k)
+        if (active_[k] == i) return true;
+    return false;
+}
+
+bool AroundEllipsoids::activate(std::size_t i) noexcept
+{
+    if (is_active(i)) return true;
+    if (!active_.resize(active_.size() + 1)) return false;
+    active_[active_.size() - 1] = i;
+    return true;
+}
+
+/// Activates the ellipsoids that reach farthest along the coordinates. The first frame is that of
+/// the covariance of uniform bodies of the same mass.
+bool AroundEllipsoids::begin() noexcept
+{
+    int const n = bodies_.n;
+    for (int k = 0; k < 2 * n; ++k) {
         double const sign = k % 2 ? -1.0 : 1.0;
         int const axis = k / 2;
         auto const height = [&](std::size_t i) {
@@ -132,149 +182,287 @@ bool AroundEllipsoids::add_first_points() noexcept
         std::size_t highest = 0;
         for (std::size_t i = 1; i < bodies_.m; ++i)
             if (height(i) > height(highest)) highest = i;
-        for (int j = 0; j < n; ++j) z[j] = j == axis ? sign : 0.0;
-        if (!add_support(highest, z)) return false;
+        if (!activate(highest)) return false;
+    }
+    Wide const count(static_cast<double>(active_.size()));
+    for (Wide &x : frame_.center) x = Wide(0.0);
+    for (Wide &x : covariance_) x = Wide(0.0);
+    for (std::size_t i = 0; i < active_.size(); ++i)
+        for (int k = 0; k < n; ++k)
+            frame_.center[k] = frame_.center[k] + Wide(body(active_[i]).center[k]) / count;
+    for (std::size_t i = 0; i < active_.size(); ++i) {
+        Body const one = body(active_[i]);
+        for (int k = 0; k < n; ++k)
+            for (int l = 0; l <= k; ++l) {
+                Wide const product = (Wide(one.center[k]) - frame_.center[k]) *
+                                     (Wide(one.center[l]) - frame_.center[l]);
+                covariance_[at(k, l)] =
+                    covariance_[at(k, l)] +
+                    (product + Wide(one.form[packed_index(n, k, l)]) / Wide(n)) / count;
+            }
     }
     return true;
 }
 
-/// Finds the smallest ellipsoid around the points.
-Status AroundEllipsoids::enclose_points(double tolerance) noexcept
+bool AroundEllipsoids::update_frame() noexcept
 {
-    int const n = bodies_.n;
-    search_.reset(new (std::nothrow) Search(n, owners_.size(), points_.data()));
-    if (search_ == nullptr) return Status::out_of_memory;
-    Status const status = search_->run(tolerance);
-    if (status != Status::success && status != Status::no_convergence) return status;
-    outer_.n = n;
-    for (int i = 0; i < n; ++i) {
-        outer_.center[i] = search_->center(i);
-        for (int j = i; j < n; ++j) outer_.form[packed_index(n, i, j)] = search_->form(i, j);
-    }
-    invert(n, outer_.form, outer_.inverse);
-    return Status::success;
+    for (int k = 0; k < at(bodies_.n, 0); ++k) frame_.a[k] = covariance_[k];
+    return invert_factor(bodies_.n, frame_.a, 0x1p-80);
 }
 
-/// κ² of one ellipsoid in the outer one, its point relative to the outer centre, and the ν of its
-/// upper bound. Most ellipsoids are far inside: by the triangle inequality κ <= |r| + √tr(Q⁻¹Q_i)
-/// in the norm of the outer one.
-double AroundEllipsoids::reach(std::size_t i, double *point, double &nu) noexcept
+/// L of max_det.hpp in the frame: (A B, A (c_i - c); 0, 1).
+void AroundEllipsoids::find_map(std::size_t i, Wide *map) const noexcept
+{
+    int const n = bodies_.n, d = n + 1;
+    Body const one = body(i);
+    Wide b[max_dimension * max_dimension], z[max_dimension], w[max_dimension];
+    factor_of(n, one.form, b);
+    for (int j = 0; j < d; ++j) {
+        for (int k = 0; k < n; ++k)
+            z[k] = j < n ? b[k * n + j] : Wide(one.center[k]) - frame_.center[k];
+        enclosing::multiply(frame_, z, w);
+        for (int k = 0; k < n; ++k) map[k * d + j] = w[k];
+        map[n * d + j] = Wide(j == n ? 1.0 : 0.0);
+    }
+}
+
+/// Takes the outer ellipsoid of Z: its centre is -Z₁₁⁻¹ z₁₂ and its form ρ Z₁₁⁻¹ in the frame, with
+/// ρ = d - (z₂₂ - z₁₂ᵀ Z₁₁⁻¹ z₁₂).
+template <class T> bool AroundEllipsoids::read_outer(MaxDet<T> const &search) noexcept
+{
+    int const n = bodies_.n, d = n + 1;
+    std::size_t const size = extent(n);
+    Wide k[max_dimension * max_dimension], y[max_dimension], x[max_dimension][max_dimension];
+    auto const z = [&](int i, int j) { return Wide(search.z().x[i * d + j]); };
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) k[i * n + j] = z(i, j);
+    if (!factorize(size, k, 0.0)) return false;
+    for (int i = 0; i < n; ++i) y[i] = z(i, n);
+    substitute(size, k, y);
+    Wide const rho = Wide(d) - z(n, n) + dot(size, y, y);
+    substitute_back(size, k, y);
+    // Solves A w = v.
+    auto const leave_frame = [&](Wide *v) {
+        for (int i = 0; i < n; ++i) {
+            for (int j = 0; j < i; ++j) v[i] = v[i] - frame_.a[at(i, j)] * v[j];
+            v[i] = v[i] / frame_.a[at(i, i)];
+        }
+    };
+    for (int j = 0; j < n; ++j) {
+        for (int i = 0; i < n; ++i) x[j][i] = Wide(i == j ? 1.0 : 0.0);
+        substitute_back(size, k, x[j]);
+        leave_frame(x[j]);
+    }
+    leave_frame(y);
+    for (int i = 0; i < n; ++i) {
+        frame_.center[i] = frame_.center[i] - y[i];
+        for (int j = 0; j <= i; ++j) {
+            Wide sum(0.0);
+            for (int l = 0; l < n; ++l) sum = sum + x[l][i] * x[l][j];
+            covariance_[at(i, j)] = rho * sum / Wide(n);
+        }
+    }
+    for (std::size_t i = 0; i < active_.size(); ++i) {
+        multipliers_[i] = (Wide(search.lambda(i)) / rho).high;
+        for (std::size_t l = 0; l < extent(d) * extent(d); ++l)
+            moments_[i].x[l] = Wide(search.moments(i).x[l]).high;
+    }
+    return rho.high > 0.0;
+}
+
+/// Finds the smallest ellipsoid around the active ones. If double precision does not reach the
+/// difference of the bounds, and it is that of the tolerance, the search continues with twice the
+/// digits.
+Status AroundEllipsoids::enclose_active(double difference, bool is_final) noexcept
+{
+    std::size_t const count = active_.size();
+    Square<Wide> map;
+    if (!update_frame()) return Status::not_positive_definite;
+    if (!search_.reserve(bodies_.n, count) || !moments_.resize(count) ||
+        !multipliers_.resize(count))
+        return Status::out_of_memory;
+    for (std::size_t i = 0; i < count; ++i) {
+        find_map(active_[i], map.x);
+        for (std::size_t k = 0; k < max_lifted * max_lifted; ++k)
+            search_.map(i).x[k] = map.x[k].high;
+    }
+    search_.begin();
+    bool found;
+    if (search_.solve(difference) <= difference || !is_final) {
+        found = read_outer(search_);
+    } else {
+        std::unique_ptr<MaxDet<Wide>> const wide(new (std::nothrow) MaxDet<Wide>);
+        if (wide == nullptr || !wide->reserve(bodies_.n, count)) return Status::out_of_memory;
+        for (std::size_t i = 0; i < count; ++i) find_map(active_[i], wide->map(i).x);
+        wide->begin_at(search_);
+        wide->solve(difference);
+        found = read_outer(*wide);
+    }
+    round_outer(1.0);
+    return found ? Status::success : Status::not_positive_definite;
+}
+
+/// Rounds the centre, and a multiple of the form.
+void AroundEllipsoids::round_outer(double factor) noexcept
+{
+    int const n = bodies_.n;
+    Wide const scale = Wide(factor) * Wide(n);
+    for (int i = 0; i < n; ++i) {
+        outer_.center[i] = frame_.center[i].high;
+        for (int j = 0; j <= i; ++j)
+            outer_.form[packed_index(n, j, i)] = (scale * covariance_[at(i, j)]).high;
+    }
+    invert(n, outer_.form, inverse_);
+}
+
+/// κ² of one ellipsoid in the outer one, and the ν of its upper bound. Most ellipsoids are far
+/// inside: by the triangle inequality κ <= |r| + √tr(Q⁻¹Q_i) in the norm of the outer one, which is
+/// enough where `roughly`.
+double AroundEllipsoids::reach(std::size_t i, bool roughly) noexcept
 {
     using namespace any_dimension;
     int const n = bodies_.n;
+    Body const one = body(i);
     double r[max_dimension] = {}, s[max_dimension] = {}, trace = 0.0;
-    double const *const q = bodies_.form(i);
-    for (int k = 0; k < n; ++k) r[k] = bodies_.center(i)[k] - outer_.center[k];
-    product(n, outer_.inverse, r, s);
+    for (int k = 0; k < n; ++k) r[k] = one.center[k] - outer_.center[k];
+    product(n, inverse_, r, s);
     for (int k = 0; k < n; ++k)
         for (int l = k; l < n; ++l) {
             int const at = packed_index(n, k, l);
-            trace += (k == l ? 1.0 : 2.0) * outer_.inverse[at] * q[at];
+            trace += (k == l ? 1.0 : 2.0) * inverse_[at] * one.form[at];
         }
-    double const far = elementary::sqrt(maximum(0.0, dot(n, r, s))),
+    double const far = elementary::sqrt(maximum(0.0, any_dimension::dot(n, r, s))),
                  wide = elementary::sqrt(maximum(0.0, trace)), kappa = far + wide;
-    nu = wide / kappa;
-    if (point == nullptr && kappa < 1.0 - 0x1p-20) return kappa * kappa;
-    int const unit = half_exponent(largest_diagonal(n, outer_.form));
+    nu_[i] = wide / kappa;
+    if (roughly && kappa < 1.0 - 0x1p-20) return kappa * kappa;
     auto &work = memory_.work;
     auto &search = memory_.search;
-    scale({n, r, outer_.form, q}, {unit, unit, unit, false}, work.pair);
+    scale({n, r, outer_.form, one.form}, {0, 0, 0, false}, work.pair);
     minimize_dual(work.pair, search, work.at, [&](auto const &state) {
         return has_converged(work.pair, state, 4.0 * unit_roundoff<double>());
     });
-    auto const &best = search.best;
-    if (!(best.mu2 > 0.0)) return far * far; // a point
-    nu = search.nu;
-    for (int k = 0; point != nullptr && k < n; ++k)
-        point[k] = times_power_of_two(best.q2s[k] / best.root2, unit);
-    return best.mu2;
+    if (!(search.best.mu2 > 0.0)) return far * far; // a point
+    nu_[i] = search.nu;
+    return search.best.mu2;
 }
 
-/// Computes κ² of all ellipsoids. Returns max κ² - 1, at least 0.
+/// Computes κ² of all ellipsoids. Returns max κ² - 1, at least 0. Active ones are inside by their
+/// matrix S, with less rounding error than κ² has: they do not count.
 double AroundEllipsoids::measure() noexcept
 {
-    double largest = 1.0;
-    for (std::size_t i = 0; i < bodies_.m; ++i) {
-        kappa2_[i] = reach(i, nullptr, nu_[i]);
-        largest = maximum(largest, kappa2_[i]);
+    for (std::size_t i = 0; i < bodies_.m; ++i) kappa2_[i] = reach(i, true);
+    for (std::size_t k = 0; k < active_.size(); ++k) {
+        double &kappa2 = kappa2_[active_[k]];
+        kappa2 = minimum(kappa2, 1.0);
     }
+    double largest = 1.0;
+    for (std::size_t i = 0; i < bodies_.m; ++i) largest = maximum(largest, kappa2_[i]);
     return largest - 1.0;
 }
 
-/// Appends the farthest points of the ellipsoids that protrude most.
-bool AroundEllipsoids::add_protruding(double gap) noexcept
+/// Active ellipsoids that are inside and have almost no weight no longer are.
+void AroundEllipsoids::drop_idle(double gap) noexcept
+{
+    auto const d = extent(bodies_.n) + 1;
+    double const least = 1e-4 / static_cast<double>(d * d);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < active_.size(); ++i) {
+        bool const idle =
+            moments_[i].x[d * d - 1] < least && kappa2_[active_[i]] < 1.0 - maximum(0.1, 4.0 * gap);
+        if (!idle) active_[kept++] = active_[i];
+    }
+    // The array keeps its memory, so that this cannot fail.
+    if (!active_.resize(kept)) return;
+}
+
+/// Activates the ellipsoids that protrude most. Returns false if there is no memory.
+bool AroundEllipsoids::activate_protruding(double gap) noexcept
 {
     int const limit = 4 * (bodies_.n + 1);
-    double point[max_dimension] = {};
     for (int count = 0; count < limit; ++count) {
         std::size_t worst = 0;
         for (std::size_t i = 1; i < bodies_.m; ++i)
             if (kappa2_[i] > kappa2_[worst]) worst = i;
         if (kappa2_[worst] <= 1.0 + least_share * gap) break;
-        reach(worst, point, nu_[worst]);
-        if (!add_point(worst, point) || !drop_last_inside(gap)) return false;
+        if (!activate(worst)) return false;
         kappa2_[worst] = 0.0;
     }
     return true;
 }
 
-/// Removes the last point unless it protrudes by a share of the gap: where the gap is that of
-/// rounded points, a new one is no farther out than those before.
-bool AroundEllipsoids::drop_last_inside(double gap) noexcept
+/// Appends a point of an ellipsoid, moved towards the centre until it is proved to be inside: by
+/// rounding errors, or to the centre if these are larger than the ellipsoid.
+bool AroundEllipsoids::add_point(Body const &one, double const *from_center, double weight) noexcept
 {
     int const n = bodies_.n;
-    std::size_t const last = owners_.size() - 1;
-    double z[max_dimension] = {}, normal[max_dimension] = {};
-    for (int k = 0; k < n; ++k) z[k] = points_[last * extent(n) + extent(k)] - outer_.center[k];
-    any_dimension::product(n, outer_.inverse, z, normal);
-    if (any_dimension::dot(n, z, normal) > 1.0 + 0.5 * least_share * gap) return true;
-    return points_.resize(last * extent(n)) && owners_.resize(last);
+    std::size_t const size = points_.size(), count = weights_.size();
+    if (!points_.resize(size + extent(n)) || !weights_.resize(count + 1) ||
+        !indices_.resize(count + 1))
+        return false;
+    weights_[count] = weight;
+    indices_[count] = count;
+    double *const point = &points_[size];
+    Wide z[max_dimension];
+    for (int power = -52; power <= 0; ++power) {
+        double const left = 1.0 - times_power_of_two(1.0, power);
+        for (int k = 0; k < n; ++k) {
+            point[k] = one.center[k] + left * from_center[k];
+            z[k] = Wide(point[k]) - Wide(one.center[k]);
+        }
+        if (is_point_inside(n, one.form, z)) return true;
+    }
+    return true; // the centre
 }
 
-/// Appends, for each point near the surface, the point of its ellipsoid along the normal there. The
-/// points that are best for the ellipsoid that is sought satisfy this equation.
-bool AroundEllipsoids::follow_normals(double gap) noexcept
+/// Appends the points where an active ellipsoid touches the outer one.
+bool AroundEllipsoids::add_contacts(std::size_t k) noexcept
 {
-    using any_dimension::dot, any_dimension::product;
     int const n = bodies_.n;
-    double const least = 1.0 - minimum(0.3, maximum(10.0 * gap, 1e-9));
-    double z[max_dimension] = {}, normal[max_dimension] = {}, qs[max_dimension] = {};
-    for (std::size_t i = 0, count = owners_.size(); i < count; ++i) {
-        for (int k = 0; k < n; ++k) z[k] = points_[i * extent(n) + extent(k)] - outer_.center[k];
-        product(n, outer_.inverse, z, normal);
-        if (dot(n, z, normal) < least) continue;
-        std::size_t const owner = owners_[i];
-        product(n, bodies_.form(owner), normal, qs);
-        double const width = elementary::sqrt(dot(n, normal, qs));
-        for (int k = 0; k < n; ++k)
-            z[k] = bodies_.center(owner)[k] - outer_.center[k] + qs[k] / width;
-        product(n, outer_.inverse, z, qs);
-        if (!(dot(n, z, qs) > 1.0 + least_share * gap)) continue;
-        if (!add_support(owner, normal) || !drop_last_inside(gap)) return false;
+    std::size_t const d = extent(n) + 1;
+    Body const one = body(active_[k]);
+    Wide b[max_dimension * max_dimension];
+    Square<double> vectors;
+    factor_of(n, one.form, b);
+    split(d, moments_[k], vectors);
+    for (std::size_t row = 0; row < d; ++row) {
+        double const *const f = vectors.x + row * d;
+        double const norm = elementary::sqrt(dot(d - 1, f, f)), weight = f[d - 1] * f[d - 1],
+                     length = f[d - 1] < 0.0 ? -norm : norm;
+        if (!(norm > 0.0 && weight > 0x1p-200)) continue;
+        double from_center[max_dimension] = {};
+        for (int i = 0; i < n; ++i) {
+            Wide sum(0.0);
+            for (int j = 0; j <= i; ++j) sum = sum + b[i * n + j] * Wide(f[j] / length);
+            from_center[i] = sum.high;
+        }
+        if (!add_point(one, from_center, weight)) return false;
     }
     return true;
 }
 
 /// Proves that an ellipsoid is inside, in double precision, where r12 may be rounded by u, or with
-/// twice its digits and the exact r12.
+/// twice its digits and the exact r12. Active ellipsoids have the ν of their multiplier, which is
+/// the right one also where they touch at several points.
 bool AroundEllipsoids::is_inside(std::size_t i) noexcept
 {
     using namespace any_dimension;
-    int const n = bodies_.n, unit = half_exponent(largest_diagonal(n, outer_.form));
+    int const n = bodies_.n;
+    Body const one = body(i);
     double r[max_dimension] = {};
-    for (int k = 0; k < n; ++k) r[k] = bodies_.center(i)[k] - outer_.center[k];
-    Input const in{n, r, outer_.form, bodies_.form(i)};
-    Units const units{unit, unit, unit, false};
+    for (int k = 0; k < n; ++k) r[k] = one.center[k] - outer_.center[k];
+    Input const in{n, r, outer_.form, one.form};
+    Units const units{0, 0, 0, false};
     auto &work = memory_.work;
     scale(in, units, work.pair);
-    if (shows_inside(work.pair, nu_[i], work.at.factors)) return true;
-    double ignored[max_dimension];
-    double const kappa2 = reach(i, ignored, nu_[i]);
-    double const nu = nu_[i] + 0.5 * maximum(0.0, 1.0 - kappa2);
+    double const nu = nu_[i];
+    if (shows_inside(work.pair, nu, work.at.factors)) return true;
+    double const kappa2 = reach(i, false), other = nu_[i] + 0.5 * maximum(0.0, 1.0 - kappa2);
+    nu_[i] = nu;
     return with_wide_workspace([&](auto &wide) {
         scale(in, units, wide.pair);
-        difference(n, bodies_.center(i), outer_.center, unit, wide.pair.r12);
-        return shows_inside(wide.pair, Wide(nu), wide.at.factors);
+        for (int k = 0; k < n; ++k) wide.pair.r12[k] = Wide(one.center[k]) - Wide(outer_.center[k]);
+        return shows_inside(wide.pair, Wide(nu), wide.at.factors) ||
+               shows_inside(wide.pair, Wide(other), wide.at.factors);
     });
 }
 
@@ -288,18 +476,26 @@ bool AroundEllipsoids::are_inside() noexcept
 /// Enlarges the ellipsoid until all ellipsoids are proved to be inside.
 Status AroundEllipsoids::certify(double gap, double tolerance) noexcept
 {
-    double factor = 1.0 + gap, slack = 0x1p-47;
-    for (int trial = 0; trial < 24; ++trial) {
+    int const n = bodies_.n;
+    for (std::size_t k = 0; k < active_.size(); ++k) {
+        nu_[active_[k]] = multipliers_[k];
+        if (!add_contacts(k)) return Status::out_of_memory;
+    }
+    cloud_.m = weights_.size();
+    cloud_.points = points_.data();
+    Certificate certificate;
+    double factor = 1.0 + gap, slack = 0.0, form[max_packed];
+    for (int trial = 0; trial < max_enlargements; ++trial) {
+        round_outer(factor);
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j <= i; ++j) form[at(i, j)] = outer_.form[packed_index(n, j, i)];
+        if (!certificate.prepare(cloud_, outer_.center, form)) return Status::not_positive_definite;
+        if (trial > 0 && are_inside()) {
+            excess_ = certificate.excess(cloud_.m, indices_.data(), weights_.data());
+            return excess_ <= tolerance ? Status::success : Status::no_convergence;
+        }
+        slack = trial > 0 ? 2.0 * slack : maximum(0x1p-47, 0x1p-6 * certificate.sensitivity());
         factor *= 1.0 + slack;
-        if (!search_->enlarge(factor)) return Status::not_positive_definite;
-        factor = 1.0;
-        for (int i = 0; i < bodies_.n; ++i)
-            for (int j = i; j < bodies_.n; ++j)
-                outer_.form[packed_index(bodies_.n, i, j)] = search_->form(i, j);
-        invert(bodies_.n, outer_.form, outer_.inverse);
-        if (are_inside())
-            return search_->excess() <= tolerance ? Status::success : Status::no_convergence;
-        slack *= 2.0;
     }
     return Status::not_positive_definite;
 }
@@ -307,28 +503,26 @@ Status AroundEllipsoids::certify(double gap, double tolerance) noexcept
 Status AroundEllipsoids::run(double tolerance) noexcept
 {
     if (Status const status = status_of_input(); status != Status::success) return status;
-    if (!kappa2_.resize(bodies_.m) || !nu_.resize(bodies_.m) || !add_first_points())
+    if (Status const status = choose_units(); status != Status::success) return status;
+    if (!kappa2_.resize(bodies_.m) || !nu_.resize(bodies_.m) || !begin())
         return Status::out_of_memory;
-    // (1 + gap)^(n/2) takes half of the tolerance.
-    double const target = tolerance / (1.0 + tolerance) / bodies_.n;
-    double gap = 1.0, last = infinity<double>();
-    for (int round = 0, idle = 0; round < max_rounds; ++round) {
-        // The shape of an ellipsoid errs by the root of its excess.
-        double const inner =
-            minimum(0.125 * tolerance, maximum(1e-12, minimum(1e-6, 0.01 * gap * gap)));
-        Status const status = enclose_points(inner);
+    // (1 + gap)^(n/2) takes half of the tolerance, and the difference of the bounds of the active
+    // ellipsoids, which is that of the squared volume, an eighth.
+    double const target = tolerance / (1.0 + tolerance) / bodies_.n,
+                 least = 0.25 * tolerance / (1.0 + tolerance);
+    double gap = 1.0, difference = maximum(1e-2, least);
+    for (int round = 0; round < max_rounds; ++round) {
+        bool const is_final = difference <= least;
+        Status const status = enclose_active(difference, is_final);
         if (status != Status::success) return status;
         gap = measure();
-        idle = gap < 0.5 * last ? 0 : idle + 1;
-        if (idle == 0) last = gap;
-        if (gap <= target || idle == max_idle_rounds) break;
-        std::size_t const count = owners_.size();
-        if (round + 1 < max_rounds && !(follow_normals(gap) && add_protruding(gap)))
-            return Status::out_of_memory;
-        if (owners_.size() == count) { // The search reads the points, which may have moved.
-            if (Status const again = enclose_points(inner); again != Status::success) return again;
-            break;
-        }
+        if ((is_final && gap <= target) || round + 1 == max_rounds) break;
+        if (!is_final) drop_idle(gap);
+        std::size_t const count = active_.size();
+        if (!activate_protruding(gap)) return Status::out_of_memory;
+        bool const has_more = active_.size() > count;
+        if (!has_more && is_final) break;
+        difference = has_more ? maximum(least, minimum(difference, 0.05 * gap)) : least;
     }
     return certify(gap, tolerance);
 }

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The smallest ellipsoid around ellipsoids, as the smallest one around points of them:
+/// The smallest ellipsoid around ellipsoids:
 ///
-/// 1. The points where some of the ellipsoids meet conjugate axes, and where all of them together
-///    reach farthest along the coordinates, are the first points.
-/// 2. The smallest ellipsoid around the points is found (smallest.hpp).
-/// 3. For each ellipsoid that protrudes from it, the point that protrudes most joins the points (at
-///    most 4 (n + 1) of the worst). Each point that is near the surface is replaced by the point of
-///    its own ellipsoid that is farthest along the normal there, if that one protrudes. Back to
-///    step 2, until nothing protrudes by more than a part of the tolerance.
-/// 4. The ellipsoid is enlarged until all ellipsoids are proved to be inside.
-///
-/// The points are rounded into their ellipsoids, which is proved, too. So the bound that the
-/// weights of the points give for the least volume (certificate.hpp) is one for the ellipsoids.
+/// 1. The ellipsoids that reach farthest along the coordinates are the first active ones.
+/// 2. The smallest ellipsoid around the active ones is found (max_det.hpp).
+/// 3. The ellipsoids that protrude most from it become active (at most 4 (n + 1)); those that are
+///    far inside and have almost no weight no longer are. Back to step 2, until nothing protrudes
+///    by more than a part of the tolerance.
+/// 4. The moments W_i are those of at most n + 1 points of each active ellipsoid. The weights of
+///    the points bound the least volume (certificate.hpp). The points are rounded into their
+///    ellipsoids, which is proved.
+/// 5. The ellipsoid is rounded, and enlarged until all ellipsoids are proved to be inside.
 #ifndef PW85_ENCLOSING_AROUND_ELLIPSOIDS_HPP_INCLUDED
 #define PW85_ENCLOSING_AROUND_ELLIPSOIDS_HPP_INCLUDED
 
@@ -20,7 +18,8 @@
 
 #include <pw85/any_dimension/containment.hpp>
 
-#include "smallest.hpp"
+#include "certificate.hpp"
+#include "max_det.hpp"
 
 namespace pw85::detail::enclosing {
 
@@ -40,42 +39,67 @@ struct Ellipsoids {
     }
 };
 
-/// An ellipsoid around points, in the units of the caller, and the inverse of its form.
-struct OuterEllipsoid {
-    int n;
-    double center[max_dimension], form[max_packed], inverse[max_packed];
+/// A centre and a packed form.
+struct Body {
+    double center[max_dimension], form[max_packed];
 };
 
 class AroundEllipsoids {
   public:
-    explicit AroundEllipsoids(Ellipsoids const &bodies) noexcept : bodies_(bodies) {}
+    explicit AroundEllipsoids(Ellipsoids const &bodies) noexcept : bodies_(bodies)
+    {
+        frame_.n = bodies.n;
+    }
 
     /// Returns success, or no_convergence if the excess is larger than the tolerance: in both cases
     /// there is an ellipsoid.
     Status run(double tolerance) noexcept;
 
-    Search const &search() const noexcept { return *search_; }
+    double center(int i) const noexcept
+    {
+        return times_power_of_two(outer_.center[i], cloud_.exponents[i]);
+    }
+    double form(int i, int j) const noexcept
+    {
+        return times_power_of_two(outer_.form[any_dimension::packed_index(bodies_.n, i, j)],
+                                  cloud_.exponents[i] + cloud_.exponents[j]);
+    }
+    double excess() const noexcept { return excess_; }
 
   private:
     Status status_of_input() const noexcept;
-    bool add_point(std::size_t owner, double const *from_center) noexcept;
-    bool add_support(std::size_t owner, double const *normal) noexcept;
-    bool add_first_points() noexcept;
-    Status enclose_points(double tolerance) noexcept;
-    double reach(std::size_t i, double *point, double &nu) noexcept;
+    Status choose_units() noexcept;
+    Body body(std::size_t i) const noexcept;
+    bool is_active(std::size_t i) const noexcept;
+    bool activate(std::size_t i) noexcept;
+    bool begin() noexcept;
+    bool update_frame() noexcept;
+    void find_map(std::size_t i, Wide *map) const noexcept;
+    Status enclose_active(double difference, bool is_final) noexcept;
+    template <class T> bool read_outer(MaxDet<T> const &search) noexcept;
+    void round_outer(double factor) noexcept;
+    double reach(std::size_t i, bool roughly) noexcept;
     double measure() noexcept;
-    bool drop_last_inside(double gap) noexcept;
-    bool add_protruding(double gap) noexcept;
-    bool follow_normals(double gap) noexcept;
+    void drop_idle(double gap) noexcept;
+    bool activate_protruding(double gap) noexcept;
+    bool add_point(Body const &one, double const *from_center, double weight) noexcept;
+    bool add_contacts(std::size_t k) noexcept;
     bool is_inside(std::size_t i) noexcept;
     bool are_inside() noexcept;
     Status certify(double gap, double tolerance) noexcept;
 
     Ellipsoids bodies_;
-    OuterEllipsoid outer_;
-    Array<double> points_, kappa2_, nu_;
-    Array<std::size_t> owners_;
-    std::unique_ptr<Search> search_;
+    Cloud cloud_{};               ///< the contact points, and the units, of all numbers below
+    Frame frame_;                 ///< of the outer ellipsoid
+    Wide covariance_[max_packed]; ///< its form over n, a lower triangle
+    Body outer_;
+    double inverse_[max_packed], excess_ = 0.0;
+    MaxDet<double> search_;
+    Array<std::size_t> active_;
+    Array<Square<double>> moments_; ///< W of the active ones
+    Array<double> multipliers_;     ///< their λ/ρ, which are the ν of containment.hpp
+    Array<double> kappa2_, nu_, points_, weights_;
+    Array<std::size_t> indices_;
     any_dimension::ReachWorkspace<double> memory_;
 };
 

@@ -2,47 +2,14 @@
 // The reduced Newton method for the weights of a few points.
 #include "core_set.hpp"
 
+#include "cholesky.hpp"
+
 namespace pw85::detail::enclosing {
 
 namespace {
 
-double dot(std::size_t n, double const *x, double const *y) noexcept
-{
-    double sum = 0.0;
-    for (std::size_t i = 0; i < n; ++i) sum += x[i] * y[i];
-    return sum;
-}
-
-/// The Cholesky factor of a matrix with rows of the length n replaces its lower triangle. A pivot
-/// that is rounded to zero or less is raised to a small share of the diagonal entry: its direction
-/// changes nothing.
-void factorize(std::size_t n, double *a) noexcept
-{
-    using elementary::sqrt;
-    for (std::size_t i = 0; i < n; ++i) {
-        double *const row = a + i * n;
-        double const least = 0x1p-50 * row[i];
-        for (std::size_t j = 0; j < i; ++j)
-            row[j] = (row[j] - dot(j, row, a + j * n)) / a[j * n + j];
-        double const pivot = row[i] - dot(i, row, row);
-        row[i] = sqrt(pivot > least ? pivot : least);
-    }
-}
-
-/// x = L⁻¹ x for the rows of L.
-void substitute(std::size_t n, double const *a, double *x) noexcept
-{
-    for (std::size_t i = 0; i < n; ++i) x[i] = (x[i] - dot(i, a + i * n, x)) / a[i * n + i];
-}
-
-/// x = L⁻ᵀ x.
-void substitute_back(std::size_t n, double const *a, double *x) noexcept
-{
-    for (std::size_t i = n; i-- > 0;) {
-        x[i] /= a[i * n + i];
-        for (std::size_t j = 0; j < i; ++j) x[j] -= a[i * n + j] * x[i];
-    }
-}
+/// Share of a diagonal entry that a pivot has at least.
+constexpr double least_pivot = 0x1p-50;
 
 } // namespace
 
@@ -93,7 +60,7 @@ bool CoreSet::evaluate() noexcept
         for (std::size_t k = 0; k < rows_; ++k)
             for (std::size_t l = 0; l <= k; ++l) v[k * rows_ + l] += weights_[i] * y[k] * y[l];
     }
-    factorize(rows_, v);
+    factorize(rows_, v, least_pivot);
     bool finite = true;
     for (std::size_t i = 0; i < size_; ++i) {
         double *const g = &solved_[i * rows_];
@@ -116,7 +83,7 @@ bool CoreSet::solve_newton(double theta) noexcept
         hessian_[i * size_ + i] += slacks_[i] / weights_[i];
         steps_[i] = theta / weights_[i] - (d - kappa_[i]);
     }
-    factorize(size_, hessian_.data());
+    factorize(size_, hessian_.data(), least_pivot);
     substitute(size_, hessian_.data(), steps_.data());
     substitute_back(size_, hessian_.data(), steps_.data());
     bool finite = true;

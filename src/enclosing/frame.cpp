@@ -2,41 +2,21 @@
 // Moments of weighted points, and the inverse of a Cholesky factor.
 #include "frame.hpp"
 
+#include "cholesky.hpp"
+
 namespace pw85::detail::enclosing {
-
-namespace {
-
-bool factorize(int n, Wide *a, double least) noexcept
-{
-    for (int i = 0; i < n; ++i) {
-        double const diagonal = a[at(i, i)].high;
-        for (int j = 0; j <= i; ++j) {
-            Wide sum = a[at(i, j)];
-            for (int k = 0; k < j; ++k) sum = sum - a[at(i, k)] * a[at(j, k)];
-            if (i > j) {
-                a[at(i, j)] = sum / a[at(j, j)];
-            } else {
-                if (!(sum.high > least * diagonal)) return false;
-                a[at(i, i)] = sqrt(sum);
-            }
-        }
-    }
-    return true;
-}
-
-} // namespace
 
 bool invert_factor(int n, Wide *a, double least) noexcept
 {
-    if (!factorize(n, a, least)) return false;
+    auto const size = static_cast<std::size_t>(n);
+    Wide factor[max_dimension * max_dimension], column[max_dimension];
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j <= i; ++j) factor[i * n + j] = a[at(i, j)];
+    if (!factorize(size, factor, least)) return false;
     for (int j = 0; j < n; ++j) {
-        a[at(j, j)] = Wide(1.0) / a[at(j, j)];
-        // Column j of the inverse needs rows below j of the factor, and the finished entries above.
-        for (int i = j + 1; i < n; ++i) {
-            Wide sum = a[at(i, j)] * a[at(j, j)];
-            for (int k = j + 1; k < i; ++k) sum = sum + a[at(i, k)] * a[at(k, j)];
-            a[at(i, j)] = -(sum / a[at(i, i)]);
-        }
+        for (int i = 0; i < n; ++i) column[i] = Wide(i == j ? 1.0 : 0.0);
+        substitute(size, factor, column);
+        for (int i = j; i < n; ++i) a[at(i, j)] = column[i];
     }
     return true;
 }

@@ -181,12 +181,4 @@ Status Search::certify(double gap, double tolerance) noexcept
     return Status::not_positive_definite;
 }
 
-bool Search::enlarge(double factor) noexcept
-{
-    for (int k = 0; k < at(cloud_.n, 0); ++k) form_[k] *= factor;
-    if (!certificate_.prepare(cloud_, center_, form_)) return false;
-    excess_ = certificate_.excess(core_.size(), core_.points(), core_.weights());
-    return true;
-}
-
 } // namespace pw85::detail::enclosing

@@ -42,10 +42,6 @@ class Search {
     /// there is an ellipsoid.
     Status run(double tolerance) noexcept;
 
-    /// Multiplies the form by a factor and finds the excess again. Returns false if the certificate
-    /// cannot be prepared.
-    bool enlarge(double factor) noexcept;
-
     double center(int i) const noexcept
     {
         return times_power_of_two(center_[i], cloud_.exponents[i]);

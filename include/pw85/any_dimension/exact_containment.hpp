@@ -118,7 +118,7 @@ PW85_FUNCTION inline bool remove_roots(ExactPolynomial &p, ExactPolynomial const
 }
 
 /// Returns the index of the polynomial with the largest root of three, or -1 if there is no memory.
-/// All roots must be real and between 0 and 1, and no two polynomials may have one in common.
+/// All roots must be real, above 0 and at most 1, and no two polynomials may have one in common.
 PW85_FUNCTION inline int find_largest_root(ExactPolynomial (&p)[3]) noexcept
 {
     for (;;) {
@@ -162,8 +162,8 @@ PW85_FUNCTION inline int find_containment_polynomials(Input const &in, ExactPoly
     return is_defined(p) && is_defined(b) ? 1 : sign_unknown;
 }
 
-/// Decides by the largest roots, for p and B with real roots between 0 and 1. Returns 1, 0 or
-/// sign_unknown.
+/// Decides by the largest roots, for p and B with real roots above 0 and at most 1. If ν1 = 1, B
+/// has it: h < 0 there, so it is not a root of q. Returns 1, 0 or sign_unknown.
 PW85_FUNCTION inline int compare_largest_roots(ExactPolynomial &p, ExactPolynomial &b) noexcept
 {
     ExactPolynomial candidates[3]; // q', B' and c
@@ -191,7 +191,6 @@ PW85_FUNCTION inline int compare_largest_roots(ExactPolynomial &p, ExactPolynomi
     if (semidefinite != 1) return semidefinite;
     bool const below_one = count_sign_changes(b) == 0;
     if (largest_magnitude(in.n, in.r12) == 0.0 || !below_one) return below_one;
-    if (b.c[0].sign() == 0) return 0; // ν1 = 1
     shift(p, -1);
     shift(b, -1);
     if (count_sign_changes(p) < p.degree) return 0;

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Cholesky factors of matrices whose size is known at run time, with rows of that length. The
+/// searches for weights (core_set.hpp) and for moments (max_det.hpp) use them.
+#ifndef PW85_ENCLOSING_CHOLESKY_HPP_INCLUDED
+#define PW85_ENCLOSING_CHOLESKY_HPP_INCLUDED
+
+#include <cstddef>
+
+#include <pw85/algebra/doubled.hpp>
+
+namespace pw85::detail::enclosing {
+
+template <class T> T dot(std::size_t n, T const *x, T const *y) noexcept
+{
+    T sum = T(0);
+    for (std::size_t i = 0; i < n; ++i) sum = sum + x[i] * y[i];
+    return sum;
+}
+
+/// The Cholesky factor L of a matrix replaces its lower triangle. A pivot that is not above `share`
+/// of its diagonal entry is raised to that: its direction changes nothing. Returns false if there
+/// was one.
+template <class T> bool factorize(std::size_t n, T *a, double share) noexcept
+{
+    bool definite = true;
+    for (std::size_t i = 0; i < n; ++i) {
+        T *const row = a + i * n;
+        T const least = T(share) * row[i];
+        for (std::size_t j = 0; j < i; ++j)
+            row[j] = (row[j] - dot(j, row, a + j * n)) / a[j * n + j];
+        T const pivot = row[i] - dot(i, row, row);
+        definite &= pivot > least;
+        row[i] = square_root(pivot > least ? pivot : least);
+    }
+    return definite;
+}
+
+/// x = L⁻¹ x.
+template <class T> void substitute(std::size_t n, T const *a, T *x) noexcept
+{
+    for (std::size_t i = 0; i < n; ++i) x[i] = (x[i] - dot(i, a + i * n, x)) / a[i * n + i];
+}
+
+/// x = L⁻ᵀ x.
+template <class T> void substitute_back(std::size_t n, T const *a, T *x) noexcept
+{
+    for (std::size_t i = n; i-- > 0;) {
+        x[i] = x[i] / a[i * n + i];
+        for (std::size_t j = 0; j < i; ++j) x[j] = x[j] - a[i * n + j] * x[i];
+    }
+}
+
+} // namespace pw85::detail::enclosing
+
+#endif
