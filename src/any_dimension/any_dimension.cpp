@@ -48,8 +48,8 @@ struct Rows {
     }
 };
 
-/// Returns the length of an output of this many numbers per row. It is 0 if n is wrong: then nothing is
-/// known of the array.
+/// Returns the length of an output of this many numbers per row. It is 0 if n is wrong: then
+/// nothing is known of the array.
 int length(int n, int size) noexcept { return n < 1 || n > PW85_ND_MAX ? 0 : size; }
 
 /// Records the cause of a status of one pair. `others` are further arguments.
