@@ -245,7 +245,6 @@ class Engine {
     int rebuild_list() noexcept;
     int begin() noexcept;
     void end() noexcept;
-    int begin_with_rows() noexcept;
     int order() noexcept;
     void refresh_boxes() noexcept;
     bool set_cell() noexcept;
