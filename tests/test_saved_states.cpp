@@ -290,6 +290,91 @@ void test_impossible_numbers()
     }
 }
 
+/// A state with the settings, particles, a cell and more sections.
+Bytes changed_state(std::vector<std::pair<std::string, Words>> const &changes)
+{
+    SavedSections state(state_of(simulation_in_space()));
+    std::erase_if(state.sections, [](auto const &one) {
+        return one.first != "SETTINGS" && one.first != "PARTICLE" && one.first != "CELL    ";
+    });
+    for (auto const &[name, words] : changes) {
+        std::erase_if(state.sections, [&](auto const &one) { return one.first == name; });
+        state.sections.emplace_back(name, words);
+    }
+    return state.bytes();
+}
+
+Words words_of(std::initializer_list<double> numbers)
+{
+    Words words;
+    for (double const x : numbers) words.push_back(word_of(x));
+    return words;
+}
+
+// A triangle in the unit cube.
+Words triangle()
+{
+    Words mesh = {3};
+    for (double const x : {0.1, 0.1, 0.1, 0.2, 0.1, 0.1, 0.1, 0.2, 0.1}) mesh.push_back(word_of(x));
+    mesh.insert(mesh.end(), {0, 1, 2});
+    return mesh;
+}
+
+// pw85_hard_ellipsoids_create() refuses such cells, too. Without walls nothing reads the vector.
+void test_infinite_vector()
+{
+    Bytes const state = changed_state({});
+    for (double const bad : {double{NAN}, HUGE_VAL})
+        for (std::size_t const word : {std::size_t{6}, std::size_t{8}})
+            if (cause_of(with_word(state, "CELL", word, word_of(bad))).empty())
+                g_test_fail_printf("%g in word %zu", bad, word);
+}
+
+// The box of the ball has some 10¹⁶ images of the mesh. They need not be tested: it overlaps its
+// own images.
+void test_large_particle_and_mesh()
+{
+    double const a = 0x1p20;
+    Bytes bytes =
+        changed_state({{"MESH    ", triangle()},
+                       {"PARTICLE", words_of({3.0, 3.0, 3.0, 1.0, 0.0, 0.0, 0.0, a, a, a})}});
+    bytes = with_word(bytes, "CELL", 11, 1); // periodic along all vectors
+    pw85_hard_ellipsoids *made = nullptr;
+    int const status = pw85_hard_ellipsoids_restore(bytes.size(), bytes.data(), &made);
+    SimulationPointer const owner(made);
+    g_assert_true(status == PW85_EOVERLAP || status == PW85_ENOMEM);
+}
+
+// After a sweep without memory for its rows there are none, which trials of the volume need.
+void test_rows_without_memory()
+{
+    Bytes bytes = changed_state(
+        {{"LAW     ",
+          {2, word_of(0.25), word_of(12.0), word_of(1.0), word_of(6.0), word_of(1.5)}}});
+    bytes = with_word(bytes, "CELL", 11, 1);                 // periodic along all vectors
+    bytes = with_word(bytes, "SETTINGS", 3, word_of(1e300)); // the largest translation
+    SimulationPointer const simulation = restored(bytes);
+    g_assert_nonnull(simulation.get());
+    for (int k = 0; k < 2; ++k) {
+        g_assert_cmpint(pw85_hard_ellipsoids_sweep(simulation.get(), 1), ==, PW85_ENOMEM);
+        g_assert_cmpint(
+            pw85_hard_ellipsoids_volume_moves(simulation.get(), 1, 0.001, PW85_CHANGE_ISOTROPIC),
+            ==, PW85_ENOMEM);
+    }
+}
+
+// The disc is so thin that no translation is free of the mesh. Its step stays > 0.
+void test_tuned_thin_disc()
+{
+    SimulationPointer const simulation = restored(changed_state(
+        {{"MESH    ", triangle()},
+         {"PARTICLE", words_of({3.0, 3.0, 3.0, 1.0, 0.0, 0.0, 0.0, 0.5, 0.5, 0x1p-27})}}));
+    g_assert_nonnull(simulation.get());
+    g_assert_cmpint(pw85_hard_ellipsoids_tune(simulation.get(), 20, 0.4, 0.0, 0), ==, PW85_SUCCESS);
+    Bytes const state = state_of(simulation);
+    g_assert_true(state_of(restored(state)) == state);
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -305,5 +390,9 @@ int main(int argc, char **argv)
     g_test_add_func("/saved_states/missing_sections", test_missing_sections);
     g_test_add_func("/saved_states/formats", test_formats);
     g_test_add_func("/saved_states/impossible_numbers", test_impossible_numbers);
+    g_test_add_func("/saved_states/infinite_vector", test_infinite_vector);
+    g_test_add_func("/saved_states/large_particle_and_mesh", test_large_particle_and_mesh);
+    g_test_add_func("/saved_states/rows_without_memory", test_rows_without_memory);
+    g_test_add_func("/saved_states/tuned_thin_disc", test_tuned_thin_disc);
     return g_test_run();
 }

@@ -103,11 +103,12 @@ void Engine::set_dimensions(int dimensions) noexcept
     forget();
 }
 
-/// Copies the configuration in memory order, unless it is the same as at the last end(). Returns a
-/// status.
+/// Copies the configuration in memory order, unless it is the same as at the last end(). There are
+/// rows afterwards, also if the call before had no memory for them. Returns a status.
 int Engine::begin() noexcept
 {
-    if (is_taken_) return PW85_SUCCESS;
+    if (is_taken_)
+        return neighborhood_.size() == ordered_.size() ? int{PW85_SUCCESS} : rebuild_list();
     if (!is_started_)
         if (int const status = start()) return status;
     ordered_.cell = configuration.cell;
@@ -457,19 +458,13 @@ Engine::Outcome Engine::try_exchange(std::size_t i, std::size_t j, DomainRun &ru
         [&](Particle *old) { return acceptance_of_pairs(particles, old, moved, 2, run); });
 }
 
-int Engine::begin_with_rows() noexcept
-{
-    if (int const status = begin()) return status;
-    return neighborhood_.size() == ordered_.size() ? int{PW85_SUCCESS} : rebuild_list();
-}
-
 // If the new place is beyond the fixed box, it is tested by rows that are made for it. A particle
 // that goes back may be beyond its new fixed box. Then the engine starts again from the
 // configuration.
 int Engine::try_placement(std::size_t particle, Particle const &moved, bool take,
                           bool &is_free) noexcept
 {
-    if (int const status = begin_with_rows()) return status;
+    if (int const status = begin()) return status;
     std::size_t const i = memory_order_.of(particle);
     Particle const old = ordered_.get(i);
     auto const test = [&] {
@@ -497,7 +492,7 @@ int Engine::try_placement(std::size_t particle, Particle const &moved, bool take
 
 int Engine::find_neighbors(std::size_t particle, Array<NearImage> &found) noexcept
 {
-    if (int const status = begin_with_rows()) return status;
+    if (int const status = begin()) return status;
     std::size_t const i = memory_order_.of(particle);
     auto const row = neighborhood_.row(i);
     if (!found.resize(row.size())) return PW85_ENOMEM;

@@ -78,7 +78,8 @@ inline constexpr std::size_t max_species = 16;
 
 /// Parameters of a simulation in addition to its particles.
 struct Parameters {
-    /// `step` counts sweeps and trials of the volume: it selects the random numbers
+    /// `step` counts sweeps, chains, and trials of the volume, of insertions and of removals: it
+    /// selects the random numbers
     std::uint64_t seed, step;
     double translation, rotation, volume; ///< the largest changes of a trial
     double fractions[num_particle_moves]; ///< of the types of trials in a sweep; their sum is 1
@@ -245,7 +246,6 @@ class Engine {
     int rebuild_list() noexcept;
     int begin() noexcept;
     void end() noexcept;
-    int begin_with_rows() noexcept;
     int order() noexcept;
     void refresh_boxes() noexcept;
     bool set_cell() noexcept;

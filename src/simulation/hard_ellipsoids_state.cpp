@@ -81,8 +81,10 @@ Cell cell_of(pw85_system const &system) noexcept
 /// Returns the status of a cell whose images are to be found.
 int check_cell(Cell const &cell) noexcept
 {
-    neighbors::Periodicity periodicity;
-    if (periodicity.prepare(cell.exists ? cell.vectors : nullptr, cell.periodic))
+    neighbors::Periodicity periodicity; // which does not read the other vectors
+    bool finite = true;
+    for (int k = 0; k < 3 && cell.exists; ++k) finite = finite && is_finite(cell.vector(k));
+    if (finite && periodicity.prepare(cell.exists ? cell.vectors : nullptr, cell.periodic))
         return PW85_SUCCESS;
     return note_cause(PW85_EINVAL, "cell",
                       "must have finite, independent vectors, one of them periodic");
@@ -134,9 +136,10 @@ template <class Load, class Set> int make(std::size_t n, Cell const &cell, Load 
     if (int const status = set(engine)) return status;
     if (engine.configuration.dimensions == 2)
         if (int const status = check_plane(engine.configuration)) return status;
-    if (int const status = engine.external.check(engine.configuration, nullptr)) return status;
     if (int const status = engine.start()) return status;
-    if (int const status = engine.check(pair)) return status;
+    // First, because a mesh tests all images of a particle, which are few if none of them overlap.
+    if (int const status = find_first_overlap(engine.configuration, pair)) return status;
+    if (int const status = engine.external.check(engine.configuration, nullptr)) return status;
     simulation = made.release();
     return PW85_SUCCESS;
 }

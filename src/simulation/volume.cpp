@@ -251,7 +251,7 @@ void Engine::tune(Counts const &before, double acceptance) noexcept
             trials += counts.trials[second];
             accepted += counts.accepted[second];
         }
-        if (trials == 0) return;
+        if (trials == 0 || largest == 0.0) return; // a step is > 0, also where none is of use
         double const n = static_cast<double>(trials), gain = std::min(1.0, 0.1 * std::sqrt(n));
         double const change = gain * (static_cast<double>(accepted) / n - acceptance);
         // Nearly the exponential, with the same bits everywhere.
