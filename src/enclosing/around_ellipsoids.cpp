@@ -16,7 +16,7 @@ using any_dimension::packed_index, any_dimension::packed_size;
 constexpr int max_rounds = 60;
 /// An ellipsoid becomes active if it protrudes by this share of the largest protrusion.
 constexpr double least_share = 0.03;
-/// How often the ellipsoid is enlarged, each time by twice as much, at most.
+/// Maximum number of enlargements of the ellipsoid, each by twice as much as the one before.
 constexpr int max_enlargements = 48;
 
 std::size_t extent(int n) noexcept { return static_cast<std::size_t>(n); }

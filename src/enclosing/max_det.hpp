@@ -46,7 +46,7 @@ template <class T> class MaxDet {
     bool reserve(int n, std::size_t count) noexcept;
 
     std::size_t size() const noexcept { return count_; }
-    /// Where the caller puts L_i.
+    /// Returns L_i, which the caller sets.
     Square<T> &map(std::size_t i) noexcept { return blocks_[i].map; }
     Square<T> const &z() const noexcept { return z_; }
     T const &lambda(std::size_t i) const noexcept { return blocks_[i].lambda; }

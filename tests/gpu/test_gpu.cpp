@@ -516,8 +516,8 @@ void test_outputs()
     }
 }
 
-// Pieces of 2^17 pairs, of which some are bad; two threads. The third piece of the contacts takes the
-// memory of the first one; the others have two.
+// Pieces of 2^17 pairs, of which some are bad; two threads. The third piece of the contacts takes
+// the memory of the first one; the others have two.
 void test_host_arrays()
 {
     Random random(705);
