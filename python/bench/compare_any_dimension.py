@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The contact function in n dimensions beside NumPy and SciPy: python3 compare_any_dimension.py LIBRARY_OF_ANY_DIMENSION_LOOPS
 
-Prints CSV: dimensions, nanoseconds for a pair in rows, evaluations of f for a pair, nanoseconds for one factorisation of a form, the time of a
-pair over that of as many factorisations, the same ratio of floating-point operations, nanoseconds of SciPy, its ratio to a pair in rows and
-to one call, and the largest relative difference of μ². One thread works. All take turns, and the shortest time of each counts.
+Prints CSV: dimensions, nanoseconds for a pair in rows, evaluations of f for a pair, nanoseconds for one factorisation of a form, the time
+of a pair over that of as many factorisations, the same ratio of floating-point operations, nanoseconds of SciPy, its ratio to a pair in
+rows and to one call, and the largest relative difference of μ². One thread works. All take turns, and the shortest time of each counts.
 
 SciPy gets the generalised eigenvectors of a pair (scipy.linalg.eigh), so that f costs n operations, and minimises -f over [0, 1]
 (scipy.optimize.minimize_scalar, bounded).

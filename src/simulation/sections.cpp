@@ -62,7 +62,7 @@ char const *check_frame(std::size_t size, unsigned char const *bytes) noexcept
 {
     if (size >= bytes_of_word && is_memory_image(bytes))
         return "must not be of a version that saved memory: continue the simulation with that "
-               "version, or create it anew from its particles";
+               "version, or create it again from its particles";
     if (size < bytes_of_word || std::memcmp(bytes, signature, bytes_of_word) != 0)
         return not_a_state;
     if (size < bytes_of_head + bytes_of_word || load_word(bytes + 2 * bytes_of_word) != size)

@@ -26,7 +26,7 @@ ROOMS = {
     "lists": ("base", "periodic", "simd", "rows"),
     "forces": ("base", "periodic", "simd", "rows", "lists"),
     "neighbors": ("base", "periodic"),
-    "enclosing": ("base",),
+    "enclosing": ("base", "any_dimension"),
     "meshes": ("base", "rows", "neighbors"),
     "simulation": ("base", "periodic", "simd", "rows", "neighbors"),
     "gpu": ("base", "periodic", "simd"),
