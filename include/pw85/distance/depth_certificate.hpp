@@ -35,30 +35,30 @@
 
 namespace pw85::detail {
 
-/// Returns whether bounds from below of the coefficients of a quartic prove it to be positive for
-/// c > 0, by item 5. The coefficients are multiples of T, with relative errors far below 64u.
+/// Returns whether item 5 proves that a quartic is positive for c > 0, from bounds from below of its
+/// coefficients. They may have relative errors far below 64u.
 template <class T> PW85_FUNCTION inline bool is_positive(T const (&k)[5]) noexcept
 {
     if (!(k[4] > T(0) && k[0] > T(0))) return false;
     if (k[3] >= T(0) && k[2] >= T(0) && k[1] >= T(0)) return true;
     T const a = square_root(k[4]), b = square_root(k[0]), ab = a * b,
             margin = T(64 * unit_roundoff<T>());
-    T mu = T(2) * square_root(ab);
-    for (int i = 0; i < 4; ++i) {
+    T const least = T(-0.53125) * minimum(T(k[3] / a), T(k[1] / b)); // makes x and y positive
+    T mu = maximum(T(T(2) * square_root(ab)), least);
+    for (int i = 0; i < 4; ++i) { // one is enough for most
         T const up = T(2) * a * mu, down = T(2) * b * mu;
         T const x = k[3] + up - margin * (absolute(k[3]) + up),
                 y = k[1] + down - margin * (absolute(k[1]) + down);
         if (!(x > T(0) && y > T(0))) return false;
         T const root = square_root(T(x * y)), rest = T(2) * ab + mu * mu;
-        T const least = k[2] - rest + T(2) * root;
-        if (least >= margin * (absolute(k[2]) + rest + root)) return true;
+        if (k[2] - rest + T(2) * root >= margin * (absolute(k[2]) + rest + root)) return true;
         mu = (a * y + b * x) / root;
     }
     return false;
 }
 
 /// Twice the mixed discriminant of two matrices of two rows, less a margin of 64u of the sum of
-/// products. `size` are the diagonal entries of a semidefinite matrix that bounds `b`.
+/// products. `size` is the diagonal of a semidefinite matrix that bounds the entries of `b`.
 template <class T> PW85_FUNCTION inline T mixed_discriminant(SymmetricMatrix<T, 2> const &a,
                                                              SymmetricMatrix<T, 2> const &b,
                                                              Vector<T, 2> const &size) noexcept
@@ -67,118 +67,136 @@ template <class T> PW85_FUNCTION inline T mixed_discriminant(SymmetricMatrix<T, 
            T(64 * unit_roundoff<T>()) * (a(0, 0) * size[1] + a(1, 1) * size[0]);
 }
 
-/// Returns whether item 3 is proved, from matrices that bound B1 and B2 from below and R from above.
-/// The magnitudes of the products in the entries are at most those of the diagonal, because B1, B2
-/// and R are semidefinite.
-template <class T> PW85_FUNCTION inline bool is_inside_sum(SymmetricMatrix<T, 2> const &r,
-                                                           SymmetricMatrix<T, 2> const &b1,
-                                                           SymmetricMatrix<T, 2> const &b2) noexcept
+/// The matrices of item 4, in a basis across n: bounds of B1 and B2 from below and of R from above.
+template <class T, int D> struct CertificateForms {
+    SymmetricMatrix<T, D> b1, b2, r;
+};
+
+/// Returns whether the quartic proves item 3. The products in the entries of B1, B2 and R are at
+/// most those of the diagonals, because these matrices are semidefinite.
+template <class T>
+PW85_FUNCTION inline bool is_inside_sum(CertificateForms<T, 2> const &forms) noexcept
 {
+    auto const &[b1, b2, r] = forms;
     auto const n = blend(blend(b1, T(1), b2), T(-1), r);
     Vector<T, 2> const d1{b1(0, 0), b1(1, 1)}, d2{b2(0, 0), b2(1, 1)},
         all{d1[0] + d2[0] + r(0, 0), d1[1] + d2[1] + r(1, 1)};
-    T const half = T(0.5);
+    T const half = T(0.5), margin = T(64 * unit_roundoff<T>());
     T const k[5] = {half * mixed_discriminant(b2, b2, d2), mixed_discriminant(b2, n, all),
-                    half * (mixed_discriminant(n, n, {T(0), T(0)}) -
-                            T(128 * unit_roundoff<T>()) * (all[0] * all[1])) +
+                    n(0, 0) * n(1, 1) - n(0, 1) * n(0, 1) - margin * (all[0] * all[1]) +
                         mixed_discriminant(b1, b2, d2),
                     mixed_discriminant(b1, n, all), half * mixed_discriminant(b1, b1, d1)};
     return d1[0] > T(0) && d2[0] > T(0) && is_positive(k);
 }
 
-template <class T> PW85_FUNCTION inline bool is_inside_sum(SymmetricMatrix<T, 1> const &r,
-                                                           SymmetricMatrix<T, 1> const &b1,
-                                                           SymmetricMatrix<T, 1> const &b2) noexcept
+template <class T>
+PW85_FUNCTION inline bool is_inside_sum(CertificateForms<T, 1> const &forms) noexcept
 {
-    if (!(b1[0] > T(0) && b2[0] > T(0))) return false;
-    T const slack = T(64 * unit_roundoff<T>()) * (b1[0] + b2[0] + r[0]);
-    return b1[0] + b2[0] - r[0] + T(2) * square_root(T(b1[0] * b2[0])) >= slack;
+    T const b1 = forms.b1[0], b2 = forms.b2[0], r = forms.r[0],
+            slack = T(64 * unit_roundoff<T>()) * (b1 + b2 + r);
+    return b1 > T(0) && b2 > T(0) && b1 + b2 - r + T(2) * square_root(T(b1 * b2)) >= slack;
 }
 
-/// The tangents of a direction.
-template <class T, int D> struct Tangents {
-    Vector<T, D> t[std::size_t(D - 1)];
+/// The rounding errors of the points Qn/α, and the sizes √(trace Q) of the ellipsoids.
+///
+/// With √X = size/α, a point errs by at most 8uX size in plain arithmetic, and by (3 + 2√X)u size if
+/// X > 1024, where the product is accurate (support.hpp).
+template <class T> struct PointErrors {
+    TwoLanes<T> size, spread, error; ///< spread is √X
 };
 
-/// B of one ellipsoid less a margin for rounding errors, from the point p, which errs by less than
-/// `error`.
-///
-/// An entry of Q across n errs by less than 16u trace Q (two products, and the errors of the
-/// tangents), one of ppᵀ by less than 2|p| error + error² + 16u|p|², and |p|² <= trace Q. A
-/// symmetric matrix of D - 1 rows changes by at most twice the largest error of an entry.
-template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<T, D - 1>
-curvature_below(SymmetricMatrix<T, D> const &q, Vector<T, D> const &p, Tangents<T, D> const &frame,
-                T const &size, T const &error) noexcept
+template <class T, int D> PW85_FUNCTION inline PointErrors<T>
+point_errors(SymmetricMatrix<TwoLanes<T>, D> const &q, TwoLanes<T> const &factors) noexcept
 {
-    T const margin = T(128 * unit_roundoff<T>()) * (size * size) + T(8) * size * error;
-    SymmetricMatrix<T, D - 1> b{};
+    using Two = TwoLanes<T>;
+    auto const size = square_root(trace(q)), spread = size * factors;
+    auto const growth = select(Two(T(32)) < spread, spread, Two(spread * spread));
+    return {size, spread, Two(T(9 * unit_roundoff<T>())) * growth * size};
+}
+
+/// The bound of B of both ellipsoids from below, in the basis of the tangents.
+///
+/// An entry of Q errs by less than 16u trace Q (two products, and the errors of the tangents), one
+/// of ppᵀ by less than 2|p| error + error² + 16u|p|², and |p|² <= trace Q. The eigenvalues of a
+/// matrix of two rows err by at most twice as much.
+template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<TwoLanes<T>, D - 1>
+curvatures_below(SymmetricMatrix<TwoLanes<T>, D> const &q, DirectionState<T, D> const &at,
+                 Vector<T, D> const (&tangents)[std::size_t(D - 1)],
+                 PointErrors<T> const &points) noexcept
+{
+    using Two = TwoLanes<T>;
+    auto const margin =
+        points.size * (Two(T(128 * unit_roundoff<T>())) * points.size + Two(T(8)) * points.error);
+    SymmetricMatrix<Two, D - 1> b{};
     for (int i = 0; i < D - 1; ++i) {
-        Vector<T, D> const column = product(q, frame.t[i]);
-        T const along = dot(frame.t[i], p);
-        for (int j = 0; j <= i; ++j) b(j, i) = dot(frame.t[j], column) - along * dot(frame.t[j], p);
+        auto const tangent = converted<Two>(tangents[i]), column = product(q, tangent);
+        auto const along = at.inverses * dot(tangent, at.products);
+        for (int j = 0; j <= i; ++j) {
+            auto const other = converted<Two>(tangents[j]);
+            b(j, i) = dot(other, column) - along * dot(other, at.products);
+        }
         b(i, i) = b(i, i) - margin;
     }
     return b;
 }
 
-/// A bound of the error of the point Qn/α: 8uX times the longest semi-axis in plain arithmetic, and
-/// (3 + 2√X)u times it if X > 1024, where the product is accurate (support.hpp). `size` is √(trace
-/// Q), and `spread` is √X.
-template <class T> PW85_FUNCTION inline T point_error(T const &size, T const &spread) noexcept
+/// One of two matrices side by side.
+template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<T, D>
+first_of(SymmetricMatrix<TwoLanes<T>, D> const &a) noexcept
 {
-    T const factor = spread > T(32) ? spread : T(spread * spread);
-    return T(9 * unit_roundoff<T>()) * factor * size;
+    SymmetricMatrix<T, D> first{};
+    for (int k = 0; k < a.size; ++k) first[k] = first_of(a[k]);
+    return first;
+}
+
+template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<T, D>
+second_of(SymmetricMatrix<TwoLanes<T>, D> const &a) noexcept
+{
+    SymmetricMatrix<T, D> second{};
+    for (int k = 0; k < a.size; ++k) second[k] = second_of(a[k]);
+    return second;
 }
 
 /// Returns whether the certificate proves that no direction needs less than the best shift, minus
 /// twice its rounding error ρ. `at` is the state along the best direction.
 ///
-/// d0 is within 1.5ρ of the best shift. So δ is between ρ/2 and 7ρ/2. Then |e|² <= 2(δ²|P|² +
-/// ℓ²|w|²), and |e|²/(δ(2ℓ - δ)) <= 7ρ|P|²/ℓ + 4ℓ|w|²/ρ for 7ρ <= 2ℓ. α and β have a relative error
-/// below 106,496 u (support.hpp), which is covered by a factor of 1 + 2^18 u. f errs by η <= 4ρ|r| +
-/// ℓ`error`, so that ffᵀ <= (1 + 2^-10)ffᵀ + 2^11 η² I with the computed f.
+/// d0 is within 1.5ρ of the best shift. So δ is between ρ/2 and 7ρ/2, and |e|² <= 2(δ²|P|² +
+/// ℓ²|w|²) gives |e|²/(δ(2ℓ - δ)) <= 7ρ|P|²/ℓ + 4ℓ|w|²/ρ for 7ρ <= 2ℓ. α and β have a relative error
+/// below 106,496 u (support.hpp), which a factor of 1 + 2^18 u covers. f errs by η <= 4ρ|r| +
+/// 2ℓ times the error of w. So ffᵀ is at most (1 + 2^-9)ffᵀ + 2^10 η² I with the computed f.
 template <class T, int D> PW85_FUNCTION inline bool
 is_certified(DepthSearch<T, D> const &search, DirectionState<T, D> const &at) noexcept
 {
     auto const &[r12, q1, q2, n, best] = search;
     T const u = T(unit_roundoff<T>()), rho = best.rounding, d = best.length - T(2) * rho;
     if (!(d > T(0))) return true; // the pair overlaps, so that all shifts are positive
-    T const scale = square_root(at.square), a = first_of(at.extents) / scale,
-            b = second_of(at.extents) / scale, size1 = square_root(trace(q1)),
-            size2 = square_root(trace(q2)), spread1 = size1 / a, spread2 = size2 / b;
-    T const l = a + b, distance = sum_of_magnitudes(r12),
-            h = dot(n, r12) - T(8) * u * distance - rho;
-    T const spread = maximum(spread1, spread2);
+    auto const q = side_by_side(q1, q2);
+    T const l = sum_of_lanes(at.extents) * square_root(at.inverse_square),
+            distance = sum_of_magnitudes(r12), h = dot(n, r12) - T(8) * u * distance - rho;
+    auto const points = point_errors(q, at.factors);
+    T const spread = maximum(first_of(points.spread), second_of(points.spread));
     if (!(h > T(0) && T(7) * rho <= T(2) * l && spread * spread <= largest_spread<T>()))
         return false;
-    T const error1 = point_error(size1, spread1), error2 = point_error(size2, spread2);
     Vector<T, D> const off = project(off_surface(at, r12), n);
-    T const error = error1 + error2 + T(16) * u * (distance + size1 + size2),
-            w = square_root(dot(off, off)) + error, reach = size1 + size2 + distance;
-    T const eta = T(4) * rho * distance + T(2) * l * error, one = T(1) + T(0x1p18 * u), dh = d * h;
+    T const reach = sum_of_lanes(points.size) + distance,
+            error = sum_of_lanes(points.error) + T(16) * u * reach,
+            w = square_root(dot(off, off)) + error, eta = T(4) * rho * distance + T(2) * l * error;
+    T const inverse = T(1) / (d * h), factor = T(1) + T(0x1p18 * u);
     T const diagonal =
-        one * ((best.length + T(4) * rho) * l + T(7) * rho * reach * reach / l +
-               T(4) * l * (w * w) / rho + w * (reach + reach) + T(2048) * (eta * eta) / dh);
-    Tangents<T, D> frame;
-    fill_tangents(n, frame.t);
-    auto const inverse = at.extents / at.forms;
-    Vector<T, D> p1{}, p2{};
-    for (int i = 0; i < D; ++i) {
-        auto const p = TwoLanes<T>(inverse * at.products[i]);
-        p1[i] = first_of(p);
-        p2[i] = second_of(p);
-    }
-    T const factor = (one + negative_power_of_two<T>(9)) / dh;
-    T f[std::size_t(D - 1)];
-    for (int i = 0; i < D - 1; ++i)
-        f[i] = best.length * dot(frame.t[i], r12) - l * dot(frame.t[i], off);
-    SymmetricMatrix<T, D - 1> r{};
+        factor * ((best.length + T(4) * rho) * l + T(7) * rho * reach * reach / l +
+                  T(4) * l * (w * w) / rho + T(2) * w * reach + T(2048) * (eta * eta) * inverse);
+    Vector<T, D> tangents[std::size_t(D - 1)];
+    fill_tangents(n, tangents);
+    auto const below = curvatures_below(q, at, tangents, points);
+    CertificateForms<T, D - 1> forms{first_of(below), second_of(below), {}};
+    Vector<T, D - 1> f{};
     for (int i = 0; i < D - 1; ++i) {
-        for (int j = 0; j <= i; ++j) r(j, i) = factor * f[i] * f[j];
-        r(i, i) = r(i, i) + diagonal;
+        f[i] = best.length * dot(tangents[i], r12) - l * dot(tangents[i], off);
+        for (int j = 0; j <= i; ++j)
+            forms.r(j, i) = (factor + negative_power_of_two<T>(9)) * inverse * f[i] * f[j];
+        forms.r(i, i) = forms.r(i, i) + diagonal;
     }
-    return is_inside_sum(r, curvature_below(q1, p1, frame, size1, error1),
-                         curvature_below(q2, p2, frame, size2, error2));
+    return is_inside_sum(forms);
 }
 
 } // namespace pw85::detail

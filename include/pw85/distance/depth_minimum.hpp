@@ -209,7 +209,7 @@ PW85_FUNCTION inline T proved_bound(MinimumProof<T, D> const &proof, T const &en
     T const distance = up ? T(end / c) : T(c / end), largest = minimum(distance, T(16)),
             last = up ? T(largest * c) : T(c / largest);
     T step = largest;
-    for (int i = 0; i < 24 && step > T(1 + 0x1p-16); ++i) {
+    for (int i = 0; i < 24 && step > (c == proof.ratio ? T(1 + 0x1p-16) : T(1.0625)); ++i) {
         T const next = up ? minimum(T(c * step), last) : maximum(T(c / step), last), sum = c + next;
         if (is_definite(proof, next, T(T(1) / next)) &&
             is_definite(proof, T(T(2) * c * next / sum), T(T(2) / sum))) {

@@ -166,14 +166,14 @@ ratio_range(AxisBounds<T> const &axes1, AxisBounds<T> const &axes2) noexcept
             times_power_of_two(square_root(T(axes2.most / least1)), unit)};
 }
 
-/// Both ellipsoids along a direction, side by side: Qn and the half-widths α = √(nᵀQn). The
-/// direction is n/|n|: turns do not normalise n, because Qn/α and g/|n| do not need it.
+/// Both ellipsoids along a direction, side by side. The direction is n/|n|: turns do not normalise
+/// n, because Qn/α and g/|n| do not need it.
 template <class T, int D> struct DirectionState {
     Vector<T, D> n;
-    Vector<TwoLanes<T>, D> products;
-    TwoLanes<T> forms, extents; ///< α² and α
-    T shift, square;            ///< g(n) and |n|²
-    T length;                   ///< the shift along the unit vector, g/|n|
+    Vector<TwoLanes<T>, D> products;        ///< Qn
+    TwoLanes<T> extents, inverses, factors; ///< α = √(nᵀQn), 1/α² and 1/α
+    T shift, inverse_square;                ///< g(n) and 1/|n|²
+    T length;                               ///< the shift along the unit vector, g/|n|
 };
 
 /// Qn of both ellipsoids. If they are to be accurate, the points Qn/α err by less than 2^12 u of
@@ -190,25 +190,25 @@ PW85_FUNCTION inline Vector<TwoLanes<T>, D> both_products(SymmetricMatrix<TwoLan
     return accurate_product(q, along);
 }
 
-template <class T, int D>
-PW85_FUNCTION inline DirectionState<T, D> state_along(SymmetricMatrix<TwoLanes<T>, D> const &q,
-                                                      Vector<T, D> const &r12,
-                                                      Vector<T, D> const &n, bool accurate) noexcept
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline DirectionState<T, D>
+state_along(SymmetricMatrix<TwoLanes<T>, D> const &q, Vector<T, D> const &r12,
+            Vector<T, D> const &n, bool accurate) noexcept
 {
     auto const along = converted<TwoLanes<T>>(n), products = both_products(q, n, accurate);
-    auto const forms = positive_form(q, along, products), extents = square_root(forms);
-    T const shift = sum_of_lanes(extents) - dot(n, r12), square = dot(n, n);
-    return {n, products, forms, extents, shift, square, shift / square_root(square)};
+    auto const forms = positive_form(q, along, products), extents = square_root(forms),
+               inverses = TwoLanes<T>(T(1)) / forms, factors = inverses * extents;
+    T const shift = sum_of_lanes(extents) - dot(n, r12), inverse_square = T(1) / dot(n, n);
+    return {n,       products, extents,        inverses,
+            factors, shift,    inverse_square, shift * square_root(inverse_square)};
 }
 
 /// r - p1 - p2. At a minimum it is along n.
 template <class T, int D> PW85_FUNCTION inline Vector<T, D>
 off_surface(DirectionState<T, D> const &at, Vector<T, D> const &r12) noexcept
 {
-    auto const inverse = at.extents / at.forms;
     Vector<T, D> off = r12;
     for (int i = 0; i < D; ++i)
-        off[i] = off[i] - sum_of_lanes(TwoLanes<T>(inverse * at.products[i]));
+        off[i] = off[i] - sum_of_lanes(TwoLanes<T>(at.factors * at.products[i]));
     return off;
 }
 
@@ -216,17 +216,17 @@ off_surface(DirectionState<T, D> const &at, Vector<T, D> const &r12) noexcept
 template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<T, D>
 turn_of_sum(SymmetricMatrix<TwoLanes<T>, D> const &q, DirectionState<T, D> const &at) noexcept
 {
-    auto const inverse = TwoLanes<T>(T(1)) / at.forms, factor = inverse * at.extents;
     SymmetricMatrix<T, D> a{};
-    for (int i = 0; i < D; ++i)
+    for (int i = 0; i < D; ++i) {
+        auto const row = at.inverses * at.products[i];
         for (int j = i; j < D; ++j)
-            a(i, j) = sum_of_lanes(
-                TwoLanes<T>(factor * (q(i, j) - inverse * (at.products[i] * at.products[j]))));
+            a(i, j) = sum_of_lanes(TwoLanes<T>(at.factors * (q(i, j) - row * at.products[j])));
+    }
     return a;
 }
 
-/// A symmetric matrix across n, times |n|²: its trace and its determinant in three dimensions, one
-/// and its entry in two. The least eigenvalue across n, if it is positive, is at least their ratio.
+/// A symmetric matrix across n: its trace and its determinant in three dimensions, one and its
+/// entry in two. The least eigenvalue across n, if it is positive, is at least their ratio.
 template <class T> struct MinorsAcross {
     T trace, determinant;
 };
@@ -234,13 +234,14 @@ template <class T> struct MinorsAcross {
 template <class T> PW85_FUNCTION inline MinorsAcross<T>
 minors_across(SymmetricMatrix<T, 3> const &a, DirectionState<T, 3> const &at) noexcept
 {
-    return {trace(a) * at.square - quadratic_form(a, at.n), quadratic_form(adjugate(a), at.n)};
+    return {trace(a) - quadratic_form(a, at.n) * at.inverse_square,
+            quadratic_form(adjugate(a), at.n) * at.inverse_square};
 }
 
 template <class T> PW85_FUNCTION inline MinorsAcross<T>
 minors_across(SymmetricMatrix<T, 2> const &a, DirectionState<T, 2> const &at) noexcept
 {
-    return {at.square, trace(a) * at.square - quadratic_form(a, at.n)};
+    return {T(1), trace(a) - quadratic_form(a, at.n) * at.inverse_square};
 }
 
 /// Returns whether the least eigenvalue across n is proved to exceed `floor`.
@@ -252,17 +253,19 @@ PW85_FUNCTION inline bool exceeds(MinorsAcross<T> const &minors, T const &floor)
 
 /// The solution x across n of Ax = b across n, times the determinant of MinorsAcross. A turn by a
 /// right angle about n makes the adjugate of two dimensions.
-template <class T> PW85_FUNCTION inline Vector<T, 3>
-solve_across(SymmetricMatrix<T, 3> const &a, Vector<T, 3> const &n, Vector<T, 3> const &b) noexcept
+template <class T> PW85_FUNCTION inline Vector<T, 3> solve_across(SymmetricMatrix<T, 3> const &a,
+                                                                  DirectionState<T, 3> const &at,
+                                                                  Vector<T, 3> const &b) noexcept
 {
-    return cross(product(a, cross(n, b)), n);
+    return cross(product(a, at.inverse_square * cross(at.n, b)), at.n);
 }
 
-template <class T> PW85_FUNCTION inline Vector<T, 2>
-solve_across(SymmetricMatrix<T, 2> const &, Vector<T, 2> const &n, Vector<T, 2> const &b) noexcept
+template <class T> PW85_FUNCTION inline Vector<T, 2> solve_across(SymmetricMatrix<T, 2> const &,
+                                                                  DirectionState<T, 2> const &at,
+                                                                  Vector<T, 2> const &b) noexcept
 {
-    T const along = cross(n, b)[0];
-    return {-n[1] * along, n[0] * along};
+    T const along = at.inverse_square * cross(at.n, b)[0];
+    return {-at.n[1] * along, at.n[0] * along};
 }
 
 /// A turn of the normal towards a minimum, which lies across n: Newton's step (curvature.hpp), or,
@@ -282,15 +285,15 @@ PW85_FUNCTION inline NormalTurn<T, D> normal_turn(SymmetricMatrix<TwoLanes<T>, D
 {
     Vector<T, D> const off = off_surface(at, r12);
     auto const turn = turn_of_sum(q, at),
-               stiffness = plus_multiple_of_identity(turn, T(-at.shift / at.square));
+               stiffness = plus_multiple_of_identity(turn, T(-at.shift * at.inverse_square));
     T const size = trace(turn);
     auto const minors = minors_across(stiffness, at);
     if (exceeds(minors, T(negative_power_of_two<T>(mantissa_digits<T>() / 2) * size)))
-        return {T(T(1) / minors.determinant) * solve_across(stiffness, at.n, off), true};
+        return {T(T(1) / minors.determinant) * solve_across(stiffness, at, off), true};
     auto const curved = minors_across(turn, at);
     if (exceeds(curved, T(T(unit_roundoff<T>()) * size)))
-        return {T(T(1) / curved.determinant) * solve_across(turn, at.n, off), false};
-    return {T(T(1) / size) * (off - (dot(at.n, off) / at.square) * at.n), false};
+        return {T(T(1) / curved.determinant) * solve_across(turn, at, off), false};
+    return {T(T(1) / size) * (off - (dot(at.n, off) * at.inverse_square) * at.n), false};
 }
 
 /// The numbers of turns, and of halves of one, that follow_normal() takes at most. Three whole ones
@@ -350,10 +353,10 @@ follow_normal(DepthSearch<T, D> &search, Vector<T, D> const &n) noexcept
     auto at = state_along(q, search.r12, n, accurate);
     T const slack =
         T(8) * u *
-        (sum_of_magnitudes(search.r12) + sum_of_lanes(TwoLanes<T>(trace(q) / at.extents)));
+        (sum_of_magnitudes(search.r12) + sum_of_lanes(TwoLanes<T>(trace(q) * at.factors)));
     for (int i = 0; i < max_normal_turns && !converged; ++i) {
         auto const step = normal_turn(q, search.r12, at);
-        T const square = dot(step.turn, step.turn) / at.square;
+        T const square = dot(step.turn, step.turn) * at.inverse_square;
         bool const close = step.newton && square <= limit;
         auto const next = take_turn(q, search.r12, at, step.turn, close, square > T(1), slack);
         if (!(next.taken > T(0))) break;
@@ -375,18 +378,32 @@ follow_normal(DepthSearch<T, D> &search, Vector<T, D> const &n) noexcept
     return {at, converged, converged && best};
 }
 
-/// Finds the minimum next to the direction in which the ellipsoids touch if they are scaled. It is
-/// nearly the best one if the depth is small.
+/// λ/(1 - λ) near the maximum of f, where the ellipsoids touch if they are scaled: one step of the
+/// search for it. More steps cost more than they save in turns of the normal.
+template <class T, int D>
+PW85_FUNCTION inline T nearly_touching(DepthSearch<T, D> const &search) noexcept
+{
+    auto const pair = pair_of(search.r12, search.q1, search.q2);
+    auto start = start_on_rational_form(pair);
+    if (start.accurate) take_step(start.search, pair);
+    T const t = start.search.candidate.t;
+    if (t > smallest_number<T>() && t < largest_number<T>()) return t;
+    Maximum<T> const touching = maximize(pair);
+    return touching.lambda / touching.complement;
+}
+
+/// Finds the minimum next to the direction M⁻¹r, M = Q1 + tQ2, in which the ellipsoids touch if they
+/// are scaled. It is nearly the best one if the depth is small.
 template <class T, int D>
 PW85_FUNCTION inline FollowedNormal<T, D> descend_from_touching(DepthSearch<T, D> &search) noexcept
 {
     if (largest_coordinate(search.r12) == T(0)) return {{}, false, false};
-    Maximum<T> const touching = maximize(pair_of(search.r12, search.q1, search.q2));
-    auto const form = blend(touching.complement, search.q1, touching.lambda, search.q2);
-    Vector<T, D> const n = solve(factorize(form, T(unit_roundoff<T>())), search.r12);
-    auto const followed = follow_normal(search, unit_along(n));
+    T const t = nearly_touching(search);
+    auto const form = blend(search.q1, t, search.q2);
+    auto const adj = adjugate(T(T(1) / trace(form)) * form);
+    auto const followed = follow_normal(search, unit_along(product(adj, search.r12)));
     if (followed.converged) return followed;
-    descend(search, T(touching.complement / touching.lambda));
+    descend(search, T(T(1) / t));
     return follow_normal(search, search.direction);
 }
 

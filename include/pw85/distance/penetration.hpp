@@ -52,19 +52,80 @@ prove_once(DepthSearch<T, D> &search, RatioRange<T> const &range) noexcept
                                          : below;
 }
 
-/// The largest number of minima that the proof starts from. Each is lower than the last one. More
+/// The largest number of minima for which a proof is tried. Each is lower than the last one. More
 /// than two are rare.
 inline constexpr int max_depth_minima = 64;
 
+/// A direction m with a negative mᵀAm: the column of L⁻ᵀ of the first pivot of A = L diag(d) Lᵀ that
+/// is negative. Zero if all pivots before the last one are positive, and the last one is not
+/// negative.
+template <class T, int D>
+PW85_FUNCTION inline Vector<T, D> negative_direction(SymmetricMatrix<T, D> a) noexcept
+{
+    Vector<T, D> m{};
+    T lower[std::size_t(D)][std::size_t(D)];
+    for (int j = 0; j < D; ++j) {
+        T const pivot = a(j, j);
+        if (pivot < T(0)) {
+            m[j] = T(1);
+            for (int i = j - 1; i >= 0; --i)
+                for (int k = i + 1; k <= j; ++k) m[i] = m[i] - lower[k][i] * m[k];
+            return m;
+        }
+        if (!(pivot > T(0))) return m;
+        for (int i = j + 1; i < D; ++i) lower[i][j] = a(j, i) / pivot;
+        for (int i = j + 1; i < D; ++i)
+            for (int k = i; k < D; ++k) a(i, k) = a(i, k) - lower[i][j] * a(j, k);
+    }
+    return m;
+}
+
+/// Tries a direction n + sm that needs less than the best minimum, if there is one at its ratio c of
+/// the half-widths. Returns whether it does.
+///
+/// With d = g(n), σ = d(n·r + d) and |n + sm| = 1, (n + sm)ᵀW(c)(n + sm) - ((n + sm)·r + d)² is
+/// s²mᵀ(W(c) - σI - rrᵀ)m (depth_certificate.hpp). Where this is negative, g(n + sm) < d.
+template <class T, int D> PW85_FUNCTION inline bool step_below(DepthSearch<T, D> &search) noexcept
+{
+    auto const &[r12, q1, q2, n, best] = search;
+    T const d = best.length, level = d - T(2) * best.rounding;
+    auto form = plus_multiple_of_identity(enclosing_form(q1, q2, best.ratio, T(0)),
+                                          T(-d * (dot(n, r12) + d)));
+    for (int i = 0; i < D; ++i)
+        for (int j = i; j < D; ++j) form(i, j) = form(i, j) - r12[i] * r12[j];
+    Vector<T, D> const m = negative_direction(form);
+    T const square = dot(m, m);
+    if (!(square > T(0))) return false;
+    return try_direction(search, unit_along(add_scaled(n, T(T(-2) * dot(n, m) / square), m)))
+               .length < level;
+}
+
+/// Returns whether a certificate proves the best minimum, or one below it to which step_below()
+/// leads.
 template <class T, int D> PW85_FUNCTION inline bool
+find_certified(DepthSearch<T, D> &search, FollowedNormal<T, D> minimum) noexcept
+{
+    for (int i = 0; i < max_depth_minima && minimum.found; ++i) {
+        if (is_certified(search, minimum.at)) return true;
+        if (!step_below(search)) return false;
+        minimum = follow_normal(search, search.direction);
+    }
+    return false;
+}
+
+/// Proves a minimum that has no certificate, or finds better ones.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline bool
 prove_globally(DepthSearch<T, D> &search, RatioRange<T> const &range) noexcept
 {
     for (int i = 0; i < max_depth_minima; ++i) {
         auto const proof = prove_once(search, range);
         if (proof != DepthProof::better) return proof == DepthProof::complete;
-        if (follow_normal(search, search.direction).converged) continue;
-        descend(search, search.best.ratio);
-        follow_normal(search, search.direction);
+        auto minimum = follow_normal(search, search.direction);
+        if (!minimum.converged) {
+            descend(search, search.best.ratio);
+            minimum = follow_normal(search, search.direction);
+        }
+        if (find_certified(search, minimum)) return true;
     }
     return false;
 }
@@ -75,8 +136,7 @@ penetration_in_range(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                      SymmetricMatrix<T, D> const &q2) noexcept
 {
     DepthSearch<T, D> search{r12, q1, q2, {}, {largest_number<T>(), T(1), T(0)}};
-    auto const minimum = descend_from_touching(search);
-    if (!(minimum.found && is_certified(search, minimum.at))) {
+    if (!find_certified(search, descend_from_touching(search))) {
         RatioRange<T> const range = ratio_range(axis_bounds(q1), axis_bounds(q2));
         if (!prove_globally(search, range)) return no_penetration<T, D>(StatusCode::no_convergence);
     }
