@@ -97,20 +97,20 @@ PW85_FUNCTION inline bool is_inside_sum(CertificateForms<T, 1> const &forms) noe
     return b1 > T(0) && b2 > T(0) && b1 + b2 - r + T(2) * square_root(T(b1 * b2)) >= slack;
 }
 
-/// The rounding errors of the points Qn/α, and the sizes √(trace Q) of the ellipsoids.
+/// The rounding errors of the points Qn/α, and the sizes √(trace Q) of the ellipsoids, from 1/α.
 ///
 /// With √X = size/α, a point errs by at most 8uX size in plain arithmetic, and by (3 + 2√X)u size if
-/// X > 1024, where the product is accurate (support.hpp).
+/// X > 1024, where the product is accurate (support.hpp). Near 1024 the larger bound is taken.
 template <class T> struct PointErrors {
     TwoLanes<T> size, spread, error; ///< spread is √X
 };
 
 template <class T, int D> PW85_FUNCTION inline PointErrors<T>
-point_errors(SymmetricMatrix<TwoLanes<T>, D> const &q, TwoLanes<T> const &factors) noexcept
+point_errors(SymmetricMatrix<TwoLanes<T>, D> const &q, TwoLanes<T> const &inverses) noexcept
 {
     using Two = TwoLanes<T>;
-    auto const size = square_root(trace(q)), spread = size * factors;
-    auto const growth = select(Two(T(32)) < spread, spread, Two(spread * spread));
+    auto const size = square_root(trace(q)), spread = size * inverses;
+    auto const growth = select(Two(T(33)) < spread, spread, Two(spread * spread));
     return {size, spread, Two(T(9 * unit_roundoff<T>())) * growth * size};
 }
 
@@ -160,8 +160,8 @@ second_of(SymmetricMatrix<TwoLanes<T>, D> const &a) noexcept
 /// Returns whether the certificate proves that no direction needs less than the best shift, minus
 /// twice its rounding error ρ. `at` is the state along the best direction.
 ///
-/// d0 is within 1.5ρ of the best shift. So δ is between ρ/2 and 7ρ/2, and |e|² <= 2(δ²|P|² +
-/// ℓ²|w|²) gives |e|²/(δ(2ℓ - δ)) <= 7ρ|P|²/ℓ + 4ℓ|w|²/ρ for 7ρ <= 2ℓ. α and β have a relative error
+/// d0 is within 1.5ρ of the best shift. So δ is between ρ/2 and 7ρ/2, σ is at most ℓ times the best
+/// shift plus 5ρℓ, and |e|² <= 2(δ²|P|² + ℓ²|w|²) gives |e|²/(δ(2ℓ - δ)) <= 7ρ|P|²/ℓ + 4ℓ|w|²/ρ for 7ρ <= 2ℓ. α and β have a relative error
 /// below 106,496 u (support.hpp), which a factor of 1 + 2^18 u covers. f errs by η <= 4ρ|r| +
 /// 2ℓ times the error of w. So ffᵀ is at most (1 + 2^-9)ffᵀ + 2^10 η² I with the computed f.
 template <class T, int D> PW85_FUNCTION inline bool
@@ -171,9 +171,9 @@ is_certified(DepthSearch<T, D> const &search, DirectionState<T, D> const &at) no
     T const u = T(unit_roundoff<T>()), rho = best.rounding, d = best.length - T(2) * rho;
     if (!(d > T(0))) return true; // the pair overlaps, so that all shifts are positive
     auto const q = side_by_side(q1, q2);
-    T const l = sum_of_lanes(at.extents) * square_root(at.inverse_square),
+    T const scale = square_root(at.inverse_square), l = sum_of_lanes(at.extents) * scale,
             distance = sum_of_magnitudes(r12), h = dot(n, r12) - T(8) * u * distance - rho;
-    auto const points = point_errors(q, at.factors);
+    auto const points = point_errors(q, TwoLanes<T>(TwoLanes<T>(T(T(1) / scale)) * at.factors));
     T const spread = maximum(first_of(points.spread), second_of(points.spread));
     if (!(h > T(0) && T(7) * rho <= T(2) * l && spread * spread <= largest_spread<T>()))
         return false;
@@ -183,7 +183,7 @@ is_certified(DepthSearch<T, D> const &search, DirectionState<T, D> const &at) no
             w = square_root(dot(off, off)) + error, eta = T(4) * rho * distance + T(2) * l * error;
     T const inverse = T(1) / (d * h), factor = T(1) + T(0x1p18 * u);
     T const diagonal =
-        factor * ((best.length + T(4) * rho) * l + T(7) * rho * reach * reach / l +
+        factor * ((best.length + T(5) * rho) * l + T(7) * rho * reach * reach / l +
                   T(4) * l * (w * w) / rho + T(2) * w * reach + T(2048) * (eta * eta) * inverse);
     Vector<T, D> tangents[std::size_t(D - 1)];
     fill_tangents(n, tangents);

@@ -361,7 +361,7 @@ follow_normal(DepthSearch<T, D> &search, Vector<T, D> const &n) noexcept
         auto const next = take_turn(q, search.r12, at, step.turn, close, square > T(1), slack);
         if (!(next.taken > T(0))) break;
         // C² = square/before², and the square of the next turn is C² square²
-        converged = accurate && next.taken == T(1) &&
+        converged = accurate && close && next.taken == T(1) &&
                     (square <= tiny || maximum(T(before * before), square) * (square * square) <=
                                            u * u * (before * before));
         at = next.at;
