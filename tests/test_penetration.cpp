@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numbers>
 
 #include <glib.h>
 
@@ -519,6 +520,186 @@ void test_minimum_proof()
     g_assert_cmpint(10 * proved, >, 8 * total);
 }
 
+/// Turns from a unit vector.
+pw85::detail::FollowedNormal<double, 3> follow(pw85::detail::DepthSearch<double, 3> &search,
+                                               pw85::Vector<double, 3> const &n)
+{
+    search.best = {std::numeric_limits<double>::max(), 1.0, 0.0};
+    return follow_normal(search, n);
+}
+
+pw85::detail::DepthSearch<double, 3> search_of(Sample<double, 3> const &s)
+{
+    return {s.r12, s.q1, s.q2, {}, {}};
+}
+
+/// Checks that a certified minimum exceeds what `other` needs by no more than the contract leaves.
+/// The shifts are computed in a wider type. Returns whether the minimum is certified.
+bool check_certificate(Failures &failures, pw85::detail::DepthSearch<double, 3> const &search,
+                       pw85::detail::FollowedNormal<double, 3> const &minimum,
+                       pw85::Vector<double, 3> const &other)
+{
+    if (!minimum.found || !is_certified(search, minimum.at)) return false;
+    Sample<double, 3> const s{search.r12, search.q1, search.q2};
+    auto const p = convert<Wide>(s);
+    auto const unit = [](auto n) { return Wide(1 / norm(n)) * n; };
+    double const needed =
+        static_cast<double>(Wide(shift(p, unit(convert<Wide>(other))) - search.best.length));
+    double const bound =
+        32 * u * std::fmax(sensitivity(s, search.direction), sensitivity(s, other));
+    failures.check(needed >= -bound, "certified", needed, -bound,
+                   [&] { return hex_text(s) + ", n = " + hex_text(other.coordinates, 3); });
+    return true;
+}
+
+// A certified minimum is the global one: other local minima, which turns from random directions
+// find, do not need less. Most minima of the C API have a certificate, at any scale.
+void test_certificate()
+{
+    Failures failures;
+    Random random(796);
+    int higher = 0, certified = 0, total = 0;
+    for (int n = 0; n < draws(4000); ++n) {
+        auto s = overlapping_pair<3>(random, n % 2 == 0 ? 30.0 : 1e3);
+        int const unit = static_cast<int>(random.uniform(-40.0, 40.0));
+        s = {pw85::detail::times_power_of_two(s.r12, unit),
+             pw85::detail::times_power_of_two(s.q1, 2 * unit),
+             pw85::detail::times_power_of_two(s.q2, 2 * unit)};
+        auto search = search_of(s), other = search;
+        auto const minimum = follow(search, random.direction<3>());
+        auto const found = penetration(s);
+        other.direction = found.direction;
+        for (int k = 0; k < 4; ++k) {
+            check_certificate(failures, search, minimum, other.direction);
+            follow(other, random.direction<3>());
+        }
+        if (search.best.length > 1.001 * found.depth) ++higher;
+        ++total;
+        if (check_certificate(failures, other, follow(other, found.direction), found.direction))
+            ++certified;
+    }
+    g_assert_cmpint(100 * higher, >, 2 * total);
+    g_assert_cmpint(100 * certified, >, 80 * total);
+}
+
+// Of two minima that are nearly equally good, the higher one has no certificate. r12 is moved until
+// they differ by a given length.
+void test_certificate_at_ties()
+{
+    Failures failures;
+    Random random(797);
+    int ties = 0;
+    for (int n = 0; n < draws(16000); ++n) {
+        auto const s = overlapping_pair<3>(random, 100.0);
+        auto first = search_of(s), second = first;
+        auto const difference = random.log_uniform(1e-16, 1e-3);
+        auto minimum = follow(first, random.direction<3>());
+        follow(second, random.direction<3>());
+        for (int k = 0; k < 8; ++k) {
+            auto const apart = first.direction - second.direction;
+            double const square = pw85::dot(apart, apart);
+            if (!(square > 1e-3)) break;
+            double const step = (first.best.length - second.best.length - difference) / square;
+            first.r12 = second.r12 = first.r12 + step * apart;
+            minimum = follow(first, first.direction);
+            follow(second, second.direction);
+        }
+        if (!(first.best.length > second.best.length) || second.best.length <= 0.0) continue;
+        if (norm(first.direction - second.direction) > 0.03) ++ties;
+        check_certificate(failures, first, minimum, second.direction);
+    }
+    g_assert_cmpint(ties, >, draws(80));
+}
+
+// A quartic is found positive only if it is. Its least value over c² is near zero, relative to its
+// terms: (ac + b/c - m)² + (x√c - y/√c)² + rest, with m = ac + b/c and y = xc at a random c. If the
+// rest is half of the terms, it mostly is found.
+void test_quartic()
+{
+    Failures failures;
+    Random random(798);
+    int clear = 0, found = 0;
+    for (int n = 0; n < draws(80000); ++n) {
+        double const c = random.log_uniform(1e-3, 1e3), a = random.log_uniform(1e-3, 1e3),
+                     b = random.log_uniform(1e-3, 1e3), m = a * c + b / c,
+                     x = random.sign() < 0.0 ? 0.0 : a * m * random.log_uniform(1e-3, 10.0);
+        double const size = m * m + x * c,
+                     rest = random.sign() * size * random.log_uniform(1e-16, 1.0);
+        double const k[5] = {b * b, x * c * c - 2.0 * b * m,
+                             m * m + 2.0 * a * b - 2.0 * x * c + rest, x - 2.0 * a * m, a * a};
+        Wide value = Wide(k[4]);
+        for (int i = 3; i >= 0; --i) value = value * Wide(c) + Wide(k[i]);
+        bool const positive = pw85::detail::is_positive(k);
+        auto const text = [&] { return hex_text(k, 5) + ", c = " + hex_text(&c, 1); };
+        failures.check(!positive || value > 0, "positive", static_cast<double>(value), 0.0, text);
+        if (!(rest >= 0.5 * size)) continue;
+        ++clear;
+        found += positive;
+    }
+    g_assert_cmpint(clear, >, draws(400));
+    g_assert_cmpint(100 * found, >, 95 * clear);
+}
+
+// The ellipse of R is found inside of the sum of those of B1 and B2 only if it is, in all of 256
+// directions and near the worst of them. If there are two per cent to spare, it mostly is found.
+void test_inside_sum()
+{
+    Failures failures;
+    Random random(799);
+    int inside = 0, found = 0;
+    for (int n = 0; n < draws(8000); ++n) {
+        auto const form = [&] { return random_form<2>(random, 1.0, random.log_uniform(1.0, 1e3)); };
+        auto const b1 = form(), b2 = random.log_uniform(1e-2, 1e2) * form();
+        auto r = form();
+        auto const ratio = [&](double angle) {
+            pw85::Vector<double, 2> const t{std::cos(angle), std::sin(angle)};
+            auto const extent = [&](auto const &q) {
+                return std::sqrt(pw85::detail::quadratic_form(q, t));
+            };
+            return (extent(b1) + extent(b2)) / extent(r);
+        };
+        double worst = 0.0, step = std::numbers::pi / 256;
+        for (int k = 1; k < 256; ++k)
+            if (ratio(k * step) < ratio(worst)) worst = k * step;
+        for (; step > 1e-9; step *= 0.5)
+            for (double const at : {worst - step, worst + step})
+                if (ratio(at) < ratio(worst)) worst = at;
+        double const spare = random.sign() * random.log_uniform(1e-12, 1.0),
+                     factor = ratio(worst) * (1.0 - 0.5 * spare);
+        r = factor * factor * r;
+        bool const is_inside = is_inside_sum(pw85::detail::CertificateForms<double, 2>{b1, b2, r});
+        double const worst_ratio = ratio(worst);
+        failures.check(!is_inside || worst_ratio >= 1.0 - 1e-13, "inside", worst_ratio, 1.0, [&] {
+            return hex_text(b1.entries, 3) + hex_text(b2.entries, 3) + hex_text(r.entries, 3);
+        });
+        if (worst_ratio < 1.02) continue;
+        ++inside;
+        found += is_inside;
+    }
+    g_assert_cmpint(inside, >, draws(200));
+    g_assert_cmpint(100 * found, >, 98 * inside);
+}
+
+// step_below() finds a direction that needs less wherever it says so, from some of the minima that
+// are not global.
+void test_step_below()
+{
+    Failures failures;
+    Random random(800);
+    int steps = 0;
+    for (int n = 0; n < draws(8000); ++n) {
+        auto const s = overlapping_pair<3>(random, 1e3);
+        auto search = search_of(s);
+        follow(search, random.direction<3>());
+        double const level = search.best.length;
+        if (!step_below(search)) continue;
+        ++steps;
+        double const here = shift(s, search.direction);
+        failures.check(here < level, "below", here, level, [&] { return hex_text(s); });
+    }
+    g_assert_cmpint(steps, >, draws(80));
+}
+
 void test_statuses()
 {
     double const nan = std::numeric_limits<double>::quiet_NaN();
@@ -562,6 +743,11 @@ int main(int argc, char **argv)
     g_test_add_func("/penetration/vertices", test_vertices);
     g_test_add_func("/penetration/axis_bounds", test_axis_bounds);
     g_test_add_func("/penetration/minimum_proof", test_minimum_proof);
+    g_test_add_func("/penetration/certificate", test_certificate);
+    g_test_add_func("/penetration/certificate_at_ties", test_certificate_at_ties);
+    g_test_add_func("/penetration/quartic", test_quartic);
+    g_test_add_func("/penetration/inside_sum", test_inside_sum);
+    g_test_add_func("/penetration/step_below", test_step_below);
     g_test_add_func("/penetration/batch", test_batch);
     g_test_add_func("/penetration/statuses", test_statuses);
     return g_test_run();

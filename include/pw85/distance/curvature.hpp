@@ -74,6 +74,24 @@ PW85_FUNCTION constexpr Vector<T, D> project(Vector<T, D> const &x, Vector<T, D>
     return add_scaled(x, T(-dot(x, n)), n);
 }
 
+/// Computes the directions orthogonal to the unit vector n: the columns of the reflection that
+/// exchanges n and a unit vector of the axes.
+template <class T, int D> PW85_FUNCTION inline void
+fill_tangents(Vector<T, D> const &n, Vector<T, D> (&tangents)[std::size_t(D - 1)]) noexcept
+{
+    int pole = 0;
+    for (int i = 1; i < D; ++i)
+        if (absolute(n[i]) > absolute(n[pole])) pole = i;
+    Vector<T, D> v = n;
+    v[pole] = v[pole] + (n[pole] < T(0) ? T(-1) : T(1));
+    for (int i = 0, j = 0; j < D; ++j) {
+        if (j == pole) continue;
+        tangents[i] = (-n[j] / (T(1) + absolute(n[pole]))) * v;
+        tangents[i][j] = tangents[i][j] + T(1);
+        ++i;
+    }
+}
+
 } // namespace pw85::detail
 
 #endif

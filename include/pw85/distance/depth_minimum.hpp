@@ -53,24 +53,6 @@ template <class T, int D> struct MinimumProof {
     bool valid;
 };
 
-/// Computes the directions orthogonal to the unit vector n: the columns of the reflection that
-/// exchanges n and a unit vector of the axes.
-template <class T, int D> PW85_FUNCTION inline void
-fill_tangents(Vector<T, D> const &n, Vector<T, D> (&tangents)[std::size_t(D - 1)]) noexcept
-{
-    int pole = 0;
-    for (int i = 1; i < D; ++i)
-        if (absolute(n[i]) > absolute(n[pole])) pole = i;
-    Vector<T, D> v = n;
-    v[pole] = v[pole] + (n[pole] < T(0) ? T(-1) : T(1));
-    for (int i = 0, j = 0; j < D; ++j) {
-        if (j == pole) continue;
-        tangents[i] = (-n[j] / (T(1) + absolute(n[pole]))) * v;
-        tangents[i][j] = tangents[i][j] + T(1);
-        ++i;
-    }
-}
-
 /// Solves Ly = x in place, for the first N - 1 rows of a factor.
 template <class T, int N> PW85_FUNCTION inline void
 solve_forward(LowerTriangle<T, N> const &factor, T (&x)[std::size_t(N - 1)]) noexcept
@@ -227,7 +209,7 @@ PW85_FUNCTION inline T proved_bound(MinimumProof<T, D> const &proof, T const &en
     T const distance = up ? T(end / c) : T(c / end), largest = minimum(distance, T(16)),
             last = up ? T(largest * c) : T(c / largest);
     T step = largest;
-    for (int i = 0; i < 24 && step > T(1 + 0x1p-16); ++i) {
+    for (int i = 0; i < 24 && step > (c == proof.ratio ? T(1 + 0x1p-16) : T(1.0625)); ++i) {
         T const next = up ? minimum(T(c * step), last) : maximum(T(c / step), last), sum = c + next;
         if (is_definite(proof, next, T(T(1) / next)) &&
             is_definite(proof, T(T(2) * c * next / sum), T(T(2) / sum))) {

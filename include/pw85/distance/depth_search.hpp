@@ -13,6 +13,7 @@
 #ifndef PW85_DISTANCE_DEPTH_SEARCH_HPP_INCLUDED
 #define PW85_DISTANCE_DEPTH_SEARCH_HPP_INCLUDED
 
+#include <pw85/algebra/two_lanes.hpp>
 #include <pw85/contact/solver.hpp>
 #include <pw85/distance/curvature.hpp>
 #include <pw85/distance/nearest.hpp>
@@ -165,63 +166,147 @@ ratio_range(AxisBounds<T> const &axes1, AxisBounds<T> const &axes2) noexcept
             times_power_of_two(square_root(T(axes2.most / least1)), unit)};
 }
 
-/// Start of a turn: a direction, the points of both surfaces with this normal, and the
-/// shift.
+/// Both ellipsoids along a direction, side by side. The direction is n/|n|: turns do not normalise
+/// n, because Qn/α and g/|n| do not need it.
 template <class T, int D> struct DirectionState {
     Vector<T, D> n;
-    Support<T, D> s1, s2;
-    T length;
+    Vector<TwoLanes<T>, D> products;        ///< Qn
+    TwoLanes<T> extents, inverses, factors; ///< α = √(nᵀQn), 1/α² and 1/α
+    T shift, inverse_square;                ///< g(n) and 1/|n|²
+    T length;                               ///< the shift along the unit vector, g/|n|
 };
 
-/// The point with the normal n. If it is to be accurate, it errs by less than 2^12 u of its
-/// distance from the centre: in plain arithmetic by 3uX (support.hpp).
-template <class T, int D> PW85_FUNCTION inline Support<T, D>
-support_for_turn(SymmetricMatrix<T, D> const &q, Vector<T, D> const &n, bool accurate) noexcept
+/// Qn of both ellipsoids. If they are to be accurate, the points Qn/α err by less than 2^12 u of
+/// their distance from the centre: in plain arithmetic by 3uX (support.hpp).
+template <class T, int D>
+PW85_FUNCTION inline Vector<TwoLanes<T>, D> both_products(SymmetricMatrix<TwoLanes<T>, D> const &q,
+                                                          Vector<T, D> const &n,
+                                                          bool accurate) noexcept
 {
-    auto const plain = support(q, n);
-    if (!accurate || trace(q) <= T(1024) * (plain.extent * plain.extent)) return plain;
-    return support_from(accurate_product(q, n), n);
+    auto const along = converted<TwoLanes<T>>(n);
+    auto const plain = product(q, along);
+    auto const most = TwoLanes<T>(T(1024)) * dot(along, plain);
+    if (!accurate || all_of(TwoLanes<T>(trace(q) * dot(along, along)) < most)) return plain;
+    return accurate_product(q, along);
 }
 
-template <class T, int D> PW85_FUNCTION inline DirectionState<T, D>
-state_along(DepthSearch<T, D> const &search, Vector<T, D> const &n, bool accurate) noexcept
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline DirectionState<T, D>
+state_along(SymmetricMatrix<TwoLanes<T>, D> const &q, Vector<T, D> const &r12,
+            Vector<T, D> const &n, bool accurate) noexcept
 {
-    auto const s1 = support_for_turn(search.q1, n, accurate),
-               s2 = support_for_turn(search.q2, n, accurate);
-    return {n, s1, s2, s1.extent + s2.extent - dot(n, search.r12)};
+    auto const along = converted<TwoLanes<T>>(n), products = both_products(q, n, accurate);
+    auto const forms = positive_form(q, along, products), extents = square_root(forms),
+               inverses = TwoLanes<T>(T(1)) / forms, factors = inverses * extents;
+    T const shift = sum_of_lanes(extents) - dot(n, r12), inverse_square = T(1) / dot(n, n);
+    return {n,       products, extents,        inverses,
+            factors, shift,    inverse_square, shift * square_root(inverse_square)};
+}
+
+/// r - p1 - p2. At a minimum it is along n.
+template <class T, int D> PW85_FUNCTION inline Vector<T, D>
+off_surface(DirectionState<T, D> const &at, Vector<T, D> const &r12) noexcept
+{
+    Vector<T, D> off = r12;
+    for (int i = 0; i < D; ++i)
+        off[i] = off[i] - sum_of_lanes(TwoLanes<T>(at.factors * at.products[i]));
+    return off;
+}
+
+/// (A1 + A2)/|n| (curvature.hpp), which is zero along n.
+template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<T, D>
+turn_of_sum(SymmetricMatrix<TwoLanes<T>, D> const &q, DirectionState<T, D> const &at) noexcept
+{
+    SymmetricMatrix<T, D> a{};
+    for (int i = 0; i < D; ++i) {
+        auto const row = at.inverses * at.products[i];
+        for (int j = i; j < D; ++j)
+            a(i, j) = sum_of_lanes(TwoLanes<T>(at.factors * (q(i, j) - row * at.products[j])));
+    }
+    return a;
+}
+
+/// A symmetric matrix across n: its trace and its determinant in three dimensions, one and its
+/// entry in two. The least eigenvalue across n, if it is positive, is at least their ratio.
+template <class T> struct MinorsAcross {
+    T trace, determinant;
+};
+
+template <class T> PW85_FUNCTION inline MinorsAcross<T>
+minors_across(SymmetricMatrix<T, 3> const &a, DirectionState<T, 3> const &at) noexcept
+{
+    return {trace(a) - quadratic_form(a, at.n) * at.inverse_square,
+            quadratic_form(adjugate(a), at.n) * at.inverse_square};
+}
+
+template <class T> PW85_FUNCTION inline MinorsAcross<T>
+minors_across(SymmetricMatrix<T, 2> const &a, DirectionState<T, 2> const &at) noexcept
+{
+    return {T(1), trace(a) - quadratic_form(a, at.n) * at.inverse_square};
+}
+
+/// Returns whether the least eigenvalue across n is proved to exceed `floor`.
+template <class T>
+PW85_FUNCTION inline bool exceeds(MinorsAcross<T> const &minors, T const &floor) noexcept
+{
+    return minors.trace > T(0) && minors.determinant > floor * minors.trace;
+}
+
+/// The solution x across n of Ax = b across n, times the determinant of MinorsAcross. A turn by a
+/// right angle about n makes the adjugate of two dimensions.
+template <class T> PW85_FUNCTION inline Vector<T, 3> solve_across(SymmetricMatrix<T, 3> const &a,
+                                                                  DirectionState<T, 3> const &at,
+                                                                  Vector<T, 3> const &b) noexcept
+{
+    return cross(product(a, at.inverse_square * cross(at.n, b)), at.n);
+}
+
+template <class T> PW85_FUNCTION inline Vector<T, 2> solve_across(SymmetricMatrix<T, 2> const &,
+                                                                  DirectionState<T, 2> const &at,
+                                                                  Vector<T, 2> const &b) noexcept
+{
+    T const along = at.inverse_square * cross(at.n, b)[0];
+    return {-at.n[1] * along, at.n[0] * along};
 }
 
 /// A turn of the normal towards a minimum, which lies across n: Newton's step (curvature.hpp), or,
-/// where the stiffness is not positive definite, the step with the curvatures alone.
+/// where the stiffness A1 + A2 - g I is not positive definite, the step with the curvatures alone.
+/// It is to be added to n.
 template <class T, int D> struct NormalTurn {
     Vector<T, D> turn;
     bool newton;
 };
 
-template <class T, int D> PW85_FUNCTION inline NormalTurn<T, D>
-normal_turn(DepthSearch<T, D> const &search, DirectionState<T, D> const &at) noexcept
+/// Newton's step is taken where the direction is isolated with half of the digits to spare. If
+/// rounding hides the lesser curvature, the turn is along the force.
+template <class T, int D>
+PW85_FUNCTION inline NormalTurn<T, D> normal_turn(SymmetricMatrix<TwoLanes<T>, D> const &q,
+                                                  Vector<T, D> const &r12,
+                                                  DirectionState<T, D> const &at) noexcept
 {
-    auto const &n = at.n;
-    SurfaceElement<T, D> const elements[2] = {surface_element(search.q1, T(1), at.s1),
-                                              surface_element(search.q2, T(1), at.s2)};
-    Vector<T, D> const off = project(search.r12 - (at.s1.point + at.s2.point), n);
-    auto const stiffness = stiffness_across(elements, T(-at.length), n);
-    auto const factors = factorize(stiffness, T(0));
-    if (is_isolated(stiffness, factors)) return {solve(factors, off), true};
-    T const floor = T(unit_roundoff<T>());
-    return {solve(factorize(stiffness_across(elements, T(0), n), floor), off), false};
-}
-
-/// The unit vector along n + factor·turn.
-template <class T, int D> PW85_FUNCTION inline Vector<T, D>
-turned(Vector<T, D> const &n, T const &factor, Vector<T, D> const &turn) noexcept
-{
-    return unit_along(add_scaled(n, factor, turn));
+    Vector<T, D> const off = off_surface(at, r12);
+    auto const turn = turn_of_sum(q, at),
+               stiffness = plus_multiple_of_identity(turn, T(-at.shift * at.inverse_square));
+    T const size = trace(turn);
+    auto const minors = minors_across(stiffness, at);
+    if (exceeds(minors, T(negative_power_of_two<T>(mantissa_digits<T>() / 2) * size)))
+        return {T(T(1) / minors.determinant) * solve_across(stiffness, at, off), true};
+    auto const curved = minors_across(turn, at);
+    if (exceeds(curved, T(T(unit_roundoff<T>()) * size)))
+        return {T(T(1) / curved.determinant) * solve_across(turn, at, off), false};
+    return {T(T(1) / size) * (off - (dot(at.n, off) * at.inverse_square) * at.n), false};
 }
 
 /// The numbers of turns, and of halves of one, that follow_normal() takes at most. Three whole ones
 /// are usual.
 inline constexpr int max_normal_turns = 32, max_turn_halves = 8;
+
+/// n + factor·turn, normalised after a turn by more than half a right angle.
+template <class T, int D> PW85_FUNCTION inline Vector<T, D>
+turned(Vector<T, D> const &n, T const &factor, Vector<T, D> const &turn, bool far) noexcept
+{
+    Vector<T, D> const next = add_scaled(n, factor, turn);
+    return far ? unit_along(next) : next;
+}
 
 /// The state after a turn, or after the longest part of it that does not lengthen the shift by more
 /// than `slack`. `taken` is that part, or zero.
@@ -231,70 +316,95 @@ template <class T, int D> struct TakenTurn {
 };
 
 template <class T, int D> PW85_FUNCTION inline TakenTurn<T, D>
-take_turn(DepthSearch<T, D> const &search, DirectionState<T, D> const &at, Vector<T, D> const &turn,
-          bool accurate, T const &slack) noexcept
+take_turn(SymmetricMatrix<TwoLanes<T>, D> const &q, Vector<T, D> const &r12,
+          DirectionState<T, D> const &at, Vector<T, D> const &turn, bool accurate, bool far,
+          T const &slack) noexcept
 {
     T factor = T(1);
     for (int k = 0; k <= max_turn_halves; ++k) {
-        auto const next = state_along(search, turned(at.n, factor, turn), accurate);
+        auto const next = state_along(q, r12, turned(at.n, factor, turn, far), accurate);
         if (next.length <= at.length + slack) return {next, factor};
         factor = T(0.5) * factor;
     }
     return {at, T(0)};
 }
 
-/// Follows turns from a direction to a local minimum. Returns false if they do not converge. The
-/// best direction is kept.
+/// The end of a path along turns. `found` is true if the turns have converged to the best direction
+/// of the search.
+template <class T, int D> struct FollowedNormal {
+    DirectionState<T, D> at;
+    bool converged, found;
+};
+
+/// Follows turns from a unit vector to a local minimum. The best direction is kept.
 ///
 /// A Newton's turn is about C times the square of the one before, so that C is known from two of
 /// them. The direction is as good as its isolation permits when the next turn would be below u, or
 /// after one below 2^-(digits + 16)/2, whose C may be rounding. The length then is correct up to
-/// rounding. The last turns need accurate products: those after a
-/// turn below 2^-7.
-template <class T, int D>
-PW85_FUNCTION inline bool follow_normal(DepthSearch<T, D> &search, Vector<T, D> const &n) noexcept
+/// rounding. The last turns need accurate products: those after a turn below 2^-7.
+template <class T, int D> PW85_FUNCTION inline FollowedNormal<T, D>
+follow_normal(DepthSearch<T, D> &search, Vector<T, D> const &n) noexcept
 {
     T const u = T(unit_roundoff<T>()), limit = negative_power_of_two<T>(14),
             tiny = negative_power_of_two<T>(mantissa_digits<T>() + 16);
-    T const slack = shift_along(n, search.r12, search.q1, search.q2).rounding;
+    auto const q = side_by_side(search.q1, search.q2);
     bool accurate = false, converged = false;
     T before = T(1); // the square of the last turn
-    auto at = state_along(search, n, accurate);
+    auto at = state_along(q, search.r12, n, accurate);
+    T const slack =
+        T(8) * u *
+        (sum_of_magnitudes(search.r12) + sum_of_lanes(TwoLanes<T>(trace(q) * at.factors)));
     for (int i = 0; i < max_normal_turns && !converged; ++i) {
-        auto const step = normal_turn(search, at);
-        T const square = dot(step.turn, step.turn);
+        auto const step = normal_turn(q, search.r12, at);
+        T const square = dot(step.turn, step.turn) * at.inverse_square;
         bool const close = step.newton && square <= limit;
-        auto const next = take_turn(search, at, step.turn, close, slack);
+        auto const next = take_turn(q, search.r12, at, step.turn, close, square > T(1), slack);
         if (!(next.taken > T(0))) break;
         // C² = square/before², and the square of the next turn is C² square²
-        T const growth = maximum(T(1), T(square / (before * before)));
-        converged = accurate && next.taken == T(1) &&
-                    (square <= tiny || growth * (square * square) <= u * u);
+        converged = accurate && close && next.taken == T(1) &&
+                    (square <= tiny || maximum(T(before * before), square) * (square * square) <=
+                                           u * u * (before * before));
         at = next.at;
         accurate = close;
         before = square;
     }
-    Shift<T> const shift = shift_along(at.n, search.r12, search.q1, search.q2);
-    if (shift.length <= search.best.length + search.best.rounding) {
+    Vector<T, D> const direction = unit_along(at.n);
+    Shift<T> const shift = shift_along(direction, search.r12, search.q1, search.q2);
+    bool const best = shift.length <= search.best.length + search.best.rounding;
+    if (best) {
         search.best = shift;
-        search.direction = at.n;
+        search.direction = direction;
     }
-    return converged;
+    return {at, converged, converged && best};
 }
 
-/// Finds the minimum next to the direction in which the ellipsoids touch if they are scaled. It is
-/// nearly the best one if the depth is small.
+/// λ/(1 - λ) near the maximum of f, where the ellipsoids touch if they are scaled: one step of the
+/// search for it. More steps cost more than they save in turns of the normal.
 template <class T, int D>
-PW85_FUNCTION inline void descend_from_touching(DepthSearch<T, D> &search) noexcept
+PW85_FUNCTION inline T nearly_touching(DepthSearch<T, D> const &search) noexcept
 {
-    if (largest_coordinate(search.r12) == T(0)) return;
-    Maximum<T> const touching = maximize(pair_of(search.r12, search.q1, search.q2));
-    auto const form = blend(touching.complement, search.q1, touching.lambda, search.q2);
-    Vector<T, D> const n = solve(factorize(form, T(unit_roundoff<T>())), search.r12);
-    if (!follow_normal(search, unit_along(n))) {
-        descend(search, T(touching.complement / touching.lambda));
-        follow_normal(search, search.direction);
-    }
+    auto const pair = pair_of(search.r12, search.q1, search.q2);
+    auto start = start_on_rational_form(pair);
+    if (start.accurate) take_step(start.search, pair);
+    T const t = start.search.candidate.t;
+    if (t > smallest_number<T>() && t < largest_number<T>()) return t;
+    Maximum<T> const touching = maximize(pair);
+    return touching.lambda / touching.complement;
+}
+
+/// Finds the minimum next to the direction M⁻¹r, M = Q1 + tQ2, in which the ellipsoids touch if they
+/// are scaled. It is nearly the best one if the depth is small.
+template <class T, int D>
+PW85_FUNCTION inline FollowedNormal<T, D> descend_from_touching(DepthSearch<T, D> &search) noexcept
+{
+    if (largest_coordinate(search.r12) == T(0)) return {{}, false, false};
+    T const t = nearly_touching(search);
+    auto const form = blend(search.q1, t, search.q2);
+    auto const adj = adjugate(T(T(1) / trace(form)) * form);
+    auto const followed = follow_normal(search, unit_along(product(adj, search.r12)));
+    if (followed.converged) return followed;
+    descend(search, T(T(1) / t));
+    return follow_normal(search, search.direction);
 }
 
 /// Finds the best minimum of several. With more starts, the proof finds a better one less often.

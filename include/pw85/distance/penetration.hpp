@@ -3,12 +3,14 @@
 /// The depth of an overlap: the shortest translation that separates two ellipsoids.
 /// src/pair/distance.cpp calls penetration_overlapping().
 ///
-/// A search over one number finds local minima (depth_search.hpp). A shallow depth follows from the
-/// curvatures (is_shallow() below). Otherwise two proofs show that the best minimum is the global
-/// one, or find a better one: around it depth_minimum.hpp, and elsewhere depth_intervals.hpp.
+/// Turns of the normal find a local minimum (depth_search.hpp). For most pairs the curvatures there
+/// prove that it is the global one (depth_certificate.hpp). Otherwise two proofs show that the best
+/// minimum is the global one, or find a better one: around it depth_minimum.hpp, and elsewhere
+/// depth_intervals.hpp.
 #ifndef PW85_DISTANCE_PENETRATION_HPP_INCLUDED
 #define PW85_DISTANCE_PENETRATION_HPP_INCLUDED
 
+#include <pw85/distance/depth_certificate.hpp>
 #include <pw85/distance/depth_intervals.hpp>
 #include <pw85/distance/depth_minimum.hpp>
 #include <pw85/overlap/overlap.hpp>
@@ -35,40 +37,6 @@ PW85_FUNCTION inline Penetration<T, D> no_penetration(StatusCode status) noexcep
     return result;
 }
 
-/// A lower bound of the radii of curvature of an ellipsoid; zero if rounding hides them. With the
-/// longest semi-axis a and the shortest one b the least radius is b²/a.
-template <class T> PW85_FUNCTION inline T least_radius(AxisBounds<T> const &axes) noexcept
-{
-    return times_power_of_two(T(axes.least / square_root(axes.most)), axes.unit);
-}
-
-/// Returns whether the curvatures prove the best depth d to its rounding error. `radius` is R = R1
-/// + R2, with the least radii of curvature of both ellipsoids.
-///
-/// An ellipsoid is a union of balls of its least radius of curvature (Blaschke's rolling theorem).
-/// So the sum of the ellipsoids is a union of balls of the radius R. Let P = p1 + p2 be its
-/// boundary point with the normal n, r = P - d n + w with w across n, and d < R. The ball of radius
-/// R that touches the boundary at P is in the sum. So no direction needs less than the depth of r
-/// in this ball, R - |(R - d)n + w| >= d - |w|²/(2(R - d)). Half of R is left for R - d.
-///
-/// The points are computed by accurate_product(), so that they err by less than (3 + 2√X)u times
-/// the longest semi-axis (support.hpp). The factor of 8 covers the sum and the projection.
-template <class T, int D>
-PW85_FUNCTION inline bool is_shallow(DepthSearch<T, D> const &search, T const &radius) noexcept
-{
-    auto const &[r12, q1, q2, n, best] = search;
-    if (!(T(2) * best.length <= radius)) return false;
-    auto const s1 = support_from(accurate_product(q1, n), n),
-               s2 = support_from(accurate_product(q2, n), n);
-    T const size1 = square_root(trace(q1)), size2 = square_root(trace(q2));
-    T const x1 = size1 / s1.extent, x2 = size2 / s2.extent; // the roots of X
-    if (!(maximum(T(x1 * x1), T(x2 * x2)) <= largest_spread<T>())) return false;
-    T const size = sum_of_magnitudes(r12) + size1 * (T(1) + x1) + size2 * (T(1) + x2);
-    Vector<T, D> const off = project(r12 - (s1.point + s2.point), n);
-    T const across = square_root(dot(off, off)) + T(8 * unit_roundoff<T>()) * size;
-    return across * across <= radius * best.rounding;
-}
-
 /// Proves that the best minimum is the global one, or finds a better one.
 template <class T, int D> PW85_FUNCTION inline DepthProof
 prove_once(DepthSearch<T, D> &search, RatioRange<T> const &range) noexcept
@@ -84,19 +52,80 @@ prove_once(DepthSearch<T, D> &search, RatioRange<T> const &range) noexcept
                                          : below;
 }
 
-/// The largest number of minima that the proof starts from. Each is lower than the last one. More
+/// The largest number of minima for which a proof is tried. Each is lower than the last one. More
 /// than two are rare.
 inline constexpr int max_depth_minima = 64;
 
+/// A direction m with a negative mᵀAm: the column of L⁻ᵀ of the first pivot of A = L diag(d) Lᵀ that
+/// is negative. Zero if all pivots before the last one are positive, and the last one is not
+/// negative.
+template <class T, int D>
+PW85_FUNCTION inline Vector<T, D> negative_direction(SymmetricMatrix<T, D> a) noexcept
+{
+    Vector<T, D> m{};
+    T lower[std::size_t(D)][std::size_t(D)];
+    for (int j = 0; j < D; ++j) {
+        T const pivot = a(j, j);
+        if (pivot < T(0)) {
+            m[j] = T(1);
+            for (int i = j - 1; i >= 0; --i)
+                for (int k = i + 1; k <= j; ++k) m[i] = m[i] - lower[k][i] * m[k];
+            return m;
+        }
+        if (!(pivot > T(0))) return m;
+        for (int i = j + 1; i < D; ++i) lower[i][j] = a(j, i) / pivot;
+        for (int i = j + 1; i < D; ++i)
+            for (int k = i; k < D; ++k) a(i, k) = a(i, k) - lower[i][j] * a(j, k);
+    }
+    return m;
+}
+
+/// Tries a direction n + sm that needs less than the best minimum, if there is one at its ratio c of
+/// the half-widths. Returns whether it does.
+///
+/// With d = g(n), σ = d(n·r + d) and |n + sm| = 1, (n + sm)ᵀW(c)(n + sm) - ((n + sm)·r + d)² is
+/// s²mᵀ(W(c) - σI - rrᵀ)m (depth_certificate.hpp). Where this is negative, g(n + sm) < d.
+template <class T, int D> PW85_FUNCTION inline bool step_below(DepthSearch<T, D> &search) noexcept
+{
+    auto const &[r12, q1, q2, n, best] = search;
+    T const d = best.length, level = d - T(2) * best.rounding;
+    auto form = plus_multiple_of_identity(enclosing_form(q1, q2, best.ratio, T(0)),
+                                          T(-d * (dot(n, r12) + d)));
+    for (int i = 0; i < D; ++i)
+        for (int j = i; j < D; ++j) form(i, j) = form(i, j) - r12[i] * r12[j];
+    Vector<T, D> const m = negative_direction(form);
+    T const square = dot(m, m);
+    if (!(square > T(0))) return false;
+    return try_direction(search, unit_along(add_scaled(n, T(T(-2) * dot(n, m) / square), m)))
+               .length < level;
+}
+
+/// Returns whether a certificate proves the best minimum, or one below it to which step_below()
+/// leads.
 template <class T, int D> PW85_FUNCTION inline bool
+find_certified(DepthSearch<T, D> &search, FollowedNormal<T, D> minimum) noexcept
+{
+    for (int i = 0; i < max_depth_minima && minimum.found; ++i) {
+        if (is_certified(search, minimum.at)) return true;
+        if (!step_below(search)) return false;
+        minimum = follow_normal(search, search.direction);
+    }
+    return false;
+}
+
+/// Proves a minimum that has no certificate, or finds better ones.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline bool
 prove_globally(DepthSearch<T, D> &search, RatioRange<T> const &range) noexcept
 {
     for (int i = 0; i < max_depth_minima; ++i) {
         auto const proof = prove_once(search, range);
         if (proof != DepthProof::better) return proof == DepthProof::complete;
-        if (follow_normal(search, search.direction)) continue;
-        descend(search, search.best.ratio);
-        follow_normal(search, search.direction);
+        auto minimum = follow_normal(search, search.direction);
+        if (!minimum.converged) {
+            descend(search, search.best.ratio);
+            minimum = follow_normal(search, search.direction);
+        }
+        if (find_certified(search, minimum)) return true;
     }
     return false;
 }
@@ -106,11 +135,9 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Penetration<T, 
 penetration_in_range(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                      SymmetricMatrix<T, D> const &q2) noexcept
 {
-    AxisBounds<T> const axes1 = axis_bounds(q1), axes2 = axis_bounds(q2);
     DepthSearch<T, D> search{r12, q1, q2, {}, {largest_number<T>(), T(1), T(0)}};
-    descend_from_touching(search);
-    if (!is_shallow(search, T(least_radius(axes1) + least_radius(axes2)))) {
-        RatioRange<T> const range = ratio_range(axes1, axes2);
+    if (!find_certified(search, descend_from_touching(search))) {
+        RatioRange<T> const range = ratio_range(axis_bounds(q1), axis_bounds(q2));
         if (!prove_globally(search, range)) return no_penetration<T, D>(StatusCode::no_convergence);
     }
     return {maximum(T(0), search.best.length), search.direction, StatusCode::success};
