@@ -194,6 +194,10 @@ def help_text(text):
     return textwrap.fill(text, 100, break_long_words=False, break_on_hyphens=False)
 
 
+MOTION = ("the velocity (3 numbers), the angular velocity in radians per unit of time (3 numbers), and growth: at time t the semi-axes "
+          "are 1 + growth t times those at time 0.")  # fmt: skip
+
+
 def value_of(question, voice):
     """What the function returns."""
     row, dimension = question.first, max(question.rows)
@@ -216,7 +220,8 @@ def page(question):
         "ellipsoid 2 minus that of ellipsoid 1. Fewer rows are recycled." if "y" in question.arguments() else "The centre plays no part."
     )
     described = ELLIPSOIDS | {one.name: voice.described(one.name) + (
-        f" A matrix or data frame with {prod(one.shape)} columns, or {prod(one.shape)} numbers for all rows." if one.shape else "")
+        f" A matrix or data frame with {prod(one.shape)} columns, or {prod(one.shape)} numbers for all rows" if one.shape else "") + (
+        f": {MOTION}" if one.parameter.type == "pw85_motion" else "." if one.shape else "")
         for one in question.others()}  # fmt: skip
     value = [line[1:] if line.startswith("@") else help_text(line) for line in value_of(question, voice)]
     errors = help_text("A row that is refused is an error of class `pw85_error`: see pw85-package.")

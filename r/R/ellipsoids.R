@@ -3,16 +3,32 @@
 
 .form_names <- function(d) if (d == 2) c("xx", "xy", "yy") else c("xx", "xy", "xz", "yy", "yz", "zz")
 
+.names <- function(d) c(c("x", "y", "z")[seq_len(d)], .form_names(d))
+
 # Numbers without dimensions, whatever vector they are. An error is one of the function that the user called.
 .numbers <- function(values, name) {
   call <- sys.call(sys.parent())
   if (is.factor(values)) .refuse(name, NULL, NULL, "must be numeric, not a factor", call)
   if (inherits(values, "integer64")) .refuse(name, NULL, NULL, "must be numeric, not integer64: see as.double()", call)
   if (is.list(values)) .refuse(name, NULL, NULL, "must be numbers, not a list", call)
-  if (!is.numeric(values)) .refuse(name, NULL, NULL, paste("must be numeric, not", typeof(values)), call)
+  if (!is.numeric(values)) .refuse(name, NULL, NULL, paste("must be numeric, not", if (is.object(values)) class(values)[1] else typeof(values)), call)
   bad <- which(!is.finite(values))
   if (length(bad)) .refuse(name, bad[1], NULL, "must be finite", call)
   as.vector(values, "double")
+}
+
+# A data frame as a matrix. as.matrix() makes truth values of no rows.
+.matrix_of <- function(frame) {
+  found <- as.matrix(frame)
+  if (!nrow(found)) storage.mode(found) <- "double"
+  found
+}
+
+# A matrix of numbers without names; errors name its rows.
+.number_rows <- function(rows, name, call = sys.call(sys.parent())) {
+  bad <- if (is.numeric(rows)) which(rowSums(!is.finite(rows)) > 0)
+  if (length(bad)) .refuse(name, bad[1], NULL, "must be finite", call)
+  matrix(.made(.numbers(rows, name), call), ncol = ncol(rows))
 }
 
 # Columns of the same length: each one is recycled, as data.frame() does it.
@@ -29,7 +45,7 @@
 
 .frame <- function(centers, forms) {
   d <- length(centers)
-  names(centers) <- c("x", "y", "z")[seq_len(d)]
+  names(centers) <- .names(d)[seq_len(d)]
   colnames(forms) <- .form_names(d)
   cbind(as.data.frame(centers), as.data.frame(forms))
 }
@@ -51,6 +67,24 @@ ellipses <- function(x, y, a, b = a, angle = 0) {
   .frame(given[c("x", "y")], forms)
 }
 
+# Quaternions in the order w, x, y, z: columns that have these names may come in another one.
+.quaternions <- function(given) {
+  names <- if (is.data.frame(given) || is.matrix(given)) colnames(given) else names(given)
+  order <- c("w", "x", "y", "z")
+  if (!setequal(names, order) || length(names) != 4) return(given)
+  if (is.data.frame(given) || is.matrix(given)) given[, order, drop = FALSE] else given[order]
+}
+
+# The value of an expression, whose errors of semi-axes are those of a, b or c.
+.with_axes <- function(expression, axes) {
+  tryCatch(expression, pw85_error = function(condition) {
+    if (!identical(condition$argument, "semi_axes")) stop(condition)
+    squares <- axes[condition$row, ]^2
+    bad <- which(axes[condition$row, ] <= 0 | squares == 0 | squares == Inf)
+    .refuse(c("a", "b", "c")[bad[1]], condition$row, NULL, condition$requirement)
+  })
+}
+
 ellipsoids <- function(x, y, z, a, b = a, c = a, quaternion = NULL, rotation = NULL) {
   given <- .recycled(list(
     x = .numbers(x, "x"), y = .numbers(y, "y"), z = .numbers(z, "z"), a = .numbers(a, "a"), b = .numbers(b, "b"), c = .numbers(c, "c")
@@ -60,7 +94,8 @@ ellipsoids <- function(x, y, z, a, b = a, c = a, quaternion = NULL, rotation = N
   if (is.null(quaternion)) quaternion <- c(1, 0, 0, 0)
   # The library has matrices by rows.
   if (is.matrix(rotation) && all(dim(rotation) == 3)) rotation <- as.vector(t(rotation))
-  forms <- .made(if (is.null(rotation)) .ellipsoid_quaternion(axes, quaternion) else .ellipsoid(axes, rotation))
+  quaternion <- .quaternions(quaternion)
+  forms <- .made(.with_axes(if (is.null(rotation)) .ellipsoid_quaternion(axes, quaternion) else .ellipsoid(axes, rotation), axes))
   centers <- .recycled(c(given[c("x", "y", "z")], list(quaternion = seq_len(nrow(forms)))))[1:3]
   .frame(centers, forms)
 }
@@ -74,22 +109,35 @@ ellipsoids <- function(x, y, z, a, b = a, c = a, quaternion = NULL, rotation = N
   qchisq(level, d)
 }
 
+# A list of matrices, from such a list, one matrix, or an array with a matrix for each last index.
+.covariances <- function(given) {
+  if (is.data.frame(given)) return(list(as.matrix(given)))
+  if (is.list(given)) return(given)
+  if (length(dim(given)) != 3) return(list(given))
+  lapply(seq_len(dim(given)[3]), function(k) given[, , k])
+}
+
 covariance_ellipsoids <- function(mean, covariance, level = NULL) {
-  covariances <- if (is.list(covariance)) covariance else list(covariance)
+  call <- sys.call()
+  covariances <- .covariances(covariance)
   sizes <- vapply(covariances, function(one) if (is.matrix(one) && is.numeric(one) && nrow(one) == ncol(one)) nrow(one) else 0L, 0L)
   bad <- which(!sizes %in% 2:3 | sizes != sizes[1])
-  if (length(bad)) .refuse("covariance", bad[1], NULL, "must be a numeric matrix, 2 x 2 or 3 x 3, as the first one")
+  if (length(bad)) .refuse("covariance", bad[1], NULL, "must be a numeric matrix, 2 x 2 or 3 x 3, all of the same size")
   d <- if (length(sizes)) sizes[1] else 2L
-  if (is.data.frame(mean)) mean <- as.matrix(mean)
+  if (is.data.frame(mean)) mean <- .matrix_of(mean)
   if (!is.matrix(mean) && length(mean) == d) mean <- matrix(mean, 1)
   if (!is.matrix(mean) || ncol(mean) != d) .refuse("mean", NULL, NULL, sprintf("must have %d columns, as covariance", d))
   asymmetric <- which(!vapply(covariances, isSymmetric, TRUE, check.attributes = FALSE))
   if (length(asymmetric)) .refuse("covariance", asymmetric[1], NULL, "must be symmetric")
   rows <- vapply(covariances, function(one) one[lower.tri(one, diag = TRUE)], numeric(d * (d + 1) / 2))
   made <- .recycled(list(mean = seq_len(nrow(mean)), covariance = seq_along(covariances)))
-  centers <- matrix(.numbers(mean, "mean"), ncol = d)[made$mean, , drop = FALSE]
-  forms <- .scale(level, d) * matrix(.numbers(rows, "covariance"), ncol = d * (d + 1) / 2, byrow = TRUE)[made$covariance, , drop = FALSE]
-  .frame(lapply(seq_len(d), function(k) centers[, k]), forms)
+  centers <- .number_rows(mean, "mean")[made$mean, , drop = FALSE]
+  rows <- .number_rows(matrix(rows, ncol = d * (d + 1) / 2, byrow = TRUE), "covariance")
+  ellipsoids <- .frame(lapply(seq_len(d), function(k) centers[, k]), .scale(level, d) * rows[made$covariance, , drop = FALSE])
+  tryCatch(second_moments(ellipsoids), pw85_error = function(condition) {
+    .refuse("covariance", made$covariance[condition$row], NULL, condition$requirement, call)
+  })
+  ellipsoids
 }
 
 # Points as a matrix with a row for each point.
@@ -97,7 +145,7 @@ covariance_ellipsoids <- function(mean, covariance, level = NULL) {
   if (is.data.frame(points)) {
     bad <- which(!vapply(points, is.numeric, TRUE))
     if (length(bad)) .refuse("points", NULL, names(points)[bad[1]], paste("must be numeric, not", class(points[[bad[1]]])[1]), call)
-    points <- as.matrix(points)
+    points <- .matrix_of(points)
   }
   if (!is.matrix(points) || !is.numeric(points)) .refuse("points", NULL, NULL, "must be a data frame or matrix of numbers", call)
   bad <- which(!is.finite(points), arr.ind = TRUE)
@@ -109,16 +157,20 @@ covariance_ellipsoids <- function(mean, covariance, level = NULL) {
 # The row numbers of each group, in the order of its levels; all rows if there are no groups.
 .groups <- function(points, group, call = sys.call(sys.parent())) {
   if (is.null(group)) return(list(seq_len(nrow(points))))
+  if (is.data.frame(group) && ncol(group) == 1) group <- group[[1]]
   if (length(group) != nrow(points)) .refuse("group", NULL, NULL, "must have a value for each row of points", call)
   if (anyNA(group)) .refuse("group", which(is.na(group))[1], NULL, "must not be NA", call)
   split(seq_len(nrow(points)), group, drop = TRUE)
 }
 
-# One row for each group; the column `group` has their names.
-.bound <- function(found) {
-  rows <- do.call(rbind, found)
+# One row for each group; the column `group` has their names. `columns` are those of a row.
+.bound <- function(found, columns) {
+  rows <- if (length(found)) do.call(rbind, found) else as.data.frame(sapply(columns, function(name) numeric(0), simplify = FALSE))
   if (is.null(names(found))) rows else cbind(group = names(found), rows, row.names = NULL)
 }
+
+# The end of a message about one group.
+.as_in <- function(members, k) if (is.null(names(members))) "" else paste(", as in group", names(members)[k])
 
 standard_ellipsoids <- function(points, group = NULL, level = NULL, corrected = FALSE) {
   points <- .points(points)
@@ -126,20 +178,27 @@ standard_ellipsoids <- function(points, group = NULL, level = NULL, corrected = 
   if (!d %in% 2:3) .refuse("points", NULL, NULL, "must have 2 or 3 columns")
   members <- .groups(points, group)
   scale <- .scale(level, d)
-  bad <- which(lengths(members) <= d)
-  if (length(bad)) {
-    .refuse("points", NULL, NULL, sprintf("must have more than %d rows in each group, not %d", d, length(members[[bad[1]]])))
+  if (!isTRUE(corrected) && !isFALSE(corrected)) .refuse("corrected", NULL, NULL, "must be TRUE or FALSE")
+  bad <- which(lengths(members) <= d)[1]
+  if (!is.na(bad)) {
+    text <- sprintf("must have more than %d rows in each group, not %d%s", d, length(members[[bad]]), .as_in(members, bad))
+    .refuse("points", NULL, NULL, text)
   }
-  .bound(lapply(members, function(rows) {
-    n <- length(rows)
+  call <- sys.call()
+  found <- lapply(seq_along(members), function(k) {
+    own <- points[members[[k]], , drop = FALSE]
+    n <- nrow(own)
     factor <- if (corrected) scale * (n - 1) / (n - d) else scale
-    covariance_ellipsoids(colMeans(points[rows, , drop = FALSE]), factor * cov(points[rows, , drop = FALSE]))
-  }))
+    tryCatch(covariance_ellipsoids(colMeans(own), factor * cov(own)), pw85_error = function(condition) {
+      .refuse("points", NULL, NULL, paste0("must not be in a line or plane", .as_in(members, k)), call)
+    })
+  })
+  .bound(structure(found, names = names(members)), .names(d))
 }
 
 # Names of the columns of an ellipsoid in any number of dimensions.
 .enclosing_names <- function(d) {
-  if (d %in% 2:3) return(c(c("x", "y", "z")[seq_len(d)], .form_names(d), "excess"))
+  if (d %in% 2:3) return(c(.names(d), "excess"))
   pairs <- which(lower.tri(diag(d), diag = TRUE), arr.ind = TRUE)
   c(paste0("x", seq_len(d)), sprintf("q%d_%d", pairs[, 2], pairs[, 1]), "excess")
 }
@@ -157,29 +216,37 @@ enclosing_ellipsoid <- function(points, group = NULL, tolerance = 1e-6) {
   call <- sys.call()
   points <- .points(points)
   if (!ncol(points) %in% 1:16) .refuse("points", NULL, NULL, "must have 1 to 16 columns")
-  .bound(lapply(.groups(points, group), function(rows) .enclosing(points[rows, , drop = FALSE], NULL, tolerance, call)))
+  found <- lapply(.groups(points, group), function(rows) .enclosing(points[rows, , drop = FALSE], NULL, tolerance, call))
+  .bound(found, .enclosing_names(ncol(points)))
+}
+
+# The centres and forms of ellipses or ellipsoids as a matrix. `question` is one that refuses other rows.
+.rows <- function(x, question, call = sys.call(sys.parent())) {
+  force(x)
+  .made(question(x), call)
+  names <- .names(if (any(c("xz", "yz", "zz") %in% colnames(x))) 3 else 2)
+  numbers <- matrix(as.double(as.matrix(x[, names])), ncol = length(names), dimnames = list(NULL, names))
+  bad <- which(!is.finite(numbers), arr.ind = TRUE)
+  if (length(bad)) .refuse("x", bad[1, 1], names[bad[1, 2]], "must be finite", call)
+  numbers
 }
 
 enclosing_ellipsoid_of <- function(x, tolerance = 1e-6) {
-  d <- if (all(c("z", "zz") %in% colnames(x))) 3 else 2
-  .made(second_moments(x)) # the errors of rows of `x` that are no ellipsoids
-  names <- c(c("x", "y", "z")[seq_len(d)], .form_names(d))
-  numbers <- matrix(as.double(as.matrix(x[, names])), ncol = length(names))
-  bad <- which(!is.finite(numbers), arr.ind = TRUE)
-  if (length(bad)) .refuse("x", bad[1, 1], names[bad[1, 2]], "must be finite")
-  .enclosing(numbers[, seq_len(d), drop = FALSE], t(numbers[, -seq_len(d), drop = FALSE]), tolerance)
+  numbers <- .rows(x, second_moments)
+  if (!nrow(numbers)) .refuse("x", NULL, NULL, "must have at least one row")
+  centers <- seq_len(if (ncol(numbers) == 5) 2 else 3)
+  .enclosing(numbers[, centers, drop = FALSE], t(numbers[, -centers, drop = FALSE]), tolerance)
 }
 
 outline <- function(x, points = 100) {
-  if (!is.numeric(points) || length(points) != 1 || !is.finite(points) || points < 1) {
-    .refuse("points", NULL, NULL, "must be one number, at least 1")
+  if (!is.numeric(points) || length(points) != 1 || !is.finite(points) || points < 1 || points %% 1 != 0) {
+    .refuse("points", NULL, NULL, "must be one whole number, at least 1")
   }
-  .made(area(x)) # the errors of rows of `x` that are no ellipses
-  x <- as.data.frame(x)
+  x <- as.data.frame(.rows(x, area))
   turn <- 2 * pi * (seq_len(points) - 1) / points
   # By Cholesky's factor of the form.
   first <- sqrt(x$xx)
-  second <- sqrt(pmax(0, x$yy - x$xy^2 / x$xx))
+  second <- sqrt(pmax(0, x$yy - (x$xy / first)^2))
   data.frame(
     ellipse = rep(seq_len(nrow(x)), each = points),
     x = as.vector(outer(cos(turn), first)) + rep(x$x, each = points),

@@ -67,10 +67,16 @@ static double number(struct column column, R_xlen_t row)
     return value == NA_INTEGER ? NA_REAL : value;
 }
 
+/* Whether a value is a data frame, and not a vector with this class alone. */
+static bool is_data_frame(SEXP values)
+{
+    return TYPEOF(values) == VECSXP && Rf_inherits(values, "data.frame");
+}
+
 /* The names of the columns of a data frame or matrix, or NULL. */
 static SEXP names_of(SEXP values)
 {
-    if (Rf_inherits(values, "data.frame")) return Rf_getAttrib(values, R_NamesSymbol);
+    if (is_data_frame(values)) return Rf_getAttrib(values, R_NamesSymbol);
     if (!Rf_isMatrix(values)) return R_NilValue;
     SEXP const names = Rf_getAttrib(values, R_DimNamesSymbol);
     return names == R_NilValue ? names : VECTOR_ELT(names, 1);
@@ -110,13 +116,20 @@ static struct column named_column(SEXP values, SEXP names, char const *name, str
     return column_at(values, k, table, name);
 }
 
+/* Whether there are entries of forms in space. A column z alone may be another one of ellipses. */
+static bool is_solid(SEXP names)
+{
+    return find_name(names, "xz") >= 0 || find_name(names, "yz") >= 0 ||
+           find_name(names, "zz") >= 0;
+}
+
 static void read_ellipsoids(SEXP values, struct table *table)
 {
     SEXP const names = names_of(values);
     if (names == R_NilValue)
         pw85_refuse(table->name, -1, NULL,
                     "must be a data frame of ellipses or ellipsoids: see ellipses(), ellipsoids()");
-    table->dimension = find_name(names, "z") < 0 && find_name(names, "zz") < 0 ? 2 : 3;
+    table->dimension = is_solid(names) ? 3 : 2;
     table->rows = rows_of(values);
     for (int k = 0; k < table->dimension; ++k)
         table->center[k] = named_column(values, names, coordinates[k], table);
@@ -128,7 +141,7 @@ static void read_ellipsoids(SEXP values, struct table *table)
  * one row. */
 static void read_values(SEXP values, int size, struct table *table)
 {
-    bool const is_frame = Rf_inherits(values, "data.frame");
+    bool const is_frame = is_data_frame(values);
     if (TYPEOF(values) == VECSXP && !is_frame)
         pw85_refuse(table->name, -1, NULL, "must be numbers, not a list");
     bool const has_columns = is_frame || Rf_isMatrix(values);

@@ -34,6 +34,36 @@ test_that("no rows give no rows", {
   expect_identical(dim(bounding_boxes(solid[0, ])), c(0L, 3L))
   expect_identical(nrow(ellipses(numeric(0), 0, 1)), 0L)
   expect_identical(nrow(ellipsoids(numeric(0), 0, 0, 1)), 0L)
+  expect_identical(covariance_ellipsoids(matrix(0, 0, 2), diag(2)), ellipses(numeric(0), 0, 1))
+  expect_identical(covariance_ellipsoids(iris[0, 1:2], diag(2)), ellipses(numeric(0), 0, 1))
+  expect_identical(covariance_ellipsoids(c(0, 0), list()), ellipses(numeric(0), 0, 1))
+  expect_named(standard_ellipsoids(iris[0, 1:2], iris$Species[0]), c("group", names(x)))
+  expect_named(enclosing_ellipsoid(iris[0, 1:2], iris$Species[0]), c("group", names(x), "excess"))
+})
+
+test_that("quaternions are ordered by their names", {
+  truth <- ellipsoids(0, 0, 0, 3, 2, 1, quaternion = c(0.9, 0.1, 0.3, 0.2))
+  made <- function(quaternion) ellipsoids(0, 0, 0, 3, 2, 1, quaternion = quaternion)
+  turned <- c(x = 0.1, y = 0.3, z = 0.2, w = 0.9)
+  for (same in list(turned, t(turned), as.data.frame(t(turned)), c(a = 0.9, 0.1, 0.3, 0.2))) expect_identical(made(same), truth)
+})
+
+test_that("a column z of ellipses is another column", {
+  expect_identical(overlap_area(cbind(x, z = 9), y), overlap_area(x, y))
+  expect_identical(outline(cbind(x, z = 9), 3), outline(x, 3))
+  expect_identical(enclosing_ellipsoid_of(cbind(x, z = 9)), enclosing_ellipsoid_of(x))
+  refused(
+    volume(solid[-3]), "x, column z: is missing: ellipsoids have columns x, y, z, xx, xy, xz, yy, yz, zz", "x",
+    column = "z"
+  )
+})
+
+test_that("covariances may be arrays and data frames", {
+  covariances <- list(diag(2), matrix(c(4, 1, 1, 2), 2))
+  truth <- covariance_ellipsoids(c(1, 2), covariances)
+  expect_identical(covariance_ellipsoids(c(1, 2), array(unlist(covariances), c(2, 2, 2))), truth)
+  expect_identical(covariance_ellipsoids(c(1, 2), as.data.frame(covariances[[2]])), covariance_ellipsoids(c(1, 2), covariances[[2]]))
+  expect_identical(standard_ellipsoids(iris[1:2], iris["Species"]), standard_ellipsoids(iris[1:2], iris$Species))
 })
 
 test_that("integers, matrices and other columns are as good", {
@@ -66,7 +96,8 @@ test_that("vectors may be rows, columns, matrices and data frames", {
 
 test_that("ellipsoids that are none are refused", {
   frame <- "must be a data frame of ellipses or ellipsoids: see ellipses(), ellipsoids()"
-  for (bad in list(1, "a", NULL, list(1), as.list(x), TRUE, mean, matrix(0, 2, 2))) {
+  numbers <- structure(1:5, class = "data.frame", names = names(x)) # not a list
+  for (bad in list(1, "a", NULL, list(1), as.list(x), TRUE, mean, matrix(0, 2, 2), numbers)) {
     refused(area(bad), paste0("x: ", frame), "x")
     refused(overlaps(x, bad), paste0("y: ", frame), "y")
   }
@@ -134,6 +165,13 @@ test_that("constructors refuse what makes no ellipsoid", {
   refused(ellipses("0", 0, 1), "x: must be numeric, not character", "x")
   refused(ellipses(factor(1), 0, 1), "x: must be numeric, not a factor", "x")
   refused(ellipses(0, list(0), 1), "y: must be numbers, not a list", "y")
+  refused(ellipses(as.Date("2020-01-01"), 0, 1), "x: must be numeric, not Date", "x")
+  # Each semi-axis by its own name; the square of 1e-170 is 0.
+  refused(ellipsoids(0, 0, 0, -1), "a, row 1: must be > 0", "a", 1)
+  refused(ellipsoids(0, 0, 0, 1, c(1, -1)), "b, row 2: must be > 0", "b", 2)
+  refused(ellipsoids(0, 0, 0, 1, 1, 1e-170), "c, row 1: must have a finite square that is not 0", "c", 1)
+  condition <- refused(ellipsoids(0, 0, 0, 1, 1, 0, rotation = diag(3)), "c, row 1: must be > 0", "c", 1)
+  expect_identical(as.character(conditionCall(condition)[[1]]), "ellipsoids")
   refused(ellipsoids(0, 0, 0, 1, quaternion = c(0, 0, 0, 0)), "quaternion, row 1: must not be zero", "quaternion", 1)
   refused(ellipsoids(0, 0, 0, 1, quaternion = 1:3), "quaternion: must have 4 columns", "quaternion")
   refused(ellipsoids(0, 0, 0, 1, rotation = matrix(1, 3, 3)), "rotation, row 1: must be a rotation matrix, whose columns are orthonormal", "rotation", 1)
@@ -146,15 +184,34 @@ test_that("constructors refuse what makes no ellipsoid", {
 })
 
 test_that("covariances and points that make no ellipsoid are refused", {
-  square <- "must be a numeric matrix, 2 x 2 or 3 x 3, as the first one"
+  square <- "must be a numeric matrix, 2 x 2 or 3 x 3, all of the same size"
   refused(covariance_ellipsoids(c(0, 0), 1:4), paste0("covariance, row 1: ", square), "covariance", 1)
   refused(covariance_ellipsoids(c(0, 0), list(diag(2), diag(3))), paste0("covariance, row 2: ", square), "covariance", 2)
   refused(covariance_ellipsoids(0, diag(2)), "mean: must have 2 columns, as covariance", "mean")
-  refused(covariance_ellipsoids(c(0, NA), diag(2)), "mean, row 2: must be finite", "mean", 2)
+  refused(covariance_ellipsoids(rbind(0:1, c(0, NA)), diag(2)), "mean, row 2: must be finite", "mean", 2)
+  refused(covariance_ellipsoids(c("a", "b"), diag(2)), "mean: must be numeric, not character", "mean")
+  broken <- list(diag(2), matrix(c(1, 0, 0, Inf), 2))
+  refused(covariance_ellipsoids(c(0, 0), broken), "covariance, row 2: must be finite", "covariance", 2)
+  for (bad in list(-diag(2), matrix(c(1, 2, 2, 1), 2), diag(c(1, 0)))) {
+    condition <- refused(
+      covariance_ellipsoids(matrix(0, 4, 2), list(diag(2), bad)), "covariance, row 2: must be positive definite", "covariance", 2
+    )
+    expect_identical(as.character(conditionCall(condition)[[1]]), "covariance_ellipsoids")
+  }
   refused(covariance_ellipsoids(c(0, 0), matrix(1:4, 2)), "covariance, row 1: must be symmetric", "covariance", 1)
   refused(covariance_ellipsoids(c(0, 0), diag(2), 95), "level: must be one number between 0 and 1", "level")
   points <- cbind(c(0, 1, 2, 5), c(0, 3, 1, 1))
   refused(standard_ellipsoids(points[1:2, ]), "points: must have more than 2 rows in each group, not 2", "points")
+  refused(
+    standard_ellipsoids(points, c("a", "a", "a", "b")), "points: must have more than 2 rows in each group, not 1, as in group b", "points"
+  )
+  refused(standard_ellipsoids(cbind(1:5, 1:5)), "points: must not be in a line or plane", "points")
+  flat <- cbind(points[rep(1:4, 2), ], c(0, 1, 0, 1, 0, 0, 0, 0))
+  condition <- refused(
+    standard_ellipsoids(flat, rep(c("a", "b"), each = 4)), "points: must not be in a line or plane, as in group b", "points"
+  )
+  expect_identical(as.character(conditionCall(condition)[[1]]), "standard_ellipsoids")
+  refused(standard_ellipsoids(points, corrected = NA), "corrected: must be TRUE or FALSE", "corrected")
   refused(standard_ellipsoids(points, 1:3), "group: must have a value for each row of points", "group")
   refused(standard_ellipsoids(points, c("a", NA, "a", "a")), "group, row 2: must not be NA", "group", 2)
   refused(standard_ellipsoids(iris, iris$Species), "points, column Species: must be numeric, not factor", "points", column = "Species")
@@ -171,6 +228,8 @@ test_that("covariances and points that make no ellipsoid are refused", {
   refused(enclosing_ellipsoid_of(flat), "x, row 1: must be positive definite", "x", 1)
   refused(enclosing_ellipsoid_of(transform(x, x = NA_real_)), "x, row 1, column x: must be finite", "x", 1, "x")
   refused(outline(solid), "x: must be ellipses", "x")
-  refused(outline(x, NA), "points: must be one number, at least 1", "points")
+  for (bad in list(NA, 0, 2.5, 1:2)) refused(outline(x, bad), "points: must be one whole number, at least 1", "points")
+  refused(outline(transform(x, y = c(0, NA, 0))), "x, row 2, column y: must be finite", "x", 2, "y")
+  refused(enclosing_ellipsoid_of(x[0, ]), "x: must have at least one row", "x")
   refused(reproducible(NA), "on: must be TRUE, FALSE or NULL", "on")
 })

@@ -116,6 +116,8 @@ test_that("distances are those of the closest points on fine outlines", {
 
 test_that("outlines are on their ellipses", {
   x <- ellipses(c(0, 3), c(1, -1), c(2, 1), c(1, 0.5), c(0.3, 2))
+  tiny <- outline(ellipses(0, 0, 2^-300 * 2, 2^-300, 0.3), 7) # squares of its form are not numbers
+  expect_equal(tiny$y * 2^300, outline(ellipses(0, 0, 2, 1, 0.3), 7)$y)
   points <- outline(x, 7)
   for (k in 1:2) {
     own <- points[points$ellipse == k, ]
