@@ -302,10 +302,10 @@ inline constexpr int max_normal_turns = 32, max_turn_halves = 8;
 
 /// n + factor·turn, normalised after a turn by more than half a right angle.
 template <class T, int D> PW85_FUNCTION inline Vector<T, D>
-turned(Vector<T, D> const &n, T const &factor, Vector<T, D> const &turn, bool far) noexcept
+turned(Vector<T, D> const &n, T const &factor, Vector<T, D> const &turn, bool is_large) noexcept
 {
     Vector<T, D> const next = add_scaled(n, factor, turn);
-    return far ? unit_along(next) : next;
+    return is_large ? unit_along(next) : next;
 }
 
 /// The state after a turn, or after the longest part of it that does not lengthen the shift by more
@@ -317,12 +317,12 @@ template <class T, int D> struct TakenTurn {
 
 template <class T, int D> PW85_FUNCTION inline TakenTurn<T, D>
 take_turn(SymmetricMatrix<TwoLanes<T>, D> const &q, Vector<T, D> const &r12,
-          DirectionState<T, D> const &at, Vector<T, D> const &turn, bool accurate, bool far,
+          DirectionState<T, D> const &at, Vector<T, D> const &turn, bool accurate, bool is_large,
           T const &slack) noexcept
 {
     T factor = T(1);
     for (int k = 0; k <= max_turn_halves; ++k) {
-        auto const next = state_along(q, r12, turned(at.n, factor, turn, far), accurate);
+        auto const next = state_along(q, r12, turned(at.n, factor, turn, is_large), accurate);
         if (next.length <= at.length + slack) return {next, factor};
         factor = T(0.5) * factor;
     }
