@@ -689,8 +689,8 @@ PW85_API int pw85_distance_derivatives(double const r12[3], double const q1[6], 
  * 8 u Σ, with Σ as for pw85_distance(). No other direction has a value that is smaller by more than
  * 32 u Σ, where Σ is the larger one of the two directions. If several directions are equally good,
  * the result is one of them. The time is 3 to 8 times that of pw85_contact() for more than nine in
- * ten random pairs, whose minimum has a certificate, 10 to 60 times that for the others, and about a
- * thousand times that if the best direction is not isolated.
+ * ten random pairs, whose minimum has a certificate, 10 to 60 times that for the others, and about
+ * a thousand times that if the best direction is not isolated.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] depth [length; optional] the depth, in the unit of r12; zero if the ellipsoids do not

@@ -104,8 +104,8 @@ template <class T> struct EndOfSearch {
     int evaluations;
 };
 
-/// The start of the search on the rational form of one pair, at initial_guess(). `accurate` is false
-/// if the rational form is too inaccurate to guide a search.
+/// The start of the search on the rational form of one pair, at initial_guess(). `accurate` is
+/// false if the rational form is too inaccurate to guide a search.
 template <class T> struct StartOfSearch {
     RationalSearch<T, FormOfSteps<T>> search;
     bool accurate;

@@ -35,8 +35,8 @@
 
 namespace pw85::detail {
 
-/// Returns whether item 5 proves that a quartic is positive for c > 0, from bounds from below of its
-/// coefficients. They may have relative errors far below 64u.
+/// Returns whether item 5 proves that a quartic is positive for c > 0, from bounds from below of
+/// its coefficients. They may have relative errors far below 64u.
 template <class T> PW85_FUNCTION inline bool is_positive(T const (&k)[5]) noexcept
 {
     if (!(k[4] > T(0) && k[0] > T(0))) return false;
@@ -99,8 +99,8 @@ PW85_FUNCTION inline bool is_inside_sum(CertificateForms<T, 1> const &forms) noe
 
 /// The rounding errors of the points Qn/α, and the sizes √(trace Q) of the ellipsoids, from 1/α.
 ///
-/// With √X = size/α, a point errs by at most 8uX size in plain arithmetic, and by (3 + 2√X)u size if
-/// X > 1024, where the product is accurate (support.hpp). Near 1024 the larger bound is taken.
+/// With √X = size/α, a point errs by at most 8uX size in plain arithmetic, and by (3 + 2√X)u size
+/// if X > 1024, where the product is accurate (support.hpp). Near 1024 the larger bound is taken.
 template <class T> struct PointErrors {
     TwoLanes<T> size, spread, error; ///< spread is √X
 };
@@ -161,9 +161,10 @@ second_of(SymmetricMatrix<TwoLanes<T>, D> const &a) noexcept
 /// twice its rounding error ρ. `at` is the state along the best direction.
 ///
 /// d0 is within 1.5ρ of the best shift. So δ is between ρ/2 and 7ρ/2, σ is at most ℓ times the best
-/// shift plus 5ρℓ, and |e|² <= 2(δ²|P|² + ℓ²|w|²) gives |e|²/(δ(2ℓ - δ)) <= 7ρ|P|²/ℓ + 4ℓ|w|²/ρ for 7ρ <= 2ℓ. α and β have a relative error
-/// below 106,496 u (support.hpp), which a factor of 1 + 2^18 u covers. f errs by η <= 4ρ|r| +
-/// 2ℓ times the error of w. So ffᵀ is at most (1 + 2^-9)ffᵀ + 2^10 η² I with the computed f.
+/// shift plus 5ρℓ, and |e|² <= 2(δ²|P|² + ℓ²|w|²) gives |e|²/(δ(2ℓ - δ)) <= 7ρ|P|²/ℓ + 4ℓ|w|²/ρ for
+/// 7ρ <= 2ℓ. α and β have a relative error below 106,496 u (support.hpp), which a factor of 1 +
+/// 2^18 u covers. f errs by η <= 4ρ|r| + 2ℓ times the error of w. So ffᵀ is at most (1 + 2^-9)ffᵀ +
+/// 2^10 η² I with the computed f.
 template <class T, int D> PW85_FUNCTION inline bool
 is_certified(DepthSearch<T, D> const &search, DirectionState<T, D> const &at) noexcept
 {

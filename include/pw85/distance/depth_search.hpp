@@ -392,8 +392,8 @@ PW85_FUNCTION inline T nearly_touching(DepthSearch<T, D> const &search) noexcept
     return touching.lambda / touching.complement;
 }
 
-/// Finds the minimum next to the direction M⁻¹r, M = Q1 + tQ2, in which the ellipsoids touch if they
-/// are scaled. It is nearly the best one if the depth is small.
+/// Finds the minimum next to the direction M⁻¹r, M = Q1 + tQ2, in which the ellipsoids touch if
+/// they are scaled. It is nearly the best one if the depth is small.
 template <class T, int D>
 PW85_FUNCTION inline FollowedNormal<T, D> descend_from_touching(DepthSearch<T, D> &search) noexcept
 {

@@ -56,8 +56,8 @@ prove_once(DepthSearch<T, D> &search, RatioRange<T> const &range) noexcept
 /// than two are rare.
 inline constexpr int max_depth_minima = 64;
 
-/// A direction m with a negative mᵀAm: the column of L⁻ᵀ of the first pivot of A = L diag(d) Lᵀ that
-/// is negative. Zero if all pivots before the last one are positive, and the last one is not
+/// A direction m with a negative mᵀAm: the column of L⁻ᵀ of the first pivot of A = L diag(d) Lᵀ
+/// that is negative. Zero if all pivots before the last one are positive, and the last one is not
 /// negative.
 template <class T, int D>
 PW85_FUNCTION inline Vector<T, D> negative_direction(SymmetricMatrix<T, D> a) noexcept
@@ -80,8 +80,8 @@ PW85_FUNCTION inline Vector<T, D> negative_direction(SymmetricMatrix<T, D> a) no
     return m;
 }
 
-/// Tries a direction n + sm that needs less than the best minimum, if there is one at its ratio c of
-/// the half-widths. Returns whether it does.
+/// Tries a direction n + sm that needs less than the best minimum, if there is one at its ratio c
+/// of the half-widths. Returns whether it does.
 ///
 /// With d = g(n), σ = d(n·r + d) and |n + sm| = 1, (n + sm)ᵀW(c)(n + sm) - ((n + sm)·r + d)² is
 /// s²mᵀ(W(c) - σI - rrᵀ)m (depth_certificate.hpp). Where this is negative, g(n + sm) < d.
