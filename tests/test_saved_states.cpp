@@ -314,7 +314,8 @@ Bytes changed_state(std::vector<std::pair<std::string, Words>> const &changes)
         return one.first != "SETTINGS" && one.first != "PARTICLE" && one.first != "CELL    ";
     });
     for (auto const &[name, words] : changes) {
-        std::erase_if(state.sections, [&](auto const &one) { return one.first == name; });
+        std::erase_if(state.sections,
+                      [&name = name](auto const &one) { return one.first == name; });
         state.sections.emplace_back(name, words);
     }
     return state.bytes();
