@@ -224,7 +224,7 @@ void test_potentials()
     g_assert_cmpint(pw85_hard_ellipsoids_save(one, bytes.size(), bytes.data()), ==, PW85_SUCCESS);
     pw85_hard_ellipsoids *restored = nullptr;
     Expected{"pw85_hard_ellipsoids_restore", "bytes",
-             "must be a state that this version saved on this type of machine"}(
+             "must be complete: num_bytes differs from the number in the state"}(
         pw85_hard_ellipsoids_restore(bytes.size() - 1, bytes.data(), &restored));
     g_assert_cmpint(pw85_hard_ellipsoids_restore(bytes.size(), bytes.data(), &restored), ==,
                     PW85_SUCCESS);

@@ -310,9 +310,10 @@ class _Rows:
         """Raises the error of a status other than zero, with the cause that the library gives."""
         if not status:
             return
-        _, argument, requirement, row, *_ = _core.last_error() or (None,) * 6
+        cause = _core.last_error()
         detail = ""
-        if argument is not None:
+        if cause is not None and cause[1] is not None:
+            _, argument, requirement, row, *_ = cause
             names = ("r12", "q1", "q2", *self.numbers)
             name = next(own for own in names if own.rstrip("_") == argument)
             where = f"row {tuple(map(int, np.unravel_index(row, self.shape)))}: " if self.shape else ""

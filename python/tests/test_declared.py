@@ -97,7 +97,7 @@ def template(name, title, *lines):
 @pytest.fixture
 def make(tmp_path):
     """Makes a file of a template, by headers that declare one more function."""
-    for folder in ("api", "include", "src/pair", "src/brent"):
+    for folder in ("api", "include", "r", "src/pair", "src/brent"):
         shutil.copytree(SOURCE / folder, tmp_path / folder)
     for name in ("meson.build", "fortran/pw85.in.f90", "fortran/pw85.f90", "debian/libpw85-3.symbols",
                  "debian/libpw85-gpu3.symbols", "python/pypw85/__init__.in.py", "src/simd/one_pair.hpp",
@@ -238,5 +238,5 @@ def test_what_is_not_declared(make, title, line, complaint):
 def test_linked_functions_are_compared():
     """The program that compares the functions of linked.hpp with the templates leaves out none."""
     header, program = ((SOURCE / name).read_text(encoding="utf-8") for name in ("include/pw85/linked.hpp", "tests/test_linked.cpp"))
-    linked = set(re.findall(r"^/// (\w+)\(\) by pw85_", header, re.MULTILINE))
+    linked = set(re.findall(r"^/// Computes (\w+)\(\) by pw85_", header, re.MULTILINE))
     assert {"contact", "overlap", "area"} <= linked and linked == set(re.findall(r"^    COMPARE\((\w+), ", program, re.MULTILINE))

@@ -4,7 +4,7 @@
 
 #include <new>
 
-#include "cholesky.hpp"
+#include "max_det.hpp"
 
 namespace pw85::detail::enclosing {
 
@@ -25,7 +25,7 @@ std::size_t extent(int n) noexcept { return static_cast<std::size_t>(n); }
 /// errors are those of shows_inside() in any_dimension/containment.hpp.
 template <class T> bool is_point_inside(int n, double const *q, T const *z) noexcept
 {
-    T matrix[max_packed];
+    T matrix[max_packed] = {};
     T const share = T(4 * any_dimension::factorization_error(n) + 64 * n) * T(unit_roundoff<T>());
     for (int i = 0; i < n; ++i)
         for (int j = i; j < n; ++j) {
@@ -228,7 +228,7 @@ void AroundEllipsoids::find_map(std::size_t i, Wide *map) const noexcept
 
 /// Takes the outer ellipsoid of Z: its centre is -Z₁₁⁻¹ z₁₂ and its form ρ Z₁₁⁻¹ in the frame, with
 /// ρ = d - (z₂₂ - z₁₂ᵀ Z₁₁⁻¹ z₁₂).
-template <class T> bool AroundEllipsoids::read_outer(MaxDet<T> const &search) noexcept
+template <class Search> bool AroundEllipsoids::read_outer(Search const &search) noexcept
 {
     int const n = bodies_.n, d = n + 1;
     std::size_t const size = extent(n);
@@ -278,23 +278,24 @@ Status AroundEllipsoids::enclose_active(double difference, bool is_final) noexce
     std::size_t const count = active_.size();
     Square<Wide> map;
     if (!update_frame()) return Status::not_positive_definite;
-    if (!search_.reserve(bodies_.n, count) || !moments_.resize(count) ||
+    std::unique_ptr<MaxDet<double>> const search(new (std::nothrow) MaxDet<double>);
+    if (search == nullptr || !search->reserve(bodies_.n, count) || !moments_.resize(count) ||
         !multipliers_.resize(count))
         return Status::out_of_memory;
     for (std::size_t i = 0; i < count; ++i) {
         find_map(active_[i], map.x);
         for (std::size_t k = 0; k < max_lifted * max_lifted; ++k)
-            search_.map(i).x[k] = map.x[k].high;
+            search->map(i).x[k] = map.x[k].high;
     }
-    search_.begin();
+    search->begin();
     bool found;
-    if (search_.solve(difference) <= difference || !is_final) {
-        found = read_outer(search_);
+    if (search->solve(difference) <= difference || !is_final) {
+        found = read_outer(*search);
     } else {
         std::unique_ptr<MaxDet<Wide>> const wide(new (std::nothrow) MaxDet<Wide>);
         if (wide == nullptr || !wide->reserve(bodies_.n, count)) return Status::out_of_memory;
         for (std::size_t i = 0; i < count; ++i) find_map(active_[i], wide->map(i).x);
-        wide->begin_at(search_);
+        wide->begin_at(*search);
         wide->solve(difference);
         found = read_outer(*wide);
     }

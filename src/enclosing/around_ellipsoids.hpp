@@ -18,8 +18,9 @@
 
 #include <pw85/any_dimension/containment.hpp>
 
+#include "../base/array.hpp"
 #include "certificate.hpp"
-#include "max_det.hpp"
+#include "cholesky.hpp"
 
 namespace pw85::detail::enclosing {
 
@@ -76,7 +77,7 @@ class AroundEllipsoids {
     bool update_frame() noexcept;
     void find_map(std::size_t i, Wide *map) const noexcept;
     Status enclose_active(double difference, bool is_final) noexcept;
-    template <class T> bool read_outer(MaxDet<T> const &search) noexcept;
+    template <class Search> bool read_outer(Search const &search) noexcept;
     void round_outer(double factor) noexcept;
     double reach(std::size_t i, bool roughly) noexcept;
     double measure() noexcept;
@@ -94,7 +95,6 @@ class AroundEllipsoids {
     Wide covariance_[max_packed]; ///< its form over n, a lower triangle
     Body outer_;
     double inverse_[max_packed], excess_ = 0.0;
-    MaxDet<double> search_;
     Array<std::size_t> active_;
     Array<Square<double>> moments_; ///< W of the active ones
     Array<double> multipliers_;     ///< their λ/ρ, which are the ν of containment.hpp

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Cholesky factors of matrices whose size is known at run time, with rows of that length. The
-/// searches for weights (core_set.hpp) and for moments (max_det.hpp) use them.
+/// Matrices whose size is known at run time, with rows of that length, and their Cholesky factors.
+/// The searches for weights (core_set.hpp) and for moments (max_det.hpp) use them.
 #ifndef PW85_ENCLOSING_CHOLESKY_HPP_INCLUDED
 #define PW85_ENCLOSING_CHOLESKY_HPP_INCLUDED
 
-#include <cstddef>
-
-#include <pw85/algebra/doubled.hpp>
+#include "cloud.hpp"
 
 namespace pw85::detail::enclosing {
 
-template <class T> T dot(std::size_t n, T const *x, T const *y) noexcept
+inline constexpr std::size_t max_lifted = max_dimension + 1;
+
+/// A d×d matrix, with rows of the length d.
+template <class T> struct Square {
+    T x[max_lifted * max_lifted];
+};
+
+template <class T> PW85_FUNCTION inline T dot(std::size_t n, T const *x, T const *y) noexcept
 {
     T sum = T(0);
     for (std::size_t i = 0; i < n; ++i) sum = sum + x[i] * y[i];
@@ -21,7 +26,7 @@ template <class T> T dot(std::size_t n, T const *x, T const *y) noexcept
 /// The Cholesky factor L of a matrix replaces its lower triangle. A pivot that is not above `share`
 /// of its diagonal entry is raised to that: its direction changes nothing. Returns false if there
 /// was one.
-template <class T> bool factorize(std::size_t n, T *a, double share) noexcept
+template <class T> PW85_FUNCTION inline bool factorize(std::size_t n, T *a, double share) noexcept
 {
     bool definite = true;
     for (std::size_t i = 0; i < n; ++i) {
@@ -37,13 +42,14 @@ template <class T> bool factorize(std::size_t n, T *a, double share) noexcept
 }
 
 /// x = L⁻¹ x.
-template <class T> void substitute(std::size_t n, T const *a, T *x) noexcept
+template <class T> PW85_FUNCTION inline void substitute(std::size_t n, T const *a, T *x) noexcept
 {
     for (std::size_t i = 0; i < n; ++i) x[i] = (x[i] - dot(i, a + i * n, x)) / a[i * n + i];
 }
 
 /// x = L⁻ᵀ x.
-template <class T> void substitute_back(std::size_t n, T const *a, T *x) noexcept
+template <class T>
+PW85_FUNCTION inline void substitute_back(std::size_t n, T const *a, T *x) noexcept
 {
     for (std::size_t i = n; i-- > 0;) {
         x[i] = x[i] / a[i * n + i];

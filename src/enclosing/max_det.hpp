@@ -29,16 +29,33 @@
 #define PW85_ENCLOSING_MAX_DET_HPP_INCLUDED
 
 #include "../base/array.hpp"
-#include "cloud.hpp"
+#include "cholesky.hpp"
 
 namespace pw85::detail::enclosing {
+namespace { // around_ellipsoids.cpp alone includes it
 
-inline constexpr std::size_t max_lifted = max_dimension + 1;
+double rounded(double x) noexcept { return x; }
+double rounded(Wide const &x) noexcept { return x.high; }
 
-/// A d×d matrix, with rows of the length d.
-template <class T> struct Square {
-    T x[max_lifted * max_lifted];
-};
+/// Diagonal of J.
+double sign_of(std::size_t i, std::size_t d) noexcept { return i + 1 < d ? 1.0 : -1.0; }
+
+/// Differences below this have no right digits: S is rounded by u, so that S⁻¹ is rounded by u over
+/// the difference, relatively. The step for V is multiplied by S⁻¹ again.
+constexpr double least_gap(double) noexcept { return 1e-9; }
+constexpr double least_gap(Wide const &) noexcept { return 1e-24; }
+
+constexpr int max_steps = 60;
+/// So many steps that do not halve the difference, in a row, end the search.
+constexpr int max_idle_steps = 5;
+
+/// θ over its present value. θ must not become small before Z V is close to 1.
+double reduction(double distance, double share) noexcept
+{
+    if (share < 0.5) return 1.0;
+    if (distance > 0.1) return distance > 0.5 ? 0.5 : 0.2;
+    return share > 0.95 ? 0.03 : 0.1;
+}
 
 template <class T> class MaxDet {
   public:
@@ -95,9 +112,264 @@ template <class T> template <class U> void MaxDet<T>::begin_at(MaxDet<U> const &
     }
 }
 
-extern template class MaxDet<double>;
-extern template class MaxDet<Wide>;
+template <class T> bool MaxDet<T>::reserve(int n, std::size_t count) noexcept
+{
+    d_ = static_cast<std::size_t>(n) + 1;
+    size_of_step_ = d_ * (d_ + 1) / 2;
+    count_ = count;
+    return blocks_.resize(count) && hessian_.resize(size_of_step_ * size_of_step_) &&
+           step_.resize(size_of_step_);
+}
 
+/// c = a b or a bᵀ.
+template <class T>
+void MaxDet<T>::multiply(T const *a, T const *b, bool transposed, T *c) const noexcept
+{
+    for (std::size_t i = 0; i < d_; ++i)
+        for (std::size_t j = 0; j < d_; ++j) {
+            T sum = T(0);
+            for (std::size_t k = 0; k < d_; ++k)
+                sum = sum + a[i * d_ + k] * b[transposed ? j * d_ + k : k * d_ + j];
+            c[i * d_ + j] = sum;
+        }
+}
+
+/// Returns false if a symmetric matrix is not positive definite.
+template <class T> bool MaxDet<T>::invert(T const *a, T *inverse) const noexcept
+{
+    Square<T> factor;
+    for (std::size_t k = 0; k < d_ * d_; ++k) factor.x[k] = a[k];
+    if (!factorize(d_, factor.x, 0.0)) return false;
+    for (std::size_t i = 0; i < d_; ++i) {
+        T *const row = inverse + i * d_;
+        for (std::size_t j = 0; j < d_; ++j) row[j] = T(i == j ? 1.0 : 0.0);
+        substitute(d_, factor.x, row);
+        substitute_back(d_, factor.x, row);
+    }
+    return true;
+}
+
+template <class T> void MaxDet<T>::begin() noexcept
+{
+    auto const d = static_cast<double>(d_), share = 1.0 / static_cast<double>(count_);
+    for (std::size_t k = 0; k < d_ * d_; ++k) v_.x[k] = T(0);
+    for (std::size_t i = 0; i < count_; ++i) {
+        Block &block = blocks_[i];
+        Square<T> product;
+        for (std::size_t k = 0; k < d_ * d_; ++k)
+            block.moments.x[k] = T(k % (d_ + 1) != 0  ? 0.0
+                                   : k + 1 == d_ * d_ ? share
+                                                      : share / (d - 1.0));
+        multiply(block.map.x, block.moments.x, false, product.x);
+        multiply(product.x, block.map.x, true, block.inverse.x);
+        for (std::size_t k = 0; k < d_ * d_; ++k) v_.x[k] = v_.x[k] + block.inverse.x[k];
+    }
+    invert(v_.x, z_.x);
+    T largest = T(0); // of tr V⁻¹ L_i L_iᵀ
+    for (std::size_t i = 0; i < count_; ++i) {
+        Square<T> product;
+        multiply(z_.x, blocks_[i].map.x, false, product.x);
+        largest = maximum(largest, dot(d_ * d_, product.x, blocks_[i].map.x));
+    }
+    T const alpha = T(0.25 * d) / largest;
+    for (std::size_t k = 0; k < d_ * d_; ++k) z_.x[k] = alpha * z_.x[k];
+    for (std::size_t i = 0; i < count_; ++i) {
+        blocks_[i].lambda = T(0.5 * d);
+        for (T &x : blocks_[i].moments.x) x = x / alpha;
+    }
+}
+
+/// Computes S, S⁻¹, V, Z⁻¹ and Σ tr S W. Returns false if a matrix is not positive definite.
+template <class T> bool MaxDet<T>::evaluate() noexcept
+{
+    product_ = T(0);
+    for (std::size_t k = 0; k < d_ * d_; ++k) v_.x[k] = T(0);
+    for (std::size_t i = 0; i < count_; ++i) {
+        Block &block = blocks_[i];
+        Square<T> product;
+        T *const s = block.slack.x;
+        multiply(z_.x, block.map.x, false, product.x);
+        for (std::size_t a = 0; a < d_; ++a)
+            for (std::size_t b = 0; b <= a; ++b) {
+                T sum = a == b ? T(T(sign_of(a, d_)) * block.lambda) : T(0);
+                if (a == b && a + 1 == d_) sum = sum + T(static_cast<double>(d_));
+                for (std::size_t k = 0; k < d_; ++k)
+                    sum = sum - block.map.x[k * d_ + a] * product.x[k * d_ + b];
+                s[a * d_ + b] = s[b * d_ + a] = sum;
+            }
+        product_ = product_ + dot(d_ * d_, s, block.moments.x);
+        if (!invert(s, block.inverse.x)) return false;
+        multiply(block.map.x, block.moments.x, false, product.x);
+        multiply(product.x, block.map.x, true, block.slack_step.x);
+        for (std::size_t k = 0; k < d_ * d_; ++k) v_.x[k] = v_.x[k] + block.slack_step.x[k];
+    }
+    return invert(z_.x, z_inverse_.x);
+}
+
+/// The Frobenius norm of Z V - 1, for a symmetric form of it.
+template <class T> double MaxDet<T>::distance_from_inverse() const noexcept
+{
+    Square<T> product;
+    multiply(z_.x, v_.x, false, product.x);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < d_; ++i)
+        for (std::size_t j = 0; j < d_; ++j) {
+            T const one = T(i == j ? 1.0 : 0.0);
+            sum += rounded((product.x[i * d_ + j] - one) * (product.x[j * d_ + i] - one));
+        }
+    return elementary::sqrt(sum > 0.0 ? sum : 0.0);
+}
+
+/// Adds X -> sym(P X Q) - C tr(C X)/h to the matrix of the equation, whose rows and columns are the
+/// entries (a, b) with a <= b.
+template <class T>
+void MaxDet<T>::add_operator(T const *p, T const *q, T const *coupling, T const &stiffness) noexcept
+{
+    std::size_t const d = d_;
+    for (std::size_t a = 0, row = 0; a < d; ++a)
+        for (std::size_t b = a; b < d; ++b, ++row) {
+            T *entry = &hessian_[row * size_of_step_];
+            T const pull = coupling == nullptr ? T(0) : T(coupling[a * d + b] / stiffness);
+            for (std::size_t c = 0; c <= a; ++c) {
+                T const pa = T(0.25) * p[a * d + c], pb = T(0.25) * p[b * d + c],
+                        qa = T(0.25) * q[a * d + c], qb = T(0.25) * q[b * d + c];
+                for (std::size_t e = c; e < (c == a ? b + 1 : d); ++e, ++entry) {
+                    *entry = *entry + (pa * q[b * d + e] + qb * p[a * d + e]) +
+                             (qa * p[b * d + e] + pb * q[a * d + e]);
+                    if (coupling != nullptr) *entry = *entry - pull * coupling[c * d + e];
+                }
+            }
+        }
+}
+
+/// Makes the equation for the step of Z. Its unknowns are the entries of the step above the
+/// diagonal, twice, and those on it.
+template <class T> void MaxDet<T>::assemble(T const &theta) noexcept
+{
+    for (std::size_t k = 0; k < hessian_.size(); ++k) hessian_[k] = T(0);
+    add_operator(v_.x, z_inverse_.x, nullptr, T(1));
+    Square<T> right = z_inverse_;
+    for (std::size_t i = 0; i < count_; ++i) {
+        Block &block = blocks_[i];
+        Square<T> lw, ls, moved_moments, moved_inverse, product;
+        multiply(block.map.x, block.moments.x, false, lw.x);
+        multiply(block.map.x, block.inverse.x, false, ls.x);
+        multiply(lw.x, block.map.x, true, moved_moments.x);
+        multiply(ls.x, block.map.x, true, moved_inverse.x);
+        for (std::size_t a = 0; a < d_; ++a) ls.x[a * d_ + d_ - 1] = -ls.x[a * d_ + d_ - 1];
+        multiply(lw.x, ls.x, true, product.x);
+        T trace = T(0), stiffness = T(0);
+        for (std::size_t a = 0; a < d_; ++a) {
+            trace = trace + T(sign_of(a, d_)) * block.inverse.x[a * d_ + a];
+            for (std::size_t b = 0; b < d_; ++b) {
+                std::size_t const k = a * d_ + b;
+                block.coupling.x[k] = T(0.5) * (product.x[k] + product.x[b * d_ + a]);
+                stiffness = stiffness + T(sign_of(a, d_) * sign_of(b, d_)) *
+                                            (block.moments.x[k] * block.inverse.x[k]);
+            }
+        }
+        block.pull = theta * trace;
+        block.stiffness = stiffness;
+        add_operator(moved_moments.x, moved_inverse.x, block.coupling.x, stiffness);
+        T const factor = block.pull / stiffness;
+        for (std::size_t k = 0; k < d_ * d_; ++k)
+            right.x[k] = right.x[k] - theta * moved_inverse.x[k] + factor * block.coupling.x[k];
+    }
+    for (std::size_t a = 0, row = 0; a < d_; ++a)
+        for (std::size_t b = a; b < d_; ++b, ++row) step_[row] = right.x[a * d_ + b];
+}
+
+/// Solves the equation, and finds the steps of λ, S and W. Returns false if they are not finite.
+template <class T> bool MaxDet<T>::find_steps(T const &theta) noexcept
+{
+    factorize(size_of_step_, hessian_.data(), 0.0);
+    substitute(size_of_step_, hessian_.data(), step_.data());
+    substitute_back(size_of_step_, hessian_.data(), step_.data());
+    bool finite = true;
+    for (std::size_t a = 0, row = 0; a < d_; ++a)
+        for (std::size_t b = a; b < d_; ++b, ++row) {
+            z_step_.x[a * d_ + b] = z_step_.x[b * d_ + a] =
+                a == b ? step_[row] : T(T(0.5) * step_[row]);
+            double const x = rounded(step_[row]);
+            finite &= x - x == 0.0;
+        }
+    for (std::size_t i = 0; i < count_; ++i) {
+        Block &block = blocks_[i];
+        Square<T> product, other;
+        T const change = (block.pull + dot(d_ * d_, block.coupling.x, z_step_.x)) / block.stiffness;
+        multiply(z_step_.x, block.map.x, false, product.x);
+        for (std::size_t a = 0; a < d_; ++a)
+            for (std::size_t b = 0; b < d_; ++b) {
+                T sum = a == b ? T(T(sign_of(a, d_)) * change) : T(0);
+                for (std::size_t k = 0; k < d_; ++k)
+                    sum = sum - block.map.x[k * d_ + a] * product.x[k * d_ + b];
+                block.slack_step.x[a * d_ + b] = sum;
+            }
+        multiply(block.moments.x, block.slack_step.x, false, other.x);
+        multiply(other.x, block.inverse.x, false, product.x);
+        for (std::size_t a = 0; a < d_; ++a)
+            for (std::size_t b = 0; b < d_; ++b) {
+                std::size_t const k = a * d_ + b;
+                block.moment_step.x[k] = theta * block.inverse.x[k] - block.moments.x[k] -
+                                         T(0.5) * (product.x[k] + product.x[b * d_ + a]);
+            }
+        block.pull = change; // the step of λ
+    }
+    return finite;
+}
+
+template <class T> bool MaxDet<T>::is_definite_at(Square<T> const &x, Square<T> const &step,
+                                                  T const &share) const noexcept
+{
+    Square<T> sum{};
+    for (std::size_t k = 0; k < d_ * d_; ++k) sum.x[k] = x.x[k] + share * step.x[k];
+    return factorize(d_, sum.x, 0.0);
+}
+
+/// Goes along the step, by 95 % of what keeps all matrices positive definite. Returns the share of
+/// the step.
+template <class T> double MaxDet<T>::advance() noexcept
+{
+    double share = 1.0;
+    auto const limit = [&](Square<T> const &x, Square<T> const &step) {
+        while (share > 1e-4 && !is_definite_at(x, step, T(share))) share *= 0.9;
+    };
+    limit(z_, z_step_);
+    for (std::size_t i = 0; i < count_; ++i) {
+        limit(blocks_[i].slack, blocks_[i].slack_step);
+        limit(blocks_[i].moments, blocks_[i].moment_step);
+    }
+    T const length = T(share < 1.0 ? 0.95 * share : 1.0);
+    for (std::size_t k = 0; k < d_ * d_; ++k) z_.x[k] = z_.x[k] + length * z_step_.x[k];
+    for (std::size_t i = 0; i < count_; ++i) {
+        Block &block = blocks_[i];
+        block.lambda = block.lambda + length * block.pull;
+        for (std::size_t k = 0; k < d_ * d_; ++k)
+            block.moments.x[k] = block.moments.x[k] + length * block.moment_step.x[k];
+    }
+    return share;
+}
+
+template <class T> double MaxDet<T>::solve(double gap) noexcept
+{
+    double const least = maximum(gap, least_gap(T(0)));
+    double share = 1.0, difference = infinity<double>(), last = difference;
+    for (int step = 0, idle = 0; step < max_steps && idle < max_idle_steps; ++step) {
+        if (!evaluate()) break;
+        double const distance = distance_from_inverse();
+        difference = rounded(product_) + distance * distance;
+        idle = difference < 0.5 * last ? 0 : idle + 1;
+        if (idle == 0) last = difference;
+        if (difference <= least) break;
+        T const theta = product_ * T(reduction(distance, share) / static_cast<double>(count_ * d_));
+        assemble(theta);
+        if (!find_steps(theta)) break;
+        share = advance();
+    }
+    return difference;
+}
+
+} // namespace
 } // namespace pw85::detail::enclosing
 
 #endif
