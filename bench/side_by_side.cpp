@@ -119,8 +119,8 @@ std::vector<Entry> entries()
                         pw85_overlap_batch(x.n, x.r12, x.q1, x.q2, overlap);
                     })});
     list.push_back({"pw85_overlap", "boolean", one_by_one(overlaps_exactly)});
-    list.push_back({"forms of quaternions, then pw85_overlap", "boolean",
-                    std::make_unique<FromQuaternions>()});
+    list.push_back(
+        {"forms of quaternions and pw85_overlap", "boolean", std::make_unique<FromQuaternions>()});
     list.push_back({"pw85_contact", "value", one_by_one(overlaps_by<pw85_contact>)});
     list.push_back(
         {"pw85_contact_function", "value", one_by_one(overlaps_by<pw85_contact_function>)});
