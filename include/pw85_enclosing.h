@@ -51,8 +51,10 @@ PW85_API int pw85_enclosing_ellipsoid(int n, size_t m, double const *points, dou
  *
  * What pw85_enclosing_ellipsoid() says of the excess, of rounding and of units holds here, too:
  * needles with an aspect ratio of 10⁴ have an excess of about n 10⁻⁸, those of 10⁷ are not always
- * certified. The time is that of some ten rounds. A round takes one test of containment for each
- * ellipsoid, and some 15 steps of Newton's method for those that touch the result.
+ * certified. In ten and more dimensions a tolerance of 10⁻¹² is missed now and then, because the
+ * proof that the ellipsoids are inside enlarges the result. The time is that of some ten rounds. A
+ * round takes one test of containment for each ellipsoid, and some 15 steps of Newton's method for
+ * those that touch the result.
  *
  * @param n [1..16] dimensions
  * @param m [number of ellipsoids] at least 1

@@ -508,9 +508,10 @@ Status AroundEllipsoids::run(double tolerance) noexcept
     if (!kappa2_.resize(bodies_.m) || !nu_.resize(bodies_.m) || !begin())
         return Status::out_of_memory;
     // (1 + gap)^(n/2) takes half of the tolerance, and the difference of the bounds of the active
-    // ellipsoids, which is that of the squared volume, an eighth.
+    // ellipsoids, which is that of the squared volume, three eighths. Nearer to the optimum less is
+    // left between the ellipsoids for the proof that they are inside, which then enlarges by more.
     double const target = tolerance / (1.0 + tolerance) / bodies_.n,
-                 least = 0.25 * tolerance / (1.0 + tolerance);
+                 least = 0.75 * tolerance / (1.0 + tolerance);
     double gap = 1.0, difference = maximum(1e-2, least);
     for (int round = 0; round < max_rounds; ++round) {
         bool const is_final = difference <= least;
