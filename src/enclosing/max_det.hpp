@@ -62,7 +62,6 @@ template <class T> class MaxDet {
     /// Makes room for ellipsoids in n dimensions. Returns false if there is no memory.
     bool reserve(int n, std::size_t count) noexcept;
 
-    std::size_t size() const noexcept { return count_; }
     /// Returns L_i, which the caller sets.
     Square<T> &map(std::size_t i) noexcept { return blocks_[i].map; }
     Square<T> const &z() const noexcept { return z_; }
