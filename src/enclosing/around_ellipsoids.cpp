@@ -61,10 +61,9 @@ void factor_of(int n, double const *form, Wide *b) noexcept
 
 /// Vectors f_k with Σ f_k f_kᵀ = W and f_kᵀ J f_k = 0, where tr J W = 0: rotations of pairs of
 /// columns of a Cholesky factor, each of which makes one form zero (J. F. Sturm and S. Zhang, Math.
-/// Oper. Res. 28, 246 (2003)). The rows of the result are the vectors.
-void split(std::size_t d, Square<double> const &moments, Square<double> &vectors) noexcept
+/// Oper. Res. 28, 246 (2003)). The factor replaces W. The rows of the result are the vectors.
+void split(std::size_t d, Square<double> &factor, Square<double> &vectors) noexcept
 {
-    Square<double> factor = moments;
     double forms[max_lifted];
     factorize(d, factor.x, 0x1p-60);
     auto const form = [&](double const *f, double const *g) {
@@ -211,11 +210,12 @@ bool AroundEllipsoids::update_frame() noexcept
 }
 
 /// L of max_det.hpp in the frame: (A B, A (c_i - c); 0, 1).
-void AroundEllipsoids::find_map(std::size_t i, Wide *map) const noexcept
+void AroundEllipsoids::find_map(std::size_t i, Wide *map) noexcept
 {
     int const n = bodies_.n, d = n + 1;
     Body const one = body(i);
-    Wide b[max_dimension * max_dimension], z[max_dimension], w[max_dimension];
+    Wide z[max_dimension], w[max_dimension];
+    Wide *const b = factor_.x;
     factor_of(n, one.form, b);
     for (int j = 0; j < d; ++j) {
         for (int k = 0; k < n; ++k)
@@ -232,7 +232,8 @@ template <class Search> bool AroundEllipsoids::read_outer(Search const &search) 
 {
     int const n = bodies_.n, d = n + 1;
     std::size_t const size = extent(n);
-    Wide k[max_dimension * max_dimension], y[max_dimension], x[max_dimension][max_dimension];
+    Wide *const k = factor_.x;
+    Wide y[max_dimension];
     auto const z = [&](int i, int j) { return Wide(search.z().x[i * d + j]); };
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) k[i * n + j] = z(i, j);
@@ -249,16 +250,17 @@ template <class Search> bool AroundEllipsoids::read_outer(Search const &search) 
         }
     };
     for (int j = 0; j < n; ++j) {
-        for (int i = 0; i < n; ++i) x[j][i] = Wide(i == j ? 1.0 : 0.0);
-        substitute_back(size, k, x[j]);
-        leave_frame(x[j]);
+        Wide *const x = columns_.x + j * n;
+        for (int i = 0; i < n; ++i) x[i] = Wide(i == j ? 1.0 : 0.0);
+        substitute_back(size, k, x);
+        leave_frame(x);
     }
     leave_frame(y);
     for (int i = 0; i < n; ++i) {
         frame_.center[i] = frame_.center[i] - y[i];
         for (int j = 0; j <= i; ++j) {
             Wide sum(0.0);
-            for (int l = 0; l < n; ++l) sum = sum + x[l][i] * x[l][j];
+            for (int l = 0; l < n; ++l) sum = sum + columns_.x[l * n + i] * columns_.x[l * n + j];
             covariance_[at(i, j)] = rho * sum / Wide(n);
         }
     }
@@ -276,16 +278,15 @@ template <class Search> bool AroundEllipsoids::read_outer(Search const &search) 
 Status AroundEllipsoids::enclose_active(double difference, bool is_final) noexcept
 {
     std::size_t const count = active_.size();
-    Square<Wide> map;
     if (!update_frame()) return Status::not_positive_definite;
     std::unique_ptr<MaxDet<double>> const search(new (std::nothrow) MaxDet<double>);
     if (search == nullptr || !search->reserve(bodies_.n, count) || !moments_.resize(count) ||
         !multipliers_.resize(count))
         return Status::out_of_memory;
     for (std::size_t i = 0; i < count; ++i) {
-        find_map(active_[i], map.x);
+        find_map(active_[i], map_.x);
         for (std::size_t k = 0; k < max_lifted * max_lifted; ++k)
-            search->map(i).x[k] = map.x[k].high;
+            search->map(i).x[k] = map_.x[k].high;
     }
     search->begin();
     bool found;
@@ -421,12 +422,12 @@ bool AroundEllipsoids::add_contacts(std::size_t k) noexcept
     int const n = bodies_.n;
     std::size_t const d = extent(n) + 1;
     Body const one = body(active_[k]);
-    Wide b[max_dimension * max_dimension];
-    Square<double> vectors;
+    Wide *const b = factor_.x;
     factor_of(n, one.form, b);
-    split(d, moments_[k], vectors);
+    moments_factor_ = moments_[k];
+    split(d, moments_factor_, vectors_);
     for (std::size_t row = 0; row < d; ++row) {
-        double const *const f = vectors.x + row * d;
+        double const *const f = vectors_.x + row * d;
         double const norm = elementary::sqrt(dot(d - 1, f, f)), weight = f[d - 1] * f[d - 1],
                      length = f[d - 1] < 0.0 ? -norm : norm;
         if (!(norm > 0.0 && weight > 0x1p-200)) continue;

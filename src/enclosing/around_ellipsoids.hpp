@@ -75,7 +75,7 @@ class AroundEllipsoids {
     bool activate(std::size_t i) noexcept;
     bool begin() noexcept;
     bool update_frame() noexcept;
-    void find_map(std::size_t i, Wide *map) const noexcept;
+    void find_map(std::size_t i, Wide *map) noexcept;
     Status enclose_active(double difference, bool is_final) noexcept;
     template <class Search> bool read_outer(Search const &search) noexcept;
     void round_outer(double factor) noexcept;
@@ -101,6 +101,9 @@ class AroundEllipsoids {
     Array<double> kappa2_, nu_, points_, weights_;
     Array<std::size_t> indices_;
     any_dimension::ReachWorkspace<double> memory_;
+    // Of single functions, too large for the stack.
+    Square<Wide> factor_, columns_, map_;
+    Square<double> moments_factor_, vectors_;
 };
 
 } // namespace pw85::detail::enclosing

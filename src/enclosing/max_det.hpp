@@ -85,13 +85,13 @@ template <class T> class MaxDet {
     };
 
     bool evaluate() noexcept;
-    double distance_from_inverse() const noexcept;
+    double distance_from_inverse() noexcept;
     void assemble(T const &theta) noexcept;
     bool find_steps(T const &theta) noexcept;
-    bool is_definite_at(Square<T> const &x, Square<T> const &step, T const &share) const noexcept;
+    bool is_definite_at(Square<T> const &x, Square<T> const &step, T const &share) noexcept;
     double advance() noexcept;
     void multiply(T const *a, T const *b, bool transposed, T *c) const noexcept;
-    bool invert(T const *a, T *inverse) const noexcept;
+    bool invert(T const *a, T *inverse) noexcept;
     void add_operator(T const *p, T const *q, T const *coupling, T const &stiffness) noexcept;
 
     std::size_t d_ = 0, size_of_step_ = 0, count_ = 0;
@@ -99,6 +99,8 @@ template <class T> class MaxDet {
     Array<Block> blocks_;
     Array<T> hessian_, step_;
     T product_; ///< Σ tr S_i W_i
+    // Members because they are too large for the stack.
+    Square<T> first_, second_, third_, fourth_, right_, factor_;
 };
 
 template <class T> template <class U> void MaxDet<T>::begin_at(MaxDet<U> const &other) noexcept
@@ -134,16 +136,15 @@ void MaxDet<T>::multiply(T const *a, T const *b, bool transposed, T *c) const no
 }
 
 /// Returns false if a symmetric matrix is not positive definite.
-template <class T> bool MaxDet<T>::invert(T const *a, T *inverse) const noexcept
+template <class T> bool MaxDet<T>::invert(T const *a, T *inverse) noexcept
 {
-    Square<T> factor;
-    for (std::size_t k = 0; k < d_ * d_; ++k) factor.x[k] = a[k];
-    if (!factorize(d_, factor.x, 0.0)) return false;
+    for (std::size_t k = 0; k < d_ * d_; ++k) factor_.x[k] = a[k];
+    if (!factorize(d_, factor_.x, 0.0)) return false;
     for (std::size_t i = 0; i < d_; ++i) {
         T *const row = inverse + i * d_;
         for (std::size_t j = 0; j < d_; ++j) row[j] = T(i == j ? 1.0 : 0.0);
-        substitute(d_, factor.x, row);
-        substitute_back(d_, factor.x, row);
+        substitute(d_, factor_.x, row);
+        substitute_back(d_, factor_.x, row);
     }
     return true;
 }
@@ -154,7 +155,7 @@ template <class T> void MaxDet<T>::begin() noexcept
     for (std::size_t k = 0; k < d_ * d_; ++k) v_.x[k] = T(0);
     for (std::size_t i = 0; i < count_; ++i) {
         Block &block = blocks_[i];
-        Square<T> product;
+        Square<T> &product = first_;
         for (std::size_t k = 0; k < d_ * d_; ++k)
             block.moments.x[k] = T(k % (d_ + 1) != 0  ? 0.0
                                    : k + 1 == d_ * d_ ? share
@@ -166,7 +167,7 @@ template <class T> void MaxDet<T>::begin() noexcept
     invert(v_.x, z_.x);
     T largest = T(0); // of tr V⁻¹ L_i L_iᵀ
     for (std::size_t i = 0; i < count_; ++i) {
-        Square<T> product;
+        Square<T> &product = first_;
         multiply(z_.x, blocks_[i].map.x, false, product.x);
         largest = maximum(largest, dot(d_ * d_, product.x, blocks_[i].map.x));
     }
@@ -185,7 +186,7 @@ template <class T> bool MaxDet<T>::evaluate() noexcept
     for (std::size_t k = 0; k < d_ * d_; ++k) v_.x[k] = T(0);
     for (std::size_t i = 0; i < count_; ++i) {
         Block &block = blocks_[i];
-        Square<T> product;
+        Square<T> &product = first_;
         T *const s = block.slack.x;
         multiply(z_.x, block.map.x, false, product.x);
         for (std::size_t a = 0; a < d_; ++a)
@@ -206,9 +207,9 @@ template <class T> bool MaxDet<T>::evaluate() noexcept
 }
 
 /// The Frobenius norm of Z V - 1, for a symmetric form of it.
-template <class T> double MaxDet<T>::distance_from_inverse() const noexcept
+template <class T> double MaxDet<T>::distance_from_inverse() noexcept
 {
-    Square<T> product;
+    Square<T> &product = first_;
     multiply(z_.x, v_.x, false, product.x);
     double sum = 0.0;
     for (std::size_t i = 0; i < d_; ++i)
@@ -247,10 +248,11 @@ template <class T> void MaxDet<T>::assemble(T const &theta) noexcept
 {
     for (std::size_t k = 0; k < hessian_.size(); ++k) hessian_[k] = T(0);
     add_operator(v_.x, z_inverse_.x, nullptr, T(1));
-    Square<T> right = z_inverse_;
+    right_ = z_inverse_;
     for (std::size_t i = 0; i < count_; ++i) {
         Block &block = blocks_[i];
-        Square<T> lw, ls, moved_moments, moved_inverse, product;
+        Square<T> &lw = first_, &ls = second_, &moved_moments = third_, &moved_inverse = fourth_,
+                  &product = factor_;
         multiply(block.map.x, block.moments.x, false, lw.x);
         multiply(block.map.x, block.inverse.x, false, ls.x);
         multiply(lw.x, block.map.x, true, moved_moments.x);
@@ -272,10 +274,10 @@ template <class T> void MaxDet<T>::assemble(T const &theta) noexcept
         add_operator(moved_moments.x, moved_inverse.x, block.coupling.x, stiffness);
         T const factor = block.pull / stiffness;
         for (std::size_t k = 0; k < d_ * d_; ++k)
-            right.x[k] = right.x[k] - theta * moved_inverse.x[k] + factor * block.coupling.x[k];
+            right_.x[k] = right_.x[k] - theta * moved_inverse.x[k] + factor * block.coupling.x[k];
     }
     for (std::size_t a = 0, row = 0; a < d_; ++a)
-        for (std::size_t b = a; b < d_; ++b, ++row) step_[row] = right.x[a * d_ + b];
+        for (std::size_t b = a; b < d_; ++b, ++row) step_[row] = right_.x[a * d_ + b];
 }
 
 /// Solves the equation, and finds the steps of λ, S and W. Returns false if they are not finite.
@@ -294,7 +296,7 @@ template <class T> bool MaxDet<T>::find_steps(T const &theta) noexcept
         }
     for (std::size_t i = 0; i < count_; ++i) {
         Block &block = blocks_[i];
-        Square<T> product, other;
+        Square<T> &product = first_, &other = second_;
         T const change = (block.pull + dot(d_ * d_, block.coupling.x, z_step_.x)) / block.stiffness;
         multiply(z_step_.x, block.map.x, false, product.x);
         for (std::size_t a = 0; a < d_; ++a)
@@ -317,12 +319,11 @@ template <class T> bool MaxDet<T>::find_steps(T const &theta) noexcept
     return finite;
 }
 
-template <class T> bool MaxDet<T>::is_definite_at(Square<T> const &x, Square<T> const &step,
-                                                  T const &share) const noexcept
+template <class T>
+bool MaxDet<T>::is_definite_at(Square<T> const &x, Square<T> const &step, T const &share) noexcept
 {
-    Square<T> sum{};
-    for (std::size_t k = 0; k < d_ * d_; ++k) sum.x[k] = x.x[k] + share * step.x[k];
-    return factorize(d_, sum.x, 0.0);
+    for (std::size_t k = 0; k < d_ * d_; ++k) factor_.x[k] = x.x[k] + share * step.x[k];
+    return factorize(d_, factor_.x, 0.0);
 }
 
 /// Goes along the step, by 95 % of what keeps all matrices positive definite. Returns the share of
