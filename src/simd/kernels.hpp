@@ -120,6 +120,10 @@ struct Triangles {
 struct Boxes {
     static constexpr int num_points = 2;
 };
+/// Straight lines, by an origin and a direction.
+struct Lines {
+    static constexpr int num_points = 2;
+};
 
 /// Arrays of points (n×3 each) and of forms (n×6).
 template <class Set> struct SetRows {
@@ -212,6 +216,16 @@ struct SetContactArrays {
     [[gnu::always_inline]] SetContactArrays from(std::size_t begin) const noexcept
     {
         return {row_or_null(mu2, 1, begin), row_or_null(point, 3, begin)};
+    }
+};
+
+/// Ends of the parts of lines that are in ellipsoids. Any pointer may be null.
+struct ChordArrays {
+    double *enter, *leave;
+
+    PW85_MEMBER ChordArrays from(std::size_t begin) const noexcept
+    {
+        return {row_or_null(enter, 1, begin), row_or_null(leave, 1, begin)};
     }
 };
 
