@@ -153,7 +153,8 @@ def page(name, question):
     """The file of a function: help, body and test."""
     voice, head = InOctave(question), result(question)
     brief, *rest = voice.head()
-    lines = [f"function {head} = {name} (varargin)", paragraph(brief, "  ", f"{name}  "), "%", *(f"%   {way}" for way in usages(name, question))]
+    lines = [f"function {head} = {name} (varargin)", paragraph(brief, "  ", f"{name}  "), "%"]
+    lines += [f"%   {way}" for way in usages(name, question)]
     for text in (*rest, *voice.notes(), r.DIMENSIONS[tuple(sorted(question.rows))], ROWS_OF_ALL):
         lines += ["%", paragraph(text)]
     lines += ["%", *described_items(question, voice), "%", f"%  The function of the C API is {question.first.function.name}().", ""]
@@ -171,9 +172,10 @@ def test_of(name, question):
     left = iter(values)
     by_forms = ", ".join(FORMS.get(one.name) or next(left) for one in question.first.inputs)
     by_rows, last = (", ".join([*given[2 - num_ellipsoids(question):], *values]) for given in (("x", "y"), ("x", "y(end,:)")))
+    again = made.replace("a", "b")
     return ["%!test", f"%! [x, y] = deal ({ROWS[dimension]});", "%! [r1, q1] = pw85_from_matgeom (x);",
-            "%! [r2, q2] = pw85_from_matgeom (y);", f"%! {made} = {name} ({by_forms});", f"%! {made.replace('a', 'b')} = {name} ({by_rows});",
-            "%! assert (b, a);", f"%! {made.replace('a', 'b')} = {name} ({last});",
+            "%! [r2, q2] = pw85_from_matgeom (y);", f"%! {made} = {name} ({by_forms});", f"%! {again} = {name} ({by_rows});",
+            "%! assert (b, a);", f"%! {again} = {name} ({last});",
             "%! assert (b, cellfun (@(m) m(end,:), a, 'UniformOutput', false));"]  # fmt: skip
 
 
@@ -200,7 +202,8 @@ def section_of(question):
 
 def released():
     """The day of this version, which pkg wants to know."""
-    return re.search(rf"^## \[{re.escape(declarations.version())}\] - (\S+)$", (SOURCE / "CHANGELOG.md").read_text(encoding="utf-8"), re.M)[1]
+    text = (SOURCE / "CHANGELOG.md").read_text(encoding="utf-8")
+    return re.search(rf"^## \[{re.escape(declarations.version())}\] - (\S+)$", text, re.MULTILINE)[1]
 
 
 def files():

@@ -17,7 +17,7 @@ function [r, q] = pw85_from_matgeom (x)
 %  All functions take such rows: pw85_contact (x, y) is pw85_contact (r2 - r1, q1, q2) with the
 %  centres and forms of x and y. Angles that are multiples of 90 are exact.
 %
-%  matGeom: D. Legland and others, https://github.com/mattools/matGeom
+%  The conventions are those of matGeom 1.2.3 (D. Legland and others).
 
 % SPDX-License-Identifier: BSD-3-Clause
   [r, q] = pw85_mex ('from_matgeom', x);
