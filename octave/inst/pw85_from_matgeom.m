@@ -1,4 +1,4 @@
-function [r, q] = pw85_from_matgeom (x)
+function [r, q] = pw85_from_matgeom (varargin)
 %pw85_from_matgeom  Centres and forms of the ellipsoids or ellipses of matGeom.
 %
 %   [r, q] = pw85_from_matgeom (x)
@@ -20,7 +20,7 @@ function [r, q] = pw85_from_matgeom (x)
 %  The conventions are those of matGeom 1.2.3 (D. Legland and others).
 
 % SPDX-License-Identifier: BSD-3-Clause
-  [r, q] = pw85_mex ('from_matgeom', x);
+  [r, q] = pw85_mex ('from_matgeom', varargin{:});
 end
 
 %!test # the axes of the ellipsoid are where matGeom 1.2.3 draws them
@@ -62,3 +62,4 @@ end
 %!   assert (flat, solid([1 2 4]), 16 * 9 * eps);
 %!   assert (flat, pw85_ellipse (3, 2, angle * pi / 180), 16 * 9 * eps);
 %! end
+%!error <takes one argument, not 0> pw85_from_matgeom ()

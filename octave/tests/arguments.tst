@@ -142,9 +142,35 @@
 %! forms = repmat (ball, 2000, 1); forms(1234,1) = -1;
 %! refused ('value', 'q2, row 1234: must be positive definite', 'contact', [3 0 0], ball, forms);
 %! refused ('value', 'q2, row 1234: must be positive definite', 'compare', [3 0 0], ball, forms, 1);
+%! ## One row that stands for all is row 1, whatever the row of the result.
+%! shrinking = [zeros(1, 6) -1];
+%! refused ('value', 'motion1, row 1: must not shrink to nothing before t_max', 'first_contact', [5 0 0], ball, ball, shrinking, -shrinking, [0.5; 2]);
 
 %!test # arrays are unchanged, also by errors
 %! [one, two, three] = deal (r, q, ball);
 %! pw85_contact (one, two, three);
 %! try, pw85_contact (one, two, -three); catch, end
 %! assert ({one, two, three}, {r, q, ball});
+
+%!test # whatever is given: a result or an error of pw85
+%! rand ('state', 85);
+%! pool = {[], 1, NaN, r, q, ball, r', [0 0 3 1 20], [0 0 0 3 2 1 10 20 30; 4 0 0 1 1 1 0 0 0], zeros(0, 3), zeros(0, 6), ones(2, 2, 2), {1}, ...
+%!         'text', true, int8(ball), single(r), sparse(q), 1i * q, struct('a', 1), @sin, -ball, Inf(1, 6), realmax * ball, realmin * ball, ...
+%!         zeros(1, 7), ones(3), 1:9, (1:9)', 0.5, uint64(3), containers.Map(), zeros(0, 0, 3), cell(0), '', [4 1 2], [4 0 1; 1 0 1], 1e-6, ...
+%!         [3 0 0], [2 1 1], ball, ball, 3 * ball, q(2,:)};
+%! functions = {dir(fullfile (fileparts (which ('pw85_contact')), 'pw85_*.m')).name};
+%! assert (numel (functions) > 40);
+%! answers = 0;
+%! for k = 1:6000
+%!   name = functions{ceil(numel (functions) * rand ())}(1:end-2);
+%!   given = pool(ceil (numel (pool) * rand (1, floor (5 * rand ()))));
+%!   try
+%!     found = feval (name, given{:});
+%!     answers += 1;
+%!   catch err
+%!     assert (err.identifier(1:min (end, 5)), 'pw85:', [name ': ' err.message]);
+%!     assert (strncmp (err.message, [name ': '], numel (name) + 2), err.message);
+%!   end
+%! end
+%! assert (answers > 50, sprintf ('%d answers', answers));
+%! pw85_reproducible (false);
