@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
 # Tests the Octave package: installs the library and the package into build-octave, with the packages of Debian or Ubuntu that they need,
-# runs the tests of the package and README's programs, compares bits with those of a program in C, and checks that the sources call only
-# what MATLAB documents, too.
+# runs the tests of the package and README's programs, compares bits with those of a program in C, and compiles the sources with the
+# declarations that MATLAB documents, too.
 set -eu
 cd "$(dirname "$0")/.."
 . scripts/packages.sh
@@ -20,14 +20,11 @@ cd build-octave/octave
 "$sources/octave/package.sh"
 folder=$PWD/packages
 
-# The functions of the MEX interface that are called, beside those in the list, which MATLAB documents.
-echo '+ functions of MATLAB'
-for file in "$sources"/octave/src/*.[ch]; do
-  gcc -fpreprocessed -E -P "$file" # without comments
-done | grep -oE '\bm(x|ex)[A-Z][A-Za-z]*\(' | tr -d '(' | sort -u >called
-grep -v '^#' "$sources/octave/mex_functions.txt" | sort -u >documented
-comm -23 called documented >undocumented
-if [ -s undocumented ]; then cat undocumented && exit 1; fi
+echo '+ the sources with the declarations of MATLAB'
+for file in pw85_mex questions; do
+  cc -std=c99 -O2 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -I"$sources/octave/tests/matlab" -I"$prefix/include" \
+    -c "$sources/octave/src/$file.c" -o $file.o
+done
 
 # Octave without settings of the user. It installs to a folder of the test, also if root runs it, for whom pkg has another list.
 run_octave() {
