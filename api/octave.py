@@ -171,7 +171,7 @@ def test_of(name, question):
         return ["%!test", f"%! q = {name} ({', '.join(values)});", "%! assert (all (q(:,[1 end])(:) > 0));"]
     left = iter(values)
     by_forms = ", ".join(FORMS.get(one.name) or next(left) for one in question.first.inputs)
-    by_rows, last = (", ".join([*given[2 - num_ellipsoids(question):], *values]) for given in (("x", "y"), ("x", "y(end,:)")))
+    by_rows, last = (", ".join([*given[2 - num_ellipsoids(question) :], *values]) for given in (("x", "y"), ("x", "y(end,:)")))
     again = made.replace("a", "b")
     return ["%!test", f"%! [x, y] = deal ({ROWS[dimension]});", "%! [r1, q1] = pw85_from_matgeom (x);",
             "%! [r2, q2] = pw85_from_matgeom (y);", f"%! {made} = {name} ({by_forms});", f"%! {again} = {name} ({by_rows});",
