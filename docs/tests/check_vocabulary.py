@@ -12,7 +12,7 @@ import tomllib
 from collections import Counter
 from pathlib import Path
 
-FOLDERS = ("api", "bench", "data", "include", "lammps", "python", "r", "src", "tests")
+FOLDERS = ("bench", "data", "examples", "include", "lammps", "python", "r", "src", "tests")
 AREAS = {
     "manual": ("README.md", "CONTRIBUTING.md", "docs/lammps.md", "docs/**/*.rst", *(f"{folder}/**/README.md" for folder in FOLDERS)),
     "contracts": ("include/*.h",),
