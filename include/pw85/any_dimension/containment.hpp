@@ -231,8 +231,8 @@ minimize_dual(Pair<T> const &pair, DualBoundSearch<T> &search, Evaluation<T> &at
 }
 
 /// Returns whether a direction proves that ellipsoid 2 is not inside: √(sᵀQ2s) + |s·r12| >
-/// √(sᵀQ1s), with the errors of form_above(). s is brought to a length of about one, so that what
-/// underflows is far below these errors.
+/// √(sᵀQ1s), with the errors of form_above(). s is scaled to a length of about one; what underflows
+/// is then far below these errors.
 template <class T>
 PW85_FUNCTION inline bool shows_outside(Pair<T> const &pair, T const *direction) noexcept
 {

@@ -8,8 +8,9 @@
 ///
 /// 1. By the S-lemma, ellipsoid 2 is inside if and only if K(ν) = Q1 - Q2/ν - r rᵀ/(1 - ν) is
 /// positive semidefinite for some ν in (0, 1); for r = 0 if and only if Q1 - Q2 is
-/// (exact_containment.hpp of overlap/, with w = ν/(1 - ν)). Such a ν is at least ν1, so that ν1 < 1
-/// is necessary for r != 0. For ν > ν1, K(ν) is positive semidefinite if and only if h(ν) = p/B = 1
+/// (exact_containment.hpp of overlap/, with w = ν/(1 - ν)). Such a ν is at least ν1. Therefore ν1 <
+/// 1 is necessary for r != 0. For ν > ν1, K(ν) is positive semidefinite if and only if h(ν) = p/B =
+/// 1
 /// - ν - rᵀ(Q1 - Q2/ν)⁻¹r >= 0. 2. In the eigenbasis h = 1 - ν - ν Σ c_i/(ν - d_i), over the k
 /// distinct d_i whose eigenspaces r has a part in, with c_i > 0. Let h = q/E in lowest terms: E has
 /// these d_i as its roots, q has the degree k + 1, and p/q = B/E = gcd(p, B). As h is -∞ at

@@ -5,8 +5,8 @@
 ///
 /// The polynomial is that of overlap/exact.hpp, p(t) = t a(t) - m (1 + t) b(t) with a(t) = rᵀ
 /// adj(Q1 + t Q2) r and b(t) = det(Q1 + t Q2), of degree n + 1. It is negative at 0 and at
-/// infinity. In the eigenbasis of the pencil, n - 1 of its roots are negative, so that it has no,
-/// one double or two positive roots: the ellipsoids of m Q1 and m Q2 overlap, touch or are apart.
+/// infinity. In the eigenbasis of the pencil, n - 1 of its roots are negative. It has no, one
+/// double or two positive roots if the ellipsoids of m Q1 and m Q2 overlap, touch or are apart.
 /// Sturm's theorem counts the positive roots.
 ///
 /// Let N be the bits of the integers: those between the highest bit of all entries and the lowest,
