@@ -32,7 +32,7 @@ class Bins {
         }
         first_.assign(num_bins, none);
         atoms_.resize(static_cast<std::size_t>(count));
-        // The loop runs backwards, so that each list has its atoms in the order of memory.
+        // The loop runs backwards to give each list its atoms in the order of memory.
         for (int i = count - 1; i >= 0; --i)
             link(i, bin_of(x + 3 * static_cast<std::ptrdiff_t>(i)));
     }

@@ -113,7 +113,7 @@ class Checkerboard {
     /// LAMMPS computes the sides of sub-domains from fractions of the box, with errors of a few
     /// units of an orthogonal box. In a triclinic box, whose units are 2⁶ times as large, it
     /// computes fractions of positions, with errors below a unit. Positions within this many units
-    /// of the side of a cell belong to no cell, so that no processor moves an atom of a cell that
+    /// of the side of a cell belong to no cell. No processor then moves an atom of a cell that
     /// belongs to another. This rule depends on nothing but the position.
     static constexpr double guard_units = 16.0;
 

@@ -53,7 +53,7 @@ Eigensystem eigensystem(std::array<Vector, 3> a)
     return result;
 }
 
-/// Returns the vector or its negative, so that its largest component is positive.
+/// Returns the vector, or its negative if its largest component is negative.
 Vector with_sign(Vector const &x)
 {
     auto const largest = std::max_element(

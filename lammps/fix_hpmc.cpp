@@ -23,8 +23,8 @@ constexpr char style_name[] = "Fix pw85/hpmc";
 
 /// The share of accepted trials that tuning aims at, and by how much the logarithm of a step
 /// changes for a difference of one in the share. Efficiency has a flat maximum at shares from 0.2
-/// to 0.5. A sweep has one trial of the volume, so that its share is 0 or 1: the mean change is
-/// zero at the wanted share.
+/// to 0.5. A sweep has one trial of the volume, and its share is 0 or 1: the mean change is zero at
+/// the wanted share.
 constexpr double wanted_share = 0.3, gain = 0.3;
 
 /// The largest rotation of a trial, in radians. Beyond it the orientations of a trial would be
@@ -182,8 +182,8 @@ bool FixHpmc::scales(int k) const
     return scaled_ == Scaled::all || scaled_ == Scaled::one_of_three || scaled_ == one;
 }
 
-/// A fix wall/pw85 is across directions that are not periodic, so that it stays what it is if the
-/// box becomes longer or shorter along a periodic one.
+/// A fix wall/pw85 is across directions that are not periodic. It does not change if the box
+/// becomes longer or shorter along a periodic one.
 void FixHpmc::refuse_pressure() const
 {
     for (int k = 0; k < 3; ++k)

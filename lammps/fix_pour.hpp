@@ -20,8 +20,8 @@ namespace pw85_lammps {
 ///
 /// Grain number k has a type, a size, an orientation and a velocity that follow from the seed and k
 /// alone; its places follow from the seed, k, and how many places were refused before. All
-/// processors draw the same grains and know all atoms near the region, so that they decide alike;
-/// the owner of the place creates the atom.
+/// processors draw the same grains and know all atoms near the region, and decide alike; the owner
+/// of the place creates the atom.
 class FixPour final : public LAMMPS_NS::Fix {
   public:
     FixPour(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);

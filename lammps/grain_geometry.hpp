@@ -58,8 +58,7 @@ class GrainSearch {
     /// Replaces the contact of pair k by that found from another start.
     void search_again(std::size_t k, Vector const &normal);
 
-    /// The contacts, each number in a row of its own, so that a processor works on several pairs at
-    /// a time.
+    /// The contacts, each number in a row of its own, for SIMD over several pairs.
     struct Rows {
         alignas(64) Row<3> normal;
         Row<3> arm1, arm2;

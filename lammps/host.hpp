@@ -42,8 +42,8 @@ template <class... Args, class... Rest> void make_args_checked(Rest &&...) = del
 #include <lammps/atom_vec_ellipsoid.h>
 #else
 namespace LAMMPS_NS {
-/// Installed headers lack this class. It derives from AtomVec alone, so that both have one address.
-/// The function is virtual in LAMMPS; its name for the linker is the same.
+/// Installed headers lack this class. It derives from AtomVec alone, so both have one address. The
+/// function is virtual in LAMMPS; its name for the linker is the same.
 class AtomVecEllipsoid {
   public:
     void unpack_comm_bonus(int count, int first, double *buffer);
@@ -149,7 +149,7 @@ inline void set_quaternions(LAMMPS_NS::Atom &atom, double *quaternions)
     style->unpack_comm_bonus(atom.nlocal, 0, quaternions);
 }
 
-/// Forgets the ghosts, so that atoms can be added.
+/// Forgets the ghosts. Afterwards atoms can be added.
 inline void forget_ghosts(LAMMPS_NS::Atom &atom)
 {
     atom.nghost = 0;

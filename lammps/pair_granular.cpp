@@ -78,7 +78,8 @@ void PairGranular::settings(int narg, char **arg)
     if (!allocated && domain->box_exist) allocate();
 }
 
-// The fix must exist before fixes that insert atoms, so that it stores the contacts before they do.
+// The fix must exist before fixes that insert atoms, because it must store the contacts before they
+// do.
 void PairGranular::add_history()
 {
     int k = 0;
@@ -142,7 +143,7 @@ void PairGranular::init_style()
     time_step_check_.start_run();
     if (comm->me == 0 && nothing_moves())
         error->warning(FLERR, std::string(style_name) +
-                                  ": no fix moves the grains, so that they stand still under their "
+                                  ": no fix moves the grains, so they stand still under their "
                                   "forces: add fix nve/asphere, or another fix that integrates");
     Pair::init_style();
 }
@@ -301,7 +302,7 @@ void PairGranular::add_pairs(std::size_t count, int eflag)
     for (std::size_t k = 0; k < count; ++k) add_pair(rows_of_pairs_[k], eflag);
 }
 
-/// Gives rows to the pairs, so that those with the same law follow each other.
+/// Assigns rows to the pairs in the order of their laws.
 void PairGranular::sort_by_law(std::size_t count)
 {
     std::array<std::size_t, row_capacity> keys; // the law, and the pair

@@ -284,8 +284,8 @@ std::string WallMesh::touch(Grain const &grain, double gap,
 /// smallest first.
 ///
 /// The grain scaled by μ touches a triangle whose surface is (μ - 1) h from its own, with h at
-/// least the smallest semi-axis. All triangles up to this μ are there, so that each minimum of a
-/// triangle meets the smaller ones of its neighbours.
+/// least the smallest semi-axis. All triangles up to this μ are there: each minimum of a triangle
+/// meets the smaller ones of its neighbours.
 std::vector<WallMesh::Minimum> WallMesh::minima(Grain const &grain, double gap) const
 {
     double const scale = 1.0 + (gap > 0.0 ? gap / least_semi_axis(grain) : 0.0);
@@ -352,7 +352,7 @@ std::array<Vector, 3> WallMesh::corners(int triangle) const
     return {vertex(t[0]), vertex(t[1]), vertex(t[2])};
 }
 
-// There are about as many cells as triangles, so that most of them have few.
+// There are about as many cells as triangles; most cells have few triangles.
 void WallMesh::Grid::build(std::vector<std::array<Vector, 2>> const &boxes)
 {
     lower_ = boxes.front()[0];

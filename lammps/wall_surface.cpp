@@ -186,8 +186,8 @@ class InsideOfCylinder : public WallSurface {
 /// Across the axis the grain is an ellipse with semi-axes a > b. In the basis of its axes, with
 /// signs for which the centre (x, y) has no negative coordinate, the stationary points are n = h v
 /// with v = (x/s, y/(g + s)), g = a² - b², where F(s) = a² x²/s² + b² y²/(g + s)² = 1 (see
-/// pw85/distance/nearest.hpp). The second maximum has n with the signs (-, +), so that -g < s < 0.
-/// F is convex there, and infinite at both ends; of its two roots, if there are any, the maximum is
+/// pw85/distance/nearest.hpp). The second maximum has n with the signs (-, +); there -g < s < 0. F
+/// is convex there, and infinite at both ends; of its two roots, if there are any, the maximum is
 /// the larger one. At s = -a x, F is at least 1, and its larger root is below. So Newton's method
 /// descends to it monotonically.
 bool InsideOfCylinder::find_second_end(double const *q, Vector const &c, Vector &n) const

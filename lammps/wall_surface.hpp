@@ -52,8 +52,8 @@ class WallSurface {
     /// Returns whether the wall may slide along an axis of space, and stays where it is.
     virtual bool slides_along(int axis) const = 0;
 
-    /// Returns whether the wall ends the space of the grains in the direction of an axis, so that
-    /// this axis cannot be periodic.
+    /// Returns whether the wall bounds the space of the grains along an axis, which then cannot be
+    /// periodic.
     virtual bool crosses(int axis) const = 0;
 
     /// The triangles of a mesh; others have none.

@@ -373,7 +373,7 @@ void AroundEllipsoids::drop_idle(double gap) noexcept
             moments_[i].x[d * d - 1] < least && kappa2_[active_[i]] < 1.0 - maximum(0.1, 4.0 * gap);
         if (!idle) active_[kept++] = active_[i];
     }
-    // The array keeps its memory, so that this cannot fail.
+    // The array keeps its memory: this cannot fail.
     if (!active_.resize(kept)) return;
 }
 

@@ -40,8 +40,8 @@ struct Cloud {
     }
 };
 
-/// Chooses the scale, so that each extent is in [1, 2). Returns invalid_argument if a number is not
-/// finite or an extent is out of range, and not_positive_definite if an extent is zero.
+/// Chooses the scale that brings each extent into [1, 2). Returns invalid_argument if a number is
+/// not finite or an extent is out of range, and not_positive_definite if an extent is zero.
 Status choose_scale(Cloud &cloud) noexcept;
 
 } // namespace pw85::detail::enclosing

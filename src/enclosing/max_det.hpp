@@ -40,8 +40,8 @@ double rounded(Wide const &x) noexcept { return x.high; }
 /// Diagonal of J.
 double sign_of(std::size_t i, std::size_t d) noexcept { return i + 1 < d ? 1.0 : -1.0; }
 
-/// Differences below this have no right digits: S is rounded by u, so that S⁻¹ is rounded by u over
-/// the difference, relatively. The step for V is multiplied by S⁻¹ again.
+/// Differences below this have no correct digits: S is rounded by u, and S⁻¹ by u over the
+/// difference, relatively. The step for V is multiplied by S⁻¹ again.
 constexpr double least_gap(double) noexcept { return 1e-9; }
 constexpr double least_gap(Wide const &) noexcept { return 1e-24; }
 

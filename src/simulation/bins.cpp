@@ -55,8 +55,7 @@ Bins::Block Bins::empty_block(std::int32_t next) noexcept
     return block;
 }
 
-/// Empties all bins. All blocks of a bin but its first are full, so that n/4 further blocks are
-/// enough.
+/// Empties all bins. All blocks of a bin but its first are full, so n/4 further blocks are enough.
 void Bins::clear(std::size_t num_bins) noexcept
 {
     std::fill_n(blocks_.data(), blocks_.size(), empty_block(-1));

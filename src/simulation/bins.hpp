@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file
-/// The particles of a simulation by their places. The event chains (chains.cpp) ask for the
-/// neighbours of a particle, and move it. Particles have numbers here in the order of the bins at
-/// the start, so that those that are near each other are near in memory.
+/// @file The particles of a simulation by their places. The event chains (chains.cpp) ask for the
+/// neighbours of a particle, and move it. Particles are numbered here in the order of the bins at
+/// the start: particles near each other in space are near in memory.
 ///
 /// Vector k of the cell is divided into equal parts if it is periodic. A bin is a parallelepiped of
 /// parts. It has the particles whose centres are in it, after they are moved into the cell, in
@@ -105,8 +104,8 @@ class Bins {
         float center[3], half_widths[3];
     };
 
-    /// Up to four particles of a bin. Empty lanes have negative infinite half-widths, so that their
-    /// boxes intersect none.
+    /// Up to four particles of a bin. Empty lanes have negative infinite half-widths; their boxes
+    /// intersect no other box.
     struct Block {
         Float4 center[3], half_widths[3];
         std::int32_t particle[4];

@@ -181,7 +181,7 @@ void Chains::improve(std::size_t i, Vector3 const &direction, double stage) noex
 
 /// Finds the path to the contact with the last obstacle. The plane at the last t gives it, or else
 /// free_path(). If that fails, too, the obstacle no longer ends the path. It stays among the
-/// obstacles, without a plane, so that the exact test decides about it at the end of the path. So a
+/// obstacles, without a plane, and the exact test decides about it at the end of the path. So a
 /// failure cannot lead to an overlap.
 void Chains::find_contact(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
@@ -286,8 +286,8 @@ double Chains::advance(std::size_t i, Vector3 const &direction, double path, boo
 int Chains::run(std::size_t first, Vector3 const &direction, double length,
                 ChainSums &sums) noexcept
 {
-    // All paths are multiples of the last digit of the length, so that their sum is the length
-    // without rounding.
+    // All paths are multiples of the last digit of the length: their sum is the length, without
+    // rounding.
     double const digit = times_power_of_two(1.0, binary_exponent(length) - 52);
     double remaining = length, at_last_check = length;
     int displacements = 0;

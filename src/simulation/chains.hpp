@@ -46,8 +46,8 @@ class Chains {
     bool own_images_may_touch() const noexcept { return own_images_may_touch_; }
 
     /// Makes one chain and adds to the sums. The direction has length one. Returns a status:
-    /// PW85_ECONVERGENCE if particles block each other within rounding errors, so that the chain
-    /// does not advance.
+    /// PW85_ECONVERGENCE if the chain does not advance, because particles block each other within
+    /// rounding errors.
     int run(std::size_t first, Vector3 const &direction, double length, ChainSums &sums) noexcept;
 
   private:

@@ -109,8 +109,7 @@ struct Configuration {
     /// Changes the number of particles, up to the capacity. New ones have no values yet.
     void set_size(std::size_t n) noexcept { size_ = n; }
 
-    /// Returns whether the system is repeated along all vectors of its dimensions, so that it has a
-    /// volume.
+    /// Returns whether the system has a volume: it is periodic along all vectors of its dimensions.
     [[gnu::always_inline]] bool is_closed() const noexcept
     {
         return cell.exists && cell.periodic[0] && cell.periodic[1] &&

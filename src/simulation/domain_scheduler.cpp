@@ -56,8 +56,8 @@ template <class Visit> bool DomainScheduler::for_those_before(Domains const &dom
     return true;
 }
 
-/// Appends a domain to the order, after those that come before it. The ranks fall, so that at most
-/// eight calls are open.
+/// Appends a domain to the order, after those that come before it. The ranks fall, so at most eight
+/// calls are open.
 void DomainScheduler::append(Domains const &domains, Label label) noexcept
 {
     if (state(domains, label) == waiting) return;

@@ -170,10 +170,10 @@ void Engine::refresh_boxes() noexcept
 }
 
 // One trial moves a side of a bounding box by at most `step` or `spread_`. Half of the skin is
-// more, so that a trial is within the fixed boxes of rows that have just been made. A rotation by
-// (1, v) turns by less than 2 |v|. The half-widths of a bounding box are between the shortest
-// semi-axis and the longest one, so a rotation changes them by no more than the difference. All of
-// this holds for ellipsoids that are enlarged by the reach of energies.
+// more, so a trial is within the fixed boxes of Verlet lists that have just been rebuilt. A
+// rotation by (1, v) turns by less than 2 |v|. The half-widths of a bounding box are between the
+// shortest semi-axis and the longest one, so a rotation changes them by no more than the
+// difference. All of this holds for ellipsoids that are enlarged by the reach of energies.
 double Engine::skin() const noexcept
 {
     auto const step_of = [&](double translation, double rotation) {

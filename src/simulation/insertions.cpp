@@ -54,8 +54,7 @@ bool grow(Array<T> &array, std::size_t n, std::size_t capacity, Array<T> &old) n
 
 } // namespace
 
-// The room doubles, so that all arrays that were outgrown have no more elements than the present
-// ones.
+// The capacity doubles: all outgrown arrays together have no more elements than the present ones.
 int Engine::add(Particle const &particle) noexcept
 {
     Configuration &all = configuration;

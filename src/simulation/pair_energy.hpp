@@ -8,7 +8,7 @@
 /// 2. Energies are rounded to multiples of 2⁻³² k_B T, and added as whole numbers. So the sum does
 ///    not depend on the order of the rows, and not on the number of threads.
 /// 3. The energy is 0 from some μ on, the reach. Rows, rough boxes and domains are those of
-///    ellipsoids that are enlarged by it, so that rows have all pairs with an energy.
+///    ellipsoids that are enlarged by the reach: Verlet lists have all pairs with an energy.
 #ifndef PW85_SIMULATION_PAIR_ENERGY_HPP_INCLUDED
 #define PW85_SIMULATION_PAIR_ENERGY_HPP_INCLUDED
 

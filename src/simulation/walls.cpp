@@ -24,7 +24,7 @@ constexpr double perpendicular = 0x1p-44;
 /// errors.
 constexpr double margin = 1.0 + 0x1p-40;
 
-/// Returns a direction whose largest coordinate is one, so that no product overflows or vanishes.
+/// Returns the direction scaled to a largest coordinate of one: no product overflows or vanishes.
 Vector3 scaled(Vector3 const &direction) noexcept
 {
     double const largest = largest_coordinate(direction);
