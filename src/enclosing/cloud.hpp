@@ -23,7 +23,7 @@ inline constexpr int max_exponent = 480;
 
 using Wide = Doubled<double>;
 
-/// Index of the entry (i, j), j <= i, of a lower triangle that is stored by rows.
+/// Returns the index of the entry (i, j), j <= i, of a lower triangle that is stored by rows.
 constexpr int at(int i, int j) noexcept { return i * (i + 1) / 2 + j; }
 
 /// m points in n dimensions. The C function has checked n and m.

@@ -13,15 +13,15 @@ namespace pw85::detail::simulation {
 
 namespace {
 
-/// Returns whether these can be the largest changes of trials. For negative steps, no list of
-/// neighbours would ever hold.
+/// Returns whether these can be the largest changes of trials. With negative steps, no Verlet list
+/// would ever be valid.
 bool are_steps(double translation, double rotation, double volume) noexcept
 {
     return translation > 0.0 && std::isfinite(translation) && rotation > 0.0 && rotation <= 1.0 &&
            volume > 0.0 && volume <= 1.0;
 }
 
-/// Returns whether these can be counts, and have room for more.
+/// Returns whether these can be counts, and are far from overflow.
 bool are_counts(Counts const &counts) noexcept
 {
     bool allowed = true;

@@ -38,14 +38,14 @@ PW85_FUNCTION inline void copy(ExactPolynomial const &x, ExactPolynomial &y) noe
     for (int i = 0; i <= x.degree; ++i) y.c[i] = copy(x.c[i]);
 }
 
-/// p(t + step), step = ±1.
+/// Replaces p(t) by p(t + step), step = ±1.
 PW85_FUNCTION inline void shift(ExactPolynomial &p, int step) noexcept
 {
     for (int i = 0; i < p.degree; ++i)
         for (int j = p.degree - 1; j >= i; --j) p.c[j] = sum(p.c[j], p.c[j + 1], step);
 }
 
-/// 2^degree p(t/2).
+/// Replaces p(t) by 2^degree p(t/2).
 PW85_FUNCTION inline void stretch(ExactPolynomial &p) noexcept
 {
     for (int i = 0; i < p.degree; ++i) p.c[i] = p.c[i] * to_integer(1.0, p.degree - i);
@@ -64,7 +64,8 @@ PW85_FUNCTION inline int count_sign_changes(ExactPolynomial const &p) noexcept
     return count;
 }
 
-/// The multiple of p that has the given leading coefficient. Its coefficients must be integers.
+/// Replaces p by its multiple that has the given leading coefficient. Its coefficients must be
+/// integers.
 PW85_FUNCTION inline void set_leading(ExactPolynomial &p, Integer const &leading) noexcept
 {
     Integer const old = copy(p.leading());
@@ -106,8 +107,8 @@ PW85_FUNCTION inline void divide(ExactPolynomial &p, ExactPolynomial const &y) n
     set_leading(p, leading);
 }
 
-/// Divides p by what it has in common with y, until nothing is left in common. Returns whether
-/// there is memory.
+/// Divides p by its common divisor with y, until they have no common root. Returns whether there is
+/// memory.
 PW85_FUNCTION inline bool remove_roots(ExactPolynomial &p, ExactPolynomial const &y) noexcept
 {
     for (;;) {
@@ -137,8 +138,8 @@ PW85_FUNCTION inline int find_largest_root(ExactPolynomial (&p)[3]) noexcept
     }
 }
 
-/// p and B as polynomials of ν - 1. Returns 1, 0 if Q1 - Q2 is not positive semidefinite, or
-/// sign_unknown. Interpolation is at ν = 2 … n + 3, where M is positive definite if Q1 - Q2 is
+/// Computes p and B as polynomials of ν - 1. Returns 1, 0 if Q1 - Q2 is not positive semidefinite,
+/// or sign_unknown. Interpolation is at ν = 2 … n + 3, where M is positive definite if Q1 - Q2 is
 /// semidefinite.
 PW85_FUNCTION inline int find_containment_polynomials(Input const &in, ExactPolynomial &p,
                                                       ExactPolynomial &b) noexcept

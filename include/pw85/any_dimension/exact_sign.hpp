@@ -87,7 +87,8 @@ struct ExactPolynomial {
 
     [[gnu::always_inline]] ExactPolynomial() noexcept = default;
     [[gnu::always_inline]] ExactPolynomial(ExactPolynomial &&) noexcept = default;
-    // The copy of the array has a variable of the compiler. NOLINTNEXTLINE(*-identifier-naming)
+    // The compiler's copy of the array has a variable of its own.
+    // NOLINTNEXTLINE(*-identifier-naming)
     [[gnu::always_inline]] ExactPolynomial &operator=(ExactPolynomial &&) noexcept = default;
     [[gnu::always_inline]] ~ExactPolynomial() = default;
     [[gnu::always_inline]] void trim() noexcept
@@ -162,7 +163,7 @@ PW85_FUNCTION inline Minors evaluate(int n, IntegerInput const &x, int first, in
     return minors;
 }
 
-/// degree! p from the values of p at 0 … degree, by Newton's interpolation. The values are
+/// Computes degree! p from the values of p at 0 … degree, by Newton's interpolation. The values are
 /// overwritten.
 PW85_FUNCTION inline void interpolate(int degree, Integer *values, ExactPolynomial &p) noexcept
 {
@@ -181,7 +182,7 @@ PW85_FUNCTION inline void interpolate(int degree, Integer *values, ExactPolynomi
     p.trim();
 }
 
-/// A multiple of p, which a comparison needs.
+/// Computes a multiple of p, which a comparison needs.
 PW85_FUNCTION inline void interpolate(int n, IntegerInput const &x, ExactPolynomial &p) noexcept
 {
     Integer values[max_dimension + 2];
@@ -268,8 +269,7 @@ divide_repeatedly(ExactPolynomial (&pair)[2], Visit const &visit) noexcept
     return is_defined(*first) ? first : nullptr;
 }
 
-/// Numbers of roots: of distinct positive ones, and of those that are counted twice or more, with
-/// all but one of the times.
+/// Numbers of roots: of distinct positive roots, and of the repetitions of multiple roots.
 struct RootCount {
     int positive, repeated; ///< positive is -1 if there is no memory
 };
