@@ -52,7 +52,7 @@ Vector ExactBox::combination(Vector const &fractions) const
     return {a * edges[0] + b * tilts[0] + c * tilts[1], b * edges[1] + c * tilts[2], c * edges[2]};
 }
 
-// The volume over the areas of the faces. Without tilts the quotients are the edges, exactly.
+// Divides the volume by the areas of the faces. Without tilts the quotients are exactly the edges.
 Vector ExactBox::heights() const
 {
     auto const [xy, xz, yz] = tilts;

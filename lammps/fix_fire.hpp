@@ -33,7 +33,7 @@ class FixFire final : public LAMMPS_NS::Fix {
     void post_run() override;
     void reset_dt() override {}
 
-    /// √(Σ F²/m + T·I⁻¹T), which is zero if all forces and torques are zero.
+    /// Returns √(Σ F²/m + T·I⁻¹T), which is zero if all forces and torques are zero.
     double compute_scalar() override { return residual_; }
     double memory_usage() override { return ellipsoids_->bytes(); }
 

@@ -44,8 +44,9 @@ class FixHpmc final : public LAMMPS_NS::Fix {
     void setup_pre_neighbor() override { recover_positions(atom->nlocal + atom->nghost); }
     void pre_neighbor() override { recover_positions(atom->nlocal + atom->nghost); }
 
-    /// For translations, rotations and changes of the volume: 0, 1, 2: the accepted shares of the
-    /// trials of this run; 3, 4, 5: the numbers of trials; 6, 7, 8: the largest steps.
+    /// Returns values for translations, rotations and changes of the volume: 0, 1, 2: the accepted
+    /// fractions of the trials of this run; 3, 4, 5: the numbers of trials; 6, 7, 8: the largest
+    /// steps.
     double compute_vector(int k) override;
 
     void write_restart(FILE *file) override;

@@ -45,7 +45,7 @@ class GrainSearch {
     /// Adds a pair. The search starts from `normal`. There are less than `capacity` pairs.
     void add(Vector const &r12, double const *q1, double const *q2, Vector const &normal);
 
-    /// Lets the search of pair k start from another normal.
+    /// Sets the normal from which the search of pair k starts.
     void start(std::size_t k, Vector const &normal) { pairs_.start[k] = normal; }
 
     /// Computes all contacts. A contact depends on its own pair alone. Its depth is NaN where the

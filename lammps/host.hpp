@@ -140,8 +140,8 @@ template <class Atoms> bool has_superellipsoids(Atoms const &atom)
     return false;
 }
 
-/// Gives all owned atoms, which have shapes, their quaternions (w, i, j, k). LAMMPS has no other
-/// way to set them unchanged: this is how ghosts get theirs.
+/// Sets the quaternions (w, i, j, k) of all owned atoms, which must have shapes. The function by
+/// which LAMMPS unpacks the quaternions of ghosts is the only one that does not change them.
 inline void set_quaternions(LAMMPS_NS::Atom &atom, double *quaternions)
 {
     auto *const style =
@@ -168,7 +168,8 @@ inline void create_ellipsoid(LAMMPS_NS::Atom &atom, int type, std::array<double,
     style->unpack_comm_bonus(1, atom.nlocal - 1, quaternion.data());
 }
 
-/// The region with an ID, or null. Releases of LAMMPS from 2022 on have another name for this.
+/// Returns the region with an ID, or null. Releases of LAMMPS from 2022 on have another name for
+/// this.
 template <class Domain> LAMMPS_NS::Region *find_region(Domain &domain, std::string const &id)
 {
     if constexpr (requires { domain.get_region_by_id(id); }) {

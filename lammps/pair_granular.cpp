@@ -343,8 +343,8 @@ void PairGranular::start_at_contact_function(std::span<std::size_t const> rows)
     }
 }
 
-/// Adds the geometry of the pair in row l, its springs in the step before, and what the law needs
-/// of its bodies.
+/// Fills row l: the geometry of the pair, its springs in the step before, and the data of its
+/// bodies that the law needs.
 void PairGranular::add_row(std::size_t l)
 {
     Overlap &pair = overlaps_[l];
@@ -377,15 +377,15 @@ bool PairGranular::is_certified(std::size_t l) const
            dot(load(rows.normal, l), overlaps_[l].start) >= least_cosine;
 }
 
-/// Returns the depth below which there is no contact in row l. It is negative where surfaces
-/// attract each other that have touched.
+/// Returns the depth below which there is no contact in row l. It is negative if the surfaces
+/// attract each other and have touched.
 double PairGranular::least_depth(std::size_t l) const
 {
     if (largest_gap_ == 0.0 || !overlaps_[l].has_touched) return 0.0;
     return -materials_[overlaps_[l].law].law.largest_gap(search_.rows().radius[l]);
 }
 
-/// Lets the contact in row l be that which is found from the normal of the contact function.
+/// Replaces the contact in row l by the one that is found from the normal of the contact function.
 void PairGranular::search_anew(std::size_t l)
 {
     start_at_contact_function({&l, 1});
@@ -490,8 +490,8 @@ void PairGranular::apply(int i, Vector const &push, Vector const &torque)
 {
     auto const at = 3 * static_cast<std::ptrdiff_t>(i);
     double *const f = atom->f[0] + at, *const t = atom->torque[0] + at;
-    // One by one: a loop would read pairs of numbers that have just been written one by one, which
-    // takes long.
+    // Component by component: a loop would read pairs of numbers that were just written singly,
+    // which stalls.
     f[0] += push[0];
     f[1] += push[1];
     f[2] += push[2];

@@ -103,7 +103,7 @@ Soup read_text(std::string const &bytes, Words const &words)
     return soup;
 }
 
-/// A corner that is not finite could not be told from others.
+/// Refuses corners that are not finite, which could not be compared with others.
 void check_corners(Soup const &soup, Words const &words)
 {
     for (std::size_t t = 0; t < soup.size(); ++t)
@@ -155,7 +155,7 @@ struct Welded {
     }
 };
 
-/// Q⁻¹x up to a positive factor, by the adjugate.
+/// Returns Q⁻¹x up to a positive factor, by the adjugate.
 Vector direction_of_inverse(double const *q, Vector const &x)
 {
     double const a = q[3] * q[5] - q[4] * q[4], b = q[2] * q[4] - q[1] * q[5],
@@ -166,8 +166,8 @@ Vector direction_of_inverse(double const *q, Vector const &x)
     return product(adjugate, x);
 }
 
-/// A lower bound on the smallest semi-axis of a grain: the determinant of the form is the product
-/// of the squares of three semi-axes, of which two are at most the radius.
+/// Returns a lower bound on the smallest semi-axis of a grain: the determinant of the form is the
+/// product of the squares of three semi-axes, of which two are at most the radius.
 double least_semi_axis(Grain const &grain)
 {
     double const *const q = grain.form;

@@ -30,8 +30,7 @@ Vector unit(int axis)
     return e;
 }
 
-/// The part of space n·x <= offset is free, for each of some unit vectors n along the axes of
-/// space.
+/// Half-spaces as walls: n·x <= offset is free, for several unit vectors n along the axes of space.
 class HalfSpaces final : public WallSurface {
   public:
     void add(int axis, double side, double place)
@@ -115,7 +114,7 @@ class InsideOfCylinder : public WallSurface {
         return radius / std::max(1.0 - radius / radius_, 0x1p-20);
     }
 
-    // The shadow of the grain along the axis must be in the disc.
+    // Returns whether the projection of the grain along the axis is not inside of the disc.
     bool cuts(Grain const &grain) const override
     {
         Vector const c = across(grain.center - origin_);
