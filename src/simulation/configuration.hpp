@@ -123,8 +123,8 @@ struct Configuration {
                                         : dot(a, cross(b, cell.vector(2))));
     }
 
-    /// Returns whether a centre is in the cell along each vector that is not periodic. Along
-    /// periodic vectors it always has an image in the cell.
+    /// Returns whether a centre is between the origin and the end of each vector that is not
+    /// periodic. Along the others it has an image that is.
     [[gnu::always_inline]] bool is_in_cell(Vector3 const &center) const noexcept
     {
         Vector3 const a = cell.vector(0), b = cell.vector(1);

@@ -103,8 +103,8 @@ void Engine::set_dimensions(int dimensions) noexcept
     forget();
 }
 
-/// Copies the configuration in memory order, unless it is the same as at the last end(). Rebuilds
-/// the Verlet list if there is none, as after a call that had no memory for it. Returns a status.
+/// Copies the configuration in memory order, unless it is the same as at the last end(). There are
+/// rows afterwards, also if the call before had no memory for them. Returns a status.
 int Engine::begin() noexcept
 {
     if (is_taken_)

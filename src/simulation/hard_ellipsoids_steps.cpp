@@ -13,8 +13,8 @@ namespace pw85::detail::simulation {
 
 namespace {
 
-/// Returns whether these can be the largest changes of trials. With negative steps, no Verlet list
-/// would ever be valid.
+/// Returns whether these can be the largest changes of trials. For negative steps, no list of
+/// neighbours would ever hold.
 bool are_steps(double translation, double rotation, double volume) noexcept
 {
     return translation > 0.0 && std::isfinite(translation) && rotation > 0.0 && rotation <= 1.0 &&

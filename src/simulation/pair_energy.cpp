@@ -15,7 +15,7 @@ namespace pw85::detail::simulation {
 
 namespace {
 
-/// Returns the μ² from which on the energy is 0.
+/// μ² from which on the energy is 0.
 double cutoff_of(pw85_law const &law) noexcept
 {
     return law.parameters[law.kind == PW85_LAW_TABLE ? 1 : 4];
