@@ -63,8 +63,8 @@ bool ComputeGrains::counts(PairGranular::Touch const &touch) const
 
 namespace {
 
-/// Returns the row of a contact. @param arm of the stress of the contact: from the first centre to
-/// the second one, or to the wall
+/// Returns the row of a contact.
+/// @param arm of the stress of the contact: from the first centre to the second one, or to the wall
 template <class Row> Row contact_row(double tag1, double tag2, Vector const &point,
                                      Vector const &normal, double depth, Vector const &push,
                                      Vector const &arm, Vector const &spring, double heat)

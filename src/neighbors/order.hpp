@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file Sorts points along Morton's curve, which brings neighbours in space near each other in
-/// memory. build_tree.cpp calls this.
+/// @file
+/// Sorts points along Morton's curve, which brings neighbours in space near each other in memory.
+/// build_tree.cpp calls this.
 ///
 /// The particles come in any order. For millions of them, reads from random addresses cost more
 /// than everything else. So the first pass moves the points to their parts of the curve, and the

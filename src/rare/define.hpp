@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file Defines the one instance for doubles of tiers that hardly ever run (PW85_RARE,
-/// attributes.hpp). Each file of this folder defines those of one question, and takes the others
-/// from their files. Programs with the static library get only what they call.
+/// @file
+/// Defines the one instance for doubles of tiers that hardly ever run (PW85_RARE, attributes.hpp).
+/// Each file of this folder defines those of one question, and takes the others from their files.
+/// Programs with the static library get only what they call.
 #ifndef PW85_RARE_DEFINE_HPP_INCLUDED
 #define PW85_RARE_DEFINE_HPP_INCLUDED
 

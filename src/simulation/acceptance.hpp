@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file Decides whether trials of a simulation are accepted. volume.cpp, engine.cpp and
-/// insertions.cpp call this.
+/// @file
+/// Decides whether trials of a simulation are accepted. volume.cpp, engine.cpp and insertions.cpp
+/// call this.
 #ifndef PW85_SIMULATION_ACCEPTANCE_HPP_INCLUDED
 #define PW85_SIMULATION_ACCEPTANCE_HPP_INCLUDED
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file The Verlet list of a simulation, as one row of images for each particle. engine.hpp uses
-/// the rows to test whether a particle overlaps any other.
+/// @file
+/// The Verlet list of a simulation, as one row of images for each particle. engine.hpp uses the
+/// rows to test whether a particle overlaps any other.
 ///
 /// 1. Particle i has a fixed box: the bounding box that it had when the rows were made, enlarged by
 ///    the reach of energies (pair_energy.hpp) and by half of the skin on each side. Its row has all

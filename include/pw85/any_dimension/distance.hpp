@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file The distance of two ellipsoids in n dimensions, with the closest points and the normal.
-/// The equations and their search are those of distance/normal_equations.hpp and
+/// @file
+/// The distance of two ellipsoids in n dimensions, with the closest points and the normal. The
+/// equations and their search are those of distance/normal_equations.hpp and
 /// distance/normal_search.hpp. They use vectors of two or three numbers; the functions here use
 /// arrays.
 ///

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file Scales a pair by powers of two to keep all intermediate results in range. validate.hpp,
+/// @file
+/// Scales a pair by powers of two to keep all intermediate results in range. validate.hpp,
 /// evaluation.hpp, refinement.hpp and the loaders of pairs (src/simd/rows.hpp) use this file.
 #ifndef PW85_CONTACT_SCALING_HPP_INCLUDED
 #define PW85_CONTACT_SCALING_HPP_INCLUDED

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file The frame in which one ellipsoid is the unit ball and the principal axes of the other one
-/// are the coordinate axes. rim_axis.hpp and overlap_volume.hpp use it. A joint linear map
-/// multiplies every volume by its determinant, so the common part can be measured here.
+/// @file
+/// The frame in which one ellipsoid is the unit ball and the principal axes of the other one are
+/// the coordinate axes. rim_axis.hpp and overlap_volume.hpp use it. A joint linear map multiplies
+/// every volume by its determinant, so the common part can be measured here.
 #ifndef PW85_VOLUME_JOINT_FRAME_HPP_INCLUDED
 #define PW85_VOLUME_JOINT_FRAME_HPP_INCLUDED
 
