@@ -115,8 +115,8 @@ template <class T> PW85_FUNCTION inline T determinant(int n, T const *factors) n
 PW85_FUNCTION constexpr int factorization_error(int n) noexcept { return n * (n + 4); }
 
 /// Returns whether A - shift diag(A) has positive pivots. Then xᵀAx >= (shift - n (n + 4) u) Σ a_ii
-/// x_i² for every x, and A is positive definite if the shift is larger than that. `memory` is for
-/// one matrix.
+/// x_i² for every x, so that A is positive definite if the shift is larger than that. `memory` is
+/// for one matrix.
 template <class T> PW85_FUNCTION inline bool
 is_definite_with_shift(int n, T const *a, T const &shift, T *memory) noexcept
 {
