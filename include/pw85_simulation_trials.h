@@ -42,8 +42,8 @@ extern "C" {
  *
  * A translation is by a point of a ball. A rotation multiplies the quaternion by (1, v) from the
  * left, v a point of a ball. An exchange swaps the semi-axes of two particles of a domain. In two
- * dimensions a translation is by a point of a disc, and a rotation about z multiplies by (1, 0, 0,
- * v), v uniform in an interval around 0, so that turns by an angle and by its negative are equally
+ * dimensions a translation is a random vector in a disc. A rotation about z multiplies by (1, 0, 0,
+ * v) with v uniform in an interval around 0: rotations by an angle and by its negative are equally
  * probable.
  *
  * @param simulation a simulation
@@ -115,8 +115,8 @@ PW85_API int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation,
  * counts to zero.
  *
  * Trials are not in detailed balance while the steps change: use this to equilibrate only.
- * Translations become at most half as long as the longest semi-axis. They become longer only
- * where particles are far apart, so that the Verlet lists stay short.
+ * Translations become at most half as long as the longest semi-axis. They become longer only where
+ * particles are far apart, which keeps the Verlet lists short.
  *
  * @param simulation a simulation
  * @param num_sweeps how many

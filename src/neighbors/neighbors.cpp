@@ -171,7 +171,7 @@ class ListBuilder {
         return all;
     }
 
-    /// Runs the tasks in groups, so that each group reuses the memory of the one before.
+    /// Runs the tasks in groups. Each group reuses the memory of the one before.
     bool find_all() noexcept
     {
         std::size_t const num_tasks = (tree_.num_groups() + groups_per_task - 1) / groups_per_task;

@@ -259,8 +259,8 @@ struct InversePowers {
 };
 
 /// U by cubic Hermite interpolation between points that are equally spaced in μ², and 0 from the
-/// last point on. The derivative is that of the polynomial, so that forces conserve the energy.
-/// Before the first point, U is linear.
+/// last point on. The derivative is that of the polynomial, so forces conserve the energy. Before
+/// the first point, U is linear.
 struct LawTable {
     double mu2_min, mu2_max;
     std::size_t intervals;

@@ -55,8 +55,7 @@ Bins::Block Bins::empty_block(std::int32_t next) noexcept
     return block;
 }
 
-/// Empties all bins. All blocks of a bin but its first are full, so that n/4 further blocks are
-/// enough.
+/// Empties all bins. All blocks of a bin but its first are full, so n/4 further blocks are enough.
 void Bins::clear(std::size_t num_bins) noexcept
 {
     std::fill_n(blocks_.data(), blocks_.size(), empty_block(-1));
@@ -116,7 +115,7 @@ void Bins::add(std::size_t i, std::size_t in_configuration, Vector3 const &cente
     rename(i, in_configuration);
 }
 
-/// Sets the margin for this magnitude and those before: a particle may move farther away along a
+/// Enlarges the margin to cover this magnitude, too: a particle may move farther away along a
 /// vector that is not periodic. The margin is 2⁻²⁰ times the largest sum of the magnitudes in a
 /// coordinate, 16 times the unit roundoff. This bounds the rounding errors of the eight operations
 /// from the centres on.
@@ -126,8 +125,9 @@ void Bins::widen_margin(double magnitude) noexcept
     margin_ = static_cast<float>(0x1p-20 * (farthest_ + largest_coordinate(largest_)));
 }
 
-/// Returns the largest magnitude that the margin must cover for a particle at a place. 2⁻²⁸ times a
-/// centre that is not moved into the cell is one, because its coordinates are rounded as doubles.
+/// Returns the largest magnitude that the margin must cover for a particle. One such magnitude is
+/// 2⁻²⁸ times the centre before it is moved into the cell, because its coordinates are rounded as
+/// doubles.
 double Bins::magnitude_of(Vector3 const &center, Box const &box) noexcept
 {
     double largest = 0x1p-28 * largest_coordinate(center);

@@ -99,7 +99,7 @@ struct Progress {
     std::uint32_t remaining; ///< trials that remain
 };
 
-/// The work on a domain. Each thread has one, so that threads do not write to the same cache lines.
+/// The work on a domain. Each thread has its own: threads do not write to the same cache lines.
 struct DomainRun {
     Progress progress;
     Label domain;
@@ -285,7 +285,7 @@ class Engine {
         auto const overlaps_found = [&] {
             return overlaps_any(i, found.images, std::exchange(found.count, 0));
         };
-        // in parts, so that there is room for all of a part
+        // in parts: there is memory for all of a part
         auto const add_all = [&](std::size_t size, auto const &add) {
             for (std::size_t begin = 0; begin < size; begin += most_candidates) {
                 std::size_t const end = std::min(size, begin + most_candidates);

@@ -92,7 +92,8 @@ int check_cell(Cell const &cell) noexcept
 
 bool has_no_z(Vector3 const &vector) noexcept { return vector[2] == 0.0; }
 
-/// Returns a status, which says whether nothing stands out of a plane of z: see Configuration.
+/// Returns a status, which says whether all particles and the cell are in a plane of z: see
+/// Configuration.
 int check_plane(Configuration const &configuration) noexcept
 {
     Cell const &cell = configuration.cell;

@@ -21,7 +21,7 @@ bool are_steps(double translation, double rotation, double volume) noexcept
            volume > 0.0 && volume <= 1.0;
 }
 
-/// Returns whether these can be counts, and have room for more.
+/// Returns whether these can be counts, and are far from overflow.
 bool are_counts(Counts const &counts) noexcept
 {
     bool allowed = true;

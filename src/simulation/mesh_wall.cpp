@@ -115,10 +115,10 @@ std::int32_t MeshWall::nearest(Particle const &particle) const noexcept
 }
 
 // The form is F Fᵀ with a factor whose singular values are the semi-axes up to a few u. An entry is
-// a sum of three products, which errs by less than 3 u a² for the longest semi-axis a, so that the
-// least eigenvalue is smaller by less than 9 u a², of 16 u a² here. The centres, and the vertices
-// relative to them, err by less than 8 u times the coordinates, which are below 2²⁸ b: less than
-// 2⁻²² b, of 2⁻²⁰ b here.
+// a sum of three products, which errs by less than 3 u a² for the longest semi-axis a. The least
+// eigenvalue is therefore smaller by less than 9 u a², of 16 u a² here. The centres, and the
+// vertices relative to them, err by less than 8 u times the coordinates, which are below 2²⁸ b:
+// less than 2⁻²² b, of 2⁻²⁰ b here.
 double MeshWall::longest_step(Vector3 const &semi_axes) noexcept
 {
     double const b = std::min({semi_axes[0], semi_axes[1], semi_axes[2]}),

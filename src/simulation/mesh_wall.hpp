@@ -30,8 +30,8 @@ class MeshWall {
 
     bool exists() const noexcept { return triangles.size() > 0; }
 
-    /// Makes the mesh of the arrays, repeated with a cell. Returns a status: PW85_EINVAL also for a
-    /// mesh that is longer than most_cells along a periodic vector.
+    /// Builds the mesh of the arrays, periodic with a cell. Returns a status: PW85_EINVAL also for
+    /// a mesh that is longer than most_cells along a periodic vector.
     int prepare(Cell const &cell) noexcept;
 
     /// Returns whether a particle meets a triangle.

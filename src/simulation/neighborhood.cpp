@@ -15,7 +15,7 @@ namespace pw85::detail::simulation {
 
 namespace {
 
-/// Lists with fewer pairs are not worth the start of threads, and more shares not the memory.
+/// Shorter lists are not worth the start of threads; more shares are not worth their memory.
 constexpr std::size_t pairs_per_share = 16384, most_shares = 16;
 
 bool is_same(Multiples const &x, Multiples const &y) noexcept
@@ -29,7 +29,7 @@ Multiples negative(Multiples const &image) noexcept
     return {{-image.n[0], -image.n[1], -image.n[2]}};
 }
 
-/// Numbers different multiples from 0 on, by a hash table with open addressing.
+/// Assigns numbers from 0 on to different multiples, by a hash table with open addressing.
 class ImageTable {
   public:
     explicit ImageTable(Array<Multiples> &images) noexcept : images_(images) {}
@@ -48,7 +48,7 @@ class ImageTable {
 
     std::size_t size() const noexcept { return count_; }
 
-    /// Gives back memory that is not used.
+    /// Frees memory that is not used.
     bool finish() noexcept { return images_.resize(count_); }
 
     /// Returns the number of an image that has one.

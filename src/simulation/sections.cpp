@@ -47,8 +47,8 @@ std::uint32_t checksum(unsigned char const *bytes, std::size_t size) noexcept
     return ~sum;
 }
 
-/// Returns whether bytes begin as the memory that versions before format 1 copied: with
-/// 0x70773835'6d630001 and up to 15 more, in either order of bytes.
+/// Returns whether bytes begin like a state of a version before format 1, which copied its memory:
+/// with 0x70773835'6d630001 and up to 15 more, in either order of bytes.
 bool is_memory_image(unsigned char const *bytes) noexcept
 {
     unsigned char const mark[] = {0x00, 0x63, 0x6d, 0x35, 0x38, 0x77, 0x70};
@@ -75,7 +75,7 @@ char const *check_frame(std::size_t size, unsigned char const *bytes) noexcept
     return nullptr;
 }
 
-/// The number of the section of a name, or num_sections.
+/// Returns the number of the section with a name, or num_sections.
 std::size_t number_of(unsigned char const *name) noexcept
 {
     std::size_t k = 0;

@@ -131,7 +131,7 @@ int Engine::compress(bool take, double &factor) noexcept
     return take ? int{PW85_SUCCESS} : undo(true);
 }
 
-/// Tells rows and boxes that the cell has changed. Returns false if it is singular.
+/// Updates rows and boxes after a change of the cell. Returns false if it is singular.
 bool Engine::set_cell() noexcept
 {
     if (!neighborhood_.set_cell(ordered_.cell)) return false;
@@ -155,7 +155,7 @@ void Engine::apply(Change const &change) noexcept
     });
 }
 
-/// Takes back a change. Rows that were made for it may not hold for the configuration before.
+/// Reverts a change. Rows that were built for it may not be valid for the configuration before.
 int Engine::undo(bool rows_are_new) noexcept
 {
     ordered_.cell = old_cell_;
@@ -219,11 +219,12 @@ int find_first_overlap(Configuration const &configuration, std::int32_t *pair) n
     return first.status;
 }
 
-/// Rows reach three translations t beyond two semi-axes l, and are rebuilt the sooner, the longer t
-/// is. So t is at most l/2. There are fewer than four particles in a cube of the edge 3 a/2,
-/// where a³ is the volume for each particle. So at low density, t may be such that rows are within
-/// this cube: 2 (2 l + 3 t) <= 3 a/2. In two dimensions there are four particles in a square of the
-/// edge 2 a, where a² is the area for each particle.
+/// Returns the longest useful translation t. The longer t is, the more pairs the Verlet lists have,
+/// which reach 3 t beyond two semi-axes l, and the sooner they are rebuilt. So t is at most l/2.
+/// There are fewer than four particles in a cube of the edge 3 a/2, where a³ is the volume for each
+/// particle. So at low density, t may be longer, as long as rows are within this cube: 2 (2 l + 3
+/// t) <= 3 a/2. In two dimensions there are four particles in a square of the edge 2 a, where a² is
+/// the area for each particle.
 double Engine::longest_translation() const noexcept
 {
     if (!ordered_.is_closed()) return 0.5 * longest_;

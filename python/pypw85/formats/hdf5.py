@@ -34,7 +34,7 @@ _USED = ("position", "semi_axes", "orientation", "form", "species", "id", "angle
 _LINKS = 16
 # The largest ratio of deflate, 1032, and its headers: a data set that claims more than that of its bytes was never written.
 _COMPRESSION = 1100
-# Bytes of a chunk: of one frame, so that a file is not larger than what it holds, and small enough for the cache of HDF5.
+# Bytes of a chunk. A chunk has one frame, to make a file not larger than its content, and is small enough for the cache of HDF5.
 _CHUNK = 1 << 18
 # Several frames of less than this share one.
 _SMALL_CHUNK = 1 << 11
