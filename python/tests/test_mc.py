@@ -137,10 +137,14 @@ def test_damaged_bytes(whole, folder):
         changed[place] ^= 1 << place % 8
         pathlib.Path("run.h5").write_bytes(changed)
         for read in readers("run.h5").values():
-            with pytest.raises(pypw85.FileError, match=r"^run\.h5: is damaged: its checksum is not the one that pw85 mc has written; "):
+            with pytest.raises(pypw85.FileError, match=r"^run\.h5: is damaged, or was changed after pw85 mc had written it: "):
                 read()
     pathlib.Path("run.h5").write_bytes(content_of[:-12])  # as of versions before the checksum
     assert content("run.h5") == content(whole / "run.h5") and runs.resume("run.h5").is_finished
+    with h5py.File("run.h5", "r+") as file:
+        file["pw85_mc/progress"][0] += 1
+    with pytest.raises(pypw85.FileError, match="^run.h5: was changed after pw85 mc had written it: bring back a copy of it, or begin"):
+        runs.resume("run.h5")
 
 
 def test_damaged_sizes(folder):
@@ -765,7 +769,8 @@ BAD = [
     (["mc", "--resume", "other.h5"], r"other.h5: is not a run: name a file that pw85 mc has written with --out"),
     (["mc", "--resume", "older.h5"], r"older.h5: is a run of pypw85 2.9.9 in a format that .* does not read: continue it with that"),
     (["mc", "--resume", "broken.h5"], "broken.h5: no readable HDF5 .*: it is broken or truncated; bring back a copy of it, or begin"),
-    *[(["mc", "--resume", f"{name}.h5"], f"{name}.h5: was changed after pw85 mc had written it: bring back a copy") for name in CHANGED],
+    *[(["mc", "--resume", f"{name}.h5"], f"{name}.h5: is damaged, or was changed after pw85 mc had written it: bring back a copy")
+      for name in CHANGED],
     (["mc", "--resume", "old.h5", "--sweeps", "10"], r"old.h5: has 20 sweeps already: ask for more \(--sweeps\)"),
     (["mc", "--resume", "old.h5", "--seed", "2"], "leave out --seed"),
     (["mc", "start.xyz", "--resume", "old.h5"], "leave out START"),

@@ -73,7 +73,7 @@ def _check_seal(path: os.PathLike[str]) -> None:
         file.seek(max(size, 0))
         seal = file.read()
     if size > 0 and seal.startswith(_SEAL) and checksum(path, size) != int.from_bytes(seal[len(_SEAL) :], "little"):
-        raise FileError(path, "is damaged: its checksum is not the one that pw85 mc has written; write it again")
+        raise FileError(path, "is damaged, or was changed after pw85 mc had written it: write it again")
 
 
 def opened(path: os.PathLike[str]) -> Any:
