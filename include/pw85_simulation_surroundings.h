@@ -89,8 +89,9 @@ PW85_API int pw85_hard_ellipsoids_set_walls(pw85_hard_ellipsoids *simulation, si
  * @param[out] overlap [optional; -1 on error] the first particle that the mesh or a wall cuts, and
  *        the triangle next to it or the wall; -1 if there is none
  * @return #PW85_SUCCESS; #PW85_EOVERLAP if the mesh cuts a particle; #PW85_EINVAL as for
- *         pw85_mesh_create(), in two dimensions, and for a mesh that is wider than 16 periods of
- *         the cell; #PW85_ENOMEM: nothing changes then */
+ *         pw85_mesh_create(), in two dimensions, for a mesh that is wider than 16 periods of
+ *         the cell, and for a particle of which more than 2¹⁴ images may meet the mesh;
+ *         #PW85_ENOMEM: nothing changes then */
 PW85_API int pw85_hard_ellipsoids_set_mesh(pw85_hard_ellipsoids *simulation, size_t num_vertices,
                                            double const *vertices, size_t num_triangles,
                                            int32_t const *triangles, int32_t overlap[2]);

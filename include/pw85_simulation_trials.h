@@ -78,7 +78,8 @@ PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t
  *        semi-axis. Such contacts are a part of the pressure that chains do not find, because
  *        images move with their particle.
  * @return #PW85_SUCCESS; #PW85_EINVAL, also for a direction that is zero or out of the plane,
- *         and with walls, a mesh, fields or a potential; #PW85_ENOMEM or #PW85_ECONVERGENCE
+ *         with walls, a mesh, fields or a potential, and in a cell that is so skewed or so small
+ *         that a particle spans more than 2²⁰ bins of it; #PW85_ENOMEM or #PW85_ECONVERGENCE
  *         (particles block each other within rounding errors, or the length is more than some
  *         10¹⁵ distances between contacts), after which the last chain is not complete */
 PW85_API int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chains,
@@ -141,7 +142,7 @@ PW85_API int pw85_hard_ellipsoids_set_fractions(pw85_hard_ellipsoids *simulation
 /** Sets the largest changes of a trial.
  *
  * The lists of neighbours reach three times as far as a translation. So their memory grows with its
- * third power.
+ * third power. In a cell that becomes smaller, translations are shortened to its longest vector.
  *
  * @param simulation a simulation
  * @param steps [> 0] the length of a translation, in a cell that is periodic along its three

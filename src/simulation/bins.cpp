@@ -4,6 +4,8 @@
 
 #include <numeric>
 
+#include "../base/last_error.hpp"
+
 namespace pw85::detail::simulation {
 
 namespace {
@@ -11,6 +13,9 @@ namespace {
 /// Upper bound of the number of bins per particle. With two particles in a bin, few
 /// blocks are empty, and few bins have more than one block.
 constexpr double most_bins = 0.5;
+
+/// A search visits each bin that a particle spans, which takes some nanoseconds.
+constexpr double most_spanned_bins = 0x1p20;
 
 } // namespace
 
@@ -21,29 +26,63 @@ int Bins::prepare(Configuration const &configuration, double side, std::size_t m
     if (!periodicity.prepare(cell_.exists ? cell_.vectors : nullptr, cell_.periodic))
         return PW85_EINVAL;
     std::size_t const n = configuration.size();
-    double fit[3], all = 1.0;
-    int num_divided = 0;
-    for (int k = 0; k < 3; ++k) {
-        bool const periodic = periodicity.is_periodic(k);
-        num_divided += periodic;
-        dual_[k] = periodic ? periodicity.dual_of_cell(k) : Vector3{0.0, 0.0, 0.0};
-        fit[k] = periodic ? std::max(1.0, 1.0 / (side * magnitude(dual_[k]))) : 1.0;
-        all *= fit[k];
-    }
-    double const share = most_bins * static_cast<double>(n) / all;
-    double const fewer = std::min(1.0, num_divided == 3   ? std::cbrt(share)
-                                       : num_divided == 2 ? std::sqrt(share)
-                                                          : share);
+    for (int k = 0; k < 3; ++k)
+        dual_[k] =
+            periodicity.is_periodic(k) ? periodicity.dual_of_cell(k) : Vector3{0.0, 0.0, 0.0};
+    divide(side, most_bins * static_cast<double>(n));
     std::size_t num_bins = 1;
-    for (int k = 0; k < 3; ++k) {
-        parts_[k] = static_cast<std::int32_t>(std::max(1.0, fewer * fit[k]));
-        num_bins *= static_cast<std::size_t>(parts_[k]);
-    }
+    for (std::int32_t const parts : parts_) num_bins *= static_cast<std::size_t>(parts);
     if (!blocks_.resize(num_bins + (n + more) / 4) || !places_.resize(n + more) ||
         !sort(configuration, num_bins) || !order_.resize(n + more))
         return PW85_ENOMEM;
     clear(num_bins);
-    return fill(configuration) ? PW85_SUCCESS : PW85_EINVAL;
+    if (!fill(configuration)) return PW85_EINVAL;
+    if (spanned_bins() <= most_spanned_bins) return PW85_SUCCESS;
+    return note_cause(PW85_EINVAL, nullptr,
+                      "the cell must not be so skewed or so small that a particle spans more than "
+                      "2²⁰ bins of it");
+}
+
+/// Divides the vectors of the cell into parts not much smaller than `side`, but into no more than
+/// `most` bins. Vectors that would have less than one part are not divided, and the others share
+/// the number.
+void Bins::divide(double side, double most) noexcept
+{
+    double fit[3];
+    bool divided[3], all_fit = false;
+    for (int k = 0; k < 3; ++k) {
+        divided[k] = largest_coordinate(dual_[k]) > 0.0;
+        parts_[k] = 1;
+        fit[k] = divided[k] ? std::max(1.0, 1.0 / (side * magnitude(dual_[k]))) : 1.0;
+    }
+    while (!all_fit) {
+        double all = 1.0;
+        int num_divided = 0;
+        for (int k = 0; k < 3; ++k) {
+            num_divided += divided[k];
+            if (divided[k]) all *= fit[k];
+        }
+        double const share = most / all;
+        double const fewer = std::min(1.0, num_divided == 3   ? std::cbrt(share)
+                                           : num_divided == 2 ? std::sqrt(share)
+                                                              : share);
+        all_fit = true;
+        for (int k = 0; k < 3; ++k) {
+            if (!divided[k]) continue;
+            divided[k] = fewer * fit[k] >= 1.0;
+            all_fit = all_fit && divided[k];
+            parts_[k] = divided[k] ? static_cast<std::int32_t>(fewer * fit[k]) : 1;
+        }
+    }
+}
+
+/// Returns how many bins the largest particle spans at most, for any place of it.
+double Bins::spanned_bins() const noexcept
+{
+    double count = 1.0;
+    for (int k = 0; k < 3; ++k)
+        count *= 1.0 + 4.0 * parts_[k] * magnitude_of_dot(dual_[k], largest_);
+    return count;
 }
 
 Bins::Block Bins::empty_block(std::int32_t next) noexcept

@@ -189,6 +189,8 @@ class Bins {
     void clear(std::size_t num_bins) noexcept;
     bool sort(Configuration const &configuration, std::size_t num_bins) noexcept;
     bool fill(Configuration const &configuration) noexcept;
+    void divide(double side, double most) noexcept;
+    double spanned_bins() const noexcept;
     static double magnitude_of(Vector3 const &center, Box const &box) noexcept;
     void widen_margin(double magnitude) noexcept;
     void set(Place const &place, std::int32_t particle, Box const &box) noexcept;

@@ -6,6 +6,7 @@
 #define PW85_SIMULATION_CONFIGURATION_HPP_INCLUDED
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include <pw85_systems.h>
@@ -121,6 +122,16 @@ struct Configuration {
         Vector3 const a = cell.vector(0), b = cell.vector(1);
         return absolute(dimensions == 2 ? a[0] * b[1] - a[1] * b[0]
                                         : dot(a, cross(b, cell.vector(2))));
+    }
+
+    /// Returns the length of the longest vector of a closed cell, or else infinity. A longer
+    /// translation leads to places that shorter ones reach, too.
+    [[gnu::always_inline]] double longest_useful_translation() const noexcept
+    {
+        if (!is_closed()) return HUGE_VAL;
+        double longest = 0.0;
+        for (int k = 0; k < dimensions; ++k) longest = std::max(longest, magnitude(cell.vector(k)));
+        return longest;
     }
 
     /// Returns whether a centre is between the origin and the end of each vector that is not

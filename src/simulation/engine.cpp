@@ -103,6 +103,13 @@ void Engine::set_dimensions(int dimensions) noexcept
     forget();
 }
 
+void Engine::limit_translations(double longest) noexcept
+{
+    parameters.translation = std::min(parameters.translation, longest);
+    for (std::size_t k = 0; k < species.size(); ++k)
+        species[k].translation = std::min(species[k].translation, longest);
+}
+
 /// Copies the configuration in memory order, unless it is the same as at the last end(). There are
 /// rows afterwards, also if the call before had no memory for them. Returns a status.
 int Engine::begin() noexcept

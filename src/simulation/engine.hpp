@@ -143,6 +143,9 @@ class Engine {
     /// To be called for a configuration that allows it, outside of sessions.
     void set_dimensions(int dimensions) noexcept;
 
+    /// Makes translations no longer than `longest`, because the cell has become smaller.
+    void limit_translations(double longest) noexcept;
+
     /// Sets the law of the energies of pairs, outside of sessions. Returns a status.
     int set_law(pw85_law const *law) noexcept;
 

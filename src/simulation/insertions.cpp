@@ -5,7 +5,7 @@
 #include <cmath>
 #include <new>
 
-#include "../neighbors/search.hpp"
+#include "../neighbors/bounded_list.hpp"
 #include "../rows/many_pairs.hpp"
 #include "acceptance.hpp"
 
@@ -169,8 +169,9 @@ int Insertions::list_own_images(double reach) noexcept
     std::size_t count = 0;
     if (shortest_ <= width) {
         double const half = 0.5 * width;
-        if (int const status = neighbors::list_images(
-                periodicity_, {{-half, -half, -half}, {half, half, half}}, vectors))
+        if (int const status =
+                neighbors::list_images(periodicity_, {{-half, -half, -half}, {half, half, half}},
+                                       neighbors::bounded.images, vectors))
             return status;
         if (!own_images_.resize(vectors.size())) return PW85_ENOMEM;
         for (std::size_t k = 1; k < vectors.size(); ++k) {

@@ -8,8 +8,8 @@
 #include <memory>
 #include <span>
 
-#include "../base/objects.hpp"
 #include "../base/parallel.hpp"
+#include "../neighbors/bounded_list.hpp"
 
 namespace pw85::detail::simulation {
 
@@ -139,7 +139,7 @@ int Neighborhood::rebuild_list(Configuration const &configuration, double reach,
 {
     pw85_system const system = configuration.system();
     pw85_neighbors *made = nullptr;
-    int const status = neighbors_create(system, reach, skin, made);
+    int const status = neighbors::create_bounded_list(system, reach, skin, made);
     std::unique_ptr<pw85_neighbors, DestroyList> const list(made);
     if (status != PW85_SUCCESS) return status;
     std::copy_n(configuration.cell.vectors, 9, cell_);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <memory>
 
-#include "../base/objects.hpp"
+#include "../neighbors/bounded_list.hpp"
 #include "../rows/many_pairs.hpp"
 #include "acceptance.hpp"
 #include "engine.hpp"
@@ -23,7 +23,7 @@ int least_mu2_of_list(pw85_system const &system, double scale, double &mu2) noex
 {
     mu2 = HUGE_VAL;
     pw85_neighbors *made = nullptr;
-    if (int const status = neighbors_create(system, scale, 0.0, made)) return status;
+    if (int const status = neighbors::create_bounded_list(system, scale, 0.0, made)) return status;
     std::unique_ptr<pw85_neighbors, DestroyList> const owner(made);
     pw85_pair_list const list = pw85_neighbors_list(made);
     if (list.num_pairs == 0) return PW85_SUCCESS;
@@ -72,6 +72,7 @@ int Engine::try_volume(double pressure, ChangeType type) noexcept
         outcome);
     if (status == PW85_SUCCESS && outcome == Outcome::failed) return PW85_EPOTENTIAL;
     parameters.counts.accepted[volume] += outcome == Outcome::accepted;
+    if (outcome == Outcome::accepted) limit_translations(ordered_.longest_useful_translation());
     return status;
 }
 
@@ -128,7 +129,9 @@ int Engine::compress(bool take, double &factor) noexcept
                 Change(factor, ordered_.dimensions), [] { return Outcome::accepted; }, outcome))
             return status;
     }
-    return take ? int{PW85_SUCCESS} : undo(true);
+    if (!take) return undo(true);
+    limit_translations(ordered_.longest_useful_translation());
+    return PW85_SUCCESS;
 }
 
 /// Updates rows and boxes after a change of the cell. Returns false if it is singular.
@@ -196,7 +199,7 @@ int find_first_overlap(Configuration const &configuration, std::int32_t *pair) n
 {
     pw85_system const system = configuration.system();
     pw85_neighbors *made = nullptr;
-    if (int const status = neighbors_create(system, 1.0, 0.0, made)) return status;
+    if (int const status = neighbors::create_bounded_list(system, 1.0, 0.0, made)) return status;
     std::unique_ptr<pw85_neighbors, DestroyList> const owner(made);
     pw85_pair_list const list = pw85_neighbors_list(made);
     auto const overlap = PW85_OF_PAIR(kernels::chosen(), overlap);
