@@ -131,19 +131,23 @@ def parameters_of(row, kind):
     return ", ".join(f"{camel(one.name)}{'?' if one.name in optional else ''}: {kind(one)}" for one in row.inputs)
 
 
+def signature(row):
+    """The function for one row with its types."""
+    one = result(row, lambda output: ARRAYS[type_of(row, output)] if output.shape else "boolean" if is_truth(row, output) else "number")
+    return f"{camel(row.name)}({parameters_of(row, lambda one: 'Numbers' if one.shape else 'number')}): {one}"
+
+
 def declaration(row):
     """The types of a function and of that for many rows."""
     voice, name = InJavaScript(row), camel(row.name)
-    one = result(row, lambda output: ARRAYS[type_of(row, output)] if output.shape else "boolean" if is_truth(row, output) else "number")
     rows = result(row, lambda output: ARRAYS[type_of(row, output)])
-    given = parameters_of(row, lambda one: "Numbers" if one.shape else "number")
     many = parameters_of(row, lambda one: "Numbers" if one.shape else "Numbers | number")
     listed = [f"@param {camel(one.name)} {voice.of_argument(one)}" for one in row.inputs]
     last = "tMax: Numbers | number | undefined" if "tMax?" in many else ""
     with_out = re.sub(r"tMax\?: [^,]*$", last, many)
     said = [plain(text) for text in [*voice.head(), *voice.notes()]]
     return "\n".join([
-        comment([*said, *listed]), f"    {name}({given}): {one};",
+        comment([*said, *listed]), f"    {signature(row)};",
         comment([f"{name}() of many rows: see {{@link Numbers}}."]), f"    {name}Rows({many}): {rows};",
         f"    {name}Rows<Out extends {out_of(row)}>({with_out}, out: Out): Out;", "",
     ])  # fmt: skip

@@ -6,7 +6,11 @@ set -eu
 cd "$(dirname "$0")/.."
 . scripts/packages.sh
 # shellcheck disable=SC2086,SC2154 # a list of words
-if command -v apt-get >/dev/null; then install_packages $npm_packages; fi
+if command -v apt-get >/dev/null; then
+  install_packages $npm_packages
+  # Node's own packages have npm in nodejs.
+  command -v npm >/dev/null || install_packages npm
+fi
 
 scripts/build_npm.sh
 size=$(wc -c <js/pw85.wasm)
