@@ -14,7 +14,7 @@ ln -sfn /usr/include/boost $build/boost/include/boost
   -Dsystems=false -Dsimulation=false
 ninja -C $build/library src/libpw85.a
 # A call needs at most 16 kB of the stack (pw85.h). The stack is below all other data, so that nothing can be overwritten.
-em++ -O2 -msimd128 --no-entry js/module.c $build/library/src/libpw85.a -o js/pw85.wasm -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH=1 \
+em++ -O2 -msimd128 --no-entry js/module.cpp $build/library/src/libpw85.a -o js/pw85.wasm -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH=1 \
   -sINITIAL_MEMORY=1MB -sTOTAL_STACK=256KB -Wl,--stack-first -sSUPPORT_ERRNO=0 \
   "-sEXPORTED_FUNCTIONS=$(/usr/bin/python3 api/javascript.py)"
 chmod 644 js/pw85.wasm
