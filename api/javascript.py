@@ -109,8 +109,11 @@ class InJavaScript(Voice):
 def comment(lines, indent="    "):
     """A comment of the lines, each of which may be wrapped."""
     width = {"width": 110, "break_long_words": False, "break_on_hyphens": False}
-    texts = [textwrap.wrap(line, initial_indent=" * ", subsequent_indent=" *   " if line.startswith("@") else " * ", **width) for line in lines]
-    return "\n".join(f"{indent}{line}".rstrip() for line in ["/**", *(line for text in texts for line in text), " */"])
+    wrapped = []
+    for line in lines:
+        rest = " *   " if line.startswith("@") else " * "
+        wrapped += textwrap.wrap(line, initial_indent=" * ", subsequent_indent=rest, **width)
+    return "\n".join(f"{indent}{line}".rstrip() for line in ["/**", *wrapped, " */"])
 
 
 def result(row, of_one):

@@ -4,7 +4,7 @@
 # libboost-dev of Debian or Ubuntu.
 set -eu
 cd "$(dirname "$0")/.."
-build=build-npm
+build="build-npm"
 # The headers of Boost, without those of other libraries of this system.
 mkdir -p $build/boost/include
 ln -sfn /usr/include/boost $build/boost/include/boost

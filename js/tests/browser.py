@@ -15,8 +15,6 @@ FOREIGN = """return performance.getEntriesByType("resource").map(e => e.name).fi
 
 
 class Handler(http.server.SimpleHTTPRequestHandler):
-    extensions_map = {**http.server.SimpleHTTPRequestHandler.extensions_map, ".js": "text/javascript", ".wasm": "application/wasm"}
-
     def log_message(self, *_):
         pass
 
