@@ -127,6 +127,7 @@ class Question {
         const placeOf = ({ size }) => (end += 8 * BLOCK * size) - 8 * BLOCK * size;
         this.places = table.inputs.map(placeOf); // in a block
         this.results = table.outputs.map(placeOf);
+        this.given = [...this.places, ...this.results];
     }
 
     one(values) {
@@ -137,12 +138,18 @@ class Question {
             if (count !== 1) refuse(inputs[k].name, `must have 1 row, and has ${count}: see ${this.name}Rows()`);
             copyNumbers(inputs[k], values[k], 0, inputs[k].size, memory.f64, places[k] / 8, true);
         }
-        this.compute(1, places, results, (status, row) => this.refuseLast(status, row, places, () => null));
-        return this.named(outputs.map(({ size, type, isTruth, shape }, k) => {
-            const at = results[k] / TYPES[type].BYTES_PER_ELEMENT;
-            if (shape) return memory[type].slice(at, at + size);
-            return isTruth ? memory[type][at] !== 0 : memory[type][at];
-        }));
+        const status = this.isOfRows ? this.call(1, ...this.given) : this.call(...this.argumentsOf(0, places, results));
+        if (status !== 0) this.refuseLast(status, 0, places, () => null);
+        return this.named(k => this.resultOf(outputs[k], results[k]));
+    }
+
+    /** A result of one row. */
+    resultOf({ size, type, isTruth, shape }, address) {
+        const numbers = this.memory[type], at = address / TYPES[type].BYTES_PER_ELEMENT;
+        if (!shape) return isTruth ? numbers[at] !== 0 : numbers[at];
+        const found = new TYPES[type](size); // slice() takes longer
+        for (let k = 0; k < size; ++k) found[k] = numbers[at + k];
+        return found;
     }
 
     rows(values) {
@@ -164,7 +171,7 @@ class Question {
                 targets[k].set(memory[type].subarray(at, at + size * count), size * from);
             });
         }
-        return out === undefined ? this.named(targets) : out;
+        return out === undefined ? this.named(k => targets[k]) : out;
     }
 
     /** Refuses more arguments than there are, and adds the one that may be missing. */
@@ -196,11 +203,16 @@ class Question {
             return;
         }
         for (let i = 0; i < count; ++i) {
-            const given = this.inputs.map(({ size, isNumber }, k) => (isNumber ? this.memory.f64[places[k] / 8 + i] : places[k] + 8 * size * i));
-            const written = this.outputs.map(({ size, type }, k) => results[k] + TYPES[type].BYTES_PER_ELEMENT * size * i);
-            const status = this.call(...given, ...written);
+            const status = this.call(...this.argumentsOf(i, places, results));
             if (status !== 0) refused(status, i);
         }
+    }
+
+    /** The arguments of a function of C of one row. */
+    argumentsOf(i, places, results) {
+        const { f64 } = this.memory;
+        const given = this.inputs.map(({ size, isNumber }, k) => (isNumber ? f64[places[k] / 8 + i] : places[k] + 8 * size * i));
+        return [...given, ...this.outputs.map(({ size, type }, k) => results[k] + TYPES[type].BYTES_PER_ELEMENT * size * i)];
     }
 
     /** Throws what pw85_last_error() says. `rowOf` gives the row of an argument, by its index (-1 of none), for one of a block. */
@@ -216,10 +228,12 @@ class Question {
         refuse(inputs[k].name, text, rowOf(k, first + row), isOfEntry ? entry : null);
     }
 
-    /** Returns one result itself, or several by their names. */
-    named(results) {
-        if (results.length === 1) return results[0];
-        return Object.fromEntries(this.outputs.map(({ name }, k) => [name, results[k]]));
+    /** Returns the one result, of(0), itself, or several by their names. */
+    named(of) {
+        const { outputs } = this, found = {};
+        if (outputs.length === 1) return of(0);
+        for (let k = 0; k < outputs.length; ++k) found[outputs[k].name] = of(k);
+        return found;
     }
 
     /** The arrays that the caller gives for results, in the order of the outputs; undefined where there is none. */
@@ -231,7 +245,7 @@ class Question {
         for (const name of isAlone ? [] : Object.keys(out)) {
             if (!names.includes(name)) refuse(`out.${name}`, `is not a result: these are ${names.join(", ")}`);
         }
-        const targets = outputs.map(({ name }) => (isAlone ? out : out[name])), labels = names.map(name => (isAlone ? "out" : `out.${name}`));
+        const targets = names.map(name => (isAlone ? out : out[name])), labels = names.map(name => (isAlone ? "out" : `out.${name}`));
         targets.forEach((target, k) => target !== undefined && checkTarget(outputs[k], labels[k], target, n));
         targets.forEach((target, k) => target !== undefined && this.checkShared(labels, targets, k, values));
         return targets;
@@ -287,5 +301,6 @@ export async function load({ wasm, doubles = 0 } = {}) {
         const question = new Question(exports, memory, table);
         return [[table.name, (...values) => question.one(values)], [`${table.name}Rows`, (...values) => question.rows(values)]];
     });
-    return Object.freeze({ allocate: length => memory.allocate(length), release: () => memory.release(), ...Object.fromEntries(functions) });
+    const own = { allocate: length => memory.allocate(length), release: () => memory.release() };
+    return Object.freeze({ ...own, ...Object.fromEntries(functions) });
 }
