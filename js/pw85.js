@@ -163,8 +163,7 @@ class Question {
             const places = inputs.map((input, k) => this.readRows(k, values[k], rows[k] < n, from, count));
             const results = outputs.map(({ size, type }, k) =>
                 inside[k] === null ? this.results[k] : inside[k] + TYPES[type].BYTES_PER_ELEMENT * size * from);
-            const rowOf = (k, row) => (k >= 0 && rows[k] < n ? 0 : from + row);
-            this.compute(count, places, results, (status, row) => this.refuseLast(status, row, places, rowOf));
+            this.compute(count, places, results, (status, row) => this.refuseLast(status, row, places, i => from + i));
             outputs.forEach(({ size, type }, k) => {
                 if (targets[k] === undefined || inside[k] !== null) return;
                 const at = results[k] / TYPES[type].BYTES_PER_ELEMENT;
@@ -215,17 +214,17 @@ class Question {
         return [...given, ...this.outputs.map(({ size, type }, k) => results[k] + TYPES[type].BYTES_PER_ELEMENT * size * i)];
     }
 
-    /** Throws what pw85_last_error() says. `rowOf` gives the row of an argument, by its index (-1 of none), for one of a block. */
+    /** Throws what pw85_last_error() says. `rowOf` gives the row for messages by that in the block. */
     refuseLast(status, first, places, rowOf) {
         const { inputs, memory, exports } = this, at = memory.error / 4;
         exports.pw85_last_error(memory.error);
         const [isKnown, argument, requirement, row, entry] = memory.i32.subarray(at + 1, at + 6), value = memory.f64[at / 2 + 3];
         const text = memory.text(isKnown ? requirement : exports.pw85_strerror(status)), name = memory.text(argument);
         const k = isKnown ? inputs.findIndex(one => one.cName === name) : -1;
-        if (k < 0) refuse(null, text, rowOf(k, first + row));
+        if (k < 0) refuse(null, text, rowOf(first + row));
         const isOfEntry = inputs[k].size > 1 &&
             !(Number.isNaN(value) && Number.isFinite(memory.f64[places[k] / 8 + inputs[k].size * (first + row) + entry]));
-        refuse(inputs[k].name, text, rowOf(k, first + row), isOfEntry ? entry : null);
+        refuse(inputs[k].name, text, rowOf(first + row), isOfEntry ? entry : null);
     }
 
     /** Returns the one result, of(0), itself, or several by their names. */

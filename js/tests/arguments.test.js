@@ -115,6 +115,10 @@ test("arrays for results", () => {
     refused(() => pw85.overlapRows(rows, one, one, new Float64Array(3)), "out: must be a Uint8Array, not Float64Array", { argument: "out" });
     const same = new Float64Array(rows);
     refused(() => pw85.overlapVolumeRows(same, one, one, same.subarray(6)), "out: must not share memory with r12", { argument: "out" });
+    for (const [from, to] of [[0, 9], [3, 0]]) { // next to each other
+        const both = new Float64Array(12), input = both.subarray(from, from + 9);
+        assert.deepEqual(pw85.overlapVolumeRows(input, one, one, both.subarray(to, to + 3)), pw85.overlapVolumeRows(Array(9).fill(0), one, one));
+    }
     const points = new Float64Array(9);
     refused(() => call({ point1: points, point2: points }), "out.point2: must not share memory with out.point1", { argument: "out.point2" });
     assert.deepEqual(pw85.overlapRows(rows, one, one, new Uint8Array(3)), new Uint8Array([0, 0, 1]));
