@@ -409,6 +409,11 @@ def check_octave(results):
     results.add("scripts/test_octave.sh", run(["scripts/test_octave.sh"]))
 
 
+def check_npm(results):
+    """The npm package: its module, its tests in Node and Chromium, README, types, and the bits of C."""
+    results.add("scripts/test_npm.sh", run(["scripts/test_npm.sh"]))
+
+
 def check_foreign(results):
     """The library by a compiler and an emulator for 64-bit ARM."""
     machine = ROOT / "scripts/cross/aarch64-linux-gnu.ini"
@@ -471,6 +476,7 @@ PARTS = {
     "python-of-debian-13": Part(check_python_of_debian_13, "git mmdebstrap", by_default=False),
     "r": Part(check_r, "$build_packages libboost-dev $r_packages", by_default=False),
     "octave": Part(check_octave, "$build_packages libboost-dev $octave_packages", by_default=False),
+    "npm": Part(check_npm, "$npm_packages", by_default=False),
     "formats": Part(check_formats, f"{TEST} {MEASURING}", after=("tests",), by_default=False),
     "valgrind": Part(check_valgrind, f"{TEST} valgrind", after=("tests", "pages"), by_default=False),
     "platforms": Part(check_platforms, f"{TEST} {MACHINES}", after=("tests", "foreign"), by_default=False),

@@ -28,6 +28,10 @@
 
     The functions of Octave that are made from the sections of a C header.
 
+.. javascript-functions:: pw85.h
+
+    The functions of JavaScript for those of the sections of a C header.
+
 .. python-functions:: Distance
 
     The functions of Python for those of a section of the C headers, with their texts.
@@ -43,6 +47,7 @@ import textwrap
 import declarations
 import fortran
 import octave
+import javascript
 import pages
 import r
 from docutils import nodes
@@ -171,6 +176,19 @@ class OctaveFunctions(FromHeader):
             yield from (f"   {r.DIMENSIONS[tuple(sorted(question.rows))]} See :c:func:`{question.first.function.name}`.", "")
 
 
+class JavaScriptFunctions(FromHeader):
+    def lines(self, section):
+        listed = [row for row in javascript.asked() if row.function in section.functions]
+        if listed and section.title:
+            yield from (section.title, "~" * len(section.title), "")
+        for row in listed:
+            yield from self.entry(row)
+
+    def entry(self, row):
+        signature, said = javascript.signature(row), " ".join(javascript.InJavaScript(row).head())
+        yield from (f"``{signature}``", f"   {as_text(said)} See :c:func:`{row.function.name}`.", "")
+
+
 class PythonFunctions(FromHeader):
     final_argument_whitespace = True
 
@@ -205,6 +223,7 @@ def setup(app):
     app.add_directive("cpp-headers", CppHeaders)
     app.add_directive("cpp-values", CppValues)
     app.add_directive("octave-functions", OctaveFunctions)
+    app.add_directive("javascript-functions", JavaScriptFunctions)
     app.add_directive("python-functions", PythonFunctions)
     app.add_directive("r-functions", RFunctions)
     return {"parallel_read_safe": True}
