@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._choices import choice
 from ._errors import PW85Error, Status, last_cause
-from ._forces import Law, checked_law, fault_of_law
+from ._forces import Law, checked_law
 from ._neighbors import _periodic_cell
 from ._arrays import reals
 from ._numbers import instance, instances, integer, real, seed_of, truth
@@ -29,8 +29,6 @@ from ._surroundings import (
     checked_wall,
     compile_potential,
     describe_cut,
-    fault_of_field,
-    fault_of_wall,
 )
 from ._system import System
 from ._typing import Floats
@@ -226,8 +224,7 @@ class HardEllipsoids:
         given = [checked_wall(wall, f"{name}[{k}]") for k, wall in enumerate(instances(walls, Wall, name))]
         status, particle, cutting = self._replace_walls(given)
         if status:
-            faults = [f"wall {k}: {fault}" for k, fault in enumerate(map(fault_of_wall, given)) if fault]
-            cause = (faults or [last_cause("wall", walls=given)])[0]
+            cause = last_cause("wall", walls=given)
             if particle >= 0:
                 cause = f"wall {cutting}, {given[cutting]}: {describe_cut(given[cutting], self.centers[particle], particle)}"
             self._fail(status, "set_walls", cause)
@@ -307,8 +304,7 @@ class HardEllipsoids:
         with self._lock:
             status = _core.hard_ellipsoids_set_fields(self._simulation, _records(given, _FIELD))
         if status:
-            faults = [f"field {k}: {fault}" for k, fault in enumerate(map(fault_of_field, given)) if fault]
-            self._fail(status, "set_fields", (faults or [last_cause("field", fields=given)])[0])
+            self._fail(status, "set_fields", last_cause("field", fields=given))
 
     def set_law(self, law: Law | None) -> None:
         """Sets an energy of pairs beside the hard cores, or none: a law of μ², with βU in the place of U.
@@ -339,12 +335,11 @@ class HardEllipsoids:
         True
         """
         given = Law(0, np.empty(0)) if law is None else checked_law(law, "HardEllipsoids.set_law: law")
-        if fault := fault_of_law(given):
-            self._fail(Status.EINVAL, "set_law", fault)
+        parameters = np.require(given.parameters, np.float64, ["C", "A"])
         with self._lock:
-            status = _core.hard_ellipsoids_set_law(self._simulation, given.kind, np.require(given.parameters, np.float64, ["C", "A"]))
+            status = _core.hard_ellipsoids_set_law(self._simulation, given.kind, parameters)
         if status:
-            self._fail(status, "set_law", last_cause())
+            self._fail(status, "set_law", last_cause(num_parameters=len(parameters), parameters=parameters))
 
     def set_potential(self, potential: Potential | int | None, context: int = 0) -> None:
         """Sets a potential beside the fields, or none.
