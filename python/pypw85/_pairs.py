@@ -288,8 +288,8 @@ def check_list(
     report: Callable[[int], None] = _core.report_contact_pairs,
     **others: Any,
 ) -> None:
-    """Raises the exception for a list that was refused as a whole, with the cause that the library gives. Calls report(status) if pairs of it
-    are bad: then the cause is that of one pair, or of its centres."""
+    """Raises the exception for a list that was refused as a whole, with the cause that the library gives. Calls report(status) if pairs
+    of it are bad: then the cause is that of one pair, or of its centres."""
     if not status:
         return
     cause = _core.last_error()

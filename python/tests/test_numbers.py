@@ -213,7 +213,7 @@ WALLS = [
     (pypw85.Wall.plane([0, 0, 1], np.nan), "wall 1: size must be an offset that is finite, not nan"),
     (pypw85.Wall.sphere([0, np.inf, 0], 1), r"wall 1: point must be a center that is finite, not \(0.0, inf, 0.0\)"),
     (pypw85.Wall.cylinder([0, 0, 0], [0, 0, 1], -1), "wall 1: size must be a radius > 0 whose square is finite and not 0, not -1.0"),
-    (pypw85.Wall.box([0, 0, 0], [-1, 1, 1]), r"wall 1 must have lower <= upper corners, not Wall\(kind=3, point=\(0.0, 0.0, 0.0\), vector=\(-1"),
+    (pypw85.Wall.box([0, 0, 0], [-1, 1, 1]), r"wall 1 must have lower <= upper corners, not Wall\(kind=3, point=\(0.0, .*, vector=\(-1"),
     (pypw85.Wall(10**30, (0, 0, 0), (0, 0, 1), 1), r"wall 1: kind must be from 0 to 3, PW85_WALL_\.\.\., not 1000000000"),
     (pypw85.Wall.sphere([0, 0, 0], 9)._replace(kind=7), r"wall 1: kind must be from 0 to 3, PW85_WALL_\.\.\., not 7"),
     (pypw85.Wall.sphere([0, 0, 0], 9), "wall 0 must be the same in all images of the cell, not Wall"),
@@ -240,8 +240,8 @@ WRONG_LAWS = [
 ]
 LAWS = [
     *WRONG_LAWS,
-    (pypw85.Law.soft_repulsion(1), "law must not be a soft repulsion, which ends where the hard cores begin: use inverse powers or a table"),
-    (pypw85.Law.inverse_powers(4, 12, 4, 6, 1), r"parameters must have a cutoff above μ² = 1, where hard cores touch, not \[4.0, 12.0, 4.0, 6"),
+    (pypw85.Law.soft_repulsion(1), "law must not be a soft repulsion, which ends where the hard cores begin: use inverse powers or"),
+    (pypw85.Law.inverse_powers(4, 12, 4, 6, 1), r"parameters must have a cutoff above μ² = 1, where hard cores touch, not \[4.0, 12.0"),
     (pypw85.Law.inverse_powers(4, 12, 4, 6), "law must have a cutoff of at most 10⁶ in μ²"),
     (pypw85.Law.inverse_powers(4e6, 12, 4, 6, 4), "law must have energies of pairs of at most 2²⁰ k_B T"),
 ]

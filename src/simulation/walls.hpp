@@ -24,8 +24,8 @@
 
 namespace pw85::detail::simulation {
 
-/// Checks whether a simulation can have a wall: its numbers are allowed, and it is repeated with the
-/// cell and suits the dimensions.
+/// Checks whether a simulation can have a wall: its numbers are allowed, and it is repeated with
+/// the cell and suits the dimensions.
 MemberComplaint complaint_of(pw85_wall const &wall, Configuration const &configuration) noexcept;
 
 /// Returns whether a particle has inner points in a wall.
