@@ -115,6 +115,12 @@ def bad_rows(result: Any, core_ndim: int = 0) -> NDArray[np.intp]:
     return np.flatnonzero(bad)
 
 
+def check_status(status: int, function: str, rows: str = "row", /, **arguments: Any) -> None:
+    """Raises the error of a status other than zero, with the cause that the library gives: see `describe`."""
+    if status:
+        raise PW85Error(status, function, _core.strerror(status), last_cause(rows, **arguments))
+
+
 def last_cause(rows: str = "row", /, **arguments: Any) -> str:
     """The cause that the library gives for the last refusal of this thread, as `describe` says it; empty if there is none."""
     cause = _core.last_error()
@@ -140,6 +146,8 @@ def describe(cause: tuple[str, str | None, str, int, int, float], rows: str = "r
         return f"{given[entry]} {requirement}, not {value}"
     if isinstance(given, list) and isinstance(given[row], tuple):
         return f"{rows} {row} {requirement}, not {given[row]}"
+    if np.ndim(given) == 2 and name != "cell":
+        row += entry // np.shape(given)[1]  # of an array that is the same for all rows of the call
     if isinstance(given, list) or (np.ndim(given) == 2 and name != "cell"):
         return f"{rows} {row}: {name} {requirement}, not {_shown(given[row])}"
     if np.size(given) > _MOST_SHOWN:
