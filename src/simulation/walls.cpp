@@ -176,7 +176,7 @@ constexpr Requirements requirements[] = {
 MemberComplaint unless_all_finite(pw85_wall const &wall) noexcept
 {
     auto const [point, vector, size] = requirements[wall.kind];
-    MemberComplaint found;
+    MemberComplaint found{};
     if (point != nullptr) found = unless_finite("point", point, wall.point, 3);
     if (vector != nullptr && found.text == nullptr)
         found = unless_finite("vector", vector, wall.vector, 3);
