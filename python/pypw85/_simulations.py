@@ -220,20 +220,19 @@ class HardEllipsoids:
         >>> bool(np.linalg.norm(simulation.centers) < 0.7)
         True
         """
+        self._set_walls(walls, range(len(self)))
+
+    def _set_walls(self, walls: Iterable[Wall], ids: Sequence[int]) -> None:
+        """As `set_walls`. The message about a particle that a wall cuts names it by its id."""
         name = "HardEllipsoids.set_walls: walls"
         given = [checked_wall(wall, f"{name}[{k}]") for k, wall in enumerate(instances(walls, Wall, name))]
-        status, particle, cutting = self._replace_walls(given)
+        with self._lock:
+            status, (particle, cutting) = _core.hard_ellipsoids_set_walls(self._simulation, _records(given, _WALL))
         if status:
             cause = last_cause("wall", walls=given)
             if particle >= 0:
-                cause = f"wall {cutting}, {given[cutting]}: {describe_cut(given[cutting], self.centers[particle], particle)}"
+                cause = f"wall {cutting}, {given[cutting]}: {describe_cut(given[cutting], self.centers[particle], ids[particle])}"
             self._fail(status, "set_walls", cause)
-
-    def _replace_walls(self, walls: list[Wall]) -> tuple[int, int, int]:
-        """As `set_walls`: the status, and the particle that a wall cuts, and this wall; -1 if there is none."""
-        with self._lock:
-            status, (particle, cutting) = _core.hard_ellipsoids_set_walls(self._simulation, _records(walls, _WALL))
-        return status, particle, cutting
 
     def set_mesh(self, mesh: Mesh | None) -> None:
         """Sets the hard mesh, in place of the one that there is: triangles that no particle meets, beside the walls.
