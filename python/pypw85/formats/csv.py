@@ -28,11 +28,15 @@ from ._table import Lines, Table, coded, write_rows
 SUFFIXES = (".csv",)
 _NUMBER = re.compile(r"[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?")
 _POSITION, _SHAPE, _QUATERNION = ["x", "y", "z"], ["a", "b", "c"], ["qw", "qx", "qy", "qz"]
+_KEYS = ("cell", "dimensions", "origin", "periodic", "step")
+# Comments that say the cell in another way
+_LIKE_KEYS = re.compile(r"[#%]\s*((?:(?:simulation|periodic|unit)[ _-]?)?(?:cell|box|lattice)(?:[ _-]?(?:size|lengths?|vectors?|edges))?|"
+                        r"pbc|periodic\w*|boundar(?:y|ies)|lattice)\s*(?:[:=(\[]|[-+]?\.?\d|[TFtf]\b)", re.IGNORECASE)  # fmt: skip
 # The line that YADE writes before spheres (export.textExt)
 _FORMAT_OF_YADE = re.compile(r"^#\s*format\s+(x_y_z_r\w*)$")
 _NUMBERED = re.compile(r"#\s*(\d{1,4})\s+([A-Za-z]\w*)")
 _THIRD = ("z", "zc", "depth", "elevation", "posz", "positionz", "centerz", "centrez", "centroidz", "cz", "pz", "upward", "altitude",
-          "zslice", "zindex", "zstack", "zplane", "zpos", "zposition")
+          "zslice", "zindex", "zstack", "zplane", "zpos", "zposition", "centroid2", "centroid3")
 # Units in brackets behind the name of a column, and those that have several names
 _UNIT = re.compile(r"[(\[]\s*([^\W\d][^)\]]*)[)\]]\s*$")
 _SAME_UNITS = {"µm": "um", "μm": "um", "micron": "um", "microns": "um"} | dict.fromkeys(("pix", "pixel", "pixels", "voxel", "voxels"), "px")
@@ -46,8 +50,11 @@ _POSITIONS = [
                        *((one, ("[0]", "[1]", "[2]")) for one in ("pos", "position", "center", "centre", "centroid"))]
 ]  # fmt: skip
 # Columns that number pictures, planes or times, of which a table should have one
-_SERIES = re.compile(r"slice|frame|framenumber|image|imagenumber|step|timestep|timepoint|time|plane|zplane|layer")
-_IDS, _TYPES = ("id", "ids", "particleid", "featureid", "index", "number"), ("type", "types", "species", "phase", "phases")
+_SERIES = re.compile(r"(slice|frame|image|picture|step|timestep|timepoint|time|timestamp|snapshot|iteration|cycle|plane|zplane|layer|scan|"
+                     r"file|sample|stack|replica|replicate|realization|realisation|run|trial|specimen|scene)"
+                     r"(s|id|no|nr|num|number|index|idx|name)?|t")
+_IDS = ("id", "ids", "particleid", "featureid", "index", "number")
+_TYPES = ("type", "types", "species", "phase", "phases", "particletype", "bodytype", "objecttype", "graintype", "body", "object", "class")
 
 
 def recognise(start: bytes) -> bool:
@@ -107,7 +114,7 @@ def locate(path: os.PathLike[str]) -> Iterator[Location]:
 
 def load(path: os.PathLike[str], location: Location, options: Options) -> System:
     with Lines(path, location) as lines:
-        keys, line = _keys(lines)
+        keys, line = _keys(lines, options)
         separator, positions, columns = _names(lines, line, options)
         columns = _without_empty_end(lines, separator, columns)
         convention = convention_of(columns, options, lines.error)
@@ -117,8 +124,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         dimensions = lines.whole(keys["dimensions"], "dimensions") if "dimensions" in keys else None
         if dimensions not in (None, 2, 3):
             raise lines.error(f"'dimensions' must be 2 or 3, not {dimensions}")
-        if convention is None:
-            _check_third(columns, positions, options, lines)
+        _check_third(columns, positions, options, lines)
         taken = take(columns, options, lines.error, "radii", "wxyz", [*positions, *_others(columns)],
                      (dimensions or len(positions)) == 2, convention)  # fmt: skip
         _check_lengths(columns, positions, taken, (options.dimensions or dimensions) is not None, lines)
@@ -134,7 +140,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         count = min(_remaining(lines), lines.whole(keys.get("rows", str(2**62)), "the number of rows"))
         if not count:
             raise lines.error("there are no particles: no row follows the names of the columns; write the file again")
-        series = [name for name in columns if _SERIES.fullmatch(plain_name(name)) and name not in (options.ignore_columns or ())]
+        series = _series(columns, len(positions), options)
         wanted = [name for name in (*positions, *taken.columns, ids, types, *series) if name]
         table = lines.table(count, columns, [types, *series], separator, wanted, decimal_comma=separator != ",")
         _check_series(table, series, lines)
@@ -171,6 +177,12 @@ def _without_empty_end(lines: Lines, separator: str | None, columns: list[str]) 
     return columns[:-1] if len(_split(row, separator)) == len(columns) - 1 else columns
 
 
+def _series(columns: list[str], dimensions: int, options: Options) -> list[str]:
+    """Columns of which a table of one system has one value: those of `_SERIES`, and of ellipses the third coordinate of their centres."""
+    found = [name for name in columns if _SERIES.fullmatch(plain_name(name)) or (dimensions == 2 and plain_name(name).endswith("centerz"))]
+    return [name for name in found if name not in (options.ignore_columns or ())]
+
+
 def _check_series(table: Table, series: list[str], lines: Lines) -> None:
     """Refuses rows of several pictures, planes or times, whose bodies would be taken as one system."""
     for name in series:
@@ -196,15 +208,18 @@ def _completed(keys: dict[str, str]) -> dict[str, str]:
     return keys | {name: keys[name] + end for name, end in others.items() if len(keys.get(name, "").split()) == 2}
 
 
-def _keys(lines: Lines) -> tuple[dict[str, str], str]:
+def _keys(lines: Lines, options: Options) -> tuple[dict[str, str], str]:
     """Reads the lines before the names. Also returns the line with the names, or the first row if no line has names."""
     keys: dict[str, str] = {}
     comments = []
     place = lines.location(lines.frame)
     while (line := lines.next("\r\n")) is not None and _may_precede(text := line.strip()):
         name, _, value = text[1:].strip().partition(" ")
-        if name in ("cell", "dimensions", "origin", "periodic", "step"):
+        if name in _KEYS:
             keys[name] = value
+        elif options.cell is None and (found := _LIKE_KEYS.match(text)):
+            raise lines.error(f"the comment '{text[:60]}' could say the cell, and is not read: write '# cell' and nine numbers, '# origin' "
+                              f"and three, '# periodic' and three of T and F, or put another word before {found[1]}")  # fmt: skip
         elif text.isdecimal():
             keys["rows"] = text
         elif text:
@@ -259,7 +274,7 @@ def _check_third(columns: list[str], positions: list[str], options: Options, lin
     """Refuses tables of two coordinates that have a third by another name."""
     if len(positions) == 2 and options.dimensions is None:
         for name in columns:
-            if plain_name(name) in _THIRD and name not in (options.ignore_columns or ()):
+            if plain_name(name) in _THIRD and name not in positions and name not in (options.ignore_columns or ()):
                 raise lines.error(f"there are two coordinates, {' '.join(positions)}, and {name}: rename it to z, or leave it out "
                                   f"(--ignore-columns {name})")  # fmt: skip
 
@@ -278,6 +293,9 @@ def _check_lengths(columns: list[str], positions: list[str], taken: Taken, says_
     units = {_SAME_UNITS.get(unit.lower(), unit): name for name, unit in said}
     if len(units) > 1:
         raise lines.error(f"the columns {' and '.join(units.values())} have different units: convert them to one, and rename them")
+    silent = [name for name in (*positions, *taken.shape, *taken.sphere) if not _unit(name)]
+    if said and silent:
+        taken.notes.append(f"{' '.join(silent)} without a unit are taken in that of {said[0][0]}")
 
 
 def _unit(name: str) -> str:

@@ -86,8 +86,9 @@ def _positions(columns: Sequence[str]) -> tuple[str, ...] | None:
 
 
 def _others(columns: Sequence[str]) -> list[str]:
-    """The charge, and computes, fixes and variables that are called like a unit, as c_cm."""
-    return [name for name in columns if name == "q" or (name[:2] in ("c_", "f_", "v_") and UNIT_AT_END.fullmatch(name, 1))]
+    """Ids, types, the charge, and computes, fixes and variables that are called like a unit, as c_cm."""
+    known = ("id", "type", "type again", _LABEL, "q")
+    return [name for name in columns if name in known or (name[:2] in ("c_", "f_", "v_") and UNIT_AT_END.fullmatch(name, 1))]
 
 
 def _warn_of_points(frame: Frame, options: Options) -> None:
