@@ -52,6 +52,13 @@ REFUSED = {
     "label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation":
         ({}, "1,0,0,4,1,90", "has the orientation 90, and this program writes radians up to 1.571: say the unit"),
     "centroid-0,centroid-1,centroid-2,axis_major_length,axis_minor_length,orientation": ({}, "0,0,0,4,1,1", "two .* centroid-2"),
+    "x,y,z,axis_lengths_0,axis_lengths_1,axis_lengths_2": ({}, "0,0,0,1,1,1", "may be whole axes or semi-axes: use --lengths"),
+    "x,y,z,scale_x,scale_y,scale_z": ({"shape_columns": ("scale_x", "scale_y", "scale_z")}, "0,0,0,1,1,1", "may be whole axes or"),
+    "x,y,z,sigma1": ({"shape_columns": 3 * ("sigma1",)}, "0,0,0,1", "sigma1 may be whole axes or semi-axes"),
+    **{f"x,y,z,radius ({words})": ({}, "0,0,0,1", "more than a unit in brackets")
+       for words in ("log10", "squared", "full width", "mm^2")},
+    "x [scaled],y,z,radius": ({}, "0,0,0,1", r"'x \[scaled\]' says more than a unit in brackets"),
+    "x,y,a,b,theta [deg from north]": ({}, "0,0,2,1,0", "theta"),
     "x,y,z,radius,particle_type": ({}, "0,0,0,1,cube", "particles of the type cube are not ellipsoids"),
     "x,y,z,radius,class": ({}, "0,0,0,1,Cylinder", "particles of the type Cylinder are not ellipsoids"),
 }  # fmt: skip
@@ -123,6 +130,16 @@ def test_notes(tmp_path):
     notes = read(tmp_path / "a.csv").notes
     assert "b without a unit are taken in that of x_um" in notes
     assert any(note.startswith("angle_rad is taken in radians, and is up to 90, more than a whole turn") for note in notes)
+
+
+def test_seeds_with_two_centres(tmp_path):
+    """Of MicroStructPy."""
+    seed = "Geometry: sphere\nRadius: 1\nPosition: (5, 5, 5)\nCenter: (5, 5, {})\n"
+    (tmp_path / "a.txt").write_text(seed.format(5))
+    assert read(tmp_path / "a.txt").centers.tolist() == [[5, 5, 5]]
+    (tmp_path / "a.txt").write_text(seed.format(4))
+    with pytest.raises(pypw85.FileError, match="the keys position and center of a seed differ"):
+        read(tmp_path / "a.txt")
 
 
 def test_keys_of_extended_xyz(tmp_path):
@@ -208,6 +225,25 @@ def test_units_of_h5md(tmp_path):
     h5md(tmp_path / "a.h5", [0, 10], unit="um")
     with pytest.raises(pypw85.FileError, match=r"position \(nm\) and semi_axes \(um\) have different units"):
         read(tmp_path / "a.h5")
+
+
+def test_unused_data_sets_are_said(tmp_path):
+    """Of H5MD: what has no meaning here, and forms and angles beside semi-axes and quaternions."""
+    h5md(tmp_path / "a.h5", [0, 10])
+    with h5py.File(tmp_path / "a.h5", "a") as file:
+        file["particles/all/form"], file["particles/all/velocity"] = np.ones((1, 6)), np.zeros((1, 3))
+        file["particles/all/angle"] = np.zeros(1)
+    assert read(tmp_path / "a.h5").source.endswith("as w x y z, data sets that are not used: angle form velocity")
+    with h5py.File(tmp_path / "a.h5", "a") as file:
+        del file["particles/all/semi_axes"]
+        file["particles/all/form"][:] = [[4, 0, 0, 1, 0, 1]]
+    assert read(tmp_path / "a.h5").source == "forms, data sets that are not used: angle orientation velocity"
+    with h5py.File(tmp_path / "a.h5", "a") as file:
+        del file["particles/all/orientation"]
+        file["particles/all/angle"][:] = 1  # which would turn the axes of the form again
+        file["particles/all/angle"].attrs["unit"] = "rad"
+    # Axes, a quaternion and products of matrices, each with a few rounding errors of the largest number, 4
+    np.testing.assert_allclose(read(tmp_path / "a.h5").q, [[4, 0, 0, 1, 0, 1]], rtol=0, atol=16 * 4 * 2.0**-53)
 
 
 REGIONS = {

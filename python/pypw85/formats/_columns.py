@@ -35,7 +35,7 @@ _LENGTHS: list[tuple[str, list[Names], str]] = [
     ("radius|radii", [_XYZ, _INDEX_0, _INDEX, _FROM_1, _FROM_0], "radii"),
     ("r", [_XYZ, _FROM_1], "radii"),
     ("diameter|diameters", [_XYZ, _INDEX_0, _INDEX, _FROM_1, _FROM_0], "diameters"),
-    ("axislengths", [_INDEX, _FROM_0], "radii"),
+    ("axislengths?", [_INDEX, _FROM_0, _FROM_1], _ASK),
     (r"c\w*(?:shape|diam)\w*", [_INDEX, _FROM_1], "diameters"),
     ("", [("a", "b", "c")], "radii"),
     ("", [("length", "width", "height"), ("length", "width", "thickness"), ("l", "w", "h"), ("lx", "ly", "lz"),
@@ -99,6 +99,8 @@ _TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bear
 # Names of whole lengths, and of half ones
 _SOUND_WHOLE = re.compile(r".*(diam|length|width|height|thick|feret|size).*|[fv]?d(max|mid|int|min|[xyz]|\d)|l[xyz]|[lwh]")
 _SOUND_HALF = re.compile(r".*(radi(us|i)|semi|half).*|[fv]?r(max|mid|int|min|[xyz]|\d)|r")
+# Names of lengths that say neither
+_SOUND_EITHER = re.compile(r"(?!.*(semi|half|radi|diam)).*(scal|sigma|std|rms|extent|dimension|span|ax[ei]s|principal|eigen).*")
 # Those of other things: stresses, velocities, contacts, positions, counts
 _OTHERS = re.compile(r"(bond|cluster|group|sample|batch|step|wave)\w*(length|size|width)|temperature\w*|charge\w*|mass\w*|density\w*|"
                      r"(stress|strain|virial|pressure|force|torque|velocity)\w*|c?stress\[\d\]|number\w*|.*neighbou?rs?|"
@@ -112,6 +114,12 @@ _UNUSED = ("the column {0} could change the shapes or how they are turned, and i
 
 # A unit of length behind a name, not in brackets. A compute, a fix or a variable of LAMMPS may be called px.
 UNIT_AT_END = re.compile(r"(?<=[^\W_])(?:[_/ ](mm|[uµμn]m|cm|microns?|voxels?)|(?<!^[cfv])[_/ ](px|pix|pixels?)|/(m))$", re.IGNORECASE)
+
+
+# What stands in brackets, but an index; and words there that are not units
+_BRACKETS = re.compile(r"\([^)]*\)|\[(?!\d+\])[^]]*\]")
+_MORE_THAN_UNITS = re.compile(r"full|whole|half|semi|diam|radi(us|i)|log|\bln|exp|squar|cub|inv|\^|[²³*]|scal|frac|norm|relat|rms|std|"
+                              r"from|clock|\bc?cw\b|body|world|conj|transp|minus|[+]", re.IGNORECASE)  # fmt: skip
 
 
 def could_change(name: str) -> bool:
@@ -145,7 +153,7 @@ class Taken(NamedTuple):
 
 def plain_name(name: str) -> str:
     """A name without its unit, capitals, blanks, dots, hyphens and underscores."""
-    without_unit = re.sub(r"\([^)]*\)|\[(?!\d+\])[^]]*\]", "", UNIT_AT_END.sub("", name.lower()))
+    without_unit = _BRACKETS.sub("", UNIT_AT_END.sub("", name.lower()))
     return re.sub(r"[\s_.:/\-]", "", without_unit)
 
 
@@ -163,10 +171,20 @@ def take(columns: Sequence[str], options: Options, error: Error, lengths: str, o
         _ask_for_program(plain, options.angle, error)
     taken = (_by_names(columns, plain, options, error, lengths, order, is_flat) if convention is None else
              _by_convention(plain, options, convention))  # fmt: skip
+    _check_brackets([*known, *taken.columns], error)
     _check_unused(columns, taken, known, options, error, convention)
     _check_options(taken, options, error)
     unused = " ".join(name for name in dict.fromkeys(columns) if name not in {"", *known, *taken.columns})
     return taken._replace(source=", ".join(filter(None, [taken.source, unused and f"columns that are not used: {unused}"])))
+
+
+def _check_brackets(names: Sequence[str], error: Error) -> None:
+    """Refuses names with more than a unit in brackets."""
+    for name in names:
+        found = _BRACKETS.search(name)
+        if found and _MORE_THAN_UNITS.search(found[0]):
+            raise error(f"the name of the column '{name}' says more than a unit in brackets, which is not read: convert its numbers, "
+                        "and rename it")  # fmt: skip
 
 
 def _ask_for_program(plain: dict[str, str], angle: str | None, error: Error) -> None:
@@ -397,9 +415,9 @@ def _shape(columns: Sequence[str], plain: dict[str, str], options: Options, erro
 
 
 def _contradicts(names: Sequence[str], lengths: str) -> bool:
-    """Returns whether names of columns suggest another meaning of the lengths than `lengths`."""
+    """Returns whether names of columns suggest another meaning of the lengths than `lengths`, or none."""
     other = _SOUND_WHOLE if lengths == "radii" else _SOUND_HALF
-    return any(other.fullmatch(plain_name(name)) for name in names)
+    return any(pattern.fullmatch(plain_name(name)) for name in names for pattern in (other, _SOUND_EITHER))
 
 
 def _quaternion(columns: Sequence[str], plain: dict[str, str], options: Options, error: Error, order: str) -> tuple[Names, str]:

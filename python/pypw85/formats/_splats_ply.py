@@ -103,7 +103,7 @@ def _refuse_doubtful(path: os.PathLike[str], values: Floats, options: Options, n
     """Lengths are never negative. Their logarithms are in every usual scene, where most splats are smaller than the unit."""
     if options.scales is None and len(values) and (values >= 0).all() and values.any():
         raise FileError(path, f"{names} are all >= 0, and may be lengths or logarithms of lengths: use --scales linear or "
-                        "--scales log)", 0)  # fmt: skip
+                        "--scales log", 0)  # fmt: skip
 
 
 def _uncompressed(path: os.PathLike[str], content: bytes, header: Header, options: Options) -> Gaussians:

@@ -178,8 +178,8 @@ def _number(word: str) -> float:
     return float(word)
 
 
-def _kind_of_comma(word: str) -> str:
-    """What a number has: "point", "thousands" for a comma that may group these, "decimal" for one that cannot, or ""."""
+def _comma_or_point(word: str) -> str:
+    """Returns "point" for a number with one, "thousands" for a comma that may group these, "decimal" for one that cannot, or ""."""
     if "," not in word:
         return "point" if "." in word else ""
     return "thousands" if _THOUSANDS.fullmatch(word) else "decimal"
@@ -205,7 +205,7 @@ class Table:
         # For each column of names, the different names with their numbers, and the numbers in each row
         self._names: list[dict[str, int]] = [{} for _ in self._text]
         self._codes: list[list[NDArray[np.int32]]] = [[] for _ in self._text]
-        # Of numbers with commas, where these may be decimal: the first of each kind, and its row
+        # Where commas may be decimal: by `_comma_or_point`, the first such number and its row
         self._commas: dict[str, tuple[int, str]] = {}
         while self._filled < count:
             self._add(*lines.read_block(count - self._filled))
@@ -308,7 +308,7 @@ class Table:
     def _number(self, field: str, row: int, column: int) -> float:
         word = field.strip()
         if self._decimal_comma:
-            self._commas.setdefault(_kind_of_comma(word), (row, word))
+            self._commas.setdefault(_comma_or_point(word), (row, word))
         try:
             return _number(word.replace(",", ".") if self._decimal_comma else word)
         except ValueError:

@@ -145,19 +145,26 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
             source=f"lengths semi_axes as radii, quaternions orientation as {' '.join(options.quaternion or 'wxyz')}",
             dimensions=_said_dimensions(source),
         )  # fmt: skip
-        _take_angles(frame, source, n)
         if frame.shapes is None and (forms := _floats(source, "form", n, 6)) is not None:
+            unused = ["orientation", "angle"]
             _take_forms(frame, forms)
+        else:
+            unused = ["form"] if frame.quaternions is None else ["form", "angle"]
+            _take_angles(frame, source, n)
         _take_box(frame, source)
         _check_units(source)
-        _check_names(source, frame, options)
+        _check_names(source, frame, options, unused)
     return frame.system(options)
 
 
-def _check_names(source: _Source, frame: Frame, options: Options) -> None:
-    """Refuses elements that could change bodies and are not used. Of several groups of particles, one is read."""
+def _check_names(source: _Source, frame: Frame, options: Options, unused: list[str]) -> None:
+    """Refuses elements that could change bodies and are not used, and says which others are not. Of several groups of particles, one is
+    read. Of those that are known, `unused` are not used here."""
+    ignored = options.ignore_columns or ()
+    said = " ".join(name for name in source.group if (name not in _USED or name in unused) and name not in ignored)
+    frame.source += said and f", data sets that are not used: {said}"
     for name in source.group:
-        if name not in (*_USED, *(options.ignore_columns or ())) and could_change(name):
+        if name not in (*_USED, *ignored) and could_change(name):
             raise source.error(name, "could change the shapes or how they are turned, and is not used: rename it to semi_axes, orientation "
                                f"or form if it is one of these, or leave it out (--ignore-columns {name})")  # fmt: skip
     groups = list(source.group.parent)
