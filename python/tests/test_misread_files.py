@@ -81,6 +81,9 @@ TABLES = {
     "x;y;z;radius\n0;0;0;1\n1,500;0;0;1": "line 3: the comma of '1,500' may be decimal or group thousands",
     "# cell: 10 10 10\nx,y,z,radius\n0,0,0,1": "line 1: the comment '# cell: 10 10 10' could say the cell, and is not read",
     "# Box = 10 10 10\nx,y,z,radius\n0,0,0,1": "the comment '# Box = 10 10 10' could say the cell",
+    "# - {name: x, unit: pix, datatype: float64}\n# - {name: radius, unit: arcsec, datatype: float64}\nx,y,z,radius\n0,0,0,1":
+        "line 3: the columns x.pix. and radius.arcsec. have different units",
+    "-x,y,z,radius\n0,0,0,1": "there is no column 'x', but -x y z radius",
     "# periodic: xyz\nx,y,z,radius\n0,0,0,1": "could say the cell",
 }
 
@@ -104,6 +107,11 @@ PAIRS = {
                 {"lengths": "diameters", "euler": "y", "shape_columns": ["length", "height", "width"]}, 0.75),
     "plugin": ("Label,Ellipsoid.Center.X,Ellipsoid.Center.Y,Ellipsoid.Center.Z,Ellipsoid.Radius1,Ellipsoid.Radius2,Ellipsoid.Radius3,"
                "Ellipsoid.Phi,Ellipsoid.Theta,Ellipsoid.Psi\n1,5,5,5,2,0.5,0.5,90,0,0\n2,5,6.5,5,2,0.5,0.5,90,0,0", {}, 0.375),
+    "degrees in brackets": ("label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation (deg)\n1,5,5,4,1,0\n"
+                            "2,6.5,5,4,1,180", {}, 0.375),
+    "radians of ECSV": ("# %ECSV 1.0\n# ---\n# datatype:\n# - {name: orientation, unit: rad, datatype: float64}\n# schema: astropy-2.0\n"
+                        "xcentroid ycentroid semimajor_sigma semiminor_sigma orientation\n5 5 1 .25 1.5707963267948966\n"
+                        "5 6.5 1 .25 1.5707963267948966", {}, 0.375),
     "a cell that is given": ("# Box = 9 9 9\nx,y,z,radius\n0,0,0,1\n0,8,0,1", {"cell": 9 * np.eye(3)}, 0.5),
 }  # fmt: skip
 

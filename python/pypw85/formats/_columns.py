@@ -154,7 +154,7 @@ class Taken(NamedTuple):
 def plain_name(name: str) -> str:
     """A name without its unit, capitals, blanks, dots, hyphens and underscores."""
     without_unit = _BRACKETS.sub("", UNIT_AT_END.sub("", name.lower()))
-    return re.sub(r"[\s_.:/\-]", "", without_unit)
+    return re.sub(r"(?<=.)-|[\s_.:/]", "", without_unit)
 
 
 def take(columns: Sequence[str], options: Options, error: Error, lengths: str, order: str, known: Sequence[str],

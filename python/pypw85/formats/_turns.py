@@ -111,8 +111,8 @@ class Turn(NamedTuple):
 def by_convention(convention: Convention, names: Names, options: Options) -> Turn:
     if not names:
         return Turn()
-    units = len(names) * ((options.angle or convention.unit),)
-    largest = 0.0 if options.angle else convention.largest
+    units = tuple(options.angle or base(name)[1] or convention.unit for name in names)
+    largest = convention.largest if set(units) == {convention.unit} and not options.angle else 0.0
     if convention.sequence:
         return Turn("euler", names, units, options.euler or convention.sequence, convention.signs, largest=largest)
     zero, sense = options.angle_zero or convention.zero, options.angle_sense or convention.sense

@@ -32,6 +32,8 @@ _KEYS = ("cell", "dimensions", "origin", "periodic", "step")
 # Comments that say the cell in another way
 _LIKE_KEYS = re.compile(r"[#%]\s*((?:(?:simulation|periodic|unit)[ _-]?)?(?:cell|box|lattice)(?:[ _-]?(?:size|lengths?|vectors?|edges))?|"
                         r"pbc|periodic\w*|boundar(?:y|ies)|lattice)\s*(?:[:=(\[]|[-+]?\.?\d|[TFtf]\b)", re.IGNORECASE)  # fmt: skip
+# A column of the header of ECSV (Astropy) that has a unit
+_UNIT_OF_ECSV = re.compile(r"#\s*- \{name: ([\w.]+), unit: ([\w.]+)")
 # The line that YADE writes before spheres (export.textExt)
 _FORMAT_OF_YADE = re.compile(r"^#\s*format\s+(x_y_z_r\w*)$")
 _NUMBERED = re.compile(r"#\s*(\d{1,4})\s+([A-Za-z]\w*)")
@@ -211,12 +213,15 @@ def _completed(keys: dict[str, str]) -> dict[str, str]:
 def _keys(lines: Lines, options: Options) -> tuple[dict[str, str], str]:
     """Reads the lines before the names. Also returns the line with the names, or the first row if no line has names."""
     keys: dict[str, str] = {}
+    units: dict[str, str] = {}
     comments = []
     place = lines.location(lines.frame)
     while (line := lines.next("\r\n")) is not None and _may_precede(text := line.strip()):
         name, _, value = text[1:].strip().partition(" ")
         if name in _KEYS:
             keys[name] = value
+        elif found := _UNIT_OF_ECSV.match(text):
+            units[found[1]] = found[2]
         elif options.cell is None and (found := _LIKE_KEYS.match(text)):
             raise lines.error(f"the comment '{text[:60]}' could say the cell, and is not read: write '# cell' and nine numbers, '# origin' "
                               f"and three, '# periodic' and three of T and F, or put another word before {found[1]}")  # fmt: skip
@@ -226,7 +231,7 @@ def _keys(lines: Lines, options: Options) -> tuple[dict[str, str], str]:
             comments.append(text)
         place = lines.location(lines.frame)
     if line is not None and not _is_row(line):
-        return keys, line
+        return keys, _with_units(line, units)
     # The names may be a comment: one that has as many words as the first row, or SExtractor's list.
     counts = {len(words) for words in _rows_of(line or "")}
     lines.back(place)
@@ -236,6 +241,12 @@ def _keys(lines: Lines, options: Options) -> tuple[dict[str, str], str]:
         if _are_names(comment) and (line is None or len(_header(comment)[2]) in counts):
             return keys, comment
     return keys, line if line is not None else lines.expect("the names of the columns")
+
+
+def _with_units(line: str, units: dict[str, str]) -> str:
+    """Adds units to the names of columns, as these are in the header of ECSV."""
+    words = re.split(r"([,\s]+)", line) if units else [line]
+    return "".join(f"{word}[{units[word]}]" if word in units else word for word in words)
 
 
 def _listed(comments: list[str]) -> str | None:
