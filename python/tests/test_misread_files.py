@@ -74,6 +74,8 @@ def test_columns(header, tmp_path):
 
 # Tables, and the sentence that refuses them
 TABLES = {
+    " ,Label,X,Y,Major,Minor,Angle\n1,a.tif:1,5,5,4,1,90\n2,a.tif:2,5,5,4,1,90\n3,b.tif,5,5,4,1,90":
+        "line 4: the column Label has several values, a.tif and b.tif",
     "frame_id,x,y,z,radius\n0,0,0,0,1\n1,0,1.5,0,1": "line 3: the column frame_id has several values, 0 and 1",
     "t,x,y,z,radius\n0,0,0,0,1\n0.5,0,1.5,0,1": "line 3: the column t has several values",
     "x\ty\tz\tradius\n0\t0\t0\t0.5\n1,500\t0\t0\t0.5": "line 3: '1,500' has a comma, and '0.5' a point",
@@ -121,6 +123,15 @@ def test_pairs(name, tmp_path):
     text, options, mu = PAIRS[name]
     (tmp_path / "a.csv").write_text(text + "\n")
     np.testing.assert_allclose(read(tmp_path / "a.csv", **options).check(below=9).smallest_mu, mu, rtol=8e-15)
+
+
+def test_several_planes(tmp_path):
+    """Ellipses with centres at several z, which the convention does not use."""
+    names = [f"AreaShape_{name}" for name in ("Center_X", "Center_Y", "Center_Z", "MajorAxisLength", "MinorAxisLength", "Orientation")]
+    (tmp_path / "a.csv").write_text(",".join(names) + "\n1,2,0,4,2,30\n1,9,5,4,2,30\n")
+    with pytest.raises(pypw85.FileError, match="line 3: the column AreaShape_Center_Z has several values, 0.* and 5"):
+        read(tmp_path / "a.csv", convention="cellprofiler")
+    assert len(read(tmp_path / "a.csv", convention="cellprofiler", ignore_columns=["AreaShape_Center_Z"])) == 2
 
 
 def test_unused_columns_are_said(tmp_path):

@@ -20,7 +20,7 @@ import numpy as np
 from .._system import System
 from .._typing import Floats
 from ._columns import UNIT_AT_END, Taken, centers_of, convention_of, fill, plain_name, take
-from ._conventions import named, possible, recognised
+from ._conventions import Convention, named, possible, recognised
 from ._frames import Frame, Location, Options, said_dimensions
 from ._names import PRINTED, Rule, checked_names
 from ._table import Lines, Table, coded, write_rows
@@ -142,7 +142,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         count = min(_remaining(lines), lines.whole(keys.get("rows", str(2**62)), "the number of rows"))
         if not count:
             raise lines.error("there are no particles: no row follows the names of the columns; write the file again")
-        series = _series(columns, len(positions), options)
+        series = _series(columns, len(positions), options, convention)
         wanted = [name for name in (*positions, *taken.columns, ids, types, *series) if name]
         table = lines.table(count, columns, [types, *series], separator, wanted, decimal_comma=separator != ",")
         _check_series(table, series, lines)
@@ -179,18 +179,23 @@ def _without_empty_end(lines: Lines, separator: str | None, columns: list[str]) 
     return columns[:-1] if len(_split(row, separator)) == len(columns) - 1 else columns
 
 
-def _series(columns: list[str], dimensions: int, options: Options) -> list[str]:
-    """Columns of which a table of one system has one value: those of `_SERIES`, and of ellipses the third coordinate of their centres."""
+def _series(columns: list[str], dimensions: int, options: Options, convention: Convention | None) -> list[str]:
+    """Columns of which a table of one system has one value: those of `_SERIES`, of ellipses the third coordinate of their centres, and of
+    ImageJ the labels, which begin with the name of the picture."""
     found = [name for name in columns if _SERIES.fullmatch(plain_name(name)) or (dimensions == 2 and plain_name(name).endswith("centerz"))]
+    found += [name for name in columns if name == "Label" and convention is not None and convention.name == "imagej"]
     return [name for name in found if name not in (options.ignore_columns or ())]
 
 
 def _check_series(table: Table, series: list[str], lines: Lines) -> None:
     """Refuses rows of several pictures, planes or times, whose bodies would be taken as one system."""
     for name in series:
-        values = list(dict.fromkeys(table[name].tolist()))
+        rows = table[name].tolist()
+        if name == "Label":
+            rows = ["" if row.isdecimal() else row.partition(":")[0] for row in rows]
+        values = list(dict.fromkeys(rows))
         if len(values) > 1:
-            lines.number = table.line + table[name].tolist().index(values[1])
+            lines.number = table.line + rows.index(values[1])
             raise lines.error(f"the column {name} has several values, {values[0]} and {values[1]}: write the rows of one of them, or say "
                               f"that all are bodies of one system (--ignore-columns {name})")  # fmt: skip
 
@@ -277,8 +282,10 @@ def _names(lines: Lines, line: str, options: Options) -> tuple[str | None, list[
 
 
 def _others(columns: list[str]) -> list[str]:
-    """Columns of ids and types."""
-    return [name for name in columns if plain_name(name) in (*_IDS, *_TYPES, "label", "labels", "name")]
+    """Columns of ids and names, and the one of types."""
+    plain = [plain_name(name) for name in columns]
+    types = next((one for one in _TYPES if one in plain), "")
+    return [name for name in columns if plain_name(name) in (*_IDS, types, "label", "labels", "name")]
 
 
 def _check_third(columns: list[str], positions: list[str], options: Options, lines: Lines) -> None:

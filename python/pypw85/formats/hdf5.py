@@ -273,7 +273,7 @@ def _row(source: _Source, name: str, count: int) -> int:
     """The row of an element that belongs to the frame: elements of H5MD may be written at other steps than the positions."""
     if source.frame < count and _step(source, name, source.frame) in (None, source.step):
         return source.frame
-    if source.step is not None and 0 <= (row := _row_of_step(source, name, source.step)) < count:
+    if source.step is not None and 0 <= (row := _row_of_step(source, name, source.step, count)) < count:
         return row
     if source.frame >= count:
         raise source.error(name, f"has {counted(count, 'frame')}, fewer than there are positions: write the file again")
@@ -328,8 +328,8 @@ def _step(source: _Source, name: str, row: int) -> int | None:
     return int(steps[row])
 
 
-def _row_of_step(source: _Source, name: str, step: int) -> int:
-    """The row of an element that has a step; -1 if none has."""
+def _row_of_step(source: _Source, name: str, step: int, count: int) -> int:
+    """The one row of the `count` of an element that has a step; -1 if none has, or several have."""
     steps = _said_steps(source, name)
     if steps is None:
         return -1
@@ -339,7 +339,7 @@ def _row_of_step(source: _Source, name: str, step: int) -> int:
         return -1 if rest else row
     _check_size(source, f"{name}/step", steps, len(steps))
     rows = np.flatnonzero(steps[()] == step)
-    return int(rows[0]) if len(rows) else -1
+    return int(rows[0]) if len(rows) == 1 and len(steps) == count else -1
 
 
 def save(path: os.PathLike[str], systems: Iterator[System]) -> None:
