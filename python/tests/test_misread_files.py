@@ -181,6 +181,19 @@ def test_letters_of_quaternions(tmp_path):
     assert read(tmp_path / "a.xyz", quaternion="wxyz").quaternions.tolist() == [[1, 0, 0, 0]]
 
 
+def test_two_boxes_of_lammps(tmp_path):
+    bounds = "-9 9 xlo xhi\n-9 9 ylo yhi\n-9 9 zlo zhi\n"
+    text = "of a test\n\n1 atoms\n1 ellipsoids\n{}\nAtoms\n\n1 1 1 1 0 0 0\n\nEllipsoids\n\n1 1 1 1 1 0 0 0\n"
+    vectors = "9 0 0 avec\n0 9 0 bvec\n0 0 9 cvec\n0 0 0 abc origin\n"
+    for box in (bounds, vectors):
+        (tmp_path / "a.data").write_text(text.format(box))
+        assert len(read(tmp_path / "a.data")) == 1
+    for other in (bounds, "1 0 0 xy xz yz\n"):
+        (tmp_path / "a.data").write_text(text.format(other + vectors))
+        with pytest.raises(pypw85.FileError, match="the header gives the box twice"):
+            read(tmp_path / "a.data")
+
+
 def gsd_file(path, **chunks):
     mode = "w" if hasattr(gsd.hoomd, "Frame") else "wb"  # before gsd 2.8
     with gsd.fl.open(str(path), mode, application="test", schema="hoomd", schema_version=(1, 4)) as file:
@@ -253,6 +266,9 @@ def test_unused_data_sets_are_said(tmp_path):
         file["particles/all/form"], file["particles/all/velocity"] = np.ones((1, 6)), np.zeros((1, 3))
         file["particles/all/angle"] = np.zeros(1)
     assert read(tmp_path / "a.h5").source.endswith("as w x y z, data sets that are not used: angle form velocity")
+    assert read(tmp_path / "a.h5", ignore_columns=["angle", "velocity"]).source.endswith("data sets that are not used: form")
+    with pytest.raises(pypw85.FileError, match="the data set speed of --ignore-columns is not there, but"):
+        read(tmp_path / "a.h5", ignore_columns=["speed"])
     with h5py.File(tmp_path / "a.h5", "a") as file:
         del file["particles/all/semi_axes"]
         file["particles/all/form"][:] = [[4, 0, 0, 1, 0, 1]]

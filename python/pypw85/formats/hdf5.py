@@ -161,6 +161,9 @@ def _check_names(source: _Source, frame: Frame, options: Options, unused: list[s
     """Refuses elements that could change bodies and are not used, and says which others are not. Of several groups of particles, one is
     read. Of those that are known, `unused` are not used here."""
     ignored = options.ignore_columns or ()
+    for name in ignored:
+        if name not in source.group:
+            raise source.error(name, f"of --ignore-columns is not there, but {' '.join(source.group)[:200]}: name one of these")
     said = " ".join(name for name in source.group if (name not in _USED or name in unused) and name not in ignored)
     frame.source += said and f", data sets that are not used: {said}"
     for name in source.group:
