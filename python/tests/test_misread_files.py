@@ -59,6 +59,7 @@ REFUSED = {
        for words in ("log10", "squared", "full width", "mm^2")},
     "x [scaled],y,z,radius": ({}, "0,0,0,1", r"'x \[scaled\]' says more than a unit in brackets"),
     "x,y,a,b,theta [deg from north]": ({}, "0,0,2,1,0", "theta"),
+    "x,y,z,a,b,c,orientation_x,orientation_y,orientation_z": ({}, "0,0,0,2,.5,.5,30,0,90", "which may be angles or a direction: say"),
     "x,y,z,radius,particle_type": ({}, "0,0,0,1,cube", "particles of the type cube are not ellipsoids"),
     "x,y,z,radius,class": ({}, "0,0,0,1,Cylinder", "particles of the type Cylinder are not ellipsoids"),
 }  # fmt: skip
@@ -100,6 +101,9 @@ def test_tables(text, tmp_path):
 # Tables that are read, their options, and the smallest μ by closed forms: long axes 2 along y at the distance 1.5 along y have 0.375
 PAIRS = {
     "long": ("x,y,z,a,b,c,major_axis_x,major_axis_y,major_axis_z\n0,0,0,.5,2,.5,0,1,0\n0,1.5,0,2,.5,.5,0,-1,0", {}, 0.375),
+    "unit direction": ("x,y,z,a,b,c,orientation_x,orientation_y,orientation_z\n0,0,0,2,.5,.5,0,1,0\n0,1.5,0,2,.5,.5,0,-1,0", {}, 0.375),
+    "a direction that is said": ("x,y,z,a,b,c,orientation_x,orientation_y,orientation_z\n0,0,0,2,.5,.5,0,9,0\n0,1.5,0,2,.5,.5,0,1,0",
+                                 {"direction_columns": [f"orientation_{axis}" for axis in "xyz"]}, 0.375),
     "letters": (f"x,y,z,a,b,c,qx,qy,qz,qw\n0,0,0,2,.5,.5,0,0,{HALF!r},{HALF!r}\n0,1.5,0,2,.5,.5,0,0,{HALF!r},{HALF!r}",
                 {"quaternion": "xyzw"}, 0.375),
     "degrees": ("label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation\n1,5,5,4,1,0\n2,6.5,5,4,1,180",
@@ -179,6 +183,19 @@ def test_letters_of_quaternions(tmp_path):
     with pytest.raises(pypw85.FileError, match=r"quaternion\[1..4\] is x y z w for"):
         read(tmp_path / "a.xyz")
     assert read(tmp_path / "a.xyz", quaternion="wxyz").quaternions.tolist() == [[1, 0, 0, 0]]
+
+
+def test_directions_in_turned_boxes(tmp_path):
+    """LAMMPS turns positions into them, but not what computes give."""
+    text = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS abc origin pp pp pp\n{}0 0 9 0\n"
+    text += "ITEM: ATOMS id type x y z shapex shapey shapez c_n[1] c_n[2] c_n[3]\n1 1 0 0 0 1 1 2 0 1 0\n"
+    for options in ({"direction_columns": ["c_n[1]", "c_n[2]", "c_n[3]"]},
+                    {"euler": "zyx", "angle": "degrees", "angle_columns": ["c_n[1]", "c_n[2]", "c_n[3]"]}):  # fmt: skip
+        (tmp_path / "a.dump").write_text(text.format("9 0 0 0\n0 9 0 0\n"))
+        assert len(read(tmp_path / "a.dump", **options)) == 1
+        (tmp_path / "a.dump").write_text(text.format("0 9 0 0\n-9 0 0 0\n"))
+        with pytest.raises(pypw85.FileError, match=r"the box is turned .* but not the angles or directions c_n\[1\] of a compute"):
+            read(tmp_path / "a.dump", **options)
 
 
 def test_two_boxes_of_lammps(tmp_path):

@@ -348,6 +348,8 @@ def fill(frame: Frame, taken: Taken, table: Table) -> None:
 
 def _turn(frame: Frame, turn: Turn, table: Table) -> None:
     _check_angles(frame, turn, table)
+    if turn.kind == "direction" and turn.largest:
+        _check_directions(frame, turn, table)
     if turn.kind == "angle":
         frame.angles = turn.angles(table)
     elif turn.kind:
@@ -363,6 +365,18 @@ def _turn(frame: Frame, turn: Turn, table: Table) -> None:
 
 # A whole turn in radians, and angles that a program writes, have so much room.
 _TURN = 6.2832
+# Directions with two digits have lengths of 1 up to so much.
+_UNIT = 0.02
+
+
+def _check_directions(frame: Frame, turn: Turn, table: Table) -> None:
+    """Refuses directions that may be angles by their names, unless they have the length 1."""
+    lengths = np.linalg.norm(table.stack(turn.columns), axis=1)
+    wrong = ~(np.abs(lengths - turn.largest) < _UNIT)
+    if wrong.any():
+        names = ",".join(turn.columns)
+        raise frame.error(f"has the length {lengths[wrong][0]:g} of {' '.join(turn.columns)}, which may be angles or a direction: say "
+                          f"which (--direction-columns {names}, or --euler)", int(wrong.argmax()))  # fmt: skip
 
 
 def _check_angles(frame: Frame, turn: Turn, table: Table) -> None:

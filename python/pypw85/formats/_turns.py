@@ -60,7 +60,8 @@ _ZERO = "{} may be counted from the axis x or from y: use --angle-zero x or --an
 
 class Turn(NamedTuple):
     """Columns that say how particles are turned. `kind` is "", "angle", "euler", "polar" or "direction"; `units` are those of the columns,
-    and `signs` their factors; `zero`, `sense` and `largest` are those of `Convention`."""
+    and `signs` their factors; `zero`, `sense` and `largest` are those of `Convention`; of directions that may be angles by
+    their names, `largest` is their length."""
 
     kind: str = ""
     columns: Names = ()
@@ -172,7 +173,7 @@ def _of_bodies(columns: Sequence[str], options: Options, error: Error) -> Turn:
         _refuse_elevation(names, error)
         raise error(_POLAR.format(" ".join(names), ",".join(names)))
     if names := _first(columns, _DIRECTIONS):
-        return Turn("direction", names)
+        return Turn("direction", names, largest=1.0 if base(names[0])[0].startswith("orient") else 0.0)
     if found := _bases(columns, (*_OF_ELLIPSES, *_AXES)):
         names = tuple(found.values())
         raise error((_ONE_ANGLE if len(names) == 1 else _SEQUENCES).format(" ".join(names), ",".join(names)))
