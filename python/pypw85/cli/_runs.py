@@ -43,8 +43,8 @@ _FORMAT = 1
 _FIRST_WINDOW = 1 / 16
 # Free paths of an event chain
 _PATHS = 50
-# Sweeps between two samples, and trials for each event chain; and both in dense systems, where Z is at least _DENSE. The table of
-# docs/montecarlo.rst, "Samples and their cost", has the errors that others have.
+# Sweeps between two samples, and trials for each event chain; and both in dense systems, where Z is at least _DENSE (docs/montecarlo.rst,
+# "Samples and their cost"). python/bench/measure_samples.py measures the errors of the pressure by these and by others.
 _EVERY, _TRIALS_PER_CHAIN = 10, 250
 _EVERY_OF_DENSE, _TRIALS_PER_CHAIN_OF_DENSE = 20, 1000
 _DENSE = 22
