@@ -60,7 +60,7 @@ def run(state, sampling, seconds):
 
 
 def mean_and_error(made, name):
-    """The mean of an average, and its error from equal parts of the run, which are longer than the correlations; NaN for too few samples."""
+    """The mean of an average, and its error from equal parts of the run, longer than the correlations; NaN for too few samples."""
     samples = np.array([row[1 + Sample._fields.index(name)] for row in made.rows])
     if len(samples) < PARTS:
         return samples.mean(), np.nan
