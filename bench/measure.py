@@ -37,6 +37,7 @@ PYTHON = {
     "calls": ("compare_calls.py", "python/bench/pypw85_c_loops.so"),
     "enclosing": ("compare_enclosing.py", "python/bench/pypw85_enclosing_peers.so"),
     "files": ("measure_files.py", None),
+    "samples": ("measure_samples.py", None),
 }
 # What starts a LAMMPS that has pair_style granular/superellipsoid, if the one that is installed has not
 NEWER_LAMMPS = ("--there", os.environ["NEWER_LAMMPS"]) if "NEWER_LAMMPS" in os.environ else ()
@@ -112,7 +113,7 @@ def program_rows(name, program, target):
 def python_rows(name, build, target):
     """The rows of a table that a program of python/bench prints, with one thread and with all. In a trial run the numbers are small."""
     script, library = PYTHON[name]
-    numbers = ["1000"] if "PW85_MEASURE_ONCE" in os.environ and name in ("arrays", "files") else []
+    numbers = ["1000"] if "PW85_MEASURE_ONCE" in os.environ and name in ("arrays", "files", "samples") else []
     arguments = [ROOT / "python" / "bench" / script, *([build / library] if library else []), *numbers]
     rows = []
     for threads in sorted({1, os.cpu_count()}) if name == "arrays" else [os.cpu_count()]:

@@ -51,6 +51,8 @@ def plain(x: Any) -> Any:
 
 def reals(value: Any, name: str) -> Floats:
     """An array of float64. Masked entries become NaN."""
+    if type(value) is np.ndarray and value.dtype == np.float64:
+        return value
     try:
         array = np.asarray(plain(value))
     except (TypeError, ValueError, OverflowError):  # rows of several lengths, or objects that are not numbers

@@ -60,7 +60,7 @@ def truth(value: Any, name: str) -> bool:
 def flags(value: Any, name: str, count: int = 3) -> NDArray[np.bool_]:
     """True or False for each vector of a cell, from one for all of them or one for each."""
     array = np.asarray(value)
-    if array.dtype.kind not in "biu" or not np.isin(array, (0, 1)).all() or array.shape not in ((), (count,)):
+    if array.dtype.kind not in "biu" or not ((array == 0) | (array == 1)).all() or array.shape not in ((), (count,)):
         words = {2: "two", 3: "three"}
         raise ValueError(f"{name} must be True, False or {words[count]} of them, not {shown(value)}")
     return np.broadcast_to(array.astype(bool), count)

@@ -138,13 +138,19 @@ def principal_directions(system: System) -> Floats:
     if system.dimensions == 2:
         return _long_axes(system)
     order = np.argsort(system.semi_axes, axis=1)
-    short, middle, long = np.take_along_axis(system.semi_axes, order, axis=1).T
+    short, middle, long = np.sort(system.semi_axes, axis=1).T
     axes = np.eye(3)[np.where(long * short >= middle**2, order[:, 2], order[:, 0])]
     w, v = system.quaternions[:, :1], system.quaternions[:, 1:]
-    half = np.cross(v, axes)
-    directions: Floats = axes + 2 * (w * half + np.cross(v, half))
+    half = _cross(v, axes)
+    directions: Floats = axes + 2 * (w * half + _cross(v, half))
     directions[long - short <= _ROUND * long] = np.nan
     return directions
+
+
+def _cross(a: Floats, b: Floats) -> Floats:
+    """The vector products of rows. numpy.cross() has the same bits and takes several times as long for some hundred rows."""
+    (ax, ay, az), (bx, by, bz) = a.T, b.T
+    return np.stack([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx], axis=1)
 
 
 def _long_axes(system: System) -> Floats:

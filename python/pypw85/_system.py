@@ -310,15 +310,17 @@ class System:
     @property
     def density(self) -> float | None:
         """Number of ellipsoids per volume, or per area in two dimensions; None without a cell."""
-        return None if self.volume is None else len(self) / self.volume
+        volume = self.volume
+        return None if volume is None else len(self) / volume
 
     @property
     def packing_fraction(self) -> float | None:
         """Volume of the ellipsoids over that of the cell, or area over area in two dimensions. Overlaps count twice. None without a cell.
         """
-        if self.volume is None:
+        volume = self.volume
+        if volume is None:
             return None
-        return float(UNIT_BALL[self.dimensions] * self.semi_axes[:, : self.dimensions].prod(axis=1).sum() / self.volume)
+        return float(UNIT_BALL[self.dimensions] * self.semi_axes[:, : self.dimensions].prod(axis=1).sum() / volume)
 
     def require_three_dimensions(self, what: str) -> None:
         """Raises ValueError for a system of two dimensions."""

@@ -171,7 +171,7 @@ def test_usual_chains(run, folder, fraction, axes):
         scaled = pypw85.System.from_axes(system.centers * unit, system.semi_axes * unit, system.quaternions, cell=system.cell * unit)
         simulation = pypw85.HardEllipsoids(scaled, seed=3)
         simulation.tune(50)
-        found.append(runs.usual_chain_length(simulation) / unit)
+        found.append(runs.usual_sampling(simulation).chain_length / unit)
     np.testing.assert_allclose(found, found[0], rtol=1e-9)
     # For spheres the mean separation at a contact, along the direction, is 2/3 of the distance of the centres. That of ellipsoids is
     # between twice the shortest and twice the longest semi-axis.
@@ -185,9 +185,41 @@ def test_usual_chains_of_discs():
     discs = pypw85.System.from_ellipses(np.indices((14, 14)).reshape(2, -1).T * 2.4, np.ones((196, 2)), np.zeros(196), 33.6 * np.eye(2))
     simulation = pypw85.HardEllipsoids(discs, seed=1)
     simulation.tune(200)
-    length = runs.usual_chain_length(simulation)
+    length = runs.usual_sampling(simulation).chain_length
     z = np.mean([simulation.chain(1, length) for _ in range(200)])
     np.testing.assert_allclose((z - 1) * length / (np.pi / 2) + 4 * length, runs._PATHS, rtol=0.2)
+
+
+def test_usual_sampling_by_compressibility(monkeypatch):
+    """Samples are rarer, and chains for the trials fewer, from Z = 22 on. Without a Z they are those of a dilute system."""
+    simulation = pypw85.HardEllipsoids(START, seed=1)
+    for z, every, trials in ((1.0, 10, 250), (21.9, 10, 250), (22.0, 20, 1000), (1e9, 20, 1000), (np.nan, 10, 250), (np.inf, 10, 250)):
+        monkeypatch.setattr(pypw85.HardEllipsoids, "chain", lambda *_, z=z: z)
+        for given in (0, 7, 10**5):
+            sampling = runs.usual_sampling(simulation, given)
+            expected = given or every, max(1, round(24 * (given or every) / trials))
+            assert sampling[:2] == expected, (z, given, sampling)
+
+
+def test_samples_of_dense(run, folder):
+    """In a dense system samples are rarer. Options that are given have precedence, and a run that is continued keeps its samples."""
+    pypw85.write("dense.xyz", pypw85.pack(np.tile([0.5, 0.5, 1.5], (100, 1)), 0.6, seed=1))
+    common = ["mc", "dense.xyz", "--equilibrate", 20, "--sweeps", 60]
+    assert "a sample every 20 sweeps with 2 event chains of length " in run(*common, "--out", "run.h5").out
+    for given, said in (
+        (["--every", 10], "every 10 sweeps with 1 event chain of"),
+        (["--chains", 3], "every 20 sweeps with 3 event chains of"),
+        (["--chains", 0], "every 10 sweeps;"),
+        (["--chain-length", 0.5], "every 20 sweeps with 2 event chains of length 0.5;"),
+        (["--every", 1, "--chains", 2, "--chain-length", 0.5], "every 1 sweep with 2 event chains of length 0.5;"),
+    ):
+        name = "_".join(map(str, given)) + ".h5"
+        assert f"\na sample {said}" in run(*common, *given, "--out", name).out, given
+    run(*common[:-1], 20, "--out", "part.h5")
+    run("mc", "--resume", "part.h5", "--sweeps", 60)
+    with h5py.File("run.h5") as one, h5py.File("part.h5") as other:
+        assert (one["pw85_mc/state"][()] == other["pw85_mc/state"][()]).all()
+        assert (one["pw85_mc/samples"][()] == other["pw85_mc/samples"][()]).all()
 
 
 def test_samples_said(run, folder):
@@ -595,7 +627,8 @@ def test_numbers(run, folder):
     done = run("mc", "start.xyz", "--sweeps", "9e0", "--equilibrate", "1e1", "--seed", 2**64 - 1, "--out", "run.h5")
     assert (done.status, done.err) == (0, "")
     assert done.out.splitlines()[0].endswith(f"seed {2**64 - 1}")
-    assert done.out.splitlines()[-2:] == ["no averages: a sample is taken every 10 sweeps (--every)", "no overlaps after 9 sweeps"]
+    assert "\nno averages: a sample is taken every 10 sweeps (--every)\n" in done.out
+    assert done.out.endswith("\nno overlaps after 9 sweeps\n")
     assert run("pack", "new.xyz", "-n", "1e1", "--axes", "1,1,2", "--fraction", "0.1", "--steps", "1e3").status == 0
     done = run("pack", "new.xyz", "-n", "1.5", "--axes", "1,1,2", "--fraction", "0.1")
     assert "must be a whole number from 1 to" in done.err and "not '1.5'" in done.err

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import pypw85
-from pypw85 import _blocking, _observables
+from pypw85 import _blocking, _observables, _statistics
 from systems import CELL
 
 
@@ -529,3 +529,23 @@ def test_container(rng, others):
     assert list(observables.estimates()) == ["nematic_order", "energy"] and not np.isnan(observables.director()).any()
     with pytest.raises(ValueError, match="pair correlation needs a cell that is periodic along its three vectors"):
         pypw85.Observables(reach=1.0).add(simulation)
+
+
+def test_principal_directions(rng):
+    """The columns of the rotation matrix for the axis that differs most from the middle one, with longer numbers, in any order of
+    the axes and any unit."""
+    quaternions = rng.normal(size=(60, 4))
+    quaternions /= np.linalg.norm(quaternions, axis=1, keepdims=True)
+    w, x, y, z = quaternions.T.astype(np.longdouble)
+    rotations = np.array([
+        [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
+    ])  # fmt: skip
+    norm = w * w + x * x + y * y + z * z
+    for unit, axes in itertools.product((1.0, 2.0**40, 2.0**-40), itertools.permutations([1.0, 1.1, 2.5])):
+        system = pypw85.System.from_axes(rng.normal(size=(60, 3)), np.tile(axes, (60, 1)) * unit, quaternions)
+        expected = (rotations[:, axes.index(2.5)] / norm).T
+        found = _statistics.principal_directions(system)
+        # some ten operations on numbers up to 2, and the rounding of the quaternion's length
+        np.testing.assert_allclose(found, expected.astype(float), rtol=0, atol=20 * 2.0**-53, err_msg=f"{unit.hex()} {axes}")

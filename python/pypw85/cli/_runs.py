@@ -42,10 +42,13 @@ _GROUP = "pw85_mc"
 _FORMAT = 1
 # Part of the sweeps in the first of the windows of an equilibration, whose four windows have at most 15 times as many
 _FIRST_WINDOW = 1 / 16
-# Trials for each event chain, and free paths of a chain: one path for 5 trials. A path takes as long as two to five trials, so the chains
-# take about half as long as the trials (docs/montecarlo.rst, "Samples and their cost").
-_TRIALS_PER_CHAIN = 250
+# Free paths of an event chain
 _PATHS = 50
+# Sweeps between two samples, and trials for each event chain; and both in dense systems, where Z is at least _DENSE (docs/montecarlo.rst,
+# "Samples and their cost"). python/bench/measure_samples.py measures the errors of the pressure by these and by others.
+_EVERY, _TRIALS_PER_CHAIN = 10, 250
+_EVERY_OF_DENSE, _TRIALS_PER_CHAIN_OF_DENSE = 20, 1000
+_DENSE = 22
 # The longest free path over the longest semi-axis: an event chain continues from there as from a contact.
 _LONGEST_PATH = 1 / 4
 # The mean separation along the direction of a chain of two spheres, or discs, that touch, over the sum of their radii: contacts are
@@ -68,12 +71,12 @@ class Settings(NamedTuple):
 
     sweeps: int
     equilibrate: int | None  # None: until nothing drifts
-    every: int
+    every: int  # 0: as by usual_sampling() after the equilibration
     seed: int
     pressure: float | None
     change: Change
-    chains: int
-    chain_length: float | None  # None: as by usual_chain_length() after the equilibration
+    chains: int | None  # None: as by usual_sampling()
+    chain_length: float | None  # None: as by usual_sampling(), or no chains
     trajectory: str | None
     trajectory_format: str
     trajectory_every: int
@@ -87,24 +90,42 @@ class Settings(NamedTuple):
     law: str | None = None  # of pairs
 
 
-def usual_chains(trials: int) -> int:
-    """The number of event chains for a number of trials."""
-    return max(1, round(trials / _TRIALS_PER_CHAIN))
+class Sampling(NamedTuple):
+    """Sweeps between two samples, and the event chains of each sample."""
+
+    every: int
+    chains: int
+    chain_length: float | None
 
 
-def usual_chain_length(simulation: HardEllipsoids) -> float:
-    """The length in which an event chain has some fifty free paths, from one chain through the cell.
+def usual_sampling(simulation: HardEllipsoids, every: int = 0) -> Sampling:
+    """The samples of a bulk system that have small errors for their time, by the Z of one chain through the cell.
 
-    With βP/ρ = Z the density of contacts along a chain is (Z - 1)/x, where x is the mean separation along the direction at a contact. That
-    of spheres as large as the mean particle is accurate enough for this.
+    Parameters
+    ----------
+    simulation : HardEllipsoids
+        In equilibrium.
+    every : int
+        Sweeps between two samples, if they are given; otherwise 0.
+    """
+    cell: Any = simulation.cell
+    compressibility = simulation.chain(1, usual_length(cell, simulation.dimensions))
+    excess = max(compressibility - 1, 0.0) if np.isfinite(compressibility) else 0.0  # NaN where own images may touch
+    usual = (_EVERY_OF_DENSE, _TRIALS_PER_CHAIN_OF_DENSE) if excess + 1 >= _DENSE else (_EVERY, _TRIALS_PER_CHAIN)
+    every = every or usual[0]
+    return Sampling(every, max(1, round(len(simulation) * every / usual[1])), _usual_chain_length(simulation, excess))
+
+
+def _usual_chain_length(simulation: HardEllipsoids, excess: float) -> float:
+    """The length in which an event chain has some fifty free paths, where Z - 1 is `excess`.
+
+    The density of contacts along a chain is (Z - 1)/x, where x is the mean separation along the direction at a contact. That of spheres as
+    large as the mean particle is accurate enough for this.
     """
     dimensions = simulation.dimensions
-    cell: Any = simulation.cell
     semi_axes = simulation.semi_axes[:, :dimensions]
     transfer = _MEAN_TRANSFER[dimensions] * 2 * float(np.mean(semi_axes.prod(axis=1)) ** (1 / dimensions))
-    compressibility = simulation.chain(1, usual_length(cell, dimensions))
-    contacts = max(compressibility - 1, 0) / transfer if np.isfinite(compressibility) else 0.0  # NaN where own images may touch
-    return float(_PATHS / (contacts + 1 / (_LONGEST_PATH * float(semi_axes.max()))))
+    return float(_PATHS / (excess / transfer + 1 / (_LONGEST_PATH * float(semi_axes.max()))))
 
 
 class _GrowingText:
@@ -141,7 +162,6 @@ class Run:
         self._type_of = dict(zip(_kinds(simulation), particles.types, strict=True)) if settings.exchange else {}
         self._types = particles.types
         self.equilibrated = self.sweeps = 0
-        self.chain_length = settings.chain_length
         # Seconds of sweeps, and those of samples with their event chains, since the run began or continued
         self.seconds_of_sweeps = self.seconds_of_samples = 0.0
         first = max(1, int(settings.sweeps * _FIRST_WINDOW))
@@ -188,6 +208,8 @@ class Run:
         if not self.is_equilibrated:
             self._equilibrate()
             return
+        if self.sampling is None:
+            settings = self._choose_sampling()
         begin = time.perf_counter()
         simulation.sweep()
         if settings.pressure is not None:
@@ -202,6 +224,25 @@ class Run:
         if self._trajectory is not None and self.sweeps % settings.trajectory_every == 0:
             with self._explaining(self._trajectory.name):
                 self._trajectory.add(self.system())
+
+    @property
+    def sampling(self) -> Sampling | None:
+        """The samples of this run; None until they are chosen."""
+        every, chains, length = self.settings.every, self.settings.chains, self.settings.chain_length
+        return None if not every or chains is None or (chains and length is None) else Sampling(every, chains, length)
+
+    def _choose_sampling(self) -> Settings:
+        """Puts what is usual in the present state where the settings say nothing."""
+        begin = time.perf_counter()
+        settings = self.settings
+        usual = Sampling(_EVERY, 0, None) if settings.chains == 0 else usual_sampling(self.simulation, settings.every)
+        self.settings = settings = settings._replace(
+            every=settings.every or usual.every,
+            chains=usual.chains if settings.chains is None else settings.chains,
+            chain_length=settings.chain_length or usual.chain_length,
+        )
+        self.seconds_of_samples += time.perf_counter() - begin
+        return settings
 
     @property
     def constants(self) -> set[str]:
@@ -249,9 +290,7 @@ class Run:
     def _sample(self) -> None:
         compressibility = np.nan
         if self.settings.chains:
-            if self.chain_length is None:
-                self.chain_length = usual_chain_length(self.simulation)
-            compressibility = self.simulation.chain(self.settings.chains, self.chain_length)
+            compressibility = self.simulation.chain(self.settings.chains, self.settings.chain_length)
         sample = self.observables.add(self.simulation, compressibility)
         self.rows.append((self.sweeps, *sample))
         if self.settings.has_table:
@@ -369,7 +408,8 @@ class Run:
             progress = self.equilibrated, self.sweeps, self.length, self.table_length, self.saved, self.checksum
             group["progress"] = np.array(progress, np.int64)
             group["corner"] = self.corner
-            group["chain_length"] = np.nan if self.chain_length is None else self.chain_length
+            length = self.settings.chain_length
+            group["chain_length"] = np.nan if length is None else length
             if has_samples:
                 group["samples"] = np.fromfile(self.samples_path, _ROW, self.saved) if self.saved else np.empty(0, _ROW)
             for name, numbers in self.observables.state().items():
@@ -509,12 +549,12 @@ def _read(path: str, particles: System) -> Run:
         if group.attrs["digest"] != _digest(file):
             raise FileError(path, f"was changed after pw85 mc had written it: {_CURE}")
         settings = Settings(**json.loads(group.attrs["settings"]))
+        length = float(group["chain_length"][()])
+        settings = settings._replace(chain_length=None if np.isnan(length) else length)
         observables = Observables.restore({name: data[()] for name, data in group["observables"].items()})
         particles.origin = group["corner"][()]
         run = Run(path, settings, particles, HardEllipsoids.restore(group["state"][()].tobytes()), observables)
         run.equilibrated, run.sweeps, run.length, run.table_length, run.saved, run.checksum = group["progress"][()].tolist()
-        length = float(group["chain_length"][()])
-        run.chain_length = None if np.isnan(length) else length
         if run.equilibration is not None:
             run.equilibration = Equilibration.restore({name: data[()] for name, data in group["equilibration"].items()})
         run._finished = group["samples"][()] if "samples" in group else None

@@ -24,7 +24,7 @@ from ..formats import FORMATS, FileError, check_output, check_storable, refuse_s
 from ._input import Finite, Input, WholeNumber, given_options, input_options, one_frame, refuse_idle
 from ._interruption import keeping_work
 from ._progress import progress, say
-from ._runs import ACCEPTANCE, Run, Settings, locked, resume, usual_chains
+from ._runs import ACCEPTANCE, Run, Settings, locked, resume
 from ._surroundings import FIELD, LAW, WALL, Surrounding, set_law, surround
 
 _START = partial(input_options, argument=click.argument("file", required=False, metavar="[START]"))
@@ -65,12 +65,12 @@ MOST_THREADS = 1024
 @click.option("--equilibrate", type=WholeNumber(0), metavar="N",
               help="Sweeps before, in which steps are tuned. By default they end once no average drifts, or after 15/16 of the "
                    "sweeps.")
-@click.option("--every", type=WholeNumber(), default="10", show_default=True, metavar="N", help="Sweeps between two samples.")
+@click.option("--every", type=WholeNumber(), metavar="N", help="Sweeps between two samples: 10 by default, in dense systems 20.")
 @click.option("--chains", type=WholeNumber(0), metavar="N",
-              help="Event chains at each sample: by default one for 250 trials; none with walls, fields or a law, of which chains know "
-                   "nothing.")
+              help="Event chains at each sample: by default one for 250 trials, in dense systems one for 1000; none with walls, "
+                   "fields or a law, of which chains know nothing.")
 @click.option("--chain-length", type=Finite(), metavar="L",
-              help="Of each chain; by default the length that had some fifty contacts at the first sample.")
+              help="Of each chain; by default the length that has some fifty contacts.")
 @click.option("--seed", type=WholeNumber(0, 2**64 - 1), default=1, show_default=True, help="Of the random numbers.")
 @click.option("--width", type=Finite(most=1.0), default="0.1", show_default=True,
               help="Width of the interval of μ - 1 from which the pressure is extrapolated; at most 1.")
@@ -131,11 +131,10 @@ def _refuse_without_effect(ctx: click.Context) -> None:
     refuse_idle(_NEEDED if chains is None else _NEEDED | {"chain_length": ["chains"]})
 
 
-def _refuse_long_steps(sweeps: int, every: int, trajectory_every: int | None) -> None:
+def _refuse_long_steps(sweeps: int, every: int | None, trajectory_every: int | None) -> None:
     """Refuses distances of samples and of frames that none of the sweeps reaches. The default distance of samples is for longer runs."""
-    numbers = {"--every": every if "every" in given_options() else 0, "--trajectory-every": trajectory_every or 0}
-    for option, number in numbers.items():
-        if number > sweeps:
+    for option, number in {"--every": every, "--trajectory-every": trajectory_every}.items():
+        if number is not None and number > sweeps:
             raise click.UsageError(f"{option} must be at most --sweeps, {sweeps}, not {number}: nothing would be written")
 
 
@@ -154,8 +153,8 @@ def _continued(held: contextlib.ExitStack, name: str, sweeps: int | None) -> Run
 
 def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, *, out: str | None, trajectory: str | None,
            precision: str, seed: int, width: float, reach: float, bins: int, volume: Any, exchange: float, equilibrate: int | None,
-           chains: int | None, chain_length: float | None, every: int, walls: tuple[Surrounding, ...], fields: tuple[Surrounding, ...],
-           law: Surrounding | None, **others: Any) -> Run:  # fmt: skip
+           chains: int | None, chain_length: float | None, every: int | None, walls: tuple[Surrounding, ...],
+           fields: tuple[Surrounding, ...], law: Surrounding | None, **others: Any) -> Run:  # fmt: skip
     """A run from the command line, held as by _continued(). Its files can be written, and its first checkpoint is."""
     if given is None or sweeps is None or out is None:
         missing = [name for name, value in (("START", given), ("--sweeps", sweeps), ("--out", out)) if value is None]
@@ -177,8 +176,8 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
         equilibrate=equilibrate,
         seed=seed,
         change=volume,
-        every=every,
-        chains=0 if is_surrounded or law else usual_chains(len(system) * every) if chains is None else chains,
+        every=every or 0,
+        chains=0 if is_surrounded or law else chains,
         chain_length=chain_length,
         trajectory=None if trajectory is None else os.path.relpath(trajectory, os.path.dirname(path) or "."),
         trajectory_format=growing,
@@ -356,8 +355,9 @@ def _is_printed(run: Run, name: str) -> bool:
 
 def _sampling(run: Run) -> str:
     """Says what each sample is made of, and what part of the time all of them took since the run began or continued."""
-    chains = f" with {counted(run.settings.chains, 'event chain')} of length {run.chain_length:.4g}" if run.chain_length else ""
-    text = f"a sample every {counted(run.settings.every, 'sweep')}{chains}"
+    every, count, length = run.settings.every, run.settings.chains, run.settings.chain_length
+    chains = f" with {counted(count, 'event chain')} of length {length:.4g}" if count else ""
+    text = f"a sample every {counted(every, 'sweep')}{chains}"
     seconds = run.seconds_of_samples + run.seconds_of_sweeps
     return text + (f"; samples took {run.seconds_of_samples / seconds:.0%} of the time" if run.seconds_of_samples else "")
 
