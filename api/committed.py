@@ -14,6 +14,7 @@ import fortran
 import linked
 import objects
 import r
+import rust
 import shims
 import spans
 import symbols
@@ -25,7 +26,7 @@ def files():
     header = batch.header()
     declarations.replace({"pw85_batch.h": header})  # from which the others follow
     made = {batch.HEADER: header, fortran.MODULE: fortran.module()}
-    made |= shims.files() | objects.files() | symbols.files() | spans.headers() | linked.files() | r.files()
+    made |= shims.files() | objects.files() | symbols.files() | spans.headers() | linked.files() | r.files() | rust.files()
     marks = (f"{path.relative_to(SOURCE)} linguist-generated\n" for path in sorted(made))
     return made | {SOURCE / ".gitattributes": "# Made by api/committed.py, as all files in this list.\n" + "".join(marks)}
 

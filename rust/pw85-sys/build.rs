@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//! Finds the installed library pw85 by pkg-config.
+
+use std::env;
+use std::process::{exit, Command};
+
+const NEEDED: &str = "pw85 >= 3";
+
+fn main() {
+    for name in ["PKG_CONFIG", "PKG_CONFIG_PATH", "PKG_CONFIG_LIBDIR"] {
+        println!("cargo:rerun-if-env-changed={name}");
+    }
+    println!("cargo:rerun-if-changed=build.rs");
+    if env::var_os("DOCS_RS").is_some() {
+        return; // Pages of reference are made without the library.
+    }
+    let program = env::var("PKG_CONFIG").unwrap_or_else(|_| "pkg-config".into());
+    let found = Command::new(&program).args(["--libs", NEEDED]).output();
+    let output = found.unwrap_or_else(|error| {
+        refuse(&format!(
+            "{program} cannot be run: {error} (Debian: apt-get install pkg-config)."
+        ))
+    });
+    if !output.status.success() {
+        refuse(
+            "the library pw85, version 3 or later, is not installed where pkg-config looks for it.\n\
+             Install it, and add the folder of its file pw85.pc to PKG_CONFIG_PATH: \
+             export PKG_CONFIG_PATH=PREFIX/lib/pkgconfig",
+        );
+    }
+    for word in String::from_utf8_lossy(&output.stdout).split_whitespace() {
+        if let Some(folder) = word.strip_prefix("-L") {
+            println!("cargo:rustc-link-search=native={folder}");
+        } else if let Some(library) = word.strip_prefix("-l") {
+            println!("cargo:rustc-link-lib={library}");
+        }
+    }
+}
+
+fn refuse(text: &str) -> ! {
+    eprintln!("pw85: {text}");
+    exit(1)
+}
