@@ -268,15 +268,15 @@ def raw(function):
     return [*comment([f"{function.brief()}."], "    "), *listing(f"pub fn {function.name}(", listed, f"){result};", "    ")]
 
 
-def sys_crate():
-    template = (FOLDER / "pw85-sys/src/lib.rs.in").read_text(encoding="utf-8")
+def declarations_in_rust():
     named = [function for header in (*HEADERS, "pw85_enclosing.h") for function in functions(header)]
-    return MARK + template.replace("@functions@\n", "".join(f"{line}\n" for function in named for line in raw(function)))
+    lines = [f"{MARK}\nuse crate::{{c_char, c_int, pw85_motion}};\n\nextern \"C\" {{", *(line for one in named for line in raw(one)), "}"]
+    return "\n".join([*lines, ""])
 
 
 def files():
     """The texts of all made files by their paths."""
     templates = {f"{crate}/Cargo.toml": FOLDER / crate / "Cargo.toml.in" for crate in ("pw85-sys", "pw85")}
     made = {path: template.read_text(encoding="utf-8").replace("@version@", version()) for path, template in templates.items()}
-    made |= {"pw85-sys/src/lib.rs": sys_crate(), "pw85/src/questions.rs": questions()}
+    made |= {"pw85-sys/src/functions.rs": declarations_in_rust(), "pw85/src/questions.rs": questions()}
     return {FOLDER / path: text for path, text in made.items()}

@@ -304,6 +304,7 @@ fn errors_go_to_other_threads_and_each_thread_has_its_own() {
         .all(|one| one.join().unwrap()));
 }
 
+#[cfg(feature = "std")]
 #[test]
 fn an_error_is_an_error_of_std() {
     fn fails() -> Result<f64, Box<dyn std::error::Error + Send + Sync>> {

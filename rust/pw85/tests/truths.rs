@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //! Values against closed forms and against published results. Nothing of these is computed by pw85.
 
+#![allow(clippy::needless_range_loop)] // of coordinates
+
 use std::cmp::Ordering;
 use std::f64::consts::PI;
 
