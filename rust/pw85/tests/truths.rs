@@ -97,9 +97,6 @@ fn overlaps_are_decided_exactly_at_contact() {
         assert_eq!(pw85::overlap(&r12, &q1, &ball(2.0)), Ok(overlap), "{xx:?}");
         let sign = pw85::compare(&r12, &q1, &ball(2.0), 1.0).unwrap();
         assert_eq!(sign, 1f64.partial_cmp(&xx).unwrap(), "{xx:?}");
-        let witness = pw85::overlap_witness(&r12, &q1, &ball(2.0)).unwrap();
-        assert_eq!(witness.overlap, overlap, "{xx:?}");
-        assert_eq!(witness.point[0].is_nan(), !overlap, "{xx:?}");
     }
     let equal = pw85::compare(&r12, &ball(1.0), &ball(2.0), 1.0).unwrap();
     assert_eq!(equal, Ordering::Equal);
