@@ -404,6 +404,11 @@ def check_r(results):
     results.add("scripts/test_r.sh", run(["scripts/test_r.sh"]))
 
 
+def check_rust(results):
+    """The crates for Rust: their tests, examples and README, linter and formatter, and the bits of C."""
+    results.add("scripts/test_rust.sh", run(["scripts/test_rust.sh"]))
+
+
 def check_foreign(results):
     """The library by a compiler and an emulator for 64-bit ARM."""
     machine = ROOT / "scripts/cross/aarch64-linux-gnu.ini"
@@ -465,6 +470,7 @@ PARTS = {
     "lammps-of-debian-13": Part(check_lammps_of_debian_13, "git mmdebstrap", after=("lammps",), by_default=False),
     "python-of-debian-13": Part(check_python_of_debian_13, "git mmdebstrap", by_default=False),
     "r": Part(check_r, "$build_packages libboost-dev $r_packages", by_default=False),
+    "rust": Part(check_rust, "$build_packages libboost-dev $rust_packages", by_default=False),
     "formats": Part(check_formats, f"{TEST} {MEASURING}", after=("tests",), by_default=False),
     "valgrind": Part(check_valgrind, f"{TEST} valgrind", after=("tests", "pages"), by_default=False),
     "platforms": Part(check_platforms, f"{TEST} {MACHINES}", after=("tests", "foreign"), by_default=False),

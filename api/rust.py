@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Makes what the crates in rust/ have by the declarations of the C API: those of pw85-sys, and the functions and values of pw85.
 
-The crate pw85 has a function for each function of one row and of many rows, with its name in C without pw85_. Arrays are arrays of
-Rust, rows are slices, a function with several outputs returns a struct.
+A function of one row takes arrays and returns a number, an array or a struct; one of many rows takes slices.
 """
 
 import re
@@ -10,6 +9,7 @@ import textwrap
 from functools import cache
 
 from declarations import ONE_ROW, SOURCE, c_functions, functions, parameters, statuses, version
+from examples import example_value
 from python_table import is_split
 from rows import BY_HAND, TRUTHS, RowFunction, name_of_many, operand, results, row_functions
 from voice import Voice, sentence
@@ -19,32 +19,19 @@ MARK = "// SPDX-License-Identifier: BSD-3-Clause\n// Made by api/rust.py from th
 HEADERS = (*ONE_ROW, "pw85_batch.h")
 TYPES = {"double": "f64", "int": "c_int", "size_t": "usize", "unsigned char": "u8", "char": "c_char"}
 BY_HAND_IN_RUST = ("pw85_version", "pw85_set_reproducible", "pw85_is_reproducible", "pw85_contact_polytope", "pw85_overlap_polytope",
-                   "pw85_overlap_any", "pw85_inertia", "pw85_inertia_batch", "pw85_enclosing_ellipsoid", "pw85_enclosing_ellipsoid_of",
-                   "pw85_random_points")  # fmt: skip
-# Arguments of examples: in three dimensions, and those that are others in two.
-VALUES = {
-    "r12": [3, 0.5, 0], "q": [9, 0, 0, 4, 0, 1], "q1": [9, 0, 0, 4, 0, 1], "q2": [0.25, 0, 0, 0.25, 0, 0.25], "semi_axes": [3, 2, 1],
-    "rotation": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "s1": [[3, 0, 0], [0, 2, 0], [0, 0, 1]], "s2": [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
-    "quaternion": [0.9, 0.1, 0.3, 0.2], "lambda": 0.5, "a": 3, "b": 2, "c": 1, "angle": 0.5, "n": [0, 0, 1], "mu2": 1, "t_max": 10,
-    "velocity": [-1, 0, 0], "second_moments": [9, 0, 0, 4, 0, 1], "offset": 5, "curvature": 0.5, "curvatures": [1, 2], "radius": 99,
-    "center": [8, 8, 8], "lower": [2, -1, -1], "upper": [4, 1, 1], "origin": [-5, 0, 0], "r": [4, 2, 1],
-} | dict.fromkeys(("direction", "normal", "start", "axis"), [1, 0, 0]) | dict.fromkeys(("end1", "vertex1"), [2, 2, 1])
-VALUES |= dict.fromkeys(("end2", "vertex2"), [2, -2, 1]) | {"vertex3": [2, 0, 4], "motion1": "pw85::Motion::default()"}
-VALUES |= {"motion2": "pw85::Motion { velocity: [-1.0, 0.0, 0.0], ..Default::default() }"}
-R12 = {"distance": [5, 0.5, 0], "gap": [0.5, 0.25, 0]}  # by the first word of the function
-PLANE = {"q": [9, 0, 4], "q1": [9, 0, 4], "q2": [0.25, 0, 0.25], "second_moments": [9, 0, 4]}
+                   "pw85_overlap_any", "pw85_inertia", "pw85_enclosing_ellipsoid", "pw85_enclosing_ellipsoid_of", "pw85_random_points")
 
 
 @cache
 def asked():
     """The functions of one row, and those of many rows that have no relative for one."""
-    made = []
-    for function in map(c_functions().get, BY_HAND):
-        listed = parameters(function)
-        inputs = [operand(one) for one in listed if not one.is_output()]
-        made.append(RowFunction(function, c_functions()[name_of_many(function.name)], inputs, results(function, listed)))
-    return [row for row in (*row_functions(), *made) if row.function.header in HEADERS
-            and not row.is_building_block() and not row.is_by_hand()]  # fmt: skip
+    listed = [*row_functions(), *(row_function(c_functions()[name], c_functions()[name_of_many(name)]) for name in BY_HAND)]
+    return [row for row in listed if row.function.header in HEADERS and not row.is_building_block() and not row.is_by_hand()]
+
+
+def row_function(function, many):
+    listed = parameters(function)[function is many :]
+    return RowFunction(function, many, [operand(one) for one in listed if not one.is_output()], results(function, listed))
 
 
 @cache
@@ -55,8 +42,11 @@ def names_in_rust():
 
 
 def array(shape):
-    """The type of an array: "[[f64; 3]; 2]" of two rows."""
     return f"[{array(shape[1:])}; {shape[0]}]" if shape else "f64"
+
+
+def zero(one):
+    return "0" if one.type != "double" else row_type(one).replace("f64", "0.0")
 
 
 def is_of_rows(one):
@@ -86,7 +76,7 @@ def result_type(one):
 
 @cache
 def values():
-    """Structs of several outputs by functions, and the functions by structs. The names are those in C++, unless two of one name differ."""
+    """Structs of several outputs by functions, and their functions. The names are those in C++, unless two of one name differ."""
     in_cpp = {function.name: re.search(r"(\w+)(?:<T(, \w)?>)?$", function.type) for function in functions("pw85/pw85.hpp")}
     of_function, rows, outputs = {}, {}, {}
     for row in (one for one in asked() if len(one.outputs) > 1 and not one.is_of_many()):
@@ -95,9 +85,13 @@ def values():
         key = [(one.name, result_type(one)) for one in row.outputs]
         names = f"{like[1]}{'2d' if like[2] and row.name.endswith('_2d') else ''}", camel(row.name)
         struct = next(one for one in names if outputs.setdefault(one, key) == key)
-        of_function[row.function.name] = struct
-        rows.setdefault(struct, []).append(row)
+        rows.setdefault(of_function.setdefault(row.function.name, struct), []).append(row)
     return of_function, rows
+
+
+def result_of(row):
+    """The type of the result: a struct, or that of the only output."""
+    return values()[0].get(row.function.name) or result_type(row.outputs[0])
 
 
 class InRust(Voice):
@@ -112,9 +106,9 @@ class InRust(Voice):
 
     def told(self, listed):
         """Texts, and arguments."""
-        texts = [(one.name, self.described(one.name), f"Unit: {one.attributes.unit}." if one.attributes.unit else "") for one in listed]
+        texts = [(one.name, self.described(one.name), f"Unit: {one.attributes.unit}." * bool(one.attributes.unit)) for one in listed]
         arguments = "\n".join(f"- `{name}`: {' '.join(filter(None, words))}" for name, *words in texts if any(words))
-        return [*self.head(), *self.notes(), *(["# Arguments", arguments] if arguments else [])]
+        return [*self.head(), *self.notes(), *filter(None, ["# Arguments" * bool(arguments), arguments])]
 
     def errors(self):
         return sentence(re.sub(r"^For a single (row|value): | Rows of arrays become NaN\.$", "", self.raises())).strip()
@@ -148,26 +142,15 @@ def comment(paragraphs, indent="", example=()):
 
 def listing(head, listed, tail, indent=""):
     """Code with a list, in one line or with a line for each element."""
-    listed = [*listed]
     line = f"{indent}{head}{', '.join(listed)}{tail}"
     return [line] if len(line) <= 100 else [indent + head, *(f"{indent}    {one}," for one in listed), indent + tail]
 
 
-def zero(one):
-    return "0" if one.type == "int" else row_type(one).replace("f64", "0.0").replace("u8", "0")
-
-
-def literal(value):
-    if isinstance(value, list):
-        return f"[{', '.join(map(literal, value))}]"
-    return value if isinstance(value, str) else repr(float(value))
-
-
-def example_value(function, one):
+def literal(function, one):
     """A valid argument of one row."""
-    name, shape = one.name if one.name in VALUES else one.name.removesuffix("s"), one.shape[is_of_rows(one) :]
-    value = R12.get(function.name.split("_")[1], VALUES[name]) if name == "r12" else VALUES[name]
-    return literal(PLANE.get(name, value[: shape[0]]) if shape and isinstance(value, list) and len(value) != shape[0] else value)
+    value = example_value(function, one.name, (*one.shape[is_of_rows(one) :], 0)[0])
+    text = f"pw85::Motion {{ velocity: {value[:3]}, ..Default::default() }}" if one.type == "pw85_motion" else str(value)
+    return re.sub(r"(?<![\w.])\d+(?![\w.])", r"\g<0>.0", text)
 
 
 def passed(one):
@@ -186,75 +169,64 @@ def single(row):
     """The function of one row."""
     name, listed, voice = names_in_rust()[row.function.name], parameters(row.function), InRust(row)
     inputs, outputs = ([one for one in listed if one.is_output() is kind] for kind in (False, True))
-    given = [f"{'&' if argument_type(one)[0] == '&' else ''}{example_value(row.function, one)}" for one in inputs]
+    given = [f"{'&' * (argument_type(one)[0] == '&')}{literal(row.function, one)}" for one in inputs]
     shown = [*listing(f"let found = pw85::{name}(", given, ")?;"), 'println!("{found:?}");']
-    yield from comment([*voice.told(inputs), "# Errors", voice.errors()], example=shown)
+    yield from [*comment([*voice.told(inputs), "# Errors", voice.errors()], example=shown), "#[inline]"]
     struct, first = values()[0].get(row.function.name), outputs[0].name
-    result = struct or result_type(row.outputs[0])
-    arguments = [f"{one.name}: {argument_type(one)}" for one in inputs]
-    yield from ["#[inline]", *listing(f"pub fn {name}(", arguments, f") -> Result<{result}, Error> {{")]
+    arguments, result = [f"{one.name}: {argument_type(one)}" for one in inputs], f"Result<{result_of(row)}, Error>"
+    yield from listing(f"pub fn {name}(", arguments, f") -> {result} {{")
     yield from (f"    let mut {one.name} = {zero(one)};" for one in outputs)
     is_void, call = row.function.type == "void", f"unsafe {{ sys::{row.function.name}("
-    yield from listing(call if is_void else f"check({call}", map(passed, listed), ") };" if is_void else ") })?;", "    ")
+    yield from listing(call if is_void else f"check({call}", [*map(passed, listed)], ") };" if is_void else ") })?;", "    ")
     yield from [f"    check_number({first}[0])?;"] if is_void else []
     found = [f"{first}[{k}]" for k in range(len(row.outputs))] if is_split(row) else [
         {"bool": f"{one.name} == 1", "Ordering": f"{one.name}.cmp(&0)"}.get(result_type(one), one.name) for one in row.outputs]  # fmt: skip
     fields = [one.name if one.name == text else f"{one.name}: {text}" for one, text in zip(row.outputs, found)]
-    yield from listing(f"Ok({struct} {{ ", fields, " })", "    ") if struct else [f"    Ok({found[0]})"]
-    yield "}\n"
+    yield from [*(listing(f"Ok({struct} {{ ", fields, " })", "    ") if struct else [f"    Ok({found[0]})"]), "}\n"]
 
 
 def many(row):
     """The function of many rows."""
     name, listed = names_in_rust()[row.many.name], parameters(row.many)[1:]
     inputs, outputs = ([one for one in listed if one.is_output() is kind] for kind in (False, True))
-    voice = InRust(RowFunction(row.many, row.many, [operand(one) for one in inputs], [operand(one) for one in outputs]))
     first, *others = [one for one in listed if is_of_rows(one)]
-    optional = " An output that is `None` is not written." if any(one.nullable for one in outputs) else ""
-    told = [*voice.told(listed), f"Row i of each slice belongs to row i of `{first.name}`.{optional}", "# Errors",
-            f"Slices that have not as many rows as `{first.name}`; and the first row that is refused: its outputs are NaN, or no valid "
-            "truth value or sign. The other rows are computed."]  # fmt: skip
-    values = ((one, example_value(row.many, one)) for one in inputs)
-    lines = [f"let {one.name} = {f'[{value}; 2]' if is_of_rows(one) else value};" for one, value in values]
+    optional = " An output that is `None` is not written." * any(one.nullable for one in outputs)
+    told = [*InRust(row_function(row.many, row.many)).told(listed), f"Row i of each slice belongs to row i of `{first.name}`.{optional}",
+            "# Errors", f"A slice has not as many rows as `{first.name}`, or a row is refused. The outputs of such rows are NaN, 255 for "
+            "truth values, 2 for signs; other rows are computed."]  # fmt: skip
+    lines = [f"let {one.name} = {'[' * is_of_rows(one)}{literal(row.many, one)}{'; 2]' * is_of_rows(one)};" for one in inputs]
     lines += [f"let mut {one.name} = [{zero(one)}; 2];" for one in outputs]
     given = [f"Some(&mut {one.name})" if one.nullable else "&" * is_of_rows(one) + "mut " * one.is_output() + one.name for one in listed]
     lines += [*listing(f"pw85::{name}(", given, ")?;"), f"assert_eq!({outputs[-1].name}[0], {outputs[-1].name}[1]);"]
     yield from comment(told, example=lines)
     yield from listing(f"pub fn {name}(", [f"{one.name}: {argument_type(one)}" for one in listed], ") -> Result<(), Error> {")
     counts = [f'("{one.name}", {f"rows_of(&{one.name}, n)" if one.nullable else f"{one.name}.len()"})' for one in others]
-    yield from [f"    let n = {first.name}.len();", f'    let requirement = "must have as many rows as {first.name}";']
-    yield from listing("let counts = [", counts, "];", "    ")
-    yield f'    same_rows("{row.many.name}", requirement, n, &counts)?;'
-    yield from listing(f"check_rows(unsafe {{ sys::{row.many.name}(", ["n", *map(passed, listed)], ") })", "    ")
-    yield "}\n"
+    yield from [f"    let n = {first.name}.len();", *listing("let counts = [", counts, "];", "    ")]
+    yield f'    same_rows("{row.many.name}", "must have as many rows as {first.name}", n, &counts)?;'
+    yield from [*listing(f"check_rows(unsafe {{ sys::{row.many.name}(", ["n", *map(passed, listed)], ") })", "    "), "}\n"]
 
 
 def struct(name, rows):
     shared = ", ".join(f"`{names_in_rust()[one.function.name]}()`" for one in rows)
     yield from [*comment([f"Results of {shared}."]), f"#[derive(Clone, Copy, Debug, PartialEq)]\npub struct {name} {{"]
     texts = [InRust(rows[0]).described(one.parameter.name) for one in rows[0].outputs]
-    if is_split(rows[0]):  # one sentence tells of all numbers: "μ², and the maximiser"
-        texts = texts[0].rstrip(".").split(", and the ") if ", and the " in texts[0] else texts
+    if is_split(rows[0]) and ", and the " in texts[0]:  # one sentence tells of all numbers: "μ², and the maximiser"
+        texts = texts[0].rstrip(".").split(", and the ")
     for one, text in zip(rows[0].outputs, texts, strict=True):
         text = "Whether the ellipsoids overlap." if result_type(one) == "bool" else sentence(text)
         yield from [*comment([text], "    "), f"    pub {one.name}: {result_type(one)},"]
     yield "}\n"
 
 
-def status_enum():
-    errors = [(code, camel(name), value) for code, (name, value) in statuses().items() if value != "0"]
-    yield "/// Why a call was refused.\n#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]\n#[non_exhaustive]\npub enum Status {"
-    yield from (f"    /// `{code}` of C.\n    {name}," for code, name, _ in errors)
-    yield "    /// A number that this version does not know.\n    Unknown,\n}\n\nimpl From<i32> for Status {"
-    yield "    fn from(status: i32) -> Self {\n        match status {"
-    yield from (f"            {value} => Status::{name}," for _, name, value in errors)
-    yield "            _ => Status::Unknown,\n        }\n    }\n}\n"
-
-
 def questions():
+    known = [(code, camel(name), value) for code, (name, value) in statuses().items() if value != "0"]
     lines = [f"{MARK}\nuse crate::error::{{check, check_number, check_rows, pointer, rows_of, same_rows, Error}};",
-             "use crate::Motion;\nuse core::cmp::Ordering;\nuse pw85_sys as sys;\n", *status_enum()]  # fmt: skip
-    lines += [line for name, rows in values()[1].items() for line in struct(name, rows)]
+             "use crate::Motion;\nuse core::cmp::Ordering;\nuse pw85_sys as sys;\n\n/// Why a call was refused.",
+             "#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]\n#[non_exhaustive]\n#[repr(i32)]\npub enum Status {",
+             *(f"    /// `{code}` of C.\n    {name} = {value}," for code, name, value in known),
+             "    /// A number that this version does not know.\n    Unknown = -1,\n}\n",
+             *listing(f"pub(crate) const STATUSES: [Status; {len(known)}] = [", [f"Status::{one}" for _, one, _ in known], "];\n"),
+             *(line for name, rows in values()[1].items() for line in struct(name, rows))]  # fmt: skip
     for row in asked():
         lines += [*([] if row.is_of_many() else single(row)), *(many(row) if row.many else [])]
     return "\n".join(lines)
@@ -268,15 +240,11 @@ def raw(function):
     return [*comment([f"{function.brief()}."], "    "), *listing(f"pub fn {function.name}(", listed, f"){result};", "    ")]
 
 
-def declarations_in_rust():
-    named = [function for header in (*HEADERS, "pw85_enclosing.h") for function in functions(header)]
-    lines = [f"{MARK}\nuse crate::{{c_char, c_int, pw85_motion}};\n\nextern \"C\" {{", *(line for one in named for line in raw(one)), "}"]
-    return "\n".join([*lines, ""])
-
-
 def files():
     """The texts of all made files by their paths."""
     templates = {f"{crate}/Cargo.toml": FOLDER / crate / "Cargo.toml.in" for crate in ("pw85-sys", "pw85")}
     made = {path: template.read_text(encoding="utf-8").replace("@version@", version()) for path, template in templates.items()}
-    made |= {"pw85-sys/src/functions.rs": declarations_in_rust(), "pw85/src/questions.rs": questions()}
+    named = [line for header in (*HEADERS, "pw85_enclosing.h") for function in functions(header) for line in raw(function)]
+    head = f'{MARK}\nuse crate::{{c_char, c_int, pw85_motion}};\n\nextern "C" {{'
+    made |= {"pw85-sys/src/functions.rs": "\n".join([head, *named, "}", ""]), "pw85/src/questions.rs": questions()}
     return {FOLDER / path: text for path, text in made.items()}

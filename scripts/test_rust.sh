@@ -44,10 +44,13 @@ cc -std=c99 ../r/data-raw/pairs.c -o "$work/pairs" $(pkg-config --cflags --libs 
 cargo run -q --example pairs | diff - "$work/pairs.txt"
 
 echo '+ cargo package'
-vendored="--config source.crates-io.replace-with='vendored' --config source.vendored.directory='$work/vendor'"
+cat >"$work/vendored.toml" <<END
+[source]
+crates-io = { replace-with = "vendored" }
+vendored = { directory = "$work/vendor" }
+END
 for crate in pw85-sys pw85; do
-  # shellcheck disable=SC2086 # a list of words
-  cargo package -q --allow-dirty $vendored -p "$crate" 2>"$work/package.log" || { cat "$work/package.log" && exit 1; }
+  cargo package -q --allow-dirty --config "$work/vendored.toml" -p "$crate" 2>"$work/package.log" || { cat "$work/package.log" && exit 1; }
   mkdir "$work/vendor/$crate"
   tar -xzf "$CARGO_TARGET_DIR/package/$crate-"[0-9]*.crate -C "$work/vendor/$crate" --strip-components=1
   echo '{"files": {}}' >"$work/vendor/$crate/.cargo-checksum.json"
@@ -70,6 +73,5 @@ END
 sed -n '/^```rust$/,/^```$/p;/^```text$/q' pw85/README.md | sed '/^```/d' >"$work/readme/src/main.rs"
 # shellcheck disable=SC2016
 sed -n '/^```text$/,/^```$/p' pw85/README.md | sed '/^```/d' >"$work/expected"
-# shellcheck disable=SC2086 # a list of words
-cargo run -q --manifest-path "$work/readme/Cargo.toml" $vendored | diff - "$work/expected"
+cargo run -q --manifest-path "$work/readme/Cargo.toml" --config "$work/vendored.toml" | diff - "$work/expected"
 grep -q "$(head -n 1 "$work/expected")" ../examples/c/pair.txt

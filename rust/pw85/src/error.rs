@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //! Causes of errors, and the checks of slices.
 
+use crate::questions::STATUSES;
 use crate::Status;
 use core::{fmt, ptr, slice, str};
 use pw85_sys as sys;
@@ -47,6 +48,13 @@ impl fmt::Display for Error {
             (None, Some((entry, _))) => write!(f, " (entry {entry})"),
             (None, None) => Ok(()),
         }
+    }
+}
+
+impl From<i32> for Status {
+    fn from(number: i32) -> Self {
+        let known = STATUSES.iter().find(|one| **one as i32 == number);
+        *known.unwrap_or(&Status::Unknown)
     }
 }
 

@@ -9,39 +9,35 @@ use pw85_sys as sys;
 /// Why a call was refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
+#[repr(i32)]
 pub enum Status {
     /// `PW85_EINVAL` of C.
-    InvalidArgument,
+    InvalidArgument = 1,
     /// `PW85_ENOTPD` of C.
-    NotPositiveDefinite,
+    NotPositiveDefinite = 2,
     /// `PW85_ECONVERGENCE` of C.
-    NoConvergence,
+    NoConvergence = 3,
     /// `PW85_ENOMEM` of C.
-    OutOfMemory,
+    OutOfMemory = 4,
     /// `PW85_EDEVICE` of C.
-    NoDevice,
+    NoDevice = 5,
     /// `PW85_EOVERLAP` of C.
-    Overlap,
+    Overlap = 6,
     /// `PW85_EPOTENTIAL` of C.
-    BadPotential,
+    BadPotential = 7,
     /// A number that this version does not know.
-    Unknown,
+    Unknown = -1,
 }
 
-impl From<i32> for Status {
-    fn from(status: i32) -> Self {
-        match status {
-            1 => Status::InvalidArgument,
-            2 => Status::NotPositiveDefinite,
-            3 => Status::NoConvergence,
-            4 => Status::OutOfMemory,
-            5 => Status::NoDevice,
-            6 => Status::Overlap,
-            7 => Status::BadPotential,
-            _ => Status::Unknown,
-        }
-    }
-}
+pub(crate) const STATUSES: [Status; 7] = [
+    Status::InvalidArgument,
+    Status::NotPositiveDefinite,
+    Status::NoConvergence,
+    Status::OutOfMemory,
+    Status::NoDevice,
+    Status::Overlap,
+    Status::BadPotential,
+];
 
 /// Results of [`contact()`](crate::contact), [`contact_rounded()`](crate::contact_rounded),
 /// [`contact_factored()`](crate::contact_factored),
@@ -624,8 +620,8 @@ pub fn ellipsoid_quaternion(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `semi_axes`; and the first row that is refused: its
-/// outputs are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `semi_axes`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -643,9 +639,8 @@ pub fn ellipsoid_quaternion_batch(
     q: &mut [[f64; 6]],
 ) -> Result<(), Error> {
     let n = semi_axes.len();
-    let requirement = "must have as many rows as semi_axes";
     let counts = [("quaternions", quaternions.len()), ("q", q.len())];
-    same_rows("pw85_ellipsoid_quaternion_batch", requirement, n, &counts)?;
+    same_rows("pw85_ellipsoid_quaternion_batch", "must have as many rows as semi_axes", n, &counts)?;
     check_rows(unsafe { sys::pw85_ellipsoid_quaternion_batch(
         n,
         semi_axes.as_ptr().cast(),
@@ -702,8 +697,8 @@ pub fn ellipsoid_factor(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `semi_axes`; and the first row that is refused: its
-/// outputs are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `semi_axes`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -721,9 +716,8 @@ pub fn ellipsoid_factor_batch(
     s: &mut [[[f64; 3]; 3]],
 ) -> Result<(), Error> {
     let n = semi_axes.len();
-    let requirement = "must have as many rows as semi_axes";
     let counts = [("quaternions", quaternions.len()), ("s", s.len())];
-    same_rows("pw85_ellipsoid_factor_batch", requirement, n, &counts)?;
+    same_rows("pw85_ellipsoid_factor_batch", "must have as many rows as semi_axes", n, &counts)?;
     check_rows(unsafe { sys::pw85_ellipsoid_factor_batch(
         n,
         semi_axes.as_ptr().cast(),
@@ -809,8 +803,8 @@ pub fn contact(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<Contact, 
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -832,14 +826,13 @@ pub fn contact_batch(
     lambda: Option<&mut [f64]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
         ("mu2", mu2.len()),
         ("lambda", rows_of(&lambda, n)),
     ];
-    same_rows("pw85_contact_batch", requirement, n, &counts)?;
+    same_rows("pw85_contact_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_contact_batch(
         n,
         r12.as_ptr().cast(),
@@ -906,8 +899,8 @@ pub fn contact_rounded(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<C
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -929,14 +922,13 @@ pub fn contact_rounded_batch(
     lambda: Option<&mut [f64]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
         ("mu2", rows_of(&mu2, n)),
         ("lambda", rows_of(&lambda, n)),
     ];
-    same_rows("pw85_contact_rounded_batch", requirement, n, &counts)?;
+    same_rows("pw85_contact_rounded_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_contact_rounded_batch(
         n,
         r12.as_ptr().cast(),
@@ -1009,8 +1001,8 @@ pub fn contact_factored(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -1032,14 +1024,13 @@ pub fn contact_factored_batch(
     lambda: Option<&mut [f64]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("s1", s1.len()),
         ("s2", s2.len()),
         ("mu2", rows_of(&mu2, n)),
         ("lambda", rows_of(&lambda, n)),
     ];
-    same_rows("pw85_contact_factored_batch", requirement, n, &counts)?;
+    same_rows("pw85_contact_factored_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_contact_factored_batch(
         n,
         r12.as_ptr().cast(),
@@ -1108,8 +1099,8 @@ pub fn condition(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6], lambda: f64) -> R
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -1131,14 +1122,13 @@ pub fn condition_batch(
     cond: &mut [f64],
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
         ("lambda", lambda.len()),
         ("cond", cond.len()),
     ];
-    same_rows("pw85_condition_batch", requirement, n, &counts)?;
+    same_rows("pw85_condition_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_condition_batch(
         n,
         r12.as_ptr().cast(),
@@ -1204,8 +1194,8 @@ pub fn contact_function(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -1227,14 +1217,13 @@ pub fn contact_function_batch(
     lambda: Option<&mut [f64]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
         ("mu2", rows_of(&mu2, n)),
         ("lambda", rows_of(&lambda, n)),
     ];
-    same_rows("pw85_contact_function_batch", requirement, n, &counts)?;
+    same_rows("pw85_contact_function_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_contact_function_batch(
         n,
         r12.as_ptr().cast(),
@@ -1306,8 +1295,8 @@ pub fn contact_geometry(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -1331,7 +1320,6 @@ pub fn contact_geometry_batch(
     normal: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
@@ -1339,7 +1327,7 @@ pub fn contact_geometry_batch(
         ("point", rows_of(&point, n)),
         ("normal", rows_of(&normal, n)),
     ];
-    same_rows("pw85_contact_geometry_batch", requirement, n, &counts)?;
+    same_rows("pw85_contact_geometry_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_contact_geometry_batch(
         n,
         r12.as_ptr().cast(),
@@ -1419,8 +1407,8 @@ pub fn contact_geometry_factored(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -1451,7 +1439,6 @@ pub fn contact_geometry_factored_batch(
     normal: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("s1", s1.len()),
         ("s2", s2.len()),
@@ -1459,7 +1446,7 @@ pub fn contact_geometry_factored_batch(
         ("point", rows_of(&point, n)),
         ("normal", rows_of(&normal, n)),
     ];
-    same_rows("pw85_contact_geometry_factored_batch", requirement, n, &counts)?;
+    same_rows("pw85_contact_geometry_factored_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_contact_geometry_factored_batch(
         n,
         r12.as_ptr().cast(),
@@ -1533,8 +1520,8 @@ pub fn contact_gradient(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -1568,7 +1555,6 @@ pub fn contact_gradient_batch(
     d_q2: Option<&mut [[f64; 6]]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
@@ -1577,7 +1563,7 @@ pub fn contact_gradient_batch(
         ("d_q1", rows_of(&d_q1, n)),
         ("d_q2", rows_of(&d_q2, n)),
     ];
-    same_rows("pw85_contact_gradient_batch", requirement, n, &counts)?;
+    same_rows("pw85_contact_gradient_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_contact_gradient_batch(
         n,
         r12.as_ptr().cast(),
@@ -1661,8 +1647,8 @@ pub fn contact_gradient_factored(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -1696,7 +1682,6 @@ pub fn contact_gradient_factored_batch(
     d_s2: Option<&mut [[[f64; 3]; 3]]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("s1", s1.len()),
         ("s2", s2.len()),
@@ -1705,7 +1690,7 @@ pub fn contact_gradient_factored_batch(
         ("d_s1", rows_of(&d_s1, n)),
         ("d_s2", rows_of(&d_s2, n)),
     ];
-    same_rows("pw85_contact_gradient_factored_batch", requirement, n, &counts)?;
+    same_rows("pw85_contact_gradient_factored_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_contact_gradient_factored_batch(
         n,
         r12.as_ptr().cast(),
@@ -1778,8 +1763,8 @@ pub fn contact_torque(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -1803,7 +1788,6 @@ pub fn contact_torque_batch(
     d_rot2: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
@@ -1811,7 +1795,7 @@ pub fn contact_torque_batch(
         ("d_rot1", rows_of(&d_rot1, n)),
         ("d_rot2", rows_of(&d_rot2, n)),
     ];
-    same_rows("pw85_contact_torque_batch", requirement, n, &counts)?;
+    same_rows("pw85_contact_torque_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_contact_torque_batch(
         n,
         r12.as_ptr().cast(),
@@ -1884,8 +1868,8 @@ pub fn contact_hessian(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -1907,14 +1891,13 @@ pub fn contact_hessian_batch(
     hessian: &mut [[[f64; 9]; 9]],
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
         ("lambda", lambda.len()),
         ("hessian", hessian.len()),
     ];
-    same_rows("pw85_contact_hessian_batch", requirement, n, &counts)?;
+    same_rows("pw85_contact_hessian_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_contact_hessian_batch(
         n,
         r12.as_ptr().cast(),
@@ -1974,8 +1957,8 @@ pub fn overlap(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<bool, Err
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -1995,9 +1978,8 @@ pub fn overlap_batch(
     overlap: &mut [u8],
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [("q1", q1.len()), ("q2", q2.len()), ("overlap", overlap.len())];
-    same_rows("pw85_overlap_batch", requirement, n, &counts)?;
+    same_rows("pw85_overlap_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_overlap_batch(
         n,
         r12.as_ptr().cast(),
@@ -2072,8 +2054,8 @@ pub fn overlap_factored(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -2093,9 +2075,8 @@ pub fn overlap_factored_batch(
     overlap: &mut [u8],
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [("s1", s1.len()), ("s2", s2.len()), ("overlap", overlap.len())];
-    same_rows("pw85_overlap_factored_batch", requirement, n, &counts)?;
+    same_rows("pw85_overlap_factored_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_overlap_factored_batch(
         n,
         r12.as_ptr().cast(),
@@ -2155,8 +2136,8 @@ pub fn compare(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6], mu2: f64) -> Result
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -2178,9 +2159,8 @@ pub fn compare_batch(
     sign: &mut [i32],
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [("q1", q1.len()), ("q2", q2.len()), ("mu2", mu2.len()), ("sign", sign.len())];
-    same_rows("pw85_compare_batch", requirement, n, &counts)?;
+    same_rows("pw85_compare_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_compare_batch(
         n,
         r12.as_ptr().cast(),
@@ -2258,8 +2238,8 @@ pub fn overlap_witness(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -2283,7 +2263,6 @@ pub fn overlap_witness_batch(
     point: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
@@ -2291,7 +2270,7 @@ pub fn overlap_witness_batch(
         ("lambda", rows_of(&lambda, n)),
         ("point", rows_of(&point, n)),
     ];
-    same_rows("pw85_overlap_witness_batch", requirement, n, &counts)?;
+    same_rows("pw85_overlap_witness_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_overlap_witness_batch(
         n,
         r12.as_ptr().cast(),
@@ -2350,8 +2329,8 @@ pub fn contains(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<bool, Er
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -2371,9 +2350,8 @@ pub fn contains_batch(
     contains: &mut [u8],
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [("q1", q1.len()), ("q2", q2.len()), ("contains", contains.len())];
-    same_rows("pw85_contains_batch", requirement, n, &counts)?;
+    same_rows("pw85_contains_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_contains_batch(
         n,
         r12.as_ptr().cast(),
@@ -2445,8 +2423,8 @@ pub fn containment(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -2468,14 +2446,13 @@ pub fn containment_batch(
     point: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
         ("mu2", rows_of(&mu2, n)),
         ("point", rows_of(&point, n)),
     ];
-    same_rows("pw85_containment_batch", requirement, n, &counts)?;
+    same_rows("pw85_containment_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_containment_batch(
         n,
         r12.as_ptr().cast(),
@@ -2541,8 +2518,8 @@ pub fn closest_approach(direction: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> R
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `directions`; and the first row that is refused: its
-/// outputs are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `directions`, or a row is refused. The outputs of such rows
+/// are NaN, 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -2562,9 +2539,8 @@ pub fn closest_approach_batch(
     distance: &mut [f64],
 ) -> Result<(), Error> {
     let n = directions.len();
-    let requirement = "must have as many rows as directions";
     let counts = [("q1", q1.len()), ("q2", q2.len()), ("distance", distance.len())];
-    same_rows("pw85_closest_approach_batch", requirement, n, &counts)?;
+    same_rows("pw85_closest_approach_batch", "must have as many rows as directions", n, &counts)?;
     check_rows(unsafe { sys::pw85_closest_approach_batch(
         n,
         directions.as_ptr().cast(),
@@ -2612,8 +2588,8 @@ pub fn volume(q: &[f64; 6]) -> Result<f64, Error> {
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `q`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `q`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -2626,9 +2602,8 @@ pub fn volume(q: &[f64; 6]) -> Result<f64, Error> {
 /// ```
 pub fn volume_batch(q: &[[f64; 6]], volume: &mut [f64]) -> Result<(), Error> {
     let n = q.len();
-    let requirement = "must have as many rows as q";
     let counts = [("volume", volume.len())];
-    same_rows("pw85_volume_batch", requirement, n, &counts)?;
+    same_rows("pw85_volume_batch", "must have as many rows as q", n, &counts)?;
     check_rows(unsafe { sys::pw85_volume_batch(n, q.as_ptr().cast(), volume.as_mut_ptr()) })
 }
 
@@ -2692,8 +2667,8 @@ pub fn overlap_volume(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<f6
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -2713,9 +2688,8 @@ pub fn overlap_volume_batch(
     volume: &mut [f64],
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [("q1", q1.len()), ("q2", q2.len()), ("volume", volume.len())];
-    same_rows("pw85_overlap_volume_batch", requirement, n, &counts)?;
+    same_rows("pw85_overlap_volume_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_overlap_volume_batch(
         n,
         r12.as_ptr().cast(),
@@ -2793,8 +2767,8 @@ pub fn overlap_volume_gradient(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -2825,7 +2799,6 @@ pub fn overlap_volume_gradient_batch(
     d_q2: Option<&mut [[f64; 6]]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
@@ -2833,7 +2806,7 @@ pub fn overlap_volume_gradient_batch(
         ("d_q1", rows_of(&d_q1, n)),
         ("d_q2", rows_of(&d_q2, n)),
     ];
-    same_rows("pw85_overlap_volume_gradient_batch", requirement, n, &counts)?;
+    same_rows("pw85_overlap_volume_gradient_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_overlap_volume_gradient_batch(
         n,
         r12.as_ptr().cast(),
@@ -2908,8 +2881,8 @@ pub fn overlap_volume_torque(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -2931,14 +2904,13 @@ pub fn overlap_volume_torque_batch(
     d_rot2: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
         ("d_rot1", rows_of(&d_rot1, n)),
         ("d_rot2", rows_of(&d_rot2, n)),
     ];
-    same_rows("pw85_overlap_volume_torque_batch", requirement, n, &counts)?;
+    same_rows("pw85_overlap_volume_torque_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_overlap_volume_torque_batch(
         n,
         r12.as_ptr().cast(),
@@ -2984,8 +2956,8 @@ pub fn area_2d(q: &[f64; 3]) -> Result<f64, Error> {
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `q`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `q`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -2998,9 +2970,8 @@ pub fn area_2d(q: &[f64; 3]) -> Result<f64, Error> {
 /// ```
 pub fn area_batch_2d(q: &[[f64; 3]], area: &mut [f64]) -> Result<(), Error> {
     let n = q.len();
-    let requirement = "must have as many rows as q";
     let counts = [("area", area.len())];
-    same_rows("pw85_area_batch_2d", requirement, n, &counts)?;
+    same_rows("pw85_area_batch_2d", "must have as many rows as q", n, &counts)?;
     check_rows(unsafe { sys::pw85_area_batch_2d(n, q.as_ptr().cast(), area.as_mut_ptr()) })
 }
 
@@ -3048,8 +3019,8 @@ pub fn overlap_area_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<f
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -3069,9 +3040,8 @@ pub fn overlap_area_batch_2d(
     area: &mut [f64],
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [("q1", q1.len()), ("q2", q2.len()), ("area", area.len())];
-    same_rows("pw85_overlap_area_batch_2d", requirement, n, &counts)?;
+    same_rows("pw85_overlap_area_batch_2d", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_overlap_area_batch_2d(
         n,
         r12.as_ptr().cast(),
@@ -3139,8 +3109,8 @@ pub fn overlap_area_gradient_2d(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -3171,7 +3141,6 @@ pub fn overlap_area_gradient_batch_2d(
     d_q2: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
@@ -3179,7 +3148,7 @@ pub fn overlap_area_gradient_batch_2d(
         ("d_q1", rows_of(&d_q1, n)),
         ("d_q2", rows_of(&d_q2, n)),
     ];
-    same_rows("pw85_overlap_area_gradient_batch_2d", requirement, n, &counts)?;
+    same_rows("pw85_overlap_area_gradient_batch_2d", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_overlap_area_gradient_batch_2d(
         n,
         r12.as_ptr().cast(),
@@ -3246,8 +3215,8 @@ pub fn overlap_area_torque_2d(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -3269,14 +3238,13 @@ pub fn overlap_area_torque_batch_2d(
     d_rot2: Option<&mut [f64]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
         ("d_rot1", rows_of(&d_rot1, n)),
         ("d_rot2", rows_of(&d_rot2, n)),
     ];
-    same_rows("pw85_overlap_area_torque_batch_2d", requirement, n, &counts)?;
+    same_rows("pw85_overlap_area_torque_batch_2d", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_overlap_area_torque_batch_2d(
         n,
         r12.as_ptr().cast(),
@@ -3333,8 +3301,8 @@ pub fn contact_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<Contac
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -3356,14 +3324,13 @@ pub fn contact_batch_2d(
     lambda: Option<&mut [f64]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
         ("mu2", mu2.len()),
         ("lambda", rows_of(&lambda, n)),
     ];
-    same_rows("pw85_contact_batch_2d", requirement, n, &counts)?;
+    same_rows("pw85_contact_batch_2d", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_contact_batch_2d(
         n,
         r12.as_ptr().cast(),
@@ -3431,8 +3398,8 @@ pub fn contact_geometry_2d(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -3456,7 +3423,6 @@ pub fn contact_geometry_batch_2d(
     normal: Option<&mut [[f64; 2]]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
@@ -3464,7 +3430,7 @@ pub fn contact_geometry_batch_2d(
         ("point", rows_of(&point, n)),
         ("normal", rows_of(&normal, n)),
     ];
-    same_rows("pw85_contact_geometry_batch_2d", requirement, n, &counts)?;
+    same_rows("pw85_contact_geometry_batch_2d", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_contact_geometry_batch_2d(
         n,
         r12.as_ptr().cast(),
@@ -3533,8 +3499,8 @@ pub fn contact_gradient_2d(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -3568,7 +3534,6 @@ pub fn contact_gradient_batch_2d(
     d_q2: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
@@ -3577,7 +3542,7 @@ pub fn contact_gradient_batch_2d(
         ("d_q1", rows_of(&d_q1, n)),
         ("d_q2", rows_of(&d_q2, n)),
     ];
-    same_rows("pw85_contact_gradient_batch_2d", requirement, n, &counts)?;
+    same_rows("pw85_contact_gradient_batch_2d", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_contact_gradient_batch_2d(
         n,
         r12.as_ptr().cast(),
@@ -3643,8 +3608,8 @@ pub fn contact_torque_2d(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -3668,7 +3633,6 @@ pub fn contact_torque_batch_2d(
     d_rot2: Option<&mut [f64]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
@@ -3676,7 +3640,7 @@ pub fn contact_torque_batch_2d(
         ("d_rot1", rows_of(&d_rot1, n)),
         ("d_rot2", rows_of(&d_rot2, n)),
     ];
-    same_rows("pw85_contact_torque_batch_2d", requirement, n, &counts)?;
+    same_rows("pw85_contact_torque_batch_2d", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_contact_torque_batch_2d(
         n,
         r12.as_ptr().cast(),
@@ -3740,8 +3704,8 @@ pub fn contact_hessian_2d(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -3763,14 +3727,13 @@ pub fn contact_hessian_batch_2d(
     hessian: &mut [[[f64; 4]; 4]],
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
         ("lambda", lambda.len()),
         ("hessian", hessian.len()),
     ];
-    same_rows("pw85_contact_hessian_batch_2d", requirement, n, &counts)?;
+    same_rows("pw85_contact_hessian_batch_2d", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_contact_hessian_batch_2d(
         n,
         r12.as_ptr().cast(),
@@ -3821,8 +3784,8 @@ pub fn overlap_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<bool, 
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -3842,9 +3805,8 @@ pub fn overlap_batch_2d(
     overlap: &mut [u8],
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [("q1", q1.len()), ("q2", q2.len()), ("overlap", overlap.len())];
-    same_rows("pw85_overlap_batch_2d", requirement, n, &counts)?;
+    same_rows("pw85_overlap_batch_2d", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_overlap_batch_2d(
         n,
         r12.as_ptr().cast(),
@@ -3969,8 +3931,8 @@ pub fn closest_approach_2d(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `directions`; and the first row that is refused: its
-/// outputs are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `directions`, or a row is refused. The outputs of such rows
+/// are NaN, 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -3990,9 +3952,8 @@ pub fn closest_approach_batch_2d(
     distance: &mut [f64],
 ) -> Result<(), Error> {
     let n = directions.len();
-    let requirement = "must have as many rows as directions";
     let counts = [("q1", q1.len()), ("q2", q2.len()), ("distance", distance.len())];
-    same_rows("pw85_closest_approach_batch_2d", requirement, n, &counts)?;
+    same_rows("pw85_closest_approach_batch_2d", "must have as many rows as directions", n, &counts)?;
     check_rows(unsafe { sys::pw85_closest_approach_batch_2d(
         n,
         directions.as_ptr().cast(),
@@ -4074,8 +4035,8 @@ pub fn distance(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<Distance
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -4099,7 +4060,6 @@ pub fn distance_batch(
     point2: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
@@ -4107,7 +4067,7 @@ pub fn distance_batch(
         ("point1", rows_of(&point1, n)),
         ("point2", rows_of(&point2, n)),
     ];
-    same_rows("pw85_distance_batch", requirement, n, &counts)?;
+    same_rows("pw85_distance_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_distance_batch(
         n,
         r12.as_ptr().cast(),
@@ -4180,8 +4140,8 @@ pub fn distance_derivatives(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -4215,7 +4175,6 @@ pub fn distance_derivatives_batch(
     hessian: Option<&mut [[[f64; 9]; 9]]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
@@ -4224,7 +4183,7 @@ pub fn distance_derivatives_batch(
         ("d_rot2", rows_of(&d_rot2, n)),
         ("hessian", rows_of(&hessian, n)),
     ];
-    same_rows("pw85_distance_derivatives_batch", requirement, n, &counts)?;
+    same_rows("pw85_distance_derivatives_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_distance_derivatives_batch(
         n,
         r12.as_ptr().cast(),
@@ -4299,8 +4258,8 @@ pub fn penetration(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<Penet
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -4322,14 +4281,13 @@ pub fn penetration_batch(
     direction: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
         ("depth", rows_of(&depth, n)),
         ("direction", rows_of(&direction, n)),
     ];
-    same_rows("pw85_penetration_batch", requirement, n, &counts)?;
+    same_rows("pw85_penetration_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_penetration_batch(
         n,
         r12.as_ptr().cast(),
@@ -4410,8 +4368,8 @@ pub fn signed_distance(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<D
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -4442,7 +4400,6 @@ pub fn signed_distance_batch(
     point2: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
@@ -4450,7 +4407,7 @@ pub fn signed_distance_batch(
         ("point1", rows_of(&point1, n)),
         ("point2", rows_of(&point2, n)),
     ];
-    same_rows("pw85_signed_distance_batch", requirement, n, &counts)?;
+    same_rows("pw85_signed_distance_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_signed_distance_batch(
         n,
         r12.as_ptr().cast(),
@@ -4528,8 +4485,8 @@ pub fn signed_distance_derivatives(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -4563,7 +4520,6 @@ pub fn signed_distance_derivatives_batch(
     hessian: Option<&mut [[[f64; 9]; 9]]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
@@ -4572,7 +4528,7 @@ pub fn signed_distance_derivatives_batch(
         ("d_rot2", rows_of(&d_rot2, n)),
         ("hessian", rows_of(&hessian, n)),
     ];
-    same_rows("pw85_signed_distance_derivatives_batch", requirement, n, &counts)?;
+    same_rows("pw85_signed_distance_derivatives_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_signed_distance_derivatives_batch(
         n,
         r12.as_ptr().cast(),
@@ -4656,8 +4612,8 @@ pub fn gap_inside(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<GapIns
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -4691,7 +4647,6 @@ pub fn gap_inside_batch(
     normal: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
@@ -4700,7 +4655,7 @@ pub fn gap_inside_batch(
         ("point2", rows_of(&point2, n)),
         ("normal", rows_of(&normal, n)),
     ];
-    same_rows("pw85_gap_inside_batch", requirement, n, &counts)?;
+    same_rows("pw85_gap_inside_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_gap_inside_batch(
         n,
         r12.as_ptr().cast(),
@@ -4764,8 +4719,8 @@ pub fn distance_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<Dista
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -4789,7 +4744,6 @@ pub fn distance_batch_2d(
     point2: Option<&mut [[f64; 2]]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
@@ -4797,7 +4751,7 @@ pub fn distance_batch_2d(
         ("point1", rows_of(&point1, n)),
         ("point2", rows_of(&point2, n)),
     ];
-    same_rows("pw85_distance_batch_2d", requirement, n, &counts)?;
+    same_rows("pw85_distance_batch_2d", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_distance_batch_2d(
         n,
         r12.as_ptr().cast(),
@@ -4860,8 +4814,8 @@ pub fn penetration_2d(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -4883,14 +4837,13 @@ pub fn penetration_batch_2d(
     direction: Option<&mut [[f64; 2]]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
         ("depth", rows_of(&depth, n)),
         ("direction", rows_of(&direction, n)),
     ];
-    same_rows("pw85_penetration_batch_2d", requirement, n, &counts)?;
+    same_rows("pw85_penetration_batch_2d", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_penetration_batch_2d(
         n,
         r12.as_ptr().cast(),
@@ -4956,8 +4909,8 @@ pub fn signed_distance_2d(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -4988,7 +4941,6 @@ pub fn signed_distance_batch_2d(
     point2: Option<&mut [[f64; 2]]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
@@ -4996,7 +4948,7 @@ pub fn signed_distance_batch_2d(
         ("point1", rows_of(&point1, n)),
         ("point2", rows_of(&point2, n)),
     ];
-    same_rows("pw85_signed_distance_batch_2d", requirement, n, &counts)?;
+    same_rows("pw85_signed_distance_batch_2d", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_signed_distance_batch_2d(
         n,
         r12.as_ptr().cast(),
@@ -5062,8 +5014,8 @@ pub fn gap_inside_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<Gap
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -5097,7 +5049,6 @@ pub fn gap_inside_batch_2d(
     normal: Option<&mut [[f64; 2]]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
@@ -5106,7 +5057,7 @@ pub fn gap_inside_batch_2d(
         ("point2", rows_of(&point2, n)),
         ("normal", rows_of(&normal, n)),
     ];
-    same_rows("pw85_gap_inside_batch_2d", requirement, n, &counts)?;
+    same_rows("pw85_gap_inside_batch_2d", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_gap_inside_batch_2d(
         n,
         r12.as_ptr().cast(),
@@ -5149,7 +5100,7 @@ pub fn gap_inside_batch_2d(
 ///     &[3.0, 0.5, 0.0],
 ///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
 ///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
-///     &pw85::Motion::default(),
+///     &pw85::Motion { velocity: [0.0, 0.0, 0.0], ..Default::default() },
 ///     &pw85::Motion { velocity: [-1.0, 0.0, 0.0], ..Default::default() },
 ///     10.0,
 /// )?;
@@ -5195,8 +5146,8 @@ pub fn first_contact(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -5204,7 +5155,7 @@ pub fn first_contact(
 /// let r12 = [[3.0, 0.5, 0.0]; 2];
 /// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
 /// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
-/// let motion1 = [pw85::Motion::default(); 2];
+/// let motion1 = [pw85::Motion { velocity: [0.0, 0.0, 0.0], ..Default::default() }; 2];
 /// let motion2 = [pw85::Motion { velocity: [-1.0, 0.0, 0.0], ..Default::default() }; 2];
 /// let t_max = 10.0;
 /// let mut t = [0.0; 2];
@@ -5222,7 +5173,6 @@ pub fn first_contact_batch(
     t: &mut [f64],
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
@@ -5230,7 +5180,7 @@ pub fn first_contact_batch(
         ("motion2", motion2.len()),
         ("t", t.len()),
     ];
-    same_rows("pw85_first_contact_batch", requirement, n, &counts)?;
+    same_rows("pw85_first_contact_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_first_contact_batch(
         n,
         r12.as_ptr().cast(),
@@ -5321,8 +5271,8 @@ pub fn closest_passage(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -5348,7 +5298,6 @@ pub fn closest_passage_batch(
     t: Option<&mut [f64]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
@@ -5356,7 +5305,7 @@ pub fn closest_passage_batch(
         ("mu2", mu2.len()),
         ("t", rows_of(&t, n)),
     ];
-    same_rows("pw85_closest_passage_batch", requirement, n, &counts)?;
+    same_rows("pw85_closest_passage_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_closest_passage_batch(
         n,
         r12.as_ptr().cast(),
@@ -5442,8 +5391,8 @@ pub fn free_path(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -5467,7 +5416,6 @@ pub fn free_path_batch(
     t: &mut [f64],
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
@@ -5475,7 +5423,7 @@ pub fn free_path_batch(
         ("t_max", t_max.len()),
         ("t", t.len()),
     ];
-    same_rows("pw85_free_path_batch", requirement, n, &counts)?;
+    same_rows("pw85_free_path_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_free_path_batch(
         n,
         r12.as_ptr().cast(),
@@ -5535,8 +5483,8 @@ pub fn curvature(normal: &[f64; 3], q: &[f64; 6]) -> Result<Curvature, Error> {
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `normals`; and the first row that is refused: its outputs
-/// are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `normals`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -5556,13 +5504,12 @@ pub fn curvature_batch(
     directions: Option<&mut [[[f64; 3]; 2]]>,
 ) -> Result<(), Error> {
     let n = normals.len();
-    let requirement = "must have as many rows as normals";
     let counts = [
         ("q", q.len()),
         ("curvatures", rows_of(&curvatures, n)),
         ("directions", rows_of(&directions, n)),
     ];
-    same_rows("pw85_curvature_batch", requirement, n, &counts)?;
+    same_rows("pw85_curvature_batch", "must have as many rows as normals", n, &counts)?;
     check_rows(unsafe { sys::pw85_curvature_batch(
         n,
         normals.as_ptr().cast(),
@@ -5621,8 +5568,8 @@ pub fn hertz(curvatures: &[f64; 2]) -> Result<HertzEllipse, Error> {
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `curvatures`; and the first row that is refused: its
-/// outputs are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `curvatures`, or a row is refused. The outputs of such rows
+/// are NaN, 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -5640,9 +5587,8 @@ pub fn hertz_batch(
     ellipse: Option<&mut [[f64; 2]]>,
 ) -> Result<(), Error> {
     let n = curvatures.len();
-    let requirement = "must have as many rows as curvatures";
     let counts = [("radius", rows_of(&radius, n)), ("ellipse", rows_of(&ellipse, n))];
-    same_rows("pw85_hertz_batch", requirement, n, &counts)?;
+    same_rows("pw85_hertz_batch", "must have as many rows as curvatures", n, &counts)?;
     check_rows(unsafe { sys::pw85_hertz_batch(
         n,
         curvatures.as_ptr().cast(),
@@ -5737,8 +5683,8 @@ pub fn hertz_contact(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -5781,7 +5727,6 @@ pub fn hertz_contact_batch(
     ellipse: Option<&mut [[f64; 2]]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
@@ -5793,7 +5738,7 @@ pub fn hertz_contact_batch(
         ("radius", rows_of(&radius, n)),
         ("ellipse", rows_of(&ellipse, n)),
     ];
-    same_rows("pw85_hertz_contact_batch", requirement, n, &counts)?;
+    same_rows("pw85_hertz_contact_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_hertz_contact_batch(
         n,
         r12.as_ptr().cast(),
@@ -5895,8 +5840,8 @@ pub fn grain_contact(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -5936,7 +5881,6 @@ pub fn grain_contact_batch(
     radius: Option<&mut [f64]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
@@ -5947,7 +5891,7 @@ pub fn grain_contact_batch(
         ("curvatures", rows_of(&curvatures, n)),
         ("radius", rows_of(&radius, n)),
     ];
-    same_rows("pw85_grain_contact_batch", requirement, n, &counts)?;
+    same_rows("pw85_grain_contact_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_grain_contact_batch(
         n,
         r12.as_ptr().cast(),
@@ -6028,8 +5972,8 @@ pub fn grain_radius_gradient(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -6063,7 +6007,6 @@ pub fn grain_radius_gradient_batch(
     d_rot2: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
@@ -6072,7 +6015,7 @@ pub fn grain_radius_gradient_batch(
         ("d_rot1", rows_of(&d_rot1, n)),
         ("d_rot2", rows_of(&d_rot2, n)),
     ];
-    same_rows("pw85_grain_radius_gradient_batch", requirement, n, &counts)?;
+    same_rows("pw85_grain_radius_gradient_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_grain_radius_gradient_batch(
         n,
         r12.as_ptr().cast(),
@@ -6166,8 +6109,8 @@ pub fn grain_contact_wall(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `normals`; and the first row that is refused: its outputs
-/// are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `normals`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -6207,7 +6150,6 @@ pub fn grain_contact_wall_batch(
     radius: Option<&mut [f64]>,
 ) -> Result<(), Error> {
     let n = normals.len();
-    let requirement = "must have as many rows as normals";
     let counts = [
         ("offsets", offsets.len()),
         ("directions", directions.len()),
@@ -6218,7 +6160,7 @@ pub fn grain_contact_wall_batch(
         ("curvatures", rows_of(&curvatures, n)),
         ("radius", rows_of(&radius, n)),
     ];
-    same_rows("pw85_grain_contact_wall_batch", requirement, n, &counts)?;
+    same_rows("pw85_grain_contact_wall_batch", "must have as many rows as normals", n, &counts)?;
     check_rows(unsafe { sys::pw85_grain_contact_wall_batch(
         n,
         normals.as_ptr().cast(),
@@ -6268,8 +6210,8 @@ pub fn surface_area(q: &[f64; 6]) -> Result<f64, Error> {
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `q`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `q`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -6282,9 +6224,8 @@ pub fn surface_area(q: &[f64; 6]) -> Result<f64, Error> {
 /// ```
 pub fn surface_area_batch(q: &[[f64; 6]], area: &mut [f64]) -> Result<(), Error> {
     let n = q.len();
-    let requirement = "must have as many rows as q";
     let counts = [("area", area.len())];
-    same_rows("pw85_surface_area_batch", requirement, n, &counts)?;
+    same_rows("pw85_surface_area_batch", "must have as many rows as q", n, &counts)?;
     check_rows(unsafe { sys::pw85_surface_area_batch(n, q.as_ptr().cast(), area.as_mut_ptr()) })
 }
 
@@ -6325,8 +6266,8 @@ pub fn second_moments(q: &[f64; 6]) -> Result<[f64; 6], Error> {
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `q`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `q`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -6339,9 +6280,8 @@ pub fn second_moments(q: &[f64; 6]) -> Result<[f64; 6], Error> {
 /// ```
 pub fn second_moments_batch(q: &[[f64; 6]], moments: &mut [[f64; 6]]) -> Result<(), Error> {
     let n = q.len();
-    let requirement = "must have as many rows as q";
     let counts = [("moments", moments.len())];
-    same_rows("pw85_second_moments_batch", requirement, n, &counts)?;
+    same_rows("pw85_second_moments_batch", "must have as many rows as q", n, &counts)?;
     check_rows(unsafe { sys::pw85_second_moments_batch(
         n,
         q.as_ptr().cast(),
@@ -6385,8 +6325,8 @@ pub fn shell_moments(q: &[f64; 6]) -> Result<[f64; 6], Error> {
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `q`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `q`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -6399,9 +6339,8 @@ pub fn shell_moments(q: &[f64; 6]) -> Result<[f64; 6], Error> {
 /// ```
 pub fn shell_moments_batch(q: &[[f64; 6]], moments: &mut [[f64; 6]]) -> Result<(), Error> {
     let n = q.len();
-    let requirement = "must have as many rows as q";
     let counts = [("moments", moments.len())];
-    same_rows("pw85_shell_moments_batch", requirement, n, &counts)?;
+    same_rows("pw85_shell_moments_batch", "must have as many rows as q", n, &counts)?;
     check_rows(unsafe { sys::pw85_shell_moments_batch(
         n,
         q.as_ptr().cast(),
@@ -6444,8 +6383,8 @@ pub fn perimeter_2d(q: &[f64; 3]) -> Result<f64, Error> {
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `q`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `q`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -6458,9 +6397,8 @@ pub fn perimeter_2d(q: &[f64; 3]) -> Result<f64, Error> {
 /// ```
 pub fn perimeter_batch_2d(q: &[[f64; 3]], perimeter: &mut [f64]) -> Result<(), Error> {
     let n = q.len();
-    let requirement = "must have as many rows as q";
     let counts = [("perimeter", perimeter.len())];
-    same_rows("pw85_perimeter_batch_2d", requirement, n, &counts)?;
+    same_rows("pw85_perimeter_batch_2d", "must have as many rows as q", n, &counts)?;
     check_rows(unsafe { sys::pw85_perimeter_batch_2d(
         n,
         q.as_ptr().cast(),
@@ -6505,8 +6443,8 @@ pub fn second_moments_2d(q: &[f64; 3]) -> Result<[f64; 3], Error> {
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `q`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `q`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -6519,9 +6457,8 @@ pub fn second_moments_2d(q: &[f64; 3]) -> Result<[f64; 3], Error> {
 /// ```
 pub fn second_moments_batch_2d(q: &[[f64; 3]], moments: &mut [[f64; 3]]) -> Result<(), Error> {
     let n = q.len();
-    let requirement = "must have as many rows as q";
     let counts = [("moments", moments.len())];
-    same_rows("pw85_second_moments_batch_2d", requirement, n, &counts)?;
+    same_rows("pw85_second_moments_batch_2d", "must have as many rows as q", n, &counts)?;
     check_rows(unsafe { sys::pw85_second_moments_batch_2d(
         n,
         q.as_ptr().cast(),
@@ -6564,8 +6501,8 @@ pub fn shell_moments_2d(q: &[f64; 3]) -> Result<[f64; 3], Error> {
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `q`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `q`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -6578,9 +6515,8 @@ pub fn shell_moments_2d(q: &[f64; 3]) -> Result<[f64; 3], Error> {
 /// ```
 pub fn shell_moments_batch_2d(q: &[[f64; 3]], moments: &mut [[f64; 3]]) -> Result<(), Error> {
     let n = q.len();
-    let requirement = "must have as many rows as q";
     let counts = [("moments", moments.len())];
-    same_rows("pw85_shell_moments_batch_2d", requirement, n, &counts)?;
+    same_rows("pw85_shell_moments_batch_2d", "must have as many rows as q", n, &counts)?;
     check_rows(unsafe { sys::pw85_shell_moments_batch_2d(
         n,
         q.as_ptr().cast(),
@@ -6642,8 +6578,8 @@ pub fn distance_plane(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `normals`; and the first row that is refused: its outputs
-/// are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `normals`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -6665,14 +6601,13 @@ pub fn distance_plane_batch(
     point: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = normals.len();
-    let requirement = "must have as many rows as normals";
     let counts = [
         ("offsets", offsets.len()),
         ("q", q.len()),
         ("distance", rows_of(&distance, n)),
         ("point", rows_of(&point, n)),
     ];
-    same_rows("pw85_distance_plane_batch", requirement, n, &counts)?;
+    same_rows("pw85_distance_plane_batch", "must have as many rows as normals", n, &counts)?;
     check_rows(unsafe { sys::pw85_distance_plane_batch(
         n,
         normals.as_ptr().cast(),
@@ -6732,8 +6667,8 @@ pub fn distance_plane_derivatives(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `normals`; and the first row that is refused: its outputs
-/// are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `normals`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -6753,13 +6688,12 @@ pub fn distance_plane_derivatives_batch(
     d_rot: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = normals.len();
-    let requirement = "must have as many rows as normals";
     let counts = [
         ("q", q.len()),
         ("d_center", rows_of(&d_center, n)),
         ("d_rot", rows_of(&d_rot, n)),
     ];
-    same_rows("pw85_distance_plane_derivatives_batch", requirement, n, &counts)?;
+    same_rows("pw85_distance_plane_derivatives_batch", "must have as many rows as normals", n, &counts)?;
     check_rows(unsafe { sys::pw85_distance_plane_derivatives_batch(
         n,
         normals.as_ptr().cast(),
@@ -6817,8 +6751,8 @@ pub fn contact_plane(normal: &[f64; 3], offset: f64, q: &[f64; 6]) -> Result<Pla
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `normals`; and the first row that is refused: its outputs
-/// are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `normals`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -6840,14 +6774,13 @@ pub fn contact_plane_batch(
     point: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = normals.len();
-    let requirement = "must have as many rows as normals";
     let counts = [
         ("offsets", offsets.len()),
         ("q", q.len()),
         ("mu2", rows_of(&mu2, n)),
         ("point", rows_of(&point, n)),
     ];
-    same_rows("pw85_contact_plane_batch", requirement, n, &counts)?;
+    same_rows("pw85_contact_plane_batch", "must have as many rows as normals", n, &counts)?;
     check_rows(unsafe { sys::pw85_contact_plane_batch(
         n,
         normals.as_ptr().cast(),
@@ -6917,8 +6850,8 @@ pub fn contact_plane_derivatives(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `normals`; and the first row that is refused: its outputs
-/// are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `normals`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -6946,14 +6879,13 @@ pub fn contact_plane_derivatives_batch(
     d_rot: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = normals.len();
-    let requirement = "must have as many rows as normals";
     let counts = [
         ("offsets", offsets.len()),
         ("q", q.len()),
         ("d_center", rows_of(&d_center, n)),
         ("d_rot", rows_of(&d_rot, n)),
     ];
-    same_rows("pw85_contact_plane_derivatives_batch", requirement, n, &counts)?;
+    same_rows("pw85_contact_plane_derivatives_batch", "must have as many rows as normals", n, &counts)?;
     check_rows(unsafe { sys::pw85_contact_plane_derivatives_batch(
         n,
         normals.as_ptr().cast(),
@@ -7027,8 +6959,8 @@ pub fn distance_box(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `lower`; and the first row that is refused: its outputs
-/// are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `lower`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -7059,7 +6991,6 @@ pub fn distance_box_batch(
     normal: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = lower.len();
-    let requirement = "must have as many rows as lower";
     let counts = [
         ("upper", upper.len()),
         ("q", q.len()),
@@ -7067,7 +6998,7 @@ pub fn distance_box_batch(
         ("point", rows_of(&point, n)),
         ("normal", rows_of(&normal, n)),
     ];
-    same_rows("pw85_distance_box_batch", requirement, n, &counts)?;
+    same_rows("pw85_distance_box_batch", "must have as many rows as lower", n, &counts)?;
     check_rows(unsafe { sys::pw85_distance_box_batch(
         n,
         lower.as_ptr().cast(),
@@ -7143,8 +7074,8 @@ pub fn distance_cylinder(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `axis`; and the first row that is refused: its outputs
-/// are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `axis`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -7178,7 +7109,6 @@ pub fn distance_cylinder_batch(
     normal: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = axis.len();
-    let requirement = "must have as many rows as axis";
     let counts = [
         ("radius", radius.len()),
         ("center", center.len()),
@@ -7187,7 +7117,7 @@ pub fn distance_cylinder_batch(
         ("point", rows_of(&point, n)),
         ("normal", rows_of(&normal, n)),
     ];
-    same_rows("pw85_distance_cylinder_batch", requirement, n, &counts)?;
+    same_rows("pw85_distance_cylinder_batch", "must have as many rows as axis", n, &counts)?;
     check_rows(unsafe { sys::pw85_distance_cylinder_batch(
         n,
         axis.as_ptr().cast(),
@@ -7247,8 +7177,8 @@ pub fn distance_point(r: &[f64; 3], q: &[f64; 6]) -> Result<DistancePoint, Error
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -7270,14 +7200,13 @@ pub fn distance_point_batch(
     normal: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = r.len();
-    let requirement = "must have as many rows as r";
     let counts = [
         ("q", q.len()),
         ("distance", rows_of(&distance, n)),
         ("point", rows_of(&point, n)),
         ("normal", rows_of(&normal, n)),
     ];
-    same_rows("pw85_distance_point_batch", requirement, n, &counts)?;
+    same_rows("pw85_distance_point_batch", "must have as many rows as r", n, &counts)?;
     check_rows(unsafe { sys::pw85_distance_point_batch(
         n,
         r.as_ptr().cast(),
@@ -7349,8 +7278,8 @@ pub fn intersect_line(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `origin`; and the first row that is refused: its outputs
-/// are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `origin`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -7372,14 +7301,13 @@ pub fn intersect_line_batch(
     leave: Option<&mut [f64]>,
 ) -> Result<(), Error> {
     let n = origin.len();
-    let requirement = "must have as many rows as origin";
     let counts = [
         ("directions", directions.len()),
         ("q", q.len()),
         ("enter", rows_of(&enter, n)),
         ("leave", rows_of(&leave, n)),
     ];
-    same_rows("pw85_intersect_line_batch", requirement, n, &counts)?;
+    same_rows("pw85_intersect_line_batch", "must have as many rows as origin", n, &counts)?;
     check_rows(unsafe { sys::pw85_intersect_line_batch(
         n,
         origin.as_ptr().cast(),
@@ -7436,8 +7364,8 @@ pub fn overlap_volume_plane(normal: &[f64; 3], offset: f64, q: &[f64; 6]) -> Res
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `normals`; and the first row that is refused: its outputs
-/// are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `normals`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -7457,9 +7385,8 @@ pub fn overlap_volume_plane_batch(
     volume: &mut [f64],
 ) -> Result<(), Error> {
     let n = normals.len();
-    let requirement = "must have as many rows as normals";
     let counts = [("offsets", offsets.len()), ("q", q.len()), ("volume", volume.len())];
-    same_rows("pw85_overlap_volume_plane_batch", requirement, n, &counts)?;
+    same_rows("pw85_overlap_volume_plane_batch", "must have as many rows as normals", n, &counts)?;
     check_rows(unsafe { sys::pw85_overlap_volume_plane_batch(
         n,
         normals.as_ptr().cast(),
@@ -7527,8 +7454,8 @@ pub fn contact_segment(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `end1`; and the first row that is refused: its outputs
-/// are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `end1`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -7550,14 +7477,13 @@ pub fn contact_segment_batch(
     point: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = end1.len();
-    let requirement = "must have as many rows as end1";
     let counts = [
         ("end2", end2.len()),
         ("q", q.len()),
         ("mu2", rows_of(&mu2, n)),
         ("point", rows_of(&point, n)),
     ];
-    same_rows("pw85_contact_segment_batch", requirement, n, &counts)?;
+    same_rows("pw85_contact_segment_batch", "must have as many rows as end1", n, &counts)?;
     check_rows(unsafe { sys::pw85_contact_segment_batch(
         n,
         end1.as_ptr().cast(),
@@ -7632,8 +7558,8 @@ pub fn contact_triangle(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `vertex1`; and the first row that is refused: its outputs
-/// are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `vertex1`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -7657,7 +7583,6 @@ pub fn contact_triangle_batch(
     point: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = vertex1.len();
-    let requirement = "must have as many rows as vertex1";
     let counts = [
         ("vertex2", vertex2.len()),
         ("vertex3", vertex3.len()),
@@ -7665,7 +7590,7 @@ pub fn contact_triangle_batch(
         ("mu2", rows_of(&mu2, n)),
         ("point", rows_of(&point, n)),
     ];
-    same_rows("pw85_contact_triangle_batch", requirement, n, &counts)?;
+    same_rows("pw85_contact_triangle_batch", "must have as many rows as vertex1", n, &counts)?;
     check_rows(unsafe { sys::pw85_contact_triangle_batch(
         n,
         vertex1.as_ptr().cast(),
@@ -7735,8 +7660,8 @@ pub fn contact_box(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `lower`; and the first row that is refused: its outputs
-/// are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `lower`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -7758,14 +7683,13 @@ pub fn contact_box_batch(
     point: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = lower.len();
-    let requirement = "must have as many rows as lower";
     let counts = [
         ("upper", upper.len()),
         ("q", q.len()),
         ("mu2", rows_of(&mu2, n)),
         ("point", rows_of(&point, n)),
     ];
-    same_rows("pw85_contact_box_batch", requirement, n, &counts)?;
+    same_rows("pw85_contact_box_batch", "must have as many rows as lower", n, &counts)?;
     check_rows(unsafe { sys::pw85_contact_box_batch(
         n,
         lower.as_ptr().cast(),
@@ -7828,8 +7752,8 @@ pub fn overlap_segment(end1: &[f64; 3], end2: &[f64; 3], q: &[f64; 6]) -> Result
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `end1`; and the first row that is refused: its outputs
-/// are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `end1`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -7849,9 +7773,8 @@ pub fn overlap_segment_batch(
     overlap: &mut [u8],
 ) -> Result<(), Error> {
     let n = end1.len();
-    let requirement = "must have as many rows as end1";
     let counts = [("end2", end2.len()), ("q", q.len()), ("overlap", overlap.len())];
-    same_rows("pw85_overlap_segment_batch", requirement, n, &counts)?;
+    same_rows("pw85_overlap_segment_batch", "must have as many rows as end1", n, &counts)?;
     check_rows(unsafe { sys::pw85_overlap_segment_batch(
         n,
         end1.as_ptr().cast(),
@@ -7922,8 +7845,8 @@ pub fn overlap_triangle(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `vertex1`; and the first row that is refused: its outputs
-/// are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `vertex1`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -7945,14 +7868,13 @@ pub fn overlap_triangle_batch(
     overlap: &mut [u8],
 ) -> Result<(), Error> {
     let n = vertex1.len();
-    let requirement = "must have as many rows as vertex1";
     let counts = [
         ("vertex2", vertex2.len()),
         ("vertex3", vertex3.len()),
         ("q", q.len()),
         ("overlap", overlap.len()),
     ];
-    same_rows("pw85_overlap_triangle_batch", requirement, n, &counts)?;
+    same_rows("pw85_overlap_triangle_batch", "must have as many rows as vertex1", n, &counts)?;
     check_rows(unsafe { sys::pw85_overlap_triangle_batch(
         n,
         vertex1.as_ptr().cast(),
@@ -8016,8 +7938,8 @@ pub fn overlap_box(lower: &[f64; 3], upper: &[f64; 3], q: &[f64; 6]) -> Result<b
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `lower`; and the first row that is refused: its outputs
-/// are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `lower`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -8037,9 +7959,8 @@ pub fn overlap_box_batch(
     overlap: &mut [u8],
 ) -> Result<(), Error> {
     let n = lower.len();
-    let requirement = "must have as many rows as lower";
     let counts = [("upper", upper.len()), ("q", q.len()), ("overlap", overlap.len())];
-    same_rows("pw85_overlap_box_batch", requirement, n, &counts)?;
+    same_rows("pw85_overlap_box_batch", "must have as many rows as lower", n, &counts)?;
     check_rows(unsafe { sys::pw85_overlap_box_batch(
         n,
         lower.as_ptr().cast(),
@@ -8110,8 +8031,8 @@ pub fn distance_segment(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `end1`; and the first row that is refused: its outputs
-/// are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `end1`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -8145,7 +8066,6 @@ pub fn distance_segment_batch(
     normal: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = end1.len();
-    let requirement = "must have as many rows as end1";
     let counts = [
         ("end2", end2.len()),
         ("q", q.len()),
@@ -8154,7 +8074,7 @@ pub fn distance_segment_batch(
         ("point2", rows_of(&point2, n)),
         ("normal", rows_of(&normal, n)),
     ];
-    same_rows("pw85_distance_segment_batch", requirement, n, &counts)?;
+    same_rows("pw85_distance_segment_batch", "must have as many rows as end1", n, &counts)?;
     check_rows(unsafe { sys::pw85_distance_segment_batch(
         n,
         end1.as_ptr().cast(),
@@ -8235,8 +8155,8 @@ pub fn distance_triangle(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `vertex1`; and the first row that is refused: its outputs
-/// are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `vertex1`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -8273,7 +8193,6 @@ pub fn distance_triangle_batch(
     normal: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = vertex1.len();
-    let requirement = "must have as many rows as vertex1";
     let counts = [
         ("vertex2", vertex2.len()),
         ("vertex3", vertex3.len()),
@@ -8283,7 +8202,7 @@ pub fn distance_triangle_batch(
         ("point2", rows_of(&point2, n)),
         ("normal", rows_of(&normal, n)),
     ];
-    same_rows("pw85_distance_triangle_batch", requirement, n, &counts)?;
+    same_rows("pw85_distance_triangle_batch", "must have as many rows as vertex1", n, &counts)?;
     check_rows(unsafe { sys::pw85_distance_triangle_batch(
         n,
         vertex1.as_ptr().cast(),
@@ -8362,8 +8281,8 @@ pub fn distance_solid_box(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `lower`; and the first row that is refused: its outputs
-/// are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `lower`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -8397,7 +8316,6 @@ pub fn distance_solid_box_batch(
     normal: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = lower.len();
-    let requirement = "must have as many rows as lower";
     let counts = [
         ("upper", upper.len()),
         ("q", q.len()),
@@ -8406,7 +8324,7 @@ pub fn distance_solid_box_batch(
         ("point2", rows_of(&point2, n)),
         ("normal", rows_of(&normal, n)),
     ];
-    same_rows("pw85_distance_solid_box_batch", requirement, n, &counts)?;
+    same_rows("pw85_distance_solid_box_batch", "must have as many rows as lower", n, &counts)?;
     check_rows(unsafe { sys::pw85_distance_solid_box_batch(
         n,
         lower.as_ptr().cast(),
@@ -8467,8 +8385,8 @@ pub fn distance_point_2d(r: &[f64; 2], q: &[f64; 3]) -> Result<SurfaceDistance2d
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -8490,14 +8408,13 @@ pub fn distance_point_batch_2d(
     normal: Option<&mut [[f64; 2]]>,
 ) -> Result<(), Error> {
     let n = r.len();
-    let requirement = "must have as many rows as r";
     let counts = [
         ("q", q.len()),
         ("distance", rows_of(&distance, n)),
         ("point", rows_of(&point, n)),
         ("normal", rows_of(&normal, n)),
     ];
-    same_rows("pw85_distance_point_batch_2d", requirement, n, &counts)?;
+    same_rows("pw85_distance_point_batch_2d", "must have as many rows as r", n, &counts)?;
     check_rows(unsafe { sys::pw85_distance_point_batch_2d(
         n,
         r.as_ptr().cast(),
@@ -8562,8 +8479,8 @@ pub fn contact_segment_2d(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `end1`; and the first row that is refused: its outputs
-/// are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `end1`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -8585,14 +8502,13 @@ pub fn contact_segment_batch_2d(
     point: Option<&mut [[f64; 2]]>,
 ) -> Result<(), Error> {
     let n = end1.len();
-    let requirement = "must have as many rows as end1";
     let counts = [
         ("end2", end2.len()),
         ("q", q.len()),
         ("mu2", rows_of(&mu2, n)),
         ("point", rows_of(&point, n)),
     ];
-    same_rows("pw85_contact_segment_batch_2d", requirement, n, &counts)?;
+    same_rows("pw85_contact_segment_batch_2d", "must have as many rows as end1", n, &counts)?;
     check_rows(unsafe { sys::pw85_contact_segment_batch_2d(
         n,
         end1.as_ptr().cast(),
@@ -8657,8 +8573,8 @@ pub fn contact_box_2d(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `lower`; and the first row that is refused: its outputs
-/// are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `lower`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -8680,14 +8596,13 @@ pub fn contact_box_batch_2d(
     point: Option<&mut [[f64; 2]]>,
 ) -> Result<(), Error> {
     let n = lower.len();
-    let requirement = "must have as many rows as lower";
     let counts = [
         ("upper", upper.len()),
         ("q", q.len()),
         ("mu2", rows_of(&mu2, n)),
         ("point", rows_of(&point, n)),
     ];
-    same_rows("pw85_contact_box_batch_2d", requirement, n, &counts)?;
+    same_rows("pw85_contact_box_batch_2d", "must have as many rows as lower", n, &counts)?;
     check_rows(unsafe { sys::pw85_contact_box_batch_2d(
         n,
         lower.as_ptr().cast(),
@@ -8746,8 +8661,8 @@ pub fn overlap_segment_2d(end1: &[f64; 2], end2: &[f64; 2], q: &[f64; 3]) -> Res
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `end1`; and the first row that is refused: its outputs
-/// are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `end1`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -8767,9 +8682,8 @@ pub fn overlap_segment_batch_2d(
     overlap: &mut [u8],
 ) -> Result<(), Error> {
     let n = end1.len();
-    let requirement = "must have as many rows as end1";
     let counts = [("end2", end2.len()), ("q", q.len()), ("overlap", overlap.len())];
-    same_rows("pw85_overlap_segment_batch_2d", requirement, n, &counts)?;
+    same_rows("pw85_overlap_segment_batch_2d", "must have as many rows as end1", n, &counts)?;
     check_rows(unsafe { sys::pw85_overlap_segment_batch_2d(
         n,
         end1.as_ptr().cast(),
@@ -8827,8 +8741,8 @@ pub fn overlap_box_2d(lower: &[f64; 2], upper: &[f64; 2], q: &[f64; 3]) -> Resul
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `lower`; and the first row that is refused: its outputs
-/// are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `lower`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -8848,9 +8762,8 @@ pub fn overlap_box_batch_2d(
     overlap: &mut [u8],
 ) -> Result<(), Error> {
     let n = lower.len();
-    let requirement = "must have as many rows as lower";
     let counts = [("upper", upper.len()), ("q", q.len()), ("overlap", overlap.len())];
-    same_rows("pw85_overlap_box_batch_2d", requirement, n, &counts)?;
+    same_rows("pw85_overlap_box_batch_2d", "must have as many rows as lower", n, &counts)?;
     check_rows(unsafe { sys::pw85_overlap_box_batch_2d(
         n,
         lower.as_ptr().cast(),
@@ -8882,8 +8795,8 @@ pub fn overlap_box_batch_2d(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `r12`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -8926,7 +8839,6 @@ pub fn contact_derivatives_batch(
     d_rot2: Option<&mut [[f64; 3]]>,
 ) -> Result<(), Error> {
     let n = r12.len();
-    let requirement = "must have as many rows as r12";
     let counts = [
         ("q1", q1.len()),
         ("q2", q2.len()),
@@ -8938,7 +8850,7 @@ pub fn contact_derivatives_batch(
         ("d_rot1", rows_of(&d_rot1, n)),
         ("d_rot2", rows_of(&d_rot2, n)),
     ];
-    same_rows("pw85_contact_derivatives_batch", requirement, n, &counts)?;
+    same_rows("pw85_contact_derivatives_batch", "must have as many rows as r12", n, &counts)?;
     check_rows(unsafe { sys::pw85_contact_derivatives_batch(
         n,
         r12.as_ptr().cast(),
@@ -8965,8 +8877,8 @@ pub fn contact_derivatives_batch(
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `q`; and the first row that is refused: its outputs are
-/// NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `q`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -8979,9 +8891,8 @@ pub fn contact_derivatives_batch(
 /// ```
 pub fn bounding_boxes(q: &[[f64; 6]], half_widths: &mut [[f64; 3]]) -> Result<(), Error> {
     let n = q.len();
-    let requirement = "must have as many rows as q";
     let counts = [("half_widths", half_widths.len())];
-    same_rows("pw85_bounding_boxes", requirement, n, &counts)?;
+    same_rows("pw85_bounding_boxes", "must have as many rows as q", n, &counts)?;
     check_rows(unsafe { sys::pw85_bounding_boxes(
         n,
         q.as_ptr().cast(),
@@ -9028,8 +8939,8 @@ pub fn from_moments(second_moments: &[f64; 6]) -> Result<[f64; 6], Error> {
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `second_moments`; and the first row that is refused: its
-/// outputs are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `second_moments`, or a row is refused. The outputs of such
+/// rows are NaN, 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -9042,9 +8953,8 @@ pub fn from_moments(second_moments: &[f64; 6]) -> Result<[f64; 6], Error> {
 /// ```
 pub fn from_moments_batch(second_moments: &[[f64; 6]], q: &mut [[f64; 6]]) -> Result<(), Error> {
     let n = second_moments.len();
-    let requirement = "must have as many rows as second_moments";
     let counts = [("q", q.len())];
-    same_rows("pw85_from_moments_batch", requirement, n, &counts)?;
+    same_rows("pw85_from_moments_batch", "must have as many rows as second_moments", n, &counts)?;
     check_rows(unsafe { sys::pw85_from_moments_batch(
         n,
         second_moments.as_ptr().cast(),
@@ -9088,8 +8998,8 @@ pub fn from_moments_2d(second_moments: &[f64; 3]) -> Result<[f64; 3], Error> {
 ///
 /// # Errors
 ///
-/// Slices that have not as many rows as `second_moments`; and the first row that is refused: its
-/// outputs are NaN, or no valid truth value or sign. The other rows are computed.
+/// A slice has not as many rows as `second_moments`, or a row is refused. The outputs of such
+/// rows are NaN, 255 for truth values, 2 for signs; other rows are computed.
 ///
 /// # Examples
 ///
@@ -9102,9 +9012,8 @@ pub fn from_moments_2d(second_moments: &[f64; 3]) -> Result<[f64; 3], Error> {
 /// ```
 pub fn from_moments_batch_2d(second_moments: &[[f64; 3]], q: &mut [[f64; 3]]) -> Result<(), Error> {
     let n = second_moments.len();
-    let requirement = "must have as many rows as second_moments";
     let counts = [("q", q.len())];
-    same_rows("pw85_from_moments_batch_2d", requirement, n, &counts)?;
+    same_rows("pw85_from_moments_batch_2d", "must have as many rows as second_moments", n, &counts)?;
     check_rows(unsafe { sys::pw85_from_moments_batch_2d(
         n,
         second_moments.as_ptr().cast(),
