@@ -28,13 +28,28 @@ fn main() {
              export PKG_CONFIG_PATH=PREFIX/lib/pkgconfig",
         );
     }
-    for word in String::from_utf8_lossy(&output.stdout).split_whitespace() {
+    for word in words(&String::from_utf8_lossy(&output.stdout)) {
         if let Some(folder) = word.strip_prefix("-L") {
             println!("cargo:rustc-link-search=native={folder}");
         } else if let Some(library) = word.strip_prefix("-l") {
             println!("cargo:rustc-link-lib={library}");
         }
     }
+}
+
+/// Splits what pkg-config prints: a backslash keeps the space of a folder.
+fn words(text: &str) -> Vec<String> {
+    let mut found = vec![String::new()];
+    let mut letters = text.trim().chars();
+    while let Some(letter) = letters.next() {
+        let last = found.last_mut().unwrap();
+        match letter {
+            '\\' => last.extend(letters.next()),
+            ' ' => found.push(String::new()),
+            _ => last.push(letter),
+        }
+    }
+    found
 }
 
 fn refuse(text: &str) -> ! {
