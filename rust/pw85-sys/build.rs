@@ -14,13 +14,28 @@ fn main() {
     if env::var_os("DOCS_RS").is_some() {
         return; // Pages of reference are made without the library.
     }
+    let folder = words(&pkg_config(&["--variable=pcfiledir", "pw85"])).concat();
+    println!("cargo:rerun-if-changed={folder}/pw85.pc");
+    for word in words(&pkg_config(&["--libs", NEEDED])) {
+        if let Some(folder) = word.strip_prefix("-L") {
+            println!("cargo:rustc-link-search=native={folder}");
+        } else if let Some(library) = word.strip_prefix("-l") {
+            println!("cargo:rustc-link-lib={library}");
+        }
+    }
+}
+
+/// What pkg-config prints.
+fn pkg_config(arguments: &[&str]) -> String {
     let program = env::var("PKG_CONFIG").unwrap_or_else(|_| "pkg-config".into());
-    let found = Command::new(&program).args(["--libs", NEEDED]).output();
-    let output = found.unwrap_or_else(|error| {
-        refuse(&format!(
-            "{program} cannot be run: {error} (Debian: apt-get install pkg-config)."
-        ))
-    });
+    let output = Command::new(&program)
+        .args(arguments)
+        .output()
+        .unwrap_or_else(|error| {
+            refuse(&format!(
+                "{program} cannot be run: {error} (Debian: apt-get install pkg-config)."
+            ))
+        });
     if !output.status.success() {
         refuse(
             "the library pw85, version 3 or later, is not installed where pkg-config looks for it.\n\
@@ -28,13 +43,7 @@ fn main() {
              export PKG_CONFIG_PATH=PREFIX/lib/pkgconfig",
         );
     }
-    for word in words(&String::from_utf8_lossy(&output.stdout)) {
-        if let Some(folder) = word.strip_prefix("-L") {
-            println!("cargo:rustc-link-search=native={folder}");
-        } else if let Some(library) = word.strip_prefix("-l") {
-            println!("cargo:rustc-link-lib={library}");
-        }
-    }
+    String::from_utf8_lossy(&output.stdout).into_owned()
 }
 
 /// Splits what pkg-config prints: a backslash keeps the space of a folder.
