@@ -51,6 +51,13 @@ pub fn is_reproducible() -> bool {
 /// assert_eq!(pw85::rows::<4>(&numbers).unwrap_err().argument, Some("numbers"));
 /// # Ok::<(), pw85::Error>(())
 /// ```
+///
+/// The compiler refuses other types of numbers:
+///
+/// ```compile_fail,E0308
+/// let single = [3.0f32, 2.0, 1.0];
+/// pw85::rows::<3>(&single);
+/// ```
 pub fn rows<const N: usize>(numbers: &[f64]) -> Result<&[[f64; N]], Error> {
     let n = whole_rows::<N>(numbers.len())?;
     // An array has the alignment of its numbers, and no gaps.
