@@ -225,7 +225,7 @@ def check_static(results):
     results.add("licences", run(["reuse", "lint"]))
     add_unless_missing(results, "ruff", ["scripts/sid.sh", "ruff", "check"])
     glib = subprocess.run(["pkg-config", "--cflags", "glib-2.0"], check=True, text=True, stdout=subprocess.PIPE).stdout.split()
-    for file in tracked("*.c", ":!tests/headers/c89.c", ":!r/src"):  # R is not installed here
+    for file in tracked("*.c", ":!tests/headers/c89.c", ":!r/src", ":!octave/src"):  # R and Octave are not installed
         results.add(f"analyzer: {file}", run(["gcc", "-std=c99", "-O2", "-fanalyzer", "-Werror", "-Iinclude",
                                               f"-I{TEST_COMMAND_BUILD}/include", "-D_POSIX_C_SOURCE=200809L",
                                               *glib, "-c", file, "-o", "/dev/null"]))
@@ -404,6 +404,11 @@ def check_r(results):
     results.add("scripts/test_r.sh", run(["scripts/test_r.sh"]))
 
 
+def check_octave(results):
+    """The Octave package: its tests and README, and the bits of C."""
+    results.add("scripts/test_octave.sh", run(["scripts/test_octave.sh"]))
+
+
 def check_rust(results):
     """The crates for Rust: their tests, examples and README, linter and formatter, and the bits of C."""
     results.add("scripts/test_rust.sh", run(["scripts/test_rust.sh"]))
@@ -470,6 +475,7 @@ PARTS = {
     "lammps-of-debian-13": Part(check_lammps_of_debian_13, "git mmdebstrap", after=("lammps",), by_default=False),
     "python-of-debian-13": Part(check_python_of_debian_13, "git mmdebstrap", by_default=False),
     "r": Part(check_r, "$build_packages libboost-dev $r_packages", by_default=False),
+    "octave": Part(check_octave, "$build_packages libboost-dev $octave_packages", by_default=False),
     "rust": Part(check_rust, "$build_packages libboost-dev $rust_packages", by_default=False),
     "formats": Part(check_formats, f"{TEST} {MEASURING}", after=("tests",), by_default=False),
     "valgrind": Part(check_valgrind, f"{TEST} valgrind", after=("tests", "pages"), by_default=False),

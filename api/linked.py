@@ -39,9 +39,8 @@ BEGIN = """\
 ///
 {others}
 ///
-/// The functions have external linkage, so that exported inline functions of modules may call them,
-/// and are always inlined, so that no unit runs the code of another one. They are not for device
-/// code.
+/// The functions have external linkage: exported inline functions of modules may call them. They
+/// are always inlined: no unit runs the code of another one. They are not for device code.
 
 // Made from pw85.hpp and pw85.h by api/committed.py.
 // clang-format off

@@ -124,6 +124,12 @@ constexpr Function functions[] = {
      }>},
     {"overlap_box", 0,
      each<[](Rows const &x, std::size_t i) { pw85_overlap_box(PW85_BENCH_TWO(x, i), &answer); }>},
+    {"intersect_line", 2,
+     each<[](Rows const &x, std::size_t i) { pw85_intersect_line(PW85_BENCH_TWO(x, i), point); }>},
+    {"intersect_line_batch", 2,
+     [](Rows const &x, std::size_t i, std::size_t end) {
+         pw85_intersect_line_batch(end - i, PW85_BENCH_TWO(x, i), mu2, point);
+     }},
     {"contact_segment_batch", 2,
      [](Rows const &x, std::size_t i, std::size_t end) {
          pw85_contact_segment_batch(end - i, PW85_BENCH_TWO(x, i), mu2, point);

@@ -1,4 +1,4 @@
-"""The measured sections of lammps/README.md."""
+"""The measured sections of docs/lammps.md."""
 
 import measurements
 

@@ -1,4 +1,4 @@
-"""Rewrites the measured sections of README.md and of lammps/README.md, and the pictures of measurements, from docs/measurements.json.
+"""Rewrites the measured sections of README.md and of docs/lammps.md, and the pictures of measurements, from docs/measurements.json.
 
 Usage: measured_pages.py [--check]; with --check nothing is written: it fails, and says why, if any of them is out of date.
 The measured tables of the manual are made with its pages (extensions/measured_table.py).
@@ -15,7 +15,7 @@ import measured_lammps
 import measurements
 
 HERE = Path(__file__).resolve().parent
-README, LAMMPS_README = HERE.parent / "README.md", HERE.parent / "lammps" / "README.md"
+README, LAMMPS_PAGE = HERE.parent / "README.md", HERE / "lammps.md"
 SECTION = re.compile(r"<!-- measured (\w+) -->\n.*?<!-- end of measured -->", re.DOTALL)
 TIMES = HERE.parent / ".ci" / "times.json"  # of README's commands, by `.ci/run --record tests tutorial pip`
 # What README says before the minutes of its commands, and the parts of .ci/run that run them
@@ -78,7 +78,7 @@ def with_sections(page):
 
 
 def out_of_date():
-    for page in (README, LAMMPS_README):
+    for page in (README, LAMMPS_PAGE):
         if page.read_text(encoding="utf-8") != with_sections(page):
             yield str(page)
     for picture, table in PICTURES.items():
@@ -92,7 +92,7 @@ def out_of_date():
 
 
 def write():
-    for page in (README, LAMMPS_README):
+    for page in (README, LAMMPS_PAGE):
         page.write_text(with_sections(page), encoding="utf-8")
     for picture in PICTURES:
         subprocess.run([sys.executable, HERE / "pictures" / f"{picture}.py"], check=True)

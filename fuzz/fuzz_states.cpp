@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // libFuzzer target: bytes as a saved simulation, as they are and with the right size and checksum.
-// A state that is restored is saved as the same state again. Corpus:
-// tests/portable/saved_*.1.
+// A state that is restored is saved as the same state again, and can be restored after a sweep, which
+// ends soon. Corpus: tests/portable/saved_*.1.
 #include <cstdio>
 
 #include "../tests/saved_sections.hpp"
@@ -11,15 +11,23 @@ using namespace pw85_tests;
 
 namespace {
 
-void check(Bytes const &bytes)
+/// Traps unless a simulation is saved as a state that is restored as the same state.
+void check_saved(SimulationPointer const &simulation)
 {
-    SimulationPointer const made = restored(bytes);
-    if (made == nullptr) return;
-    Bytes const saved = state_of(made);
+    Bytes const saved = state_of(simulation);
     if (saved.empty() || state_of(restored(saved)) != saved) {
         std::puts("a state that was restored is not saved as the same state");
         __builtin_trap();
     }
+}
+
+void check(Bytes const &bytes)
+{
+    SimulationPointer const made = restored(bytes);
+    if (made == nullptr) return;
+    check_saved(made);
+    pw85_hard_ellipsoids_sweep(made.get(), 1);
+    check_saved(made);
 }
 
 } // namespace

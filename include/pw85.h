@@ -849,11 +849,11 @@ typedef struct pw85_motion {
  * @param t_max [time; >= 0; or infinite] the time up to which contacts count
  * @param[out] t [time; member time] the time, or infinity
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for an ellipsoid that shrinks to nothing),
- *        #PW85_ENOTPD, #PW85_ECONVERGENCE (the search ends after 100,000 steps: the ellipsoids
- *        turn by more than 50,000 radians near each other without contact, or by more than 10,000
- *        if their aspect ratio is 1000; sizes, the relative velocity or the time leave the range
- *        of double; one turns by more than 2⁴³ radians, so that its orientation is unknown, or
- *        its aspect ratio is above 10⁷, so that rounding leaves no digit of its form) */
+ *        #PW85_ENOTPD, #PW85_ECONVERGENCE (the search ends after 100,000 steps: the ellipsoids turn
+ *        by more than 50,000 radians near each other without contact, or by more than 10,000 if
+ *        their aspect ratio is 1000; sizes, the relative velocity or the time leave the range of
+ *        double; one turns by more than 2⁴³ radians, and its orientation is unknown, or its aspect
+ *        ratio is above 10⁷, and rounding leaves no digit of its form) */
 PW85_API int pw85_first_contact(double const r12[3], double const q1[6], double const q2[6],
                                 pw85_motion const *motion1, pw85_motion const *motion2,
                                 double t_max, double *t);

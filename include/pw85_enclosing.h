@@ -72,12 +72,12 @@ PW85_API int pw85_enclosing_ellipsoid_of(int n, size_t m, double const *centers,
 
 /** Random points of an ellipsoid with its centre at 0, uniform in its volume or on its surface.
  *
- * Point k depends on the form, the seed and k alone, so that fewer points are the first ones of
- * more. A point of the body is one of the unit ball, stretched by the semi-axes. A point of the
- * surface is one of the unit sphere, stretched, and kept with a probability that makes the points
- * uniform for every shape; at least one half of them are kept. The coordinates of the points of the
- * ball are odd multiples of 2⁻³², from Philox4x32-10. The error of each coordinate is below 10 u
- * times the longest semi-axis, with u = 2⁻⁵³.
+ * Point k depends only on the form, the seed and k: fewer points are the first ones of more. A
+ * point of the body is one of the unit ball, stretched by the semi-axes. A point of the surface is
+ * one of the unit sphere, stretched, and kept with a probability that makes the points uniform for
+ * every shape; at least one half of them are kept. The coordinates of the points of the ball are
+ * odd multiples of 2⁻³², from Philox4x32-10. The error of each coordinate is below 10 u times the
+ * longest semi-axis, with u = 2⁻⁵³.
  *
  * @param q [length²; definite] form of the ellipsoid
  * @param surface 0 for points of the body, any other number for points of the surface

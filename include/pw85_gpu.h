@@ -118,11 +118,10 @@ PW85_API int pw85_gpu_contact_derivatives_pairs(void *stream, pw85_pair_list con
 /** @}
  * @name Arrays of the host
  *
- * Pairs are sent to the device and results back in pieces, so that one piece is copied while
- * another one is computed. The functions return when all is done, with the status of the first bad
- * pair, as the functions for the host do. The transfer to the device dominates the time, 120 bytes
- * per pair: these functions are for programs that have no better use for their processor.
- * @{ */
+ * Pairs are sent to the device, and results back, in pieces: one piece is copied while another one
+ * is computed. The functions return when all is done, with the status of the first bad pair, as the
+ * functions for the host do. The transfer to the device dominates the time, 120 bytes per pair:
+ * these functions are for programs that have no better use for their processor. @{ */
 
 /** pw85_contact_batch() by the device; arguments as there.
  *

@@ -159,7 +159,7 @@ PW85_API int pw85_grain_contact_wall(double const normal[3], double offset,
  * @name Surface and inertia of bodies
  *
  * A solid body is uniform. A shell is a sheet of the same mass per area everywhere, or in the plane
- * a wire of the same mass per length. Moments are means, so that they belong to the mass 1.
+ * a wire of the same mass per length. Moments are means: they are those of a body with the mass 1.
  *
  * Surfaces and shells are elliptic integrals, which the library computes with twice the digits of
  * double. Let κ be the square of the ratio of the longest to the shortest semi-axis. The relative

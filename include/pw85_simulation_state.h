@@ -35,7 +35,8 @@ typedef struct pw85_hard_ellipsoids pw85_hard_ellipsoids;
  *        particle and its own image; -1 if no particles overlap
  * @param[out] simulation [null on error] to be destroyed by pw85_hard_ellipsoids_destroy()
  * @return #PW85_SUCCESS; #PW85_EOVERLAP if particles overlap; #PW85_EINVAL and #PW85_ENOTPD as
- *        for pw85_neighbors_create(); #PW85_ENOMEM */
+ *        for pw85_neighbors_create(); #PW85_ENOMEM, also for particles so long that a list of
+ *        neighbours has more than 2¹⁵ images of the cell, or 2¹³ pairs per particle */
 PW85_API int pw85_hard_ellipsoids_create(pw85_system const *system, double const *semi_axes,
                                          double const *quaternions, size_t seed, int32_t pair[2],
                                          pw85_hard_ellipsoids **simulation);

@@ -77,9 +77,9 @@ PW85_API int pw85_hard_ellipsoids_set_walls(pw85_hard_ellipsoids *simulation, si
  * pw85_hard_ellipsoids_tune() knows this limit. It holds where coordinates are below 10⁸ times the
  * semi-axis. pw85_hard_ellipsoids_try() and insertions place particles on both sides.
  *
- * In a periodic cell the mesh is repeated with it, so that the mesh of one cell is enough. The cell
- * cannot change: there are no trials of the volume, no event chains and no compression with a mesh.
- * The mesh is a part of the state that pw85_hard_ellipsoids_save() writes.
+ * In a periodic cell the mesh is periodic, too: the mesh of one cell is enough. The cell cannot
+ * change: there are no trials of the volume, no event chains and no compression with a mesh. The
+ * mesh is a part of the state that pw85_hard_ellipsoids_save() writes.
  *
  * @param simulation a simulation of three dimensions
  * @param num_vertices [number of vertices] at most 2³¹ - 1
@@ -89,8 +89,9 @@ PW85_API int pw85_hard_ellipsoids_set_walls(pw85_hard_ellipsoids *simulation, si
  * @param[out] overlap [optional; -1 on error] the first particle that the mesh or a wall cuts, and
  *        the triangle next to it or the wall; -1 if there is none
  * @return #PW85_SUCCESS; #PW85_EOVERLAP if the mesh cuts a particle; #PW85_EINVAL as for
- *         pw85_mesh_create(), in two dimensions, and for a mesh that is wider than 16 periods of
- *         the cell; #PW85_ENOMEM: nothing changes then */
+ *         pw85_mesh_create(), in two dimensions, for a mesh that is wider than 16 periods of
+ *         the cell, and for a particle of which more than 2¹⁴ images may meet the mesh;
+ *         #PW85_ENOMEM: nothing changes then */
 PW85_API int pw85_hard_ellipsoids_set_mesh(pw85_hard_ellipsoids *simulation, size_t num_vertices,
                                            double const *vertices, size_t num_triangles,
                                            int32_t const *triangles, int32_t overlap[2]);
@@ -179,8 +180,8 @@ PW85_API int pw85_hard_ellipsoids_set_potential(pw85_hard_ellipsoids *simulation
  *
  * With a law the target is the density e^(-βU) of all configurations without overlaps, where U has
  * the energies of all pairs, all images included. Energies of pairs are rounded to multiples of
- * 2⁻³² k_B T, so that the bits of a trajectory do not depend on the number of threads. A law is a
- * part of the state that pw85_hard_ellipsoids_save() writes.
+ * 2⁻³² k_B T, and the bits of a trajectory do not depend on the number of threads. A law is a part
+ * of the state that pw85_hard_ellipsoids_save() writes.
  *
  * Trials take longer, because the lists of neighbours have all pairs that the law reaches.
  * pw85_hard_ellipsoids_try(), pw85_hard_ellipsoids_insert() and pw85_hard_ellipsoids_compress() ask

@@ -42,8 +42,8 @@ extern "C" {
  *
  * A translation is by a point of a ball. A rotation multiplies the quaternion by (1, v) from the
  * left, v a point of a ball. An exchange swaps the semi-axes of two particles of a domain. In two
- * dimensions a translation is by a point of a disc, and a rotation about z multiplies by (1, 0, 0,
- * v), v uniform in an interval around 0, so that turns by an angle and by its negative are equally
+ * dimensions a translation is a random vector in a disc. A rotation about z multiplies by (1, 0, 0,
+ * v) with v uniform in an interval around 0: rotations by an angle and by its negative are equally
  * probable.
  *
  * @param simulation a simulation
@@ -78,7 +78,8 @@ PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t
  *        semi-axis. Such contacts are a part of the pressure that chains do not find, because
  *        images move with their particle.
  * @return #PW85_SUCCESS; #PW85_EINVAL, also for a direction that is zero or out of the plane,
- *         and with walls, a mesh, fields or a potential; #PW85_ENOMEM or #PW85_ECONVERGENCE
+ *         with walls, a mesh, fields or a potential, and in a cell that is so skewed or so small
+ *         that a particle spans more than 2²⁰ bins of it; #PW85_ENOMEM or #PW85_ECONVERGENCE
  *         (particles block each other within rounding errors, or the length is more than some
  *         10¹⁵ distances between contacts), after which the last chain is not complete */
 PW85_API int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chains,
@@ -115,8 +116,8 @@ PW85_API int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation,
  * counts to zero.
  *
  * Trials are not in detailed balance while the steps change: use this to equilibrate only.
- * Translations become at most half as long as the longest semi-axis. They become longer only
- * where particles are far apart, so that the Verlet lists stay short.
+ * Translations become at most half as long as the longest semi-axis. They become longer only where
+ * particles are far apart, which keeps the Verlet lists short.
  *
  * @param simulation a simulation
  * @param num_sweeps how many
@@ -141,7 +142,7 @@ PW85_API int pw85_hard_ellipsoids_set_fractions(pw85_hard_ellipsoids *simulation
 /** Sets the largest changes of a trial.
  *
  * The lists of neighbours reach three times as far as a translation. So their memory grows with its
- * third power.
+ * third power. In a cell that becomes smaller, translations are shortened to its longest vector.
  *
  * @param simulation a simulation
  * @param steps [> 0] the length of a translation, in a cell that is periodic along its three

@@ -62,7 +62,7 @@ typedef struct pw85_pair_list {
  * Otherwise the status is #PW85_EINVAL, and pw85_last_error() tells that the argument `images` must
  * be given: pass the images of a neighbour list. In so small a cell the ellipsoid can also overlap
  * images of itself, which the list contains: write the trial into the arrays of the system before
- * the call, so that its own index refers to the trial.
+ * the call; its own index then refers to the trial.
  *
  * @param center [length] centre of the ellipsoid
  * @param q1 [length²; definite] form of the ellipsoid

@@ -32,12 +32,12 @@ class Bins {
         }
         first_.assign(num_bins, none);
         atoms_.resize(static_cast<std::size_t>(count));
-        // The loop runs backwards, so that each list has its atoms in the order of memory.
+        // The loop runs backwards to give each list its atoms in the order of memory.
         for (int i = count - 1; i >= 0; --i)
             link(i, bin_of(x + 3 * static_cast<std::ptrdiff_t>(i)));
     }
 
-    /// Tells where an atom is after it has moved.
+    /// Moves an atom to the bin of its new position.
     void update(int i, double const *x)
     {
         std::size_t const bin = bin_of(x);
@@ -46,7 +46,8 @@ class Bins {
         link(i, bin);
     }
 
-    /// Calls use(j) for all atoms that may be within a distance of x, and for others.
+    /// Calls use(j) for all atoms that may be within a distance of x, and for some that are
+    /// farther.
     template <class Use> void visit(double const *x, double distance, Use use) const
     {
         std::array<int, 3> from{}, to{};

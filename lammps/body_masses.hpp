@@ -21,8 +21,8 @@ class BodyMasses : protected LAMMPS_NS::Pointers {
     /// Finds the fixes with rigid bodies. Call this at the start of a run.
     void start_run();
 
-    /// Returns whether the masses have to be read: rigid bodies exist, and the neighbour list is
-    /// new, with which atoms get other indices.
+    /// Returns whether the masses must be read: rigid bodies exist, and the neighbour list is new,
+    /// which changes the indices of atoms.
     bool are_new() const { return !fixes_.empty() && neighbor->ago == 0; }
 
     /// Reads the masses of owned atoms.

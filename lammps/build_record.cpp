@@ -18,7 +18,8 @@ constexpr char style_name[] = "PW85/BUILD";
 
 Fix *create(LAMMPS *lammps, int narg, char **arg) { return new BuildRecord(lammps, narg, arg); }
 
-/// Frobenius norm of (A - B) B⁻¹, for upper triangular matrices (xx, yy, zz, yz, xz, xy).
+/// Returns the Frobenius norm of (A - B) B⁻¹, for upper triangular matrices (xx, yy, zz, yz, xz,
+/// xy).
 double strain(double const *a, double const *b, double const *g)
 {
     std::array<double, 6> d{};

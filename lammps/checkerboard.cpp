@@ -16,8 +16,8 @@ constexpr int unit_exponent = 50;
 
 /// Minimum number of units in the largest coordinate of a triclinic box: 2⁴⁴. LAMMPS converts
 /// positions in it to fractions of its vectors and back. The error of this is at most some 20
-/// roundings of terms below 4 M, less than 2⁷ 2⁻⁵³ M = 2⁻⁴⁶ M, so that rounding to multiples of the
-/// unit finds the position again.
+/// roundings of terms below 4 M, less than 2⁷ 2⁻⁵³ M = 2⁻⁴⁶ M. Rounding to multiples of the unit
+/// therefore finds the position again.
 constexpr int triclinic_unit_exponent = 44;
 
 /// Returns the largest coordinates of a box and of the terms of LAMMPS's conversion.
@@ -52,7 +52,7 @@ Vector ExactBox::combination(Vector const &fractions) const
     return {a * edges[0] + b * tilts[0] + c * tilts[1], b * edges[1] + c * tilts[2], c * edges[2]};
 }
 
-// The volume over the areas of the faces. Without tilts the quotients are the edges, exactly.
+// Divides the volume by the areas of the faces. Without tilts the quotients are exactly the edges.
 Vector ExactBox::heights() const
 {
     auto const [xy, xz, yz] = tilts;
@@ -72,7 +72,7 @@ ExactBox exact_box(Vector const &lower, Vector const &upper, Vector const &tilts
         for (std::size_t k = 0; k < 3; ++k)
             units[k] = std::ldexp(1.0, std::ilogb(largest[k]) - exponent);
         if (units == box.units) return box;
-        // Rounding up to a power of two doubles the unit, so that a second turn may be needed.
+        // Rounding up to a power of two doubles the unit, so a second turn may be needed.
         box.units = units;
         for (std::size_t k = 0; k < 3; ++k) {
             box.lower[k] = units[k] * std::floor(box.lower[k] / units[k]);
@@ -117,14 +117,14 @@ Vector Checkerboard::in_cell(Vector const &fractions) const
     Vector part;
     for (std::size_t k = 0; k < part.size(); ++k) part[k] = fractions[k] / counts_[k];
     Vector result = box_.combination(part);
-    // Rounded down, so that a shift across faces that are not periodic stays in the lengthened box.
+    // Rounded down: a shift across faces that are not periodic stays in the lengthened box.
     for (std::size_t k = 0; k < result.size(); ++k)
         result[k] = box_.units[k] * std::floor(result[k] / box_.units[k]);
     return result;
 }
 
-// The quotient is rounded, so that it may be a number of cells for which the box is too low by less
-// than a rounding error. The sign of the fused expression is exact.
+// The quotient is rounded: it may be a number of cells for which the box is too low by less than a
+// rounding error. The sign of the fused expression is exact.
 int Checkerboard::largest_count(double box_height, double diameter, bool is_periodic)
 {
     // The largest number of cells along a direction for which their indices fit into int.

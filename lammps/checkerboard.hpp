@@ -14,8 +14,8 @@ namespace pw85_lammps {
 /// A box, maybe sheared, whose vectors and positions are multiples of powers of two: along each
 /// axis of space, of a unit.
 ///
-/// All coordinates of the box and of its adjacent periodic images are below 2⁵³ units, so that
-/// LAMMPS's shifts by vectors of the box, shifts of all atoms, and differences of coordinates have
+/// All coordinates of the box and of its adjacent periodic images are below 2⁵³ units. LAMMPS's
+/// shifts by vectors of the box, shifts of all atoms, and differences of coordinates therefore have
 /// no rounding errors. Distances do not depend on which image of an atom a processor has.
 struct ExactBox {
     Vector lower{}, edges{}; ///< edges: of the box along the axes
@@ -49,9 +49,9 @@ ExactBox exact_box(Vector const &lower, Vector const &upper, Vector const &tilts
 /// A division of a box into cells, an even number along each of its vectors. Cells of one colour
 /// are at least the height of a cell apart.
 ///
-/// Periodic directions have as many cells as fit into the box. Along another one, the cells fill a
-/// longer box, longer by one cell, in which a sweep shifts the atoms. So the faces of the cells are
-/// at random places there, too.
+/// Periodic directions have as many cells as fit into the box. Along other directions, the cells
+/// fill a box that is longer by one cell, in which a sweep shifts the atoms. So the faces of the
+/// cells have random positions there, too.
 class Checkerboard {
   public:
     using Cell = std::array<int, 3>;
@@ -98,22 +98,21 @@ class Checkerboard {
 
     /// Returns the largest number of cells along a direction: an even number, below 2 if none fits.
     ///
-    /// A periodic box holds all cells, each at least as high as the largest diameter. In another
-    /// one, a cell is beyond the box. There is no margin for rounding errors of forms: atoms of
-    /// different cells of a colour are farther apart than the height of a cell, by twice the
+    /// A periodic box holds all cells, each at least as high as the largest diameter. If the box is
+    /// not periodic, one cell is beyond it. There is no margin for rounding errors of forms: atoms
+    /// of different cells of a colour are farther apart than the height of a cell, by twice the
     /// guards. These are at least 2 guard_units 2⁻⁵¹ = 2⁻⁴⁶ of half the box, so of the diameter.
     static int largest_count(double box_height, double diameter, bool is_periodic);
 
-    /// Returns the number of cells by default. It does not depend on the processors, but suits as
-    /// many grids of processors as it can: a multiple of 12 or 4 if that makes cells by at most a
-    /// third longer.
+    /// Returns the default number of cells. It does not depend on the processors, but suits many
+    /// grids of processors: a multiple of 12 or 4 if that makes cells longer by at most a third.
     static int default_count(int largest);
 
   private:
     /// LAMMPS computes the sides of sub-domains from fractions of the box, with errors of a few
     /// units of an orthogonal box. In a triclinic box, whose units are 2⁶ times as large, it
     /// computes fractions of positions, with errors below a unit. Positions within this many units
-    /// of the side of a cell belong to no cell, so that no processor moves an atom of a cell that
+    /// of the side of a cell belong to no cell. No processor then moves an atom of a cell that
     /// belongs to another. This rule depends on nothing but the position.
     static constexpr double guard_units = 16.0;
 

@@ -58,7 +58,7 @@ class JkrContact {
                (4.0 / 3.0 * modulus_ * size * std::sqrt(size) / radius - 4.0 * s_);
     }
 
-    /// ∫F dδ from a = 0 on.
+    /// Returns ∫F dδ from a = 0 on.
     double energy(double radius, double size) const
     {
         double const root = std::sqrt(size), square = size * size;
@@ -66,7 +66,7 @@ class JkrContact {
                8.0 / 3.0 * s_ * square * size * root / radius + 2.0 * s_ * t_ * square;
     }
 
-    /// dF/dδ
+    /// Returns dF/dδ.
     double slope(double radius, double size) const
     {
         double const root = std::sqrt(size);
@@ -106,7 +106,7 @@ class LiquidBridge {
 
     double largest_gap() const { return largest_gap_; }
 
-    /// ρ/2 for the curvatures of the gap.
+    /// Returns ρ/2 for the curvatures of the gap.
     static double radius(std::array<double, 2> const &curvatures)
     {
         return 1.0 / std::sqrt(curvatures[0] * curvatures[1]);
@@ -121,8 +121,8 @@ class LiquidBridge {
         return strength(radius) / (1.0 + scaled * (1.05 + 2.5 * scaled));
     }
 
-    /// The energy is zero at the end of the bridge. If surfaces overlap, the gap is negative, and
-    /// the force is that of a gap of zero.
+    /// Returns the energy, which is zero at the end of the bridge. If surfaces overlap, the gap is
+    /// negative, and the force is that of a gap of zero.
     double energy(double radius, double gap) const
     {
         double const open = std::max(0.0, gap);

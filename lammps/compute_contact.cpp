@@ -78,8 +78,7 @@ void ComputeContact::evaluate(bool with_rows)
     if (bounded) {
         batch.run(neighbours.get(), ellipsoids.reach(below_), use);
     } else {
-        // The cutoff of the pair style selects the pairs, so that results do not depend on the
-        // skin.
+        // The cutoff of the pair style selects the pairs: results do not depend on the skin.
         double const *const x = atom->x[0];
         int const *const type = atom->type;
         auto const within_cutoff = [this, x, type](int i, int j) {
@@ -97,8 +96,7 @@ void ComputeContact::evaluate(bool with_rows)
 
 void ComputeContact::add_batch(bool with_rows)
 {
-    // Each pair is ordered by tags, so that all processors compute the same result from the same
-    // positions.
+    // Each pair is ordered by tags: all processors compute the same result from the same positions.
     for (std::size_t k = 0; k < batch.size(); ++k) {
         std::int32_t &i = batch.pairs[2 * k], &j = batch.pairs[2 * k + 1];
         if (atom->tag[i] > atom->tag[j]) std::swap(i, j);

@@ -53,7 +53,7 @@ void ComputeGrains::check_step() const
             "Compute pw85/grains was asked for contacts of a step without forces: use run 0 first");
 }
 
-/// Returns whether a contact is one of the group, and this processor reports it.
+/// Returns whether a contact belongs to the group and this processor reports it.
 bool ComputeGrains::counts(PairGranular::Touch const &touch) const
 {
     if (!(atom->mask[touch.i] & atom->mask[touch.j] & groupbit)) return false;
@@ -63,9 +63,8 @@ bool ComputeGrains::counts(PairGranular::Touch const &touch) const
 
 namespace {
 
-/// A row of a contact.
-/// @param arm where the stress of the contact acts: from the first centre to the second one, or to
-/// the wall
+/// Returns the row of a contact.
+/// @param arm of the stress of the contact: from the first centre to the second one, or to the wall
 template <class Row> Row contact_row(double tag1, double tag2, Vector const &point,
                                      Vector const &normal, double depth, Vector const &push,
                                      Vector const &arm, Vector const &spring, double heat)
@@ -145,8 +144,8 @@ void ComputeGrains::compute_local()
     rows_.publish(*this);
 }
 
-// A contact that two processors know is counted by that one of them which reports it: ghosts bring
-// the counts to their owners.
+// Counts the contacts of each atom. If two processors know a contact, the one that reports it
+// counts it, and ghosts send their counts to the owners.
 void ComputeGrains::compute_peratom()
 {
     invoked_peratom = update->ntimestep;

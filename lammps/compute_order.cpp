@@ -27,8 +27,8 @@ template <class X> void turn(X &x, X &y, double c, double s)
     x = first;
 }
 
-/// Turns by Jacobi's rotations until no product of two axes is left. Each sweep squares what is
-/// left.
+/// Computes eigenvalues and eigenvectors by Jacobi's rotations, until all off-diagonal entries
+/// vanish. Each sweep squares their relative size.
 Eigensystem eigensystem(std::array<Vector, 3> a)
 {
     std::array<Vector, 3> v{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
@@ -53,7 +53,7 @@ Eigensystem eigensystem(std::array<Vector, 3> a)
     return result;
 }
 
-/// Returns the vector or its negative, so that its largest component is positive.
+/// Returns the vector, or its negative if its largest component is negative.
 Vector with_sign(Vector const &x)
 {
     auto const largest = std::max_element(
@@ -75,7 +75,7 @@ ComputeOrder::ComputeOrder(LAMMPS *lammps, int narg, char **arg)
 }
 
 /// Returns the axis of an ellipsoid whose length differs most from the middle one; in two
-/// dimensions the long axis in the plane. Spheres and discs have none.
+/// dimensions the long axis in the plane. Returns nothing for spheres and discs.
 std::optional<Vector> ComputeOrder::axis(int i) const
 {
     double const *const q = ellipsoids_.quaternion(i);

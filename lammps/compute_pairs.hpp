@@ -40,8 +40,8 @@ class ComputePairs : public LAMMPS_NS::Compute {
     /// Merges the value of a ghost into that of its owner.
     virtual double merge(double value, double from_ghost) const = 0;
 
-    /// Pairs add to the values of atoms with an index below this: of all atoms if newton is on,
-    /// otherwise of owned atoms only, because the list of another processor then has the pair, too.
+    /// Returns the number of atoms to whose values pairs add: all atoms if newton is on, otherwise
+    /// the owned atoms, because the list of another processor then has the pair, too.
     int num_counted() const
     {
         return force->newton_pair ? atom->nlocal + atom->nghost : atom->nlocal;

@@ -55,7 +55,8 @@ int ContactHistory::setmask()
 
 void ContactHistory::start_step(NeighList const &list, bool turns)
 {
-    // A list that is made without pre_exchange() gets the contacts that were stored last.
+    // Looks up the contacts of a new list. A list that is made without pre_exchange() gets the
+    // contacts that were stored last.
     if (!is_complete_ && neighbor->ncalls == num_lists_) return;
     num_lists_ = neighbor->ncalls;
     turns_ = turns;
@@ -66,8 +67,8 @@ void ContactHistory::start_step(NeighList const &list, bool turns)
     place_contacts(list);
 }
 
-/// Gives places to the contacts that are stored by atom. Atoms keep their order in the list, so
-/// that memory is read in order.
+/// Assigns memory to the contacts that are stored by atom, in the order of the atoms in the list,
+/// in which memory is then read.
 void ContactHistory::place_contacts(NeighList const &list)
 {
     for (int row = 0; row < list.inum; ++row) {
@@ -77,7 +78,7 @@ void ContactHistory::place_contacts(NeighList const &list)
     }
 }
 
-/// Gives a place to the contact of the next entry of the list, if it has one.
+/// Assigns memory to the contact of the next entry of the list, if it has one.
 void ContactHistory::place_contact(int i, int j)
 {
     places_.push_back(nowhere);
@@ -106,8 +107,8 @@ void ContactHistory::finish_step()
     num_atoms_ = atom->nlocal + atom->nghost;
 }
 
-// The states of a rerun come from a file that has no springs, and their atoms have other indices
-// than those of the step before.
+// Forgets the contacts in a rerun: its states come from a file without springs, and their atoms
+// have other indices than those of the step before.
 void ContactHistory::setup_pre_exchange()
 {
     if (is_rerun(*input)) {
@@ -146,7 +147,7 @@ void ContactHistory::complete()
     MPI_Allreduce(&own, &maxexchange, 1, MPI_INT, MPI_MAX, world);
 }
 
-/// Gives all contacts to both atoms.
+/// Stores all contacts with both atoms.
 void ContactHistory::share_contacts()
 {
     shared_.assign(index(atom->nlocal + atom->nghost), {});
@@ -168,7 +169,7 @@ void ContactHistory::bring_rows_home()
     num_sent_.clear();
     if (comm->style == 0) return reverse_rows_to_owners(*comm, this);
     // With comm_style tiled LAMMPS has no messages of different sizes: each ghost sends one contact
-    // after the other. Some come to a ghost on another processor, which sends them on.
+    // after the other. Some contacts come to a ghost on another processor, which forwards them.
     num_sent_.resize(shared_.size());
     while (is_any_left()) reverse_to_owners(*comm, this);
 }
@@ -183,8 +184,8 @@ bool ContactHistory::is_any_left() const
     return left != 0;
 }
 
-// Commands between runs may renumber the atoms, remove some, and give the tags of these to new ones
-// (delete_atoms, create_atoms).
+// Updates the stored tags. Commands between runs may renumber the atoms, remove some, and reuse
+// their tags (delete_atoms, create_atoms).
 void ContactHistory::follow_tags()
 {
     stored_tags_.clear();

@@ -19,12 +19,12 @@ namespace pw85_lammps {
 /// The springs of all contacts. It is a fix, because LAMMPS moves and saves only data of fixes.
 ///
 /// In a step of a run, each entry of the neighbour list can have a contact, which stays at its
-/// place in memory while the list is the same. complete() stores the contacts by atom and the tag
-/// of the partner, with both atoms, as each of them sees it. So a contact is found again after a
-/// new list, whichever atom has the pair then. If an atom touches two periodic images of another
-/// one, a new list gives both the springs of one of them. The normals are where the next search of
+/// place in memory while the list is the same. complete() stores the contacts by atom and tag of
+/// the partner, once for each of both atoms. So a contact is found again in a new list, whichever
+/// of the atoms has the pair there. If an atom touches two periodic images of another one, both
+/// contacts get the springs of one of them in a new list. The normals are where the next search of
 /// the same pair starts. They are neither moved nor saved. At the start of a run the stored tags
-/// become those that the atoms have then, which commands may have changed.
+/// are updated, because commands may have changed the tags of atoms.
 class ContactHistory final : public LAMMPS_NS::Fix {
   public:
     ContactHistory(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
@@ -102,7 +102,7 @@ class ContactHistory final : public LAMMPS_NS::Fix {
     double memory_usage() override;
 
   private:
-    /// A contact as messages have it.
+    /// A contact in a message.
     struct Stored {
         LAMMPS_NS::tagint partner;
         Springs springs;

@@ -15,13 +15,13 @@ namespace pw85_lammps {
 
 namespace {
 
-/// E* of two bodies.
+/// Returns E* of two bodies.
 double young_of_contact(double e1, double nu1, double e2, double nu2)
 {
     return 1.0 / ((1.0 - nu1 * nu1) / e1 + (1.0 - nu2 * nu2) / e2);
 }
 
-/// G* of two bodies, 1/((2-ν1)/G1 + (2-ν2)/G2) with G = E/(2(1+ν)).
+/// Returns G* of two bodies, 1/((2-ν1)/G1 + (2-ν2)/G2) with G = E/(2(1+ν)).
 double shear_of_contact(double e1, double nu1, double e2, double nu2)
 {
     return 1.0 / (2.0 * (2.0 - nu1) * (1.0 + nu1) / e1 + 2.0 * (2.0 - nu2) * (1.0 + nu2) / e2);
@@ -42,8 +42,8 @@ Vector without_part_along(Vector const &x, Vector const &normal)
     return x - dot(x, normal) * normal;
 }
 
-/// A compiler chooses between two numbers for several contacts at a time, but it does not choose
-/// between two computations.
+/// Returns the larger number. Compilers vectorise a choice between two numbers, but not one between
+/// two computations.
 double larger(double a, double b) { return a > b ? a : b; }
 
 constexpr double tiny = std::numeric_limits<double>::min();
@@ -58,7 +58,7 @@ Vector turn_into_plane(Vector const &x, Vector const &normal)
 
 namespace {
 
-/// 1 for positive numbers, 0 for zero.
+/// Returns 1 for positive numbers, 0 for zero.
 double one_if_positive(double x) { return x / larger(x, tiny); }
 
 /// The spring and the damper of a contact, and the largest force that they can have.
@@ -176,7 +176,7 @@ NormalPart cohesive_part(LawConstants const &c, Encounter const &e)
 }
 
 /// Returns the force on which Coulomb's limits depend. With attraction it is that of Thornton (J.
-/// Phys. D 24, 1942, 1991), as in LAMMPS: the largest tension comes twice on top.
+/// Phys. D 24, 1942, 1991), as in LAMMPS: the force plus twice the largest tension.
 double pressing_force(LawConstants const &c, Encounter const &e, double force)
 {
     double const tension = c.jkr ? c.jkr->pull_off_force(e.radius) : c.pull * e.radius;
@@ -297,7 +297,7 @@ PW85_GRAIN_LANES void react_turning(RowLaw const &law, GrainSearch::Rows const &
         copy.react<Scope::turning>(geometry, rows, l);
 }
 
-/// One contact after the other: cohesive laws have cases.
+/// Computes one contact after the other: cohesive laws need branches.
 void react_cohesive(RowLaw const &law, GrainSearch::Rows const &geometry, ContactRows &rows)
 {
     for (std::size_t l = law.begin; l < law.end; ++l) law.react<Scope::cohesive>(geometry, rows, l);

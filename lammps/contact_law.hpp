@@ -35,7 +35,8 @@ inline Arms parse_arms(Words &words)
         {{"contact", Arms::contact}, {"surface", Arms::surface}, {"granular", Arms::granular}});
 }
 
-/// Returns a vector of the same length, along its part in the tangent plane.
+/// Returns the vector turned into the tangent plane: its length, in the direction of its tangential
+/// component.
 Vector turn_into_plane(Vector const &x, Vector const &normal);
 
 /// Input of a law: the state of a contact. Velocities are those of the first body relative to the
@@ -121,8 +122,8 @@ struct ContactRows {
     double by_radius[row_capacity];
 };
 
-/// The constants of a law. Its formulas have no cases: constants of parts that it does not have are
-/// zero. So a processor works on several contacts at a time.
+/// The constants of a law. Constants of parts that a law does not have are zero. The formulas
+/// therefore need no branches, and SIMD computes several contacts at a time.
 struct LawConstants {
     /// A spring and a damper in the tangent plane, up to a part of the pressure.
     struct Slider {
@@ -147,7 +148,7 @@ struct LawConstants {
 
     double least_pressure = 0.0;
     double pull = 0.0;                  ///< of DMT, times the equivalent radius
-    std::optional<JkrContact> jkr;      ///< in place of the normal spring
+    std::optional<JkrContact> jkr;      ///< replaces the normal spring
     std::optional<LiquidBridge> bridge; ///< beside it
     Slider sliding, rolling;
     Twister twisting;

@@ -99,7 +99,7 @@ void Ellipsoids::read_shapes()
     }
 }
 
-/// Returns whether an atom with a shape has other exponents than an ellipsoid, which are 2.
+/// Returns whether an atom with a shape has exponents other than 2, those of an ellipsoid.
 bool Ellipsoids::is_superellipsoid(int i) const
 {
     return exponents_ &&
@@ -180,7 +180,7 @@ std::vector<double> Ellipsoids::largest_radii() const
     for (int i = 0; i < atom->nlocal; ++i) {
         double &entry = largest[static_cast<std::size_t>(atom->type[i])];
         double const radius = radii_[static_cast<std::size_t>(i)];
-        if (radius > entry) entry = radius; // rarely true, so that the branch is predicted
+        if (radius > entry) entry = radius; // rarely true: the branch is predicted
     }
     MPI_Allreduce(MPI_IN_PLACE, largest.data(), static_cast<int>(largest.size()), MPI_DOUBLE,
                   MPI_MAX, world);

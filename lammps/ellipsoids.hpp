@@ -49,8 +49,8 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     /// before.
     void read(std::function<bool(int)> const &selected);
 
-    /// From now on takes into account that ellipsoids of a type with bounding spheres of up to a
-    /// radius, and radii of curvature of up to another one, will be inserted.
+    /// Announces that ellipsoids of a type will be inserted, with bounding spheres up to `radius`
+    /// and radii of curvature up to `curvature_radius`.
     void expect(int type, double radius, double curvature_radius);
 
     /// Returns the largest radius of curvature of the ellipsoids of each type on all processors; 0
@@ -94,14 +94,14 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     /// Returns the form that an owned ellipsoid has with another quaternion.
     std::array<double, PW85_SYM> form_with(int i, double const *quaternion) const;
 
-    /// Gives an owned ellipsoid a quaternion and its form. LAMMPS knows it after
-    /// write_quaternions().
+    /// Sets the quaternion and the form of an owned ellipsoid. write_quaternions() passes them to
+    /// LAMMPS.
     void turn(int i, double const *quaternion, std::array<double, PW85_SYM> const &form);
 
-    /// Gives LAMMPS the quaternions of all owned ellipsoids.
+    /// Writes the quaternions of all owned ellipsoids to LAMMPS.
     void write_quaternions();
 
-    // Semi-axes of an owned ellipsoid.
+    // Returns a semi-axis of an owned ellipsoid.
     double semi_axis(int i, std::size_t k) const
     {
         return semi_axes_[PW85_DIM * static_cast<std::size_t>(i) + k];
@@ -115,8 +115,8 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
         return std::max({semi_axis(i, 0), semi_axis(i, 1), semi_axis(i, 2)});
     }
 
-    /// True if two atoms are selected and their bounding spheres, scaled by the square root of
-    /// scale2, are closer than a gap.
+    /// A test whether two atoms are selected and their bounding spheres, scaled by the square root
+    /// of scale2, are closer than a gap.
     class Reach {
       public:
         Reach(double const *centers, double const *radii, double scale2, double gap)

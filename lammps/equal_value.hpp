@@ -27,7 +27,7 @@ class EqualValue {
         return value;
     }
 
-    /// Returns the number that denotes no variable.
+    /// Returns the number, if this is not a variable.
     double number() const { return number_; }
 
     bool is_variable() const { return !name_.empty(); }

@@ -19,7 +19,7 @@ namespace pw85_lammps {
 ///
 /// The dynamics is that of `fix nve/asphere`, which this fix adds and removes. "Momenta" are linear
 /// and angular momenta, and "forces" are forces and torques. Their norms use the inverse masses and
-/// moments of inertia, so that no parameter depends on units or shapes.
+/// moments of inertia; no parameter depends on units or shapes.
 class FixFire final : public LAMMPS_NS::Fix {
   public:
     FixFire(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
@@ -33,7 +33,7 @@ class FixFire final : public LAMMPS_NS::Fix {
     void post_run() override;
     void reset_dt() override {}
 
-    /// √(Σ F²/m + T·I⁻¹T), which is zero if all forces and torques are zero.
+    /// Returns √(Σ F²/m + T·I⁻¹T), which is zero if all forces and torques are zero.
     double compute_scalar() override { return residual_; }
     double memory_usage() override { return ellipsoids_->bytes(); }
 

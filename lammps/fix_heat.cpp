@@ -40,7 +40,7 @@ FixHeat::FixHeat(LAMMPS *lammps, int narg, char **arg) : Fix(lammps, narg, arg)
     peratom_freq = 1;
     scalar_flag = 1;
     global_freq = 1;
-    extscalar = 0; // so that thermodynamic output does not divide it by the number of atoms
+    extscalar = 0; // thermodynamic output must not divide it by the number of atoms
     grow_arrays(atom->nmax);
     Words words(lmp, std::string(style_name) + ": the command", narg - 3, arg + 3);
     parse_capacities(words);
@@ -76,7 +76,7 @@ void FixHeat::parse_capacities(Words &words)
         capacities_.push_back(words.positive("specific heat of type " + std::to_string(t)));
 }
 
-/// Gives the atoms that are there the temperatures of an atom-style variable.
+/// Sets the temperatures of the present atoms to the values of an atom-style variable.
 void FixHeat::start_from(Words &words)
 {
     std::string const name = words.word("an atom-style variable v_NAME");
@@ -130,8 +130,9 @@ void FixHeat::pre_force(int)
     std::fill_n(flows_.begin(), atom->nlocal + atom->nghost, Flow{});
 }
 
-/// If Σ G dt <= m c for the conductances G of a grain, its new temperature is a mean of those
-/// before, with positive weights. Otherwise it may be outside of their range.
+/// Updates the temperatures. If Σ G dt <= m c for the conductances G of a grain, its new
+/// temperature is a mean of those before, with positive weights. Otherwise it may be outside of
+/// their range.
 void FixHeat::final_integrate()
 {
     if (force->newton_pair) reverse_to_owners(*comm, this);

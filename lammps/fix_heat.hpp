@@ -17,7 +17,7 @@ namespace pw85_lammps {
 
 /// Temperatures of all atoms. In each step, contacts add the heat that flows through them, and
 /// those of the group change by m c dT/dt = Σ flow, with Euler's method, as with LAMMPS's `fix
-/// heat/flow`. The others keep theirs.
+/// heat/flow`. Other atoms keep their temperatures.
 class FixHeat final : public LAMMPS_NS::Fix {
   public:
     FixHeat(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
@@ -27,7 +27,7 @@ class FixHeat final : public LAMMPS_NS::Fix {
     /// style whose law conducts heat. All processors call this together.
     static FixHeat &require(LAMMPS_NS::LAMMPS &lammps, std::string const &style);
 
-    /// Of an owned atom or a ghost, while forces are computed.
+    /// Returns the temperature of an owned atom or a ghost, while forces are computed.
     double temperature(int i) const { return temperatures_[index(i)]; }
 
     /// Adds the heat that flows into an owned atom, or into a ghost if newton is on.

@@ -23,18 +23,18 @@ constexpr char style_name[] = "Fix pw85/hpmc";
 
 /// The share of accepted trials that tuning aims at, and by how much the logarithm of a step
 /// changes for a difference of one in the share. Efficiency has a flat maximum at shares from 0.2
-/// to 0.5. A sweep has one trial of the volume, so that its share is 0 or 1: the mean change is
-/// zero at the wanted share.
+/// to 0.5. A sweep has one trial of the volume, and its share is 0 or 1: the mean change is zero at
+/// the wanted share.
 constexpr double wanted_share = 0.3, gain = 0.3;
 
-/// The largest rotation of a trial, in radians. Beyond it the orientations of a trial would be
-/// hardly wider spread.
+/// The largest rotation of a trial, in radians. Larger values would hardly change the distribution
+/// of the orientations.
 constexpr double largest_rotation = 3.0;
 
 /// The largest change of the logarithm of the volume.
 constexpr double largest_expansion = 0.5;
 
-/// The difference of the counts of all types of trials.
+/// Returns the differences of the counts of all types of trials.
 template <std::size_t n>
 std::array<bigint, n> operator-(std::array<bigint, n> a, std::array<bigint, n> const &b)
 {
@@ -182,8 +182,8 @@ bool FixHpmc::scales(int k) const
     return scaled_ == Scaled::all || scaled_ == Scaled::one_of_three || scaled_ == one;
 }
 
-/// A fix wall/pw85 is across directions that are not periodic, so that it stays what it is if the
-/// box becomes longer or shorter along a periodic one.
+/// A fix wall/pw85 is across directions that are not periodic. It does not change if the box
+/// becomes longer or shorter along a periodic one.
 void FixHpmc::refuse_pressure() const
 {
     for (int k = 0; k < 3; ++k)
@@ -386,9 +386,9 @@ void FixHpmc::sweep()
     tune(tried_ - tried, accepted_ - accepted);
 }
 
-// The logarithm of the volume changes by a number that is uniform between two bounds. So the
-// density of states has the factor V^(N+1). The trial is decided for the box and the positions as
-// they are rounded.
+// Tries a change of the volume. The logarithm of the volume changes by a number that is uniform
+// between two bounds. So the density of states has the factor V^(N+1). The trial is decided for the
+// rounded box and positions.
 bool FixHpmc::try_volume(Stream &random)
 {
     ExactBox const old_box = box_;
@@ -410,7 +410,7 @@ bool FixHpmc::try_volume(Stream &random)
     return false;
 }
 
-/// By which factors the edges of the box change.
+/// Returns the factors of the edges of the box.
 Vector FixHpmc::random_factors(Stream &random) const
 {
     double const change = largest_step_[expansion] * (2.0 * random.uniform() - 1.0);
@@ -428,7 +428,7 @@ Vector FixHpmc::random_factors(Stream &random) const
     return factors;
 }
 
-/// Returns the box whose coordinates are longer by factors, from its lower corner.
+/// Returns the box scaled by factors, from its lower corner.
 ExactBox FixHpmc::scaled(ExactBox const &box, Vector const &factors) const
 {
     Vector upper;
@@ -439,8 +439,8 @@ ExactBox FixHpmc::scaled(ExactBox const &box, Vector const &factors) const
                      domain->triclinic != 0);
 }
 
-/// Moves all atoms from their places in an old box to those in the present box, and returns by how
-/// much they are shifted there.
+/// Moves all atoms from their positions in an old box to those in the present box, and returns the
+/// shift.
 Vector FixHpmc::scale_all(ExactBox const &old)
 {
     Vector new_shift;
@@ -468,7 +468,7 @@ bool FixHpmc::has_overlaps()
     return found != 0;
 }
 
-/// Returns a vector in a cell. Shifts by whole cells would only give the cells other places.
+/// Returns a random vector in a cell. A further shift by whole cells would only permute the cells.
 Vector FixHpmc::random_shift(Stream &random) const
 {
     Vector fractions;
@@ -476,10 +476,9 @@ Vector FixHpmc::random_shift(Stream &random) const
     return cells_.in_cell(fractions);
 }
 
-/// Makes the box that of the cells. LAMMPS's sub-domains are parts of it, with the same number of
+/// Sets the box to that of the cells. LAMMPS's sub-domains are parts of it, with the same number of
 /// cells each. An atom that was in one sub-domain of the box is in the same or in an adjacent one
-/// after the shift, and the same holds when the box is made shorter
-/// again.
+/// after the shift, and the same holds when the box is made shorter again.
 void FixHpmc::lengthen_domain()
 {
     if (domain->nonperiodic == 0) return;
@@ -528,7 +527,8 @@ void FixHpmc::build_bins()
     bins_.build(count, count > 0 ? atom->x[0] : nullptr, lower, upper, edge);
 }
 
-/// The bounds of the first atoms, or of a point if there are none, and half a diameter more.
+/// Computes the bounds of the first atoms, or of a point if there are none, enlarged by half a
+/// diameter.
 void FixHpmc::bound_positions(int count, Vector &lower, Vector &upper) const
 {
     lower = upper = count > 0 ? vector(atom->x[0]) : box_.lower;
@@ -596,8 +596,8 @@ bool FixHpmc::try_translation(Mover const &mover, Stream &random)
     return true;
 }
 
-// The rotation has the direction of a vector v in a ball, and the tangent of half its angle is |v|.
-// It and its inverse, of -v, are equally probable.
+// Tries a rotation. A random vector v in a ball gives its axis, and |v| is the tangent of half of
+// its angle. The rotation and its inverse, by -v, are equally probable.
 bool FixHpmc::try_rotation(Mover const &mover, Stream &random)
 {
     Vector const v = std::tan(0.5 * largest_step_[rotation]) * random.in_ball();
@@ -648,7 +648,7 @@ bool FixHpmc::overlaps(int i, double const *center, double const *form)
 }
 
 /// Returns whether a shifted centre is out of the box along a direction that is not periodic. As
-/// with cells, places within 16 units of the sides are out of it: LAMMPS would lose atoms by
+/// with cells, positions within 16 units of the sides count as outside: LAMMPS would lose atoms by
 /// rounding.
 bool FixHpmc::is_outside(Vector const &center) const
 {
@@ -694,7 +694,7 @@ void FixHpmc::require_no_overlaps()
     }
 }
 
-// LAMMPS's function that sets quaternions says nothing of itself.
+// Stops the run if LAMMPS cannot set quaternions: its own function gives no message.
 void FixHpmc::require_quaternions()
 {
     if (atom->nlocal == 0) return;

@@ -22,10 +22,10 @@ class Words;
 /// Moves the ellipsoids of its group by the Metropolis method on a checkerboard (Anderson,
 /// Jankowski, Grubb, Engel and Glotzer, J. Comput. Phys. 254, 27, 2013). A sweep shifts all atoms
 /// by a random vector, takes the colours of the cells in random order, and moves the atoms of the
-/// cells of each colour in the order of their tags. An atom stays in its cell, so that atoms of
-/// different cells of a colour cannot meet, and no atom changes its processor. Then it shifts all
-/// atoms back. Along a direction that is not periodic, the box is longer by a cell during a sweep,
-/// so that no atom is shifted out of it (Checkerboard::lengthened()).
+/// cells of each colour in the order of their tags. An atom stays in its cell. Atoms of different
+/// cells of a colour therefore cannot overlap, and no atom changes its processor. Then it shifts
+/// all atoms back. Along a direction that is not periodic, the box is longer by a cell during a
+/// sweep: no atom is shifted out of it (Checkerboard::lengthened()).
 ///
 /// The results have the same bits for any number of processors: positions are multiples of a power
 /// of two (ExactBox), overlaps are decided exactly, and the random numbers of an atom depend on
@@ -44,8 +44,9 @@ class FixHpmc final : public LAMMPS_NS::Fix {
     void setup_pre_neighbor() override { recover_positions(atom->nlocal + atom->nghost); }
     void pre_neighbor() override { recover_positions(atom->nlocal + atom->nghost); }
 
-    /// For translations, rotations and changes of the volume: 0, 1, 2: the accepted shares of the
-    /// trials of this run; 3, 4, 5: the numbers of trials; 6, 7, 8: the largest steps.
+    /// Returns values for translations, rotations and changes of the volume: 0, 1, 2: the accepted
+    /// fractions of the trials of this run; 3, 4, 5: the numbers of trials; 6, 7, 8: the largest
+    /// steps.
     double compute_vector(int k) override;
 
     void write_restart(FILE *file) override;

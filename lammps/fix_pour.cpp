@@ -25,7 +25,7 @@ constexpr bigint largest_number = 2000000000;
 /// Maximum number of points of the box around a region that are drawn until one is in the region.
 constexpr int most_points = 100000;
 
-/// Returns whether a side of a region is INF, in place of which LAMMPS has 1e20.
+/// Returns whether a side of a region is INF, which LAMMPS stores as 1e20.
 bool has_no_end(Region const &region)
 {
     double const lower = std::min({region.extent_xlo, region.extent_ylo, region.extent_zlo});
@@ -247,7 +247,7 @@ bool FixPour::is_beside_region(int i) const
     return true;
 }
 
-/// Finds a place for the next grain, and says whether there is one.
+/// Finds a position for the next grain. Returns whether there is one.
 bool FixPour::place(NewGrain const &grain, Vector &center, std::array<double, PW85_SYM> &form)
 {
     pw85_ellipsoid_quaternion(grain.semi_axes.data(), grain.quaternion.data(), form.data());
@@ -276,7 +276,7 @@ Vector FixPour::draw_place(Stream &stream) const
     refuse("finds no point in region " + region_id_ + ": use a region with a volume");
 }
 
-/// Returns whether no atom is lost at a place. Boxes with shrink-wrapped sides grow.
+/// Returns whether an atom at a position is not lost. Boxes with shrink-wrapped sides grow.
 bool FixPour::is_in_box(Vector const &x) const
 {
     Vector copy = x, place = x;
@@ -341,8 +341,8 @@ void FixPour::create(NewGrain const &grain, Vector const &center, tagint tag)
     modify->create_attribute(i);
 }
 
-/// Returns whether a place belongs to this processor. Places outside of the box belong to those at
-/// its sides.
+/// Returns whether a position belongs to this processor. Positions outside of the box belong to the
+/// processors at its sides.
 bool FixPour::owns(Vector const &x) const
 {
     Vector copy = x, place = x;
@@ -359,8 +359,8 @@ bool FixPour::owns(Vector const &x) const
     return true;
 }
 
-/// Finds the largest tag. Those of atoms that were lost do not come again: styles know the shapes
-/// and the contacts of atoms by their tags.
+/// Finds the largest tag that any atom has had. Tags of lost atoms must not be used again, because
+/// styles identify shapes and contacts by them.
 void FixPour::find_last_tag()
 {
     tagint largest = state_.last_tag;

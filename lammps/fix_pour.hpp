@@ -16,12 +16,12 @@
 
 namespace pw85_lammps {
 
-/// Inserts grains at random places of a region, where they overlap nothing.
+/// Inserts grains at random positions in a region, where they overlap nothing.
 ///
 /// Grain number k has a type, a size, an orientation and a velocity that follow from the seed and k
 /// alone; its places follow from the seed, k, and how many places were refused before. All
-/// processors draw the same grains and know all atoms near the region, so that they decide alike;
-/// the owner of the place creates the atom.
+/// processors draw the same grains and know all atoms near the region, and decide alike; the owner
+/// of the place creates the atom.
 class FixPour final : public LAMMPS_NS::Fix {
   public:
     FixPour(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
@@ -33,8 +33,8 @@ class FixPour final : public LAMMPS_NS::Fix {
     /// Returns the number of inserted grains.
     double compute_scalar() override { return static_cast<double>(state_.inserted); }
 
-    /// Their number, their mass, the number of grains that wait for a place, and that of the places
-    /// that were refused.
+    /// Returns the number and the mass of the inserted grains, the number of grains that wait, and
+    /// the number of refused positions.
     double compute_vector(int k) override;
 
     GrainMixture const &mixture() const { return mixture_; }

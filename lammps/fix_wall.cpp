@@ -185,8 +185,8 @@ void FixWall::move_wall()
     if (motion_.is_servo()) motion_.start_servo_step(timestep_);
 }
 
-/// Lets the time of a step pass. In the set-up of a run none passes. The states of a rerun are as
-/// many time steps apart as their numbers say, and nothing is known of their springs.
+/// Advances the time by a step; in the set-up of a run the time does not change. The states of a
+/// rerun are as many time steps apart as their numbers say, and their springs are unknown.
 void FixWall::pass_time()
 {
     bool const is_from_file = is_rerun(*input);
@@ -242,8 +242,8 @@ bool FixWall::meets(Vector const &center, double const *form, double radius) con
            !contacts.empty();
 }
 
-/// Gives the springs of the step before to the contacts with the nearest normals, in the order of
-/// their distances. Returns which contacts have got some.
+/// Assigns the springs of the step before to the contacts with the nearest normals, in the order of
+/// their distances. Returns which contacts have got springs.
 std::vector<bool> FixWall::inherit_springs(std::vector<Contact> &before,
                                            std::vector<Contact> &now) const
 {
@@ -340,7 +340,7 @@ double FixWall::compute_vector(int k)
     return k < 10 ? motion_.shift()[at - 7] : motion_.speed()[at - 10];
 }
 
-/// Gives the first processor the loads of all triangles.
+/// Collects the loads of all triangles on the first processor.
 void FixWall::tabulate_loads()
 {
     int const count = static_cast<int>(loads_.size());

@@ -39,7 +39,7 @@ class FixWall final : public LAMMPS_NS::Fix {
     /// Returns whether a grain would touch the wall in the next step, or be behind its surface.
     bool meets(Vector const &center, double const *form, double radius) const;
 
-    /// Why the wall cannot be one of hard ellipsoids, or nothing.
+    /// Returns why the wall cannot be a wall for hard ellipsoids, or an empty string.
     std::string why_not_hard() const;
 
     /// Returns whether a hard ellipsoid cuts the wall, by an exact decision.
@@ -62,7 +62,7 @@ class FixWall final : public LAMMPS_NS::Fix {
         double heat; ///< that flows into the grain in a unit of time
     };
 
-    /// From now on keeps the contacts of each step, for computes.
+    /// Keeps the contacts of each step from now on, for computes.
     void keep_touches() { keeps_touches_ = true; }
     LAMMPS_NS::bigint step_of_touches() const { return step_of_touches_; }
     std::vector<Touch> const &touches() const { return touches_; }

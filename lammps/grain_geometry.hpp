@@ -45,7 +45,7 @@ class GrainSearch {
     /// Adds a pair. The search starts from `normal`. There are less than `capacity` pairs.
     void add(Vector const &r12, double const *q1, double const *q2, Vector const &normal);
 
-    /// Lets the search of pair k start from another normal.
+    /// Sets the normal from which the search of pair k starts.
     void start(std::size_t k, Vector const &normal) { pairs_.start[k] = normal; }
 
     /// Computes all contacts. A contact depends on its own pair alone. Its depth is NaN where the
@@ -58,8 +58,7 @@ class GrainSearch {
     /// Replaces the contact of pair k by that found from another start.
     void search_again(std::size_t k, Vector const &normal);
 
-    /// The contacts, each number in a row of its own, so that a processor works on several pairs at
-    /// a time.
+    /// The contacts, each number in a row of its own, for SIMD over several pairs.
     struct Rows {
         alignas(64) Row<3> normal;
         Row<3> arm1, arm2;

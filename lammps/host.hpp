@@ -42,8 +42,8 @@ template <class... Args, class... Rest> void make_args_checked(Rest &&...) = del
 #include <lammps/atom_vec_ellipsoid.h>
 #else
 namespace LAMMPS_NS {
-/// Installed headers lack this class. It derives from AtomVec alone, so that both have one address.
-/// The function is virtual in LAMMPS; its name for the linker is the same.
+/// Installed headers lack this class. It derives from AtomVec alone, so both have one address. The
+/// function is virtual in LAMMPS; its name for the linker is the same.
 class AtomVecEllipsoid {
   public:
     void unpack_comm_bonus(int count, int first, double *buffer);
@@ -140,8 +140,8 @@ template <class Atoms> bool has_superellipsoids(Atoms const &atom)
     return false;
 }
 
-/// Gives all owned atoms, which have shapes, their quaternions (w, i, j, k). LAMMPS has no other
-/// way to set them unchanged: this is how ghosts get theirs.
+/// Sets the quaternions (w, i, j, k) of all owned atoms, which must have shapes. The function by
+/// which LAMMPS unpacks the quaternions of ghosts is the only one that does not change them.
 inline void set_quaternions(LAMMPS_NS::Atom &atom, double *quaternions)
 {
     auto *const style =
@@ -149,7 +149,7 @@ inline void set_quaternions(LAMMPS_NS::Atom &atom, double *quaternions)
     style->unpack_comm_bonus(atom.nlocal, 0, quaternions);
 }
 
-/// Forgets the ghosts, so that atoms can be added.
+/// Forgets the ghosts. Afterwards atoms can be added.
 inline void forget_ghosts(LAMMPS_NS::Atom &atom)
 {
     atom.nghost = 0;
@@ -168,7 +168,8 @@ inline void create_ellipsoid(LAMMPS_NS::Atom &atom, int type, std::array<double,
     style->unpack_comm_bonus(1, atom.nlocal - 1, quaternion.data());
 }
 
-/// The region with an ID, or null. Releases of LAMMPS from 2022 on have another name for this.
+/// Returns the region with an ID, or null. Releases of LAMMPS from 2022 on have another name for
+/// this.
 template <class Domain> LAMMPS_NS::Region *find_region(Domain &domain, std::string const &id)
 {
     if constexpr (requires { domain.get_region_by_id(id); }) {

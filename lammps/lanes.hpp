@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// Rows of numbers, on which a processor works several at a time.
+/// Rows of numbers for SIMD.
 #ifndef PW85_LAMMPS_LANES_HPP_INCLUDED
 #define PW85_LAMMPS_LANES_HPP_INCLUDED
 

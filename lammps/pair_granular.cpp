@@ -78,7 +78,8 @@ void PairGranular::settings(int narg, char **arg)
     if (!allocated && domain->box_exist) allocate();
 }
 
-// The fix must exist before fixes that insert atoms, so that it stores the contacts before they do.
+// The fix must exist before fixes that insert atoms, because it must store the contacts before they
+// do.
 void PairGranular::add_history()
 {
     int k = 0;
@@ -142,7 +143,7 @@ void PairGranular::init_style()
     time_step_check_.start_run();
     if (comm->me == 0 && nothing_moves())
         error->warning(FLERR, std::string(style_name) +
-                                  ": no fix moves the grains, so that they stand still under their "
+                                  ": no fix moves the grains, so they stand still under their "
                                   "forces: add fix nve/asphere, or another fix that integrates");
     Pair::init_style();
 }
@@ -301,7 +302,7 @@ void PairGranular::add_pairs(std::size_t count, int eflag)
     for (std::size_t k = 0; k < count; ++k) add_pair(rows_of_pairs_[k], eflag);
 }
 
-/// Gives rows to the pairs, so that those with the same law follow each other.
+/// Assigns rows to the pairs in the order of their laws.
 void PairGranular::sort_by_law(std::size_t count)
 {
     std::array<std::size_t, row_capacity> keys; // the law, and the pair
@@ -342,8 +343,8 @@ void PairGranular::start_at_contact_function(std::span<std::size_t const> rows)
     }
 }
 
-/// Adds the geometry of the pair in row l, its springs in the step before, and what the law needs
-/// of its bodies.
+/// Fills row l: the geometry of the pair, its springs in the step before, and the data of its
+/// bodies that the law needs.
 void PairGranular::add_row(std::size_t l)
 {
     Overlap &pair = overlaps_[l];
@@ -376,15 +377,15 @@ bool PairGranular::is_certified(std::size_t l) const
            dot(load(rows.normal, l), overlaps_[l].start) >= least_cosine;
 }
 
-/// Returns the depth below which there is no contact in row l. It is negative where surfaces
-/// attract each other that have touched.
+/// Returns the depth below which there is no contact in row l. It is negative if the surfaces
+/// attract each other and have touched.
 double PairGranular::least_depth(std::size_t l) const
 {
     if (largest_gap_ == 0.0 || !overlaps_[l].has_touched) return 0.0;
     return -materials_[overlaps_[l].law].law.largest_gap(search_.rows().radius[l]);
 }
 
-/// Lets the contact in row l be that which is found from the normal of the contact function.
+/// Replaces the contact in row l by the one that is found from the normal of the contact function.
 void PairGranular::search_anew(std::size_t l)
 {
     start_at_contact_function({&l, 1});
@@ -489,8 +490,8 @@ void PairGranular::apply(int i, Vector const &push, Vector const &torque)
 {
     auto const at = 3 * static_cast<std::ptrdiff_t>(i);
     double *const f = atom->f[0] + at, *const t = atom->torque[0] + at;
-    // One by one: a loop would read pairs of numbers that have just been written one by one, which
-    // takes long.
+    // Component by component: a loop would read pairs of numbers that were just written singly,
+    // which stalls.
     f[0] += push[0];
     f[1] += push[1];
     f[2] += push[2];

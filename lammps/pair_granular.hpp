@@ -104,7 +104,7 @@ class PairGranular final : public LAMMPS_NS::Pair {
     void add_pair(std::size_t l, int eflag);
     void add_gradient(std::size_t l, Vector &f, Vector &torque1, Vector &torque2) const;
     void keep_touch(std::size_t l, Vector const &f, double heat);
-    /// Not inlined, so that the code of pairs without heat stays as it is.
+    /// Not inlined, to leave the code of pairs without heat as it is.
     [[gnu::noinline]] double conduct(std::size_t l);
     void apply(int i, Vector const &push, Vector const &torque);
     [[noreturn]] void refuse_depth(int i, int j) const;

@@ -28,7 +28,7 @@ class Stream {
     {
     }
 
-    /// 32 random bits.
+    /// Returns 32 random bits.
     std::uint32_t bits()
     {
         if (used_ == 4) {
@@ -39,7 +39,7 @@ class Stream {
         return words_.word[used_++];
     }
 
-    /// An integer from 0 to n - 1. The probabilities differ by less than 2⁻³².
+    /// Returns an integer from 0 to n - 1. The probabilities differ by less than 2⁻³².
     std::uint32_t below(std::uint32_t n)
     {
         return static_cast<std::uint32_t>(std::uint64_t{bits()} * n >> 32);

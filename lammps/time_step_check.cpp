@@ -14,7 +14,7 @@ namespace {
 /// ω too large by a fraction of (ω dt)²/24, here 0.2 %; it is unstable from ω dt = 2.
 constexpr double largest_phase = 0.2;
 
-/// Three digits of a number that is not larger: their rounding is at most 0.5 %.
+/// Returns three digits of a number, rounded down by at most 0.5 %.
 std::string rounded_down(double value)
 {
     std::array<char, 32> text{};
@@ -46,7 +46,7 @@ void TimeStepCheck::finish_step(LAMMPS_NS::LAMMPS &lammps, double limit, double 
                               trouble + ": use timestep " + rounded_down(limit_) + " or less");
 }
 
-// In some units a force over a mass is not an acceleration.
+// Returns the limit of the time step. In some units a force over a mass is not an acceleration.
 double limit_of_contacts(double rate, LAMMPS_NS::Force const &force)
 {
     return largest_phase / std::sqrt(rate * force.ftm2v);

@@ -30,16 +30,16 @@ inline Vector cross(Vector const &a, Vector const &b)
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Qx, for a form (xx, xy, xz, yy, yz, zz).
+/// Returns Qx, for a form (xx, xy, xz, yy, yz, zz).
 inline Vector product(double const *q, Vector const &x)
 {
     return {q[0] * x[0] + q[1] * x[1] + q[2] * x[2], q[1] * x[0] + q[3] * x[1] + q[4] * x[2],
             q[2] * x[0] + q[4] * x[1] + q[5] * x[2]};
 }
 
-/// I⁻¹x, for the inertia I = (m/5) ((tr Q) 1 - Q) of a solid ellipsoid. The angular momentum gives
-/// the angular velocity. pw85_inertia() has the same tensor of a form, from which this needs the
-/// inverse for each contact; tests/test_vectors.cpp compares them.
+/// Returns I⁻¹x, for the inertia I = (m/5) ((tr Q) 1 - Q) of a solid ellipsoid: the angular
+/// velocity of an angular momentum x. pw85_inertia() has the same tensor of a form, from which this
+/// needs the inverse for each contact; tests/test_vectors.cpp compares them.
 inline Vector without_inertia(double mass, double const *q, Vector const &x)
 {
     double const a = q[3] + q[5], b = q[0] + q[5], c = q[0] + q[3], d = -q[4], e = -q[2], f = -q[1];

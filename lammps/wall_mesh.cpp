@@ -103,7 +103,7 @@ Soup read_text(std::string const &bytes, Words const &words)
     return soup;
 }
 
-/// A corner that is not finite could not be told from others.
+/// Refuses corners that are not finite, which could not be compared with others.
 void check_corners(Soup const &soup, Words const &words)
 {
     for (std::size_t t = 0; t < soup.size(); ++t)
@@ -155,7 +155,7 @@ struct Welded {
     }
 };
 
-/// Q⁻¹x up to a positive factor, by the adjugate.
+/// Returns Q⁻¹x up to a positive factor, by the adjugate.
 Vector direction_of_inverse(double const *q, Vector const &x)
 {
     double const a = q[3] * q[5] - q[4] * q[4], b = q[2] * q[4] - q[1] * q[5],
@@ -166,8 +166,8 @@ Vector direction_of_inverse(double const *q, Vector const &x)
     return product(adjugate, x);
 }
 
-/// A lower bound on the smallest semi-axis of a grain: the determinant of the form is the product
-/// of the squares of three semi-axes, of which two are at most the radius.
+/// Returns a lower bound on the smallest semi-axis of a grain: the determinant of the form is the
+/// product of the squares of three semi-axes, of which two are at most the radius.
 double least_semi_axis(Grain const &grain)
 {
     double const *const q = grain.form;
@@ -284,8 +284,8 @@ std::string WallMesh::touch(Grain const &grain, double gap,
 /// smallest first.
 ///
 /// The grain scaled by μ touches a triangle whose surface is (μ - 1) h from its own, with h at
-/// least the smallest semi-axis. All triangles up to this μ are there, so that each minimum of a
-/// triangle meets the smaller ones of its neighbours.
+/// least the smallest semi-axis. All triangles up to this μ are there: each minimum of a triangle
+/// meets the smaller ones of its neighbours.
 std::vector<WallMesh::Minimum> WallMesh::minima(Grain const &grain, double gap) const
 {
     double const scale = 1.0 + (gap > 0.0 ? gap / least_semi_axis(grain) : 0.0);
@@ -352,7 +352,7 @@ std::array<Vector, 3> WallMesh::corners(int triangle) const
     return {vertex(t[0]), vertex(t[1]), vertex(t[2])};
 }
 
-// There are about as many cells as triangles, so that most of them have few.
+// There are about as many cells as triangles; most cells have few triangles.
 void WallMesh::Grid::build(std::vector<std::array<Vector, 2>> const &boxes)
 {
     lower_ = boxes.front()[0];

@@ -12,8 +12,8 @@
 
 namespace pw85_lammps {
 
-/// The time that has passed in the steps of runs. Their numbers do not give it, because both they
-/// and the time step may be changed.
+/// The time that has passed in the steps of runs. The numbers of the steps do not give it, because
+/// commands may change them and the time step.
 class WallClock {
   public:
     /// Adds steps, which may be negative.
@@ -49,11 +49,11 @@ class WallMotion {
     /// together.
     void read_variables(LAMMPS_NS::LAMMPS &lammps, std::string const &style);
 
-    /// Moves the wall to where it is at a time.
+    /// Moves the wall to its position at a time.
     void move_to(double time);
 
-    /// Moves the wall from where it is at a time to where it will be in the next step. Variables
-    /// are not read: their displacement changes by their velocity.
+    /// Moves the wall to its position in the step after a time. Variables are not read: their
+    /// displacement changes by their velocity.
     void move_on(double time, double timestep);
 
     /// Displacement and speed of a servo.
@@ -66,19 +66,20 @@ class WallMotion {
     ServoState const &servo_state() const { return servo_; }
     void set_servo_state(ServoState const &state);
 
-    /// The first half of a step of velocity Verlet, as that of the grains: the servo gets half of
-    /// its change of speed, and moves.
+    /// Makes the first half of a step of velocity Verlet, as for the grains: the speed of the servo
+    /// changes by half a step, and the servo moves.
     void start_servo_step(double timestep);
 
-    /// The second half, with the force of the grains on the wall. A time step of zero sets up a
-    /// run.
+    /// Makes the second half of the step, with the force of the grains on the wall. A time step of
+    /// zero sets up a run.
     /// @param per_mass LAMMPS's factor from force over mass to acceleration
     void finish_servo_step(Vector const &load, double timestep, double per_mass);
 
     /// Returns a point of the wall in space.
     Vector to_space(Vector const &point) const;
 
-    /// Displacement and velocity of the wall along itself or in space, without rotation.
+    /// Returns the displacement of the wall along itself or in space, without rotation; speed()
+    /// returns the velocity.
     Vector const &shift() const { return shift_; }
     Vector const &speed() const { return speed_; }
 

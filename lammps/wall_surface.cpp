@@ -30,8 +30,7 @@ Vector unit(int axis)
     return e;
 }
 
-/// The part of space n·x <= offset is free, for each of some unit vectors n along the axes of
-/// space.
+/// Half-spaces as walls: n·x <= offset is free, for several unit vectors n along the axes of space.
 class HalfSpaces final : public WallSurface {
   public:
     void add(int axis, double side, double place)
@@ -115,7 +114,7 @@ class InsideOfCylinder : public WallSurface {
         return radius / std::max(1.0 - radius / radius_, 0x1p-20);
     }
 
-    // The shadow of the grain along the axis must be in the disc.
+    // Returns whether the projection of the grain along the axis is not inside of the disc.
     bool cuts(Grain const &grain) const override
     {
         Vector const c = across(grain.center - origin_);
@@ -186,8 +185,8 @@ class InsideOfCylinder : public WallSurface {
 /// Across the axis the grain is an ellipse with semi-axes a > b. In the basis of its axes, with
 /// signs for which the centre (x, y) has no negative coordinate, the stationary points are n = h v
 /// with v = (x/s, y/(g + s)), g = a² - b², where F(s) = a² x²/s² + b² y²/(g + s)² = 1 (see
-/// pw85/distance/nearest.hpp). The second maximum has n with the signs (-, +), so that -g < s < 0.
-/// F is convex there, and infinite at both ends; of its two roots, if there are any, the maximum is
+/// pw85/distance/nearest.hpp). The second maximum has n with the signs (-, +); there -g < s < 0. F
+/// is convex there, and infinite at both ends; of its two roots, if there are any, the maximum is
 /// the larger one. At s = -a x, F is at least 1, and its larger root is below. So Newton's method
 /// descends to it monotonically.
 bool InsideOfCylinder::find_second_end(double const *q, Vector const &c, Vector &n) const

@@ -22,7 +22,8 @@ struct Grain {
     double radius; ///< of a sphere around it
 };
 
-/// The material of a wall has no end. The first body of its contacts is the grain.
+/// A surface of a wall, whose material is infinitely thick. The first body of its contacts is the
+/// grain.
 class WallSurface {
   public:
     virtual ~WallSurface() = default;
@@ -37,7 +38,7 @@ class WallSurface {
     /// @param radius the largest radius of curvature of the grain
     virtual double largest_radius(double radius) const { return radius; }
 
-    /// Returns whether a point is in the material of the wall so deep that touch() may find no
+    /// Returns whether a point is so deep in the material of the wall that touch() may find no
     /// contact of a small grain there.
     virtual bool contains(Vector const &) const { return false; }
 
@@ -49,14 +50,14 @@ class WallSurface {
     /// Returns whether cuts() can answer.
     virtual bool has_cuts() const { return true; }
 
-    /// Returns whether the wall may slide along an axis of space, and stays where it is.
+    /// Returns whether the wall coincides with itself when it slides along an axis of space.
     virtual bool slides_along(int axis) const = 0;
 
-    /// Returns whether the wall ends the space of the grains in the direction of an axis, so that
-    /// this axis cannot be periodic.
+    /// Returns whether the wall bounds the space of the grains along an axis, which then cannot be
+    /// periodic.
     virtual bool crosses(int axis) const = 0;
 
-    /// The triangles of a mesh; others have none.
+    /// Returns the number of triangles of a mesh; 0 for other walls.
     virtual int num_triangles() const { return 0; }
     virtual std::array<Vector, 3> corners(int) const { return {}; }
 

@@ -71,7 +71,7 @@ class Words : protected LAMMPS_NS::Pointers {
         return value;
     }
 
-    /// Any finite number.
+    /// Returns any finite number.
     double coordinate(std::string const &what) { return number(what, -HUGE_VAL); }
 
     double positive(std::string const &what)
@@ -81,7 +81,7 @@ class Words : protected LAMMPS_NS::Pointers {
         return value;
     }
 
-    /// Returns a whole number.
+    /// Returns an integer.
     LAMMPS_NS::bigint whole(std::string const &what, LAMMPS_NS::bigint smallest,
                             LAMMPS_NS::bigint largest)
     {

@@ -1,5 +1,6 @@
 """Writes the recipes with the version of meson.build and the addresses of address.toml. Usage: fill.py FOLDER"""
 
+import re
 import sys
 import tomllib
 from pathlib import Path
@@ -8,11 +9,16 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "scripts"))
 from release_notes import version_of_sources  # noqa: E402
 
-RECIPES = ["conda-forge", "vcpkg", "conan", "spack", "wrapdb", "oss-fuzz", "cran", "crates-io"]
+RECIPES = ["conda-forge", "vcpkg", "conan", "spack", "wrapdb", "oss-fuzz", "cran", "octave", "crates-io"]
 
 
 def addresses():
     return tomllib.loads((HERE / "address.toml").read_text(encoding="utf-8"))
+
+
+def date_of_sources():
+    """The day of this version, as the package for Octave states it."""
+    return re.search(r"^Date: (.*)$", (HERE.parent / "octave/DESCRIPTION").read_text(encoding="utf-8"), re.MULTILINE)[1]
 
 
 def filled(text, words):
@@ -26,7 +32,7 @@ def filled(text, words):
     for name, value in words.items():
         if name != "maintainers":
             text = text.replace(f"@{name.upper()}@", value)
-    return text.replace("@VERSION@", version_of_sources())
+    return text.replace("@VERSION@", version_of_sources()).replace("@DATE@", date_of_sources())
 
 
 def write(folder, words):

@@ -32,6 +32,8 @@ EXAMPLE = {
     "archive_sha256": "0" * 64,
     "archive_sha512": "0" * 128,
     "archive_folder": "pw85-@VERSION@",
+    "octave_archive": "example.invalid/pw85-octave-@VERSION@.tar.gz",
+    "octave_archive_sha256": "0" * 64,
     "contact": "pw85@example.invalid",
     "maintainers": ["one", "two"],
 }
@@ -66,8 +68,8 @@ def read_dockerfile(text):
 
 
 READERS = {
-    ".yaml": yaml.safe_load, ".yml": yaml.safe_load, ".json": json.loads, ".py": ast.parse, ".wrap": read_ini, ".sh": read_shell,
-    ".cmake": read_cmake, ".txt": read_cmake, "Dockerfile": read_dockerfile, ".c": str,
+    ".yaml": lambda text: [*yaml.safe_load_all(text)], ".yml": yaml.safe_load, ".json": json.loads, ".py": ast.parse,
+    ".wrap": read_ini, ".sh": read_shell, ".cmake": read_cmake, ".txt": read_cmake, "Dockerfile": read_dockerfile, ".c": str,
 }  # fmt: skip
 
 
@@ -99,6 +101,7 @@ def complaints_of_recipes(folder):
         "conda-forge": yaml.safe_load(texts["conda-forge/recipe.yaml"])["context"]["version"],
         "vcpkg": json.loads(texts["vcpkg/vcpkg.json"])["version"],
         "conan": next(iter(yaml.safe_load(texts["conan/conandata.yml"])["sources"])),
+        "octave": next(yaml.safe_load_all(texts["octave/pw85.yaml"]))["versions"][0]["id"],
         "spack": re.search(r' version\("(.*?)"', texts["spack/package.py"])[1],
         "wrapdb": re.search(r"pw85-(.*?)\.tar", texts["wrapdb/pw85.wrap"])[1],
     }
@@ -107,6 +110,7 @@ def complaints_of_recipes(folder):
     if not provided >= {"pw85", "pw85-headers"}:
         yield f"wrapdb/pw85.wrap provides only {provided}"
     yield from complaints_of_vcpkg(texts, {name for name in provided if not name.endswith("-headers")})
+    yield from complaints_of_octave(texts["octave/pw85.yaml"])
     yield from complaints_of_conda(yaml.safe_load(texts["conda-forge/recipe.yaml"]))
 
 
@@ -123,6 +127,19 @@ def complaints_of_vcpkg(texts, packages):
             yield f"vcpkg: {command} needs the port {port}"
     moved = set(re.findall(r"CONFIG_PATH lib/cmake/(\w+)", portfile))
     yield from (f"vcpkg: lib/cmake/{name} stays where it is" for name in sorted(packages - moved))
+
+
+def complaints_of_octave(text):
+    """The index of packages wants these members, the name of the file, and the dependencies of DESCRIPTION."""
+    entry = next(yaml.safe_load_all(text))
+    text = (ROOT / "octave/DESCRIPTION").read_text(encoding="utf-8")
+    described = dict(line.split(": ", 1) for line in text.splitlines() if line[0] != " ")
+    if entry["layout"] != "package" or entry["permalink"] != described["Name"]:
+        yield "octave: layout or permalink"
+    missing = {"description", "icon", "links", "maintainers", "versions"} - entry.keys()
+    yield from (f"octave: there is no {name}" for name in sorted(missing))
+    if entry["versions"][0]["depends"] != [described["Depends"], "pkg"]:
+        yield f"octave: depends on {entry['versions'][0]['depends']}"
 
 
 def complaints_of_conda(recipe):

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # From nothing to the first number: installs the packages that a way to use pw85 needs, follows README and the chapter on installation in a
 # copy of the sources, and says how long both took. WAY is pkg-config, cmake (FetchContent), meson (a subproject), pip, r (the R
-# package) or rust (the crate); without one, all of them, of which later ones find packages of earlier ones. In a system where nothing is installed:
+# package), octave or rust; without one, all of them, of which later ones find packages of earlier ones. In a system where nothing is installed:
 #   scripts/test_release.sh bookworm scripts/first_number.sh cmake
 set -eu
 cd "$(dirname "$0")/.."
@@ -58,6 +58,16 @@ by_r() {
   R_LIBS="$work/library" Rscript "$work/pair.R"
 }
 
+# The commands and the first program of the README of the Octave package.
+by_octave() {
+  # shellcheck disable=SC2016 # the marks of blocks
+  sed -n '/^```sh$/,/^```$/p' octave/README.md | sed '/^```/d' >"$work/commands"
+  # shellcheck disable=SC2016
+  sed -n '/^```octave$/,/^```$/p;/^```text$/q' octave/README.md | sed '/^```/d' >"$work/pair.m"
+  (cd "$work/pw85" && HOME=$work sh -e "$work/commands")
+  HOME=$work octave-cli "$work/pair.m"
+}
+
 # The commands and the first program of the README of the crate for Rust.
 by_rust() {
   # shellcheck disable=SC2016 # the marks of blocks
@@ -69,7 +79,7 @@ by_rust() {
     cargo run --offline --manifest-path "$work/pw85/rust/Cargo.toml" --example pair
 }
 
-[ $# -gt 0 ] || set -- pkg-config cmake meson pip r rust
+[ $# -gt 0 ] || set -- pkg-config cmake meson pip r octave rust
 for way in "$@"; do
   # shellcheck disable=SC2154 # of packages.sh
   case $way in
@@ -78,8 +88,9 @@ for way in "$@"; do
     meson) packages='gcc g++ meson ninja-build libboost-dev' ;;
     pip) packages="gcc g++ $python_packages" ;;
     r) packages="$build_packages r-base-core r-base-dev" ;;
+    octave) packages="$build_packages octave octave-dev" ;;
     rust) packages="$build_packages rustc cargo" ;;
-    *) echo "usage: $0 [pkg-config] [cmake] [meson] [pip] [r] [rust]" >&2 && exit 2 ;;
+    *) echo "usage: $0 [pkg-config] [cmake] [meson] [pip] [r] [octave] [rust]" >&2 && exit 2 ;;
   esac
   work=$(mktemp -d)
   trap 'rm -rf "$work"' EXIT

@@ -34,5 +34,7 @@ test_packages="$build_packages $python_packages $python_test_packages ccache pyt
   libhdf5-dev libmpfr-dev libx11-dev libeigen3-dev libtbb-dev python3-yaml"
 # Those of scripts/test_r.sh; devscripts has checkbashisms.
 r_packages='r-base-core r-base-dev r-cran-testthat r-cran-knitr r-cran-rmarkdown devscripts'
+# Those of scripts/test_octave.sh.
+octave_packages='octave octave-dev'
 # Those of scripts/test_rust.sh.
 rust_packages='rustc cargo rustfmt rust-clippy'

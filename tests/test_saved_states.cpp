@@ -367,9 +367,8 @@ void test_rows_without_memory()
 {
     Bytes bytes = changed_state(
         {{"LAW     ",
-          {2, word_of(0.25), word_of(12.0), word_of(1.0), word_of(6.0), word_of(1.5)}}});
-    bytes = with_word(bytes, "CELL", 11, 1);                 // periodic along all vectors
-    bytes = with_word(bytes, "SETTINGS", 3, word_of(1e300)); // the largest translation
+          {2, word_of(0.25), word_of(12.0), word_of(1.0), word_of(6.0), word_of(1e5)}}});
+    bytes = with_word(bytes, "CELL", 11, 1); // periodic along all vectors
     SimulationPointer const simulation = restored(bytes);
     g_assert_nonnull(simulation.get());
     for (int k = 0; k < 2; ++k) {
@@ -392,6 +391,190 @@ void test_tuned_thin_disc()
     g_assert_true(state_of(restored(state)) == state);
 }
 
+/// Numbers in the place of another one: special ones, and some near it.
+std::vector<std::uint64_t> replacements_of(std::uint64_t word)
+{
+    std::vector<std::uint64_t> words = {1,
+                                        2,
+                                        7,
+                                        std::uint64_t{1} << 31,
+                                        std::uint64_t{1} << 53,
+                                        std::uint64_t{1} << 63,
+                                        ~std::uint64_t{0}};
+    for (double const x :
+         {0.0, 1.0,  -1.0, 1e-100, 0x1p-1074, 1e2,   1e3,   1e4,    1e5,      1e7,
+          1e9, 1e12, 1e16, -1e16,  1e20,      1e100, 1e300, -1e300, HUGE_VAL, double{NAN}})
+        words.push_back(word_of(x));
+    for (double const factor : {-1.0, 0.5, 1.0 + 0x1p-50, 2.0, 0x1p10})
+        words.push_back(word_of(factor * std::bit_cast<double>(word)));
+    return words;
+}
+
+// What is done with a simulation ends, whatever its state was, and leaves one that can be saved and
+// restored. Nothing measures time: a test of minutes fails.
+void expect_bounded_work(pw85_hard_ellipsoids *made)
+{
+    SimulationPointer const simulation(made);
+    std::size_t count;
+    double number;
+    pw85_hard_ellipsoids_check(made, nullptr);
+    pw85_hard_ellipsoids_energy(made, &number);
+    pw85_hard_ellipsoids_neighbors(made, 0, 0, &count, nullptr, nullptr, nullptr);
+    pw85_hard_ellipsoids_sweep(made, 1);
+    pw85_hard_ellipsoids_volume_moves(made, 1, 1.0, PW85_CHANGE_ISOTROPIC);
+    double const length = pw85_hard_ellipsoids_semi_axes(made)[0];
+    pw85_hard_ellipsoids_chain(made, 1, length, nullptr, &number);
+    pw85_hard_ellipsoids_compress(made, 1, &number);
+    Bytes const state = state_of(simulation);
+    g_assert_true(!state.empty() && state_of(restored(state)) == state);
+}
+
+// Each number of the settings, the cell, a particle and the rest, with the right checksum.
+void test_each_number(Bytes const &state)
+{
+    for (auto const &[name, words] : SavedSections(state).sections)
+        for (std::size_t k = 0; k < words.size() && (name != "PARTICLE" || k < 10); ++k)
+            for (std::uint64_t const word : replacements_of(words[k])) {
+                Bytes const changed = with_word(state, name, k, word);
+                pw85_hard_ellipsoids *made = nullptr;
+                if (pw85_hard_ellipsoids_restore(changed.size(), changed.data(), &made) !=
+                    PW85_SUCCESS)
+                    continue;
+                std::vector<unsigned char> saved(pw85_hard_ellipsoids_num_bytes(made));
+                pw85_hard_ellipsoids_save(made, saved.size(), saved.data());
+                if (saved != changed)
+                    g_test_fail_printf("%s, word %zu: %llx is saved as another number",
+                                       name.c_str(), k, static_cast<unsigned long long>(word));
+                expect_bounded_work(made);
+            }
+}
+
+void test_each_number_of_all_sections()
+{
+    SavedSections state(state_of(simulation_in_space()));
+    std::erase_if(state.sections, [](auto const &one) { return one.first == "POTENTIA"; });
+    test_each_number(state.bytes()); // trials wait for no potential
+    test_each_number(state_of(simulation_in_plane()));
+}
+
+// Of hard particles in a cell that is periodic along all vectors, and of those with a law.
+void test_each_number_of_closed_cells()
+{
+    for (auto const &changes :
+         {std::vector<std::pair<std::string, Words>>{},
+          {{"LAW     ",
+            {2, word_of(0.25), word_of(12.0), word_of(1.0), word_of(6.0), word_of(1.5)}}}})
+        test_each_number(
+            with_word(with_word(changed_state(changes), "CELL", 11, 1), "CELL", 8, word_of(9.5)));
+}
+
+/// Expects that a call was refused with a status, and why.
+void expect_refusal(int status, int wanted, char const *requirement)
+{
+    pw85_error error;
+    g_assert_cmpint(status, ==, wanted);
+    g_assert_cmpint(pw85_last_error(&error), ==, PW85_SUCCESS);
+    g_assert_cmpstr(error.requirement, ==, requirement);
+}
+
+/// A state in a cell that is periodic along all vectors.
+Bytes closed_state() { return with_word(changed_state({}), "CELL", 11, 1); }
+
+// Lists of neighbours of such lengths would take hours and all memory.
+void test_long_lists()
+{
+    char const *const too_long =
+        "particles, steps and the cutoff must not be so long that lists of neighbours exceed the "
+        "memory or have more than 2¹⁵ images of the cell";
+    pw85_hard_ellipsoids *made = nullptr;
+    Bytes const long_particle = with_word(closed_state(), "PARTICLE", 9, word_of(1e4));
+    expect_refusal(pw85_hard_ellipsoids_restore(long_particle.size(), long_particle.data(), &made),
+                   PW85_ENOMEM, too_long);
+    SimulationPointer const simulation = restored(changed_state({}));
+    double const steps[] = {1e3, 0.1, 0.1}; // in a cell that is open along a vector
+    g_assert_cmpint(pw85_hard_ellipsoids_set_steps(simulation.get(), steps), ==, PW85_SUCCESS);
+    expect_refusal(pw85_hard_ellipsoids_sweep(simulation.get(), 1), PW85_ENOMEM, too_long);
+}
+
+// Steps that pw85_hard_ellipsoids_set_steps() refuses are no state.
+void test_long_steps()
+{
+    Bytes const state = closed_state();
+    char const *const too_long = "must be at most the longest vector of the cell";
+    double const longest = 9.25;
+    for (double const step : {longest, longest * (1.0 + 0x1p-52)}) {
+        SimulationPointer const simulation = restored(state);
+        double const steps[] = {step, 0.1, 0.1}, of_kind[] = {step, 0.1},
+                     kind[] = {0.5, 0.75, 1.25};
+        Bytes const with_step = with_word(state, "SETTINGS", 3, word_of(step));
+        SavedSections species(state);
+        species.sections.emplace_back("SPECIES ", words_of({0.5, 0.75, 1.25, step, 0.1}));
+        int const status = pw85_hard_ellipsoids_set_steps(simulation.get(), steps),
+                  status_of_kind =
+                      pw85_hard_ellipsoids_set_kind_steps(simulation.get(), 1, kind, of_kind);
+        if (step == longest) {
+            g_assert_true(status == PW85_SUCCESS && status_of_kind == PW85_SUCCESS);
+            g_assert_nonnull(restored(with_step).get());
+            g_assert_nonnull(restored(species.bytes()).get());
+        } else {
+            expect_refusal(status_of_kind, PW85_EINVAL, too_long);
+            expect_cause(with_step, not_a_state);
+            expect_cause(species.bytes(), not_a_state);
+        }
+    }
+}
+
+// A step as long as the cell becomes shorter with it, so that the state can be restored.
+void test_steps_of_smaller_cells()
+{
+    double const steps[] = {9.25, 0.1, 0.1}, kind[] = {0.5, 0.75, 1.25}, of_kind[] = {9.25, 0.1};
+    SimulationPointer const simulation = restored(closed_state());
+    g_assert_true(pw85_hard_ellipsoids_set_steps(simulation.get(), steps) == PW85_SUCCESS &&
+                  pw85_hard_ellipsoids_set_kind_steps(simulation.get(), 1, kind, of_kind) ==
+                      PW85_SUCCESS);
+    double factor, now[3], of_kind_now[2];
+    g_assert_cmpint(pw85_hard_ellipsoids_compress(simulation.get(), 0, &factor), ==, PW85_SUCCESS);
+    g_assert_true(pw85_hard_ellipsoids_steps(simulation.get(), now) == PW85_SUCCESS &&
+                  now[0] == 9.25);
+    g_assert_cmpint(pw85_hard_ellipsoids_compress(simulation.get(), 1, &factor), ==, PW85_SUCCESS);
+    g_assert_true(factor < 1.0);
+    double const longest = pw85_hard_ellipsoids_system(simulation.get()).cell[4];
+    g_assert_true(pw85_hard_ellipsoids_steps(simulation.get(), now) == PW85_SUCCESS &&
+                  now[0] == longest);
+    g_assert_true(pw85_hard_ellipsoids_kind_steps(simulation.get(), 1, kind, of_kind_now) ==
+                      PW85_SUCCESS &&
+                  of_kind_now[0] == longest);
+    Bytes const state = state_of(simulation);
+    g_assert_true(state_of(restored(state)) == state);
+}
+
+// The rounding errors of the places of such particles and vertices are many periods of the cell.
+void test_far_mesh()
+{
+    char const *const too_many = "particles must not be so long or so far away that more than 2¹⁴ "
+                                 "of their images may meet the mesh";
+    SimulationPointer const simulation = restored(changed_state({}));
+    double const vertices[] = {4.0, 4.0, 1e16, 5.0, 4.0, 1e16, 4.0, 5.0, 1e16};
+    std::int32_t const triangle[] = {0, 1, 2};
+    expect_refusal(
+        pw85_hard_ellipsoids_set_mesh(simulation.get(), 3, vertices, 1, triangle, nullptr),
+        PW85_EINVAL, too_many);
+}
+
+// The bins of event chains.
+void test_skewed_and_long_cells()
+{
+    Bytes const state = closed_state();
+    SimulationPointer const skewed = restored(with_word(state, "CELL", 7, word_of(1e9)));
+    double number;
+    expect_refusal(pw85_hard_ellipsoids_chain(skewed.get(), 1, 1.0, nullptr, &number), PW85_EINVAL,
+                   "the cell must not be so skewed or so small that a particle spans more than "
+                   "2²⁰ bins of it");
+    SimulationPointer const elongated = restored(with_word(state, "CELL", 0, word_of(1e12)));
+    g_assert_cmpint(pw85_hard_ellipsoids_chain(elongated.get(), 1, 1.0, nullptr, &number), ==,
+                    PW85_SUCCESS);
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -411,5 +594,12 @@ int main(int argc, char **argv)
     g_test_add_func("/saved_states/large_particle_and_mesh", test_large_particle_and_mesh);
     g_test_add_func("/saved_states/rows_without_memory", test_rows_without_memory);
     g_test_add_func("/saved_states/tuned_thin_disc", test_tuned_thin_disc);
+    g_test_add_func("/saved_states/each_number_of_all_sections", test_each_number_of_all_sections);
+    g_test_add_func("/saved_states/each_number_of_closed_cells", test_each_number_of_closed_cells);
+    g_test_add_func("/saved_states/long_lists", test_long_lists);
+    g_test_add_func("/saved_states/long_steps", test_long_steps);
+    g_test_add_func("/saved_states/steps_of_smaller_cells", test_steps_of_smaller_cells);
+    g_test_add_func("/saved_states/far_mesh", test_far_mesh);
+    g_test_add_func("/saved_states/skewed_and_long_cells", test_skewed_and_long_cells);
     return g_test_run();
 }

@@ -24,6 +24,10 @@
 
     The functions of R that are made from the sections of a C header.
 
+.. octave-functions:: pw85.h
+
+    The functions of Octave that are made from the sections of a C header.
+
 .. rust-functions:: pw85.h
 
     The same for Rust.
@@ -42,6 +46,7 @@ import textwrap
 
 import declarations
 import fortran
+import octave
 import pages
 import r
 import rust
@@ -160,6 +165,17 @@ class RFunctions(FromHeader):
         yield from (f"   Result: {shown}. {r.DIMENSIONS[tuple(sorted(question.rows))]} See :c:func:`{row.function.name}`.", "")
 
 
+class OctaveFunctions(FromHeader):
+    def lines(self, section):
+        listed = {name: one for name, one in octave.functions().items() if one.first.function in section.functions}
+        if listed and section.title:
+            yield from (section.title, "~" * len(section.title), "")
+        for name, question in listed.items():
+            usages = " or ".join(f"``{usage}``" for usage in octave.usages(name, question))
+            yield from (usages, f"   {as_text(' '.join(octave.InOctave(question).head()))}", "")
+            yield from (f"   {r.DIMENSIONS[tuple(sorted(question.rows))]} See :c:func:`{question.first.function.name}`.", "")
+
+
 class RustFunctions(FromHeader):
     def lines(self, section):
         listed = [row for row in rust.asked() if row.function in section.functions]
@@ -210,6 +226,7 @@ def setup(app):
     app.add_directive("cpp-functions", CppFunctions)
     app.add_directive("cpp-headers", CppHeaders)
     app.add_directive("cpp-values", CppValues)
+    app.add_directive("octave-functions", OctaveFunctions)
     app.add_directive("python-functions", PythonFunctions)
     app.add_directive("r-functions", RFunctions)
     app.add_directive("rust-functions", RustFunctions)

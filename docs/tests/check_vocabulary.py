@@ -12,8 +12,9 @@ import tomllib
 from collections import Counter
 from pathlib import Path
 
+FOLDERS = ("bench", "data", "examples", "include", "lammps", "python", "r", "src", "tests")
 AREAS = {
-    "manual": ("README.md", "lammps/README.md", "data/README.md", "docs/**/*.rst"),
+    "manual": ("README.md", "CONTRIBUTING.md", "docs/lammps.md", "docs/**/*.rst", *(f"{folder}/**/README.md" for folder in FOLDERS)),
     "contracts": ("include/*.h",),
     "headers": ("include/pw85/**/*.h*",),
     "sources": ("src/**/*.[ch]pp", "lammps/*.[ch]pp"),

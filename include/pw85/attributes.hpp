@@ -48,7 +48,7 @@ inline constexpr bool is_for_device = false;
 
 /// Code that many functions call, and that no caller inlines, is listed in the same way for
 /// PW85_SHARED_BY_QUESTIONS(). Units of the library that define PW85_SHARED_WITH take it from units
-/// for each instruction set (src/simd/shared_*.cpp): the macro is the name of theirs, so that each
+/// for each instruction set (src/simd/shared_*.cpp): the macro is the name of theirs. Each unit
 /// runs only what was compiled with its own flags.
 #ifdef PW85_SHARED_WITH
 #define PW85_SHARED_DECLARED(name, parameters, arguments)                                          \

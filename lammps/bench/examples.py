@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-only
-"""Runs the examples of grains in examples/lammps, and the relaxation, in the forms that lammps/README.md describes.
+"""Runs the examples of grains in examples/lammps, and the relaxation, in the forms that docs/lammps.md describes.
 
     python3 examples.py path/to/pw85.in
 

@@ -71,7 +71,7 @@ def lines_after(heading, page):
 
 
 class Pictures(unittest.TestCase):
-    """The lines that lammps/README.md prints."""
+    """The lines that docs/lammps.md prints."""
 
     SCRIPT = """
 units lj
@@ -94,7 +94,7 @@ run 3000
 """
 
     def test_lines(self):
-        page = (Path(os.environ["PW85_SOURCE"]) / "lammps" / "README.md").read_text()
+        page = (Path(os.environ["PW85_SOURCE"]) / "docs" / "lammps.md").read_text()
         lines = lines_after("Pictures", page)
         commands = [line.split() for line in lines if line.startswith("pw85 ")]
         self.assertEqual([command[1] for command in commands], ["convert", "draw"])

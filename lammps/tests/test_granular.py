@@ -606,7 +606,7 @@ class Errors(unittest.TestCase):
         """Grains that no fix moves: a warning, but not if a run has no steps, for snapshots, or for heat in a packing at rest."""
         grains = lattice(Grains, 2, 0.95, SHAPES[:1], 3, speed=0.0)
         start = f"{preamble(grains)}{self.START}{self.LAW}\n"
-        text = "no fix moves the grains, so that they stand still under their forces: add fix nve/asphere"
+        text = "no fix moves the grains, so they stand still under their forces: add fix nve/asphere"
         self.assertEqual(run(f"{start}run 0\nrun 2\n", grains)[0].count(text), 1)
         for commands in ("fix move all nve/asphere\nrun 2\n", "fix heat all pw85/heat constant 1 temperature 0\nrun 2\n",
                          "run 0\nwrite_dump all custom state.dump id x y z\nrerun state.dump dump x y z\n"):

@@ -174,8 +174,8 @@ class Blocking:
     def resolved(self) -> NDArray[np.bool_]:
         """Marks the numbers that have enough independent samples for an error that is itself known to a fifth or so.
 
-        A number needs 16 independent samples, and 16 independent ones among 48 to 95 shortest blocks, so that the run is long compared
-        with its slowest part, too, which may be hidden by faster ones with a larger variance.
+        A number needs 16 independent samples, and 16 independent ones among 48 to 95 shortest blocks. The run is then long compared with
+        its slowest part, too, which faster parts with a larger variance may hide.
 
         Returns
         -------

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of a system: pixels by Matplotlib, or a page that a browser turns, by three.js.
 
-A picture is computed pixel by pixel: Matplotlib has no depth, so that its ellipsoids hide what lies before them. Ellipses in a plane are
+A picture is computed pixel by pixel, because Matplotlib has no depth: its ellipsoids hide what lies before them. Ellipses in a plane are
 drawn as such, by Matplotlib.
 """
 

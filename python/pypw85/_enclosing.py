@@ -156,7 +156,7 @@ def credible_ellipsoid(samples: ArrayLike, share: float, tolerance: float = 1e-6
         bad = int(np.flatnonzero(~np.isfinite(rows).all(axis=1))[0])
         detail = f"row {bad}: samples must be finite, not {rows[bad].tolist()}"
         raise PW85Error(Status.EINVAL, name, _core.strerror(Status.EINVAL), detail)
-    # In units of the extents, so that coordinates may have different units. Powers of two change no digit.
+    # In units of the extents, because coordinates may have different units. Powers of two change no digit.
     extents = rows.max(axis=0) / 2 - rows.min(axis=0) / 2
     scaled = np.ldexp(rows, -np.frexp(extents)[1])
     kept = np.arange(len(rows))

@@ -116,7 +116,7 @@ def overlap_factored():
     Returns
     -------
     (...) array of bool, or bool
-        A bad row counts as an overlap, so that a simulation refuses it.
+        A bad row counts as an overlap, and a simulation refuses it.
 
     Examples
     --------
@@ -271,7 +271,7 @@ def overlap():
     Returns
     -------
     (...) array of bool, or bool
-        A bad row counts as an overlap, so that a simulation refuses it.
+        A bad row counts as an overlap, and a simulation refuses it.
 
     Examples
     --------

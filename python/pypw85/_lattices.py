@@ -122,7 +122,7 @@ def _check_room(kind: str, fraction: float, sites: Floats, edges: Floats, body: 
 
 
 def _repeats(cells: int, lengths: Floats) -> tuple[int, int, int]:
-    """The numbers of repetitions of a cell with edges of these lengths along them, so that the whole is as nearly a cube as possible."""
+    """The numbers of repetitions of a cell with edges of these lengths that give a whole as close to a cube as possible."""
     divisors = [k for k in range(1, cells + 1) if cells % k == 0]
     triples = [(a, b, cells // (a * b)) for a in divisors for b in divisors if cells % (a * b) == 0]
     spreads = np.ptp(np.log(np.array(triples) * lengths), axis=1)

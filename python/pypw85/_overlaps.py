@@ -17,7 +17,7 @@ from ._typing import Floats
 def _in_own_unit(r12: Any, q1: Any, q2: Any) -> tuple[Any, Any, Any]:
     """Pairs with semi-axes beyond 2^±256, whose volumes may leave the range of double, in the power of two near the larger one as unit.
 
-    Other pairs are returned as they are, so that messages show the numbers as given.
+    Other pairs are returned as they are: messages show the numbers as given.
     """
     r12, q1, q2 = (np.asarray(one, dtype=np.float64) for one in (r12, q1, q2))
     exponents = np.maximum(np.frexp(np.max(np.abs(q1), axis=-1))[1], np.frexp(np.max(np.abs(q2), axis=-1))[1]) // 2

@@ -1078,7 +1078,7 @@ def _change(name: str, change: Change) -> int:
 
 def _fail(status: int, function: str, detail: str) -> None:
     if status == Status.ENOMEM:
-        raise MemoryError(f"{function}: {_core.strerror(status)}")
+        raise MemoryError(f"{function}: {detail or _core.strerror(status)}")
     raise PW85Error(status, function, _core.strerror(status), detail)
 
 

@@ -550,7 +550,7 @@ def unit_quaternions(quaternions: Floats) -> Floats:
     units: Floats = quaternions.copy()
     with np.errstate(invalid="ignore", over="ignore"):
         others = ~(np.abs(np.sqrt(np.einsum("ij,ij->i", units, units)) - 1) <= _UNIT)
-        # Divided by their largest component first, so that no length overflows or underflows
+        # Divided by their largest component first: no length overflows or underflows
         scaled = units[others] / np.abs(units[others]).max(axis=1, keepdims=True)
         units[others] = scaled / np.linalg.norm(scaled, axis=1, keepdims=True)
     return units

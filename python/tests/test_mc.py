@@ -20,7 +20,7 @@ import pytest
 
 import pypw85
 from pypw85 import formats
-from pypw85.cli import _runs as runs
+from pypw85.cli import _runs as runs, _series
 from pypw85.formats import _files
 from pypw85.formats import gsd as gsd_files
 from systems import PW85, command, heed_interrupts, on_terminal, random_system, without_times
@@ -122,6 +122,43 @@ def test_old_format(run, folder):
     with h5py.File("run.h5") as file:
         later = file["pw85_mc/samples"][()]
         assert (later[:8] == samples).all() and later["sweep"].tolist() == list(range(5, 61, 5))
+
+
+def readers(path):
+    return {"resume": lambda: runs.resume(path), "read": lambda: pypw85.read(path), "series": lambda: _series.read_series(path)}
+
+
+def test_damaged_bytes(whole, folder):
+    """Each byte of a run counts, but for the first ones, by which its format is recognised. HDF5 alone reads some files with other bytes,
+    and ends the process at others."""
+    content_of = (whole / "run.h5").read_bytes()
+    for place in np.linspace(8, len(content_of) - 13, 64).astype(int).tolist():
+        changed = bytearray(content_of)
+        changed[place] ^= 1 << place % 8
+        pathlib.Path("run.h5").write_bytes(changed)
+        for read in readers("run.h5").values():
+            with pytest.raises(pypw85.FileError, match=r"^run\.h5: is damaged, or was changed after pw85 mc had written it: "):
+                read()
+    pathlib.Path("run.h5").write_bytes(content_of[:-12])  # as of versions before the checksum
+    assert content("run.h5") == content(whole / "run.h5") and runs.resume("run.h5").is_finished
+    with h5py.File("run.h5", "r+") as file:
+        file["pw85_mc/progress"][0] += 1
+    with pytest.raises(pypw85.FileError, match="^run.h5: was changed after pw85 mc had written it: bring back a copy of it, or begin"):
+        runs.resume("run.h5")
+
+
+def test_damaged_sizes(folder):
+    """A run without the checksum, in which a data set claims to be larger than any memory."""
+    pathlib.Path("run.h5").write_bytes(gzip.decompress(pathlib.Path(__file__).with_name("run_1.h5.gz").read_bytes()))
+    with h5py.File("run.h5", "r+") as file:
+        for name in ("samples", "state"):
+            kind = file[f"pw85_mc/{name}"].dtype
+            del file[f"pw85_mc/{name}"]
+            file.create_dataset(f"pw85_mc/{name}", shape=1 << 52, dtype=kind, chunks=(1 << 10,))
+    cures = {"resume": "bring back a copy of it, or begin a new run", "series": "bring back a copy of it"}
+    for name, cure in cures.items():
+        with pytest.raises(pypw85.FileError, match=f"^run.h5: needs more memory than there is: .*, or broken; {cure}$"):
+            readers("run.h5")[name]()
 
 
 @pytest.mark.parametrize(("fraction", "axes"), [(0.02, (1, 1, 3)), (0.3, (1, 1, 1)), (0.5, (1, 1, 3)), (0.45, (1, 1, 0.2))])
@@ -732,7 +769,8 @@ BAD = [
     (["mc", "--resume", "other.h5"], r"other.h5: is not a run: name a file that pw85 mc has written with --out"),
     (["mc", "--resume", "older.h5"], r"older.h5: is a run of pypw85 2.9.9 in a format that .* does not read: continue it with that"),
     (["mc", "--resume", "broken.h5"], "broken.h5: no readable HDF5 .*: it is broken or truncated; bring back a copy of it, or begin"),
-    *[(["mc", "--resume", f"{name}.h5"], f"{name}.h5: was changed after pw85 mc had written it: bring back a copy") for name in CHANGED],
+    *[(["mc", "--resume", f"{name}.h5"], f"{name}.h5: is damaged, or was changed after pw85 mc had written it: bring back a copy")
+      for name in CHANGED],
     (["mc", "--resume", "old.h5", "--sweeps", "10"], r"old.h5: has 20 sweeps already: ask for more \(--sweeps\)"),
     (["mc", "--resume", "old.h5", "--seed", "2"], "leave out --seed"),
     (["mc", "start.xyz", "--resume", "old.h5"], "leave out START"),

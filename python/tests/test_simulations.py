@@ -205,6 +205,13 @@ def test_short_memory(monkeypatch):
         simulation.sweep()
 
 
+def test_long_lists():
+    """A particle of thousands of cells is refused at once."""
+    needle = pypw85.System.from_axes(np.zeros((1, 3)), [[0.01, 0.01, 1e4]], [[1, 0.3, 0.2, 0.1]], cell=9 * np.eye(3))
+    with pytest.raises(MemoryError, match=r"^HardEllipsoids: particles, steps and the cutoff must not be so long that .* of the cell$"):
+        pypw85.HardEllipsoids(needle, 1)
+
+
 def test_saved():
     """A saved simulation goes on bit by bit, and sweeps may be counted together or one by one."""
     simulation = pypw85.HardEllipsoids(lattice(), 9)

@@ -82,8 +82,7 @@ template <class Visit> void for_parts(std::size_t n, Visit const &visit) noexcep
 }
 
 /// Calls part(begin, end) for parts of n rows, in parallel if these are more than `few`, and
-/// returns the sum of the results, by their add(). They are on the stack, so that nothing is
-/// allocated.
+/// returns the sum of the results, by their add(). They are on the stack; nothing is allocated.
 template <class Sum, class Part>
 Sum of_all_parts(std::size_t n, Part const &part, std::size_t few = 0) noexcept
 {

@@ -36,8 +36,7 @@ class Stream {
     }
 
     /// An integer from 0 to n - 1. The probabilities differ by less than 2⁻³². They do not depend
-    /// on the state of the simulation, so that a move and its reverse are chosen with equal
-    /// probability.
+    /// on the state of the simulation: a move and its reverse are chosen with equal probability.
     [[gnu::always_inline]] std::uint32_t below(std::uint32_t n) noexcept
     {
         return static_cast<std::uint32_t>(std::uint64_t{bits()} * n >> 32);

@@ -84,12 +84,3 @@ int pw85_distance_point_batch(size_t n, double const *r, double const *q, double
                     OptionalRowsOf<1>{distance}, OptionalRowsOf<3>{point},
                     OptionalRowsOf<3>{normal});
 }
-
-int pw85_intersect_line_batch(size_t n, double const *origin, double const *directions,
-                              double const *q, double *enter, double *leave)
-{
-    static constexpr char const *names[] = {"pw85_intersect_line_batch", "origin", "directions",
-                                            "q", "enter"};
-    return each_row(names, n, pw85_intersect_line, RowsOf<3>{origin}, RowsOf<3>{directions},
-                    RowsOf<6>{q}, TwoNumbers{enter, leave});
-}

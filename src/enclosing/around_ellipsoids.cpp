@@ -12,7 +12,7 @@ namespace {
 
 using any_dimension::packed_index, any_dimension::packed_size;
 
-/// More rounds than this are not taken. Random ellipsoids need about 10.
+/// Maximum number of rounds. Random ellipsoids need about 10.
 constexpr int max_rounds = 60;
 /// An ellipsoid becomes active if it protrudes by this share of the largest protrusion.
 constexpr double least_share = 0.03;
@@ -21,8 +21,8 @@ constexpr int max_enlargements = 48;
 
 std::size_t extent(int n) noexcept { return static_cast<std::size_t>(n); }
 
-/// Proves that z is in the ellipsoid of the form q around 0: q - z zᵀ is positive definite. The
-/// errors are those of shows_inside() in any_dimension/containment.hpp.
+/// Returns whether z is proved to be in the ellipsoid of the form q around 0: q - z zᵀ is positive
+/// definite. The errors are those of shows_inside() in any_dimension/containment.hpp.
 template <class T> bool is_point_inside(int n, double const *q, T const *z) noexcept
 {
     T matrix[max_packed] = {};
@@ -48,8 +48,8 @@ void invert(int n, double const *form, double *inverse) noexcept
     }
 }
 
-/// The Cholesky factor B of a form, with rows of the length n: the ellipsoid is the image of the
-/// unit ball. A form that is not definite to twice the digits of double gets a tiny pivot.
+/// Computes the Cholesky factor B of a form, with rows of the length n: the ellipsoid is the image
+/// of the unit ball. A form that is not definite to twice the digits of double gets a tiny pivot.
 void factor_of(int n, double const *form, Wide *b) noexcept
 {
     for (int i = 0; i < n; ++i)
@@ -59,9 +59,10 @@ void factor_of(int n, double const *form, Wide *b) noexcept
         for (int j = i + 1; j < n; ++j) b[i * n + j] = Wide(0.0);
 }
 
-/// Vectors f_k with Σ f_k f_kᵀ = W and f_kᵀ J f_k = 0, where tr J W = 0: rotations of pairs of
-/// columns of a Cholesky factor, each of which makes one form zero (J. F. Sturm and S. Zhang, Math.
-/// Oper. Res. 28, 246 (2003)). The factor replaces W. The rows of the result are the vectors.
+/// Finds vectors f_k with Σ f_k f_kᵀ = W and f_kᵀ J f_k = 0, where tr J W = 0. It rotates pairs of
+/// columns of a Cholesky factor, and each rotation makes one form f_kᵀ J f_k zero (J. F. Sturm and
+/// S. Zhang, Math. Oper. Res. 28, 246 (2003)). The factor replaces W. The rows of the result are
+/// the vectors.
 void split(std::size_t d, Square<double> &factor, Square<double> &vectors) noexcept
 {
     double forms[max_lifted];
@@ -134,8 +135,8 @@ Status AroundEllipsoids::choose_units() noexcept
     return Status::success;
 }
 
-/// An ellipsoid in these units. Entries that underflow are rounded by 2⁻¹⁰⁷⁴, which shows_inside()
-/// allows for.
+/// Returns an ellipsoid in these units. Entries that underflow are rounded by 2⁻¹⁰⁷⁴, which
+/// shows_inside() allows for.
 Body AroundEllipsoids::body(std::size_t i) const noexcept
 {
     int const n = bodies_.n;
@@ -209,7 +210,7 @@ bool AroundEllipsoids::update_frame() noexcept
     return invert_factor(bodies_.n, frame_.a, 0x1p-80);
 }
 
-/// L of max_det.hpp in the frame: (A B, A (c_i - c); 0, 1).
+/// Computes L of max_det.hpp in the frame: (A B, A (c_i - c); 0, 1).
 void AroundEllipsoids::find_map(std::size_t i, Wide *map) noexcept
 {
     int const n = bodies_.n, d = n + 1;
@@ -226,8 +227,8 @@ void AroundEllipsoids::find_map(std::size_t i, Wide *map) noexcept
     }
 }
 
-/// Takes the outer ellipsoid of Z: its centre is -Z₁₁⁻¹ z₁₂ and its form ρ Z₁₁⁻¹ in the frame, with
-/// ρ = d - (z₂₂ - z₁₂ᵀ Z₁₁⁻¹ z₁₂).
+/// Reads the outer ellipsoid from Z: its centre is -Z₁₁⁻¹ z₁₂ and its form ρ Z₁₁⁻¹ in the frame,
+/// with ρ = d - (z₂₂ - z₁₂ᵀ Z₁₁⁻¹ z₁₂).
 template <class Search> bool AroundEllipsoids::read_outer(Search const &search) noexcept
 {
     int const n = bodies_.n, d = n + 1;
@@ -273,7 +274,7 @@ template <class Search> bool AroundEllipsoids::read_outer(Search const &search) 
 }
 
 /// Finds the smallest ellipsoid around the active ones. If double precision does not reach the
-/// difference of the bounds, and it is that of the tolerance, the search continues with twice the
+/// difference of the bounds, and this is the final difference, the search continues with twice the
 /// digits.
 Status AroundEllipsoids::enclose_active(double difference, bool is_final) noexcept
 {
@@ -317,9 +318,9 @@ void AroundEllipsoids::round_outer(double factor) noexcept
     invert(n, outer_.form, inverse_);
 }
 
-/// κ² of one ellipsoid in the outer one, and the ν of its upper bound. Most ellipsoids are far
-/// inside: by the triangle inequality κ <= |r| + √tr(Q⁻¹Q_i) in the norm of the outer one, which is
-/// enough where `roughly`.
+/// Returns κ² of one ellipsoid in the outer one, and sets the ν of its upper bound. Most ellipsoids
+/// are far inside: by the triangle inequality κ <= |r| + √tr(Q⁻¹Q_i) in the norm of the outer one,
+/// which is enough where `roughly`.
 double AroundEllipsoids::reach(std::size_t i, bool roughly) noexcept
 {
     using namespace any_dimension;
@@ -362,7 +363,7 @@ double AroundEllipsoids::measure() noexcept
     return largest - 1.0;
 }
 
-/// Active ellipsoids that are inside and have almost no weight no longer are.
+/// Deactivates the active ellipsoids that are inside and have almost no weight.
 void AroundEllipsoids::drop_idle(double gap) noexcept
 {
     auto const d = extent(bodies_.n) + 1;
@@ -373,7 +374,7 @@ void AroundEllipsoids::drop_idle(double gap) noexcept
             moments_[i].x[d * d - 1] < least && kappa2_[active_[i]] < 1.0 - maximum(0.1, 4.0 * gap);
         if (!idle) active_[kept++] = active_[i];
     }
-    // The array keeps its memory, so that this cannot fail.
+    // The array keeps its memory: this cannot fail.
     if (!active_.resize(kept)) return;
 }
 
@@ -392,8 +393,8 @@ bool AroundEllipsoids::activate_protruding(double gap) noexcept
     return true;
 }
 
-/// Appends a point of an ellipsoid, moved towards the centre until it is proved to be inside: by
-/// rounding errors, or to the centre if these are larger than the ellipsoid.
+/// Appends a point of an ellipsoid, moved towards the centre until it is proved to be inside. It
+/// moves by rounding errors, or to the centre if these are larger than the ellipsoid.
 bool AroundEllipsoids::add_point(Body const &one, double const *from_center, double weight) noexcept
 {
     int const n = bodies_.n;
@@ -442,9 +443,9 @@ bool AroundEllipsoids::add_contacts(std::size_t k) noexcept
     return true;
 }
 
-/// Proves that an ellipsoid is inside, in double precision, where r12 may be rounded by u, or with
-/// twice its digits and the exact r12. Active ellipsoids have the ν of their multiplier, which is
-/// the right one also where they touch at several points.
+/// Returns whether an ellipsoid is proved to be inside: in double precision, where r12 may be
+/// rounded by u, or with twice its digits and the exact r12. For active ellipsoids ν comes from
+/// their multiplier, which is correct also if they touch at several points.
 bool AroundEllipsoids::is_inside(std::size_t i) noexcept
 {
     using namespace any_dimension;
@@ -509,8 +510,9 @@ Status AroundEllipsoids::run(double tolerance) noexcept
     if (!kappa2_.resize(bodies_.m) || !nu_.resize(bodies_.m) || !begin())
         return Status::out_of_memory;
     // (1 + gap)^(n/2) takes half of the tolerance, and the difference of the bounds of the active
-    // ellipsoids, which is that of the squared volume, three eighths. Nearer to the optimum less is
-    // left between the ellipsoids for the proof that they are inside, which then enlarges by more.
+    // ellipsoids, which is that of the squared volume, three eighths. Nearer to the optimum the
+    // ellipsoids have less clearance, and the proof that they are inside must enlarge the outer one
+    // by more.
     double const target = tolerance / (1.0 + tolerance) / bodies_.n,
                  least = 0.75 * tolerance / (1.0 + tolerance);
     double gap = 1.0, difference = maximum(1e-2, least);

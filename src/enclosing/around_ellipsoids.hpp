@@ -5,11 +5,11 @@
 /// 1. The ellipsoids that reach farthest along the coordinates are the first active ones.
 /// 2. The smallest ellipsoid around the active ones is found (max_det.hpp).
 /// 3. The ellipsoids that protrude most from it become active (at most 4 (n + 1)); those that are
-///    far inside and have almost no weight no longer are. Back to step 2, until nothing protrudes
-///    by more than a part of the tolerance.
+///    far inside and have almost no weight become inactive. Steps 2 and 3 are repeated until no
+///    ellipsoid protrudes by more than a part of the tolerance.
 /// 4. The moments W_i are those of at most n + 1 points of each active ellipsoid. The weights of
-///    the points bound the least volume (certificate.hpp). The points are rounded into their
-///    ellipsoids, which is proved.
+///    the points bound the least volume (certificate.hpp). The points are moved into their
+///    ellipsoids, with a proof.
 /// 5. The ellipsoid is rounded, and enlarged until all ellipsoids are proved to be inside.
 #ifndef PW85_ENCLOSING_AROUND_ELLIPSOIDS_HPP_INCLUDED
 #define PW85_ENCLOSING_AROUND_ELLIPSOIDS_HPP_INCLUDED

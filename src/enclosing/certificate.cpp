@@ -12,7 +12,7 @@ constexpr double sum_error = 160.0 * u * u;
 
 double magnitude(Wide const &x) noexcept { return elementary::abs(x.high); }
 
-/// Entry (i, j) of a symmetric matrix that is stored as a lower triangle.
+/// Returns entry (i, j) of a symmetric matrix that is stored as a lower triangle.
 double entry(double const *a, int i, int j) noexcept { return a[i >= j ? at(i, j) : at(j, i)]; }
 
 } // namespace

@@ -26,8 +26,8 @@ namespace pw85::detail::enclosing {
 
 class Certificate {
   public:
-    /// Takes a centre and a form, a lower triangle, both in the units of the cloud. Returns false
-    /// if the form is not positive definite, or too close to a singular one for the proofs.
+    /// Sets the centre and the form, a lower triangle, both in the units of the cloud. Returns
+    /// false if the form is not positive definite, or too close to a singular one for the proofs.
     bool prepare(Cloud const &cloud, double const *center, double const *form) noexcept;
 
     /// Returns the relative change of |A z|² by a relative change of u of each entry of the form.

@@ -23,9 +23,9 @@ template <class T> PW85_FUNCTION inline T dot(std::size_t n, T const *x, T const
     return sum;
 }
 
-/// The Cholesky factor L of a matrix replaces its lower triangle. A pivot that is not above `share`
-/// of its diagonal entry is raised to that: its direction changes nothing. Returns false if there
-/// was one.
+/// Replaces the lower triangle of a matrix by its Cholesky factor L. A pivot that is not above
+/// `share` of its diagonal entry is raised to that value, and its direction then has no influence.
+/// Returns false if there was such a pivot.
 template <class T> PW85_FUNCTION inline bool factorize(std::size_t n, T *a, double share) noexcept
 {
     bool definite = true;
@@ -41,13 +41,13 @@ template <class T> PW85_FUNCTION inline bool factorize(std::size_t n, T *a, doub
     return definite;
 }
 
-/// x = L⁻¹ x.
+/// Replaces x by L⁻¹ x.
 template <class T> PW85_FUNCTION inline void substitute(std::size_t n, T const *a, T *x) noexcept
 {
     for (std::size_t i = 0; i < n; ++i) x[i] = (x[i] - dot(i, a + i * n, x)) / a[i * n + i];
 }
 
-/// x = L⁻ᵀ x.
+/// Replaces x by L⁻ᵀ x.
 template <class T>
 PW85_FUNCTION inline void substitute_back(std::size_t n, T const *a, T *x) noexcept
 {

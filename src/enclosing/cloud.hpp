@@ -23,7 +23,7 @@ inline constexpr int max_exponent = 480;
 
 using Wide = Doubled<double>;
 
-/// Index of the entry (i, j), j <= i, of a lower triangle that is stored by rows.
+/// Returns the index of the entry (i, j), j <= i, of a lower triangle that is stored by rows.
 constexpr int at(int i, int j) noexcept { return i * (i + 1) / 2 + j; }
 
 /// m points in n dimensions. The C function has checked n and m.
@@ -40,8 +40,8 @@ struct Cloud {
     }
 };
 
-/// Chooses the scale, so that each extent is in [1, 2). Returns invalid_argument if a number is not
-/// finite or an extent is out of range, and not_positive_definite if an extent is zero.
+/// Chooses the scale that brings each extent into [1, 2). Returns invalid_argument if a number is
+/// not finite or an extent is out of range, and not_positive_definite if an extent is zero.
 Status choose_scale(Cloud &cloud) noexcept;
 
 } // namespace pw85::detail::enclosing

@@ -8,7 +8,7 @@ namespace pw85::detail::enclosing {
 
 namespace {
 
-/// Share of a diagonal entry that a pivot has at least.
+/// Least pivot, as a fraction of its diagonal entry.
 constexpr double least_pivot = 0x1p-50;
 
 } // namespace
@@ -95,8 +95,8 @@ bool CoreSet::solve_newton(double theta) noexcept
     return true;
 }
 
-/// Goes along the step, not further than where a weight or slack has lost 95 % of its size. Returns
-/// the share of the step.
+/// Takes the step, or the part of it in which no weight and no slack loses more than 95 % of its
+/// size. Returns this part.
 double CoreSet::advance() noexcept
 {
     double share = 1.0;

@@ -25,7 +25,7 @@ class CoreSet {
   public:
     explicit CoreSet(int n) noexcept : rows_(static_cast<std::size_t>(n) + 1) {}
 
-    /// Makes room for this number of points. Returns false if there is no memory.
+    /// Allocates memory for this number of points. Returns false if there is no memory.
     bool reserve(std::size_t count) noexcept;
 
     std::size_t size() const noexcept { return size_; }
@@ -37,8 +37,8 @@ class CoreSet {
     bool contains(std::size_t point) const noexcept;
     void append(std::size_t point, double weight) noexcept;
     /// Removes points that have almost no weight and are far inside: κ <= (n + 1)(1 - 4 gap). If
-    /// more than half of the room is taken, removes all points that have less than 5 % of the mean
-    /// weight.
+    /// more than half of the capacity is used, removes all points that have less than 5 % of the
+    /// mean weight.
     void remove_idle(double gap) noexcept;
 
     /// Improves the weights until max κ <= n + 1 + n gap, or as far as rounding errors permit.

@@ -46,14 +46,15 @@ struct Call {
     std::size_t m, least;
     double tolerance;
 
-    /// Records that the ellipsoids or points as a whole are the cause.
+    /// Records that all ellipsoids or points together are the cause.
     int refuse_all(int status, char const *argument, char const *requirement) const noexcept
     {
         return refuse(status, {0, function, argument, requirement, 0, 0, quiet_nan<double>()});
     }
 };
 
-/// Records what is wrong with n, m, the tolerance, or pointers: Returns success if nothing is.
+/// Records what is wrong with n, m, the tolerance, or pointers. Returns success if nothing is
+/// wrong.
 template <class... Arrays>
 int status_of_call(Call const &call, int columns, Arrays... arrays) noexcept
 {
@@ -72,8 +73,8 @@ int status_of_call(Call const &call, int columns, Arrays... arrays) noexcept
                        Argument("tolerance", call.tolerance, limit::positive));
 }
 
-/// Records why numbers were refused, and returns the status: the first row that is not finite, or
-/// else the extents.
+/// Records why numbers were refused: the first row that is not finite, or else the extents. Returns
+/// the status.
 [[gnu::cold, gnu::noinline]] int refuse_rows(Call const &call, Argument const &rows,
                                              Argument const &others) noexcept
 {

@@ -15,13 +15,13 @@ struct Frame {
     Wide a[max_packed];
 };
 
-/// A point relative to the centre, exactly if the centre is a double.
+/// Computes a point relative to the centre, exactly if the centre is a double.
 inline void offset_of(Cloud const &cloud, Wide const *center, std::size_t i, Wide *z) noexcept
 {
     for (int k = 0; k < cloud.n; ++k) z[k] = Wide(cloud.coordinate(i, k)) - center[k];
 }
 
-/// w = A z.
+/// Computes w = A z.
 [[gnu::always_inline]] inline void multiply(Frame const &frame, Wide const *z, Wide *w) noexcept
 {
     for (int i = 0; i < frame.n; ++i) {
@@ -30,7 +30,8 @@ inline void offset_of(Cloud const &cloud, Wide const *center, std::size_t i, Wid
     }
 }
 
-/// |A (x - c)|² in double precision, for searches. `a` is the triangle and `center` the centre.
+/// Returns |A (x - c)|² in double precision, for searches. `a` is the triangle and `center` the
+/// centre.
 [[gnu::always_inline]] inline double squared_norm(Cloud const &cloud, double const *a,
                                                   double const *center, std::size_t point) noexcept
 {
@@ -48,7 +49,7 @@ inline void offset_of(Cloud const &cloud, Wide const *center, std::size_t i, Wid
 /// Returns false if a pivot is not above `least` times the diagonal entry.
 bool invert_factor(int n, Wide *a, double least) noexcept;
 
-/// The mean and the covariance of points with weights.
+/// Computes the mean and the covariance of points with weights.
 void moments(Cloud const &cloud, std::size_t count, std::size_t const *points,
              double const *weights, Wide *mean, Wide *covariance) noexcept;
 

@@ -37,19 +37,19 @@ namespace { // around_ellipsoids.cpp alone includes it
 double rounded(double x) noexcept { return x; }
 double rounded(Wide const &x) noexcept { return x.high; }
 
-/// Diagonal of J.
+/// Returns entry i of the diagonal of J.
 double sign_of(std::size_t i, std::size_t d) noexcept { return i + 1 < d ? 1.0 : -1.0; }
 
-/// Differences below this have no right digits: S is rounded by u, so that S⁻¹ is rounded by u over
-/// the difference, relatively. The step for V is multiplied by S⁻¹ again.
+/// Differences below this have no correct digits: S is rounded by u, and S⁻¹ by u over the
+/// difference, relatively. The step for V is multiplied by S⁻¹ again.
 constexpr double least_gap(double) noexcept { return 1e-9; }
 constexpr double least_gap(Wide const &) noexcept { return 1e-24; }
 
 constexpr int max_steps = 60;
-/// So many steps that do not halve the difference, in a row, end the search.
+/// Maximum number of successive steps that do not halve the difference; then the search ends.
 constexpr int max_idle_steps = 5;
 
-/// θ over its present value. θ must not become small before Z V is close to 1.
+/// Returns the factor of the next θ. θ must not become small before Z V is close to 1.
 double reduction(double distance, double share) noexcept
 {
     if (share < 0.5) return 1.0;
@@ -59,7 +59,7 @@ double reduction(double distance, double share) noexcept
 
 template <class T> class MaxDet {
   public:
-    /// Makes room for ellipsoids in n dimensions. Returns false if there is no memory.
+    /// Allocates memory for ellipsoids in n dimensions. Returns false if there is no memory.
     bool reserve(int n, std::size_t count) noexcept;
 
     /// Returns L_i, which the caller sets.
@@ -70,7 +70,7 @@ template <class T> class MaxDet {
     Square<T> const &moments(std::size_t i) const noexcept { return blocks_[i].moments; }
 
     void begin() noexcept;
-    /// Begins at the result of a search for the same ellipsoids.
+    /// Starts at the result of a search for the same ellipsoids.
     template <class U> void begin_at(MaxDet<U> const &other) noexcept;
 
     /// Improves Z and W until the difference is not above `gap`, or as far as rounding errors
@@ -122,7 +122,7 @@ template <class T> bool MaxDet<T>::reserve(int n, std::size_t count) noexcept
            step_.resize(size_of_step_);
 }
 
-/// c = a b or a bᵀ.
+/// Computes c = a b or a bᵀ.
 template <class T>
 void MaxDet<T>::multiply(T const *a, T const *b, bool transposed, T *c) const noexcept
 {
@@ -135,7 +135,7 @@ void MaxDet<T>::multiply(T const *a, T const *b, bool transposed, T *c) const no
         }
 }
 
-/// Returns false if a symmetric matrix is not positive definite.
+/// Computes the inverse of a symmetric matrix. Returns false if it is not positive definite.
 template <class T> bool MaxDet<T>::invert(T const *a, T *inverse) noexcept
 {
     for (std::size_t k = 0; k < d_ * d_; ++k) factor_.x[k] = a[k];
@@ -206,7 +206,7 @@ template <class T> bool MaxDet<T>::evaluate() noexcept
     return invert(z_.x, z_inverse_.x);
 }
 
-/// The Frobenius norm of Z V - 1, for a symmetric form of it.
+/// Returns the Frobenius norm of a symmetric matrix with the eigenvalues of Z V - 1.
 template <class T> double MaxDet<T>::distance_from_inverse() noexcept
 {
     Square<T> &product = first_;
@@ -242,7 +242,7 @@ void MaxDet<T>::add_operator(T const *p, T const *q, T const *coupling, T const 
         }
 }
 
-/// Makes the equation for the step of Z. Its unknowns are the entries of the step above the
+/// Assembles the equation for the step of Z. Its unknowns are the entries of the step above the
 /// diagonal, twice, and those on it.
 template <class T> void MaxDet<T>::assemble(T const &theta) noexcept
 {
@@ -326,8 +326,8 @@ bool MaxDet<T>::is_definite_at(Square<T> const &x, Square<T> const &step, T cons
     return factorize(d_, factor_.x, 0.0);
 }
 
-/// Goes along the step, by 95 % of what keeps all matrices positive definite. Returns the share of
-/// the step.
+/// Takes the step, or 95 % of the part of it in which all matrices stay positive definite. Returns
+/// the part that was taken.
 template <class T> double MaxDet<T>::advance() noexcept
 {
     double share = 1.0;

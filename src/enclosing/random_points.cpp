@@ -30,7 +30,7 @@ namespace {
 using Vector3 = Vector<double, 3>;
 
 /// An ellipsoid in a unit in which the largest diagonal entry of its form is in [1, 4). The axes
-/// are found with twice the digits, so that thin ellipsoids keep theirs.
+/// are found with twice the digits, which thin ellipsoids need.
 class StretchedBall {
   public:
     explicit StretchedBall(SymmetricMatrix<double, 3> const &q) noexcept
@@ -72,8 +72,8 @@ class StretchedBall {
     double semi_axes_[3], axes_[3][3], shortest_;
 };
 
-/// Steps of simulations count from 0 upward. Points count from 2⁶⁴ - 1 downward, so that a
-/// simulation with the same seed draws other numbers.
+/// Steps of simulations count from 0 upward. Points count from 2⁶⁴ - 1 downward: a simulation with
+/// the same seed draws other numbers.
 void draw(StretchedBall const &ball, bool surface, std::uint64_t seed, std::size_t num_points,
           double *points) noexcept
 {

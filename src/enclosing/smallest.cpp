@@ -6,16 +6,18 @@ namespace pw85::detail::enclosing {
 
 namespace {
 
-/// More rounds than this are not taken. Random clouds need about 10.
+/// Maximum number of rounds. Random clouds need about 10.
 constexpr int max_rounds = 200;
-/// Upper bound of rounds that together do not halve the gap. After them rounding errors prevent it.
+/// Maximum number of successive rounds that together do not halve the gap. After these, rounding
+/// errors prevent progress.
 constexpr int max_idle_rounds = 12;
 /// The largest increase of the form, in units of its sensitivity to rounding.
 constexpr int max_enlargements = 12;
 
 } // namespace
 
-/// At most n (n + 3)/2 points determine a minimum. The core set has room for several times as many.
+/// Returns the capacity of the core set. At most n (n + 3)/2 points determine a minimum; the core
+/// set holds several times as many.
 std::size_t Search::capacity() const noexcept
 {
     auto const d = static_cast<std::size_t>(cloud_.n) + 1;
@@ -40,7 +42,8 @@ bool Search::begin() noexcept
     return true;
 }
 
-/// Makes the frame of the ellipsoid zᵀS⁻¹z <= 1, with the mean and the covariance S of the weights.
+/// Computes the frame of the ellipsoid zᵀS⁻¹z <= 1, with the mean and the covariance S of the
+/// weights.
 bool Search::update_frame() noexcept
 {
     moments(cloud_, core_.size(), core_.points(), core_.weights(), frame_.center, covariance_);
@@ -74,9 +77,9 @@ double Search::measure() noexcept
     return largest - 1.0;
 }
 
-/// Drops the candidates that cannot have a weight at the minimum: κ_i + 1/n, in units of (n + 1)/n,
-/// is below the bound of R. Harman and L. Pronzato, Stat. Probab. Lett. 77, 90 (2007). Rounding
-/// errors are harmless, because the certificate is for all points.
+/// Removes the candidates that cannot have a weight at the minimum: κ_i + 1/n, in units of (n +
+/// 1)/n, is below the bound of R. Harman and L. Pronzato, Stat. Probab. Lett. 77, 90 (2007).
+/// Rounding errors are harmless, because the certificate is for all points.
 void Search::eliminate(double gap) noexcept
 {
     double const n = cloud_.n, d = n + 1.0, e = gap * n / d;
@@ -91,8 +94,8 @@ void Search::eliminate(double gap) noexcept
 }
 
 /// Puts a candidate on a list, sorted by κ, of points that are outside in different directions: no
-/// two of them have an angle below 37° in the norm of the ellipsoid. Only the worse one of two such
-/// is kept.
+/// two of them have an angle below 37° in the norm of the ellipsoid. Of two such points only the
+/// farther one is kept.
 void Search::add_to_worst(std::size_t candidate, Outermost &worst) noexcept
 {
     Outermost::Point point{candidate, kappa_[candidate], {}};

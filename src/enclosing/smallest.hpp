@@ -6,8 +6,9 @@
 /// 2. The weights of the core set are improved (core_set.hpp); their mean and covariance are those
 ///    of an ellipsoid.
 /// 3. The points outside of it that are farthest, in its norm, join the core set; points that
-///    cannot be on the boundary of the smallest ellipsoid are no longer candidates. Back to step 2,
-///    with ten times smaller a gap, until the farthest point is near the ellipsoid.
+///    cannot be on the boundary of the smallest ellipsoid are no longer candidates. Steps 2 and 3
+///    are repeated, each time with a tenth of the gap, until the farthest point is near the
+///    ellipsoid.
 /// 4. The ellipsoid is rounded to double precision and enlarged until it is proved to hold all
 ///    points (certificate.hpp).
 #ifndef PW85_ENCLOSING_SMALLEST_HPP_INCLUDED

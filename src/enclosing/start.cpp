@@ -12,8 +12,8 @@ struct Basis {
     double vectors[max_dimension][max_dimension];
 };
 
-/// Subtracts the projection onto the basis, twice: once leaves the rounding errors of a large
-/// vector.
+/// Subtracts the projection onto the basis, twice: a single subtraction leaves the rounding errors
+/// of a large vector.
 void project(Basis const &basis, double *x) noexcept
 {
     for (int pass = 0; pass < 2; ++pass)
@@ -34,7 +34,7 @@ double normalize(int n, double *x) noexcept
     return length;
 }
 
-/// The longest projection of a coordinate axis onto the orthogonal complement of the basis,
+/// Finds the longest projection of a coordinate axis onto the orthogonal complement of the basis,
 /// normalised.
 void find_direction(Basis const &basis, double *direction) noexcept
 {

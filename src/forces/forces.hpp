@@ -111,8 +111,8 @@ inline Range share(std::size_t n, std::size_t count, std::size_t k) noexcept
 }
 
 /// Calls visit(pairs, pair, later) for the pairs of a list, where `later` is a pair some places
-/// behind. The compiler sees that no store of visit() changes the copy of `pairs`, so that its
-/// pointers stay in registers.
+/// behind. The compiler sees that no store of visit() changes the copy of `pairs`, and keeps its
+/// pointers in registers.
 template <class Visit> [[gnu::always_inline]] inline void
 for_pairs(PairGradients const &given, PairsWithForce const &listed, Visit const &visit) noexcept
 {
@@ -244,8 +244,8 @@ inline void sum_forces(PairGradients const &pairs, std::size_t num_particles, Pa
     }
 }
 
-/// Sums in parallel. Each thread goes through all pairs and adds only to its own particles, so that
-/// no thread waits for another.
+/// Sums in parallel. Each thread goes through all pairs and adds only to its own particles; no
+/// thread waits for another.
 inline void sum_forces(PairGradients const &pairs, std::size_t num_particles,
                        PairSums const &sums) noexcept
 {

@@ -24,7 +24,7 @@ namespace pw85::detail::kernels {
 namespace {
 
 /// The number of pairs per block, a multiple of the chunks of all kernels for contact functions on
-/// x86. The derivatives of a block take 60 kB, so that some of them fit into a second-level cache.
+/// x86. The derivatives of a block take 60 kB; several blocks fit into a second-level cache.
 constexpr std::size_t law_block = 504;
 static_assert(law_block <= most_listed);
 

@@ -29,7 +29,7 @@ PW85_DEVICE size_t all_threads() { return size_t{blocks()} * pw85::detail::gpu::
 
 } // namespace
 
-// Blocks are small, so that each thread can have as many registers as the compiler wants to use.
+// Blocks are small: each thread can have as many registers as the compiler wants to use.
 static_assert(pw85::detail::gpu::block_size == 128);
 #define PW85_KERNEL(name)                                                                          \
     extern "C" __attribute__((global)) __attribute__((launch_bounds(128))) void name

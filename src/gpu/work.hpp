@@ -4,7 +4,7 @@
 /// one pair at a time, in two stages. device.cpp calls it on a device; the tests call it on the
 /// host.
 ///
-/// The first stage is enough for almost all pairs, so that the threads of a block take the same
+/// The first stage is enough for almost all pairs, and the threads of a block take the same
 /// branches. It lists the other pairs, and the second stage computes them by slower methods.
 /// Overlaps that are undecided even then, and pairs that are not valid, are posted to the host,
 /// which computes them by pw85_overlap_batch(). Only fetch_and_increment() differs between devices.
@@ -66,7 +66,7 @@ PW85_FUNCTION inline void store(double x, double *rows, std::size_t i) noexcept
 }
 
 /// The shared memory of a block of threads, with one row for each pair of the block: 3, 6 and 6
-/// numbers of r12, q1 and q2. All threads copy the rows together, so that consecutive threads read
+/// numbers of r12, q1 and q2. All threads copy the rows together, and consecutive threads read
 /// consecutive addresses. The five results of three numbers go back through the same rows. The
 /// width 15 is odd, so threads that access their own rows use different memory banks.
 struct Tile {

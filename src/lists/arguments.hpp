@@ -130,7 +130,7 @@ inline int prepare_list(char const *function, pw85_pair_list const &list, pw85_s
 }
 
 /// Returns a system for functions that read no forms. Its pointer to the forms is that to the
-/// centres, so that it is not null.
+/// centres, because it must not be null.
 inline pw85_system without_forms(pw85_system const &system) noexcept
 {
     pw85_system rest = system;

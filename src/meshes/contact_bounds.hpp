@@ -33,7 +33,7 @@ struct Margin {
 /// Returns the margin of contact_triangle(). If the form is not clearly definite,
 /// contact_triangle() uses numbers of more digits, and rounds the result. Rounding errors of
 /// adj(Q)_ii and det Q are at most a half of these numbers if the form is clearly definite
-/// (definite.hpp), so that the quotient is at least a quarter of the exact one.
+/// (definite.hpp). The quotient is then at least a quarter of the exact one.
 inline Margin margin_of_contact(Form3 const &q) noexcept
 {
     constexpr double u = unit_roundoff<double>(), error = 2 * 80 * u;

@@ -63,8 +63,8 @@ class DistanceBounds {
 
   private:
     /// Returns an upper bound of 3 Λ/(2√λ), infinite if the form is not clearly definite. Its
-    /// largest diagonal entry is below 4, so that Λ < 12. As in margin_of_contact(), 1/λ is at most
-    /// the trace of Q⁻¹, and that at most four times the computed one.
+    /// largest diagonal entry is below 4, so Λ < 12. As in margin_of_contact(), 1/λ is at most the
+    /// trace of Q⁻¹, and that at most four times the computed one.
     static double largest_ratio(Form3 const &q) noexcept
     {
         if (!is_clearly_definite(q)) return HUGE_VAL;

@@ -27,7 +27,7 @@ using Vector3 = Vector<double, 3>;
 using Form3 = SymmetricMatrix<double, 3>;
 
 /// Bounds are computed if coordinates are below this limit and above its inverse. Forms are in the
-/// range 10^±76, so that no square overflows.
+/// range 10^±76; no square overflows.
 constexpr double range = 0x1p100;
 
 /// An ellipsoid, and its form in the unit of length in which the largest diagonal entry is in [1,
@@ -119,8 +119,8 @@ template <class Bounds, class Visit> class Search {
   private:
     bool skips(double bound) const noexcept { return bound > limit_; }
 
-    // child() and visit() are functions of their own, so that their numbers do not lie on the stack
-    // once for each level.
+    // child() and visit() are functions of their own: their numbers are not on the stack once for
+    // each level.
 
     [[gnu::noinline]] void visit(Triangle const &triangle) noexcept { limit_ = visit_(triangle); }
 

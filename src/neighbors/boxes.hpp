@@ -21,8 +21,7 @@ struct Box {
 /// The number of boxes per block.
 inline constexpr int width = 8;
 
-/// Eight boxes, stored coordinate by coordinate. An empty place holds NaN, so that it intersects no
-/// box.
+/// Eight boxes, stored coordinate by coordinate. An empty entry holds NaN, and intersects no box.
 struct Block {
     double lower[3][width], upper[3][width];
 

@@ -15,6 +15,7 @@
 #include "../base/last_error.hpp"
 #include "../base/objects.hpp"
 #include "../base/parallel.hpp"
+#include "bounded_list.hpp"
 #include "build_tree.hpp"
 #include "deformation.hpp"
 #include "search.hpp"
@@ -108,7 +109,7 @@ constexpr std::size_t tasks_per_thread = 64;
 struct Task {
     FoundPairs found;
     std::size_t begin = 0; ///< index of its first pair in the list
-    bool complete = false; ///< false if there was no memory for its pairs
+    bool complete = false; ///< false if there was no memory for its pairs, or if they are too many
 };
 
 } // namespace
@@ -128,9 +129,9 @@ namespace {
 /// Fills a list with its pairs.
 class ListBuilder {
   public:
-    ListBuilder(Particles const &particles, Periodicity const &lattice,
+    ListBuilder(Particles const &particles, Periodicity const &lattice, ListLimits const &limits,
                 pw85_neighbors &list) noexcept
-        : particles_(particles), lattice_(lattice), list_(list)
+        : particles_(particles), lattice_(lattice), limits_(limits), list_(list)
     {
     }
 
@@ -140,7 +141,8 @@ class ListBuilder {
         if (int const status = measure_all(around)) return status;
         if (particles_.system.num_particles == 0) return PW85_SUCCESS;
         if (!build_tree(list_.extents, lattice_, around, tree_, placed_)) return PW85_ENOMEM;
-        if (int const status = list_images(lattice_, tree_.root(), images_)) return status;
+        if (int const status = list_images(lattice_, tree_.root(), limits_.images, images_))
+            return status;
         return find_all() ? PW85_SUCCESS : PW85_ENOMEM;
     }
 
@@ -171,7 +173,7 @@ class ListBuilder {
         return all;
     }
 
-    /// Runs the tasks in groups, so that each group reuses the memory of the one before.
+    /// Runs the tasks in groups. Each group reuses the memory of the one before.
     bool find_all() noexcept
     {
         std::size_t const num_tasks = (tree_.num_groups() + groups_per_task - 1) / groups_per_task;
@@ -190,7 +192,8 @@ class ListBuilder {
     bool add_pairs(Task *tasks, std::size_t first, std::size_t count, std::size_t &size) noexcept
     {
         for_tasks(count, count > 1, [&](std::size_t k) {
-            tasks[k].complete = find_pairs(tree_, lattice_, images_, first + k, tasks[k].found);
+            tasks[k].complete =
+                find_pairs(tree_, lattice_, images_, first + k, limits_.pairs, tasks[k].found);
         });
         for (std::size_t k = 0; k < count; ++k) {
             if (!tasks[k].complete) return false;
@@ -237,6 +240,7 @@ class ListBuilder {
 
     Particles const &particles_;
     Periodicity const &lattice_;
+    ListLimits const limits_;
     pw85_neighbors &list_;
     Array<PlacedParticle> placed_;
     Tree tree_;
@@ -285,7 +289,8 @@ SharedMotions shared_motions(pw85_neighbors const &list, Particles const &partic
     return shared;
 }
 
-int create(pw85_system const &system, double scale, double skin, pw85_neighbors *&list) noexcept
+int create(pw85_system const &system, double scale, double skin, ListLimits const &limits,
+           pw85_neighbors *&list) noexcept
 {
     Particles const particles{system, scale, skin};
     Periodicity lattice;
@@ -297,7 +302,7 @@ int create(pw85_system const &system, double scale, double skin, pw85_neighbors 
     made->has_cell = system.cell != nullptr;
     if (made->has_cell) std::copy_n(system.cell, 9, made->cell);
     if (made->has_cell) std::copy_n(system.periodic, 3, made->periodic);
-    int const status = ListBuilder(particles, lattice, *made).run();
+    int const status = ListBuilder(particles, lattice, limits, *made).run();
     if (status == PW85_SUCCESS) list = made.release();
     return status;
 }
@@ -340,7 +345,18 @@ int compare(pw85_neighbors const &list, pw85_system const &system, int &holds) n
 int pw85::detail::neighbors_create(pw85_system const &system, double scale, double skin,
                                    pw85_neighbors *&list) noexcept
 {
-    return create(system, scale, skin, list);
+    return create(system, scale, skin, {}, list);
+}
+
+int pw85::detail::neighbors::create_bounded_list(pw85_system const &system, double scale,
+                                                 double skin, pw85_neighbors *&list) noexcept
+{
+    int const status = create(system, scale, skin, bounded, list);
+    if (status != PW85_ENOMEM) return status;
+    return note_cause(
+        status, nullptr,
+        "particles, steps and the cutoff must not be so long that lists of neighbours "
+        "exceed the memory or have more than 2¹⁵ images of the cell");
 }
 
 int pw85_neighbors_check(pw85_system const *system, double scale, double skin, size_t *particle)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Sorts points along Morton's curve, so that neighbours in space are near each other in memory.
+/// Sorts points along Morton's curve, which brings neighbours in space near each other in memory.
 /// build_tree.cpp calls this.
 ///
 /// The particles come in any order. For millions of them, reads from random addresses cost more

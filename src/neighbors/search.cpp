@@ -64,12 +64,12 @@ bool pair_groups(Tree const &tree, MovedGroup const &moved, std::size_t group,
 
 } // namespace
 
-int list_images(Periodicity const &lattice, Box const &root, Array<LatticeVector> &images) noexcept
+int list_images(Periodicity const &lattice, Box const &root, double most,
+                Array<LatticeVector> &images) noexcept
 {
     auto const reach = lattice.reach(root);
-    double const most = (2.0 * reach[0] + 1.0) * (2.0 * reach[1] + 1.0) * (2.0 * reach[2] + 1.0);
-    if (!(most < most_multiples) || !images.resize(static_cast<std::size_t>(most) / 2 + 1))
-        return PW85_ENOMEM;
+    double const all = (2.0 * reach[0] + 1.0) * (2.0 * reach[1] + 1.0) * (2.0 * reach[2] + 1.0);
+    if (!(all < most) || !images.resize(static_cast<std::size_t>(all) / 2 + 1)) return PW85_ENOMEM;
     std::int32_t const x = static_cast<std::int32_t>(reach[0]),
                        y = static_cast<std::int32_t>(reach[1]),
                        z = static_cast<std::int32_t>(reach[2]);
@@ -87,23 +87,25 @@ int list_images(Periodicity const &lattice, Box const &root, Array<LatticeVector
 }
 
 bool find_pairs(Tree const &tree, Periodicity const &lattice, Array<LatticeVector> const &images,
-                std::size_t task, FoundPairs &found) noexcept
+                std::size_t task, double most, FoundPairs &found) noexcept
 {
     found.clear();
     Box const root = tree.root();
-    std::size_t const end = std::min((task + 1) * groups_per_task, tree.num_groups());
-    for (std::size_t group = task * groups_per_task; group < end; ++group)
+    std::size_t const begin = task * groups_per_task,
+                      end = std::min(begin + groups_per_task, tree.num_groups());
+    double const most_of_task = most * static_cast<double>((end - begin) * Tree::group_size);
+    for (std::size_t group = begin; group < end; ++group)
         for (std::size_t image = 0; image < images.size(); ++image) {
             Box box = tree.box(Tree::group_level, group);
             if (image != 0) box = lattice.moved(box, images[image].of_reduced);
             if (!intersect(box, root)) continue;
             MovedGroup const moved =
                 move_group(tree, lattice, group, images[image].of_reduced, image);
-            bool enough_memory = true;
+            bool has_room = true;
             tree.visit_groups(box, image == 0 ? group : 0, [&](std::size_t other) {
-                enough_memory = enough_memory && pair_groups(tree, moved, other, found);
+                has_room = has_room && pair_groups(tree, moved, other, found);
             });
-            if (!enough_memory) return false;
+            if (!has_room || static_cast<double>(found.size()) > most_of_task) return false;
         }
     return true;
 }

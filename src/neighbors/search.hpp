@@ -5,6 +5,8 @@
 #ifndef PW85_NEIGHBORS_SEARCH_HPP_INCLUDED
 #define PW85_NEIGHBORS_SEARCH_HPP_INCLUDED
 
+#include <cmath>
+
 #include "../base/array.hpp"
 #include "periodicity.hpp"
 #include "tree.hpp"
@@ -46,19 +48,26 @@ class FoundPairs {
     std::size_t size_ = 0;
 };
 
+/// Largest numbers for which a list is made.
+struct ListLimits {
+    double images = most_multiples; ///< lattice vectors, of which the list has one of v and -v
+    double pairs = HUGE_VAL;        ///< per particle of a task; lists have a pair once
+};
+
 /// Lists the lattice vectors by which a tree can be moved and still intersect itself. Number 0 is
-/// zero. Of v and -v only one is in the list. Returns PW85_ENOMEM if there are too many vectors,
-/// and PW85_EINVAL if the multiples of one are too large.
-[[nodiscard]] int list_images(Periodicity const &lattice, Box const &root,
+/// zero. Of v and -v only one is in the list. Returns PW85_ENOMEM if there are more vectors than
+/// `most`, and PW85_EINVAL if the multiples of one are too large.
+[[nodiscard]] int list_images(Periodicity const &lattice, Box const &root, double most,
                               Array<LatticeVector> &images) noexcept;
 
 /// The number of groups of one task.
 inline constexpr std::size_t groups_per_task = 16;
 
 /// Finds the pairs whose first box belongs to the groups of a task, each pair once. They replace
-/// the pairs in `found`. Returns false if there is no memory.
+/// the pairs in `found`. Returns false if there is no memory, or if there are more than `most` pairs
+/// per particle.
 [[nodiscard]] bool find_pairs(Tree const &tree, Periodicity const &lattice,
-                              Array<LatticeVector> const &images, std::size_t task,
+                              Array<LatticeVector> const &images, std::size_t task, double most,
                               FoundPairs &found) noexcept;
 
 } // namespace pw85::detail::neighbors

@@ -147,7 +147,7 @@ bool reduce(Basis &basis, Gram &g) noexcept
 /// nearest_image() first computes.
 ///
 /// nearest_image() subtracts the nearest integers from the coordinates of a separation in the
-/// reduced basis, so that its coordinates y are |y_i| <= ½. The nearest image is this one, or one
+/// reduced basis. Then the coordinates y satisfy |y_i| <= ½. The nearest image is this one, or one
 /// whose coordinates differ by -1, 0 or 1. Proof: Every lattice with a reduced basis has four
 /// vectors c_m with Σ c_m = 0 and c_m·c_n <= 0 for m != n. If the signs of the b_i can be chosen so
 /// that no b_i·b_j is positive, they are (b_1, b_2, b_3, -b_1-b_2-b_3). Otherwise choose the signs

@@ -7,7 +7,7 @@
 /// A basis is reduced in the sense of Minkowski if no vector becomes shorter by adding or
 /// subtracting others. In three dimensions this means that 2|b_i·b_j| <= |b_i|² for all i != j, and
 /// that none of b_1 ± b_2 ± b_3 is shorter than the longest of the three. Then |det| >=
-/// |b_1||b_2||b_3|/√2, so that coordinates in the basis are well-conditioned.
+/// |b_1||b_2||b_3|/√2, and coordinates in the basis are well-conditioned.
 #ifndef PW85_PERIODIC_LATTICE_HPP_INCLUDED
 #define PW85_PERIODIC_LATTICE_HPP_INCLUDED
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Replaces the vectors of a cell that are not periodic, so that lattice.hpp can reduce it.
-// periodic_cell.hpp lists the callers.
+// Replaces the vectors of a cell that are not periodic by others with which lattice.hpp can reduce
+// it. periodic_cell.hpp lists the callers.
 #include "periodic_cell.hpp"
 
 #include <algorithm>

@@ -139,6 +139,15 @@ template <class Set> int scalar_fallback(SetRows<Set> const &row, OverlapArray c
     return status;
 }
 
+inline int scalar_fallback(SetRows<Lines> const &row, ChordArrays const &out) noexcept
+{
+    double t[2];
+    int const status = pw85_intersect_line(row.points[0], row.points[1], row.q, t);
+    if (out.enter != nullptr) *out.enter = t[0];
+    if (out.leave != nullptr) *out.leave = t[1];
+    return status;
+}
+
 // refuse_pair() computes a pair by the function of the C API, which records the cause of a refusal,
 // and returns its status. That of the others is scalar_fallback().
 

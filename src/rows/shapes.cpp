@@ -19,6 +19,7 @@ template <class Set> constexpr char const *names[3] = {};
 template <> constexpr char const *names<Segments>[2] = {"end1", "end2"};
 template <> constexpr char const *names<Triangles>[3] = {"vertex1", "vertex2", "vertex3"};
 template <> constexpr char const *names<Boxes>[2] = {"lower", "upper"};
+template <> constexpr char const *names<Lines>[2] = {"origin", "directions"};
 
 /// Computes n ellipsoids and sets, and returns the status of the first bad one.
 template <class Set, class Arrays> int
@@ -84,4 +85,11 @@ int pw85_overlap_box_batch(size_t n, double const *lower, double const *upper, d
 {
     return compute_overlaps("pw85_overlap_box_batch", n, SetRows<Boxes>{{lower, upper}, q},
                             overlap);
+}
+
+int pw85_intersect_line_batch(size_t n, double const *origin, double const *directions,
+                              double const *q, double *enter, double *leave)
+{
+    return compute_sets("pw85_intersect_line_batch", n, SetRows<Lines>{{origin, directions}, q},
+                        ChordArrays{enter, leave});
 }

@@ -64,8 +64,8 @@ bool is_set(char const *name) noexcept
     return value != nullptr && *value != '\0' && std::strcmp(value, "0") != 0;
 }
 
-/// The target that calls use; null before the first call. Targets are constant, so that any order
-/// of loads and stores will do.
+/// The target that calls use; null before the first call. Targets are constant, so any order of
+/// loads and stores will do.
 std::atomic<Target const *> current{nullptr};
 
 /// Chooses at the first call. A choice that another thread makes meanwhile by set_reproducible()

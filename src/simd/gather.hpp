@@ -161,8 +161,8 @@ PW85_INLINE __m512d blend_three(__m512d const *z, unsigned from1, unsigned from2
     return _mm512_mask_blend_pd(static_cast<__mmask8>(from2), both, z[2]);
 }
 
-/// Loads eight consecutive rows of three numbers. The numbers of a column have different places in
-/// the three registers that hold them, so that blends collect them. A permutation then brings them
+/// Loads eight consecutive rows of three numbers. The numbers of a column have different positions
+/// in the three registers that hold them, and blends collect them. A permutation then brings them
 /// into the order of the rows.
 PW85_INLINE void load_eight_rows(double const *rows, Vector<Pack, 3> &columns) noexcept
 {

@@ -120,6 +120,10 @@ struct Triangles {
 struct Boxes {
     static constexpr int num_points = 2;
 };
+/// Straight lines, by an origin and a direction.
+struct Lines {
+    static constexpr int num_points = 2;
+};
 
 /// Arrays of points (n×3 each) and of forms (n×6).
 template <class Set> struct SetRows {
@@ -215,6 +219,16 @@ struct SetContactArrays {
     }
 };
 
+/// Ends of the parts of lines that are in ellipsoids. Any pointer may be null.
+struct ChordArrays {
+    double *enter, *leave;
+
+    PW85_MEMBER ChordArrays from(std::size_t begin) const noexcept
+    {
+        return {row_or_null(enter, 1, begin), row_or_null(leave, 1, begin)};
+    }
+};
+
 /// Contact functions and derivatives. Any pointer may be null, except that kernels need `lambda`:
 /// they set it to NaN for pairs that they leave over without a certain λ.
 struct DerivativeArrays {
@@ -245,8 +259,8 @@ struct InversePowers {
 };
 
 /// U by cubic Hermite interpolation between points that are equally spaced in μ², and 0 from the
-/// last point on. The derivative is that of the polynomial, so that forces conserve the energy.
-/// Before the first point, U is linear.
+/// last point on. The derivative is that of the polynomial, so forces conserve the energy. Before
+/// the first point, U is linear.
 struct LawTable {
     double mu2_min, mu2_max;
     std::size_t intervals;

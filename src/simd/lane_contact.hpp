@@ -5,8 +5,8 @@
 /// derivatives and closest approach call contact_chunk().
 ///
 /// Each stage runs over all packs of a chunk before the next stage begins. The stages are short and
-/// the packs are independent, so that the processor works on several packs at a time. Pairs that
-/// fail the fast checks, and pairs for which the search is not certain, are left over.
+/// the packs are independent: the processor works on several packs at a time. Pairs that fail the
+/// fast checks, and pairs for which the search is not certain, are left over.
 #ifndef PW85_SIMD_LANE_CONTACT_HPP_INCLUDED
 #define PW85_SIMD_LANE_CONTACT_HPP_INCLUDED
 

@@ -29,7 +29,7 @@ PW85_INLINE LawValues evaluate(kernels::SoftRepulsion const &law, Pack const &mu
     return {select(apart, Pack(0.0), u), select(apart || mu2 == Pack(0.0), Pack(0.0), d_u)};
 }
 
-/// The smaller power is a factor, so that no infinities are subtracted at μ = 0.
+/// The smaller power is a factor: no infinities are subtracted at μ = 0.
 PW85_INLINE LawValues evaluate(kernels::InversePowers const &law, Pack const &mu2) noexcept
 {
     Pack const x = Pack(1.0) / mu2, weak = power(x, 0.5 * law.m),

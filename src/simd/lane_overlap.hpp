@@ -4,7 +4,7 @@
 /// (overlap/quartic.hpp). lanes_overlap.cpp and lanes_lists.cpp define it.
 ///
 /// Each pair is first tested at about the same t as in the function for one pair. Undecided pairs
-/// are collected, so that all lanes stay in use. They are tested again at the next two t of the
+/// are collected to keep all lanes in use. They are tested again at the next two t of the
 /// fixed-point map, and then at the t to which the search on the rational form converges. Pairs are
 /// left over if they fail the fast checks, or if they remain undecided because they are tangent to
 /// within rounding.

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The kernels for ellipsoids and convex sets, one ellipsoid per lane: the contact functions with
-/// segments, triangles and boxes, and whether they overlap. lanes_shapes.cpp defines them.
+/// segments, triangles and boxes, and whether they overlap (lanes_shapes.cpp); the parts of lines in
+/// ellipsoids (lanes_lines.cpp).
 ///
 /// The formulas are those of one ellipsoid. Rows that fail the fast checks, and rows for which the
 /// digits do not suffice, are left over.
 #ifndef PW85_SIMD_LANE_SHAPES_HPP_INCLUDED
 #define PW85_SIMD_LANE_SHAPES_HPP_INCLUDED
 
+#include <pw85/distance/line.hpp>
 #include <pw85/shapes/overlap_shapes.hpp>
 
 #include "lane_derivatives.hpp"
@@ -42,6 +44,15 @@ PW85_INLINE Hull<Pack, 3> set_of(kernels::Triangles, Vector<Pack, 3> const (&ver
 PW85_INLINE SolidBox<Pack> set_of(kernels::Boxes, Vector<Pack, 3> const (&corners)[2]) noexcept
 {
     return {corners[0], corners[1]};
+}
+
+struct Line {
+    Vector<Pack, 3> origin, direction;
+};
+
+PW85_INLINE Line set_of(kernels::Lines, Vector<Pack, 3> const (&points)[2]) noexcept
+{
+    return {points[0], points[1]};
 }
 
 /// Calls write(set, form) for the pack of a chunk. It returns the lanes that are done; the other
@@ -87,6 +98,21 @@ template <class Set> PW85_INLINE void compute_chunk(kernels::SetRows<Set> const 
         auto const certainty = decide_at(set, q, set.template nearest<true>(q));
         store_answers(certainty.overlap.to_bits(), chunk.count, out.overlap + chunk.begin);
         return (certainty.apart || certainty.overlap) && set.passes_checks(q);
+    });
+}
+
+/// Stores the ends of the chords of a chunk: NaN where a line misses.
+PW85_INLINE void compute_chunk(kernels::SetRows<kernels::Lines> const &rows, Chunk const &chunk,
+                               kernels::ChordArrays const &out,
+                               kernels::Worklist &rejected_lanes) noexcept
+{
+    set_chunk(rows, chunk, rejected_lanes, [&](Line const &line, auto const &q) {
+        auto const [middle, half2] = chord(line.origin, line.direction, q);
+        Pack const half = select(half2 >= Pack(0.0), square_root(half2), Pack(quiet_nan<double>()));
+        auto const part = out.from(chunk.begin);
+        if (part.enter != nullptr) store_lanes(middle - half, chunk.count, part.enter);
+        if (part.leave != nullptr) store_lanes(middle + half, chunk.count, part.leave);
+        return has_clear_chord(line.origin, line.direction, q);
     });
 }
 

@@ -32,6 +32,7 @@
     X(SetRows<Segments>, OverlapArray)                                                             \
     X(SetRows<Triangles>, OverlapArray)                                                            \
     X(SetRows<Boxes>, OverlapArray)                                                                \
+    X(SetRows<Lines>, ChordArrays)                                                                 \
     X(NeighborList, ContactArrays)                                                                 \
     X(NeighborList, OverlapArray)                                                                  \
     X(NeighborList, DerivativeArrays)                                                              \

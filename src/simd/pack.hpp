@@ -7,7 +7,8 @@
 /// A product has a type of its own. If something is added to it or subtracted from it, and the
 /// target has fused multiply-add, the product becomes part of that instruction. So the source
 /// decides what is fused, not the compiler, and a lane gives the same bits in any surrounding code.
-/// Units that use packs are compiled without contraction.
+/// Units that use packs are compiled without contraction. A unit that defines PW85_ROUNDED_PRODUCTS
+/// first has packs that fuse nothing: they give the bits of the functions for one pair.
 #ifndef PW85_SIMD_PACK_HPP_INCLUDED
 #define PW85_SIMD_PACK_HPP_INCLUDED
 
@@ -40,19 +41,27 @@
 // The namespace of packs is named after what they depend on, so that units for the same instruction
 // set can pass packs to each other.
 #if defined(PW85_LANES_AVX512)
-#define PW85_PACKS packs_avx512
+#define PW85_PACKS_OF(kind) kind##_avx512
 #elif defined(PW85_LANES_AVX2)
-#define PW85_PACKS packs_avx2
+#define PW85_PACKS_OF(kind) kind##_avx2
 #elif defined(PW85_LANES_FMA)
-#define PW85_PACKS packs_fma
+#define PW85_PACKS_OF(kind) kind##_fma
 #elif defined(PW85_LANES_SVE512)
-#define PW85_PACKS packs_sve512
+#define PW85_PACKS_OF(kind) kind##_sve512
 #elif defined(PW85_LANES_SVE256)
-#define PW85_PACKS packs_sve256
+#define PW85_PACKS_OF(kind) kind##_sve256
 #elif defined(PW85_LANES_NEON)
-#define PW85_PACKS packs_neon
+#define PW85_PACKS_OF(kind) kind##_neon
 #else
-#define PW85_PACKS packs_baseline
+#define PW85_PACKS_OF(kind) kind##_baseline
+#if !defined(PW85_ROUNDED_PRODUCTS)
+#define PW85_ROUNDED_PRODUCTS // there are no others
+#endif
+#endif
+#if defined(PW85_ROUNDED_PRODUCTS)
+#define PW85_PACKS PW85_PACKS_OF(rounded_packs)
+#else
+#define PW85_PACKS PW85_PACKS_OF(packs)
 #endif
 
 namespace pw85::detail {
@@ -190,7 +199,11 @@ PW85_INLINE Pack operator+(Pack const &x, Pack const &y) noexcept { return x.v +
 PW85_INLINE Pack operator-(Pack const &x, Pack const &y) noexcept { return x.v - y.v; }
 PW85_INLINE Pack operator-(Pack const &x) noexcept { return -x.v; }
 
-#if defined(PW85_LANES_AVX512)
+#if defined(PW85_ROUNDED_PRODUCTS)
+PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept { return p.x * p.y + z.v; }
+PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept { return p.x * p.y - z.v; }
+PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept { return z.v - p.x * p.y; }
+#elif defined(PW85_LANES_AVX512)
 PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept
 {
     return _mm512_fmadd_pd(p.x, p.y, z.v);
@@ -255,10 +268,6 @@ PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept
 {
     return vfmsq_f64(z.v, p.x, p.y);
 }
-#else
-PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept { return p.x * p.y + z.v; }
-PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept { return p.x * p.y - z.v; }
-PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept { return z.v - p.x * p.y; }
 #endif
 PW85_INLINE Pack operator+(Pack const &z, Product const &p) noexcept { return p + z; }
 PW85_INLINE Pack operator+(Product const &p, Product const &q) noexcept { return p + Pack(q); }

@@ -56,7 +56,7 @@ PW85_INLINE Scientific scientific(Pack const &x) noexcept
     return {from_bits(to_bits(x) - (exponent << 52)), shifted - Pack(integer_shift)};
 }
 
-/// log 2 in two parts. The first one has 42 bits, so that its product with an exponent is exact.
+/// log 2 in two parts. The first one has 42 bits; its product with an exponent is exact.
 inline constexpr double log2_high = 0x1.62e42fefa38p-1, log2_low = 0x1.ef35793c7673p-45;
 
 /// log x for a positive normal number, with a relative error of less than 2^-66. With m = mantissa

@@ -2,7 +2,7 @@
 /// @file The instruction sets for which functions are compiled, and the choice among them. Each
 /// instruction set has a namespace of its name (baseline, avx2, ...) with its copies of these
 /// functions. Each caller chooses among the functions that it calls, by PW85_OF_PAIR() or
-/// PW85_OF_LANES(). No list names all functions, so that programs with the static library get what
+/// PW85_OF_LANES(). No list names all functions: programs with the static library get only what
 /// they call.
 #ifndef PW85_SIMD_TARGETS_HPP_INCLUDED
 #define PW85_SIMD_TARGETS_HPP_INCLUDED

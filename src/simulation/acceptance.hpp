@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The probability with which trials of a simulation are accepted. volume.cpp, engine.cpp and
-/// insertions.cpp draw by it.
+/// Decides whether trials of a simulation are accepted. volume.cpp, engine.cpp and insertions.cpp
+/// call this.
 #ifndef PW85_SIMULATION_ACCEPTANCE_HPP_INCLUDED
 #define PW85_SIMULATION_ACCEPTANCE_HPP_INCLUDED
 
@@ -9,7 +9,7 @@
 
 namespace pw85::detail::simulation {
 
-/// Accepts with probability min(1, ratio^exponent e^-cost), by a function of x^y and e^x that gives
+/// Returns true with probability min(1, ratio^exponent e^-cost). The functions for x^y and e^x give
 /// the same bits everywhere.
 [[gnu::always_inline]] inline bool accept(double ratio, double exponent, double cost,
                                           double uniform) noexcept

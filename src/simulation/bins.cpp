@@ -4,6 +4,8 @@
 
 #include <numeric>
 
+#include "../base/last_error.hpp"
+
 namespace pw85::detail::simulation {
 
 namespace {
@@ -11,6 +13,9 @@ namespace {
 /// Upper bound of the number of bins per particle. With two particles in a bin, few
 /// blocks are empty, and few bins have more than one block.
 constexpr double most_bins = 0.5;
+
+/// A search visits each bin that a particle spans, which takes some nanoseconds.
+constexpr double most_spanned_bins = 0x1p20;
 
 } // namespace
 
@@ -21,29 +26,63 @@ int Bins::prepare(Configuration const &configuration, double side, std::size_t m
     if (!periodicity.prepare(cell_.exists ? cell_.vectors : nullptr, cell_.periodic))
         return PW85_EINVAL;
     std::size_t const n = configuration.size();
-    double fit[3], all = 1.0;
-    int num_divided = 0;
-    for (int k = 0; k < 3; ++k) {
-        bool const periodic = periodicity.is_periodic(k);
-        num_divided += periodic;
-        dual_[k] = periodic ? periodicity.dual_of_cell(k) : Vector3{0.0, 0.0, 0.0};
-        fit[k] = periodic ? std::max(1.0, 1.0 / (side * magnitude(dual_[k]))) : 1.0;
-        all *= fit[k];
-    }
-    double const share = most_bins * static_cast<double>(n) / all;
-    double const fewer = std::min(1.0, num_divided == 3   ? std::cbrt(share)
-                                       : num_divided == 2 ? std::sqrt(share)
-                                                          : share);
+    for (int k = 0; k < 3; ++k)
+        dual_[k] =
+            periodicity.is_periodic(k) ? periodicity.dual_of_cell(k) : Vector3{0.0, 0.0, 0.0};
+    divide(side, most_bins * static_cast<double>(n));
     std::size_t num_bins = 1;
-    for (int k = 0; k < 3; ++k) {
-        parts_[k] = static_cast<std::int32_t>(std::max(1.0, fewer * fit[k]));
-        num_bins *= static_cast<std::size_t>(parts_[k]);
-    }
+    for (std::int32_t const parts : parts_) num_bins *= static_cast<std::size_t>(parts);
     if (!blocks_.resize(num_bins + (n + more) / 4) || !places_.resize(n + more) ||
         !sort(configuration, num_bins) || !order_.resize(n + more))
         return PW85_ENOMEM;
     clear(num_bins);
-    return fill(configuration) ? PW85_SUCCESS : PW85_EINVAL;
+    if (!fill(configuration)) return PW85_EINVAL;
+    if (spanned_bins() <= most_spanned_bins) return PW85_SUCCESS;
+    return note_cause(PW85_EINVAL, nullptr,
+                      "the cell must not be so skewed or so small that a particle spans more than "
+                      "2²⁰ bins of it");
+}
+
+/// Divides the vectors of the cell into parts not much smaller than `side`, but into no more than
+/// `most` bins. Vectors that would have less than one part are not divided, and the others share
+/// the number.
+void Bins::divide(double side, double most) noexcept
+{
+    double fit[3];
+    bool divided[3], all_fit = false;
+    for (int k = 0; k < 3; ++k) {
+        divided[k] = largest_coordinate(dual_[k]) > 0.0;
+        parts_[k] = 1;
+        fit[k] = divided[k] ? std::max(1.0, 1.0 / (side * magnitude(dual_[k]))) : 1.0;
+    }
+    while (!all_fit) {
+        double all = 1.0;
+        int num_divided = 0;
+        for (int k = 0; k < 3; ++k) {
+            num_divided += divided[k];
+            if (divided[k]) all *= fit[k];
+        }
+        double const share = most / all;
+        double const fewer = std::min(1.0, num_divided == 3   ? std::cbrt(share)
+                                           : num_divided == 2 ? std::sqrt(share)
+                                                              : share);
+        all_fit = true;
+        for (int k = 0; k < 3; ++k) {
+            if (!divided[k]) continue;
+            divided[k] = fewer * fit[k] >= 1.0;
+            all_fit = all_fit && divided[k];
+            parts_[k] = divided[k] ? static_cast<std::int32_t>(fewer * fit[k]) : 1;
+        }
+    }
+}
+
+/// Returns how many bins the largest particle spans at most, for any place of it.
+double Bins::spanned_bins() const noexcept
+{
+    double count = 1.0;
+    for (int k = 0; k < 3; ++k)
+        count *= 1.0 + 4.0 * parts_[k] * magnitude_of_dot(dual_[k], largest_);
+    return count;
 }
 
 Bins::Block Bins::empty_block(std::int32_t next) noexcept
@@ -55,8 +94,7 @@ Bins::Block Bins::empty_block(std::int32_t next) noexcept
     return block;
 }
 
-/// Empties all bins. All blocks of a bin but its first are full, so that n/4 further blocks are
-/// enough.
+/// Empties all bins. All blocks of a bin but its first are full, so n/4 further blocks are enough.
 void Bins::clear(std::size_t num_bins) noexcept
 {
     std::fill_n(blocks_.data(), blocks_.size(), empty_block(-1));
@@ -116,7 +154,7 @@ void Bins::add(std::size_t i, std::size_t in_configuration, Vector3 const &cente
     rename(i, in_configuration);
 }
 
-/// Sets the margin for this magnitude and those before: a particle may move farther away along a
+/// Enlarges the margin to cover this magnitude, too: a particle may move farther away along a
 /// vector that is not periodic. The margin is 2⁻²⁰ times the largest sum of the magnitudes in a
 /// coordinate, 16 times the unit roundoff. This bounds the rounding errors of the eight operations
 /// from the centres on.
@@ -126,8 +164,9 @@ void Bins::widen_margin(double magnitude) noexcept
     margin_ = static_cast<float>(0x1p-20 * (farthest_ + largest_coordinate(largest_)));
 }
 
-/// Returns the largest magnitude that the margin must cover for a particle at a place. 2⁻²⁸ times a
-/// centre that is not moved into the cell is one, because its coordinates are rounded as doubles.
+/// Returns the largest magnitude that the margin must cover for a particle. One such magnitude is
+/// 2⁻²⁸ times the centre before it is moved into the cell, because its coordinates are rounded as
+/// doubles.
 double Bins::magnitude_of(Vector3 const &center, Box const &box) noexcept
 {
     double largest = 0x1p-28 * largest_coordinate(center);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The particles of a simulation by their places. The event chains (chains.cpp) ask for the
-/// neighbours of a particle, and move it. Particles have numbers here in the order of the bins at
-/// the start, so that those that are near each other are near in memory.
+/// Sorts the particles of a simulation into bins. The event chains (chains.cpp) find the neighbours
+/// of a particle here, and move it. Particles are numbered here in the order of the bins at the
+/// start: particles near each other in space are near in memory.
 ///
 /// Vector k of the cell is divided into equal parts if it is periodic. A bin is a parallelepiped of
 /// parts. It has the particles whose centres are in it, after they are moved into the cell, in
@@ -28,11 +28,11 @@ class Bins {
     /// @param more how many particles may be added afterwards
     int prepare(Configuration const &configuration, double side, std::size_t more = 0) noexcept;
 
-    /// Adds a particle, with the next number, or the number of one that was taken out.
+    /// Adds a particle. It gets the next number, or the number of a removed particle.
     void add(std::size_t i, std::size_t in_configuration, Vector3 const &center,
              Vector3 const &half_widths) noexcept;
 
-    /// Takes out particle i. Its number is free for another one.
+    /// Removes particle i. Its number is free for another one.
     void take_out(std::size_t i) noexcept { remove(i); }
 
     /// Changes the number of particle i in the configuration.
@@ -47,15 +47,15 @@ class Bins {
         return static_cast<std::size_t>(order_[i]);
     }
 
-    /// Takes note of the new centre of particle i.
+    /// Moves particle i to the bin of its new centre.
     void move(std::size_t i, Vector3 const &center) noexcept;
 
-    /// Calls visit_one(j, cell) for each image of a particle whose box intersects a box, and for
-    /// some that are very near. The centre of the image is in that cell.
+    /// Calls visit_one(j, cell) for each image of a particle whose box intersects a given box, and
+    /// for some whose boxes nearly do. `cell` is the cell in which the centre of the image is.
     ///
-    /// A box intersects some consecutive parts of each vector, maybe more than there are. Part
-    /// number p + m parts is that of the image m cells on. So the search also finds several images
-    /// of a particle in a small cell.
+    /// A box intersects some consecutive parts of each vector, which may be more than the cell has.
+    /// Part p + m · parts is part p of the image that is m cells further. So the search also finds
+    /// several images of a particle in a small cell.
     template <class Visit> [[gnu::always_inline]] void
     visit(Vector3 const &center, Vector3 const &half_widths, Visit const &visit_one) const noexcept
     {
@@ -90,7 +90,7 @@ class Bins {
         return {{cell.n[0] - home.n[0], cell.n[1] - home.n[1], cell.n[2] - home.n[2]}};
     }
 
-    /// Brings the place of a particle into the cache.
+    /// Brings the bin position of a particle into the cache.
     [[gnu::always_inline]] void prefetch(std::size_t j) const noexcept
     {
         simulation::prefetch(&places_[j], 1);
@@ -105,8 +105,8 @@ class Bins {
         float center[3], half_widths[3];
     };
 
-    /// Up to four particles of a bin. Empty lanes have negative infinite half-widths, so that their
-    /// boxes intersect none.
+    /// Up to four particles of a bin. Empty lanes have negative infinite half-widths; their boxes
+    /// intersect no other box.
     struct Block {
         Float4 center[3], half_widths[3];
         std::int32_t particle[4];
@@ -169,7 +169,7 @@ class Bins {
         }
     }
 
-    /// Bit k is that of lane k.
+    /// Returns the bits of a mask: bit k is that of lane k.
     [[gnu::always_inline]] static unsigned to_bits(Int4 const &mask) noexcept
     {
 #ifdef __SSE2__
@@ -189,6 +189,8 @@ class Bins {
     void clear(std::size_t num_bins) noexcept;
     bool sort(Configuration const &configuration, std::size_t num_bins) noexcept;
     bool fill(Configuration const &configuration) noexcept;
+    void divide(double side, double most) noexcept;
+    double spanned_bins() const noexcept;
     static double magnitude_of(Vector3 const &center, Box const &box) noexcept;
     void widen_margin(double magnitude) noexcept;
     void set(Place const &place, std::int32_t particle, Box const &box) noexcept;

@@ -19,21 +19,21 @@ constexpr double stage_size = 0.25;
 /// The side of a bin, over the same length.
 constexpr double bin_size = 1.0;
 
-/// After each 1000 displacements a chain must have become shorter by a part of what remains. Only
-/// particles that block each other, up to rounding errors, advance less: 2^34 displacements would
-/// follow, for hours.
+/// In 1000 displacements a chain must advance by at least a fraction of its remaining length. Only
+/// particles that block each other, up to rounding errors, advance less. Such a chain would need
+/// 2^34 displacements, which take hours.
 constexpr int displacements_of_a_check = 1000;
 constexpr double least_part = 0x1p-24;
 
-/// A step in log t after which the path to the contact is right to rounding: its relative error is
-/// about the fourth power of the step.
+/// A step in log t below which the path to the contact is accurate to rounding: its relative error
+/// is about the fourth power of the step.
 constexpr double last_step = 0x1p-13;
 
 /// Maximum number of steps of the search for a contact.
 constexpr int most_steps = 60;
 
-/// The error of a path, over the size of the pair, beyond which the plane that gives it is not that
-/// of the contact.
+/// If the error of a path over the size of the pair exceeds this, the plane that gives the path is
+/// not the tangent plane of the contact.
 constexpr double tolerance = 0x1p-40;
 
 /// Rounds a path down to a multiple of `digit`, a power of two. The path must be below 2⁵³ digit.
@@ -129,8 +129,8 @@ void Chains::list_obstacles(std::size_t i, Vector3 const &direction, double stag
     insert_touched(i, direction, stage, pair, count);
 }
 
-/// Inserts those of one or two obstacles that may be touched, by the bounds at the t of spheres
-/// with these traces.
+/// Inserts one or two obstacles unless their bounds exclude contact. The bounds are those at the t
+/// of spheres with the same traces.
 void Chains::insert_touched(std::size_t i, Vector3 const &direction, double stage,
                             Obstacle (&pair)[2], std::size_t count) noexcept
 {
@@ -159,7 +159,7 @@ void Chains::insert(Obstacle const &obstacle) noexcept
     obstacles_.insert(place, obstacle);
 }
 
-/// Improves the two least bounds. Obstacles that are not on the path leave.
+/// Improves the two least bounds. Removes obstacles that cannot be touched on the path.
 void Chains::improve(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
     std::size_t const count = std::min(obstacles_.size(), std::size_t{2});
@@ -181,7 +181,7 @@ void Chains::improve(std::size_t i, Vector3 const &direction, double stage) noex
 
 /// Finds the path to the contact with the last obstacle. The plane at the last t gives it, or else
 /// free_path(). If that fails, too, the obstacle no longer ends the path. It stays among the
-/// obstacles, without a plane, so that the exact test decides about it at the end of the path. So a
+/// obstacles, without a plane, and the exact test decides about it at the end of the path. So a
 /// failure cannot lead to an overlap.
 void Chains::find_contact(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
@@ -221,7 +221,7 @@ double Chains::free_path_length(std::size_t i, Vector3 const &direction, double 
     return obstacles_.is_empty() ? stage : std::min(stage, obstacles_.last().bound);
 }
 
-/// Returns whether particle i and an image are on different sides of a plane for certain.
+/// Returns whether a plane certainly separates particle i from an image.
 bool Chains::plane_separates(std::size_t i, Image const &image,
                              Vector3 const &normal) const noexcept
 {
@@ -234,7 +234,8 @@ bool Chains::plane_separates(std::size_t i, Image const &image,
 }
 
 /// Returns whether particle i does not overlap an image, by a plane if there is one, or else by the
-/// exact test. A plane that does not separate the two is given up: its normal becomes zero.
+/// exact test. If a plane does not separate the two, its normal becomes zero, and it is not used
+/// again.
 bool Chains::is_free_of(std::size_t i, Image const &image, Vector3 &normal) const noexcept
 {
     if (plane_separates(i, image, normal)) return true;
@@ -286,8 +287,8 @@ double Chains::advance(std::size_t i, Vector3 const &direction, double path, boo
 int Chains::run(std::size_t first, Vector3 const &direction, double length,
                 ChainSums &sums) noexcept
 {
-    // All paths are multiples of the last digit of the length, so that their sum is the length
-    // without rounding.
+    // All paths are multiples of the last digit of the length: their sum is the length, without
+    // rounding.
     double const digit = times_power_of_two(1.0, binary_exponent(length) - 52);
     double remaining = length, at_last_check = length;
     int displacements = 0;

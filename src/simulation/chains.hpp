@@ -4,8 +4,8 @@
 /// algorithms for hard-sphere systems (2009), doi:10.1103/PhysRevE.80.056704. hard_ellipsoids.cpp
 /// offers them in the C API.
 ///
-/// A random particle moves along a direction d until it touches another one. This one moves on from
-/// there, and so on, until the sum of the paths is the length of the chain. There are no
+/// A random particle moves along a direction d until it touches another one. Then that particle
+/// moves along d, and so forth, until the sum of the paths is the length of the chain. There are no
 /// rejections.
 ///
 /// For a given direction and length, the chains from all configurations and all particles are a
@@ -26,8 +26,8 @@ namespace pw85::detail::simulation {
 /// Sums over some chains. Their βP/ρ is 1 + transfers/length, if no particle can touch its own
 /// images. Michel, Kapfer and Krauth, Generalized event-chain Monte Carlo (2014),
 /// doi:10.1063/1.4863991: βP/ρ, along d, is the mean of (x_last - x_first)/length. Here x is the
-/// coordinate along d of the particle that moves, which jumps by that of the separation at each
-/// contact.
+/// coordinate along d of the particle that moves. At each contact it jumps by the coordinate of the
+/// separation.
 struct ChainSums {
     double length;    ///< the sum of the paths
     double transfers; ///< the sum of the coordinates along d of the separations at contacts
@@ -38,16 +38,18 @@ class Chains {
   public:
     explicit Chains(Configuration &configuration) noexcept : configuration_(configuration) {}
 
-    /// To be called after anything else has changed the configuration. Returns a status.
+    /// Reads the configuration. Call it after anything else has changed the configuration. Returns
+    /// a status.
     int prepare() noexcept;
 
     /// Returns whether a particle could touch its own image if it turned. Chains do not find such
-    /// contacts: the images of a particle move with it. But they are a part of the pressure.
+    /// contacts: the images of a particle move with it. But such contacts contribute to the
+    /// pressure.
     bool own_images_may_touch() const noexcept { return own_images_may_touch_; }
 
-    /// Makes one chain and adds to the sums. The direction has length one. Returns a status:
-    /// PW85_ECONVERGENCE if particles block each other within rounding errors, so that the chain
-    /// does not advance.
+    /// Runs one chain and adds to the sums. The direction has length one. Returns a status:
+    /// PW85_ECONVERGENCE if the chain does not advance, because particles block each other within
+    /// rounding errors.
     int run(std::size_t first, Vector3 const &direction, double length, ChainSums &sums) noexcept;
 
   private:

@@ -19,7 +19,7 @@ enum class ChangeType { isotropic, axis, triclinic, aspect };
 /// or by one entry.
 class Change {
   public:
-    /// Draws a change. One and its inverse are equally probable, since (1 + x/2)/(1 - x/2) becomes
+    /// Draws a change. A change and its inverse are equally probable: (1 + x/2)/(1 - x/2) becomes
     /// its inverse for -x, and so does a shear. The triclinic type draws one of the axes or one of
     /// the shears x_d += x x_e with e > d, each with the same probability: 1/6, or 1/3 in two
     /// dimensions. These shears leave the vectors of a cell a lower triangular matrix if they are

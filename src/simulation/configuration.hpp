@@ -6,6 +6,7 @@
 #define PW85_SIMULATION_CONFIGURATION_HPP_INCLUDED
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include <pw85_systems.h>
@@ -23,8 +24,7 @@ using Vector3 = Vector<double, 3>;
 using Quaternion = Vector<double, 4>;
 using Form3 = SymmetricMatrix<double, 3>;
 
-/// Asks for the lines of the cache that have some objects. They are loaded while other work
-/// continues.
+/// Prefetches the cache lines of some objects. They are loaded while other work continues.
 template <class T>
 [[gnu::always_inline]] inline void prefetch(T const *first, std::size_t count) noexcept
 {
@@ -77,8 +77,8 @@ struct Cell {
     }
 };
 
-/// From a centre to that of an image of another particle, which is moved by a translation. The
-/// engine and the chains decide about these rounded separations.
+/// Returns the vector from a centre to that of an image of another particle, moved by a
+/// translation. The engine and the chains decide about these rounded separations.
 [[gnu::always_inline]] inline Vector3 separation(Vector3 const &from, Vector3 const &to,
                                                  Vector3 const &translation) noexcept
 {
@@ -92,8 +92,8 @@ struct Cell {
 /// In two dimensions all centres have the same z, and a principal axis of each particle, the third
 /// one, is along z. So the forms are block diagonal, and overlaps are those of the ellipses in the
 /// plane, whatever the third semi-axes are. The first two vectors of the cell have no z, and the
-/// third is along z and not periodic. Whatever moves keeps the bits of all that: z of centres and
-/// of the cell, and x and y of quaternions.
+/// third is along z and not periodic. Moves keep the bits of all that: z of centres and of the
+/// cell, and x and y of quaternions.
 struct Configuration {
     Array<Vector3> centers, semi_axes, half_widths;
     Array<Quaternion> quaternions;
@@ -109,8 +109,7 @@ struct Configuration {
     /// Changes the number of particles, up to the capacity. New ones have no values yet.
     void set_size(std::size_t n) noexcept { size_ = n; }
 
-    /// Returns whether the system is repeated along all vectors of its dimensions, so that it has a
-    /// volume.
+    /// Returns whether the system has a volume: it is periodic along all vectors of its dimensions.
     [[gnu::always_inline]] bool is_closed() const noexcept
     {
         return cell.exists && cell.periodic[0] && cell.periodic[1] &&
@@ -123,6 +122,16 @@ struct Configuration {
         Vector3 const a = cell.vector(0), b = cell.vector(1);
         return absolute(dimensions == 2 ? a[0] * b[1] - a[1] * b[0]
                                         : dot(a, cross(b, cell.vector(2))));
+    }
+
+    /// Returns the length of the longest vector of a closed cell, or else infinity. A longer
+    /// translation leads to places that shorter ones reach, too.
+    [[gnu::always_inline]] double longest_useful_translation() const noexcept
+    {
+        if (!is_closed()) return HUGE_VAL;
+        double longest = 0.0;
+        for (int k = 0; k < dimensions; ++k) longest = std::max(longest, magnitude(cell.vector(k)));
+        return longest;
     }
 
     /// Returns whether a centre is between the origin and the end of each vector that is not
@@ -184,8 +193,8 @@ struct Configuration {
         simulation::prefetch(&q[i], 1);
     }
 
-    /// From the centre of particle i to that of an image of particle j. The separation from j to i
-    /// is the negative one, to the last bit.
+    /// Returns the vector from the centre of particle i to that of an image of particle j. The
+    /// separation from j to i is the negative one, to the last bit.
     [[gnu::always_inline]] Vector3 separation(std::size_t i, std::size_t j,
                                               Vector3 const &translation) const noexcept
     {

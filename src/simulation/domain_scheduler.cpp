@@ -33,8 +33,8 @@ bool DomainScheduler::prepare(Domains const &domains, Stream &stream) noexcept
     return true;
 }
 
-/// Calls visit(other) for the domains next to one that come before it, as long as it returns true.
-/// Returns whether it always did.
+/// Calls visit(other) for the adjacent domains that come before a domain, as long as it returns
+/// true. Returns whether it always did.
 template <class Visit> bool DomainScheduler::for_those_before(Domains const &domains, Label label,
                                                               Visit const &visit) const noexcept
 {
@@ -56,8 +56,8 @@ template <class Visit> bool DomainScheduler::for_those_before(Domains const &dom
     return true;
 }
 
-/// Appends a domain to the order, after those that come before it. The ranks fall, so that at most
-/// eight calls are open.
+/// Appends a domain to the order, after those that come before it. The ranks fall, so at most eight
+/// calls are open.
 void DomainScheduler::append(Domains const &domains, Label label) noexcept
 {
     if (state(domains, label) == waiting) return;
@@ -91,14 +91,15 @@ void DomainScheduler::restart(Domains const &domains) noexcept
         if (state(domains, label) == stopped) state(domains, label) = waiting;
 }
 
-/// Returns the threads begin in equal distances.
+/// Returns the position in the order at which the calling thread begins: threads begin at equal
+/// distances.
 std::size_t DomainScheduler::first_of_thread() const noexcept
 {
     auto const [thread, threads] = this_thread();
     return size() * thread / threads;
 }
 
-/// Returns whether all domains are finished that come before one and are next to it.
+/// Returns whether all adjacent domains that come before a domain are finished.
 bool DomainScheduler::is_ready(Domains const &domains, Label label) const noexcept
 {
     return for_those_before(domains, label, [&](Label other) {
@@ -123,9 +124,9 @@ bool DomainScheduler::take_next(Domains const &domains, std::size_t &position) n
     return false;
 }
 
-/// Finds the next domain, and waits for it. Returns false if there is none, or if one is stopped
-/// and no thread works on another, after which a domain could be ready. So as few domains as
-/// possible remain for the next call of for_all().
+/// Finds the next domain, and waits until it is ready. Returns false if there is none, or if a
+/// domain is stopped and no thread is working, after whose work another domain could be ready. So
+/// as few domains as possible remain for the next call of for_all().
 bool DomainScheduler::take(Domains const &domains, std::size_t &position) noexcept
 {
     for (int looks = 1;; ++looks) {

@@ -12,7 +12,7 @@ namespace {
 /// trials leave them, but the threads have less to share.
 constexpr double particles_per_domain = 32.0;
 
-/// Returns the largest number of parts of a vector if all vectors of some dimensions have as many.
+/// Returns the largest number of parts of a vector if all vectors have the same number.
 double most_parts_of(std::size_t num_particles, int dimensions) noexcept
 {
     double const domains = static_cast<double>(num_particles) / particles_per_domain;

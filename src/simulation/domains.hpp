@@ -5,13 +5,14 @@
 ///
 /// 1. Vector k of the cell is divided into an even number of equal parts, from a random origin on,
 ///    or is not divided. A domain is a parallelepiped of parts. Its colour says which of its parts
-///    have odd numbers, so that there are 1, 2, 4 or 8 colours.
+///    have odd numbers: there are 1, 2, 4 or 8 colours.
 /// 2. Between two domains of a colour there is a part of some vector. A part is wider than the
-///    reach of the particles, so that no particle of one domain can touch a particle of the other.
-/// 3. A particle belongs to the domain of its centre. While a domain is worked on, its particles do
-///    not leave it. So the division stays as it is. A thread reads only particles of its domain and
-///    of the domains next to it (ReadableDomains). So the order of two domains matters only if they
-///    are next to each other. domain_scheduler.hpp keeps this order for any number of threads.
+///    reach of the particles: no particle of one domain can touch a particle of the other.
+/// 3. A particle belongs to the domain of its centre. While a thread works on a domain, its
+///    particles do not leave it. So the division stays valid. A thread reads only particles of its
+///    domain and of the domains next to it (ReadableDomains). So the order of two domains matters
+///    only if they are next to each other. domain_scheduler.hpp keeps this order for any number of
+///    threads.
 #ifndef PW85_SIMULATION_DOMAINS_HPP_INCLUDED
 #define PW85_SIMULATION_DOMAINS_HPP_INCLUDED
 

@@ -16,11 +16,11 @@ namespace {
 constexpr std::uint32_t whole_sweep = UINT32_MAX;
 
 /// The Verlet list is rebuilt before a sweep if the clearance of a particle in its fixed box is
-/// less than this part of the skin. Otherwise it would often stop a domain during the sweep, and
-/// other threads would wait for the new rows. At packing fraction 0.4, aspect ratio 3 and with 1e4
-/// particles, 0.02 takes a twentieth less time with one thread, but a fifth more with two. Larger
-/// values make rows more often: 0.1 takes some 7 % more instructions for each trial, and 0.25
-/// nearly twice as many.
+/// less than this part of the skin. Otherwise a particle would often leave its fixed box during the
+/// sweep, and other threads would wait for the new Verlet list. At packing fraction 0.4, aspect
+/// ratio 3 and with 1e4 particles, 0.02 takes a twentieth less time with one thread, but a fifth
+/// more with two. Larger values rebuild the list more often: 0.1 takes some 7 % more instructions
+/// for each trial, and 0.25 nearly twice as many.
 constexpr double least_room = 0.05;
 
 /// The skin over the longest semi-axis takes the least time at packing fraction 0.4 and aspect
@@ -103,6 +103,13 @@ void Engine::set_dimensions(int dimensions) noexcept
     forget();
 }
 
+void Engine::limit_translations(double longest) noexcept
+{
+    parameters.translation = std::min(parameters.translation, longest);
+    for (std::size_t k = 0; k < species.size(); ++k)
+        species[k].translation = std::min(species[k].translation, longest);
+}
+
 /// Copies the configuration in memory order, unless it is the same as at the last end(). There are
 /// rows afterwards, also if the call before had no memory for them. Returns a status.
 int Engine::begin() noexcept
@@ -160,8 +167,8 @@ int Engine::rebuild_list() noexcept
     return status == PW85_SUCCESS ? int{PW85_ENOMEM} : status;
 }
 
-/// Between new rows a particle moves by at most twice the half-width of its fixed box along an
-/// axis.
+/// Recomputes the float boxes. Between two rebuilds of the Verlet list a particle moves by at most
+/// twice the half-width of its fixed box along an axis.
 void Engine::refresh_boxes() noexcept
 {
     double const reach = pair_energy.reach();
@@ -170,10 +177,10 @@ void Engine::refresh_boxes() noexcept
 }
 
 // One trial moves a side of a bounding box by at most `step` or `spread_`. Half of the skin is
-// more, so that a trial is within the fixed boxes of rows that have just been made. A rotation by
-// (1, v) turns by less than 2 |v|. The half-widths of a bounding box are between the shortest
-// semi-axis and the longest one, so a rotation changes them by no more than the difference. All of
-// this holds for ellipsoids that are enlarged by the reach of energies.
+// more, so a trial is within the fixed boxes of Verlet lists that have just been rebuilt. A
+// rotation by (1, v) turns by less than 2 |v|. The half-widths of a bounding box are between the
+// shortest semi-axis and the longest one, so a rotation changes them by no more than the
+// difference. All of this holds for ellipsoids that are enlarged by the reach of energies.
 double Engine::skin() const noexcept
 {
     auto const step_of = [&](double translation, double rotation) {
@@ -199,7 +206,8 @@ bool Engine::all_within_skin(double displacement) const noexcept
            }) == 0;
 }
 
-/// Returns whether particle i overlaps an image that lanes leave over, or the pair is bad.
+/// Returns whether particle i overlaps an image that lanes do not decide. Also true if the pair is
+/// bad.
 [[gnu::cold]] bool Engine::overlaps_image(std::size_t i, Neighbor const &image) const noexcept
 {
     auto const j = static_cast<std::size_t>(image.index);
@@ -282,7 +290,8 @@ int Engine::fail(Counts const &before) noexcept
     return ExternalPotential::refuse_energy();
 }
 
-/// Marks what the calling thread may read while it works on a domain, or takes the marks away.
+/// Marks the domains that the calling thread may read while it works on a domain, or removes the
+/// marks.
 ReadableDomains Engine::set_readable(Label domain, std::uint8_t mark) noexcept
 {
     auto const [thread, threads] = this_thread();
@@ -316,9 +325,8 @@ bool Engine::run(std::size_t position) noexcept
     return own.progress.remaining == 0;
 }
 
-/// Makes the trials of a domain, until one of them leaves its fixed box. Meanwhile the next domain
-/// comes into the cache, a particle with each trial, since the memory answers in the time of a
-/// trial.
+/// Makes the trials of a domain, until a particle leaves its fixed box. With each trial a particle
+/// of the next domain is prefetched: loading it takes about the time of a trial.
 void Engine::run(DomainRun &run) noexcept
 {
     auto const members = domains_.members(run.domain);
@@ -380,9 +388,9 @@ Move Engine::choose(Stream &stream) const noexcept
     return accept(1.0, 0.0, change, stream.uniform()) ? Outcome::accepted : Outcome::rejected;
 }
 
-/// Puts particles to their new places, and back unless the trial is accepted. An overlap that is
-/// found is certain, wherever the fixed boxes are. accept_energy_change() is
-/// called last, with the particles as they were.
+/// Moves particles to their new positions, and back unless the trial is accepted. An overlap that
+/// is found is certain, wherever the fixed boxes are. accept_energy_change() is called last, with
+/// the particles as they were.
 template <class Overlaps, class Accept>
 Engine::Outcome Engine::accept_or_revert(std::size_t const *particles, Particle const *moved,
                                          std::size_t count, Overlaps const &overlaps_others,
@@ -438,7 +446,7 @@ Engine::Outcome Engine::try_move(Move move, std::size_t i, DomainRun &run) noexc
         [&](Particle *old) { return acceptance_of_pairs(&i, old, &moved, 1, run); });
 }
 
-/// Two particles exchange their semi-axes.
+/// Tries to exchange the semi-axes of two particles.
 Engine::Outcome Engine::try_exchange(std::size_t i, std::size_t j, DomainRun &run) noexcept
 {
     std::size_t const particles[2] = {i, j};
@@ -458,9 +466,9 @@ Engine::Outcome Engine::try_exchange(std::size_t i, std::size_t j, DomainRun &ru
         [&](Particle *old) { return acceptance_of_pairs(particles, old, moved, 2, run); });
 }
 
-// If the new place is beyond the fixed box, it is tested by rows that are made for it. A particle
-// that goes back may be beyond its new fixed box. Then the engine starts again from the
-// configuration.
+// Tests a new position, and accepts it if wanted. If the position is outside of the fixed box, the
+// Verlet list is rebuilt for the test. A rejected particle may then be outside of its new fixed
+// box, and the engine starts again from the configuration.
 int Engine::try_placement(std::size_t particle, Particle const &moved, bool take,
                           bool &is_free) noexcept
 {

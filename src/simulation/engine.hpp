@@ -99,7 +99,7 @@ struct Progress {
     std::uint32_t remaining; ///< trials that remain
 };
 
-/// The work on a domain. Each thread has one, so that threads do not write to the same cache lines.
+/// The work on a domain. Each thread has its own: threads do not write to the same cache lines.
 struct DomainRun {
     Progress progress;
     Label domain;
@@ -142,6 +142,9 @@ class Engine {
 
     /// To be called for a configuration that allows it, outside of sessions.
     void set_dimensions(int dimensions) noexcept;
+
+    /// Makes translations no longer than `longest`, because the cell has become smaller.
+    void limit_translations(double longest) noexcept;
 
     /// Sets the law of the energies of pairs, outside of sessions. Returns a status.
     int set_law(pw85_law const *law) noexcept;
@@ -285,7 +288,7 @@ class Engine {
         auto const overlaps_found = [&] {
             return overlaps_any(i, found.images, std::exchange(found.count, 0));
         };
-        // in parts, so that there is room for all of a part
+        // in parts: there is memory for all of a part
         auto const add_all = [&](std::size_t size, auto const &add) {
             for (std::size_t begin = 0; begin < size; begin += most_candidates) {
                 std::size_t const end = std::min(size, begin + most_candidates);

@@ -184,6 +184,11 @@ int ExternalPotential::check(Configuration const &configuration,
     if (int const status = check_suited(configuration)) return status;
     for (std::size_t i = 0; i < configuration.size(); ++i) {
         Particle const particle = configuration.get(i);
+        if (!mesh.is_testable(particle))
+            return note_cause(PW85_EINVAL, nullptr,
+                              "particles must not be so long or so far away that more than 2¹⁴ of "
+                              "their images may meet the mesh",
+                              i);
         if (!cuts(particle, configuration.dimensions)) continue;
         if (overlap != nullptr) overlap[0] = static_cast<std::int32_t>(i);
         if (overlap != nullptr) overlap[1] = first_cut(particle, configuration.dimensions);

@@ -4,8 +4,8 @@
 /// neighbours of a particle.
 ///
 /// Centres are differences from an origin. All numbers are divided by the longest semi-axis of the
-/// ellipsoids, enlarged by the reach of energies (pair_energy.hpp), so that they are in range. Let
-/// S bound the coordinates of centres and translations, and h the half-widths. A bound of a box
+/// ellipsoids, enlarged by the reach of energies (pair_energy.hpp), which brings them into range.
+/// Let S bound the coordinates of centres and translations, and h the half-widths. A bound of a box
 /// errs by less than v (S + h), with v = 2⁻²⁴. The bounds of the other box err as much, as much
 /// again by their margin, and by 3 v (S + h) by a translation. The sum is less than 8 v (S + h),
 /// and less than 12 v S because S is at least 2 h. The margin is 2⁻¹⁸ S. That is five times as

@@ -44,7 +44,7 @@ template <class Work> int repeat(Engine &engine, std::size_t times, Work const &
     });
 }
 
-/// One sweep after the other, each followed by a trial of the volume if there is a pressure.
+/// Runs sweeps, each followed by a trial of the volume if there is a pressure, and tunes the steps.
 int tune(Engine &engine, std::size_t num_sweeps, double acceptance, double pressure,
          ChangeType type) noexcept
 {
@@ -61,7 +61,7 @@ int tune(Engine &engine, std::size_t num_sweeps, double acceptance, double press
     return status;
 }
 
-/// Event chains along a direction, or along random ones if it is zero.
+/// Runs event chains along a direction, or along random ones if it is zero.
 int make_chains(Engine &engine, std::size_t num_chains, double length, Vector3 const &direction,
                 ChainSums &sums) noexcept
 {
@@ -81,8 +81,8 @@ int make_chains(Engine &engine, std::size_t num_chains, double length, Vector3 c
     return PW85_SUCCESS;
 }
 
-/// Gives what moves in a plane of z the bits of z, and of x and y of the quaternion, of the
-/// particle before. Returns a status, which says whether it stays in the plane.
+/// Copies z of the centre, and x and y of the quaternion, from the old particle to the moved one in
+/// two dimensions. Returns a status, which says whether the particle stays in its plane.
 int keep_in_plane(Particle const &before, Particle &moved) noexcept
 {
     if (moved.center[2] != before.center[2])
@@ -96,7 +96,7 @@ int keep_in_plane(Particle const &before, Particle &moved) noexcept
     return PW85_SUCCESS;
 }
 
-/// Places a particle elsewhere. Null keeps what there is. Returns a status.
+/// Sets the centre or the quaternion of a particle. Null keeps the old one. Returns a status.
 int place(Engine const &engine, double const *center, double const *quaternion,
           Particle &moved) noexcept
 {
@@ -110,7 +110,7 @@ int place(Engine const &engine, double const *center, double const *quaternion,
                : make_particle(moved.center, moved.quaternion, moved.semi_axes, moved);
 }
 
-/// Tries another centre or quaternion of a particle. Null keeps what there is.
+/// Tries another centre or quaternion of a particle. Null keeps the old one.
 int try_placement(Engine &engine, std::size_t particle, double const *center,
                   double const *quaternion, bool take, int &is_free) noexcept
 {

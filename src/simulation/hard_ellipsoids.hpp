@@ -45,16 +45,13 @@ template <class Coordinates>
                       static_cast<double>(particle));
 }
 
-/// Returns a status, which says whether these can be the steps of kinds, all different.
-int check_kinds(Array<SpeciesSteps> const &kinds) noexcept;
+/// Returns a status, which says whether these can be the steps of kinds, all different, in a
+/// configuration.
+int check_kinds(Array<SpeciesSteps> const &kinds, Configuration const &configuration) noexcept;
 
-/// Returns whether a simulation can have these parameters. The sum of the fractions is 1 up to
-/// rounding errors.
-bool are_parameters(Parameters const &parameters) noexcept;
-
-/// Returns the longest translation that is of use: a longer one leads to places that shorter ones
-/// reach, too.
-double most_useful_translation(Configuration const &configuration) noexcept;
+/// Returns whether a simulation of a configuration can have these parameters. The sum of the
+/// fractions is 1 up to rounding errors.
+bool are_parameters(Parameters const &parameters, Configuration const &configuration) noexcept;
 
 } // namespace pw85::detail::simulation
 

@@ -14,8 +14,8 @@ using namespace pw85::detail::simulation;
 
 namespace {
 
-/// Puts something new in the place of a member of the external potential, and back if the
-/// configuration does not allow it. Returns a status.
+/// Replaces a member of the external potential, and restores it if the configuration does not allow
+/// the new one. Returns a status.
 template <class Member> int replace(Engine &engine, Member ExternalPotential::*member, Member made,
                                     std::int32_t *overlap = nullptr) noexcept
 {

@@ -92,7 +92,8 @@ int check_cell(Cell const &cell) noexcept
 
 bool has_no_z(Vector3 const &vector) noexcept { return vector[2] == 0.0; }
 
-/// Returns a status, which says whether nothing stands out of a plane of z: see Configuration.
+/// Returns a status, which says whether all particles and the cell are in a plane of z: see
+/// Configuration.
 int check_plane(Configuration const &configuration) noexcept
 {
     Cell const &cell = configuration.cell;
@@ -175,11 +176,7 @@ int set_dimensions(Engine &engine, int dimensions) noexcept
     engine.configuration.dimensions = before;
     if (status != PW85_SUCCESS) return PW85_EINVAL;
     engine.set_dimensions(dimensions);
-    double &translation = engine.parameters.translation;
-    double const longest = most_useful_translation(engine.configuration);
-    translation = std::min(translation, longest);
-    for (std::size_t k = 0; k < engine.species.size(); ++k)
-        engine.species[k].translation = std::min(engine.species[k].translation, longest);
+    engine.limit_translations(engine.configuration.longest_useful_translation());
     return PW85_SUCCESS;
 }
 
@@ -300,7 +297,7 @@ int restore(Reader (&sections)[num_sections], pw85_hard_ellipsoids *&simulation)
     sections[settings].read(dimensions, parameters);
     Cell cell_read{};
     if (sections[settings].finish() != PW85_SUCCESS || !sections[particles].exists() ||
-        (dimensions != 2 && dimensions != 3) || !are_parameters(parameters) ||
+        (dimensions != 2 && dimensions != 3) ||
         read_cell(sections[cell], cell_read) != PW85_SUCCESS)
         return PW85_EINVAL;
     auto const load = [&](std::size_t) {
@@ -320,7 +317,8 @@ int restore(Reader (&sections)[num_sections], pw85_hard_ellipsoids *&simulation)
               read_objects(sections[fields], external.fields),
               read_potential(sections[potential], external)})
             if (status != PW85_SUCCESS) return status;
-        return check_kinds(engine.species);
+        if (!are_parameters(parameters, engine.configuration)) return int{PW85_EINVAL};
+        return check_kinds(engine.species, engine.configuration);
     };
     return make(sections[particles].remaining<SavedParticle>(), cell_read, load, set, nullptr,
                 simulation);

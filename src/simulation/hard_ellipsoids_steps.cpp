@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The C API of the steps of trials, of their fractions and of their counts.
 #include <cmath>
+#include <span>
 
 #include "../base/c_arrays.hpp"
 #include "hard_ellipsoids.hpp"
@@ -13,15 +14,23 @@ namespace pw85::detail::simulation {
 
 namespace {
 
-/// Returns whether these can be the largest changes of trials. For negative steps, no list of
-/// neighbours would ever hold.
-bool are_steps(double translation, double rotation, double volume) noexcept
+/// Returns a status, which says whether these can be the largest changes of trials: a translation, a
+/// rotation and maybe a change of the volume. For negative steps, no list of neighbours would ever
+/// hold.
+int check_steps(std::span<double const> steps, Configuration const &configuration,
+                std::size_t row = 0) noexcept
 {
-    return translation > 0.0 && std::isfinite(translation) && rotation > 0.0 && rotation <= 1.0 &&
-           volume > 0.0 && volume <= 1.0;
+    for (double const step : steps)
+        if (!(step > 0.0 && is_finite(step))) return PW85_EINVAL;
+    for (std::size_t k = 1; k < steps.size(); ++k)
+        if (steps[k] > 1.0)
+            return note_cause(PW85_EINVAL, "steps", "must be at most 1", row, k, steps[k]);
+    if (steps[0] <= configuration.longest_useful_translation()) return PW85_SUCCESS;
+    return note_cause(PW85_EINVAL, "steps", "must be at most the longest vector of the cell", row,
+                      0, steps[0]);
 }
 
-/// Returns whether these can be counts, and have room for more.
+/// Returns whether these can be counts, and are far from overflow.
 bool are_counts(Counts const &counts) noexcept
 {
     bool allowed = true;
@@ -33,16 +42,14 @@ bool are_counts(Counts const &counts) noexcept
 
 } // namespace
 
-int check_kinds(Array<SpeciesSteps> const &kinds) noexcept
+int check_kinds(Array<SpeciesSteps> const &kinds, Configuration const &configuration) noexcept
 {
     if (kinds.size() > max_species)
         return note_cause(PW85_EINVAL, "num_kinds", "must be at most 16");
     for (std::size_t k = 0; k < kinds.size(); ++k) {
-        if (kinds[k].rotation > 1.0)
-            return note_cause(PW85_EINVAL, "steps", "must be at most 1", k, 1, kinds[k].rotation);
-        if (!are_steps(kinds[k].translation, kinds[k].rotation, 1.0) ||
-            !is_finite(kinds[k].semi_axes))
-            return PW85_EINVAL;
+        double const steps[] = {kinds[k].translation, kinds[k].rotation};
+        if (int const status = check_steps(steps, configuration, k)) return status;
+        if (!is_finite(kinds[k].semi_axes)) return PW85_EINVAL;
         for (std::size_t j = 0; j < k; ++j)
             if (kinds[j].has(kinds[k].semi_axes))
                 return note_cause(PW85_EINVAL, "semi_axes", "must differ from those before", k);
@@ -50,24 +57,16 @@ int check_kinds(Array<SpeciesSteps> const &kinds) noexcept
     return PW85_SUCCESS;
 }
 
-bool are_parameters(Parameters const &parameters) noexcept
+bool are_parameters(Parameters const &parameters, Configuration const &configuration) noexcept
 {
     double sum = 0.0;
     for (double const fraction : parameters.fractions) {
         if (!(fraction >= 0.0)) return false;
         sum += fraction;
     }
+    double const steps[] = {parameters.translation, parameters.rotation, parameters.volume};
     return absolute(sum - 1.0) <= 0x1p-48 && are_counts(parameters.counts) &&
-           are_steps(parameters.translation, parameters.rotation, parameters.volume);
-}
-
-double most_useful_translation(Configuration const &configuration) noexcept
-{
-    if (!configuration.is_closed()) return HUGE_VAL;
-    double longest = 0.0;
-    for (int k = 0; k < configuration.dimensions; ++k)
-        longest = std::max(longest, magnitude(configuration.cell.vector(k)));
-    return longest;
+           check_steps(steps, configuration) == PW85_SUCCESS;
 }
 
 } // namespace pw85::detail::simulation
@@ -89,12 +88,7 @@ int pw85::detail::hard_ellipsoids_set_steps(pw85_hard_ellipsoids &simulation,
                                             double const steps[3]) noexcept
 {
     Engine &engine = simulation.engine;
-    for (std::size_t k = 1; k < 3; ++k)
-        if (steps[k] > 1.0)
-            return note_cause(PW85_EINVAL, "steps", "must be at most 1", 0, k, steps[k]);
-    if (steps[0] > most_useful_translation(engine.configuration))
-        return note_cause(PW85_EINVAL, "steps", "must be at most the longest vector of the cell", 0,
-                          0, steps[0]);
+    if (int const status = check_steps({steps, 3}, engine.configuration)) return status;
     engine.parameters.translation = steps[0];
     engine.parameters.rotation = steps[1];
     engine.parameters.volume = steps[2];
@@ -117,14 +111,9 @@ int pw85::detail::hard_ellipsoids_set_kind_steps(pw85_hard_ellipsoids &simulatio
     if (num_kinds > max_species) return note_cause(PW85_EINVAL, "num_kinds", "must be at most 16");
     Array<SpeciesSteps> kinds;
     if (!kinds.resize(num_kinds)) return PW85_ENOMEM;
-    double const longest = most_useful_translation(engine.configuration);
-    for (std::size_t k = 0; k < num_kinds; ++k) {
+    for (std::size_t k = 0; k < num_kinds; ++k)
         kinds[k] = {c_api::load_vector<3>(semi_axes + 3 * k), steps[2 * k], steps[2 * k + 1]};
-        if (!(kinds[k].translation <= longest))
-            return note_cause(PW85_EINVAL, "steps",
-                              "must be at most the longest vector of the cell", k, 0, steps[2 * k]);
-    }
-    if (int const status = check_kinds(kinds)) return status;
+    if (int const status = check_kinds(kinds, engine.configuration)) return status;
     engine.species = std::move(kinds);
     return PW85_SUCCESS;
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <new>
 
-#include "../neighbors/search.hpp"
+#include "../neighbors/bounded_list.hpp"
 #include "../rows/many_pairs.hpp"
 #include "acceptance.hpp"
 
@@ -54,8 +54,7 @@ bool grow(Array<T> &array, std::size_t n, std::size_t capacity, Array<T> &old) n
 
 } // namespace
 
-// The room doubles, so that all arrays that were outgrown have no more elements than the present
-// ones.
+// The capacity doubles: all outgrown arrays together have no more elements than the present ones.
 int Engine::add(Particle const &particle) noexcept
 {
     Configuration &all = configuration;
@@ -170,8 +169,9 @@ int Insertions::list_own_images(double reach) noexcept
     std::size_t count = 0;
     if (shortest_ <= width) {
         double const half = 0.5 * width;
-        if (int const status = neighbors::list_images(
-                periodicity_, {{-half, -half, -half}, {half, half, half}}, vectors))
+        if (int const status =
+                neighbors::list_images(periodicity_, {{-half, -half, -half}, {half, half, half}},
+                                       neighbors::bounded.images, vectors))
             return status;
         if (!own_images_.resize(vectors.size())) return PW85_ENOMEM;
         for (std::size_t k = 1; k < vectors.size(); ++k) {
@@ -209,9 +209,9 @@ int Insertions::test(Particle const &particle, bool &is_free) noexcept
     return test_images(particle, is_free);
 }
 
-/// Adds the energies of a particle with images of all others but one, and with its own images.
-/// Boxes that are enlarged by the reach meet if boxes around them do, of which the bins know the
-/// second.
+/// Adds the energies of a particle with images of all others but one, and with its own images. The
+/// bins know the boxes of the other particles without the reach: only the query is enlarged, by the
+/// reach of both.
 int Insertions::add_pair_energy(Particle const &particle, std::size_t skipped,
                                 double &energy) noexcept
 {
@@ -237,7 +237,7 @@ int Insertions::add_pair_energy(Particle const &particle, std::size_t skipped,
     return sum.is_bad ? PW85_EPOTENTIAL : PW85_SUCCESS;
 }
 
-/// Returns a particle at a random place of the cell.
+/// Draws a particle at a random position in the cell.
 bool Insertions::draw(Stream &stream, Vector3 const &semi_axes, Particle &particle) const noexcept
 {
     Configuration const &all = engine_.configuration;
@@ -263,7 +263,7 @@ int Insertions::try_weight(Vector3 const &semi_axes, double &weight) noexcept
     if (is_free)
         if (int const status = add_pair_energy(particle, none, energy)) return status;
     ++engine_.parameters.step;
-    // e^800 is infinity, as are larger powers, which exponential() does not know
+    // e^800 is infinity, as are larger powers, for which exponential() is not made
     if (is_free)
         weight =
             energy > 700.0 ? 0.0 : exponential(Doubled<Pack>(Pack(std::min(800.0, -energy))))[0];
@@ -289,8 +289,8 @@ int Insertions::try_insertion(Species &species, Stream &stream, InsertionCounts 
     double energy = engine_.external.energy(all.size(), particle, all.dimensions);
     if (std::isnan(energy)) return ExternalPotential::refuse_energy();
     double const ratio = species.activity * all.volume() / static_cast<double>(species.count + 1);
-    // Pairs that overlap have no energy. Without pairs the overlap test comes last, as it takes the
-    // longest time.
+    // Pairs that overlap have no energy, so the overlap test comes first. Without pair energies it
+    // comes last, because it takes the longest time.
     bool const is_tested = engine_.pair_energy.exists();
     if (is_free && is_tested)
         if (int const status = test(particle, is_free)) return status;

@@ -54,28 +54,53 @@ int MeshWall::prepare(Cell const &cell) noexcept
     return PW85_SUCCESS;
 }
 
-/// Returns whether any image of a particle whose box meets that of the mesh passes a test of its
-/// centre.
+/// Returns the sum of the half-widths of the boxes of a particle and of the mesh.
+Vector3 MeshWall::reach_of(Particle const &particle) const noexcept
+{
+    Vector3 reach = particle.half_widths + half_widths_;
+    for (int d = 0; d < 3; ++d)
+        reach[d] += margin * (reach[d] + absolute(particle.center[d]) + absolute(middle_[d]));
+    return reach;
+}
+
+/// Finds the images of a particle that may meet the mesh. Returns false if there are more than
+/// most_images, or if one is too far away.
 ///
 /// The image n of a particle meets the mesh only if |r + Σ n_l a_l| <= h along each axis, with the
 /// difference r of the middles and the sum h of the half-widths. So |D_l·r + n_l| <= Σ|D_ld| h_d
 /// for the dual D_l of a periodic vector.
-template <class Test>
-bool MeshWall::any_image(Particle const &particle, Test const &test) const noexcept
+bool MeshWall::find_images(Particle const &particle, Vector3 const &reach,
+                           ImageRange &images) const noexcept
 {
     Vector3 const r = particle.center - middle_;
-    Vector3 reach = particle.half_widths + half_widths_;
-    for (int d = 0; d < 3; ++d)
-        reach[d] += margin * (reach[d] + absolute(particle.center[d]) + absolute(middle_[d]));
-    std::int32_t first[3], last[3];
+    double count = 1.0;
     for (int l = 0; l < 3; ++l) {
         double const along = dot(dual_[l], r),
                      size = sum_of_magnitudes(r) + sum_of_magnitudes(reach),
                      width = magnitude_of_dot(dual_[l], reach) + margin * dual_bound_[l] * size;
-        if (!(absolute(along) + width < 0x1p29)) return true;
-        first[l] = static_cast<std::int32_t>(std::ceil(-along - width));
-        last[l] = static_cast<std::int32_t>(std::floor(width - along));
+        count *= 2.0 * width + 1.0;
+        if (!(absolute(along) + width < 0x1p29 && count <= most_images)) return false;
+        images.first[l] = static_cast<std::int32_t>(std::ceil(-along - width));
+        images.last[l] = static_cast<std::int32_t>(std::floor(width - along));
     }
+    return true;
+}
+
+bool MeshWall::is_testable(Particle const &particle) const noexcept
+{
+    ImageRange images;
+    return !exists() || find_images(particle, reach_of(particle), images);
+}
+
+/// Returns whether any image of a particle whose box meets that of the mesh passes a test of its
+/// centre, or the particle is not testable.
+template <class Test>
+bool MeshWall::any_image(Particle const &particle, Test const &test) const noexcept
+{
+    Vector3 const reach = reach_of(particle);
+    ImageRange images;
+    if (!find_images(particle, reach, images)) return true;
+    auto const &[first, last] = images;
     for (std::int32_t i = first[0]; i <= last[0]; ++i)
         for (std::int32_t j = first[1]; j <= last[1]; ++j)
             for (std::int32_t k = first[2]; k <= last[2]; ++k) {
@@ -115,10 +140,10 @@ std::int32_t MeshWall::nearest(Particle const &particle) const noexcept
 }
 
 // The form is F Fᵀ with a factor whose singular values are the semi-axes up to a few u. An entry is
-// a sum of three products, which errs by less than 3 u a² for the longest semi-axis a, so that the
-// least eigenvalue is smaller by less than 9 u a², of 16 u a² here. The centres, and the vertices
-// relative to them, err by less than 8 u times the coordinates, which are below 2²⁸ b: less than
-// 2⁻²² b, of 2⁻²⁰ b here.
+// a sum of three products, which errs by less than 3 u a² for the longest semi-axis a. The least
+// eigenvalue is therefore smaller by less than 9 u a², of 16 u a² here. The centres, and the
+// vertices relative to them, err by less than 8 u times the coordinates, which are below 2²⁸ b:
+// less than 2⁻²² b, of 2⁻²⁰ b here.
 double MeshWall::longest_step(Vector3 const &semi_axes) noexcept
 {
     double const b = std::min({semi_axes[0], semi_axes[1], semi_axes[2]}),

@@ -30,11 +30,15 @@ class MeshWall {
 
     bool exists() const noexcept { return triangles.size() > 0; }
 
-    /// Makes the mesh of the arrays, repeated with a cell. Returns a status: PW85_EINVAL also for a
-    /// mesh that is longer than most_cells along a periodic vector.
+    /// Builds the mesh of the arrays, periodic with a cell. Returns a status: PW85_EINVAL also for
+    /// a mesh that is longer than most_cells along a periodic vector.
     int prepare(Cell const &cell) noexcept;
 
-    /// Returns whether a particle meets a triangle.
+    /// Returns whether a particle is so short, and so near, that all images which may meet the mesh
+    /// can be tested.
+    bool is_testable(Particle const &particle) const noexcept;
+
+    /// Returns whether a particle meets a triangle, or is not testable.
     bool cuts(Particle const &particle) const noexcept;
 
     /// Returns the triangle that is nearest to a particle which meets the mesh.
@@ -46,9 +50,19 @@ class MeshWall {
     static double longest_step(Vector3 const &semi_axes) noexcept;
 
   private:
-    static constexpr double most_cells = 16.0;
+    /// The first with room for a particle as long as four cells beside a mesh as long as 16. A test
+    /// takes up to 1 µs.
+    static constexpr double most_images = 0x1p14, most_cells = 16.0;
+
+    /// Multiples of the vectors of the cell, from the first to the last, along each of them.
+    struct ImageRange {
+        std::int32_t first[3], last[3];
+    };
 
     void enclose(Cell const &cell) noexcept;
+    Vector3 reach_of(Particle const &particle) const noexcept;
+    bool find_images(Particle const &particle, Vector3 const &reach,
+                     ImageRange &images) const noexcept;
     template <class Test> bool any_image(Particle const &particle, Test const &test) const noexcept;
 
     std::unique_ptr<pw85_mesh, DestroyMesh> mesh_;

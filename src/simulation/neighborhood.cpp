@@ -8,14 +8,14 @@
 #include <memory>
 #include <span>
 
-#include "../base/objects.hpp"
 #include "../base/parallel.hpp"
+#include "../neighbors/bounded_list.hpp"
 
 namespace pw85::detail::simulation {
 
 namespace {
 
-/// Lists with fewer pairs are not worth the start of threads, and more shares not the memory.
+/// Shorter lists are not worth the start of threads; more shares are not worth their memory.
 constexpr std::size_t pairs_per_share = 16384, most_shares = 16;
 
 bool is_same(Multiples const &x, Multiples const &y) noexcept
@@ -29,7 +29,7 @@ Multiples negative(Multiples const &image) noexcept
     return {{-image.n[0], -image.n[1], -image.n[2]}};
 }
 
-/// Numbers different multiples from 0 on, by a hash table with open addressing.
+/// Assigns numbers from 0 on to different multiples, by a hash table with open addressing.
 class ImageTable {
   public:
     explicit ImageTable(Array<Multiples> &images) noexcept : images_(images) {}
@@ -48,7 +48,7 @@ class ImageTable {
 
     std::size_t size() const noexcept { return count_; }
 
-    /// Gives back memory that is not used.
+    /// Frees memory that is not used.
     bool finish() noexcept { return images_.resize(count_); }
 
     /// Returns the number of an image that has one.
@@ -139,7 +139,7 @@ int Neighborhood::rebuild_list(Configuration const &configuration, double reach,
 {
     pw85_system const system = configuration.system();
     pw85_neighbors *made = nullptr;
-    int const status = neighbors_create(system, reach, skin, made);
+    int const status = neighbors::create_bounded_list(system, reach, skin, made);
     std::unique_ptr<pw85_neighbors, DestroyList> const list(made);
     if (status != PW85_SUCCESS) return status;
     std::copy_n(configuration.cell.vectors, 9, cell_);

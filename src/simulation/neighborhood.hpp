@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The neighbours of each particle of a simulation, as rows. engine.hpp asks them whether a
-/// particle overlaps any other.
+/// The Verlet list of a simulation, as one row of images for each particle. engine.hpp uses the
+/// rows to test whether a particle overlaps any other.
 ///
 /// 1. Particle i has a fixed box: the bounding box that it had when the rows were made, enlarged by
 ///    the reach of energies (pair_energy.hpp) and by half of the skin on each side. Its row has all
@@ -80,14 +80,14 @@ class Neighborhood {
   public:
     Neighborhood() noexcept; // not inline: the linker would merge copies
 
-    /// Makes the rows for a configuration, whose ellipsoids are enlarged by the factor `reach`.
+    /// Builds the rows of a configuration whose ellipsoids are enlarged by the factor `reach`.
     /// Returns a status. On error there are no rows.
     int update(Configuration const &configuration, double reach, double skin) noexcept;
 
     /// Returns the number of rows: that of the particles, or 0 after an error.
     std::size_t size() const noexcept { return extents_.size(); }
 
-    /// Takes over a change of the cell. Returns false if the cell is singular.
+    /// Sets the cell after a change. Returns false if it is singular.
     [[nodiscard]] bool set_cell(Cell const &cell) noexcept;
 
     /// Returns whether particle i, enlarged, with this centre and these half-widths, is in its

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "../base/last_error.hpp"
-#include "../base/objects.hpp"
+#include "../neighbors/bounded_list.hpp"
 #include "../rows/laws.hpp"
 #include "acceptance.hpp"
 #include "engine.hpp"
@@ -101,7 +101,7 @@ int PairEnergy::of_all(Configuration const &all, EnergySum &sum) const noexcept
 {
     pw85_system const system = all.system();
     pw85_neighbors *made = nullptr;
-    if (int const status = neighbors_create(system, reach_, 0.0, made)) return status;
+    if (int const status = neighbors::create_bounded_list(system, reach_, 0.0, made)) return status;
     std::unique_ptr<pw85_neighbors, DestroyList> const owner(made);
     pw85_pair_list const list = pw85_neighbors_list(made);
     EnergyCollector pairs(*this);
@@ -119,7 +119,7 @@ int PairEnergy::virial_of_all(Configuration const &all, double &virial) const no
 {
     pw85_system const system = all.system();
     pw85_neighbors *made = nullptr;
-    if (int const status = neighbors_create(system, reach_, 0.0, made)) return status;
+    if (int const status = neighbors::create_bounded_list(system, reach_, 0.0, made)) return status;
     std::unique_ptr<pw85_neighbors, DestroyList> const owner(made);
     pw85_pair_list const list = pw85_neighbors_list(made);
     pw85_law const own = law();

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The energy of pairs beside the hard core, a law of μ². engine.cpp asks after the overlap test.
+/// The energy of pairs in addition to the hard core, a law of μ². engine.cpp computes it after the
+/// overlap test.
 ///
 /// 1. A trial that changes the sum of the energies by ΔU is accepted with the probability
 ///    min(1, e^-ΔU), beside the other conditions. The product of such probabilities is in detailed
 ///    balance with the product of the densities. The random number is drawn only if ΔU > 0.
-/// 2. Energies are rounded to multiples of 2⁻³² k_B T, and added as whole numbers. So the sum does
-///    not depend on the order of the rows, and not on the number of threads.
+/// 2. Energies are rounded to multiples of 2⁻³² k_B T, and added as integers. So the sum depends
+///    neither on the order of the rows nor on the number of threads.
 /// 3. The energy is 0 from some μ on, the reach. Rows, rough boxes and domains are those of
-///    ellipsoids that are enlarged by it, so that rows have all pairs with an energy.
+///    ellipsoids that are enlarged by the reach: Verlet lists have all pairs with an energy.
 #ifndef PW85_SIMULATION_PAIR_ENERGY_HPP_INCLUDED
 #define PW85_SIMULATION_PAIR_ENERGY_HPP_INCLUDED
 
@@ -58,7 +59,8 @@ class PairEnergy {
 
     bool exists() const noexcept { return parameters_.size() > 0; }
 
-    /// By how much ellipsoids are enlarged that touch if they have an energy; 1 without a law.
+    /// Returns the factor of ellipsoids that touch where the energy of the pair begins; 1 without a
+    /// law.
     double reach() const noexcept { return reach_; }
 
     /// Returns the law. It points to the array of this object.

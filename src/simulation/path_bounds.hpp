@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Lower bounds of the path of a particle to those that are near it. The event chains (chains.cpp)
-/// use this file.
+/// Lower bounds of the path of a particle to its neighbours. The event chains (chains.cpp) use this
+/// file.
 ///
-/// The particle moves by x d, so that the separation is r - x d. With M = Q1 + t Q2, rᵀadj(M)r - (1
-/// + 1/t) det M is positive where f > 1 at this t (item 1 of motion/translation.hpp). On the path
-/// it is a polynomial of degree two. So its first root is a lower bound of the path, and there is
-/// no contact if it has no root ahead. Each t gives a bound; the contact is the largest.
+/// The particle moves by x d; the separation is r - x d. With M = Q1 + t Q2, rᵀadj(M)r - (1 + 1/t)
+/// det M is positive where f > 1 at this t (item 1 of motion/translation.hpp). On the path it is a
+/// polynomial of degree two. So its first root is a lower bound of the path, and there is no
+/// contact if it has no root ahead. Each t gives a bound; the largest of all bounds is the path to
+/// the contact.
 ///
 /// Two obstacles are in the lanes of a pack. All formulas hold for one number as well.
 #ifndef PW85_SIMULATION_PATH_BOUNDS_HPP_INCLUDED

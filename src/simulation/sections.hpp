@@ -43,17 +43,24 @@ namespace {
 
 inline constexpr std::size_t bytes_of_word = 8;
 
+/// Returns a word whose bytes in memory are those of a state, or the word of such bytes. Compilers
+/// load and store shifted bytes one by one.
+[[gnu::always_inline]] inline std::uint64_t in_state_order(std::uint64_t word) noexcept
+{
+    return std::endian::native == std::endian::big ? __builtin_bswap64(word) : word;
+}
+
 [[gnu::always_inline]] inline std::uint64_t load_word(unsigned char const *bytes) noexcept
 {
-    std::uint64_t word = 0;
-    for (std::size_t k = 0; k < bytes_of_word; ++k) word |= std::uint64_t{bytes[k]} << 8 * k;
-    return word;
+    std::uint64_t word;
+    std::memcpy(&word, bytes, bytes_of_word);
+    return in_state_order(word);
 }
 
 [[gnu::always_inline]] inline void store_word(std::uint64_t word, unsigned char *bytes) noexcept
 {
-    for (std::size_t k = 0; k < bytes_of_word; ++k)
-        bytes[k] = static_cast<unsigned char>(word >> 8 * k);
+    word = in_state_order(word);
+    std::memcpy(bytes, &word, bytes_of_word);
 }
 
 /// Two types, one of which may be const.
@@ -120,14 +127,22 @@ class Writer {
         size_ += bytes_of_word;
     }
 
+    /// The place is a local variable: bytes may be anything, also the members of this object, so
+    /// that these would be loaded again for each number.
     template <class Object> [[gnu::always_inline]] void add(Object const &object) noexcept
     {
+        unsigned char *const first = bytes_ == nullptr ? nullptr : bytes_ + size_;
+        std::size_t place = 0;
         visit_numbers(object, [&]<class Number>(Number const &number) {
+            std::uint64_t word;
             if constexpr (std::same_as<Number, double>)
-                add_word(std::bit_cast<std::uint64_t>(number));
+                word = std::bit_cast<std::uint64_t>(number);
             else
-                add_word(static_cast<std::uint64_t>(number)); // which extends the sign
+                word = static_cast<std::uint64_t>(number); // which extends the sign
+            if (first != nullptr) store_word(word, first + place);
+            place += bytes_of_word;
         });
+        size_ += place;
     }
 
     template <class Elements>

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <memory>
 
-#include "../base/objects.hpp"
+#include "../neighbors/bounded_list.hpp"
 #include "../rows/many_pairs.hpp"
 #include "acceptance.hpp"
 #include "engine.hpp"
@@ -23,7 +23,7 @@ int least_mu2_of_list(pw85_system const &system, double scale, double &mu2) noex
 {
     mu2 = HUGE_VAL;
     pw85_neighbors *made = nullptr;
-    if (int const status = neighbors_create(system, scale, 0.0, made)) return status;
+    if (int const status = neighbors::create_bounded_list(system, scale, 0.0, made)) return status;
     std::unique_ptr<pw85_neighbors, DestroyList> const owner(made);
     pw85_pair_list const list = pw85_neighbors_list(made);
     if (list.num_pairs == 0) return PW85_SUCCESS;
@@ -72,6 +72,7 @@ int Engine::try_volume(double pressure, ChangeType type) noexcept
         outcome);
     if (status == PW85_SUCCESS && outcome == Outcome::failed) return PW85_EPOTENTIAL;
     parameters.counts.accepted[volume] += outcome == Outcome::accepted;
+    if (outcome == Outcome::accepted) limit_translations(ordered_.longest_useful_translation());
     return status;
 }
 
@@ -128,10 +129,12 @@ int Engine::compress(bool take, double &factor) noexcept
                 Change(factor, ordered_.dimensions), [] { return Outcome::accepted; }, outcome))
             return status;
     }
-    return take ? int{PW85_SUCCESS} : undo(true);
+    if (!take) return undo(true);
+    limit_translations(ordered_.longest_useful_translation());
+    return PW85_SUCCESS;
 }
 
-/// Tells rows and boxes that the cell has changed. Returns false if it is singular.
+/// Updates rows and boxes after a change of the cell. Returns false if it is singular.
 bool Engine::set_cell() noexcept
 {
     if (!neighborhood_.set_cell(ordered_.cell)) return false;
@@ -155,7 +158,7 @@ void Engine::apply(Change const &change) noexcept
     });
 }
 
-/// Takes back a change. Rows that were made for it may not hold for the configuration before.
+/// Reverts a change. Rows that were built for it may not be valid for the configuration before.
 int Engine::undo(bool rows_are_new) noexcept
 {
     ordered_.cell = old_cell_;
@@ -196,7 +199,7 @@ int find_first_overlap(Configuration const &configuration, std::int32_t *pair) n
 {
     pw85_system const system = configuration.system();
     pw85_neighbors *made = nullptr;
-    if (int const status = neighbors_create(system, 1.0, 0.0, made)) return status;
+    if (int const status = neighbors::create_bounded_list(system, 1.0, 0.0, made)) return status;
     std::unique_ptr<pw85_neighbors, DestroyList> const owner(made);
     pw85_pair_list const list = pw85_neighbors_list(made);
     auto const overlap = PW85_OF_PAIR(kernels::chosen(), overlap);
@@ -219,11 +222,12 @@ int find_first_overlap(Configuration const &configuration, std::int32_t *pair) n
     return first.status;
 }
 
-/// Rows reach three translations t beyond two semi-axes l, and are rebuilt the sooner, the longer t
-/// is. So t is at most l/2. There are fewer than four particles in a cube of the edge 3 a/2,
-/// where a³ is the volume for each particle. So at low density, t may be such that rows are within
-/// this cube: 2 (2 l + 3 t) <= 3 a/2. In two dimensions there are four particles in a square of the
-/// edge 2 a, where a² is the area for each particle.
+/// Returns the longest useful translation t. The longer t is, the more pairs the Verlet lists have,
+/// which reach 3 t beyond two semi-axes l, and the sooner they are rebuilt. So t is at most l/2.
+/// There are fewer than four particles in a cube of the edge 3 a/2, where a³ is the volume for each
+/// particle. So at low density, t may be longer, as long as rows are within this cube: 2 (2 l + 3
+/// t) <= 3 a/2. In two dimensions there are four particles in a square of the edge 2 a, where a² is
+/// the area for each particle.
 double Engine::longest_translation() const noexcept
 {
     if (!ordered_.is_closed()) return 0.5 * longest_;

@@ -16,15 +16,15 @@ namespace {
 
 using c_api::load_vector;
 
-/// Relative to lengths, what counts as zero where cells and walls are perpendicular: some hundred
-/// times the rounding errors of vectors that were turned.
+/// The bound, relative to lengths, below which a component of a cell vector across a wall counts as
+/// zero: some hundred times the rounding errors of rotated vectors.
 constexpr double perpendicular = 0x1p-44;
 
 /// The part by which a bounding box is enlarged before it decides. It covers some ten rounding
 /// errors.
 constexpr double margin = 1.0 + 0x1p-40;
 
-/// Returns a direction whose largest coordinate is one, so that no product overflows or vanishes.
+/// Returns the direction scaled to a largest coordinate of one: no product overflows or vanishes.
 Vector3 scaled(Vector3 const &direction) noexcept
 {
     double const largest = largest_coordinate(direction);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file Hard walls around the particles of a simulation. external_potential.hpp has them,
-/// engine.cpp asks.
+/// @file Hard walls around the particles of a simulation. external_potential.hpp holds them;
+/// engine.cpp calls it.
 ///
 /// 1. A particle is free of a wall if it has no inner point in the wall: it may touch the wall. The
 ///    decision depends on nothing but the particle and the wall, so a trial that a wall rejects is
@@ -13,7 +13,7 @@
 ///    axis along a coordinate axis.
 /// 4. In two dimensions half-spaces have no z in their normals, a sphere is a disc in the plane of
 ///    the particles, the axis of a cylinder is along z, and a box has no faces across z.
-/// 5. Most particles are far from the wall, so that their bounding boxes decide.
+/// 5. Most particles are far from the wall, where their bounding boxes decide.
 #ifndef PW85_SIMULATION_WALLS_HPP_INCLUDED
 #define PW85_SIMULATION_WALLS_HPP_INCLUDED
 

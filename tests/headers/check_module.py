@@ -41,14 +41,15 @@ def commands(compiler, module, link):
 def main():
     source, build, library = (Path(word).resolve() for word in sys.argv[1:])
     link = [f"-I{source / 'include'}", f"-I{build / 'include'}", f"-L{library}", "-lpw85", "-o", "program"]
-    environment = {**os.environ, "LD_LIBRARY_PATH": str(library)}
+    # ccache, where a compiler's name stands for it, restores the object of a module without its interface.
+    environment = {**os.environ, "LD_LIBRARY_PATH": str(library), "CCACHE_DISABLE": "1"}
     tried = 0
     for compiler in filter(shutil.which, ("g++", "clang++", "clang++-19")):
         with tempfile.TemporaryDirectory(prefix="pw85-module-") as folder:
             (Path(folder) / "user.cpp").write_text(PROGRAM, encoding="utf-8")
             listed = commands(compiler, source / "docs/flags/grains.cppm", link)
             for command in listed:
-                subprocess.run(command, cwd=folder, check=True)
+                subprocess.run(command, cwd=folder, check=True, env=environment)
             if listed:
                 subprocess.run([Path(folder) / "program"], check=True, env=environment)
                 print(f"{compiler}: compiled and right")

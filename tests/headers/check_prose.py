@@ -20,8 +20,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-NEEDED = ("api", "include", "meson.build", "fortran/pw85.in.f90", "fortran/pw85.f90", "r/DESCRIPTION.in", "debian", "python/pypw85",
-          "src/simd/one_pair.hpp", "src/pair", "src/brent")  # fmt: skip
+NEEDED = ("api", "include", "meson.build", "fortran/pw85.in.f90", "fortran/pw85.f90", "r/DESCRIPTION.in", "octave/DESCRIPTION.in",
+          "CHANGELOG.md", "debian", "python/pypw85", "src/simd/one_pair.hpp", "src/pair", "src/brent")  # fmt: skip
 SEEDS = (1, 2)
 COMMENT = re.compile(r"/\*\*[\s\S]*?\*/|(?:^ *///.*\n)+", re.MULTILINE)
 # What is data in a comment: marks, tags with their names and attributes, titles.
@@ -77,6 +77,8 @@ def without_texts(path, text):
         text = re.sub(r"^ *!.*\n", "", text, flags=re.MULTILINE)
     elif path.endswith(".Rd"):
         text = "\n".join(re.findall(r"^\\(?:name|alias|item)\{[^}]*\}|^\\(?:usage|examples)\{\n[\s\S]*?\n\}", text, re.MULTILINE))
+    elif path.endswith(".m"):
+        text = re.sub(r"^%(?!!).*\n", "", text, flags=re.MULTILINE)
     elif path.endswith((".h", ".hpp", ".c", ".cpp")):
         text = re.sub(r"/\*.*?\*/|//[^\n]*", "", text, flags=re.DOTALL)
     elif path.endswith(".py"):

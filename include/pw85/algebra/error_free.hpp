@@ -9,8 +9,8 @@
 
 namespace pw85::detail {
 
-/// A number as the sum of two parts. Products of such parts are exact, so that it makes no
-/// difference whether the compiler fuses them with an addition.
+/// A number as the sum of two parts. Products of such parts are exact: it makes no difference
+/// whether the compiler fuses them with an addition.
 template <class T> struct Parts {
     T high, low;
 };

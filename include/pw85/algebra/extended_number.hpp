@@ -104,8 +104,8 @@ PW85_FUNCTION inline Extended<T> normalized(Digits<N> const &x, int exponent, in
     return result;
 }
 
-/// The limbs of the guard below the mantissa. It has 64 bits for limbs of any width, so that the
-/// truncated bits are the same.
+/// The limbs of the guard below the mantissa. It has 64 bits for limbs of any width: the truncated
+/// bits are the same.
 inline constexpr int guard_limbs = limbs_for(64);
 
 /// The mantissa divided by 2^exponent, with a guard below it and one limb above.
@@ -170,7 +170,7 @@ operator*(Extended<T> const &x, Extended<T> const &y) noexcept
 
 /// The nearest native number, up to an error of 2^-16 ulp. Outside the range of `T` the result is
 /// infinity or zero. The mantissa is read in pieces that `T` represents exactly and that divide
-/// limbs of any width, so that the result does not depend on this width.
+/// limbs of any width. The result does not depend on this width.
 template <class T> PW85_FUNCTION inline T rounded(Extended<T> const &x) noexcept
 {
     if (!x.is_defined()) return quiet_nan<T>();

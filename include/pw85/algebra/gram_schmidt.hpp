@@ -43,7 +43,7 @@ template <class T, int D> struct ConjugateDirection {
 /// Conjugate directions for M, and the components of x along them.
 template <class T, int D> struct ConjugateBasis {
     T alpha, beta;
-    /// the share of a square that projections must leave, so that no second ones follow
+    /// the share of a square that projections must leave; otherwise a second projection follows
     T least_rest;
     ConjugateDirection<T, D> directions[std::size_t(D)];
     T reciprocals[std::size_t(D)]; ///< 1/(wᵀM w)

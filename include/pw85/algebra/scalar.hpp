@@ -68,8 +68,8 @@ PW85_FUNCTION constexpr T load_lanes(typename ScalarTraits<T>::Lane const *x) no
 /// The number in the first lane.
 template <class T> PW85_FUNCTION constexpr T first_lane(T const &x) noexcept { return x; }
 
-/// The value of a function of numeric_limits for a native type, as a constant, so that no code
-/// calls the function. Devices cannot call it.
+/// The value of a function of numeric_limits for a native type, as a constant, because devices
+/// cannot call the function.
 template <auto function> constexpr auto constant_of = function();
 
 /// The value of a function of numeric_limits for a lane of `T`.

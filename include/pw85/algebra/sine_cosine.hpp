@@ -6,8 +6,8 @@
 ///
 /// 1. angle = n π/2 + r with an integer n and |r| <= π/4 (1 + 2^-20). The remainder r is a sum of
 ///    two numbers (doubled.hpp). Multiples of π/2 are subtracted until n is below 2^26. They are
-///    computed from three parts of π/2. The first two have 27 bits, so that their products with n
-///    are exact. The error of r is less than 2^-102 of the angle.
+///    computed from three parts of π/2. The first two have 27 bits; their products with n are
+///    exact. The error of r is less than 2^-102 of the angle.
 /// 2. The series of the sine to r^17 and of the cosine to r^16 are truncated by less than 2^-62 r
 ///    and 2^-58. So each result errs by less than one unit in the last place for |angle| <= π/4,
 ///    and by less than 2^-53 + 2^-102 |angle| otherwise.

@@ -182,7 +182,7 @@ PW85_FUNCTION inline WideInteger value(WideSum sum) noexcept
 }
 
 /// A sum of up to 2^(limb_bits - 2) products of limbs. The low and the high halves of the products
-/// are added separately, so that neither sum overflows.
+/// are added separately, and neither sum overflows.
 struct SumOfProducts {
     DoubleLimb low, high;
 };

@@ -2,9 +2,9 @@
 /// @file
 /// The contact function of two ellipsoids in n dimensions, 1 <= n <= 16, with n known at run time.
 ///
-/// It takes the first of these types whose result is certified: double, numbers of twice its digits
-/// (algebra/doubled.hpp), and numbers of seven times its digits (algebra/extended_number.hpp),
-/// whose memory is allocated.
+/// The search tries these types, and takes the first one whose result is certified: double, numbers
+/// with twice its digits (algebra/doubled.hpp), and numbers with seven times its digits
+/// (algebra/extended_number.hpp), whose memory is allocated.
 #ifndef PW85_ANY_DIMENSION_CONTACT_HPP_INCLUDED
 #define PW85_ANY_DIMENSION_CONTACT_HPP_INCLUDED
 
@@ -23,7 +23,7 @@ template <class T> struct Workspace {
     Evaluation<T> at;
 };
 
-/// The maximum of f by numbers of type T, in the units of the pair.
+/// Computes the maximum of f by numbers of type T, in the units of the pair.
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline Maximum<double>
 maximize_in(Input const &in, Units const &units, Workspace<T> &work) noexcept
 {
@@ -44,8 +44,8 @@ template <class Function>
     return function(work);
 }
 
-/// Calls function(workspace) with a workspace for numbers of twice the digits. It is
-/// compiled for size, as what it alone calls.
+/// Calls function(workspace) with a workspace for numbers of twice the digits. It is compiled for
+/// size, and so are the functions that only it calls.
 template <class Function> [[gnu::noinline, gnu::cold]] PW85_FUNCTION auto
 with_wide_workspace(Function const &function) noexcept
 {
@@ -82,8 +82,8 @@ PW85_FUNCTION inline Contact<double> contact_in_units(Input const &in, Units con
 
 namespace pw85 {
 
-/// The contact function in n dimensions, 1 <= n <= 16. r12 has n numbers, and each form n (n +
-/// 1)/2: the rows of the upper triangle.
+/// Returns the contact function in n dimensions, 1 <= n <= 16. r12 has n numbers, and each form n
+/// (n + 1)/2: the rows of the upper triangle.
 PW85_FUNCTION inline Contact<double> nd_contact(int n, double const *r12, double const *q1,
                                                 double const *q2) noexcept
 {

@@ -78,7 +78,7 @@ template <class T> PW85_FUNCTION inline void keep_better(DualBoundSearch<T> &sea
     if (reach.mu2 > search.best.mu2) search.best = reach;
 }
 
-/// near_null_vector() in n dimensions, from the factors of M.
+/// Computes near_null_vector() in n dimensions, from the factors of M.
 template <class T> PW85_FUNCTION inline void
 find_null_vector(Pair<T> const &pair, Evaluation<T> const &at, T *z) noexcept
 {
@@ -99,7 +99,7 @@ find_null_vector(Pair<T> const &pair, Evaluation<T> const &at, T *z) noexcept
     }
 }
 
-/// reach_beyond() in n dimensions: the two vectors s + αz with sᵀQ2s = ν².
+/// Tries the two vectors s + αz with sᵀQ2s = ν²: reach_beyond() in n dimensions.
 template <class T> PW85_FUNCTION inline void try_beyond(Pair<T> const &pair,
                                                         Evaluation<T> const &at, T const &nu,
                                                         DualBoundSearch<T> &search) noexcept
@@ -120,7 +120,7 @@ template <class T> PW85_FUNCTION inline void try_beyond(Pair<T> const &pair,
     }
 }
 
-/// ρᵀM⁻¹ρ for the residual of s, in the memory of v.
+/// Returns ρᵀM⁻¹ρ for the residual of s. Overwrites v.
 template <class T>
 PW85_FUNCTION inline T residual_form(Pair<T> const &pair, T const &t, Evaluation<T> &at) noexcept
 {
@@ -157,7 +157,7 @@ template <class T>
     return nu + nu * (e - T(1)) / (T(1) + c / nu);
 }
 
-/// ratio_condition_sum() in n dimensions.
+/// Returns ratio_condition_sum() in n dimensions.
 template <class T>
 PW85_FUNCTION inline T condition_sum(Pair<T> const &pair, SupportRatio<T> const &reach) noexcept
 {
@@ -184,7 +184,7 @@ has_converged(Pair<T> const &pair, DualBoundSearch<T> const &search, T const &to
            (gap <= tolerance * mu2 || gap <= tolerance * condition_sum(pair, search.best));
 }
 
-/// initial_nu() in n dimensions.
+/// Returns initial_nu() in n dimensions.
 template <class T>
 PW85_FUNCTION inline T initial_nu(Pair<T> const &pair, Evaluation<T> &at) noexcept
 {
@@ -231,8 +231,8 @@ minimize_dual(Pair<T> const &pair, DualBoundSearch<T> &search, Evaluation<T> &at
 }
 
 /// Returns whether a direction proves that ellipsoid 2 is not inside: √(sᵀQ2s) + |s·r12| >
-/// √(sᵀQ1s), with the errors of form_above(). s is brought to a length of about one, so that what
-/// underflows is far below these errors.
+/// √(sᵀQ1s), with the errors of form_above(). s is scaled to a length of about one; what underflows
+/// is then far below these errors.
 template <class T>
 PW85_FUNCTION inline bool shows_outside(Pair<T> const &pair, T const *direction) noexcept
 {
@@ -324,7 +324,7 @@ struct ReachUnits {
     int length, form, second;
 };
 
-/// scale_contained() in n dimensions.
+/// Scales a pair: scale_contained() in n dimensions.
 PW85_FUNCTION inline ReachUnits scale_for_reach(Input const &in, Pair<double> &pair) noexcept
 {
     int const n = in.n, size = packed_size(n), smallest = -384;
@@ -345,8 +345,8 @@ template <class T> struct ReachWorkspace {
     DualBoundSearch<T> search;
 };
 
-/// κ² and the point in the units of the pair, by numbers of type T. Returns false if the bounds on
-/// κ² differ by more than tolerance S, with S of condition_sum().
+/// Computes κ² and the point in the units of the pair, by numbers of type T. Returns false if the
+/// bounds on κ² differ by more than tolerance S, with S of condition_sum().
 template <class T>
 [[gnu::noinline]] PW85_FUNCTION inline bool find_scale(Pair<double> const &given, double tolerance,
                                                        double &mu2, double *point,

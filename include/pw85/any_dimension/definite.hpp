@@ -22,10 +22,11 @@ template <class T>
 PW85_FUNCTION inline bool is_clearly_definite(int n, double const *q, int exponent) noexcept
 {
     if (!keeps_digits(n, q, exponent)) return false;
-    T scaled[max_packed_size], memory[max_packed_size];
-    for (int k = 0; k < packed_size(n); ++k)
-        scaled[k] = T(exponent == 0 ? q[k] : times_power_of_two(q[k], exponent));
-    return is_definite_with_shift(n, scaled, least_shift<T>(n), memory);
+    T matrix[max_packed_size];
+    for (int i = 0, k = 0; i < n; ++i)
+        for (int j = i; j < n; ++j, ++k)
+            matrix[k] = T(exponent == 0 ? q[k] : times_power_of_two(q[k], exponent));
+    return is_definite_with_shift(n, matrix, least_shift<T>(n), matrix);
 }
 
 /// Decides for forms that double precision leaves open.

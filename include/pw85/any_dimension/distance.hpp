@@ -2,8 +2,8 @@
 /// @file
 /// The distance of two ellipsoids in n dimensions, with the closest points and the normal. The
 /// equations and their search are those of distance/normal_equations.hpp and
-/// distance/normal_search.hpp. What is theirs in two and three dimensions, by vectors of that size,
-/// is here by arrays.
+/// distance/normal_search.hpp. They use vectors of two or three numbers; the functions here use
+/// arrays.
 ///
 /// Any vector u gives the lower bound φ = (u·r12 - √(uᵀQ1u) - √(uᵀQ2u))/|u| of the distance, and
 /// the vector w between the points of the surfaces along u the upper bound |w|. Both are computed
@@ -52,7 +52,7 @@ template <class T> struct NormalFactors {
     T m[max_packed_size];
 };
 
-/// The factors of M = Q1 + t Q2 + s I.
+/// Returns the factors of M = Q1 + t Q2 + s I.
 template <class T> PW85_FUNCTION inline NormalFactors<T>
 factorize_normal(DistancePair<T> const &given, Multipliers<T> const &x) noexcept
 {
@@ -67,7 +67,7 @@ factorize_normal(DistancePair<T> const &given, Multipliers<T> const &x) noexcept
     return factors;
 }
 
-/// solve_normal() in n dimensions.
+/// Solves the equations of solve_normal() in n dimensions.
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline NormalVector<T>
 solve_normal(DistancePair<T> const &given, NormalFactors<T> const &factors,
              Multipliers<T> const &x) noexcept
@@ -96,7 +96,7 @@ solve_normal(DistancePair<T> const &given, NormalFactors<T> const &factors,
     return v;
 }
 
-/// u after a step. The array is that of max_dimension; what is behind n is not used.
+/// Returns u after a step. The array has max_dimension entries, of which n are used.
 template <class T> PW85_FUNCTION inline Direction<T>
 advance(NormalVector<T> const &v, Multipliers<T> const &x, NormalStep<T> const &step) noexcept
 {
@@ -154,7 +154,7 @@ find_slab(Pair<Doubled<double>> const &pair, Direction<T> const &u, NormalSlab &
         off2 <= minimum(W(2.0) * rounding * maximum(slab.width, rounding), largest * largest);
 }
 
-/// The t and s that belong to a slab: with the half-widths α and β they are α/β and αφ.
+/// Returns the t and s that belong to a slab: with the half-widths α and β they are α/β and αφ.
 template <class T> PW85_FUNCTION inline Multipliers<T> multipliers(NormalSlab const &slab) noexcept
 {
     using W = Doubled<double>;
@@ -187,8 +187,8 @@ template <class T>
     return slab.accurate;
 }
 
-/// A step from an accurate normal can still leave a slab that is not accurate to rounding: numbers
-/// of twice the digits continue from it.
+/// Continues the search with twice the digits: a step from an accurate normal can still leave a
+/// slab that is not accurate to rounding.
 [[gnu::cold, gnu::noinline]] PW85_FUNCTION inline bool
 find_normal_wider(Pair<Doubled<double>> const &wide, NormalSlab &slab) noexcept
 {
@@ -217,7 +217,7 @@ find_normal_wider(Pair<Doubled<double>> const &wide, NormalSlab &slab) noexcept
     return find_normal_wider(wide, slab);
 }
 
-/// Rounds the outputs, and brings them to the units of the caller.
+/// Rounds the outputs, and converts them to the units of the caller.
 PW85_FUNCTION inline void store(Input const &in, int unit, NormalSlab const &slab,
                                 NdClosestPoints const &out) noexcept
 {

@@ -8,8 +8,9 @@
 ///
 /// 1. By the S-lemma, ellipsoid 2 is inside if and only if K(ν) = Q1 - Q2/ν - r rᵀ/(1 - ν) is
 /// positive semidefinite for some ν in (0, 1); for r = 0 if and only if Q1 - Q2 is
-/// (exact_containment.hpp of overlap/, with w = ν/(1 - ν)). Such a ν is at least ν1, so that ν1 < 1
-/// is necessary for r != 0. For ν > ν1, K(ν) is positive semidefinite if and only if h(ν) = p/B = 1
+/// (exact_containment.hpp of overlap/, with w = ν/(1 - ν)). Such a ν is at least ν1. Therefore ν1 <
+/// 1 is necessary for r != 0. For ν > ν1, K(ν) is positive semidefinite if and only if h(ν) = p/B =
+/// 1
 /// - ν - rᵀ(Q1 - Q2/ν)⁻¹r >= 0. 2. In the eigenbasis h = 1 - ν - ν Σ c_i/(ν - d_i), over the k
 /// distinct d_i whose eigenspaces r has a part in, with c_i > 0. Let h = q/E in lowest terms: E has
 /// these d_i as its roots, q has the degree k + 1, and p/q = B/E = gcd(p, B). As h is -∞ at
@@ -37,14 +38,14 @@ PW85_FUNCTION inline void copy(ExactPolynomial const &x, ExactPolynomial &y) noe
     for (int i = 0; i <= x.degree; ++i) y.c[i] = copy(x.c[i]);
 }
 
-/// p(t + step), step = ±1.
+/// Replaces p(t) by p(t + step), step = ±1.
 PW85_FUNCTION inline void shift(ExactPolynomial &p, int step) noexcept
 {
     for (int i = 0; i < p.degree; ++i)
         for (int j = p.degree - 1; j >= i; --j) p.c[j] = sum(p.c[j], p.c[j + 1], step);
 }
 
-/// 2^degree p(t/2).
+/// Replaces p(t) by 2^degree p(t/2).
 PW85_FUNCTION inline void stretch(ExactPolynomial &p) noexcept
 {
     for (int i = 0; i < p.degree; ++i) p.c[i] = p.c[i] * to_integer(1.0, p.degree - i);
@@ -63,7 +64,8 @@ PW85_FUNCTION inline int count_sign_changes(ExactPolynomial const &p) noexcept
     return count;
 }
 
-/// The multiple of p that has the given leading coefficient. Its coefficients must be integers.
+/// Replaces p by its multiple that has the given leading coefficient. Its coefficients must be
+/// integers.
 PW85_FUNCTION inline void set_leading(ExactPolynomial &p, Integer const &leading) noexcept
 {
     Integer const old = copy(p.leading());
@@ -105,8 +107,8 @@ PW85_FUNCTION inline void divide(ExactPolynomial &p, ExactPolynomial const &y) n
     set_leading(p, leading);
 }
 
-/// Divides p by what it has in common with y, until nothing is left in common. Returns whether
-/// there is memory.
+/// Divides p by its common divisor with y, until they have no common root. Returns whether there is
+/// memory.
 PW85_FUNCTION inline bool remove_roots(ExactPolynomial &p, ExactPolynomial const &y) noexcept
 {
     for (;;) {
@@ -136,8 +138,8 @@ PW85_FUNCTION inline int find_largest_root(ExactPolynomial (&p)[3]) noexcept
     }
 }
 
-/// p and B as polynomials of ν - 1. Returns 1, 0 if Q1 - Q2 is not positive semidefinite, or
-/// sign_unknown. Interpolation is at ν = 2 … n + 3, where M is positive definite if Q1 - Q2 is
+/// Computes p and B as polynomials of ν - 1. Returns 1, 0 if Q1 - Q2 is not positive semidefinite,
+/// or sign_unknown. Interpolation is at ν = 2 … n + 3, where M is positive definite if Q1 - Q2 is
 /// semidefinite.
 PW85_FUNCTION inline int find_containment_polynomials(Input const &in, ExactPolynomial &p,
                                                       ExactPolynomial &b) noexcept

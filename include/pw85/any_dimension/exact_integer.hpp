@@ -73,7 +73,7 @@ PW85_FUNCTION inline Integer undefined_integer() noexcept
     return x;
 }
 
-/// x 2^exponent, which must be an integer, for any finite x.
+/// Returns x 2^exponent, which must be an integer, for any finite x.
 PW85_FUNCTION inline Integer to_integer(double x, long exponent) noexcept
 {
     if (x == 0.0) return {};
@@ -105,7 +105,7 @@ PW85_FUNCTION inline int compare_magnitudes(Integer const &x, Integer const &y) 
     return 0;
 }
 
-/// x + sign·y, with sign = ±1.
+/// Returns x + sign·y, with sign = ±1.
 [[gnu::noinline]] PW85_FUNCTION inline Integer sum(Integer const &x, Integer const &y,
                                                    int sign) noexcept
 {
@@ -128,7 +128,7 @@ PW85_FUNCTION inline int compare_magnitudes(Integer const &x, Integer const &y) 
     return result;
 }
 
-/// y += factor·x, for `size` limbs of x, and the limb above them.
+/// Adds factor·x to y, for `size` limbs of x, and the limb above them.
 PW85_FUNCTION inline void add_multiple(Limb *y, Limb const *x, std::size_t size,
                                        Limb factor) noexcept
 {
@@ -173,7 +173,7 @@ PW85_FUNCTION inline std::size_t trailing_zeros(Integer const &x) noexcept
     return i * limb_bits + static_cast<std::size_t>(std::countr_zero(x.limbs()[i]));
 }
 
-/// |x|/2^zeros, rounded down, for zeros smaller than the bits of x.
+/// Returns |x|/2^zeros, rounded down, for zeros smaller than the bits of x.
 PW85_FUNCTION inline Integer shifted_down(Integer const &x, std::size_t zeros) noexcept
 {
     std::size_t const whole = zeros / limb_bits;
@@ -190,8 +190,8 @@ PW85_FUNCTION inline Integer shifted_down(Integer const &x, std::size_t zeros) n
     return result;
 }
 
-/// Returns the inverse of an odd number modulo 2^limb_bits. Newton's method doubles the right bits,
-/// which are three at first: x² = 1 modulo 8.
+/// Returns the inverse of an odd number modulo 2^limb_bits. Newton's method doubles the number of
+/// correct bits, which is three at first: x² = 1 modulo 8.
 PW85_FUNCTION constexpr Limb inverse_of_odd(Limb x) noexcept
 {
     Limb y = x;
@@ -199,8 +199,8 @@ PW85_FUNCTION constexpr Limb inverse_of_odd(Limb x) noexcept
     return y;
 }
 
-/// x/y for an x that y divides, from the lowest limb on (T. Jebelean, J. Symbolic Comput. 15, 169,
-/// 1993).
+/// Returns x/y for an x that y divides, from the lowest limb on (T. Jebelean, J. Symbolic Comput.
+/// 15, 169, 1993).
 [[gnu::noinline]] PW85_FUNCTION inline Integer exact_quotient(Integer const &x,
                                                               Integer const &y) noexcept
 {

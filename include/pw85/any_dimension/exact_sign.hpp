@@ -5,8 +5,8 @@
 ///
 /// The polynomial is that of overlap/exact.hpp, p(t) = t a(t) - m (1 + t) b(t) with a(t) = rᵀ
 /// adj(Q1 + t Q2) r and b(t) = det(Q1 + t Q2), of degree n + 1. It is negative at 0 and at
-/// infinity. In the eigenbasis of the pencil, n - 1 of its roots are negative, so that it has no,
-/// one double or two positive roots: the ellipsoids of m Q1 and m Q2 overlap, touch or are apart.
+/// infinity. In the eigenbasis of the pencil, n - 1 of its roots are negative. It has no, one
+/// double or two positive roots if the ellipsoids of m Q1 and m Q2 overlap, touch or are apart.
 /// Sturm's theorem counts the positive roots.
 ///
 /// Let N be the bits of the integers: those between the highest bit of all entries and the lowest,
@@ -87,7 +87,8 @@ struct ExactPolynomial {
 
     [[gnu::always_inline]] ExactPolynomial() noexcept = default;
     [[gnu::always_inline]] ExactPolynomial(ExactPolynomial &&) noexcept = default;
-    // The copy of the array has a variable of the compiler. NOLINTNEXTLINE(*-identifier-naming)
+    // The compiler's copy of the array has a variable of its own.
+    // NOLINTNEXTLINE(*-identifier-naming)
     [[gnu::always_inline]] ExactPolynomial &operator=(ExactPolynomial &&) noexcept = default;
     [[gnu::always_inline]] ~ExactPolynomial() = default;
     [[gnu::always_inline]] void trim() noexcept
@@ -162,7 +163,7 @@ PW85_FUNCTION inline Minors evaluate(int n, IntegerInput const &x, int first, in
     return minors;
 }
 
-/// degree! p from the values of p at 0 … degree, by Newton's interpolation. The values are
+/// Computes degree! p from the values of p at 0 … degree, by Newton's interpolation. The values are
 /// overwritten.
 PW85_FUNCTION inline void interpolate(int degree, Integer *values, ExactPolynomial &p) noexcept
 {
@@ -181,7 +182,7 @@ PW85_FUNCTION inline void interpolate(int degree, Integer *values, ExactPolynomi
     p.trim();
 }
 
-/// A multiple of p, which a comparison needs.
+/// Computes a multiple of p, which a comparison needs.
 PW85_FUNCTION inline void interpolate(int n, IntegerInput const &x, ExactPolynomial &p) noexcept
 {
     Integer values[max_dimension + 2];
@@ -268,8 +269,7 @@ divide_repeatedly(ExactPolynomial (&pair)[2], Visit const &visit) noexcept
     return is_defined(*first) ? first : nullptr;
 }
 
-/// Numbers of roots: of distinct positive ones, and of those that are counted twice or more, with
-/// all but one of the times.
+/// Numbers of roots: of distinct positive roots, and of the repetitions of multiple roots.
 struct RootCount {
     int positive, repeated; ///< positive is -1 if there is no memory
 };

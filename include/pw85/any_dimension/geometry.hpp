@@ -35,7 +35,7 @@ find_tangency(Input const &in, double lambda, TangencySolution &result, Workspac
     auto &at = work.at;
     int const n = in.n;
     scale(in, {result.length, result.form, result.form, false}, pair);
-    // Q1 + t Q2 with the larger one of both weights put to 1
+    // Q1 + t Q2 with the larger of both weights set to 1
     T const weight1 = maximum(T(T(1) - T(lambda)), T(complement_of(lambda))), weight2 = T(lambda);
     bool const first = weight1 >= weight2;
     T const t = first ? weight2 / weight1 : weight1 / weight2;
@@ -44,8 +44,8 @@ find_tangency(Input const &in, double lambda, TangencySolution &result, Workspac
     }
     if (!evaluate(pair, t, at)) return false;
     T const error = T(solution_error(n)) * inverse_bound(pair, t, at) * operation_error<T>();
-    // Wider numbers must be right to rounding without the correction, whose residual they round,
-    // too.
+    // Wider numbers must be accurate to rounding without the correction, because they round its
+    // residual, too.
     int const digits = std::is_same_v<T, double> ? result_digits<T>() / 2 : result_digits<T>();
     if (!(error <= negative_power_of_two<T>(digits))) return false;
     T rest[max_dimension]{};
@@ -79,7 +79,7 @@ find_tangency_wider(Input const &in, double lambda, TangencySolution &result) no
     return found ? StatusCode::success : StatusCode::no_convergence;
 }
 
-/// -weight s sᵀ in packed form. An off-diagonal entry stands for two entries of the matrix.
+/// Stores -weight s sᵀ in packed form. An off-diagonal entry stands for two entries of the matrix.
 PW85_FUNCTION inline void store_outer(int n, double weight, double const *s, int exponent,
                                       double *d) noexcept
 {
@@ -108,8 +108,8 @@ PW85_FUNCTION inline void store(int n, double lambda, TangencySolution const &at
 
 namespace pw85 {
 
-/// Point of contact, normal and derivatives at λ; see nd_contact(). Nothing is stored if the status
-/// is not success. r12 must not be zero.
+/// Computes the point of contact, the normal and the derivatives at λ; see nd_contact(). Nothing is
+/// stored if the status is not success. r12 must not be zero.
 PW85_FUNCTION inline StatusCode nd_contact_geometry(int n, double const *r12, double const *q1,
                                                     double const *q2, double lambda,
                                                     NdGeometry const &out) noexcept

@@ -46,7 +46,7 @@ PW85_FUNCTION inline T form_above(int n, T const *q, T const *s, T const *qs) no
     return dot(n, s, qs) + T(n * (3 * n + 12)) * operation_error<T>() * diagonal_form(n, q, s);
 }
 
-/// ρᵀQ1⁻¹ρ rounded up, for c = shift/2. It is NaN if Q1 does not allow this shift.
+/// Returns ρᵀQ1⁻¹ρ rounded up, for c = shift/2. It is NaN if Q1 does not allow this shift.
 template <class T> PW85_FUNCTION inline T residual_above(Pair<T> const &pair, T const &t,
                                                          T const &shift, Evaluation<T> &at) noexcept
 {
@@ -62,10 +62,10 @@ template <class T> PW85_FUNCTION inline T residual_above(Pair<T> const &pair, T 
         sum = sum + rest * rest / q1;
     }
     if (!is_definite_with_shift(n, pair.q1, shift, at.factors)) return quiet_nan<T>();
-    return T(2.5) * sum / shift; // the factor is 2, and room for rounding
+    return T(2.5) * sum / shift; // the factor is 2, enlarged for rounding errors
 }
 
-/// Decides by s at t, which an evaluation has. It overwrites the factors.
+/// Decides by s at t of an evaluation. Overwrites the factors.
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline Decision
 decide_at(Pair<T> const &pair, T const &t, T const &m, Evaluation<T> &at) noexcept
 {

@@ -116,15 +116,12 @@ PW85_FUNCTION constexpr int factorization_error(int n) noexcept { return n * (n 
 
 /// Returns whether A - shift diag(A) has positive pivots. Then xᵀAx >= (shift - n (n + 4) u) Σ a_ii
 /// x_i² for every x, so that A is positive definite if the shift is larger than that. `memory` is
-/// for one matrix.
+/// for one matrix, and may be A itself.
 template <class T> PW85_FUNCTION inline bool
 is_definite_with_shift(int n, T const *a, T const &shift, T *memory) noexcept
 {
-    for (int k = 0; k < packed_size(n); ++k) memory[k] = a[k];
-    for (int i = 0; i < n; ++i) {
-        T &entry = memory[packed_index(n, i, i)];
-        entry = entry - shift * entry;
-    }
+    for (int i = 0, k = 0; i < n; ++i)
+        for (int j = i; j < n; ++j, ++k) memory[k] = i == j ? T(a[k] - shift * a[k]) : a[k];
     return factorize(n, memory);
 }
 

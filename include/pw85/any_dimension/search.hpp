@@ -19,7 +19,7 @@ template <class T> struct Evaluation {
     T a, b; ///< sᵀQ1s and sᵀQ2s
 };
 
-/// sᵀQs from Qs, raised to at least its rounding error, so that it is positive.
+/// sᵀQs from Qs, raised to at least its rounding error to make it positive.
 template <class T>
 PW85_FUNCTION inline T positive_form(int n, T const *q, T const *s, T const *qs) noexcept
 {

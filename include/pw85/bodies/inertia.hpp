@@ -30,7 +30,7 @@ PW85_FUNCTION constexpr SymmetricMatrix<T, D> body_moments(SymmetricMatrix<T, D>
     return q;
 }
 
-/// tr(M) I - M. Each diagonal entry is the sum of two moments, so that no small one is lost in a
+/// tr(M) I - M. Each diagonal entry is the sum of two moments; no small entry is lost in a
 /// difference.
 template <class T>
 PW85_FUNCTION constexpr SymmetricMatrix<T, 3> inertia_of(SymmetricMatrix<T, 3> const &m) noexcept

@@ -6,7 +6,7 @@
 /// The search on the rational form (solver.hpp) finds t from the forms, rounded. One evaluation at
 /// t with the factors follows (evaluate_corrected()). It is certain for almost all pairs with
 /// aspect ratios below 10⁴. For the others a safeguarded search, search(), solves equations by
-/// conjugate directions (gram_schmidt.hpp), without forms, so that no condition number is squared.
+/// conjugate directions (gram_schmidt.hpp), without forms, and squares no condition number.
 ///
 /// Throughout, M = Q1 + t Q2 and s = M⁻¹r, and u is the unit roundoff. The error of the result is a
 /// small multiple of u c, with the c of sensitivity().
@@ -178,8 +178,8 @@ evaluate_corrected(FactoredPair<T, D> const &pair, Pair<T, D> const &rounded_pai
             diagonal_product(m)};
 }
 
-/// The smallest d for which a corrected evaluation can be certain: about 64 u^(2/3), so that the
-/// error (128 u/d)² of the correction is below that of roundings, 32 u/√d.
+/// The smallest d for which a corrected evaluation can be certain, about 64 u^(2/3). The error (128
+/// u/d)² of the correction is then below that of roundings, 32 u/√d.
 template <class T> PW85_FUNCTION constexpr T least_correctable() noexcept
 {
     return negative_power_of_two<T>(2 * mantissa_digits<T>() / 3 - 6);
@@ -238,8 +238,8 @@ maximize_by_directions(FactoredPair<T, D> const &pair, T t) noexcept
     return m;
 }
 
-/// The maximum of f for a pair in range. The function is not inlined, so that scaling a pair
-/// changes no bit of the result (solver.hpp).
+/// The maximum of f for a pair in range. The function is not inlined: scaling a pair must change no
+/// bit of the result (solver.hpp).
 template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline Maximum<T> maximize(FactoredPair<T, D> const &pair) noexcept
 {

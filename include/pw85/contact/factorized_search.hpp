@@ -49,9 +49,9 @@ PW85_FUNCTION inline Candidate<T> end_of_search(SafeguardedSearch<T> const &stat
 
 /// Searches from the candidate until a step is within penultimate_step(), or only rounding noise is
 /// left (see is_near()). The image of each evaluation is a bound. The result is false after
-/// max_steps, or if the search ends where Halley's method does not apply, so that h' is not known.
-/// The function is not inlined, because extended numbers need much stack, and only one search runs
-/// at a time.
+/// max_steps, or if the search ends where Halley's method does not apply and h' is not known. The
+/// function is not inlined, because extended numbers need much stack, and only one search runs at a
+/// time.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline bool
 search(Pair<T, D> const &pair, Candidate<T> &candidate, Precision precision, int &evaluations,
        int max_steps = max_factorized_steps - 1) noexcept

@@ -48,9 +48,9 @@ PW85_FUNCTION constexpr Slope<T> slope(Jet<T> const &j, T const &ratio, T const 
             T(0.5) * (weight * ((p - q) + t * t * (j.b2 * j.a - j.a2 * j.b)) - (p - q) * (p + q))};
 }
 
-/// Returns whether Newton's step is at most 5/8, so that Halley's step is the better one. If
-/// rounding noise makes h' larger than 1, the largest possible h', then 1 is used. The result is
-/// false if rounding errors have made A·B negative.
+/// Returns whether Newton's step is at most 5/8, where Halley's step is the better one. If rounding
+/// noise makes h' larger than 1, the largest possible h', then 1 is used. The result is false if
+/// rounding errors have made A·B negative.
 ///
 /// As |h''| <= 2 h', a step δ of Newton's method is followed by a step of less than a quarter of δ
 /// if the distance to the root is below 0.1. If the next step is not that small, δ is rounding
@@ -70,7 +70,7 @@ template <class T> struct Step {
 };
 
 /// Halley's step for the root of tanh h, where is_near() is true. It is kept between half and twice
-/// Newton's step, so that rounding noise in h'' cannot make it small.
+/// Newton's step: rounding noise in h'' cannot make it small.
 template <class T> PW85_FUNCTION constexpr Step<T> halley_step(Slope<T> const &s) noexcept
 {
     T const k = s.sum * s.k * s.k;
@@ -114,7 +114,7 @@ PW85_FUNCTION inline T secular_factor(Jet<T> const &j, T const &ratio, T const &
 }
 
 /// A step, and whether to trust it. The step is not trusted if h is far from zero. It is also not
-/// trusted if numbers are out of the range of the scalar, so that the step is 0/0 or NaN.
+/// trusted if numbers are out of the range of the scalar and the step is 0/0 or NaN.
 template <class T> struct TrustedStep {
     Step<T> step;
     /// magnitude; 2 if the step is not trusted, which is above the size of all trusted steps

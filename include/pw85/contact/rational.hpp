@@ -4,7 +4,7 @@
 /// det(Q1 + t Q2).
 ///
 /// Its coefficients cost little more than one factorisation, and then each evaluation costs a few
-/// products. All coefficients are positive, so that an evaluation at t > 0 cancels little. But the
+/// products. All coefficients are positive, and an evaluation at t > 0 cancels little. But the
 /// coefficients lose accuracy with the aspect ratio. So the search uses the rational form
 /// (rational_search.hpp), and its last evaluation uses the quadratic forms.
 #ifndef PW85_CONTACT_RATIONAL_HPP_INCLUDED
@@ -88,8 +88,8 @@ PW85_FUNCTION constexpr Jet<T> evaluate_jet(RationalForm<T> const &form, T const
 }
 
 // The conditioning of M at t is the determinant of M divided by the product P of its diagonal. It
-// is in (0, 1]. Scale M to a unit diagonal, so that the entries of M and of adj M are at most 1,
-// and let d be its determinant.
+// is in (0, 1]. Scale M to a unit diagonal. Then the entries of M and of adj M are at most 1. Let d
+// be its determinant.
 
 /// The conditioning above which the rational form is correct to some per cent, which is enough to
 /// guide a search to the root. Computed from the coefficients, b errs by 60 u/d of itself: 10

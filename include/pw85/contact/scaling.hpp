@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Scales a pair by powers of two, so that all intermediate results stay in range. validate.hpp,
+/// Scales a pair by powers of two to keep all intermediate results in range. validate.hpp,
 /// evaluation.hpp, refinement.hpp and the loaders of pairs (src/simd/rows.hpp) use this file.
 #ifndef PW85_CONTACT_SCALING_HPP_INCLUDED
 #define PW85_CONTACT_SCALING_HPP_INCLUDED

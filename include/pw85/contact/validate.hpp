@@ -63,8 +63,8 @@ PW85_FUNCTION inline bool is_valid(T const &lambda, Pair<T, D> const &pair) noex
 }
 
 /// Returns whether a pair is valid and in range and has r12 != 0, tested with products only. The
-/// result is true for almost all such pairs. The function is always inlined, so that the pair stays
-/// in registers.
+/// result is true for almost all such pairs. The function is always inlined to keep the pair in
+/// registers.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 passes_fast_checks(Pair<T, D> const &pair) noexcept
 {

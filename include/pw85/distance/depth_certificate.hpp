@@ -170,7 +170,7 @@ is_certified(DepthSearch<T, D> const &search, DirectionState<T, D> const &at) no
 {
     auto const &[r12, q1, q2, n, best] = search;
     T const u = T(unit_roundoff<T>()), rho = best.rounding, d = best.length - T(2) * rho;
-    if (!(d > T(0))) return true; // the pair overlaps, so that all shifts are positive
+    if (!(d > T(0))) return true; // the pair overlaps: all shifts are positive
     auto const q = side_by_side(q1, q2);
     T const scale = square_root(at.inverse_square), l = sum_of_lanes(at.extents) * scale,
             distance = sum_of_magnitudes(r12), h = dot(n, r12) - T(8) * u * distance - rho;

@@ -338,10 +338,10 @@ template <class T, int D> struct FollowedNormal {
 
 /// Follows turns from a unit vector to a local minimum. The best direction is kept.
 ///
-/// A Newton's turn is about C times the square of the one before, so that C is known from two of
-/// them. The direction is as good as its isolation permits when the next turn would be below u, or
-/// after one below 2^-(digits + 16)/2, whose C may be rounding. The length then is correct up to
-/// rounding. The last turns need accurate products: those after a turn below 2^-7.
+/// A Newton's turn is about C times the square of the one before; two of them give C. The direction
+/// is as good as its isolation permits when the next turn would be below u, or after one below
+/// 2^-(digits + 16)/2, whose C may be rounding. The length then is correct up to rounding. The last
+/// turns need accurate products: those after a turn below 2^-7.
 template <class T, int D> PW85_FUNCTION inline FollowedNormal<T, D>
 follow_normal(DepthSearch<T, D> &search, Vector<T, D> const &n) noexcept
 {

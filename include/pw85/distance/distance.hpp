@@ -38,7 +38,7 @@ struct DistanceUnits {
     int length, form1, form2;
 };
 
-/// Scales a valid pair that is apart, so that its numbers are in range.
+/// Scales a valid pair that is apart to bring its numbers into range.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline DistancePair<T, D>
 scale_distance(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                SymmetricMatrix<T, D> const &q2, DistanceUnits &units) noexcept
@@ -212,8 +212,8 @@ seems_apart(DistancePair<T, D> const &pair, NormalSearch<T> const &search) noexc
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline FoundSlab<T, D>
 find_slab(DistancePair<T, D> const &pair, bool apart) noexcept
 {
-    // Semi-axes are below √12 of their units, so that n differs from the direction of r12 by at
-    // most 7 scales, which is below rounding.
+    // Semi-axes are below √12 of their units, so n differs from the direction of r12 by at most 7
+    // scales, which is below rounding.
     if (maximum(pair.scale1, pair.scale2) <= T(0.125) * unit_roundoff<T>())
         return found_slab(pair, pair.r12);
     auto const search = start_search(pair, initial_multipliers(pair));

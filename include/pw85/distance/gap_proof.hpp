@@ -213,8 +213,8 @@ template <class T, int D> PW85_FUNCTION inline void fill_orthants(GapProof<T, D>
 
 /// The share of the gap to which it is proved where minima are not isolated, as on circles of
 /// spheroids with a common axis, and the number of bisections after which this is taken for such a
-/// place: cells of 2^-9 in space and of 2^-26 in the plane. In the plane minima on whole arcs have
-/// constant c, so that item 1 is exact.
+/// place: cells of 2^-9 in space and of 2^-26 in the plane. In the plane, minima on whole arcs have
+/// constant c, and item 1 is exact.
 template <int D> inline constexpr int gap_share_digits = D == 2 ? 40 : 20;
 template <int D> inline constexpr int max_gap_depth = D == 2 ? 26 : 21;
 

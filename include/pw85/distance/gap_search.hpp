@@ -9,8 +9,8 @@
 ///
 /// 1. With Q1 = SSᵀ, let n = S⁻ᵀm. Then α(n) = |m|, β(n)² = mᵀBm with B = S⁻¹Q2S⁻ᵀ, n·r = m·ρ with
 ///    ρ = S⁻¹r, and |n|² = mᵀΔm with Δ = S⁻¹S⁻ᵀ. Here S has the semi-axes of ellipsoid 1 as
-///    columns, so that Δ is diagonal. These numbers are at most of order one in units of α,
-///    whatever the aspect ratio. They are computed in Finer<T>, and rounded once.
+///    columns, and Δ is diagonal. These numbers are at most of order one in units of α, whatever
+///    the aspect ratio. They are computed in Finer<T>, and rounded once.
 /// 2. Let F(m) = |m| - √(mᵀBm) - m·ρ - g √(mᵀΔm), where g is the value at some unit vector. All
 ///    terms but the first are concave, and |m + t| <= 1 + t²/2 for t across m. So the step to
 ///    m - e, where e is the gradient of F across m, does not increase the value. It is taken where
@@ -90,7 +90,7 @@ template <class T> struct GapWeights {
     T outer, inner, metric;
 };
 
-/// The weighted second derivatives of F across m, and one along m, so that it is definite if they
+/// The weighted second derivatives of F across m, and one along m: the matrix is definite if they
 /// are. `shift` is subtracted from the diagonal.
 template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<T, D>
 gap_hessian(GapFrame<T, D> const &frame, GapState<T, D> const &at, T const &gap,

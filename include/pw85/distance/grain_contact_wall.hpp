@@ -6,9 +6,9 @@
 /// <= k2, and d the direction, so that the gap has the form K + c ddᵀ with the curvature c of the
 /// wall. Its determinant is det K + c N, N = d_y² K_xx - 2 d_x d_y K_xy + d_x² K_yy, which is k1
 /// sin² + k2 cos² of the angle between d and the direction of k1. For c >= 0 both terms are
-/// positive, so that nothing cancels, however much the curvatures of the gap differ: the smaller
-/// one is the determinant over the larger one. If the trace is negative, the larger one is the
-/// determinant over the other one, which is negative.
+/// positive and nothing cancels, however much the curvatures of the gap differ: the smaller one is
+/// the determinant over the larger one. If the trace is negative, the larger one is the determinant
+/// over the other one, which is negative.
 ///
 /// For c < 0 the difference is left. Plain numbers are used if the wall takes at most half of the
 /// determinant. Then N >= k1 bounds -c by k2/2, and the relative errors of item 2 of
@@ -40,8 +40,8 @@ namespace pw85::detail {
 inline constexpr int least_curvature_ratio_exponent = 20;
 
 /// A wall at an ellipsoid, in a unit in which the form is of order one. The curvature of the wall
-/// is 2^exponent times `curvature`. The exponent is not negative, so that neither the curvature of
-/// the wall nor that of the ellipsoid overflows in the unit 2^exponent.
+/// is 2^exponent times `curvature`. The exponent is not negative: neither the curvature of the wall
+/// nor that of the ellipsoid overflows in the unit 2^exponent.
 template <class T> struct CurvedWall {
     Vector<T, 3> normal, direction;
     T curvature;

@@ -46,7 +46,7 @@ template <class T> struct EllipticMeans {
 
 /// Computes M, s and σ by the sequence of the arithmetic-geometric mean: a_0 = 1, b_0 = k, c_(n+1)
 /// = (a_n - b_n)/2 = c_n²/(4 a_(n+1)). The sum of 2^(n-1) (c_n/m)² over n >= 1 is σ. c_1/m is 1/(2
-/// (1 + k)), so that nothing cancels where k is near 1.
+/// (1 + k)); nothing cancels where k is near 1.
 ///
 /// The first term that is left out of s is w c³d/(8 M²), with the last c and d and their weight w.
 /// The loop takes four steps at most for k > 0.004, and six for k = 10⁻¹⁰.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The part of a straight line that is inside an ellipsoid. src/c_api/walls.cpp calls
-/// intersect_line(), which calls factorize() and solve().
+/// intersect_line(), and src/simd/lane_shapes.hpp chord().
 ///
 /// In the metric of Q⁻¹ the ellipsoid is a ball. The function first finds the point of the line
 /// that is nearest to the centre, and then half of the chord. So a line that starts far away costs
@@ -21,6 +21,38 @@ template <class T> struct Chord {
     StatusCode status;
 };
 
+namespace detail {
+
+/// The middle of the chord of a line, as a multiple of the direction, and the square of its half. A
+/// square below zero says that the line misses the ellipsoid.
+template <class T> struct ChordMiddle {
+    T middle, half2;
+};
+
+template <class T, int D>
+PW85_FUNCTION inline ChordMiddle<T> chord(Vector<T, D> const &origin, Vector<T, D> const &direction,
+                                          SymmetricMatrix<T, D> const &q) noexcept
+{
+    auto const factors = factorize(q, T(unit_roundoff<T>()));
+    Vector<T, D> const w = solve(factors, direction);
+    T const norm2 = dot(direction, w), middle = -dot(origin, w) / norm2;
+    Vector<T, D> const nearest = add_scaled(origin, middle, direction);
+    return {middle, (T(1) - dot(nearest, solve(factors, nearest))) / norm2};
+}
+
+/// Returns whether chord() neither overflows nor underflows, and the form is valid.
+template <class T, int D> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
+has_clear_chord(Vector<T, D> const &origin, Vector<T, D> const &direction,
+                SymmetricMatrix<T, D> const &q) noexcept
+{
+    T const limit = unscaled_limit<T>(), form = largest_diagonal(q),
+            length = sum_of_magnitudes(direction);
+    return sum_of_magnitudes(origin) < limit && length < limit && length * limit > T(1) &&
+           form < limit && form * limit > T(1) && is_clearly_definite(q);
+}
+
+} // namespace detail
+
 template <class T, int D>
 PW85_FUNCTION inline Chord<T> intersect_line(Vector<T, D> const &origin,
                                              Vector<T, D> const &direction,
@@ -32,14 +64,11 @@ PW85_FUNCTION inline Chord<T> intersect_line(Vector<T, D> const &origin,
     StatusCode const status = valid ? validate(q) : StatusCode::invalid_argument;
     if (status != StatusCode::success) return all_nan<Chord<T>>(status);
     int const unit = half_exponent(largest_diagonal(q)), length = binary_exponent(largest);
-    auto const factors = factorize(times_power_of_two(q, -2 * unit), T(unit_roundoff<T>()));
-    Vector<T, D> const d = times_power_of_two(direction, -length), w = solve(factors, d);
-    Vector<T, D> x = times_power_of_two(origin, -unit);
-    T const norm2 = dot(d, w), middle = -dot(x, w) / norm2;
-    x = add_scaled(x, middle, d);
-    T const rest = T(1) - dot(x, solve(factors, x));
-    if (!(rest >= T(0))) return all_nan<Chord<T>>(StatusCode::success);
-    T const half = square_root(T(rest / norm2));
+    auto const [middle, half2] =
+        chord(times_power_of_two(origin, -unit), times_power_of_two(direction, -length),
+              times_power_of_two(q, -2 * unit));
+    if (!(half2 >= T(0))) return all_nan<Chord<T>>(StatusCode::success);
+    T const half = square_root(half2);
     return {times_power_of_two(T(middle - half), unit - length),
             times_power_of_two(T(middle + half), unit - length), StatusCode::success};
 }

@@ -144,10 +144,9 @@ penetration_in_range(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
 }
 
 /// Computes penetration() of a valid pair that overlaps. A pair of like sizes is scaled to sizes of
-/// order one, so that it gets the bits of a pair that needs no scaling. Otherwise the larger
-/// ellipsoid is scaled to size 2^headroom, so that cQ1 and Q2/c are in range for any aspect ratio.
-/// A smaller ellipsoid that would leave the range is made larger. This change is far below
-/// rounding.
+/// order one, and gets the bits of a pair that needs no scaling. Otherwise the larger ellipsoid is
+/// scaled to size 2^headroom, which keeps cQ1 and Q2/c in range for any aspect ratio. A smaller
+/// ellipsoid that would leave the range is made larger. This change is far below rounding.
 template <class T, int D> PW85_FUNCTION inline Penetration<T, D>
 penetration_overlapping(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                         SymmetricMatrix<T, D> const &q2) noexcept

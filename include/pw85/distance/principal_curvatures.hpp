@@ -14,8 +14,8 @@
 ///    double), which holds up to aspect ratios of about ten, the relative errors of α, of the
 ///    eigenvalues of S and of those of K are some 2^13 u, which is 2^-40.
 /// 3. Other forms take numbers with twice the digits. tr S/det S is at most some 2^42/tr Q at
-///    aspect 10⁶, so that errors of 2^-104 then grow to 2^-60, and the ratio of the two curvatures,
-///    at most the square of the aspect ratio, leaves the smaller one as accurate.
+///    aspect 10⁶. Errors of 2^-104 then grow to 2^-60, and the ratio of the two curvatures, at most
+///    the square of the aspect ratio, leaves the smaller one as accurate.
 #ifndef PW85_DISTANCE_PRINCIPAL_CURVATURES_HPP_INCLUDED
 #define PW85_DISTANCE_PRINCIPAL_CURVATURES_HPP_INCLUDED
 
@@ -73,7 +73,7 @@ curved_surface(SymmetricMatrix<T, 3> const &q, TangentFrame<T> const &frame) noe
 
 /// The eigenvalues of a symmetric matrix (xx, xy, yy), half of the difference of its diagonal, and
 /// half of the difference of the eigenvalues. The smaller one is the determinant over the larger
-/// one, so that it does not come from a difference.
+/// one: it does not come from a difference.
 template <class T> struct PrincipalValues {
     T smaller, larger, half, root;
 };

@@ -76,8 +76,7 @@ template <class T> PW85_FUNCTION inline bool has_hessian(DistancePair<T, 3> cons
 }
 
 /// Computes the derivatives of a pair that overlaps from the direction of its depth. This is a
-/// function of its own, so that its numbers do not lie on the stack while the direction is searched
-/// for.
+/// function of its own: its numbers are not on the stack during the search for the direction.
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline DistanceDerivatives<T>
 derivatives_through(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
                     SymmetricMatrix<T, 3> const &q2, Vector<T, 3> const &direction) noexcept

@@ -21,8 +21,8 @@
 ///    Only it counts if they are apart, because w increases up to it then. With the numbers of
 ///    nearest.hpp, the other one has n along v with v_i = r_i/(g_i - σ). Here 0 < σ < g_i for the
 ///    axes with g_i > 0, and σ is the smaller root of F(σ)² = Σ q_i r_i²/(g_i - σ)² = 1. F² is
-///    convex, so that Newton's method is monotone from the σ at which the term with g_i = 0 is 1.
-///    If r_i = 0 for this axis, the other one is the mirror image of the global one.
+///    convex, so Newton's method is monotone from the σ at which the term with g_i = 0 is 1. If r_i
+///    = 0 for this axis, the other one is the mirror image of the global one.
 /// 4. The largest w(n) depends continuously on the data. So a local maximum that appears or
 ///    disappears by rounding errors changes the result by no more than the rounding errors do.
 ///

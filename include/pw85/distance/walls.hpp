@@ -66,8 +66,8 @@ distance_wall(Vector<T, D> const &normal, T const &offset, Support<T, D> const &
     return {(offset - s.extent) * reciprocal, s.point, reciprocal * normal, StatusCode::success};
 }
 
-/// Computes distance_plane() for any wall. The arguments are copied, so that callers keep theirs in
-/// registers where they do not call this function.
+/// Computes distance_plane() for any wall. The arguments are copied: callers that do not call this
+/// function keep theirs in registers.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline SurfaceDistance<T, D>
 distance_plane_scaled(Vector<T, D> normal, T offset, SymmetricMatrix<T, D> q) noexcept
 {
@@ -85,8 +85,8 @@ template <class T, int D> PW85_FUNCTION inline T wall_factor(NormalizedWall<T, D
 }
 
 /// Finds two unit vectors that make a right-handed basis with the unit vector `axis` (T. Duff et
-/// al., J. Comput. Graph. Tech. 6, 1, 2017). The divisor is at least 1 in magnitude, so that
-/// nothing cancels.
+/// al., J. Comput. Graph. Tech. 6, 1, 2017). The divisor is at least 1 in magnitude; nothing
+/// cancels.
 template <class T> PW85_FUNCTION inline void
 complete_basis(Vector<T, 3> const &axis, Vector<T, 3> &e1, Vector<T, 3> &e2) noexcept
 {

@@ -5,8 +5,8 @@
 ///
 /// The algorithms are those of X. Zheng and P. Palffy-Muhoray, Phys. Rev. E 75, 061709, 2007, and
 /// of X. Zheng, W. Iglesias and P. Palffy-Muhoray, Phys. Rev. E 79, 057702, 2009. These papers work
-/// with axes and angles. Here everything is computed from the forms themselves, so that equal
-/// orientations, circles and principal directions need no special treatment.
+/// with axes and angles. Here everything is computed from the forms themselves: equal orientations,
+/// circles and principal directions need no special treatment.
 ///
 /// Two ellipses touch where a quartic has its positive root (Tangency, quartic_root()). A plane
 /// through the line of centres cuts two ellipsoids in two ellipses (Section). The distance of the

@@ -158,8 +158,8 @@ template <class T> struct PassageStep {
 /// Returns whether the rounding of t, of t v and of r + t v is harmless at t. It changes a
 /// coordinate of the separation by δ_i <= u x_i with x_i = |r_i| + 2t |v_i|. To first order in δ,
 /// μ² changes by less than 2 u S. The term of second order is λ(1-λ) δᵀM⁻¹δ, where δᵀM⁻¹δ <= 3 u² Σ
-/// x_i² (M⁻¹)_ii. It must be less than u S/64, so that S, which is computed at the rounded
-/// separation, is right.
+/// x_i² (M⁻¹)_ii. It must be less than u S/64. Then S, which is computed at the rounded separation,
+/// is correct.
 template <class T>
 PW85_FUNCTION inline bool is_rounding_harmless(StraightPath<T> const &path, T const &t,
                                                Factorization<T, 3> const &factors,

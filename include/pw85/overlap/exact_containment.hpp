@@ -194,8 +194,8 @@ has_positive_roots(Numbers<T, D> const &numbers, Sizes const &sizes, Limb *memor
 /// Returns whether p shows that ellipsoid 2 is inside. All roots of p must be real and positive.
 ///
 /// Let ω be the larger root of A. A congruence makes N = I and Q2 diagonal. Then A = Σ ri² Π (w -
-/// λj) over j != i, so that λ2 <= ω <= λ1. For w in (ω, λ1), A > 0 and B <= 0, so p < 0. At λ1 > ω,
-/// B = 0 and p < 0. So a root that exceeds ω exceeds λ1, and ellipsoid 2 is inside if p has such a
+/// λj) over j != i, so λ2 <= ω <= λ1. For w in (ω, λ1), A > 0 and B <= 0, so p < 0. At λ1 > ω, B =
+/// 0 and p < 0. So a root that exceeds ω exceeds λ1, and ellipsoid 2 is inside if p has such a
 /// root.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline bool
 has_root_for_inside(Numbers<T, D> const &numbers, Sizes const &sizes, Limb *memory) noexcept

@@ -6,14 +6,14 @@
 /// With M = Q1 + t Q2, a = rᵀ adj(M) r and b = det M, the ellipsoids are apart if t a - (1 + t) b >
 /// 0 for some t > 0 (W. Wang, J. Wang and M.-S. Kim, Comput. Aided Geom. Des. 18, 531, 2001), that
 /// is f > 1. They overlap if A < 1 and t²B < 1 for some t, because x0 is then inside both. Both
-/// conditions are tested at a few t, with bounds on the rounding errors, so that each decision is
-/// certain. The first t is about √(rᵀQ1r/rᵀQ2r). At this t, f > 1 if the projections of the
-/// ellipsoids on the line of centres are apart, since rᵀM⁻¹r >= |r|⁴/rᵀMr. If the bounding spheres
-/// are apart, so are these projections. The search on the rational form gives the next t.
+/// conditions are tested at a few t, with bounds on the rounding errors: each decision is certain.
+/// The first t is about √(rᵀQ1r/rᵀQ2r). At this t, f > 1 if the projections of the ellipsoids on
+/// the line of centres are apart, since rᵀM⁻¹r >= |r|⁴/rᵀMr. If the bounding spheres are apart, so
+/// are these projections. The search on the rational form gives the next t.
 ///
 /// There are two ways to evaluate a and b. One pair has the coefficients of their powers of t
-/// (both_forms.hpp), so that each t costs a few products. The adjugate of M at t has smaller
-/// rounding errors. It serves packs of lanes, and one pair at the last t.
+/// (both_forms.hpp); each t then costs a few products. The adjugate of M at t has smaller rounding
+/// errors. It serves packs of lanes, and one pair at the last t.
 #ifndef PW85_OVERLAP_QUARTIC_HPP_INCLUDED
 #define PW85_OVERLAP_QUARTIC_HPP_INCLUDED
 
@@ -71,7 +71,7 @@ inline constexpr int apart_margin = 20, inside1_margin = 45, inside2_margin = 62
 
 /// The smallest d, in units of u, at which the inside tests may decide. If det M is as small, the
 /// error of a is below 5 % (theorem `separation` of tests/bounds/proofs.cpp). d errs by 17u at
-/// most, so that the error of a is below 5.2 %.
+/// most, so the error of a is below 5.2 %.
 inline constexpr int least_conditioning = 512;
 
 /// A number of unit roundoffs.

@@ -10,8 +10,8 @@
 /// 2. The point x0 of the maximiser is as deep inside ellipsoid 1 as inside ellipsoid 2, relative
 ///    to the sizes of both. Near contact the intersection is a thin lens about x0 in the common
 ///    tangent plane, and x0 may leave the lens when it is rounded. Then the points of a lattice
-///    about x0 are tried. One coordinate is computed from the others, so that the point is nearest
-///    to the plane. Points within the thickness of the lens are tested in integers.
+///    about x0 are tried. One coordinate is computed from the others to bring the point nearest to
+///    the plane. Points within the thickness of the lens are tested in integers.
 #ifndef PW85_OVERLAP_WITNESS_HPP_INCLUDED
 #define PW85_OVERLAP_WITNESS_HPP_INCLUDED
 

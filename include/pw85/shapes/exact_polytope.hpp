@@ -12,7 +12,7 @@
 /// g_3) and w_i = g_j × g_k in cyclic order.
 ///
 /// All numbers whose signs decide are sums of products of the given numbers. Each product is added
-/// to one wide sum, so that the memory is small for any exponents.
+/// to one wide sum; the memory is small for any exponents.
 #ifndef PW85_SHAPES_EXACT_POLYTOPE_HPP_INCLUDED
 #define PW85_SHAPES_EXACT_POLYTOPE_HPP_INCLUDED
 
@@ -439,7 +439,7 @@ polytope_overlaps_exactly(std::size_t n, T const *normals, T const *offsets,
 }
 
 /// The contact of a polytope and the ellipsoid, for the numbers exactly as given. Each result is a
-/// quotient of two exact sums, so that its relative error is below 2u.
+/// quotient of two exact sums, and its relative error is below 2u.
 template <class T>
 requires exact::is_decidable<T> PW85_RARE ShapeContact<T, 3>
 contact_polytope_exactly(std::size_t n, T const *normals, T const *offsets,

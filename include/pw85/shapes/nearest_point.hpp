@@ -7,8 +7,8 @@
 /// An ellipsoid with its centre at 0, scaled about the centre by μ, first touches a convex set at
 /// the point x of the set where xᵀQ⁻¹x is least, and μ² is that value. Let s = Q⁻¹x. Then s is the
 /// normal of the ellipsoid at x, and s·y >= μ² for every point y of the set. Where x is inside a
-/// face, s is orthogonal to the face, so that Q alone gives μ² without Q⁻¹: on a plane n·x = d, s
-/// is a multiple of n, μ² = d²/(nᵀQn) and x = Qn d/(nᵀQn).
+/// face, s is orthogonal to the face, and Q alone gives μ² without Q⁻¹: on a plane n·x = d, s is a
+/// multiple of n, μ² = d²/(nᵀQn) and x = Qn d/(nᵀQn).
 ///
 /// A relative change of the entries of Q by ε changes μ² by at most ε Σ|s_i Q_ij s_j|, to first
 /// order, and one of the coordinates of the points v_k of which x = Σ w_k v_k is the mean by at

@@ -8,8 +8,8 @@
 ///   multipliers of the touched planes are tried. The planes one by one come first: they decide
 ///   most cases where many ellipsoids are culled.
 /// - They overlap if a point x is in all half-spaces, and Q - x xᵀ is positive definite. The
-///   nearest point of a polytope whose planes are moved a little inwards is tried, so that rounding
-///   errors leave it in the half-spaces.
+///   nearest point of a polytope whose planes are moved a little inwards is tried; rounding errors
+///   then leave it in the half-spaces.
 #ifndef PW85_SHAPES_OVERLAP_POLYTOPE_HPP_INCLUDED
 #define PW85_SHAPES_OVERLAP_POLYTOPE_HPP_INCLUDED
 

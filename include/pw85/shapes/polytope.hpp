@@ -270,8 +270,8 @@ PW85_FUNCTION inline bool has_point(Polytope<T> const &polytope, Vector<T, 3> co
     return true;
 }
 
-/// Returns whether the bound on the error of μ² is below 2^-10 μ², so that terms of second order
-/// are, too.
+/// Returns whether the bound on the error of μ² is below 2^-10 μ², as terms of second order then
+/// are.
 template <class T> PW85_FUNCTION inline bool is_accurate(TouchedPlanes<T> const &at) noexcept
 {
     T sum = T(0);

@@ -129,11 +129,11 @@ nearest_of_edges(Vector<T, 3> const (&vertices)[3], Elimination<T> const &form) 
 /// nearest point is on an edge, with this μ². There are two reasons:
 ///
 /// - The place of the point of the plane is known, up to the errors of its weights. The normal
-///   matters for this only, so that the square of its relative error may be u. Its coordinates err
-///   by 4 u times their terms.
+///   matters only for this, so the square of its relative error may be u. Its coordinates err by 4
+///   u times their terms.
 /// - The triangle is so thin that its inside is no nearer than its edges. The height above the
-///   longer one of two edges is |n|/|e|. The error of |n| is at most 5 u |e1| |e2|, so that the
-///   true n² is at most 2 n² + 50 u² (|e1| |e2|)².
+///   longer one of two edges is |n|/|e|. The error of |n| is at most 5 u |e1| |e2|, so the true n²
+///   is at most 2 n² + 50 u² (|e1| |e2|)².
 ///
 /// The function is not inlined: compilers would keep numbers in memory for it.
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask

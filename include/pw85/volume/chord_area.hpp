@@ -201,8 +201,8 @@ template <class T> PW85_FUNCTION inline ChordAxis<T> chord_axis(LinePair<T> cons
     return axis;
 }
 
-/// xy less its rounded value `product` (T. J. Dekker). Each step is exact, so that a pack gives the
-/// bits of a number.
+/// xy less its rounded value `product` (T. J. Dekker). Each step is exact: a pack gives the bits of
+/// a number.
 template <class T>
 PW85_FUNCTION inline T product_error(T const &x, T const &y, T const &product) noexcept
 {
@@ -215,11 +215,11 @@ PW85_FUNCTION inline T product_error(T const &x, T const &y, T const &product) n
 /// those of shows_outside().
 ///
 /// The line x·p = d counts, with x as computed: its distances from both centres in the metrics are
-/// d/√(xᵀQ1x) and (d - x·r)/√(xᵀQ2x), so that no error of c and G, which may be huge beside the
+/// d/√(xᵀQ1x) and (d - x·r)/√(xᵀQ2x). No error of c and G, which may be huge compared with the
 /// bodies, moves it. With s and v of the manual (docs/overlap_volume.rst), a chord 2s', and M² =
 /// (Σ|x_i|√q_ii)², the share of s of a form is at least s'M²/W with W² = xᵀQx for a flat arc.
 ///
-/// - A form errs by 4uM², so that its chord moves by 2uM²/W, and the area changes by 4us.
+/// - A form errs by 4uM². Its chord moves by 2uM²/W, and the area changes by 4us.
 /// - The root, the difference and the quotient are three roundings of a distance of at most W: 6us.
 ///   x·r is computed with twice the digits.
 /// - Of the areas of the segments, the factors are those of forms that differ by at most
@@ -320,8 +320,8 @@ shared_chord(CirclePair<T> const &p, ChordAxis<T> const &axis, T const &zeta,
 /// segments that the formula below gives its area. `area` is in units of the area of the circle
 /// over π.
 ///
-/// Both segments of a chord have the same line, so that the area is stationary with respect to it:
-/// if the ends of the two chords on the line differ by ε, the area errs by a triangle of the area
+/// Both segments of a chord have the same line, so the area is stationary with respect to it: if
+/// the ends of the two chords on the line differ by ε, the area errs by a triangle of the area
 /// ½ε²/|ρ|, where ρ is the derivative of ε by a shift of the line.
 template <class T> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 is_close(SharedChord<T> const &c, T const &area) noexcept

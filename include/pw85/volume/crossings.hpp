@@ -17,9 +17,9 @@
 ///    monotone. A piece has a crossing if F has opposite signs at its ends.
 ///
 /// Nothing else is decided. Each decision is the sign of a number F at a point, which all integrals
-/// share, so that they cannot contradict each other. A wrong sign means that |F| is below its
-/// rounding error δ at an extremum of F: two crossings are lost or invented, between which the
-/// border is within about δ/|∇F| of both curves. section.hpp has what this costs.
+/// share: they cannot contradict each other. A wrong sign means that |F| is below its rounding
+/// error δ at an extremum of F: two crossings are lost or invented, between which the border is
+/// within about δ/|∇F| of both curves. section.hpp has what this costs.
 #ifndef PW85_VOLUME_CROSSINGS_HPP_INCLUDED
 #define PW85_VOLUME_CROSSINGS_HPP_INCLUDED
 

@@ -316,8 +316,8 @@ template <class T, int N> struct RimMeans {
 };
 
 /// The error of a rule by how far its mean is from that of half of the nodes, as a fraction of what
-/// has to be known, and the same of the rule before. The error of n nodes falls as C xⁿ, so that
-/// both distances give C and x: with twice the nodes of the rule before, C x^2n = distance
+/// has to be known, and the same of the rule before. The error of n nodes falls as C xⁿ. Both
+/// distances give C and x: with twice the nodes of the rule before, C x^2n = distance
 /// (distance/previous)². With three times the nodes the power is 3/2. C is counted as at most 1: a
 /// pole of an integrand next to the real axis may have a small residue, but a large C is not
 /// trusted.

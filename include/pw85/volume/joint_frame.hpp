@@ -2,7 +2,7 @@
 /// @file
 /// The frame in which one ellipsoid is the unit ball and the principal axes of the other one are
 /// the coordinate axes. rim_axis.hpp and overlap_volume.hpp use it. A joint linear map multiplies
-/// every volume by its determinant, so that the common part can be measured here.
+/// every volume by its determinant, so the common part can be measured here.
 #ifndef PW85_VOLUME_JOINT_FRAME_HPP_INCLUDED
 #define PW85_VOLUME_JOINT_FRAME_HPP_INCLUDED
 
@@ -85,8 +85,8 @@ PW85_FUNCTION inline Vector<T, D> solve_lower(Columns<T, D> const &l, Vector<T, 
 
 /// Turns two columns so that they become orthogonal (a rotation of Jacobi), with the longer one
 /// first. Returns whether they were not. The dot product of two columns errs by up to 3u of their
-/// lengths, so that less than 4u counts as none. The columns are those of a valid pair, each form
-/// in a unit of its own, so that fourth powers of their lengths neither overflow nor underflow.
+/// lengths, so less than 4u counts as zero. The columns are those of a valid pair, each form in a
+/// unit of its own: fourth powers of their lengths neither overflow nor underflow.
 template <class T, int D>
 PW85_FUNCTION inline bool make_orthogonal(Vector<T, D> &x, Vector<T, D> &y) noexcept
 {

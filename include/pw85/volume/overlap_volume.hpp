@@ -75,7 +75,7 @@ template <class T> struct CheckedMeasure {
 };
 
 /// The measure of the common part in the joint frame; NaN if the integral has not converged. It is
-/// not inlined, so that its memory and that of the exact decisions are not needed at the same time.
+/// not inlined: its memory and that of the exact decisions are not needed at the same time.
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline CheckedMeasure<ResultOf<T>>
 common_measure(JointFrame<T, 2> const &frame) noexcept
 {

@@ -13,7 +13,7 @@
 ///    theorem ∫ y dA = ½ ∮ y × dy, and with the area A of its part 3 ∫ y yᵀ dA = A I + the
 ///    symmetric part of ∮ y (y × dy)ᵀ. With y = o + X, where o is on the axis, ∮ y (y × dy)ᵀ = 3 o
 ///    Nᵀ - (o·N) I + ∮ X (X × dX)ᵀ and N = ½ ∮ X × dX. As X = z ℓ + ρ f, both bodies share 12
-///    integrals. They have opposite orientations, so that action and reaction are equal.
+///    integrals. They have opposite orientations, so action and reaction are equal.
 #ifndef PW85_VOLUME_OVERLAP_VOLUME_DERIVATIVES_HPP_INCLUDED
 #define PW85_VOLUME_OVERLAP_VOLUME_DERIVATIVES_HPP_INCLUDED
 

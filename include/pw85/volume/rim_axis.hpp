@@ -40,9 +40,9 @@ template <class T, int D> struct RimAxis {
 /// a distance δ from the upper pole and ε from the lower pole.
 ///
 /// The poles p_i separate the roots of h. Between two neighbouring poles h falls from ∞ to -∞, so
-/// that there is an odd number of roots, one or three. h'(t) = 1 - |x|², so that the vertex of a
-/// root with h' < 0 is outside of the ball. -h''/2 = Σ b_i²/(p_i - t)³ increases between two poles,
-/// so h is first convex and then concave there.
+/// there is an odd number of roots, one or three. As h'(t) = 1 - |x|², the vertex of a root with h'
+/// < 0 is outside of the ball. -h''/2 = Σ b_i²/(p_i - t)³ increases between two poles, so h is
+/// first convex and then concave there.
 ///
 /// h is computed by the weights (above). On a thin disc w of the shortest axis exceeds the other
 /// terms by up to 25 orders of magnitude, and γ less b²/(p - t) cancels it.
@@ -91,7 +91,7 @@ inline constexpr int most_newton_steps = 200;
 
 /// Tests whether a step of Newton's method is the last. The next step would be step² |h''/2|/|h'|,
 /// to leading order. The two terms of h'' cancel where h turns from convex to concave, but not at
-/// the end of the step, so that the sum of their magnitudes takes the place of |h''/2|.
+/// the end of the step. Therefore the sum of their magnitudes takes the place of |h''/2|.
 template <class T> PW85_FUNCTION inline bool
 is_last_step(T const &step, T const &x, T const &sharpness, T const &slope) noexcept
 {
@@ -344,8 +344,8 @@ template <class T> PW85_FUNCTION constexpr T highest_vertex() noexcept
 /// axis then passes through the point of tangency, as this point is conjugate to both vertices.
 ///
 /// Let H be the height of the vertex, and Δ the distance between its root and the next one. B(v, v)
-/// is 1 for the normalized vertex, so that h' is near 1/H². So Δ and the relative distance of α or
-/// γ from zero are near 1/H² and 1/H⁴, which is below common_end().
+/// is 1 for the normalized vertex, and h' is near 1/H². So Δ and the relative distance of α or γ
+/// from zero are near 1/H² and 1/H⁴, which is below common_end().
 template <class T> PW85_FUNCTION inline void
 replace_touching_vertex(Pencil<T, 3> const &p, PoleAxes<T> const &axes, Vertex<T, 3> &v) noexcept
 {
@@ -359,11 +359,10 @@ replace_touching_vertex(Pencil<T, 3> const &p, PoleAxes<T> const &axes, Vertex<T
 /// The height of a vertex beyond which the vertex at the middle pole may take its place.
 ///
 /// As above, α or γ is η = 1/H⁴ of its size, 2^-44, if the vertex is at the point of tangency. An
-/// end of the axis within η counts as common to both bodies. Let the surfaces have the distance
-/// z² - y⁴ + η near that point, to leading order. The rims that are wrong there have y up to
-/// η^(1/4) and z up to η^(1/2), so that the volume changes by η^(7/4), which is below u, and the
-/// derivatives by η^(3/4). This is of the order of their bound, as second derivatives are near
-/// η^(-1/4).
+/// end of the axis within η counts as common to both bodies. Let the surfaces have the distance z²
+/// - y⁴ + η near that point, to leading order. The rims that are wrong there have y up to η^(1/4)
+/// and z up to η^(1/2). The volume changes by η^(7/4), which is below u, and the derivatives by
+/// η^(3/4). This is of the order of their bound, as second derivatives are near η^(-1/4).
 inline constexpr double highest_vertex_beside_pole = 2048.0;
 
 /// The size of b of the middle pole that rounding of the forms and of the offset explains.

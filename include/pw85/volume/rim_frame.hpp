@@ -145,10 +145,9 @@ set_ends(BodyOnAxis<T, D> &other, T const &half_chord, T const &nearest) noexcep
 /// Where both chords have an end in common, α or γ is zero, and one root of the equation of the rim
 /// is this end in each half-plane. The other root is the one rim. So the common end counts as that
 /// of the body that does not own the other end. This also holds where that rim passes through the
-/// common end. The volume is a continuous function of α and γ, so that an end which is common by
-/// rounding alone is not special. Where both ends are common, the rim passes through the lower
-/// one in half-planes in which the other body is inside the ball, and through the upper one
-/// elsewhere.
+/// common end. The volume is a continuous function of α and γ, so an end which is common by
+/// rounding alone is not special. Where both ends are common, the rim passes through the lower one
+/// in half-planes in which the other body is inside the ball, and through the upper one elsewhere.
 template <class T, int D>
 PW85_FUNCTION inline AxisEnds axis_ends(BodyOnAxis<T, D> const &other) noexcept
 {
@@ -159,8 +158,8 @@ PW85_FUNCTION inline AxisEnds axis_ends(BodyOnAxis<T, D> const &other) noexcept
     return {above, below};
 }
 
-/// α and γ over the square of the stretch of the axis. In space they are not zero, so that each
-/// half-plane has a point of the rim which is not on the axis (common_end()).
+/// α and γ over the square of the stretch of the axis. In space they are not zero: each half-plane
+/// has a point of the rim which is not on the axis (common_end()).
 template <class T> struct AxisProducts {
     T alpha, gamma;
 };

@@ -216,8 +216,8 @@ template <class T> struct RimIntegration {
     BodyOnAxis<Two, 3> bodies[2];
     AreaRule rules[2];
 
-    /// Tests if the chords of the axis are disjoint, so that there is no rim. The ellipsoids then
-    /// touch from outside to rounding, and the common part counts as empty.
+    /// Tests if the chords of the axis are disjoint and there is no rim. The ellipsoids then touch
+    /// from outside to rounding, and the common part counts as empty.
     PW85_MEMBER bool is_empty() const noexcept
     {
         return rim.ends.ball_above != rim.ends.ball_below && rim.least > T(0);
@@ -476,7 +476,7 @@ sum_of_moved_pair(JointFrame<T, 3> frame, T const &part) noexcept
 }
 
 /// The mean of the sums for pairs whose centres are moved to both sides, where the surfaces nearly
-/// touch. They are moved by 2^-33 for doubles, so that h⁴ is of this order there. By its second
+/// touch. They are moved by 2^-33 for doubles, and h⁴ is of this order there. By its second
 /// derivative, which grows as the logarithm of the depth, 3V changes by some 2^-66 times the
 /// distance.
 template <class T>

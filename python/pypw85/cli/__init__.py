@@ -65,7 +65,7 @@ _GONE = 128 + 13
 
 
 def main() -> None:
-    """Runs the command in a thread of its own, so that an interruption need not wait for a long computation."""
+    """Runs the command in a thread of its own: an interruption need not wait for a long computation."""
     outcome, finished = [2], threading.Event()
 
     def run() -> None:

@@ -22,7 +22,7 @@ except ImportError:
 def progress() -> Iterator[Callable[[str], None]]:
     """Yields a function that takes a description of the current work, and raises KeyboardInterrupt after Ctrl-C.
 
-    Another thread shows it, so that the time is shown while nothing else happens.
+    Another thread shows it: the time advances while nothing else happens.
     """
     stage, finished = ["starting"], threading.Event()
     thread = threading.Thread(target=_show, args=(stage, finished), daemon=True)

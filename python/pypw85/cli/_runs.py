@@ -29,8 +29,9 @@ from .._functions import cell_reduce
 from .._observables import Observables, Sample
 from .._simulations import Change, HardEllipsoids, usual_length
 from .._system import System
-from ..formats import FORMATS, FileError, gsd, read, replacing
+from ..formats import FORMATS, FileError, gsd, hdf5, read, replacing
 from ..formats._errors import guarded
+from ..formats._files import checksum
 
 # A sample in a file
 _ROW = np.dtype([(name, "f8") for name in ("sweep", *Sample._fields)])
@@ -307,7 +308,7 @@ class Run:
             return
         size = self.saved * _ROW.itemsize
         _check_length(self.samples_path, size, "samples")
-        if size and _checksum(self.samples_path, size) != self.checksum:
+        if size and checksum(self.samples_path, size) != self.checksum:
             raise FileError(self.samples_path, f"was changed after pw85 mc had written it: {_CURE}")
 
     def _append_samples(self) -> None:
@@ -377,7 +378,7 @@ class Run:
                 group[f"equilibration/{name}"] = numbers
             self._write_results(group)
             group.attrs["digest"] = _digest(file)
-        return buffer.getvalue()
+        return hdf5.sealed(buffer.getvalue())
 
     def _write_results(self, group: Any) -> None:
         kinds = [("name", "S32"), ("value", "f8"), ("error", "f8"), ("samples", "f8")]
@@ -439,15 +440,6 @@ def _synced(path: str) -> int:
         return os.fstat(file.fileno()).st_size
 
 
-def _checksum(path: str, size: int) -> int:
-    """The checksum of the first bytes of a file."""
-    found = 0
-    with open(path, "rb") as file:
-        while size > 0 and (part := file.read(min(size, 1 << 20))):
-            found, size = zlib.crc32(part, found), size - len(part)
-    return found
-
-
 def _write_durably(path: str, content: bytes) -> None:
     """Writes a new file, waits until it is on the disk, and puts it in the place of the old one."""
     with replacing(path) as temporary, open(temporary, "wb") as file:
@@ -507,9 +499,7 @@ def resume(path: str) -> Run:
 
 @guarded
 def _read(path: str, particles: System) -> Run:
-    import h5py
-
-    with h5py.File(path, "r") as file:
+    with hdf5.opened(path) as file:
         if _GROUP not in file:
             raise FileError(path, _NO_RUN)
         group = file[_GROUP]

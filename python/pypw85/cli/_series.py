@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from .._typing import Floats
-from ..formats import FileError
+from ..formats import FileError, hdf5
+from ..formats._errors import guarded
 
 # The columns that are plotted, by what they are called on the axes
 _PLOTTED = {
@@ -30,7 +31,12 @@ def read_series(path: str) -> dict[str, Floats] | None:
     """The columns of the samples of a run by their names; None if the file is not a run of `pw85 mc`."""
     if is_table(path):
         return _from_table(path)
-    return _from_run(path) if _start(path).startswith(b"\x89HDF") else None
+    if not _start(path).startswith(b"\x89HDF"):
+        return None
+    try:
+        return _from_run(path)
+    except FileError as error:
+        raise FileError(path, error.reason.replace("write it again", "bring back a copy of it")) from None
 
 
 def _start(path: str) -> bytes:
@@ -52,14 +58,9 @@ def _from_table(path: str) -> dict[str, Floats]:
     return dict(zip(names, rows.T, strict=True))
 
 
+@guarded
 def _from_run(path: str) -> dict[str, Floats] | None:
-    import h5py
-
-    try:
-        file = h5py.File(path, "r")
-    except OSError as error:
-        raise FileError(path, f"no readable HDF5 file ({error}): it is broken or truncated; bring back a copy of it") from None
-    with file:
+    with hdf5.opened(path) as file:
         if "pw85_mc" not in file:
             return None
         group = file["pw85_mc"]

@@ -100,7 +100,7 @@ def _survey_all(
 def _survey_with_dask(
     given: Input, worst: int, below: float, workers: int, stage: Callable[[str], object]
 ) -> Iterator[Found]:
-    """Takes some frames at a time, so that only their reports are in memory."""
+    """Takes some frames at a time: only their reports are in memory."""
     from concurrent.futures import ProcessPoolExecutor
 
     from dask.base import compute

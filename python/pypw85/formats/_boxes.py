@@ -12,7 +12,7 @@ from .._system import System
 from .._typing import Floats
 from ._names import numbers_if_all_are, type_names
 
-# A box around a system is wider by this share of it, so that no images overlap where single precision rounds it.
+# A box around a system is wider by this fraction of it: no images overlap where single precision rounds it.
 _MARGIN = 2.0**-20
 # Rounding a corner, and adding an edge to it, may change the edge by this share. If it changes more, the corner is too far from 0.
 _ROUNDED = 2.0**-40

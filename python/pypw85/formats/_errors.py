@@ -54,5 +54,7 @@ def guarded(function: Function) -> Function:
         except (ArithmeticError, AttributeError, LookupError, OSError, RuntimeError, TypeError, ValueError) as error:
             reason = str(error).splitlines() or [type(error).__name__]
             raise FileError(path, f"cannot be read ({reason[0]}): the file is broken; write it again") from None
+        except MemoryError:  # also of a number of bytes that is damaged
+            raise FileError(path, "needs more memory than there is: it is too large for this machine, or broken; write it again") from None
 
     return cast("Function", run)

@@ -13,6 +13,7 @@ import stat
 import sys
 import tempfile
 import time
+import zlib
 from typing import IO, Any, NamedTuple, TypeAlias, Union, cast
 from collections.abc import Iterator
 
@@ -45,6 +46,15 @@ class Target(NamedTuple):
     path: str
     status: os.stat_result | None
     is_replaced: bool
+
+
+def checksum(path: Path, size: int) -> int:
+    """The CRC-32 of the first bytes of a file."""
+    found = 0
+    with open(path, "rb") as file:
+        while size > 0 and (part := file.read(min(size, READ_AHEAD))):
+            found, size = zlib.crc32(part, found), size - len(part)
+    return found
 
 
 def check_output(path: Path) -> Target:

@@ -21,7 +21,7 @@ def masses_and_moments(semi_axes: Floats) -> tuple[Floats, Floats]:
     """The masses of solid ellipsoids, and their moments about their axes.
 
     None of the three moments of a body is larger than the sum of the others. Programs refuse moments of flat ellipsoids for which this
-    fails by a rounding error, so that the largest one is rounded down to the sum as floating-point numbers have it.
+    fails by a rounding error. Therefore the largest one is rounded down to the sum as floating-point numbers have it.
     """
     forms = np.zeros((len(semi_axes), 6))
     forms[:, _DIAGONAL] = np.square(semi_axes)

@@ -216,7 +216,7 @@ def _append(file: Any, system: System, precision: str) -> None:
 
 
 class Growing:
-    """A file to which frames are added. Each of them is in the file as soon as it is added, so that other programs may read it, and nothing
+    """A file to which frames are added. Each of them is in the file as soon as it is added: other programs may read it, and nothing
     is lost if this one is killed.
 
     `frames` says how many of those that are there already are kept, 0 for a new file. A GSD file cannot be made shorter, so the others are

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 import os
+import zlib
 from typing import Any, NamedTuple
 from collections.abc import Iterator
 
@@ -23,7 +24,7 @@ from .._typing import Floats
 from .._words import counted
 from ._columns import could_change
 from ._errors import FileError, guarded
-from ._files import check_input
+from ._files import check_input, checksum
 from ._frames import Frame, Location, Options, check_lengths_of_names
 from ._names import checked_names, numbers_if_all_are
 
@@ -34,7 +35,9 @@ _USED = ("position", "semi_axes", "orientation", "form", "species", "id", "angle
 _LINKS = 16
 # The largest ratio of deflate, 1032, and its headers: a data set that claims more than that of its bytes was never written.
 _COMPRESSION = 1100
-# Bytes of a chunk: of one frame, so that a file is not larger than what it holds, and small enough for the cache of HDF5.
+# Before the checksum of a file of a run
+_SEAL = b"pw85 crc"
+# Bytes of a chunk. A chunk has one frame, to make a file not larger than its content, and is small enough for the cache of HDF5.
 _CHUNK = 1 << 18
 # Several frames of less than this share one.
 _SMALL_CHUNK = 1 << 11
@@ -55,10 +58,30 @@ def recognise(start: bytes) -> bool:
     return start[:8] == b"\x89HDF\r\n\x1a\n"
 
 
-def _open(path: os.PathLike[str]) -> Any:
+def sealed(content: bytes) -> bytes:
+    """The bytes of a file with their checksum behind them, where readers of HDF5 do not look.
+
+    In a damaged file HDF5 1.10 may follow addresses out of its memory, and the process ends. So the bytes are checked first.
+    """
+    return content + _SEAL + zlib.crc32(content).to_bytes(4, "little")
+
+
+def _check_seal(path: os.PathLike[str]) -> None:
+    """Refuses a file that has a checksum of other bytes."""
+    size = os.path.getsize(path) - len(_SEAL) - 4
+    with open(path, "rb") as file:
+        file.seek(max(size, 0))
+        seal = file.read()
+    if size > 0 and seal.startswith(_SEAL) and checksum(path, size) != int.from_bytes(seal[len(_SEAL) :], "little"):
+        raise FileError(path, "is damaged, or was changed after pw85 mc had written it: write it again")
+
+
+def opened(path: os.PathLike[str]) -> Any:
+    """A file to be read. Use it in functions that are guarded()."""
     import h5py
 
     check_input(path)
+    _check_seal(path)
     try:
         return h5py.File(path, "r")
     except PermissionError:
@@ -119,7 +142,7 @@ def _values(source: _Source, name: str) -> tuple[Any | None, bool]:
 
 @guarded
 def _count(path: os.PathLike[str]) -> int:
-    with _open(path) as file:
+    with opened(path) as file:
         values, has_time = _values(_Source(path, _group(path, file), 0), "position")
         return len(values) if values is not None and has_time else 1
 
@@ -130,7 +153,7 @@ def locate(path: os.PathLike[str]) -> Iterator[Location]:
 
 @guarded
 def load(path: os.PathLike[str], location: Location, options: Options) -> System:
-    with _open(path) as file:
+    with opened(path) as file:
         source = _Source(path, _group(path, file), location.frame)
         columns = _width(source, "position")
         positions = _floats(source, "position", -1, columns)

@@ -2,7 +2,7 @@
 """For MuJoCo (written only): MJCF, a body that moves freely for each particle, with a geom of type ellipsoid.
 
 Sizes of these geoms are semi-axes, and quaternions are (w, x, y, z). Each body has its mass and its principal moments of inertia, those
-of a solid body, so that they do not depend on what MuJoCo takes from geoms. The density is that of MuJoCo's own geoms, 1000.
+of a solid body. They do not depend on what MuJoCo takes from geoms. The density is that of MuJoCo's own geoms, 1000.
 """
 
 from __future__ import annotations

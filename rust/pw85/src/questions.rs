@@ -5090,8 +5090,8 @@ pub fn gap_inside_batch_2d(
 /// search ends after 100,000 steps: the ellipsoids turn by more than 50,000 radians near each
 /// other without contact, or by more than 10,000 if their aspect ratio is 1000; sizes, the
 /// relative velocity or the time leave the range of double; one turns by more than 2⁴³ radians,
-/// so that its orientation is unknown, or its aspect ratio is above 10⁷, so that rounding leaves
-/// no digit of its form.
+/// and its orientation is unknown, or its aspect ratio is above 10⁷, and rounding leaves no digit
+/// of its form.
 ///
 /// # Examples
 ///

@@ -1,0 +1,43 @@
+function hessian = pw85_contact_hessian (varargin)
+%pw85_contact_hessian  Second derivatives of μ².
+%
+%   hessian = pw85_contact_hessian (r12, q1, q2, lambda)
+%   hessian = pw85_contact_hessian (x, y, lambda)
+%
+%  The relative error of the derivatives is a few times that of λ and 1-λ. The relative error of
+%  λ from pw85_contact() is some u times the squared aspect ratio. If ellipsoid 1 is much larger
+%  than ellipsoid 2, the relative error of 1-λ is u/(1-λ).
+%
+%  For ellipses and ellipsoids.
+%
+%  Each argument has a row for each row of the results, or one row for all of them. What is
+%  refused is an error that names the argument and its row.
+%
+%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2; not zero. 3 or 2 columns.
+%  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
+%  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
+%  lambda      From pw85_contact(). 1 column.
+%  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi] or, in the plane, [xc yc a b
+%              theta]: see pw85_from_matgeom.
+%
+%  hessian     Symmetric: second derivatives with respect to r12, rotation 1 and rotation 2. A
+%              vector ω describes the rotation by the angle |ω| about the direction of ω. λ is
+%              not held fixed: it maximises f for each changed pair. 81 or 16 columns, a matrix
+%              of 9 x 9 row by row.
+%
+%  The function of the C API is pw85_contact_hessian().
+
+% SPDX-License-Identifier: BSD-3-Clause
+% Made by api/octave.py from the headers of the C API.
+  hessian = pw85_mex ('contact_hessian', varargin{:});
+end
+
+%!test
+%! [x, y] = deal ([0 0 0 3 2 1 0 0 0], [5.5 0.5 0 3 2 1 30 20 10; 5.9 0.1 0.1 3 2 1 10 0 5; 3.95 0.1 0 1 0.5 0.4 9 0 0]);
+%! [r1, q1] = pw85_from_matgeom (x);
+%! [r2, q2] = pw85_from_matgeom (y);
+%! [a{1:1}] = pw85_contact_hessian (r2 - r1, q1, q2, 0.5);
+%! [b{1:1}] = pw85_contact_hessian (x, y, 0.5);
+%! assert (b, a);
+%! [b{1:1}] = pw85_contact_hessian (x, y(end,:), 0.5);
+%! assert (b, cellfun (@(m) m(end,:), a, 'UniformOutput', false));

@@ -1,0 +1,43 @@
+function [mu2, lambda] = pw85_contact_rounded (varargin)
+%pw85_contact_rounded  Contact function of two ellipsoids, with μ² correctly rounded.
+%
+%   [mu2, lambda] = pw85_contact_rounded (r12, q1, q2)
+%   [mu2, lambda] = pw85_contact_rounded (x, y)
+%
+%  It is the double nearest to the exact value for the numbers given.
+%
+%  If two doubles are equally near, μ² is the one whose last bit is 0. Underflow and overflow
+%  follow the same rule: a μ² that is at least 2¹⁰²⁴ - 2⁹⁷⁰ becomes infinity, with success. λ
+%  errs by less than one unit in the last place. Every processor and every instruction set
+%  therefore gives the same μ². An exchange of the two ellipsoids does not change μ². Other
+%  units that are powers of two do not change it if μ² stays in the range of normal doubles.
+%
+%  For ellipsoids in three dimensions.
+%
+%  Each argument has a row for each row of the results, or one row for all of them. What is
+%  refused is an error that names the argument and its row.
+%
+%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
+%  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
+%  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
+%  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.
+%
+%  mu2         μ², and the maximiser λ of f in [0, 1]. 1 column.
+%  lambda      μ², and the maximiser λ of f in [0, 1]. 1 column.
+%
+%  The function of the C API is pw85_contact_rounded().
+
+% SPDX-License-Identifier: BSD-3-Clause
+% Made by api/octave.py from the headers of the C API.
+  [mu2, lambda] = pw85_mex ('contact_rounded', varargin{:});
+end
+
+%!test
+%! [x, y] = deal ([0 0 0 3 2 1 0 0 0], [5.5 0.5 0 3 2 1 30 20 10; 5.9 0.1 0.1 3 2 1 10 0 5; 3.95 0.1 0 1 0.5 0.4 9 0 0]);
+%! [r1, q1] = pw85_from_matgeom (x);
+%! [r2, q2] = pw85_from_matgeom (y);
+%! [a{1:2}] = pw85_contact_rounded (r2 - r1, q1, q2);
+%! [b{1:2}] = pw85_contact_rounded (x, y);
+%! assert (b, a);
+%! [b{1:2}] = pw85_contact_rounded (x, y(end,:));
+%! assert (b, cellfun (@(m) m(end,:), a, 'UniformOutput', false));

@@ -1,0 +1,56 @@
+function [normal, depth, point, curvatures, radius] = pw85_grain_contact (varargin)
+%pw85_grain_contact  The contact of two grains along their common normal.
+%
+%   [normal, depth, point, curvatures, radius] = pw85_grain_contact (r12, q1, q2, start)
+%   [normal, depth, point, curvatures, radius] = pw85_grain_contact (x, y, start)
+%
+%  The least overlap δ(n) = α + β - n·r12 near a given direction, with the half-widths α and β
+%  of the ellipsoids along the unit vector n.
+%
+%  δ is stationary there, so the force U'(δ) n at the point conserves an energy U(δ).
+%  pw85_hertz_contact() takes the normal from the caller; this function finds it by Newton's
+%  method. Start from the normal of pw85_contact_geometry(), or from that of the time step
+%  before. Then it takes one or two steps.
+%
+%  There is a minimum if the overlap is small: below the least sum of radii of curvature. The
+%  search ends after a step below 2⁻²² radians. The normal, and points and radius in units of
+%  the semi-axes, then err by less than 100·2⁻⁴⁴ at aspect ratios up to 4; the depth errs by the
+%  square of that and by rounding.
+%
+%  For ellipsoids in three dimensions.
+%
+%  Each argument has a row for each row of the results, or one row for all of them. What is
+%  refused is an error that names the argument and its row.
+%
+%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
+%  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
+%  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
+%  start       A direction near the normal, out of ellipsoid 1 and into ellipsoid 2, of any
+%              length; not zero. 3 columns.
+%  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.
+%
+%  normal      Unit vector. 3 columns.
+%  depth       δ, in the unit of r12; negative if a slab separates the ellipsoids. 1 column.
+%  point       The middle of the points of both surfaces that have the normals n and -n, which
+%              are δ n apart, relative to the centre of ellipsoid 1. 3 columns.
+%  curvatures  Of the gap between both surfaces, > 0, the smaller one first: eigenvalues of the
+%              sum of their second fundamental forms, as pw85_hertz() of the C API takes them. 2
+%              columns.
+%  radius      The effective radius. For spheres it is R1 R2/(R1 + R2). 1 column.
+%
+%  The function of the C API is pw85_grain_contact().
+
+% SPDX-License-Identifier: BSD-3-Clause
+% Made by api/octave.py from the headers of the C API.
+  [normal, depth, point, curvatures, radius] = pw85_mex ('grain_contact', varargin{:});
+end
+
+%!test
+%! [x, y] = deal ([0 0 0 3 2 1 0 0 0], [5.5 0.5 0 3 2 1 30 20 10; 5.9 0.1 0.1 3 2 1 10 0 5; 3.95 0.1 0 1 0.5 0.4 9 0 0]);
+%! [r1, q1] = pw85_from_matgeom (x);
+%! [r2, q2] = pw85_from_matgeom (y);
+%! [a{1:5}] = pw85_grain_contact (r2 - r1, q1, q2, [1 0 0]);
+%! [b{1:5}] = pw85_grain_contact (x, y, [1 0 0]);
+%! assert (b, a);
+%! [b{1:5}] = pw85_grain_contact (x, y(end,:), [1 0 0]);
+%! assert (b, cellfun (@(m) m(end,:), a, 'UniformOutput', false));

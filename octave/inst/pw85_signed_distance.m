@@ -1,0 +1,55 @@
+function [distance, point1, point2] = pw85_signed_distance (varargin)
+%pw85_signed_distance  Signed distance of two ellipsoids.
+%
+%   [distance, point1, point2] = pw85_signed_distance (r12, q1, q2)
+%   [distance, point1, point2] = pw85_signed_distance (x, y)
+%
+%  Their distance if they are apart, minus the depth of their overlap otherwise.
+%
+%  The signed distance is the largest value of n·r12 - α - β over unit vectors n, with the
+%  half-widths α and β of the ellipsoids along n, whether they overlap or not. It is a convex
+%  function of r12 with slope 1, and is continuous at contact. It is positive only if the
+%  ellipsoids are apart and negative only if they overlap, as pw85_overlap() decides. Its error
+%  is that of pw85_distance() if they are apart, and that of pw85_penetration() if they overlap.
+%  pw85_penetration() also states the time that overlaps take.
+%
+%  If they overlap, moving ellipsoid 2 by point1 - point2 separates them by the shortest way. If
+%  several directions are equally good, the result belongs to one of them. For a direction that
+%  is isolated, and aspect ratios up to 10³, point2 - point1 differs from distance times the
+%  unit normal by less than 2¹⁸ u (|r12| + |point1| + |r12 - point2|), with u = 2⁻⁵³.
+%
+%  For ellipses and ellipsoids.
+%
+%  Each argument has a row for each row of the results, or one row for all of them. What is
+%  refused is an error that names the argument and its row.
+%
+%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2. 3 or 2 columns.
+%  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
+%  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
+%  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi] or, in the plane, [xc yc a b
+%              theta]: see pw85_from_matgeom.
+%
+%  distance    The signed distance, in the unit of r12. 1 column.
+%  point1      The points of the surfaces of ellipsoids 1 and 2 where their normals are opposite
+%              and along point2 - point1: the closest points, or the deepest ones; both relative
+%              to the centre of ellipsoid 1. 3 or 2 columns.
+%  point2      The points of the surfaces of ellipsoids 1 and 2 where their normals are opposite
+%              and along point2 - point1: the closest points, or the deepest ones; both relative
+%              to the centre of ellipsoid 1. 3 or 2 columns.
+%
+%  The function of the C API is pw85_signed_distance().
+
+% SPDX-License-Identifier: BSD-3-Clause
+% Made by api/octave.py from the headers of the C API.
+  [distance, point1, point2] = pw85_mex ('signed_distance', varargin{:});
+end
+
+%!test
+%! [x, y] = deal ([0 0 0 3 2 1 0 0 0], [5.5 0.5 0 3 2 1 30 20 10; 5.9 0.1 0.1 3 2 1 10 0 5; 3.95 0.1 0 1 0.5 0.4 9 0 0]);
+%! [r1, q1] = pw85_from_matgeom (x);
+%! [r2, q2] = pw85_from_matgeom (y);
+%! [a{1:3}] = pw85_signed_distance (r2 - r1, q1, q2);
+%! [b{1:3}] = pw85_signed_distance (x, y);
+%! assert (b, a);
+%! [b{1:3}] = pw85_signed_distance (x, y(end,:));
+%! assert (b, cellfun (@(m) m(end,:), a, 'UniformOutput', false));
