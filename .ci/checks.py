@@ -409,6 +409,11 @@ def check_octave(results):
     results.add("scripts/test_octave.sh", run(["scripts/test_octave.sh"]))
 
 
+def check_npm(results):
+    """The npm package: its module, its tests in Node and Chromium, README, types, and the bits of C."""
+    results.add("scripts/test_npm.sh", run(["scripts/test_npm.sh"]))
+
+
 def check_rust(results):
     """The crates for Rust: their tests, examples and README, linter and formatter, and the bits of C."""
     results.add("scripts/test_rust.sh", run(["scripts/test_rust.sh"]))
@@ -476,6 +481,7 @@ PARTS = {
     "python-of-debian-13": Part(check_python_of_debian_13, "git mmdebstrap", by_default=False),
     "r": Part(check_r, "$build_packages libboost-dev $r_packages", by_default=False),
     "octave": Part(check_octave, "$build_packages libboost-dev $octave_packages", by_default=False),
+    "npm": Part(check_npm, "$npm_packages", by_default=False),
     "rust": Part(check_rust, "$build_packages libboost-dev $rust_packages", by_default=False),
     "formats": Part(check_formats, f"{TEST} {MEASURING}", after=("tests",), by_default=False),
     "valgrind": Part(check_valgrind, f"{TEST} valgrind", after=("tests", "pages"), by_default=False),

@@ -11,6 +11,7 @@ import sys
 import batch
 import declarations
 import fortran
+import javascript
 import linked
 import objects
 import octave
@@ -27,8 +28,8 @@ def files():
     header = batch.header()
     declarations.replace({"pw85_batch.h": header})  # from which the others follow
     made = {batch.HEADER: header, fortran.MODULE: fortran.module()}
-    made |= shims.files() | objects.files() | symbols.files() | spans.headers() | linked.files()
-    made |= r.files() | octave.files() | rust.files()
+    made |= shims.files() | objects.files() | symbols.files() | spans.headers() | linked.files() | r.files() | octave.files()
+    made |= javascript.files() | rust.files()
     marks = (f"{path.relative_to(SOURCE)} linguist-generated\n" for path in sorted(made))
     return made | {SOURCE / ".gitattributes": "# Made by api/committed.py, as all files in this list.\n" + "".join(marks)}
 

@@ -193,8 +193,8 @@ PW85_API int pw85_hard_ellipsoids_set_potential(pw85_hard_ellipsoids *simulation
  *        null, and for the kind 0
  * @return #PW85_SUCCESS; #PW85_EINVAL, also for a law that pw85_law_forces_pairs() does not allow,
  *         for a soft repulsion, which ends where the hard cores begin, for energies of pairs above
- *         2²⁰ k_B T by a simple bound, and for a cutoff beyond μ² = 10⁶; #PW85_ENOMEM: nothing
- *         changes then */
+ *         2²⁰ k_B T by a simple bound, and for a cutoff that is not above μ² = 1, where hard cores
+ *         touch, or beyond μ² = 10⁶; #PW85_ENOMEM: nothing changes then */
 PW85_API int pw85_hard_ellipsoids_set_law(pw85_hard_ellipsoids *simulation, pw85_law const *law);
 
 /** @} */

@@ -103,12 +103,12 @@ void ComputeContact::add_batch(bool with_rows)
     }
     pw85_pair_list const list = batch.list();
     pw85_system const system = ellipsoids.system();
-    int const status = pw85_contact_pairs(&list, &system, batch.mu2.data(), batch.lambda.data());
+    pw85_contact_pairs(&list, &system, batch.mu2.data(), batch.lambda.data());
     int const counted = num_counted();
     for (std::size_t k = 0; k < batch.size(); ++k) {
         int const i = batch.pairs[2 * k], j = batch.pairs[2 * k + 1];
         double const mu2 = batch.mu2[k];
-        if (std::isnan(mu2)) ellipsoids.refuse_pair(i, j, status);
+        if (std::isnan(mu2)) ellipsoids.refuse_pair(i, j);
         if (!(mu2 < below_)) continue;
         value(i) = std::min(value(i), mu2);
         value(j) = std::min(value(j), mu2);

@@ -41,12 +41,12 @@ void ComputeOverlap::count()
 {
     pw85_pair_list const list = batch.list();
     pw85_system const system = ellipsoids.system();
-    int const status = pw85_overlap_pairs(&list, &system, batch.overlaps.data());
+    pw85_overlap_pairs(&list, &system, batch.overlaps.data());
     int const counted = num_counted();
     for (std::size_t k = 0; k < batch.size(); ++k) {
         if (batch.overlaps[k] == 0) continue;
         int const i = batch.pairs[2 * k], j = batch.pairs[2 * k + 1];
-        if (batch.overlaps[k] != 1) ellipsoids.refuse_pair(i, j, status);
+        if (batch.overlaps[k] != 1) ellipsoids.refuse_pair(i, j);
         value(i) += 1.0;
         halves_ += 1;
         if (j >= counted) continue;

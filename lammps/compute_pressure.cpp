@@ -62,11 +62,11 @@ void ComputePressure::add_batch()
 {
     pw85_pair_list const list = batch.list();
     pw85_system const system = ellipsoids.system();
-    int const status = pw85_contact_pairs(&list, &system, batch.mu2.data(), batch.lambda.data());
+    pw85_contact_pairs(&list, &system, batch.mu2.data(), batch.lambda.data());
     int const counted = num_counted();
     for (std::size_t k = 0; k < batch.size(); ++k) {
         int const i = batch.pairs[2 * k], j = batch.pairs[2 * k + 1];
-        if (std::isnan(batch.mu2[k])) ellipsoids.refuse_pair(i, j, status);
+        if (std::isnan(batch.mu2[k])) ellipsoids.refuse_pair(i, j);
         double const range = 0.5 * std::log(batch.mu2[k]) / width_;
         if (!(range < 2.0)) continue;
         if (std::max(i, j) >= counted && !belongs_here(*atom, i, j)) continue;

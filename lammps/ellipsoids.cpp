@@ -223,19 +223,23 @@ void Ellipsoids::require_cutoff(int t, int u, double cutoff, double distance) co
                              decimal(distance) + " or more");
 }
 
+std::string Ellipsoids::name(int i) const { return "atom " + std::to_string(atom->tag[i]); }
+
 void Ellipsoids::refuse(int i, std::string const &reason) const
 {
-    stop_one(*error, style_ + ": atom " + std::to_string(atom->tag[i]) + " " + reason);
+    stop_one(*error, style_ + ": " + name(i) + " " + reason);
 }
 
-void Ellipsoids::refuse_pair(int i, int j, int status) const
+void Ellipsoids::refuse_pair(int i, int j) const
 {
-    refuse_pair(i, j, std::string("have no contact function: ") + pw85_strerror(status));
+    pw85_error cause;
+    pw85_last_error(&cause);
+    refuse_pair(i, j, "have no contact function: " + words_of(cause, name(i), name(j)));
 }
 
 void Ellipsoids::refuse_pair(int i, int j, std::string const &reason) const
 {
-    refuse(i, "and atom " + std::to_string(atom->tag[j]) + " " + reason);
+    refuse(i, "and " + name(j) + " " + reason);
 }
 
 double Ellipsoids::bytes() const

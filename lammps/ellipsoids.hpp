@@ -150,11 +150,14 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     /// Returns selected(i), or false for an index out of range.
     bool has(int i) const { return static_cast<std::size_t>(i) < radii_.size() && selected(i); }
 
+    /// Returns the name of an atom in messages.
+    std::string name(int i) const;
+
     /// Stops the run because of an atom for the given reason, which follows its name.
     [[noreturn]] void refuse(int i, std::string const &reason) const;
 
-    /// Stops the run because of a pair for which the library returned an error.
-    [[noreturn]] void refuse_pair(int i, int j, int status) const;
+    /// Stops the run because of the pair that the library has just refused.
+    [[noreturn]] void refuse_pair(int i, int j) const;
 
     /// Stops the run because of a pair for the given reason, which follows the names of both atoms.
     [[noreturn]] void refuse_pair(int i, int j, std::string const &reason) const;

@@ -642,8 +642,12 @@ bool FixHpmc::overlaps(int i, double const *center, double const *form)
     int any = 0;
     int const status = pw85_overlap_any_indices(center, form, &system, neighbors_.size(),
                                                 neighbors_.data(), nullptr, &any);
-    if (status != PW85_SUCCESS)
-        ellipsoids_.refuse(i, std::string("cannot be tested: ") + pw85_strerror(status));
+    if (status != PW85_SUCCESS) {
+        pw85_error cause;
+        pw85_last_error(&cause);
+        std::string const other = neighbors_.empty() ? "" : ellipsoids_.name(neighbors_[cause.row]);
+        ellipsoids_.refuse(i, "cannot be tested: " + words_of(cause, ellipsoids_.name(i), other));
+    }
     return any != 0;
 }
 

@@ -308,9 +308,12 @@ bool FixPour::meets_others(Vector const &center, double const *form, double radi
     int any = 0;
     int const status =
         pw85_overlap_any(form, near_r12_.size() / 3, near_r12_.data(), near_forms_.data(), &any);
-    if (status != PW85_SUCCESS)
-        refuse(std::string("cannot tell whether a new grain overlaps another one: ") +
-               pw85_strerror(status));
+    if (status != PW85_SUCCESS) {
+        pw85_error cause;
+        pw85_last_error(&cause);
+        refuse("cannot tell whether a new grain overlaps another one: " +
+               words_of(cause, "the new grain", "the other one"));
+    }
     return any != 0;
 }
 

@@ -78,7 +78,7 @@ class PairBatch {
     std::size_t size() const { return size_; }
 
     /// Keeps the pairs of the present batch that overlap, and returns their list. Calls
-    /// refuse(i, j, status) for a pair for which the library has no answer.
+    /// refuse(i, j) for a pair for which the library has no answer.
     template <class Refuse> pw85_pair_list keep_overlaps(pw85_system const &system, Refuse refuse);
 
     /// Keeps the pairs of the present batch that overlap, and, without a test, those for which
@@ -131,13 +131,13 @@ template <class Refuse, class Held>
 pw85_pair_list PairBatch::keep_overlaps_of(pw85_pair_list const &tested, pw85_system const &system,
                                            Refuse refuse, Held is_held)
 {
-    int const status = pw85_overlap_pairs(&tested, &system, overlaps.data());
+    pw85_overlap_pairs(&tested, &system, overlaps.data());
     std::size_t count = 0, next = 0;
     for (std::size_t k = 0; k < size_; ++k) {
         int const i = pairs[2 * k], j = pairs[2 * k + 1];
         bool const held = is_held(k);
         unsigned const overlap = held ? 1u : overlaps[next];
-        if (overlap > 1) refuse(i, j, status);
+        if (overlap > 1) refuse(i, j);
         pairs[2 * count] = i;
         pairs[2 * count + 1] = j;
         entries[count] = entries[k];

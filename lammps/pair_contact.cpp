@@ -151,9 +151,7 @@ void PairContact::compute(int eflag, int vflag)
 void PairContact::add_batch(int eflag)
 {
     pw85_system const system = ellipsoids_->system();
-    auto const refuse = [this](int i, int j, int status) {
-        ellipsoids_->refuse_pair(i, j, status);
-    };
+    auto const refuse = [this](int i, int j) { ellipsoids_->refuse_pair(i, j); };
     pw85_pair_list const pairs = batch_.keep_overlaps(system, refuse);
     pw85_contact_derivatives_pairs(&pairs, &system, batch_.mu2.data(), batch_.lambda.data(),
                                    nullptr, nullptr, d_r12_.data(), d_rot1_.data(), d_rot2_.data());
@@ -210,7 +208,7 @@ double PairContact::single(int i, int j, int itype, int jtype, double rsq, doubl
     int const status =
         pw85_contact_derivatives_batch(1, r12, ellipsoids_->form(i), ellipsoids_->form(j), &mu2,
                                        nullptr, nullptr, nullptr, d_r12, d_rot1, d_rot2);
-    if (status != PW85_SUCCESS) ellipsoids_->refuse_pair(i, j, status);
+    if (status != PW85_SUCCESS) ellipsoids_->refuse_pair(i, j);
     Action action{};
     if (mu2 < 1.0) action = act(mu2, {d_r12, d_rot1, d_rot2}, factor * epsilon_[itype][jtype]);
     double const *const f = action.force;

@@ -272,9 +272,7 @@ void PairGranular::compute(int eflag, int vflag)
 void PairGranular::add_batch(int eflag)
 {
     pw85_system const system = ellipsoids_->system();
-    auto const refuse = [this](int i, int j, int status) {
-        ellipsoids_->refuse_pair(i, j, status);
-    };
+    auto const refuse = [this](int i, int j) { ellipsoids_->refuse_pair(i, j); };
     // The depth says whether a contact of the step before is still there. With attraction, surfaces
     // may be apart in it.
     auto const holds = [this](std::uint32_t entry) { return history_->find(entry) != nullptr; };

@@ -14,6 +14,8 @@
 #include <string>
 #include <utility>
 
+#include <pw85.h>
+
 namespace pw85_lammps {
 
 /// Returns a number in a message.
@@ -22,6 +24,19 @@ inline std::string decimal(double value)
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.15g", value);
     return text.data();
+}
+
+/// Returns the cause for which the library refused a pair. `first` and `second` are names for its
+/// ellipsoids.
+inline std::string words_of(pw85_error const &cause, std::string const &first,
+                            std::string const &second)
+{
+    std::string const name = cause.argument == nullptr ? "" : cause.argument;
+    if (name.empty()) return cause.function == nullptr ? "no cause is known" : cause.requirement;
+    std::string const subject = name == "q1"   ? "the form of " + first
+                                : name == "q2" ? "the form of " + second
+                                               : name;
+    return subject + " " + cause.requirement;
 }
 
 /// Reads words one after the other, and says what is wrong with them.

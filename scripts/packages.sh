@@ -36,5 +36,7 @@ test_packages="$build_packages $python_packages $python_test_packages ccache pyt
 r_packages='r-base-core r-base-dev r-cran-testthat r-cran-knitr r-cran-rmarkdown devscripts'
 # Those of scripts/test_octave.sh.
 octave_packages='octave octave-dev'
+# Those of scripts/test_npm.sh, which installs npm, too, where nodejs comes without it.
+npm_packages='emscripten meson ninja-build libboost-dev nodejs python3 chromium chromium-driver python3-selenium node-typescript'
 # Those of scripts/test_rust.sh.
 rust_packages='rustc cargo rustfmt rust-clippy'

@@ -182,39 +182,125 @@ void test_meshes()
         pw85_hard_ellipsoids_volume_moves(one, 1, 1.0, PW85_CHANGE_ISOTROPIC));
 }
 
+/// A member of a wall or field that is refused: what the record must say of it.
+template <class Row> struct RefusedMember {
+    Row row;
+    char const *member, *requirement;
+    std::size_t entry = 0;
+    double value = NAN; ///< NaN also if the cause is not one entry
+};
+
+/// Expects that set(one), which sets a good row and then the bad one, names the bad one.
+template <class Row, class Set>
+void expect_member(char const *function, RefusedMember<Row> const &one, Set const &set)
+{
+    if (set(one.row) != PW85_EINVAL) g_error("%s: %s %s", function, one.member, one.requirement);
+    expect_cause(function, one.member, one.requirement, 1, one.entry, one.value);
+}
+
 void test_walls()
 {
-    Simulation const open({0, 0, 0}, nullptr, {0, 0, 0}), flat = in_plane();
-    auto const refuse = [](pw85_hard_ellipsoids *simulation, pw85_wall const &wall,
-                           char const *text) {
-        Expected{"pw85_hard_ellipsoids_set_walls", "walls",
-                 text}(pw85_hard_ellipsoids_set_walls(simulation, 1, &wall, nullptr));
+    Simulation const open({0, 0, 0}, nullptr, {0, 0, 0}), flat = in_plane(), periodic({4, 4, 4});
+    auto const refuse = [](pw85_hard_ellipsoids *simulation, RefusedMember<pw85_wall> const &one,
+                           pw85_wall const &good) {
+        expect_member("pw85_hard_ellipsoids_set_walls", one, [&](pw85_wall const &bad) {
+            pw85_wall const both[] = {good, bad};
+            return pw85_hard_ellipsoids_set_walls(simulation, 2, both, nullptr);
+        });
     };
-    refuse(open, {9, {}, {}, 1}, "must have a kind PW85_WALL_...");
-    refuse(open, {PW85_WALL_BOX, {1, 1, 1}, {-1, 2, 2}, 0}, "must have lower <= upper corners");
-    refuse(open, {PW85_WALL_PLANE, {}, {0, 0, 0}, 9},
-           "must have a normal or an axis that is not zero");
-    refuse(flat, {PW85_WALL_PLANE, {}, {0, 1, 1}, 9},
-           "must have a normal without z in two dimensions");
-    refuse(flat, {PW85_WALL_CYLINDER, {}, {1, 0, 1}, 9},
-           "must have an axis along z in two dimensions");
-    Simulation const periodic({4, 4, 4});
-    refuse(periodic, {PW85_WALL_PLANE, {}, {0, 0, 1}, 9},
-           "must be the same in all images of the cell");
+    constexpr double inf = INFINITY;
+    constexpr char radius[] = "must be a radius > 0 whose square is finite and not 0";
+    RefusedMember<pw85_wall> const in_space[] = {
+        {{9, {}, {}, 1}, "kind", "must be from 0 to 3, PW85_WALL_...", 0, 9},
+        {{-1, {}, {}, 1}, "kind", "must be from 0 to 3, PW85_WALL_...", 0, -1},
+        {{PW85_WALL_PLANE, {}, {0, 0, inf}, 9},
+         "vector",
+         "must be a normal that is finite and not zero",
+         2,
+         inf},
+        {{PW85_WALL_PLANE, {}, {0, 0, 0}, 9},
+         "vector",
+         "must be a normal that is finite and not zero"},
+        {{PW85_WALL_PLANE, {}, {0, 0, 1}, -inf},
+         "size",
+         "must be an offset that is finite",
+         0,
+         -inf},
+        {{PW85_WALL_SPHERE, {0, NAN, 0}, {}, 9}, "point", "must be a center that is finite", 1},
+        {{PW85_WALL_SPHERE, {}, {}, 0}, "size", radius, 0, 0},
+        {{PW85_WALL_SPHERE, {}, {}, 1e-200}, "size", radius, 0, 1e-200},
+        {{PW85_WALL_CYLINDER, {inf, 0, 0}, {0, 0, 1}, 9},
+         "point",
+         "must be a point that is finite",
+         0,
+         inf},
+        {{PW85_WALL_CYLINDER, {}, {0, 0, 0}, 9},
+         "vector",
+         "must be an axis that is finite and not zero"},
+        {{PW85_WALL_CYLINDER, {}, {0, 0, 1}, -9}, "size", radius, 0, -9},
+        {{PW85_WALL_BOX, {0, 0, -inf}, {1, 1, 1}, 0},
+         "point",
+         "must be a lower corner that is finite",
+         2,
+         -inf},
+        {{PW85_WALL_BOX, {}, {1, inf, 1}, 0},
+         "vector",
+         "must be an upper corner that is finite",
+         1,
+         inf},
+        {{PW85_WALL_BOX, {1, 1, 1}, {-1, 2, 2}, 0}, "walls", "must have lower <= upper corners"}};
+    for (auto const &one : in_space) refuse(open, one, {PW85_WALL_SPHERE, {}, {}, 9});
+    RefusedMember<pw85_wall> const in_the_plane[] = {
+        {{PW85_WALL_PLANE, {}, {0, 1, 1}, 9},
+         "vector",
+         "must be a normal without z in two dimensions",
+         2,
+         1},
+        {{PW85_WALL_CYLINDER, {}, {1, 0, 1}, 9},
+         "vector",
+         "must be an axis along z in two dimensions"}};
+    for (auto const &one : in_the_plane) refuse(flat, one, {PW85_WALL_CYLINDER, {}, {0, 0, 1}, 9});
+    pw85_wall const across{PW85_WALL_PLANE, {}, {0, 0, 1}, 9};
+    Expected{"pw85_hard_ellipsoids_set_walls", "walls",
+             "must be the same in all images of the cell"}(
+        pw85_hard_ellipsoids_set_walls(periodic, 1, &across, nullptr));
 }
 
 void test_fields()
 {
     Simulation const one({4, 4, 4});
-    auto const refuse = [&](pw85_field const &field, char const *text) {
-        Expected{"pw85_hard_ellipsoids_set_fields", "fields",
-                 text}(pw85_hard_ellipsoids_set_fields(one, 1, &field));
-    };
-    refuse({9, 0, {}, {1, 0, 0}, 1}, "must have a kind PW85_FIELD_...");
-    refuse({PW85_FIELD_ALIGNING, 3, {}, {1, 0, 0}, 1}, "must have an axis from 0 to 2");
-    refuse({PW85_FIELD_ALIGNING, 0, {}, {0, 0, 0}, 1},
-           "must have a direction whose square is finite and not 0");
-    refuse({PW85_FIELD_LINEAR, 0, {}, {1, 0, 0}, 1}, "must be the same in all images of the cell");
+    constexpr char direction[] = "must be a direction whose square is finite and not 0";
+    RefusedMember<pw85_field> const refused[] = {
+        {{9, 0, {}, {1, 0, 0}, 1}, "kind", "must be from 0 to 3, PW85_FIELD_...", 0, 9},
+        {{PW85_FIELD_ALIGNING, 3, {}, {1, 0, 0}, 1}, "axis", "must be from 0 to 2", 0, 3},
+        {{PW85_FIELD_LINEAR, 0, {}, {0, NAN, 0}, 1},
+         "vector",
+         "must be a gradient that is finite",
+         1},
+        {{PW85_FIELD_WEIGHT, 0, {}, {0, 0, INFINITY}, 1},
+         "vector",
+         "must be a gradient that is finite",
+         2,
+         INFINITY},
+        {{PW85_FIELD_HARMONIC, 0, {INFINITY, 0, 0}, {1, 0, 0}, 1},
+         "point",
+         "must be a center that is finite",
+         0,
+         INFINITY},
+        {{PW85_FIELD_HARMONIC, 0, {}, {NAN, 0, 0}, 1},
+         "vector",
+         "must be a stiffness that is finite"},
+        {{PW85_FIELD_ALIGNING, 0, {}, {0, 0, 0}, 1}, "vector", direction},
+        {{PW85_FIELD_ALIGNING, 0, {}, {1e200, 0, 0}, 1}, "vector", direction},
+        {{PW85_FIELD_ALIGNING, 0, {}, {1, 0, 0}, NAN}, "strength", "must be finite"},
+        {{PW85_FIELD_LINEAR, 0, {}, {1, 0, 0}, 1},
+         "fields",
+         "must be the same in all images of the cell"}};
+    for (auto const &field : refused)
+        expect_member("pw85_hard_ellipsoids_set_fields", field, [&](pw85_field const &bad) {
+            pw85_field const both[] = {{PW85_FIELD_ALIGNING, 0, {}, {1, 0, 0}, 1}, bad};
+            return pw85_hard_ellipsoids_set_fields(one, 2, both);
+        });
 }
 
 double constant(void *context, int32_t, double const *, double const *, double const *)
@@ -266,12 +352,14 @@ void test_laws()
         Expected{"pw85_hard_ellipsoids_set_law", argument, text, 0,
                  entry}(pw85_hard_ellipsoids_set_law(one, &law));
     };
-    refuse({4, 6, 4, 12, 2}, "parameters", "must have a first exponent above the second", 1);
+    refuse({4, 6, 4, 12, 2}, "parameters", "must have exponents n > m > 0", 1);
+    refuse({4, 12, 4, 6, 1}, "parameters",
+           "must have a cutoff above μ² = 1, where hard cores touch", 4);
     double const soft[] = {1, 2};
     pw85_law const repulsion{PW85_LAW_SOFT_REPULSION, 2, soft};
     Expected{"pw85_hard_ellipsoids_set_law", "law",
-             "must not be a soft repulsion, which ends where the hard cores begin"}(
-        pw85_hard_ellipsoids_set_law(one, &repulsion));
+             "must not be a soft repulsion, which ends where the hard cores begin: use inverse "
+             "powers or a table"}(pw85_hard_ellipsoids_set_law(one, &repulsion));
     refuse({4, 12, 4, 6, 1e7}, "law", "must have a cutoff of at most 10⁶ in μ²");
     refuse({1e30, 12, 4, 6, 2}, "law", "must have energies of pairs of at most 2²⁰ k_B T");
 }

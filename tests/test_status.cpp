@@ -373,11 +373,6 @@ void test_cause_of_simulations()
     g_assert_cmpint(pw85_hard_ellipsoids_remove(made, 2), ==, PW85_EINVAL);
     expect_cause("pw85_hard_ellipsoids_remove", "particle", "must be the index of a particle", 0,
                  0);
-    pw85_wall const walls[] = {{PW85_WALL_PLANE, {}, {1, 0, 0}, 9.0},
-                               {PW85_WALL_SPHERE, {}, {}, -1.0}};
-    g_assert_cmpint(pw85_hard_ellipsoids_set_walls(made, 2, walls, nullptr), ==, PW85_EINVAL);
-    expect_cause("pw85_hard_ellipsoids_set_walls", "walls",
-                 "must have a radius > 0 whose square is finite and not 0", 1, 0);
     pw85_hard_ellipsoids_destroy(made);
 }
 
@@ -469,9 +464,9 @@ void test_cause_of_laws()
     expect(PW85_LAW_INVERSE_POWERS, 2, {4.0, 12.0}, "num_parameters", "must be 5 for this kind", 0,
            2.0);
     expect(PW85_LAW_INVERSE_POWERS, 5, {4.0, 12.0, 4.0, 0.0, 1.0}, "parameters",
-           "must have a second exponent that is > 0", 3, 0.0);
+           "must have exponents n > m > 0", 3, 0.0);
     expect(PW85_LAW_INVERSE_POWERS, 5, {4.0, 6.0, 4.0, 6.0, 1.0}, "parameters",
-           "must have a first exponent above the second", 1, 6.0);
+           "must have exponents n > m > 0", 1, 6.0);
     expect(PW85_LAW_INVERSE_POWERS, 5, {4.0, 12.0, 4.0, 6.0, -1.0}, "parameters",
            "must have a cutoff that is > 0", 4, -1.0);
     expect(PW85_LAW_TABLE, 7, {0.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0}, "num_parameters",

@@ -28,6 +28,10 @@
 
     The functions of Octave that are made from the sections of a C header.
 
+.. javascript-functions:: pw85.h
+
+    The functions of JavaScript for those of the sections of a C header.
+
 .. rust-functions:: pw85.h
 
     The same for Rust.
@@ -47,6 +51,7 @@ import textwrap
 import declarations
 import fortran
 import octave
+import javascript
 import pages
 import r
 import rust
@@ -176,6 +181,19 @@ class OctaveFunctions(FromHeader):
             yield from (f"   {r.DIMENSIONS[tuple(sorted(question.rows))]} See :c:func:`{question.first.function.name}`.", "")
 
 
+class JavaScriptFunctions(FromHeader):
+    def lines(self, section):
+        listed = [row for row in javascript.asked() if row.function in section.functions]
+        if listed and section.title:
+            yield from (section.title, "~" * len(section.title), "")
+        for row in listed:
+            yield from self.entry(row)
+
+    def entry(self, row):
+        signature, said = javascript.signature(row), " ".join(javascript.InJavaScript(row).head())
+        yield from (f"``{signature}``", f"   {as_text(said)} See :c:func:`{row.function.name}`.", "")
+
+
 class RustFunctions(FromHeader):
     def lines(self, section):
         listed = [row for row in rust.asked() if row.function in section.functions]
@@ -227,6 +245,7 @@ def setup(app):
     app.add_directive("cpp-headers", CppHeaders)
     app.add_directive("cpp-values", CppValues)
     app.add_directive("octave-functions", OctaveFunctions)
+    app.add_directive("javascript-functions", JavaScriptFunctions)
     app.add_directive("python-functions", PythonFunctions)
     app.add_directive("r-functions", RFunctions)
     app.add_directive("rust-functions", RustFunctions)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-only
-"""Spheres with friction, by velocity Verlet and the formulas of docs/lammps.md alone: the truth of tests, whatever release of LAMMPS runs."""
+"""Spheres with friction, by velocity Verlet and the formulas of docs/lammps.md: the truth of tests, whatever release of LAMMPS runs."""
 
 from dataclasses import dataclass, field
 

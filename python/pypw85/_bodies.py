@@ -13,8 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._choices import choice
 from ._conversions import from_moments
-from ._errors import PW85Error
-from ._explanations import explain_values
+from ._errors import PW85Error, check_status
 from ._forms import principal_axes
 from ._functions import second_moments, shell_moments, surface_area, volume
 from ._meshes import Mesh
@@ -123,9 +122,7 @@ def random_points(q: ArrayLike, n: SupportsIndex, seed: int = 0, surface: bool =
     form, key = _one_form("random_points", q), seed_of(seed, "random_points: seed")
     on_surface = truth(surface, "random_points: surface")
     points = np.empty((integer(n, "random_points: n", 0, _MOST_POINTS), 3))
-    status = _core.random_points(form, on_surface, key, points)
-    if status:
-        raise PW85Error(status, "random_points", _core.strerror(status), explain_values("volume", (form,)))
+    check_status(_core.random_points(form, on_surface, key, points), "random_points", q=form)
     return points
 
 

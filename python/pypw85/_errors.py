@@ -115,29 +115,48 @@ def bad_rows(result: Any, core_ndim: int = 0) -> NDArray[np.intp]:
     return np.flatnonzero(bad)
 
 
-def last_cause(rows: str = "row", /, **arguments: Any) -> str:
-    """The cause that the library gives for the last refusal of this thread, with the value among the arguments of the call; empty if it is
-    not one argument.
+def check_status(status: int, function: str, rows: str = "row", /, **arguments: Any) -> None:
+    """Raises the error of a status other than zero, with the cause that the library gives: see `describe`."""
+    if status:
+        raise PW85Error(status, function, _core.strerror(status), last_cause(rows, **arguments))
 
-    Lists and arrays of two dimensions have a value for each row, which `rows` names: "particle". A tuple of texts has the names of the
-    entries of an array.
-    """
+
+def last_cause(rows: str = "row", /, **arguments: Any) -> str:
+    """The cause that the library gives for the last refusal of this thread, as `describe` says it; empty if there is none."""
     cause = _core.last_error()
-    if cause is None:
-        return ""
+    return "" if cause is None else describe(cause, rows, **arguments)
+
+
+def describe(cause: tuple[str, str | None, str, int, int, float], rows: str = "row", /, **arguments: Any) -> str:
+    """Says the cause of a refusal, with the value among the arguments of the call.
+
+    Lists and arrays of two dimensions, except a cell, have a value for each row, which `rows` names: "particle". The rows of a list of
+    named tuples can be refused by a member. A tuple of texts has the names of the entries of an array.
+    """
     _, name, requirement, row, entry, value = cause
     if name is None:
         return requirement
     given = arguments.get(name)
+    for one in arguments.values():
+        if isinstance(one, list) and row < len(one) and name in getattr(one[row], "_fields", ()):
+            return f"{rows} {row}: {name} {requirement}, not {getattr(one[row], name)}"
     if given is None:
         return f"{name} {requirement}"
     if isinstance(given, tuple) and given and isinstance(given[0], str):
         return f"{given[entry]} {requirement}, not {value}"
     if isinstance(given, list) and isinstance(given[row], tuple):
         return f"{rows} {row} {requirement}, not {given[row]}"
-    if isinstance(given, list) or np.ndim(given) == 2:
+    if np.ndim(given) == 2 and name != "cell":
+        row += entry // np.shape(given)[1]  # of an array that is the same for all rows of the call
+    if isinstance(given, list) or (np.ndim(given) == 2 and name != "cell"):
         return f"{rows} {row}: {name} {requirement}, not {_shown(given[row])}"
+    if np.size(given) > _MOST_SHOWN:
+        return f"{name} {requirement}, not {value} (entry {entry})"
     return f"{name} {requirement}, not {_shown(given)}"
+
+
+# Longer arrays are not shown as a whole.
+_MOST_SHOWN = 9
 
 
 def _shown(value: Any) -> Any:

@@ -13,7 +13,7 @@ from ._device import apply_to_pairs, is_device_array
 from ._functions import ContactDerivatives
 from ._arrays import reals
 from ._numbers import instance, integer, real
-from ._pairs import _cell, _explain, _pair_list, _rows
+from ._pairs import _cell, _pair_list, _rows, check_list
 from ._typing import Floats
 
 
@@ -63,11 +63,9 @@ def contact_derivatives_pairs(
         return ContactDerivatives(*apply_to_pairs("contact_derivatives", pairs, centers, q, _cell(cell), images))
     arrays = _pair_list(pairs, centers, q, cell, images)
     n = len(arrays[0])
-    result = ContactDerivatives(np.full(n, -1.0), np.empty(n), *(np.empty((n, 3)) for _ in range(5)))
+    result = ContactDerivatives(np.empty(n), np.empty(n), *(np.empty((n, 3)) for _ in range(5)))
     status = _core.contact_derivatives_pairs(*arrays, *result)
-    if status:
-        _explain(status, *arrays, refused=n == 0 or result.mu2[0] == -1.0)
-        _core.report_contact_pairs(status)
+    check_list(status, "contact_derivatives_pairs", *arrays)
     return result
 
 
@@ -124,8 +122,7 @@ def contact_forces_pairs(
         raise ValueError(f"the derivatives must have {n} rows, one for each pair")
     result = ContactForces(np.empty((num_particles, 3)), np.empty((num_particles, 3)), np.empty((3, 3)))
     status = _core.contact_forces_pairs(*arrays, slopes, *rows, *result)
-    if status:
-        _explain(status, *arrays, refused=True)
+    check_list(status, "contact_forces_pairs", *arrays)
     return result
 
 
@@ -170,23 +167,6 @@ def checked_law(law: object, name: str) -> Law:
     if parameters.ndim != 1:
         raise ValueError(f"{name}: parameters must be a row of numbers, not an array of the shape {parameters.shape}")
     return Law(integer(given.kind, f"{name}: kind", 1, 3), parameters)
-
-
-def fault_of_law(law: Law) -> str:
-    """Names a number of a law that a simulation of hard cores refuses, where the library does not; empty if there is none."""
-    numbers = law.parameters.tolist()
-    if len(numbers) < {1: 2, 2: 5, 3: 6}.get(law.kind, len(numbers) + 1):
-        return ""
-    if not np.isfinite(numbers[:4]).all():
-        return f"the parameters of the law must be finite, not {numbers}"
-    if law.kind == 1:
-        return "law must not be a soft repulsion, which ends where the hard cores begin: use Law.inverse_powers or Law.table"
-    cutoff = numbers[4] if law.kind == 2 else numbers[1]
-    if law.kind == 2 and not numbers[1] > numbers[3] > 0:
-        return f"n and m must be n > m > 0, not {numbers[1]} and {numbers[3]}"
-    if cutoff <= 1:
-        return f"mu2_max, the cutoff, must be > 1, not {cutoff:g}: hard cores keep all pairs at μ² >= 1, where the law ends"
-    return ""
 
 
 class LawForces(NamedTuple):
@@ -245,14 +225,8 @@ def law_forces_pairs(
     num_particles = len(arrays[1])
     law = checked_law(law, "law_forces_pairs: law")
     parameters = np.require(law.parameters, np.float64, ["C", "A"])
-    energy = np.full(1, -np.inf)
+    energy = np.empty(1)
     result = LawForces(0.0, np.empty((num_particles, 3)), np.empty((num_particles, 3)), np.empty((3, 3)))
     status = _core.law_forces_pairs(*arrays, law.kind, parameters, energy, *result[1:])
-    if status and energy[0] == -np.inf:
-        no_pairs = np.empty((0, 2), dtype=np.int32)
-        if _core.law_forces_pairs(no_pairs, *arrays[1:3], None, None, law.kind, parameters, energy, *result[1:]):
-            raise ValueError(f"the parameters are outside of the ranges that the law allows: {law.parameters}")
-        _explain(status, *arrays, refused=True)
-    if status:
-        _core.report_contact_pairs(status)
+    check_list(status, "law_forces_pairs", *arrays, num_parameters=len(parameters), parameters=parameters)
     return result._replace(energy=float(energy[0]))

@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arrays import by_rows, plain
-from ._errors import PW85Error, Status
-from ._explanations import explain_values
+from ._errors import named
+from ._functions import bounding_boxes
 from ._typing import Floats
 
 _PACKED = ([0, 0, 0, 1, 1, 2], [0, 1, 2, 1, 2, 2])
@@ -130,15 +130,15 @@ def principal_axes(q: ArrayLike) -> tuple[Floats, Floats]:
 
 
 def _principal_axes(form: Floats) -> tuple[Floats, Floats]:
+    if form.ndim == 1:
+        with named("principal_axes"):
+            bounding_boxes(form)  # refuses a bad form
     finite = np.all(np.isfinite(form), axis=-1, keepdims=True)
     squares, rotation = np.linalg.eigh(_full(np.where(finite, form, 0)))
     # The library decides what is positive definite; a rounding error must not turn the smallest eigenvalue negative.
     with np.errstate(invalid="ignore"):
         good = ~np.isnan(_core.bounding_boxes(form)[..., 0])
     squares = np.maximum(squares, 2.0**-53 * squares[..., -1:])
-    if form.ndim == 1 and not good:
-        status = Status["ENOTPD" if finite.all() else "EINVAL"]
-        raise PW85Error(status, "principal_axes", _core.strerror(status), explain_values("bounding_boxes", (form,)))
     rotation[..., 0] *= np.sign(np.linalg.det(rotation))[..., np.newaxis]
     rotation[~good] = np.nan
     return np.sqrt(np.where(good[..., np.newaxis], squares, -1)), rotation

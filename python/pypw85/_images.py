@@ -90,7 +90,9 @@ def from_labels(image: ArrayLike, spacing: ArrayLike = 1.0, origin: ArrayLike = 
     notes = _check_shapes(found, labels)
     q = from_moments(found.covariances * steps[:, None] * steps)
     system = _system(found.means * steps + start, q, found.labels)
-    system.source = f"labels of an image of {' × '.join(map(str, labels.shape))} as ids, semi-axes of uniform bodies by second moments"
+    system.source = (f"labels of an image of {' × '.join(map(str, labels.shape))} as ids, x along the first dimension, "
+                     f"pixels {' × '.join(f'{step:g}' for step in steps)} apart, semi-axes of uniform bodies by "
+                     "second moments")  # fmt: skip
     system.notes = notes
     for note in notes:
         warnings.warn(note, stacklevel=2)

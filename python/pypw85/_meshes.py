@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._errors import PW85Error, Status, last_cause
+from ._errors import PW85Error, Status, check_status
 from ._mesh_files import read_triangles
 from ._pairs import _particles, _rows
 from ._typing import Floats
@@ -87,9 +87,7 @@ class Mesh:
         status, self._mesh = _core.mesh_create(self.vertices, self.triangles)
         if status == Status.ENOMEM:
             raise MemoryError("Mesh: " + _core.strerror(status))
-        if status:
-            cause = last_cause(vertices=self.vertices, triangles=self.triangles)
-            raise PW85Error(status, "Mesh", _core.strerror(status), cause)
+        check_status(status, "Mesh", vertices=self.vertices, triangles=self.triangles)
         self.vertices.setflags(write=False)
         self.triangles.setflags(write=False)
 
@@ -223,8 +221,7 @@ class Mesh:
         arrays = _particles(centers, q)
         codes = np.empty(len(arrays[0]), np.uint8)
         status = _core.mesh_overlap_batch(self._mesh, *arrays, codes)
-        if status:
-            raise PW85Error(status, "Mesh.overlap", _core.strerror(status), last_cause(centers=arrays[0], q=arrays[1]))
+        check_status(status, "Mesh.overlap", centers=arrays[0], q=arrays[1])
         return codes.view(np.bool_)
 
 

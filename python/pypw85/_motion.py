@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._documentation import documented
-from ._pairs import _explain, _pair_list, _rows
+from ._pairs import _pair_list, _rows, check_list
 from ._typing import Floats
 
 
@@ -99,9 +99,7 @@ def first_contact_pairs(
     if len(rows) != len(arrays[1]):
         raise ValueError(f"{len(arrays[1])} centers, but {len(rows)} motions")
     n, num_particles = len(arrays[0]), len(rows)
-    result = Events(np.full(n, -1.0), np.empty(num_particles), np.empty(num_particles, dtype=np.int64))
+    result = Events(np.empty(n), np.empty(num_particles), np.empty(num_particles, dtype=np.int64))
     status = _core.first_contact_pairs(*arrays, rows, float(t_max), *result)
-    if status:
-        _explain(status, *arrays, refused=n == 0 or result.time[0] == -1.0)
-        _core.report_contact_pairs(status)
+    check_list(status, "first_contact_pairs", *arrays)
     return result

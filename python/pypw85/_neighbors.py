@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._errors import PW85Error, Status, last_cause
+from ._errors import Status, check_status
 from ._numbers import flags, real
 from ._pairs import _cell, _particles
 from ._typing import Floats
@@ -79,11 +79,9 @@ class Neighbors:
             raise ValueError(
                 "the list has a cell: pass the present cell" if self._has_cell else "the list has no cell: leave out cell"
             )
-        status, holds = _core.neighbors_holds(
-            self._list, *_particles(centers, q), *_periodic_cell(cell, self._periodic)
-        )
-        if status:
-            raise PW85Error(status, "Neighbors.holds", _core.strerror(status), last_cause())
+        points, forms = _particles(centers, q)
+        status, holds = _core.neighbors_holds(self._list, points, forms, *_periodic_cell(cell, self._periodic))
+        check_status(status, "Neighbors.holds", "particle", centers=points, q=forms)
         return bool(holds)
 
 
@@ -143,9 +141,7 @@ def neighbors(
     status, found = _core.neighbors_create(*arrays, vectors, along, scale, skin)
     if status == Status.ENOMEM:
         raise MemoryError("neighbors: " + _core.strerror(status))
-    if status:
-        cause = last_cause("particle", centers=arrays[0], q=arrays[1], scale=scale, skin=skin)
-        raise PW85Error(status, "neighbors", _core.strerror(status), cause)
+    check_status(status, "neighbors", "particle", centers=arrays[0], q=arrays[1], cell=vectors, scale=scale, skin=skin)
     pairs, images = _core.neighbors_list(found)
     return Neighbors(found, pairs, None if vectors is None else images, cell is not None, along)
 

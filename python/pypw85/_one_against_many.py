@@ -3,16 +3,13 @@
 
 from __future__ import annotations
 
-from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from . import _core
-from ._errors import PW85Error
-from ._explanations import explain_values
+from ._errors import PW85Error, check_status, last_cause
 from ._pairs import _cell, _images, _int32, _particles, _rows
-from ._typing import Floats
 
 
 def overlap_any_indices(
@@ -71,30 +68,15 @@ def overlap_any_indices(
     if others.ndim != 1 or others.dtype.kind not in "iu":
         raise ValueError("indices must be a row of integers")
     one, form = _rows(np.asarray(center)[np.newaxis], 3, "center"), _rows(np.asarray(q1)[np.newaxis], 6, "q1")
-    status, overlap = _core.overlap_any_indices(
-        one,
-        form,
-        _int32(others, "indices"),
-        *_particles(centers, q),
-        _cell(cell),
-        _images(images, len(others), cell is not None),
-    )
+    points, forms = _particles(centers, q)
+    rows, vectors = _int32(others, "indices"), _cell(cell)
+    status, overlap = _core.overlap_any_indices(one, form, rows, points, forms, vectors, _images(images, len(others), cell is not None))
     if status:
-        raise PW85Error(status, "overlap_any_indices", _core.strerror(status),
-                        _blame(others, one, form, *_particles(centers, q), _cell(cell)))  # fmt: skip
+        r12, q2 = points.take(rows, axis=0, mode="clip") - one, forms.take(rows, axis=0, mode="clip")
+        cause = last_cause(cell=vectors, indices=rows.tolist(), r12=r12, q1=form[0], q2=q2)
+        detail = cause.replace("index of a particle", f"index of the {len(points)} particles")
+        raise PW85Error(status, "overlap_any_indices", _core.strerror(status), detail)
     return bool(overlap)
-
-
-def _blame(
-    indices: NDArray[Any], center: Floats, q1: Floats, centers: Floats, q: Floats, cell: Floats | None
-) -> str:
-    """Says what is wrong with the arguments of overlap_any_indices(). A row is one of `indices`."""
-    outside = (indices < 0) | (indices >= len(centers))
-    if outside.any():
-        row = int(outside.argmax())
-        return f"row ({row},): indices must be indices of the {len(centers)} particles, not {indices[row]}"
-    singular = "" if cell is None else explain_values("cell_reduce", (cell,))
-    return singular or explain_values("overlap", (centers[indices] - center, q1, q[indices]))
 
 
 def overlap_any(q1: ArrayLike, r12: ArrayLike, q2: ArrayLike) -> bool:
@@ -134,9 +116,7 @@ def overlap_any(q1: ArrayLike, r12: ArrayLike, q2: ArrayLike) -> bool:
     if len(separations) != len(forms):
         raise ValueError(f"{len(separations)} separations, but {len(forms)} forms")
     status, overlap = _core.overlap_any(form, separations, forms)
-    if status:
-        detail = explain_values("overlap", (separations, form, forms))
-        raise PW85Error(status, "overlap_any", _core.strerror(status), detail)
+    check_status(status, "overlap_any", r12=separations, q1=form[0], q2=forms)
     return bool(overlap)
 
 
@@ -172,7 +152,5 @@ def nearest_image_limit(q: ArrayLike, cell: ArrayLike) -> float:
     rows = _cell(cell)
     forms = _rows(q, 6, "q")
     status, limit = _core.nearest_image_limit(forms, rows)
-    if status:
-        detail = explain_values("bounding_boxes", (forms,)) or explain_values("cell_reduce", (rows,))
-        raise PW85Error(status, "nearest_image_limit", _core.strerror(status), detail)
+    check_status(status, "nearest_image_limit", q=forms, cell=rows)
     return float(limit)

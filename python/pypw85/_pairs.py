@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from typing import Any, cast
+from typing import Any, NoReturn, cast
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -12,14 +13,10 @@ from . import _core
 from ._arrays import check_out, reals
 from ._device import apply_to_pairs, is_device_array
 from ._documentation import documented
+from ._errors import describe
 from ._explanations import form_hint
 from ._typing import Floats
 from ._words import counted
-
-# No result has these values. If one is left after a call, the library refused the whole call.
-_NO_MU2 = -1.0
-_NO_CODE = 254
-
 
 @documented
 def contact_pairs(
@@ -58,12 +55,8 @@ def contact_pairs(
         return cast("tuple[Floats, Floats]", apply_to_pairs("contact", pairs, centers, q, _cell(cell), images))
     arrays = _pair_list(pairs, centers, q, cell, images)
     mu2, lambda_ = _outputs(out, len(arrays[0]))
-    if mu2.size:
-        mu2.flat[0] = _NO_MU2
     status = _core.contact_pairs(*arrays, mu2, lambda_)
-    if status:
-        _explain(status, *arrays, refused=mu2.size == 0 or mu2[0] == _NO_MU2)
-        _core.report_contact_pairs(status)
+    check_list(status, "contact_pairs", *arrays)
     return mu2, lambda_
 
 
@@ -105,11 +98,9 @@ def overlap_pairs(
     if is_device_array(pairs):
         return cast("NDArray[Any]", apply_to_pairs("overlap", pairs, centers, q, _cell(cell), images, dtype))
     arrays = _pair_list(pairs, centers, q, cell, images)
-    codes = np.full(len(arrays[0]), _NO_CODE, dtype=np.uint8)
+    codes = np.empty(len(arrays[0]), dtype=np.uint8)
     status = _core.overlap_pairs(*arrays, codes)
-    if status:
-        _explain(status, *arrays, refused=codes.size == 0 or codes[0] == _NO_CODE)
-        _core.report_overlap_pairs(status)
+    check_list(status, "overlap_pairs", *arrays, report=_core.report_overlap_pairs)
     if np.dtype(dtype) == np.uint8:
         return codes
     np.minimum(codes, 1, out=codes)
@@ -148,11 +139,9 @@ def overlap_volume_pairs(
     array([1.309])
     """
     arrays = _pair_list(pairs, centers, q, cell, images)
-    volume = np.full(len(arrays[0]), _NO_MU2)
+    volume = np.empty(len(arrays[0]))
     status = _core.overlap_volume_pairs(*arrays, volume)
-    if status:
-        _explain(status, *arrays, refused=volume.size == 0 or volume[0] == _NO_MU2)
-        _core.report_overlap_volume_pairs(status)
+    check_list(status, "overlap_volume_pairs", *arrays, report=_core.report_overlap_volume_pairs)
     return volume
 
 
@@ -189,11 +178,9 @@ def nearest_images(
     """
     rows = _rows(centers, 3, "centers")
     indices, vectors = _indices(pairs, len(rows)), _cell(cell)
-    r12, images = np.zeros((len(indices), 3)), np.zeros((len(indices), 3), dtype=np.int32)
+    r12, images = np.empty((len(indices), 3)), np.empty((len(indices), 3), dtype=np.int32)
     status = _core.nearest_images(indices, rows, vectors, r12, images)
-    if status and not (images == np.iinfo(np.int32).min).any():
-        _check_indices(indices, len(rows))
-        raise ValueError("the cell is singular or not finite")
+    check_list(status, "nearest_images", indices, rows, None, vectors, None, report=lambda status: None)
     return r12, images
 
 
@@ -283,21 +270,32 @@ def _indices(pairs: ArrayLike, num_particles: int) -> NDArray[np.int32]:
 def _check_indices(indices: NDArray[Any], num_particles: int) -> None:
     outside = ((indices < 0) | (indices >= num_particles)).any(axis=1)
     if outside.any():
-        first = int(outside.argmax())
-        raise IndexError(f"pair {first} is {tuple(indices[first].tolist())}, but there are {num_particles} particles")
+        _refuse_pair(int(outside.argmax()), indices, num_particles)
 
 
-def _explain(
+def _refuse_pair(pair: int, indices: NDArray[Any], num_particles: int) -> NoReturn:
+    raise IndexError(f"pair {pair} is {tuple(indices[pair].tolist())}, but there are {num_particles} particles")
+
+
+def check_list(
     status: int,
+    name: str,
     pairs: NDArray[np.int32],
     centers: Floats,
     q: Floats | None,
     cell: Floats | None,
     images: NDArray[np.int32] | None,
-    refused: bool,
+    report: Callable[[int], None] = _core.report_contact_pairs,
+    **others: Any,
 ) -> None:
-    """Raises the exception for a call that was refused as a whole."""
-    if not refused:
+    """Raises the exception for a list that was refused as a whole, with the cause that the library gives. Calls report(status) if pairs
+    of it are bad: then the cause is that of one pair, or of its centres."""
+    if not status:
         return
-    _check_indices(pairs, len(centers))
-    raise ValueError("the cell is singular or not finite" if cell is not None else _core.strerror(status))
+    cause = _core.last_error()
+    if cause is None or cause[0] != f"pw85_{name}" or cause[1] == "centers":
+        report(status)
+    elif cause[1] == "pairs":
+        _refuse_pair(cause[3], pairs, len(centers))
+    else:
+        raise ValueError(f"{name}: {describe(cause, cell=cell, **others)}")

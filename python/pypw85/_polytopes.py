@@ -8,8 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arrays import plain
-from ._errors import PW85Error
-from ._explanations import explain_values
+from ._errors import check_status
 from ._pairs import _rows
 from ._typing import Floats
 
@@ -107,9 +106,4 @@ def _polytope(
 
 
 def _check(status: int, name: str, centers: Floats, q: Floats, normals: Floats, offsets: Floats) -> None:
-    """Raises the error of a status other than zero."""
-    if not status:
-        return
-    detail = explain_values("contact_plane", (normals, offsets, np.array([1.0, 0, 0, 1, 0, 1])))
-    detail = detail or explain_values("distance_cylinder", (np.array([0.0, 0, 1]), 1.0, centers, q))
-    raise PW85Error(status, name, _core.strerror(status), detail)
+    check_status(status, name, center=centers, q=q, normals=normals, offsets=offsets)

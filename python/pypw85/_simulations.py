@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._choices import choice
 from ._errors import PW85Error, Status, last_cause
-from ._forces import Law, checked_law, fault_of_law
+from ._forces import Law, checked_law
 from ._neighbors import _periodic_cell
 from ._arrays import reals
 from ._numbers import instance, instances, integer, real, seed_of, truth
@@ -29,8 +29,6 @@ from ._surroundings import (
     checked_wall,
     compile_potential,
     describe_cut,
-    fault_of_field,
-    fault_of_wall,
 )
 from ._system import System
 from ._typing import Floats
@@ -222,21 +220,19 @@ class HardEllipsoids:
         >>> bool(np.linalg.norm(simulation.centers) < 0.7)
         True
         """
+        self._set_walls(walls, range(len(self)))
+
+    def _set_walls(self, walls: Iterable[Wall], ids: Sequence[int]) -> None:
+        """As `set_walls`. The message about a particle that a wall cuts names it by its id."""
         name = "HardEllipsoids.set_walls: walls"
         given = [checked_wall(wall, f"{name}[{k}]") for k, wall in enumerate(instances(walls, Wall, name))]
-        status, particle, cutting = self._replace_walls(given)
-        if status:
-            faults = [f"wall {k}: {fault}" for k, fault in enumerate(map(fault_of_wall, given)) if fault]
-            cause = (faults or [last_cause("wall", walls=given)])[0]
-            if particle >= 0:
-                cause = f"wall {cutting}, {given[cutting]}: {describe_cut(given[cutting], self.centers[particle], particle)}"
-            self._fail(status, "set_walls", cause)
-
-    def _replace_walls(self, walls: list[Wall]) -> tuple[int, int, int]:
-        """As `set_walls`: the status, and the particle that a wall cuts, and this wall; -1 if there is none."""
         with self._lock:
-            status, (particle, cutting) = _core.hard_ellipsoids_set_walls(self._simulation, _records(walls, _WALL))
-        return status, particle, cutting
+            status, (particle, cutting) = _core.hard_ellipsoids_set_walls(self._simulation, _records(given, _WALL))
+        if status:
+            cause = last_cause("wall", walls=given)
+            if particle >= 0:
+                cause = f"wall {cutting}, {given[cutting]}: {describe_cut(given[cutting], self.centers[particle], ids[particle])}"
+            self._fail(status, "set_walls", cause)
 
     def set_mesh(self, mesh: Mesh | None) -> None:
         """Sets the hard mesh, in place of the one that there is: triangles that no particle meets, beside the walls.
@@ -306,9 +302,7 @@ class HardEllipsoids:
         given = [checked_field(field, f"{name}[{k}]") for k, field in enumerate(instances(fields, Field, name))]
         with self._lock:
             status = _core.hard_ellipsoids_set_fields(self._simulation, _records(given, _FIELD))
-        if status:
-            faults = [f"field {k}: {fault}" for k, fault in enumerate(map(fault_of_field, given)) if fault]
-            self._fail(status, "set_fields", (faults or [last_cause("field", fields=given)])[0])
+        self._check(status, "set_fields", "field", fields=given)
 
     def set_law(self, law: Law | None) -> None:
         """Sets an energy of pairs beside the hard cores, or none: a law of μ², with βU in the place of U.
@@ -339,12 +333,10 @@ class HardEllipsoids:
         True
         """
         given = Law(0, np.empty(0)) if law is None else checked_law(law, "HardEllipsoids.set_law: law")
-        if fault := fault_of_law(given):
-            self._fail(Status.EINVAL, "set_law", fault)
+        parameters = np.require(given.parameters, np.float64, ["C", "A"])
         with self._lock:
-            status = _core.hard_ellipsoids_set_law(self._simulation, given.kind, np.require(given.parameters, np.float64, ["C", "A"]))
-        if status:
-            self._fail(status, "set_law", last_cause())
+            status = _core.hard_ellipsoids_set_law(self._simulation, given.kind, parameters)
+        self._check(status, "set_law", num_parameters=len(parameters), parameters=parameters)
 
     def set_potential(self, potential: Potential | int | None, context: int = 0) -> None:
         """Sets a potential beside the fields, or none.
@@ -409,8 +401,7 @@ class HardEllipsoids:
         """
         with self._lock:
             status, energy = _core.hard_ellipsoids_energy(self._simulation)
-        if status:
-            self._fail(status, "energy", last_cause())
+        self._check(status, "energy")
         return energy
 
     def law_virial(self) -> float:
@@ -435,8 +426,7 @@ class HardEllipsoids:
         """
         with self._lock:
             status, virial = _core.hard_ellipsoids_law_virial(self._simulation)
-        if status:
-            self._fail(status, "law_virial", last_cause())
+        self._check(status, "law_virial")
         return virial
 
     def sweep(self, number: SupportsIndex = 1) -> None:
@@ -616,8 +606,7 @@ class HardEllipsoids:
         moves = truth(take, "HardEllipsoids.try_placement: take")
         with self._lock:
             status, is_free = _core.hard_ellipsoids_try(self._simulation, index, place, turn, moves)
-        if status:
-            self._fail(status, "try_placement", last_cause(center=place, quaternion=turn))
+        self._check(status, "try_placement", center=place, quaternion=turn)
         return bool(is_free)
 
     def try_insertion(self, center: ArrayLike, quaternion: ArrayLike, semi_axes: ArrayLike, take: bool = False) -> bool:
@@ -654,8 +643,7 @@ class HardEllipsoids:
         with self._lock:
             status, is_free = _core.hard_ellipsoids_insert(self._simulation, place, turn, axes, stays)
             self._renew()
-        if status:
-            self._fail(status, "try_insertion", last_cause(center=place, quaternion=turn, semi_axes=axes))
+        self._check(status, "try_insertion", center=place, quaternion=turn, semi_axes=axes)
         return bool(is_free)
 
     def remove(self, particle: SupportsIndex) -> None:
@@ -676,8 +664,7 @@ class HardEllipsoids:
         with self._lock:
             status = _core.hard_ellipsoids_remove(self._simulation, index)
             self._renew()
-        if status:
-            self._fail(status, "remove", last_cause())
+        self._check(status, "remove")
 
     def insertion_weight(self, number: SupportsIndex, semi_axes: ArrayLike) -> float:
         """The mean of e^(-βU) of a particle that is inserted at random, 0 where it overlaps others: Widom's insertions.
@@ -707,8 +694,7 @@ class HardEllipsoids:
         times, axes = _number("insertion_weight", number), _vector("insertion_weight", "semi_axes", semi_axes, 3)
         with self._lock:
             status, weight = _core.hard_ellipsoids_insertion_weight(self._simulation, times, axes)
-        if status:
-            self._fail(status, "insertion_weight", last_cause(semi_axes=axes))
+        self._check(status, "insertion_weight", semi_axes=axes)
         return weight
 
     def insertion_moves(self, number: SupportsIndex, semi_axes: ArrayLike, activities: ArrayLike) -> InsertionCounts:
@@ -756,8 +742,7 @@ class HardEllipsoids:
         with self._lock:
             status, counts = _core.hard_ellipsoids_insertion_moves(self._simulation, times, axes, z)
             self._renew()
-        if status:
-            self._fail(status, "insertion_moves", last_cause("species", semi_axes=axes, activities=z.tolist()))
+        self._check(status, "insertion_moves", "species", semi_axes=axes, activities=z.tolist())
         return InsertionCounts(*counts)
 
     def compress(self, take: bool = False) -> float:
@@ -809,8 +794,7 @@ class HardEllipsoids:
         with self._lock:
             state = np.empty(_core.hard_ellipsoids_num_bytes(self._simulation), np.uint8)
             status = _core.hard_ellipsoids_save(self._simulation, state)
-        if status:
-            self._fail(status, "save", last_cause())
+        self._check(status, "save")
         return state.tobytes()
 
     def system(self) -> System:
@@ -894,8 +878,7 @@ class HardEllipsoids:
         steps = np.array([*_reals("set_steps", translation=translation, rotation=rotation, volume=volume)])
         with self._lock:
             status = _core.hard_ellipsoids_set_steps(self._simulation, steps)
-        if status:
-            self._fail(status, "set_steps", last_cause(steps=TrialSteps._fields))
+        self._check(status, "set_steps", steps=TrialSteps._fields)
 
     def set_kind_steps(self, semi_axes: ArrayLike, translation: ArrayLike, rotation: ArrayLike) -> None:
         """Sets the largest translations and rotations of particles with some semi-axes, in place of all such steps.
@@ -930,8 +913,7 @@ class HardEllipsoids:
         self._warn_of_absent(axes, name)
         with self._lock:
             status = _core.hard_ellipsoids_set_kind_steps(self._simulation, axes, steps)
-        if status:
-            self._fail(status, "set_kind_steps", last_cause("species", semi_axes=axes, steps=TrialSteps._fields))
+        self._check(status, "set_kind_steps", "species", semi_axes=axes, steps=TrialSteps._fields)
 
     def _warn_of_absent(self, axes: Floats, name: str) -> None:
         """Warns of species of which there is no particle, as those whose semi-axes are misspelt."""
@@ -978,8 +960,7 @@ class HardEllipsoids:
         fractions = np.array([*_reals("set_fractions", translation=translation, rotation=rotation, both=both, exchange=exchange)])
         with self._lock:
             status = _core.hard_ellipsoids_set_fractions(self._simulation, fractions)
-        if status:
-            self._fail(status, "set_fractions", last_cause(fractions=fractions))
+        self._check(status, "set_fractions", fractions=fractions)
 
     def _take(self, made: Any) -> None:
         """Takes what the core has made."""
@@ -992,6 +973,11 @@ class HardEllipsoids:
         """Takes the arrays of the present particles."""
         centers, q, semi_axes, quaternions, cell, (a, b, c) = _core.hard_ellipsoids_views(self._simulation)
         self._views = _Views(centers, q, semi_axes, quaternions, cell, (bool(a), bool(b), bool(c)))
+
+    def _check(self, status: int, name: str, rows: str = "row", /, **arguments: Any) -> None:
+        """Raises the error of a status other than zero, with the cause that the library gives."""
+        if status:
+            self._fail(status, name, last_cause(rows, **arguments))
 
     def _fail(self, status: int, name: str, detail: str) -> None:
         """Raises what the potential has raised, or an error of the library."""
@@ -1033,8 +1019,7 @@ class HardEllipsoids:
                     power = "third" if self.dimensions == 3 else "second"
                     raise MemoryError(f"HardEllipsoids.{name}: there is not enough memory. The Verlet lists grow with the {power} power of "
                                       f"the largest translation, {step:g}: set a shorter one by set_steps()")  # fmt: skip
-                if status:
-                    self._fail(status, name, last_cause(**arguments))
+                self._check(status, name, **arguments)
 
 
 class _Views(NamedTuple):

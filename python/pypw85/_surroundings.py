@@ -215,39 +215,6 @@ def checked_field(field: Field, name: str) -> Field:
     return Field(kind, axis, point, vector, real(field.strength, f"{name}: strength"))
 
 
-def fault_of_wall(wall: Wall) -> str:
-    """Names the fault of a wall that no simulation can have; empty if there is none."""
-    if wall.kind not in range(4):
-        return f"kind must be an integer from 0 to 3, not {wall.kind}"
-    if wall.kind == 3:
-        is_good = np.isfinite([wall.point, wall.vector]).all() and np.less(wall.point, wall.vector)[:2].all()
-        pair = f"{list(wall.point)} and {list(wall.vector)}"
-        return "" if is_good else f"lower and upper must be finite, and lower below upper, not {pair}"
-    point, vector, size = {0: ("", "normal", "offset"), 1: ("center", "", "radius"), 2: ("point", "axis", "radius")}[wall.kind]
-    if point and not np.isfinite(wall.point).all():
-        return f"{point} must be finite, not {list(wall.point)}"
-    if vector and not (np.isfinite(wall.vector).all() and any(wall.vector)):
-        return f"{vector} must be finite and not zero, not {list(wall.vector)}"
-    if not np.isfinite(wall.size) or (wall.kind and not wall.size > 0):
-        return f"{size} must be finite{' and > 0' * (wall.kind > 0)}, not {wall.size}"
-    return ""
-
-
-def fault_of_field(field: Field) -> str:
-    """Names the fault of a field that no simulation can have; empty if there is none."""
-    if field.kind not in range(4):
-        return f"kind must be an integer from 0 to 3, not {field.kind}"
-    if field.axis not in range(3):
-        return f"axis must be 0, 1 or 2, not {field.axis}"
-    vector = {2: "stiffness", 3: "direction"}.get(field.kind, "gradient")
-    for name, value in (("center", field.point), (vector, field.vector)):
-        if not np.isfinite(value).all():
-            return f"{name} must be finite, not {list(value)}"
-    if not np.isfinite(field.strength):
-        return f"strength must be finite, not {field.strength}"
-    return f"{vector} must not be zero" if field.kind == 3 and not any(field.vector) else ""
-
-
 class CompiledPotential:
     """The address of a function of C, which calls one of Python, or is given."""
 

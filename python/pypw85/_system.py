@@ -10,9 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._choices import choice
-from ._core import strerror
-from ._errors import PW85Error, Status
-from ._explanations import explain_values
+from ._errors import PW85Error
 from ._forms import principal_axes
 from ._forces import contact_derivatives_pairs
 from ._functions import cell_reduce, ellipsoid_quaternion
@@ -526,9 +524,11 @@ def _forms_of(axes: tuple[Floats, Floats], given: tuple[Floats, Floats]) -> Floa
     bad = np.isnan(q).any(axis=1)
     if bad.any():
         row = int(bad.argmax())
-        cause = explain_values("ellipsoid_quaternion", (given[0][row], given[1][row]))
-        detail = f"particle {row}: {cause.replace('quaternion_wxyz', 'quaternions')}"
-        raise PW85Error(Status.EINVAL, "System.from_axes", strerror(Status.EINVAL), detail)
+        try:
+            ellipsoid_quaternion(given[0][row], given[1][row])
+        except PW85Error as error:
+            detail = f"particle {row}: {error.detail.replace('quaternion_wxyz', 'quaternions')}"
+            raise PW85Error(error.status, "System.from_axes", error.reason, detail) from None
     return q
 
 

@@ -148,7 +148,7 @@ PAIRS = {
     "lengths of boxes": (f"x,y,z,length,width,height,qw,qx,qy,qz\n0,0,0,4,1,1,{UP}\n0,1.5,0,4,1,1,{UP}", {"lengths": "diameters"}, 0.375),
     "YADE": ("#format x_y_z_r_matId\n0\t0\t0\t0.5\t1\n0\t1.5\t0\t0.5\t1", {}, 1.5),
     "percent": ("% x y z r\n0 0 0 0.5\n0 1.5 0 0.5", {}, 1.5),
-    "empty end of names": ("x;y;z;radius;\n0;0;0;0.5\n0;1,5;0;0.5", {}, 1.5),
+    "empty end of names": ("x;y;z;radius;\n0;0;0;0,5\n0;1,5;0;0,5", {}, 1.5),
     "indexed director": ("x,y,z,a,b,director[1],director[2],director[3]\n5,5,5,2,0.5,0,1,0\n5,6.5,5,2,0.5,0,-3,0", {}, 0.375),
     "rms in space": ("x,y,z,radius\n0,0,0,1\n4,0,0,1", {"lengths": "rms"}, 2 / 5**0.5),
 }  # fmt: skip

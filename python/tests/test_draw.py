@@ -59,7 +59,8 @@ def test_png(run, tmp_path):
 
     pypw85.write(tmp_path / "a.dump", random_system(count=10))
     done = run("draw", tmp_path / "a.dump", tmp_path / "a.png", "--size", 400)
-    assert (done.status, done.out) == (0, "")
+    taken = "lammps-dump, lengths shapex shapey shapez as diameters, quaternions quatw quati quatj quatk as w x y z"
+    assert (done.status, done.out) == (0, f"{tmp_path / 'a.dump'}: {taken}\n")
     pixels = matplotlib.image.imread(tmp_path / "a.png")
     assert max(pixels.shape[:2]) == 400
     red = (pixels[..., 0] > pixels[..., 2] + 0.2).mean()

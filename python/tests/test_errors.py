@@ -266,12 +266,15 @@ def test_causes_in_systems():
     centers, q = np.array([R, 2 * R]), np.array([Q, Q])
     flat = np.array([Q, FLAT])
     for call, words in [
-        (lambda: pypw85.overlap_any(Q, centers, flat), r"overlap_any: row \(1,\): q2 must be positive definite"),
-        (lambda: pypw85.overlap_any_indices(0 * R, Q, [1], centers, flat), r"row \(0,\): q2 must be positive definite"),
-        (lambda: pypw85.overlap_any_indices(0 * R, Q, [1, 2], centers, q), r"row \(1,\): indices must be .* the 2 particles, not 2"),
-        (lambda: pypw85.overlap_any_indices(0 * R, Q, [1], centers, q, np.zeros((3, 3))), "cell must have independent rows"),
-        (lambda: pypw85.nearest_image_limit(flat, np.eye(3)), r"row \(1,\): q must be positive definite"),
-        (lambda: pypw85.nearest_image_limit(q, np.zeros((3, 3))), "cell must have independent rows"),
+        (lambda: pypw85.overlap_any(Q, centers, flat), r"overlap_any: row 1: q2 must be positive definite, not \[1.0"),
+        (lambda: pypw85.overlap_any(FLAT, centers, q), r"overlap_any: q1 must be positive definite, not \[1.0"),
+        (lambda: pypw85.overlap_any_indices(0 * R, Q, [1], centers, flat), r"row 0: q2 must be positive definite, not \[1.0"),
+        (lambda: pypw85.overlap_any_indices(0 * R, FLAT, [1], centers, q), r"indices: q1 must be positive definite, not \[1.0"),
+        (lambda: pypw85.overlap_any_indices(np.nan * R, Q, [1], centers, q), r"row 0: r12 must be finite, not \[nan, nan, nan\]"),
+        (lambda: pypw85.overlap_any_indices(0 * R, Q, [1, 2], centers, q), r"row 1: indices must be an index of the 2 particles, not 2"),
+        (lambda: pypw85.overlap_any_indices(0 * R, Q, [1], centers, q, np.zeros((3, 3))), r"cell must have independent rows, not \[\[0.0"),
+        (lambda: pypw85.nearest_image_limit(flat, np.eye(3)), r"row 1: q must be positive definite, not \[1.0"),
+        (lambda: pypw85.nearest_image_limit(q, np.zeros((3, 3))), r"cell must have independent rows, not \[\[0.0, 0"),
         (lambda: pypw85.neighbors(centers, flat), r"neighbors: particle 1: q must be positive definite"),
         (lambda: pypw85.neighbors(centers * [[1], [np.nan]], q), "particle 1: centers must be finite, not"),
         (lambda: pypw85.neighbors(centers, q, scale=-1), "neighbors: scale must be > 0, not -1.0$"),

@@ -193,7 +193,8 @@ def test_named_columns(file):
 
 def test_options(file):
     path = file(DUMP.format(step=5))
-    system = pypw85.read(path, lengths="radii", quaternion="xyzw", cell=7 * np.eye(3), periodic=(False, False, True))
+    columns = ["quatk", "quatw", "quati", "quatj"]
+    system = pypw85.read(path, lengths="radii", quaternion_columns=columns, cell=7 * np.eye(3), periodic=(False, False, True))
     np.testing.assert_array_equal(system.semi_axes, [[2, 4, 6], [2, 2, 2]])
     np.testing.assert_array_equal(system.quaternions[0], [0, 1, 0, 0])
     np.testing.assert_array_equal(system.cell, 7 * np.eye(3))

@@ -209,30 +209,39 @@ WRONG_VALUES = [
     (lambda: pypw85.Law.table(0, 1, [1, 2], [1]), r"Law.table: u and d_u must be as many numbers, not have the shapes \(2,\) and \(1,\)"),
 ]  # fmt: skip
 WALLS = [
-    (pypw85.Wall.plane([0, 0, 0], 1), r"wall 1: normal must be finite and not zero, not \[0.0, 0.0, 0.0\]"),
-    (pypw85.Wall.plane([0, 0, 1], np.nan), "wall 1: offset must be finite, not nan"),
-    (pypw85.Wall.sphere([0, np.inf, 0], 1), r"wall 1: center must be finite, not \[0.0, inf, 0.0\]"),
-    (pypw85.Wall.cylinder([0, 0, 0], [0, 0, 1], -1), "wall 1: radius must be finite and > 0, not -1.0"),
-    (pypw85.Wall.box([0, 0, 0], [-1, 1, 1]), "wall 1: lower and upper must be finite, and lower below upper"),
-    (pypw85.Wall(10**30, (0, 0, 0), (0, 0, 1), 1), "wall 1: kind must be an integer from 0 to 3, not 1000000000"),
-    (pypw85.Wall.sphere([0, 0, 0], 9)._replace(kind=7), "wall 1: kind must be an integer from 0 to 3, not 7"),
+    (pypw85.Wall.plane([0, 0, 0], 1), r"wall 1: vector must be a normal that is finite and not zero, not \(0.0, 0.0, 0.0\)"),
+    (pypw85.Wall.plane([0, 0, 1], np.nan), "wall 1: size must be an offset that is finite, not nan"),
+    (pypw85.Wall.sphere([0, np.inf, 0], 1), r"wall 1: point must be a center that is finite, not \(0.0, inf, 0.0\)"),
+    (pypw85.Wall.cylinder([0, 0, 0], [0, 0, 1], -1), "wall 1: size must be a radius > 0 whose square is finite and not 0, not -1.0"),
+    (pypw85.Wall.box([0, 0, 0], [-1, 1, 1]), r"wall 1 must have lower <= upper corners, not Wall\(kind=3, point=\(0.0, .*, vector=\(-1"),
+    (pypw85.Wall(10**30, (0, 0, 0), (0, 0, 1), 1), r"wall 1: kind must be from 0 to 3, PW85_WALL_\.\.\., not 1000000000"),
+    (pypw85.Wall.sphere([0, 0, 0], 9)._replace(kind=7), r"wall 1: kind must be from 0 to 3, PW85_WALL_\.\.\., not 7"),
     (pypw85.Wall.sphere([0, 0, 0], 9), "wall 0 must be the same in all images of the cell, not Wall"),
 ]
 FIELDS = [
-    (pypw85.Field.linear([np.nan, 0, 0]), r"field 1: gradient must be finite, not \[nan, 0.0, 0.0\]"),
-    (pypw85.Field.harmonic([np.inf, 0, 0], [1, 1, 1]), r"field 1: center must be finite, not \[inf, 0.0, 0.0\]"),
+    (pypw85.Field.linear([np.nan, 0, 0]), r"field 1: vector must be a gradient that is finite, not \(nan, 0.0, 0.0\)"),
+    (pypw85.Field.harmonic([np.inf, 0, 0], [1, 1, 1]), r"field 1: point must be a center that is finite, not \(inf, 0.0, 0.0\)"),
     (pypw85.Field.aligning([0, 0, 1], np.nan), "field 1: strength must be finite, not nan"),
-    (pypw85.Field.aligning([0, 0, 0], 1), "field 1: direction must not be zero"),
-    (pypw85.Field(9, 0, (0, 0, 0), (1, 0, 0), 1), "field 1: kind must be an integer from 0 to 3, not 9"),
-    (pypw85.Field(3, 7, (0, 0, 0), (1, 0, 0), 1), "field 1: axis must be 0, 1 or 2, not 7"),
+    (pypw85.Field.aligning([0, 0, 0], 1), r"field 1: vector must be a direction whose square is finite and not 0, not \(0.0, 0.0, 0.0\)"),
+    (pypw85.Field(9, 0, (0, 0, 0), (1, 0, 0), 1), r"field 1: kind must be from 0 to 3, PW85_FIELD_\.\.\., not 9"),
+    (pypw85.Field(3, 7, (0, 0, 0), (1, 0, 0), 1), "field 1: axis must be from 0 to 2, not 7"),
     (pypw85.Field.linear([1, 0, 0]), "field 0 must be the same in all images of the cell, not Field"),
 ]
 
 
+# Laws that no function takes
+WRONG_LAWS = [
+    (pypw85.Law.inverse_powers(np.nan, 12, 4, 6, 4), r"parameters must be finite, not \[nan, 12.0, 4.0, 6.0, 4.0\]"),
+    (pypw85.Law.inverse_powers(4, 6, 4, 12, 4), r"parameters must have exponents n > m > 0, not \[4.0, 6.0, 4.0, 12.0, 4.0\]"),
+    (pypw85.Law.inverse_powers(4, 12, 4, 6, -1), r"parameters must have a cutoff that is > 0, not \[4.0, 12.0, 4.0, 6.0, -1.0\]"),
+    (pypw85.Law.table(2, 1, [0, 0], [0, 0]), r"parameters must have a range whose end is above its begin, not \[2.0, 1.0, 0.0"),
+    (pypw85.Law.table(1, 2, [0, 0, np.inf, 0], [0] * 4), r"parameters must be finite, not inf \(entry 6\)"),
+    (pypw85.Law(2, [4, 12]), "num_parameters must be 5 for this kind, not 2"),
+]
 LAWS = [
-    (pypw85.Law.soft_repulsion(1), "law must not be a soft repulsion, which ends where the hard cores begin: use Law.inverse"),
-    (pypw85.Law.inverse_powers(np.nan, 12, 4, 6, 4), r"the parameters of the law must be finite, not \[nan"),
-    (pypw85.Law.inverse_powers(4, 6, 4, 12, 4), "n and m must be n > m > 0, not 6.0 and 12.0"),
+    *WRONG_LAWS,
+    (pypw85.Law.soft_repulsion(1), "law must not be a soft repulsion, which ends where the hard cores begin: use inverse powers or"),
+    (pypw85.Law.inverse_powers(4, 12, 4, 6, 1), r"parameters must have a cutoff above μ² = 1, where hard cores touch, not \[4.0, 12.0"),
     (pypw85.Law.inverse_powers(4, 12, 4, 6), "law must have a cutoff of at most 10⁶ in μ²"),
     (pypw85.Law.inverse_powers(4e6, 12, 4, 6, 4), "law must have energies of pairs of at most 2²⁰ k_B T"),
 ]
@@ -254,9 +263,11 @@ def test_wrong_values(call, message):
 
 @pytest.mark.parametrize("wall, message", WALLS, ids=[message for _, message in WALLS])
 def test_walls_that_are_refused(wall, message):
-    good = [pypw85.Wall.plane([0, 0, 1], 9)] if "wall 1" in message else []
+    """In open space behind a good wall, or in a periodic cell."""
+    is_second = "wall 1" in message
+    system = pypw85.System.from_axes([[0, 0, 0]], [[1, 1, 1]], [[1, 0, 0, 0]]) if is_second else PAIR
     with pytest.raises(pypw85.PW85Error, match=message):
-        simulation().set_walls([*good, wall])
+        pypw85.HardEllipsoids(system).set_walls([pypw85.Wall.plane([0, 0, 1], 9)] * is_second + [wall])
 
 
 @pytest.mark.parametrize("field, message", FIELDS, ids=[message for _, message in FIELDS])
@@ -268,8 +279,16 @@ def test_fields_that_are_refused(field, message):
 
 @pytest.mark.parametrize("law, message", LAWS, ids=[message for _, message in LAWS])
 def test_laws_that_are_refused(law, message):
-    with pytest.raises(pypw85.PW85Error, match=message):
+    with pytest.raises(pypw85.PW85Error, match=f"^HardEllipsoids.set_law: {message}"):
         simulation().set_law(law)
+
+
+@pytest.mark.parametrize("law, message", [
+    *WRONG_LAWS, (pypw85.Law.soft_repulsion(8, 0.5), r"parameters must have an exponent that is >= 1, not \[8.0, 0.5\]"),
+])  # fmt: skip
+def test_laws_of_pairs_that_are_refused(law, message):
+    with pytest.raises(ValueError, match=f"^law_forces_pairs: {message}"):
+        pypw85.law_forces_pairs([[0, 1]], [[0, 0, 0], [1, 0, 0]], [Q, Q], law)
 
 
 def test_what_counts_as_a_number():

@@ -151,7 +151,8 @@ def test_pack_and_relax_commands(run, tmp_path, monkeypatch):
     assert list(system.types) == [1, 2] * 10 and len(np.unique(system.semi_axes[:, 0])) == 20
     pypw85.write("b.gsd", [random_system(count=10), random_system(2, count=10)])
     assert run("check", "b.gsd").status == 1
-    assert run("relax", "b.gsd", "c.h5").out == "c.h5: 2 frames, 20 particles in all, without overlaps\n"
+    taken = "b.gsd: gsd, lengths of type_shapes as radii, quaternions orientation as w x y z\n"
+    assert run("relax", "b.gsd", "c.h5").out == taken + "c.h5: 2 frames, 20 particles in all, without overlaps\n"
     assert run("check", "c.h5").status == 0
     done = run("pack", "d.data", "-n", 9, "--axes", "1,1,1", "--fraction", 0.9, "--steps", 5)
     left = int(re.fullmatch(r"pw85: d\.data: pairs that still overlap after 5 steps: (\d+); give more room, or more steps "
@@ -301,7 +302,7 @@ def test_plot(run, tmp_path):
     pypw85.write(tmp_path / "a.gsd", [random_system(seed) for seed in range(2)])
     done = run("plot", tmp_path / "a.gsd", tmp_path / "a.png", "--bins", 20)
     assert (done.status, done.err) == (0, "")
-    assert [line.split()[0] for line in done.out.splitlines()] == ["frame", "0", "1"]
+    assert [line.split()[0] for line in done.out.splitlines()] == [f"{tmp_path / 'a.gsd'}:", "frame", "0", "1"]
     assert (tmp_path / "a.png").stat().st_size > 1000
     assert run("plot", tmp_path / "a.gsd", tmp_path / "a.xyz").status == 2
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Neighbour lists."""
 
+import functools
 import tracemalloc
 
 import numpy as np
@@ -90,6 +91,26 @@ def test_index_out_of_range(particles, pairs, function, dtype, index):
         function(pairs, *particles)
 
 
+def calls_of_lists(centers, q):
+    """Each function of lists of pairs that takes a cell, by its name: f(pairs, cell)."""
+    derivatives = pypw85.contact_derivatives_pairs([[0, 1]], centers, [[1, 0, 0, 1, 0, 1]] * 2)
+    others = {"contact_forces_pairs": (centers, [1.0], derivatives), "law_forces_pairs": (centers, q, pypw85.Law.soft_repulsion(1)),
+              "first_contact_pairs": (centers, q, np.zeros((2, 7)), 1.0)}  # fmt: skip
+    names = ["contact_pairs", "overlap_pairs", "overlap_volume_pairs", "contact_derivatives_pairs", *others]
+    return {name: functools.partial(getattr(pypw85, name), [[0, 1]], *others.get(name, (centers, q))) for name in names}
+
+
+@pytest.mark.parametrize("name", calls_of_lists([[0, 0, 0], [1, 0, 0]], [[1, 0, 0, 1, 0, 1]] * 2))
+def test_refused_lists_differ_from_bad_pairs(name):
+    """The cause tells a call that is refused as a whole, whatever its pairs are, from one whose first and only pair is bad."""
+    bad = calls_of_lists([[0, 0, 0], [1, 0, 0]], [[1, 0, 0, 1, 0, 1], [0] * 6])[name]
+    with pytest.raises(ValueError, match=rf"^{name}: cell must have independent rows, not \[\[1.0, 0.0, 0.0\], \[1.0"):
+        bad(cell=[[1, 0, 0]] * 2 + [[0, 0, 1]])
+    if name != "contact_forces_pairs":  # which reads no forms
+        with np.errstate(invalid="raise"), pytest.raises(FloatingPointError):
+            bad(cell=9 * np.eye(3))
+
+
 def test_large_indices_are_not_wrapped(particles):
     with pytest.raises(IndexError):
         pypw85.contact_pairs(np.array([[0, 2**32 + 1]]), *particles)
@@ -151,8 +172,10 @@ def test_nearest_images_of_bad_input():
     centers = np.array([[0, 0, 0], [np.nan, 0, 0]])
     r12, images = pypw85.nearest_images([[0, 1], [0, 0]], centers, np.eye(3))
     assert np.isnan(r12[0]).all() and (images[0] == -(2**31)).all() and not (r12[1].any() or images[1].any())
-    with pytest.raises(ValueError, match="singular"):
+    with pytest.raises(ValueError, match=r"^nearest_images: cell must have independent rows, not \[\[0.0, 0.0, 0.0\], "):
         pypw85.nearest_images([[0, 0]], centers, np.zeros((3, 3)))
+    with pytest.raises(ValueError, match=r"^nearest_images: cell must be finite along the periodic vectors, not \[\[inf, inf, inf\], "):
+        pypw85.nearest_images([[0, 0]], centers, np.full((3, 3), np.inf))
     with pytest.raises(IndexError):
         pypw85.nearest_images(np.array([[0, 2]], dtype=np.int32), centers, np.eye(3))
 

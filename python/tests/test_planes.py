@@ -574,7 +574,8 @@ def test_plot(run, rng, tmp_path):
     pypw85.write(tmp_path / "a.h5", [gas(rng, 50) for _ in range(2)])
     done = run("plot", tmp_path / "a.h5", tmp_path / "a.svg", "--bins", 10)
     assert done.status == 0
-    header, *rows = done.out.splitlines()
+    taken, header, *rows = done.out.splitlines()
+    assert taken.startswith(f"{tmp_path / 'a.h5'}: hdf5, lengths semi_axes as radii")
     assert header.split() == ["frame", "step", "nematic", "order", "tetratic", "order"] and [len(row.split()) for row in rows] == [4, 4]
     assert (tmp_path / "a.svg").stat().st_size > 1000
     systems = [gas(rng, 9), pypw85.System.from_axes(np.eye(3), [[1, 1, 2]] * 3, [[1, 0, 0, 0]] * 3, cell=9 * np.eye(3))]

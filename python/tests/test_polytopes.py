@@ -35,10 +35,11 @@ def test_causes_are_named():
     q, flat = np.tile(SPHERE, (2, 1)), np.array([SPHERE, [1, 0, 0, 1, 0, 0]])
     centers = np.zeros((2, 3))
     for arguments, words in [
-        ((centers, flat, [[1, 0, 0]], [1]), r"row \(1,\): q must be positive definite"),
-        ((centers, q, [[1, 0, 0], [0, 0, 0]], [1, 1]), r"row \(1,\): normal must not be zero"),
-        ((centers, q, [[1, 0, 0]], [np.nan]), r"row \(0,\): offset must be finite"),
-        ((centers * np.nan, q, [[1, 0, 0]], [1]), r"row \(0,\): center must be finite"),
+        ((centers, flat, [[1, 0, 0]], [1]), r"row 1: q must be positive definite, not \[1.0"),
+        ((centers, q, [[1, 0, 0], [0, 0, 0]], [1, 1]), r"row 1: normals must not be zero, not \[0.0, 0.0, 0.0\]"),
+        ((centers, q, [[1, 0, 0], [0, np.nan, 0]], [1, 1]), r"row 1: normals must be finite, not \[0.0, nan, 0.0\]"),
+        ((centers, q, [[1, 0, 0]], [np.nan]), r"offsets must be finite, not \[nan\]"),
+        ((centers * [[1], [np.nan]], q, [[1, 0, 0]], [1]), r"row 1: center must be finite, not \[nan, nan, nan\]"),
     ]:
         for function in (pypw85.contact_polytope, pypw85.overlap_polytope):
             with pytest.raises(PW85Error, match=words):

@@ -26,7 +26,8 @@ def test_nematic(tmp_path):
                           encoding="utf-8")  # fmt: skip
     assert (done.returncode, done.stderr) == (0, "")
     packed = r"(isotropic|aligned)-0\.40\.csv: 32 ellipsoids without overlaps, fraction 0\.4, .*"
-    for line, form in zip(done.stdout.splitlines(), [packed, packed, r"series\.png: 4 samples up to sweep 40"], strict=True):
+    forms = [packed, packed, r"series\.png: 4 samples up to sweep 40", r"aligned-0\.40\.h5: hdf5, lengths semi_axes as radii, .*"]
+    for line, form in zip(done.stdout.splitlines(), forms, strict=True):
         assert re.fullmatch(form, line), line
     header, *orders = (tmp_path / "orders.csv").read_text().splitlines()
     assert header == "volume fraction,start,nematic order,error,mark" and len(orders) == 2

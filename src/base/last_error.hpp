@@ -5,7 +5,6 @@
 #ifndef PW85_BASE_LAST_ERROR_HPP_INCLUDED
 #define PW85_BASE_LAST_ERROR_HPP_INCLUDED
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -47,7 +46,7 @@ constexpr std::int64_t bits_of_infinity = 0x7ff0000000000000;
 
 [[gnu::always_inline]] inline std::int64_t bits_of(double x) noexcept
 {
-    return std::bit_cast<std::int64_t>(x);
+    return __builtin_bit_cast(std::int64_t, x);
 }
 
 [[gnu::always_inline]] inline bool is_zero(double x) noexcept { return bits_of(x) << 1 == 0; }

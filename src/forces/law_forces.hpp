@@ -221,7 +221,8 @@ template <class Law> int sum_law(LawProblem<Law> const &problem, double *energy)
     std::size_t const threads = threads_for(problem.num_pairs), count = num_slots(threads);
     std::unique_ptr<LawSlot[]> const slots(new (std::nothrow) LawSlot[count]);
     Array<BlockSums> block_sums;
-    if (slots == nullptr || !block_sums.resize(problem.num_blocks())) return PW85_ENOMEM;
+    if (slots == nullptr || !block_sums.resize(problem.num_blocks()))
+        return refuse(PW85_ENOMEM, "pw85_law_forces_pairs", nullptr, 0);
     LawRing ring{slots.get(), count, 1, block_sums.data()};
     Failure first{0, 0};
     in_each_thread(threads, [&] {

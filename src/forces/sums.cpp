@@ -19,7 +19,7 @@ namespace {
 
 /// Records what is wrong with a law, and returns the status.
 [[gnu::cold, gnu::noinline]] int refuse_law(char const *function,
-                                            LawComplaint const &found) noexcept
+                                            MemberComplaint const &found) noexcept
 {
     return refuse(PW85_EINVAL,
                   {0, function, found.member, found.text, 0, found.entry, found.value});
@@ -64,7 +64,7 @@ int pw85_law_forces_pairs(pw85_pair_list const *list, pw85_system const *system,
     if (any_null(law))
         return refuse_call(PW85_EINVAL, "pw85_law_forces_pairs", Argument("law", law));
     if (system->num_particles > max_rows) return refuse_size("pw85_law_forces_pairs", *system);
-    if (LawComplaint const found = complaint_of(*law); found.text != nullptr)
+    if (MemberComplaint const found = complaint_of(*law); found.text != nullptr)
         return refuse_law("pw85_law_forces_pairs", found);
     Images images;
     NeighborList rows{};

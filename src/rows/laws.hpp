@@ -10,26 +10,19 @@
 #include <cmath>
 
 #include "../base/c_arrays.hpp"
+#include "../base/member_complaint.hpp"
 #include "many_pairs.hpp"
 
 namespace pw85::detail::kernels {
 namespace {
 
-/// A complaint about a law: a member, the requirement, and the value. `text` is null if nothing is
-/// wrong.
-struct LawComplaint {
-    char const *member = nullptr, *text = nullptr;
-    double value = quiet_nan<double>();
-    std::size_t entry = 0; ///< of the parameters
-};
-
 /// Checks the kind of a law, and the number of parameters.
-inline LawComplaint of_kind(pw85_law const &law) noexcept
+inline MemberComplaint of_kind(pw85_law const &law) noexcept
 {
     std::size_t const n = law.num_parameters;
     auto const unless = [=](bool is_right, char const *text) {
-        return is_right ? LawComplaint{}
-                        : LawComplaint{"num_parameters", text, static_cast<double>(n)};
+        return is_right ? MemberComplaint{}
+                        : MemberComplaint{"num_parameters", text, static_cast<double>(n)};
     };
     switch (law.kind) {
     case PW85_LAW_SOFT_REPULSION:
@@ -45,21 +38,20 @@ inline LawComplaint of_kind(pw85_law const &law) noexcept
 }
 
 /// Checks the parameters of a law, whose number is right.
-inline LawComplaint of_parameters(pw85_law const &law) noexcept
+inline MemberComplaint of_parameters(pw85_law const &law) noexcept
 {
     double const *const x = law.parameters;
     if (c_api::any_null(x)) return {"parameters", "must not be null"};
     auto const entry = [=](std::size_t i, char const *text) {
-        return LawComplaint{"parameters", text, x[i], i};
+        return MemberComplaint{"parameters", text, x[i], i};
     };
-    for (std::size_t i = 0; i < law.num_parameters; ++i)
-        if (!std::isfinite(x[i])) return entry(i, "must be finite");
+    MemberComplaint const finite =
+        unless_finite("parameters", "must be finite", x, law.num_parameters);
+    if (finite.text != nullptr) return finite;
     if (law.kind == PW85_LAW_SOFT_REPULSION && !(x[1] >= 1.0))
         return entry(1, "must have an exponent that is >= 1");
-    if (law.kind == PW85_LAW_INVERSE_POWERS && !(x[3] > 0.0))
-        return entry(3, "must have a second exponent that is > 0");
-    if (law.kind == PW85_LAW_INVERSE_POWERS && !(x[1] > x[3]))
-        return entry(1, "must have a first exponent above the second");
+    if (law.kind == PW85_LAW_INVERSE_POWERS && !(x[1] > x[3] && x[3] > 0.0))
+        return entry(x[3] > 0.0 ? 1 : 3, "must have exponents n > m > 0");
     if (law.kind == PW85_LAW_INVERSE_POWERS && !(x[4] > 0.0))
         return entry(4, "must have a cutoff that is > 0");
     if (law.kind == PW85_LAW_TABLE && !(x[1] > x[0]))
@@ -68,14 +60,11 @@ inline LawComplaint of_parameters(pw85_law const &law) noexcept
 }
 
 /// Checks a law.
-inline LawComplaint complaint_of(pw85_law const &law) noexcept
+inline MemberComplaint complaint_of(pw85_law const &law) noexcept
 {
-    LawComplaint const found = of_kind(law);
+    MemberComplaint const found = of_kind(law);
     return found.text != nullptr ? found : of_parameters(law);
 }
-
-/// Returns whether a law has the parameters of its kind, with values that the kind allows.
-inline bool is_valid(pw85_law const &law) noexcept { return complaint_of(law).text == nullptr; }
 
 /// The energy of one pair.
 template <class Law> double energy_of(Law const &law, double mu2) noexcept

@@ -8,7 +8,6 @@
 #include <pw85/volume/volume.hpp>
 
 #include "../base/c_arrays.hpp"
-#include "../base/last_error.hpp"
 #include "walls.hpp"
 
 namespace pw85::detail::simulation {
@@ -71,20 +70,39 @@ bool is_repeated(pw85_field const &field, Cell const &cell) noexcept
     return repeated;
 }
 
-/// Returns the requirement that a field in a cell does not meet; null if it meets all.
-char const *requirement_on(pw85_field const &field, Cell const &cell) noexcept
+/// Requirements on the vector of a field, by its kind.
+constexpr char const *requirements_on_vector[] = {
+    "must be a gradient that is finite", "must be a gradient that is finite",
+    "must be a stiffness that is finite", "must be a direction whose square is finite and not 0"};
+
+/// Checks the numbers of a field, whose kind is right.
+MemberComplaint of_numbers(pw85_field const &field) noexcept
 {
-    if (field.kind < PW85_FIELD_LINEAR || field.kind > PW85_FIELD_ALIGNING)
-        return "must have a kind PW85_FIELD_...";
-    if (field.axis < 0 || field.axis > 2) return "must have an axis from 0 to 2";
-    Vector3 const point = load_vector<3>(field.point), vector = load_vector<3>(field.vector);
-    bool const has_point = field.kind == PW85_FIELD_HARMONIC;
-    if (!is_finite(vector) || !std::isfinite(field.strength) || (has_point && !is_finite(point)))
-        return "must be finite";
+    if (field.axis < 0 || field.axis > 2)
+        return {"axis", "must be from 0 to 2", static_cast<double>(field.axis)};
+    if (field.kind == PW85_FIELD_HARMONIC)
+        if (MemberComplaint const found =
+                unless_finite("point", "must be a center that is finite", field.point, 3);
+            found.text != nullptr)
+            return found;
+    char const *const text = requirements_on_vector[field.kind];
+    MemberComplaint const found = unless_finite("vector", text, field.vector, 3);
+    if (found.text != nullptr) return found;
+    Vector3 const vector = load_vector<3>(field.vector);
     double const square = dot(vector, vector);
     if (field.kind == PW85_FIELD_ALIGNING && !(square > 0.0 && std::isfinite(square)))
-        return "must have a direction whose square is finite and not 0";
-    return is_repeated(field, cell) ? nullptr : "must be the same in all images of the cell";
+        return {"vector", text};
+    return unless_finite("strength", "must be finite", &field.strength, 1);
+}
+
+/// Checks a field in a cell.
+MemberComplaint complaint_of(pw85_field const &field, Cell const &cell) noexcept
+{
+    if (field.kind < PW85_FIELD_LINEAR || field.kind > PW85_FIELD_ALIGNING)
+        return {"kind", "must be from 0 to 3, PW85_FIELD_...", static_cast<double>(field.kind)};
+    MemberComplaint const found = of_numbers(field);
+    if (found.text != nullptr || is_repeated(field, cell)) return found;
+    return {"fields", "must be the same in all images of the cell"};
 }
 
 double without_minus_infinity(double energy) noexcept
@@ -158,11 +176,13 @@ int ExternalPotential::check_suited(Configuration const &configuration) const no
     if (mesh.exists() && configuration.dimensions != 3)
         return note_cause(PW85_EINVAL, "triangles", "must not be set in two dimensions");
     for (std::size_t k = 0; k < walls.size(); ++k)
-        if (char const *const text = requirement_on(walls[k], configuration))
-            return note_cause(PW85_EINVAL, "walls", text, k);
+        if (MemberComplaint const found = complaint_of(walls[k], configuration);
+            found.text != nullptr)
+            return note_complaint(found, k);
     for (std::size_t k = 0; k < fields.size(); ++k)
-        if (char const *const text = requirement_on(fields[k], configuration.cell))
-            return note_cause(PW85_EINVAL, "fields", text, k);
+        if (MemberComplaint const found = complaint_of(fields[k], configuration.cell);
+            found.text != nullptr)
+            return note_complaint(found, k);
     return PW85_SUCCESS;
 }
 

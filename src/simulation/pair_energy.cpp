@@ -5,7 +5,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "../base/last_error.hpp"
+#include "../base/member_complaint.hpp"
 #include "../neighbors/bounded_list.hpp"
 #include "../rows/laws.hpp"
 #include "acceptance.hpp"
@@ -15,10 +15,19 @@ namespace pw85::detail::simulation {
 
 namespace {
 
-/// μ² from which on the energy is 0.
-double cutoff_of(pw85_law const &law) noexcept
+/// Number of the parameter that is the cutoff: μ² from which on the energy is 0.
+std::size_t entry_of_cutoff(pw85_law const &law) noexcept
 {
-    return law.parameters[law.kind == PW85_LAW_TABLE ? 1 : 4];
+    return law.kind == PW85_LAW_TABLE ? 1 : 4;
+}
+
+/// Checks a law that pw85_law_forces_pairs() allows: whether it acts on pairs that do not overlap.
+MemberComplaint of_cutoff(pw85_law const &law) noexcept
+{
+    std::size_t const k = entry_of_cutoff(law);
+    if (law.parameters[k] > 1.0) return {};
+    return {"parameters", "must have a cutoff above μ² = 1, where hard cores touch",
+            law.parameters[k], k};
 }
 
 /// Returns a bound on the magnitude of the energy of pairs that do not overlap.
@@ -51,9 +60,12 @@ int PairEnergy::set(pw85_law const *law) noexcept
         return PW85_SUCCESS;
     }
     if (law->kind == PW85_LAW_SOFT_REPULSION)
-        return refuse_law("must not be a soft repulsion, which ends where the hard cores begin");
-    if (kernels::LawComplaint const found = kernels::complaint_of(*law); found.text != nullptr)
-        return note_cause(PW85_EINVAL, found.member, found.text, 0, found.entry, found.value);
+        return refuse_law("must not be a soft repulsion, which ends where the hard cores begin: "
+                          "use inverse powers or a table");
+    if (MemberComplaint const found = kernels::complaint_of(*law); found.text != nullptr)
+        return note_complaint(found);
+    if (MemberComplaint const found = of_cutoff(*law); found.text != nullptr)
+        return note_complaint(found);
     double const *const x = law->parameters;
     PairEnergy made;
     if (law->kind == PW85_LAW_INVERSE_POWERS)
@@ -64,7 +76,7 @@ int PairEnergy::set(pw85_law const *law) noexcept
     std::copy_n(x, law->num_parameters, made.parameters_.data());
     made.kind_ = law->kind;
     // The relative error of a root is below 2⁻⁵².
-    made.reach_ = std::max(1.0, (1.0 + 0x1p-50) * std::sqrt(cutoff_of(*law)));
+    made.reach_ = (1.0 + 0x1p-50) * std::sqrt(x[entry_of_cutoff(*law)]);
     if (made.reach_ > farthest) return refuse_law("must have a cutoff of at most 10⁶ in μ²");
     *this = std::move(made);
     return PW85_SUCCESS;

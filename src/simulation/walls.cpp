@@ -158,26 +158,51 @@ bool is_repeated_across(Vector3 const &direction, Cell const &cell) noexcept
 
 namespace {
 
-/// Returns the requirement on the numbers of a wall that does not meet it; null if it does.
-char const *requirement_on_numbers(pw85_wall const &wall, bool is_flat) noexcept
+/// Requirements on the members of a wall; null where they are not read.
+struct Requirements {
+    char const *point, *vector, *size;
+};
+
+constexpr char radius[] = "must be a radius > 0 whose square is finite and not 0";
+
+/// By the kind of the wall.
+constexpr Requirements requirements[] = {
+    {nullptr, "must be a normal that is finite and not zero", "must be an offset that is finite"},
+    {"must be a center that is finite", nullptr, radius},
+    {"must be a point that is finite", "must be an axis that is finite and not zero", radius},
+    {"must be a lower corner that is finite", "must be an upper corner that is finite", nullptr}};
+
+/// Checks that the numbers that are read are finite.
+MemberComplaint unless_all_finite(pw85_wall const &wall) noexcept
+{
+    auto const [point, vector, size] = requirements[wall.kind];
+    MemberComplaint found{};
+    if (point != nullptr) found = unless_finite("point", point, wall.point, 3);
+    if (vector != nullptr && found.text == nullptr)
+        found = unless_finite("vector", vector, wall.vector, 3);
+    if (size != nullptr && found.text == nullptr)
+        found = unless_finite("size", size, &wall.size, 1);
+    return found;
+}
+
+/// Checks the numbers of a wall, which are finite.
+MemberComplaint of_finite_numbers(pw85_wall const &wall, bool is_flat) noexcept
 {
     Vector3 const point = load_vector<3>(wall.point), vector = load_vector<3>(wall.vector);
-    bool const has_point = wall.kind != PW85_WALL_PLANE, has_vector = wall.kind != PW85_WALL_SPHERE;
-    bool const is_round = wall.kind == PW85_WALL_SPHERE || wall.kind == PW85_WALL_CYLINDER;
-    if ((has_point && !is_finite(point)) || (has_vector && !is_finite(vector)) ||
-        (wall.kind == PW85_WALL_PLANE && !std::isfinite(wall.size)))
-        return "must be finite";
-    if (is_round && !(wall.size > 0.0 && is_positive(wall.size * wall.size)))
-        return "must have a radius > 0 whose square is finite and not 0";
+    Requirements const &required = requirements[wall.kind];
     if (wall.kind == PW85_WALL_BOX)
-        return is_ordered(point, vector, is_flat) ? nullptr : "must have lower <= upper corners";
-    if (has_vector && largest_coordinate(vector) == 0.0)
-        return "must have a normal or an axis that is not zero";
+        return is_ordered(point, vector, is_flat)
+                   ? MemberComplaint{}
+                   : MemberComplaint{"walls", "must have lower <= upper corners"};
+    if (required.size == radius && !(wall.size > 0.0 && is_positive(wall.size * wall.size)))
+        return {"size", radius, wall.size};
+    if (required.vector != nullptr && largest_coordinate(vector) == 0.0)
+        return {"vector", required.vector};
     if (is_flat && wall.kind == PW85_WALL_PLANE && vector[2] != 0.0)
-        return "must have a normal without z in two dimensions";
+        return {"vector", "must be a normal without z in two dimensions", vector[2], 2};
     if (is_flat && wall.kind == PW85_WALL_CYLINDER && !is_along_z(vector))
-        return "must have an axis along z in two dimensions";
-    return nullptr;
+        return {"vector", "must be an axis along z in two dimensions"};
+    return {};
 }
 
 bool is_repeated(pw85_wall const &wall, Cell const &cell) noexcept
@@ -190,14 +215,14 @@ bool is_repeated(pw85_wall const &wall, Cell const &cell) noexcept
 
 } // namespace
 
-char const *requirement_on(pw85_wall const &wall, Configuration const &configuration) noexcept
+MemberComplaint complaint_of(pw85_wall const &wall, Configuration const &configuration) noexcept
 {
     if (wall.kind < PW85_WALL_PLANE || wall.kind > PW85_WALL_BOX)
-        return "must have a kind PW85_WALL_...";
-    if (char const *const text = requirement_on_numbers(wall, configuration.dimensions == 2))
-        return text;
-    return is_repeated(wall, configuration.cell) ? nullptr
-                                                 : "must be the same in all images of the cell";
+        return {"kind", "must be from 0 to 3, PW85_WALL_...", static_cast<double>(wall.kind)};
+    MemberComplaint found = unless_all_finite(wall);
+    if (found.text == nullptr) found = of_finite_numbers(wall, configuration.dimensions == 2);
+    if (found.text != nullptr || is_repeated(wall, configuration.cell)) return found;
+    return {"walls", "must be the same in all images of the cell"};
 }
 
 bool cuts(pw85_wall const &wall, Particle const &particle, int dimensions) noexcept

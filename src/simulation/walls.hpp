@@ -19,13 +19,14 @@
 
 #include <pw85_simulation.h>
 
+#include "../base/member_complaint.hpp"
 #include "configuration.hpp"
 
 namespace pw85::detail::simulation {
 
-/// Returns whether a simulation can have a wall: its numbers are allowed, and it is repeated with
+/// Checks whether a simulation can have a wall: its numbers are allowed, and it is repeated with
 /// the cell and suits the dimensions.
-char const *requirement_on(pw85_wall const &wall, Configuration const &configuration) noexcept;
+MemberComplaint complaint_of(pw85_wall const &wall, Configuration const &configuration) noexcept;
 
 /// Returns whether a particle has inner points in a wall.
 bool cuts(pw85_wall const &wall, Particle const &particle, int dimensions) noexcept;

@@ -7,7 +7,7 @@ import functools
 import itertools
 import os
 import warnings
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TextIO
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import click
@@ -30,6 +30,7 @@ from ..formats import (
 from ..formats._frames import ANGLES, LENGTHS, ORDERS, SCALES
 from .._rotations import SEQUENCES, is_sequence
 from .._system import System
+from ._progress import say
 
 
 class Input(NamedTuple):
@@ -50,14 +51,22 @@ class Input(NamedTuple):
     def load(self, location: Location) -> System:
         return load(self.path, self.format, location, self.options)
 
-    def systems(self) -> Iterator[System]:
-        """The chosen frames. Warns once of each thing to know about them."""
-        return (system for _, system in self.numbered_systems())
+    def describe(self, source: str) -> str:
+        """A line that says what was taken of the file."""
+        return f"{self.path}: " + ", ".join(filter(None, [self.format, source]))
 
-    def numbered_systems(self) -> Iterator[tuple[int, System]]:
+    def systems(self, stream: TextIO | None = None) -> Iterator[System]:
+        """The chosen frames. Says what was taken of them to `stream`, if there is one, and warns once of each thing to know about them."""
+        return (system for _, system in self.numbered_systems(stream))
+
+    def numbered_systems(self, stream: TextIO | None = None) -> Iterator[tuple[int, System]]:
         said: set[str] = set()
         for location in self.locations():
             system = self.load(location)
+            line = self.describe(system.source)
+            if stream is not None and line not in said and (len(system) or system.shapeless):
+                say(line, stream)
+                said.add(line)
             for note in system.notes:
                 if note not in said:
                     warnings.warn(f"{self.path}, frame {location.frame}: {note}", stacklevel=2)
@@ -323,9 +332,9 @@ def check_outputs(given: Input, *paths: str | None) -> None:
         taken[target.path] = "is named for two outputs: name another file"
 
 
-def one_frame(given: Input) -> System:
-    """The first of the chosen frames."""
-    frame, system = next(given.numbered_systems())
+def one_frame(given: Input, stream: TextIO | None = None) -> System:
+    """The first of the chosen frames. Says what was taken of it to `stream`, if there is one."""
+    frame, system = next(given.numbered_systems(stream))
     if not len(system):
         raise FileError(given.path, "there are no particles: choose another frame with --frames", frame)
     return system

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import sys
 import threading
 from typing import TextIO
@@ -51,8 +52,15 @@ def _show(stage: list[str], finished: threading.Event) -> None:
 
 
 def beside(output: str) -> TextIO:
-    """The stream for a sentence about an output, which is not that output."""
-    return sys.stderr if output == STANDARD_OUTPUT else sys.stdout
+    """The stream for a sentence about an output, which is not that output, by whatever name."""
+    return sys.stderr if output == STANDARD_OUTPUT or _is_standard_output(output) else sys.stdout
+
+
+def _is_standard_output(path: str) -> bool:
+    try:
+        return os.path.samestat(os.stat(path), os.fstat(1))
+    except OSError:
+        return False
 
 
 def say(line: str, to: TextIO | None = None) -> None:

@@ -14,7 +14,7 @@ import numpy as np
 from .._errors import PW85Error
 from .._forces import Law
 from .._simulations import HardEllipsoids
-from .._surroundings import Field, Wall, describe_cut
+from .._surroundings import Field, Wall
 from ..formats import FileError
 from ._input import Numbers
 
@@ -133,7 +133,7 @@ def set_law(path: str, simulation: HardEllipsoids, law: Surrounding) -> None:
 def surround(path: str, ids: Any, simulation: HardEllipsoids, walls: Iterable[Surrounding], fields: Iterable[Surrounding]) -> None:
     """Sets walls and fields. Raises FileError with the first one that the simulation of a file cannot have."""
     both: list[tuple[str, Iterable[Surrounding], Callable[..., None]]] = [
-        ("--wall", walls, simulation.set_walls),
+        ("--wall", walls, lambda walls: simulation._set_walls(walls, ids)),
         ("--field", fields, simulation.set_fields),
     ]
     for option, given, set_all in both:
@@ -141,9 +141,6 @@ def surround(path: str, ids: Any, simulation: HardEllipsoids, walls: Iterable[Su
             try:
                 set_all([one.made])
             except PW85Error as error:
-                particle = simulation._replace_walls([one.made])[1] if isinstance(one.made, Wall) else -1
-                reason = re.sub(r"^(wall|field) 0: ", "", error.detail)
-                if particle >= 0 and isinstance(one.made, Wall):
-                    reason = describe_cut(one.made, simulation.centers[particle], ids[particle])
+                reason = re.sub(r"^(wall|field) 0(, Wall\(.*size=\S+\))?: ", "", error.detail)
                 raise FileError(path, f"{option} {one.text}: {reason}") from None
         set_all([one.made for one in given])

@@ -184,7 +184,7 @@ class _Summary:
         say(line, self.stream)
 
     def _header(self, found: Found) -> None:
-        self._say(f"{self.given.path}: " + ", ".join(filter(None, [self.given.format, found.source])))
+        self._say(self.given.describe(found.source))
         if found.cell is None:
             self._say("no cell")
         else:

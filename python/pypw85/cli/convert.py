@@ -10,7 +10,7 @@ import click
 from .._bodies import FITS, Fit
 from ..formats import WRITABLE, renamed_types, write
 from ._input import Input, input_options
-from ._progress import progress
+from ._progress import beside, progress
 
 
 class Species(click.ParamType):
@@ -43,8 +43,9 @@ def convert(given: Input, output: str, to: str | None, precision: str | None, sp
     sphere of radius 1 to the tensor "shape". The ends .stl, .obj and .ply give meshes of triangles."""
     with progress() as stage:
         stage("converting")
-        systems = given.systems()
+        systems = given.systems(beside(output))
         if species:
-            systems = (renamed_types(given.path, frame, system, species) for frame, system in given.numbered_systems())
+            numbered = given.numbered_systems(beside(output))
+            systems = (renamed_types(given.path, frame, system, species) for frame, system in numbered)
         write(output, systems, to, precision, deviation, fit)
     return 0

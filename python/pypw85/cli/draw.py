@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import sys
+
 import click
 
 from .._drawing import COLOURINGS, check_picture
@@ -30,7 +32,7 @@ def draw(given: Input, picture: str, contacts: bool, elevation: float, azimuth: 
     check_outputs(given, picture)
     with progress() as stage:
         stage("reading")
-        system = one_frame(given)
+        system = one_frame(given, sys.stdout)
         stage("drawing")
         system.draw(picture, contacts=contacts, elevation=elevation, azimuth=azimuth, size=size, color=color)
     return 0

@@ -255,7 +255,7 @@ def relax(given: Input, output: str, to: str | None, steps: int) -> int:
     best, counts = _Best(output), list[int]()
 
     def relaxed() -> Iterator[System]:
-        for frame, system in given.numbered_systems():
+        for frame, system in given.numbered_systems(beside(output)):
             done = is_interrupted() or not len(system)
             yield system if done else best.of(partial(relax_system, system, steps, stage), frame)
             counts.append(len(system))

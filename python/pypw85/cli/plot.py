@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import sys
 from functools import partial
 from typing import Any
 
@@ -44,7 +45,7 @@ def plot(given: Input, picture: str, reach: float, bins: int) -> int:
     orders: list[tuple[float, ...]] = []
     rings = _Rings(bins)
     with progress() as stage:
-        for frame, system in given.numbered_systems():
+        for frame, system in given.numbered_systems(sys.stdout):
             stage(f"frame {frame}")
             names = ["nematic order", "tetratic order"][: 4 - system.dimensions]
             if not found:

@@ -35,7 +35,7 @@ _LENGTHS: list[tuple[str, list[Names], str]] = [
     ("radius|radii", [_XYZ, _INDEX_0, _INDEX, _FROM_1, _FROM_0], "radii"),
     ("r", [_XYZ, _FROM_1], "radii"),
     ("diameter|diameters", [_XYZ, _INDEX_0, _INDEX, _FROM_1, _FROM_0], "diameters"),
-    ("axislengths", [_INDEX, _FROM_0], "radii"),
+    ("axislengths?", [_INDEX, _FROM_0, _FROM_1], _ASK),
     (r"c\w*(?:shape|diam)\w*", [_INDEX, _FROM_1], "diameters"),
     ("", [("a", "b", "c")], "radii"),
     ("", [("length", "width", "height"), ("length", "width", "thickness"), ("l", "w", "h"), ("lx", "ly", "lz"),
@@ -55,8 +55,7 @@ _QUATERNIONS: list[tuple[str, list[Names], str]] = [
     ("orientation", [_QUADRUPLE], "xyzw"),
     ("quat", [("1", "2", "3", "4")], "wxyz"),
     ("q", [("0", "1", "2", "3")], "wxyz"),
-    ("quat|quats|quaternion|quaternions", [("0", "1", "2", "3")], _ASK),
-    ("quat|quats|quaternion|quaternions", [_QUADRUPLE], "wxyz"),
+    ("quat|quats|quaternion|quaternions", [("0", "1", "2", "3"), _QUADRUPLE], _ASK),
     (r"c\w*orient\w*", [_QUADRUPLE], _ASK),
     (r"cq|c\w*quat\w*", [_QUADRUPLE], "wxyz"),
     (r"c\w*shape\w*", [("[4]", "[5]", "[6]", "[7]")], "wxyz"),
@@ -89,15 +88,19 @@ _RATIOS = ("aspectratio", "aspect", "elongation", "ar")
 # Names of what can change the size or the shape of a body, or its turn. What is not used of these is refused.
 _SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thick|axis|axes|shape|aspect|ratio(?!n)|elong|major|minor|"
                     r"block|expon|round|superquad|squareness|scale|scaling|stretch|sigma|size|eccentr|flatten|oblate|prolate|spheric|form|"
-                    r"matrix|covar|inertia).*|(shape)?anisotropy|kappa|ar|eps(ilon)?[12]|geom|geometry|primitive|kind|"
-                    r"[xyz](2|end)|(end|tip|tail)[xyz]|[abcdhlrsw]|[abdrsl][xyz0-3]|rad|len|dia|(?!chi)[a-z]?(xx|yy|zz|xy|xz|yz)")
+                    r"matrix|covar|inertia|eigen|lambda|principal|ellips|spheroid).*|(shape)?anisotropy|kappa|ar|eps(ilon)?[12]|geom|"
+                    r"geometry|primitive|kind|[xyz](2|end)|(end|tip|tail)[xyz]|[abcdhlrsw]|[abdrsl][xyz0-3]|[fv]?[rd](max|mid|int|min)|"
+                    r"rad|len|dia|(?!chi)[a-z]?(xx|yy|zz|xy|xz|yz)|(?![cfv]\d)[a-z]{1,2}(0[0-2]|[123][0-3])|[ub](iso|eq|equiv|aniso)|"
+                    r"units?|spacing|resolution|magnification|calibration|pixel|voxel")
 _TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bearing|trend|plunge|strike|rake|tilt|inclin|orient|rotat|quat|"
                     r"phi|theta|psi|direct|(?<!ab)normal|posang|rodrig|sequence).*|alpha|beta|gamma|dip|dipdir\w*|rot|rot\w|rot.?\[\d\]|"
                     r"roll|pa|"
-                    r"q[wxyzijk0-4r]?|[unde][xyz0-3]|dir[xyz]|ori[xyz]|e[1-3][xyz]|axis\w*")  # fmt: skip
+                    r"rw|q(uat)?[wxyzijk0-4rs]?|qv\w*|[unde][xyz0-3]|dir[xyz]|ori[xyz]|e[1-3][xyz]|axis\w*")  # fmt: skip
 # Names of whole lengths, and of half ones
 _SOUND_WHOLE = re.compile(r".*(diam|length|width|height|thick|feret|size).*|[fv]?d(max|mid|int|min|[xyz]|\d)|l[xyz]|[lwh]")
 _SOUND_HALF = re.compile(r".*(radi(us|i)|semi|half).*|[fv]?r(max|mid|int|min|[xyz]|\d)|r")
+# Names of lengths that say neither
+_SOUND_EITHER = re.compile(r"(?!.*(semi|half|radi|diam)).*(scal|sigma|std|rms|extent|dimension|span|ax[ei]s|principal|eigen).*")
 # Those of other things: stresses, velocities, contacts, positions, counts
 _OTHERS = re.compile(r"(bond|cluster|group|sample|batch|step|wave)\w*(length|size|width)|temperature\w*|charge\w*|mass\w*|density\w*|"
                      r"(stress|strain|virial|pressure|force|torque|velocity)\w*|c?stress\[\d\]|number\w*|.*neighbou?rs?|"
@@ -111,6 +114,12 @@ _UNUSED = ("the column {0} could change the shapes or how they are turned, and i
 
 # A unit of length behind a name, not in brackets. A compute, a fix or a variable of LAMMPS may be called px.
 UNIT_AT_END = re.compile(r"(?<=[^\W_])(?:[_/ ](mm|[uµμn]m|cm|microns?|voxels?)|(?<!^[cfv])[_/ ](px|pix|pixels?)|/(m))$", re.IGNORECASE)
+
+
+# What stands in brackets, but an index; and words there that are not units
+_BRACKETS = re.compile(r"\([^)]*\)|\[(?!\d+\])[^]]*\]")
+_MORE_THAN_UNITS = re.compile(r"full|whole|half|semi|diam|radi(us|i)|log|\bln|exp|squar|cub|inv|\^|[²³*]|scal|frac|norm|relat|rms|std|"
+                              r"from|clock|\bc?cw\b|body|world|conj|transp|minus|[+]", re.IGNORECASE)  # fmt: skip
 
 
 def could_change(name: str) -> bool:
@@ -144,8 +153,8 @@ class Taken(NamedTuple):
 
 def plain_name(name: str) -> str:
     """A name without its unit, capitals, blanks, dots, hyphens and underscores."""
-    without_unit = re.sub(r"\([^)]*\)|\[(?!\d+\])[^]]*\]", "", UNIT_AT_END.sub("", name.lower()))
-    return re.sub(r"[\s_.:/\-]", "", without_unit)
+    without_unit = _BRACKETS.sub("", UNIT_AT_END.sub("", name.lower()))
+    return re.sub(r"(?<=.)-|[\s_.:/]", "", without_unit)
 
 
 def take(columns: Sequence[str], options: Options, error: Error, lengths: str, order: str, known: Sequence[str],
@@ -158,18 +167,30 @@ def take(columns: Sequence[str], options: Options, error: Error, lengths: str, o
     columns = [name for name in columns if name not in (options.ignore_columns or ())]
     is_flat = is_flat if options.dimensions is None else options.dimensions == 2
     plain = {plain_name(name): name for name in reversed(columns)}
-    if convention is None and options.convention is None and options.lengths is None and options.angle is None:
-        _ask_for_program(plain, error)
+    if convention is None and options.convention is None and options.lengths is None and is_flat:
+        _ask_for_program(plain, options.angle, error)
     taken = (_by_names(columns, plain, options, error, lengths, order, is_flat) if convention is None else
              _by_convention(plain, options, convention))  # fmt: skip
+    _check_brackets([*known, *taken.columns], error)
     _check_unused(columns, taken, known, options, error, convention)
     _check_options(taken, options, error)
-    return taken
+    unused = " ".join(name for name in dict.fromkeys(columns) if name not in {"", *known, *taken.columns})
+    return taken._replace(source=", ".join(filter(None, [taken.source, unused and f"columns that are not used: {unused}"])))
 
 
-def _ask_for_program(plain: dict[str, str], error: Error) -> None:
-    """Refuses names of whole or half axes beside an angle which are those of a program, but may be others'."""
-    names = possible_ellipses(plain)
+def _check_brackets(names: Sequence[str], error: Error) -> None:
+    """Refuses names with more than a unit in brackets."""
+    for name in names:
+        found = _BRACKETS.search(name)
+        if found and _MORE_THAN_UNITS.search(found[0]):
+            raise error(f"the name of the column '{name}' says more than a unit in brackets, which is not read: convert its numbers, "
+                        "and rename it")  # fmt: skip
+
+
+def _ask_for_program(plain: dict[str, str], angle: str | None, error: Error) -> None:
+    """Refuses names of axes beside an angle which are those of a program, but may be others'."""
+    says_unit = any(_turns.base(name)[1] for name in plain.values())
+    names = [] if says_unit and angle is None else possible_ellipses(plain, angle)
     if names:
         raise error(f"the columns may be those of {' or '.join(names)}, and others mean other lengths and angles by these names: say which "
                     f"program it was (--convention {names[0]}), or what they are (--lengths, --angle)")  # fmt: skip
@@ -244,6 +265,7 @@ def _by_names(columns: Sequence[str], plain: dict[str, str], options: Options, e
         sphere = ()
     if spheroid:
         sphere = ()
+    _check_boxes(shape, turn, options, error)
     notes = []
     if is_liggghts(plain) and not exponents:
         notes.append("there are no columns blockiness1 and blockiness2: superquadrics of LIGGGHTS are taken as ellipsoids")
@@ -253,6 +275,14 @@ def _by_names(columns: Sequence[str], plain: dict[str, str], options: Options, e
         source = f"spheroids: {shape[0]} across the axis of revolution as {_HALVES[factors[0]]}, {shape[1]} {along}"
     source = ", ".join(filter(None, [source, turn.describe()]))
     return Taken(shape, lengths, quaternion, order, sphere, exponents, source, notes, turn, spheroid, factors)
+
+
+def _check_boxes(shape: Names, turn: Turn, options: Options, error: Error) -> None:
+    """Bodies that turn about y stand upon x and z, and their height is along y, as in KITTI."""
+    is_box = not options.shape_columns and plain_name((*shape, "")[0]) in ("length", "l")
+    if turn.kind == "euler" and turn.sequence.lower() == "y" and is_box:
+        raise error(f"the bodies turn about y alone, so that {shape[2]} may be along y: name the lengths along x, y and z before the turn "
+                    "(--shape-columns)")  # fmt: skip
 
 
 _HALVES = {0.5: "diameter", 1.0: "radius"}
@@ -317,6 +347,9 @@ def fill(frame: Frame, taken: Taken, table: Table) -> None:
 
 
 def _turn(frame: Frame, turn: Turn, table: Table) -> None:
+    _check_angles(frame, turn, table)
+    if turn.kind == "direction" and turn.largest:
+        _check_directions(frame, turn, table)
     if turn.kind == "angle":
         frame.angles = turn.angles(table)
     elif turn.kind:
@@ -327,7 +360,41 @@ def _turn(frame: Frame, turn: Turn, table: Table) -> None:
         if turn.kind == "euler":
             frame.quaternions, frame.order = turn.quaternions(table), "wxyz"
         else:
-            frame.directions = turn.directions(table)
+            frame.directions, frame.are_longest = turn.directions(table), turn.is_of_longest_axis
+
+
+# A whole turn in radians, and angles that a program writes, have so much room.
+_TURN = 6.2832
+# Directions with two digits have lengths of 1 up to so much.
+_UNIT = 0.02
+
+
+def _check_directions(frame: Frame, turn: Turn, table: Table) -> None:
+    """Refuses directions that may be angles by their names, unless they have the length 1."""
+    lengths = np.linalg.norm(table.stack(turn.columns), axis=1)
+    wrong = ~(np.abs(lengths - turn.largest) < _UNIT)
+    if wrong.any():
+        names = ",".join(turn.columns)
+        raise frame.error(f"has the length {lengths[wrong][0]:g} of {' '.join(turn.columns)}, which may be angles or a direction: say "
+                          f"which (--direction-columns {names}, or --euler)", int(wrong.argmax()))  # fmt: skip
+
+
+def _check_angles(frame: Frame, turn: Turn, table: Table) -> None:
+    """Refuses angles that the columns cannot hold: of a program's own range in radians, and angles from an axis."""
+    for k, (name, unit) in enumerate(zip(turn.columns, turn.units)):
+        values = table[name]
+        wrong = np.abs(values) > turn.largest if turn.largest else np.zeros(len(values), dtype=bool)
+        if wrong.any():
+            raise frame.error(f"has the {name} {values[wrong][0]:g}, and this program writes radians up to {turn.largest:.4g}: say the "
+                              "unit (--angle degrees)", int(wrong.argmax()))  # fmt: skip
+        half = 180.0 if unit == "degrees" else 0.5 * _TURN
+        wrong = (values < -1e-9 * half) | (values > (1 + 1e-9) * half)
+        if turn.kind == "polar" and k == 0 and wrong.any():
+            raise frame.error(f"has the {name} {values[wrong][0]:g}, which is not an angle from the axis z, 0 to 180 degrees: check "
+                              "which of the columns of --polar comes first, and their unit", int(wrong.argmax()))  # fmt: skip
+        if unit == "radians" and (np.abs(values) > _TURN).any():
+            frame.notes.append(f"{name} is taken in radians, and is up to {np.abs(values).max():g}, more than a whole turn (--angle "
+                               "degrees if these are degrees)")  # fmt: skip
 
 
 def _spheroids(taken: Taken, table: Table) -> Floats:
@@ -362,9 +429,9 @@ def _shape(columns: Sequence[str], plain: dict[str, str], options: Options, erro
 
 
 def _contradicts(names: Sequence[str], lengths: str) -> bool:
-    """Returns whether names of columns suggest another meaning of the lengths than `lengths`."""
+    """Returns whether names of columns suggest another meaning of the lengths than `lengths`, or none."""
     other = _SOUND_WHOLE if lengths == "radii" else _SOUND_HALF
-    return any(other.fullmatch(plain_name(name)) for name in names)
+    return any(pattern.fullmatch(plain_name(name)) for name in names for pattern in (other, _SOUND_EITHER))
 
 
 def _quaternion(columns: Sequence[str], plain: dict[str, str], options: Options, error: Error, order: str) -> tuple[Names, str]:
@@ -377,8 +444,18 @@ def _quaternion(columns: Sequence[str], plain: dict[str, str], options: Options,
     if meaning == _ASK and found and options.quaternion is None:
         raise error(_TWO_ORDERS.format(_short(found)))
     if options.quaternion is not None and not given:  # of the columns as they stand in the file
-        found = tuple(sorted(found, key=list(columns).index))
+        in_file = tuple(sorted(found, key=list(columns).index))
+        _check_letters(found, in_file, meaning, options.quaternion, error)
+        found = in_file
     return found, options.quaternion or (meaning if found else order)
+
+
+def _check_letters(found: Names, in_file: Names, meaning: str, order: str, error: Error) -> None:
+    """Refuses an order that contradicts the letters at the ends of names."""
+    by_letters = found if order == "wxyz" else found[1:] + found[:1]
+    if found and meaning == "wxyz" and found[0][-1].isalpha() and in_file != by_letters:
+        raise error(f"the names of the columns {' '.join(in_file)} say which is which, and it is not --quaternion {order}: leave it out, "
+                    "or name the columns (--quaternion-columns)")  # fmt: skip
 
 
 def _given(columns: Sequence[str], names: Sequence[str] | None, error: Error) -> Names:

@@ -22,7 +22,8 @@ class Convention(NamedTuple):
     towards y, with "yx" the other way, as angles do that are counterclockwise where y points down. Three angles are those of `sequence`,
     each times its sign. `first` is where the centre of the first pixel lies, if there are pixels. A header with all of `marks` is
     recognised without ``--convention``. What `harmless` matches are other measures of the same body. `rows` are the columns of a file
-    without names. `run` is the program of Debian 12 that wrote the table which the tests read, empty where none was run.
+    without names. No angle of the program is larger than `largest`, unless that is 0. `run` is the program of Debian 12 that wrote the
+    table which the tests read, empty where none was run.
     """
 
     name: str
@@ -40,6 +41,7 @@ class Convention(NamedTuple):
     marks: tuple[Names, ...] = ()
     harmless: str = ""
     rows: Names = ()
+    largest: float = 0.0
     run: str = ""
 
     def find(self, plain: Collection[str]) -> tuple[Names, Names, Names] | None:
@@ -69,15 +71,20 @@ def sense_in_words(zero: str, sense: str) -> str:
     return "from y away from x" if sense == "xy" else "from y towards x (counterclockwise where y points down)"
 
 
+# A right angle in radians, with room for single precision
+_QUARTER = 1.5708
 # Measures of the same bodies, whose names sound as if they could change these
 _IMAGEJ = r"ar|round|feret\w*|minferet|width|height|perim\w*|b[xy]"
-_SKIMAGE = r"equivalentdiameter(area)?|feretdiametermax|eccentricity|inertiatensor.*|moments.*|centroid\w*"
+_SKIMAGE = r"equivalentdiameter(area)?|feretdiametermax|eccentricity|inertiatensor.*|moments.*|centroid(?!2)\w*"
 _SEXTRACTOR = r"(theta|err|cxx|cyy|cxy|x2|y2|xy|a|b|elongation|ellipticity|kron|flux|isoarea|fwhm|petro)\w*|"
 _SEXTRACTOR += r"\w*(world|sky|j2000|b1950|radius)"
 _MEASURES = r"elli.*|inscrball.*|eulernumber|.*(elongation|eccentricity|feret\w*|radius|diameter|ratio|roundness)"
 _ELLI = [tuple(f"elli.{x}".replace(".", "") for x in names) for names in
          (("Center.X", "Center.Y", "Center.Z"), ("R1", "R2", "R3"), ("Radius1", "Radius2", "Radius3"), ("Azim", "Elev", "Roll"))]
 _MORPHOLIBJ = [tuple(name.lower() for name in names) for names in _ELLI]
+# The same of its command Equivalent Ellipsoid
+_OF_PLUGIN = [tuple(f"ellipsoid{name}" for name in names) for names in
+              (("centerx", "centery", "centerz"), ("radius1", "radius2", "radius3"), ("phi", "theta", "psi"))]  # fmt: skip
 
 CONVENTIONS: list[Convention] = [
     Convention(
@@ -91,9 +98,10 @@ CONVENTIONS: list[Convention] = [
         marks=(("centerx", "radii0", "phi", "theta", "psi"),),
     ),
     Convention(
-        "morpholibj", "MorphoLibJ 1.4 to 1.6, Analyze Regions 3D", (tuple(_MORPHOLIBJ[0]), ("xc", "yc", "zc")),
-        (_MORPHOLIBJ[1], _MORPHOLIBJ[2], ("radius1", "radius2", "radius3")), "radii", (_MORPHOLIBJ[3], ("phi", "theta", "psi")),
-        sequence="ZYX", marks=(_MORPHOLIBJ[3],), harmless=_MEASURES,
+        "morpholibj", "MorphoLibJ 1.4 to 1.6, Analyze Regions 3D", (_MORPHOLIBJ[0], _OF_PLUGIN[0], ("xc", "yc", "zc")),
+        (_MORPHOLIBJ[1], _MORPHOLIBJ[2], _OF_PLUGIN[1], ("radius1", "radius2", "radius3")), "radii",
+        (_MORPHOLIBJ[3], _OF_PLUGIN[2], ("phi", "theta", "psi")), sequence="ZYX", marks=(_MORPHOLIBJ[3], _OF_PLUGIN[2]),
+        harmless=_MEASURES,
     ),
     Convention(
         "morpholibj", "MorphoLibJ 1.4 to 1.6, Analyze Regions", (("ellipsecenterx", "ellipsecentery"),),
@@ -105,7 +113,7 @@ CONVENTIONS: list[Convention] = [
         (("axismajorlength", "axisminorlength"), ("majoraxislength", "minoraxislength")), "diameters", (("orientation",),),
         unit="radians", zero="y", sense="yx", first="0",
         marks=(("centroid0", "axismajorlength", "orientation"), ("centroid0", "majoraxislength", "orientation")),
-        harmless=_SKIMAGE, run="scikit-image 0.19.3",
+        harmless=_SKIMAGE, largest=_QUARTER, run="scikit-image 0.19.3",
     ),
     Convention(
         "matlab", "MATLAB and Octave's package image, regionprops", (("centroid1", "centroid2"),),
@@ -128,7 +136,7 @@ CONVENTIONS: list[Convention] = [
     Convention(
         "sep", "sep 1.2, extract", (("x", "y"),), (("a", "b"),), "rms", (("theta",),), unit="radians", first="0",
         marks=(("cxx", "cyy", "cxy"), ("x2", "y2", "xy")),
-        harmless=r"errx2|erry2|errxy|x2|y2|xy|cxx|cyy|cxy", run="sep 1.2.1",
+        harmless=r"errx2|erry2|errxy|x2|y2|xy|cxx|cyy|cxy", largest=_QUARTER, run="sep 1.2.1",
     ),
     Convention(
         "photutils", "photutils 1.6, SourceCatalog", (("xcentroid", "ycentroid"),),
@@ -159,7 +167,7 @@ CONVENTIONS: list[Convention] = [
     Convention(
         "dream3d", "DREAM.3D 6.5, Write Feature Data as CSV File", (("centroids0", "centroids1", "centroids2"),),
         (("axislengths0", "axislengths1", "axislengths2"),), "radii", (("axiseulerangles0", "axiseulerangles1", "axiseulerangles2"),),
-        unit="radians", sequence="ZXZ", marks=(("axislengths0", "axiseulerangles0"),),
+        unit="radians", sequence="ZXZ", marks=(("axislengths0", "axiseulerangles0"),), largest=4 * _QUARTER,
         harmless=r"aspectratios.*|avgeulerangles.*|avgquats.*|equivalentdiameters|eulerangles.*|s\w+volumes|.*misorientation.*",
     ),
     Convention(
@@ -189,9 +197,11 @@ def possible(plain: Collection[str]) -> list[str]:
     return list(dict.fromkeys(one.name for one in CONVENTIONS if one.find(plain) is not None))
 
 
-def possible_ellipses(plain: Collection[str]) -> list[str]:
-    """Names the conventions with whole axes and one angle that these columns fit."""
-    return [one.name for one in CONVENTIONS if one.meaning == "diameters" and len(one.angles[0]) == 1 and one.find(plain) is not None]
+def possible_ellipses(plain: Collection[str], angle: str | None) -> list[str]:
+    """Names the conventions with one angle, and with whole axes or RMS lengths, that these columns fit. If the unit of the angle is said,
+    only RMS lengths are left, since the names a and b do not ask for what they are."""
+    found = [one for one in CONVENTIONS if one.meaning != "radii" and len(one.angles[0]) == 1 and one.find(plain) is not None]
+    return [one.name for one in found if angle is None or (one.meaning == "rms" and one.unit == angle)]
 
 
 def _is_imagej(one: Convention, columns: Sequence[str]) -> bool:

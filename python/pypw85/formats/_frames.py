@@ -177,7 +177,7 @@ class Frame:
     """A frame as a file has it. `lines` are those of the particles.
 
     `sizes` are radii of spheres, for particles whose lengths are 0. `angles` in radians are those of ellipses, which have no quaternions;
-    `directions` are those of the axes of revolution of spheroids.
+    `directions` are those of the axes of revolution of spheroids, which must be the longest ones if `are_longest`.
     Positions and shapes of ellipses may have two columns. `tolerance` is how far the length of a quaternion may be from 1.
     `dimensions` is None where the file does not say. `source` says what was taken of the file, `notes` what the user should know.
     """
@@ -199,6 +199,7 @@ class Frame:
     sizes: Floats | None = None
     angles: Floats | None = None
     directions: Floats | None = None
+    are_longest: bool = False
     tolerance: float = _QUATERNION_TOLERANCE
     dimensions: int | None = None
     source: str = ""
@@ -417,6 +418,10 @@ class Frame:
         self._first(spread.min(axis=1) > _SAME * self.shapes.max(axis=1),
                     "has three different lengths, which a direction does not turn: give Euler angles (--euler) or quaternions")  # fmt: skip
         self.shapes = np.take_along_axis(self.shapes, (last[:, None] + [1, 2, 3]) % 3, axis=1)
+        if self.are_longest:
+            self._first(self.shapes[:, 2] < self.shapes[:, 1] * (1 - _SAME),
+                        "has two long axes, and a direction of one of them, which does not turn it: give quaternions, or the direction of "
+                        "the axis of revolution (--direction-columns)")  # fmt: skip
 
     def _take_spheres(self, options: Options) -> None:
         """Particles whose lengths are all 0 may be spheres."""

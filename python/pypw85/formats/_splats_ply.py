@@ -34,6 +34,7 @@ def read_ply(path: os.PathLike[str], options: Options) -> Gaussians:
         if "packed_scale" in names:
             return _uncompressed(path, content, header, options)
         _check_properties(path, names)
+        _refuse_packed(path, {} if vertex is None else {one.name: one.kind for one in vertex.properties})
         return _plain(path, rows_of(content, header, "vertex"), options)
     except ValueError as error:
         raise error if isinstance(error, FileError) else FileError(path, str(error), 0) from None
@@ -45,6 +46,14 @@ def _check_properties(path: os.PathLike[str], names: list[str]) -> None:
         raise FileError(path, f"there is no property {missing[0]} of splats, but {' '.join(names)[:200]}: write splats with x y z, scale_0 "
                         "scale_1 scale_2 (two for discs) and rot_0 rot_1 rot_2 rot_3", 0)  # fmt: skip
     _refuse_unknown(path, names, {*_POSITION, *_ROTATION, "scale_0", "scale_1", "scale_2", "filter_3D"})
+
+
+def _refuse_packed(path: os.PathLike[str], kinds: dict[str, str]) -> None:
+    """Whole numbers stand for others, in a way of the program that wrote them."""
+    for name in (*_POSITION, *_ROTATION, "scale_0", "scale_1", "scale_2"):
+        if not kinds.get(name, "f").startswith("f"):
+            raise FileError(path, f"the property {name} has whole numbers, which are packed in a way that is not known: write the splats "
+                            "with properties of the type float", 0)  # fmt: skip
 
 
 def _refuse_unknown(path: os.PathLike[str], names: list[str], used: set[str]) -> None:
@@ -94,7 +103,7 @@ def _refuse_doubtful(path: os.PathLike[str], values: Floats, options: Options, n
     """Lengths are never negative. Their logarithms are in every usual scene, where most splats are smaller than the unit."""
     if options.scales is None and len(values) and (values >= 0).all() and values.any():
         raise FileError(path, f"{names} are all >= 0, and may be lengths or logarithms of lengths: use --scales linear or "
-                        "--scales log)", 0)  # fmt: skip
+                        "--scales log", 0)  # fmt: skip
 
 
 def _uncompressed(path: os.PathLike[str], content: bytes, header: Header, options: Options) -> Gaussians:

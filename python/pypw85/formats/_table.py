@@ -29,6 +29,7 @@ _WRITTEN = 1 << 16
 _LONGEST = READ_AHEAD
 # The longest number; the midpoint of two numbers in double precision has up to 1075 digits.
 _LONGEST_NUMBER = 1 << 13
+_THOUSANDS = re.compile(r"[-+]?[1-9][0-9]{0,2},[0-9]{3}")
 _DIGITS = re.compile(r"[-+]?[0-9]+")
 _NUMBER = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?|[-+]?(?:inf|infinity|nan)", re.ASCII | re.IGNORECASE)
 # Rows of numbers, and for each column of names, codes and the names that these count.
@@ -177,6 +178,13 @@ def _number(word: str) -> float:
     return float(word)
 
 
+def _comma_or_point(word: str) -> str:
+    """Returns "point" for a number with one, "thousands" for a comma that may group these, "decimal" for one that cannot, or ""."""
+    if "," not in word:
+        return "point" if "." in word else ""
+    return "thousands" if _THOUSANDS.fullmatch(word) else "decimal"
+
+
 class Table:
     """Columns of `count` lines, by name. The first of the lines has the number `line`."""
 
@@ -197,8 +205,11 @@ class Table:
         # For each column of names, the different names with their numbers, and the numbers in each row
         self._names: list[dict[str, int]] = [{} for _ in self._text]
         self._codes: list[list[NDArray[np.int32]]] = [[] for _ in self._text]
+        # Where commas may be decimal: by `_comma_or_point`, the first such number and its row
+        self._commas: dict[str, tuple[int, str]] = {}
         while self._filled < count:
             self._add(*lines.read_block(count - self._filled))
+        self._check_commas()
 
     def __contains__(self, name: str) -> bool:
         return name in self._text or name in self._numbers
@@ -296,6 +307,8 @@ class Table:
 
     def _number(self, field: str, row: int, column: int) -> float:
         word = field.strip()
+        if self._decimal_comma:
+            self._commas.setdefault(_comma_or_point(word), (row, word))
         try:
             return _number(word.replace(",", ".") if self._decimal_comma else word)
         except ValueError:
@@ -304,6 +317,17 @@ class Table:
                 f"column {column + 1} ({self.columns[column]}) must be a number, not '{word[:40]}': "
                 "correct it, or name other columns",
             ) from None
+
+    def _check_commas(self) -> None:
+        """Refuses commas that may group thousands: beside decimal points, or where each stands before three digits."""
+        for kind in ("decimal", "thousands"):
+            if kind in self._commas and "point" in self._commas:
+                row, word = self._commas[kind]
+                raise self._error(row, f"'{word[:40]}' has a comma, and '{self._commas['point'][1][:40]}' a point, so that the comma may "
+                                  "be decimal or group thousands: write all numbers with points")  # fmt: skip
+        if "thousands" in self._commas and "decimal" not in self._commas:
+            row, word = self._commas["thousands"]
+            raise self._error(row, f"the comma of '{word[:40]}' may be decimal or group thousands: write all numbers with points")
 
     def _check_names(self, names: list[str], codes: NDArray[np.int32]) -> None:
         for code, name in enumerate(names):

@@ -38,8 +38,8 @@ _PAIRS: list[Names] = [("theta", "phi"), ("polar", "azimuth"), ("inclination", "
 # Names of the angle of an ellipse
 _OF_ELLIPSES = ("angle", "theta", "phi", "orientation", "rotation", "psi", "alpha")
 _DIRECTIONS: list[Names] = [
-    *(tuple(stem + end for end in "xyz") for stem in
-      ("u", "n", "director", "dir", "direction", "axis", "orient", "orientation", "e", "d", "major", "majoraxis")),
+    *(tuple(stem + end for end in "xyz") for stem in ("u", "n", "director", "dir", "direction", "axis", "orient", "orientation", "e")),
+    *(tuple(stem + end for end in "xyz") for stem in ("major", "majoraxis")),
     *(tuple(stem + end for end in ends) for stem in ("director", "direction", "u", "n", "axis", "orientation")
       for ends in (("[1]", "[2]", "[3]"), ("0", "1", "2"), ("1", "2", "3"))),
 ]  # fmt: skip
@@ -51,12 +51,17 @@ _POLAR = ("{0} may be the angle from the axis z and that about it, or others: sa
           "--polar {1}), or the sequence of Euler angles (--euler), or leave them out (--ignore-columns {1})")  # fmt: skip
 _ONE_ANGLE = ("{0} may be the angle of ellipses in a plane, or a rotation in space: say --dimensions 2, or the axis (--euler z), or leave "
               "the column out (--ignore-columns {1})")  # fmt: skip
+# Angles from the plane of x and y, in which those from the axis z are 90°
+_FROM_PLANE = ("elevation", "elev", "latitude", "lat", "altitude", "alt", "plunge", "pitch", "dip", "declination")
+_ELEVATION = ("{0} may be an angle from the plane of x and y, and is not that from the axis z which --polar takes: write 90 degrees less "
+              "it in a column of another name, or leave it out (--ignore-columns {1})")  # fmt: skip
 _ZERO = "{} may be counted from the axis x or from y: use --angle-zero x or --angle-zero y"
 
 
 class Turn(NamedTuple):
     """Columns that say how particles are turned. `kind` is "", "angle", "euler", "polar" or "direction"; `units` are those of the columns,
-    and `signs` their factors; `zero` and `sense` are those of `Convention`."""
+    and `signs` their factors; `zero`, `sense` and `largest` are those of `Convention`; of directions that may be angles by
+    their names, `largest` is their length."""
 
     kind: str = ""
     columns: Names = ()
@@ -65,6 +70,12 @@ class Turn(NamedTuple):
     signs: tuple[float, ...] = (1.0, 1.0, 1.0)
     zero: str = "x"
     sense: str = "xy"
+    largest: float = 0.0
+
+    @property
+    def is_of_longest_axis(self) -> bool:
+        """Returns whether a direction is that of the longest axis, by its name."""
+        return self.kind == "direction" and base(self.columns[0])[0].startswith("major")
 
     def describe(self) -> str:
         if not self.kind:
@@ -101,10 +112,12 @@ class Turn(NamedTuple):
 def by_convention(convention: Convention, names: Names, options: Options) -> Turn:
     if not names:
         return Turn()
-    units = len(names) * ((options.angle or convention.unit),)
+    units = tuple(options.angle or base(name)[1] or convention.unit for name in names)
+    largest = convention.largest if set(units) == {convention.unit} and not options.angle else 0.0
     if convention.sequence:
-        return Turn("euler", names, units, options.euler or convention.sequence, convention.signs)
-    return Turn("angle", names, units, zero=options.angle_zero or convention.zero, sense=options.angle_sense or convention.sense)
+        return Turn("euler", names, units, options.euler or convention.sequence, convention.signs, largest=largest)
+    zero, sense = options.angle_zero or convention.zero, options.angle_sense or convention.sense
+    return Turn("angle", names, units, zero=zero, sense=sense, largest=largest)
 
 
 def find(columns: Sequence[str], options: Options, error: Error, is_flat: bool, has_quaternions: bool) -> Turn:
@@ -113,6 +126,7 @@ def find(columns: Sequence[str], options: Options, error: Error, is_flat: bool, 
         return Turn("direction", _given(columns, options.direction_columns, error))
     if options.polar:
         names = _given(columns, options.polar, error)
+        _refuse_elevation(names, error)
         return Turn("polar", names, _units_of(names, options, error))
     if options.euler:
         return _euler(columns, options.euler, options, error)
@@ -156,13 +170,19 @@ def _of_bodies(columns: Sequence[str], options: Options, error: Error) -> Turn:
     if names := _triple(columns):
         raise error(_SEQUENCES.format(" ".join(names), ",".join(names)))
     if names := _first(columns, _PAIRS):
+        _refuse_elevation(names, error)
         raise error(_POLAR.format(" ".join(names), ",".join(names)))
     if names := _first(columns, _DIRECTIONS):
-        return Turn("direction", names)
+        return Turn("direction", names, largest=1.0 if base(names[0])[0].startswith("orient") else 0.0)
     if found := _bases(columns, (*_OF_ELLIPSES, *_AXES)):
         names = tuple(found.values())
         raise error((_ONE_ANGLE if len(names) == 1 else _SEQUENCES).format(" ".join(names), ",".join(names)))
     return Turn()
+
+
+def _refuse_elevation(names: Names, error: Error) -> None:
+    if base(names[0])[0] in _FROM_PLANE:
+        raise error(_ELEVATION.format(names[0], ",".join(names)))
 
 
 def _euler(columns: Sequence[str], sequence: str, options: Options, error: Error) -> Turn:

@@ -20,7 +20,7 @@ import numpy as np
 from .._system import System
 from .._typing import Floats
 from ._columns import UNIT_AT_END, Taken, centers_of, convention_of, fill, plain_name, take
-from ._conventions import named, possible, recognised
+from ._conventions import Convention, named, possible, recognised
 from ._frames import Frame, Location, Options, said_dimensions
 from ._names import PRINTED, Rule, checked_names
 from ._table import Lines, Table, coded, write_rows
@@ -28,11 +28,17 @@ from ._table import Lines, Table, coded, write_rows
 SUFFIXES = (".csv",)
 _NUMBER = re.compile(r"[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?")
 _POSITION, _SHAPE, _QUATERNION = ["x", "y", "z"], ["a", "b", "c"], ["qw", "qx", "qy", "qz"]
+_KEYS = ("cell", "dimensions", "origin", "periodic", "step")
+# Comments that say the cell in another way
+_LIKE_KEYS = re.compile(r"[#%]\s*((?:(?:simulation|periodic|unit)[ _-]?)?(?:cell|box|lattice)(?:[ _-]?(?:size|lengths?|vectors?|edges))?|"
+                        r"pbc|periodic\w*|boundar(?:y|ies)|lattice)\s*(?:[:=(\[]|[-+]?\.?\d|[TFtf]\b)", re.IGNORECASE)  # fmt: skip
+# A column of the header of ECSV (Astropy) that has a unit
+_UNIT_OF_ECSV = re.compile(r"#\s*- \{name: ([\w.]+), unit: ([\w.]+)")
 # The line that YADE writes before spheres (export.textExt)
 _FORMAT_OF_YADE = re.compile(r"^#\s*format\s+(x_y_z_r\w*)$")
 _NUMBERED = re.compile(r"#\s*(\d{1,4})\s+([A-Za-z]\w*)")
 _THIRD = ("z", "zc", "depth", "elevation", "posz", "positionz", "centerz", "centrez", "centroidz", "cz", "pz", "upward", "altitude",
-          "zslice", "zindex", "zstack", "zplane", "zpos", "zposition")
+          "zslice", "zindex", "zstack", "zplane", "zpos", "zposition", "centroid2", "centroid3")
 # Units in brackets behind the name of a column, and those that have several names
 _UNIT = re.compile(r"[(\[]\s*([^\W\d][^)\]]*)[)\]]\s*$")
 _SAME_UNITS = {"µm": "um", "μm": "um", "micron": "um", "microns": "um"} | dict.fromkeys(("pix", "pixel", "pixels", "voxel", "voxels"), "px")
@@ -46,8 +52,11 @@ _POSITIONS = [
                        *((one, ("[0]", "[1]", "[2]")) for one in ("pos", "position", "center", "centre", "centroid"))]
 ]  # fmt: skip
 # Columns that number pictures, planes or times, of which a table should have one
-_SERIES = re.compile(r"slice|frame|framenumber|image|imagenumber|step|timestep|timepoint|time|plane|zplane|layer")
-_IDS, _TYPES = ("id", "ids", "particleid", "featureid", "index", "number"), ("type", "types", "species", "phase", "phases")
+_SERIES = re.compile(r"(slice|frame|image|picture|step|timestep|timepoint|time|timestamp|snapshot|iteration|cycle|plane|zplane|layer|scan|"
+                     r"file|sample|stack|replica|replicate|realization|realisation|run|trial|specimen|scene)"
+                     r"(s|id|no|nr|num|number|index|idx|name)?|t")
+_IDS = ("id", "ids", "particleid", "featureid", "index", "number")
+_TYPES = ("type", "types", "species", "phase", "phases", "particletype", "bodytype", "objecttype", "graintype", "body", "object", "class")
 
 
 def recognise(start: bytes) -> bool:
@@ -107,7 +116,7 @@ def locate(path: os.PathLike[str]) -> Iterator[Location]:
 
 def load(path: os.PathLike[str], location: Location, options: Options) -> System:
     with Lines(path, location) as lines:
-        keys, line = _keys(lines)
+        keys, line = _keys(lines, options)
         separator, positions, columns = _names(lines, line, options)
         columns = _without_empty_end(lines, separator, columns)
         convention = convention_of(columns, options, lines.error)
@@ -117,8 +126,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         dimensions = lines.whole(keys["dimensions"], "dimensions") if "dimensions" in keys else None
         if dimensions not in (None, 2, 3):
             raise lines.error(f"'dimensions' must be 2 or 3, not {dimensions}")
-        if convention is None:
-            _check_third(columns, positions, options, lines)
+        _check_third(columns, positions, options, lines)
         taken = take(columns, options, lines.error, "radii", "wxyz", [*positions, *_others(columns)],
                      (dimensions or len(positions)) == 2, convention)  # fmt: skip
         _check_lengths(columns, positions, taken, (options.dimensions or dimensions) is not None, lines)
@@ -134,7 +142,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         count = min(_remaining(lines), lines.whole(keys.get("rows", str(2**62)), "the number of rows"))
         if not count:
             raise lines.error("there are no particles: no row follows the names of the columns; write the file again")
-        series = [name for name in columns if _SERIES.fullmatch(plain_name(name)) and name not in (options.ignore_columns or ())]
+        series = _series(columns, len(positions), options, convention)
         wanted = [name for name in (*positions, *taken.columns, ids, types, *series) if name]
         table = lines.table(count, columns, [types, *series], separator, wanted, decimal_comma=separator != ",")
         _check_series(table, series, lines)
@@ -171,12 +179,23 @@ def _without_empty_end(lines: Lines, separator: str | None, columns: list[str]) 
     return columns[:-1] if len(_split(row, separator)) == len(columns) - 1 else columns
 
 
+def _series(columns: list[str], dimensions: int, options: Options, convention: Convention | None) -> list[str]:
+    """Columns of which a table of one system has one value: those of `_SERIES`, of ellipses the third coordinate of their centres, and of
+    ImageJ the labels, which begin with the name of the picture."""
+    found = [name for name in columns if _SERIES.fullmatch(plain_name(name)) or (dimensions == 2 and plain_name(name).endswith("centerz"))]
+    found += [name for name in columns if name == "Label" and convention is not None and convention.name == "imagej"]
+    return [name for name in found if name not in (options.ignore_columns or ())]
+
+
 def _check_series(table: Table, series: list[str], lines: Lines) -> None:
     """Refuses rows of several pictures, planes or times, whose bodies would be taken as one system."""
     for name in series:
-        values = list(dict.fromkeys(table[name].tolist()))
+        rows = table[name].tolist()
+        if name == "Label":
+            rows = ["" if row.isdecimal() else row.partition(":")[0] for row in rows]
+        values = list(dict.fromkeys(rows))
         if len(values) > 1:
-            lines.number = table.line + table[name].tolist().index(values[1])
+            lines.number = table.line + rows.index(values[1])
             raise lines.error(f"the column {name} has several values, {values[0]} and {values[1]}: write the rows of one of them, or say "
                               f"that all are bodies of one system (--ignore-columns {name})")  # fmt: skip
 
@@ -196,22 +215,28 @@ def _completed(keys: dict[str, str]) -> dict[str, str]:
     return keys | {name: keys[name] + end for name, end in others.items() if len(keys.get(name, "").split()) == 2}
 
 
-def _keys(lines: Lines) -> tuple[dict[str, str], str]:
+def _keys(lines: Lines, options: Options) -> tuple[dict[str, str], str]:
     """Reads the lines before the names. Also returns the line with the names, or the first row if no line has names."""
     keys: dict[str, str] = {}
+    units: dict[str, str] = {}
     comments = []
     place = lines.location(lines.frame)
     while (line := lines.next("\r\n")) is not None and _may_precede(text := line.strip()):
         name, _, value = text[1:].strip().partition(" ")
-        if name in ("cell", "dimensions", "origin", "periodic", "step"):
+        if name in _KEYS:
             keys[name] = value
+        elif found := _UNIT_OF_ECSV.match(text):
+            units[found[1]] = found[2]
+        elif options.cell is None and (found := _LIKE_KEYS.match(text)):
+            raise lines.error(f"the comment '{text[:60]}' could say the cell, and is not read: write '# cell' and nine numbers, '# origin' "
+                              f"and three, '# periodic' and three of T and F, or put another word before {found[1]}")  # fmt: skip
         elif text.isdecimal():
             keys["rows"] = text
         elif text:
             comments.append(text)
         place = lines.location(lines.frame)
     if line is not None and not _is_row(line):
-        return keys, line
+        return keys, _with_units(line, units)
     # The names may be a comment: one that has as many words as the first row, or SExtractor's list.
     counts = {len(words) for words in _rows_of(line or "")}
     lines.back(place)
@@ -221,6 +246,12 @@ def _keys(lines: Lines) -> tuple[dict[str, str], str]:
         if _are_names(comment) and (line is None or len(_header(comment)[2]) in counts):
             return keys, comment
     return keys, line if line is not None else lines.expect("the names of the columns")
+
+
+def _with_units(line: str, units: dict[str, str]) -> str:
+    """Adds units to the names of columns, as these are in the header of ECSV."""
+    words = re.split(r"([,\s]+)", line) if units else [line]
+    return "".join(f"{word}[{units[word]}]" if word in units else word for word in words)
 
 
 def _listed(comments: list[str]) -> str | None:
@@ -251,15 +282,17 @@ def _names(lines: Lines, line: str, options: Options) -> tuple[str | None, list[
 
 
 def _others(columns: list[str]) -> list[str]:
-    """Columns of ids and types."""
-    return [name for name in columns if plain_name(name) in (*_IDS, *_TYPES, "label", "labels", "name")]
+    """Columns of ids and names, and the one of types."""
+    plain = [plain_name(name) for name in columns]
+    types = next((one for one in _TYPES if one in plain), "")
+    return [name for name in columns if plain_name(name) in (*_IDS, types, "label", "labels", "name")]
 
 
 def _check_third(columns: list[str], positions: list[str], options: Options, lines: Lines) -> None:
     """Refuses tables of two coordinates that have a third by another name."""
     if len(positions) == 2 and options.dimensions is None:
         for name in columns:
-            if plain_name(name) in _THIRD and name not in (options.ignore_columns or ()):
+            if plain_name(name) in _THIRD and name not in positions and name not in (options.ignore_columns or ()):
                 raise lines.error(f"there are two coordinates, {' '.join(positions)}, and {name}: rename it to z, or leave it out "
                                   f"(--ignore-columns {name})")  # fmt: skip
 
@@ -278,6 +311,9 @@ def _check_lengths(columns: list[str], positions: list[str], taken: Taken, says_
     units = {_SAME_UNITS.get(unit.lower(), unit): name for name, unit in said}
     if len(units) > 1:
         raise lines.error(f"the columns {' and '.join(units.values())} have different units: convert them to one, and rename them")
+    silent = [name for name in (*positions, *taken.shape, *taken.sphere) if not _unit(name)]
+    if said and silent:
+        taken.notes.append(f"{' '.join(silent)} without a unit are taken in that of {said[0][0]}")
 
 
 def _unit(name: str) -> str:

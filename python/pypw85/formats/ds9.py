@@ -33,7 +33,7 @@ def locate(path: os.PathLike[str]) -> Iterator[Location]:
 def load(path: os.PathLike[str], location: Location, options: Options) -> System:
     rows, numbers = [], []
     with Lines(path, location) as lines:
-        system = ""
+        system, taken = "", set[str]()
         while (line := lines.next()) is not None:
             for part in filter(None, map(str.strip, itertools.chain([line] if line.startswith("#") else line.split(";")))):
                 if part.lower() in _SYSTEMS:
@@ -41,6 +41,9 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
                 elif not _COMMENT.fullmatch(part):
                     rows.append(_ellipse(lines, part, system))
                     numbers.append(lines.number)
+                    taken.add(system)
+                    if len(taken) > 1:
+                        raise lines.error(f"the regions are in several systems, {' and '.join(sorted(taken))}: save all in image")
     if not rows:
         raise lines.error("there are no regions: the file is truncated; write it again")
     values = np.array(rows)
@@ -48,7 +51,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
     frame = Frame(
         path, location, values[:, :2], shapes=values[:, 2:4], angles=np.radians(values[:, 4]), lengths=convention.meaning, lines=numbers,
         periodic=(False, False, False), dimensions=2,
-        source=f"convention ds9, lengths as {convention.meaning}, angle in {convention.unit}, "
+        source=f"convention ds9, system {' '.join(taken)}, lengths as {convention.meaning}, angle in {convention.unit}, "
                f"{sense_in_words(convention.zero, convention.sense)}, centre of the first pixel at {convention.first}",
     )  # fmt: skip
     return frame.system(options)
@@ -64,6 +67,10 @@ def _ellipse(lines: Lines, region: str, system: str) -> list[float]:
     words = found[2].replace(",", " ")
     if re.search(r"[^-+.0-9eEip\s]", words):
         raise lines.error(f"the region has units other than pixels, '{found[2][:40]}': save it in the system image")
+    other = "p" if system == "image" else "i"
+    if re.search(rf"{other}(?=\s|$)", words):
+        raise lines.error(f"the region is in the system {system}, with lengths in pixels of another, '{found[2][:40]}': save it in the "
+                          "system image")  # fmt: skip
     words = re.sub(r"[ip](?=\s|$)", "", words)
     if found[1].lower() == "circle":
         x, y, radius = lines.numbers(words, 3, "a circle")

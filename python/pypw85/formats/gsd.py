@@ -139,7 +139,8 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         chunks = _Chunks(path, file, location.frame)
         typeid = chunks.rows("particles/typeid", 0, "ui").astype(np.int64)
         names = chunks.strings("particles/types", ["A"])
-        shapes = chunks.strings("particles/type_shapes", [])
+        shapes, of_state = chunks.strings("particles/type_shapes", []), _shapes_of_state(chunks)
+        diameters = ", particles/diameter is not used" if chunks.get("particles/diameter", None) is not None else ""
         dimensions = int(chunks.get("configuration/dimensions", [3])[0])
         cell, origin, periodic = _cell(chunks.get("configuration/box", [1, 1, 1, 0, 0, 0]), dimensions)
         frame = Frame(
@@ -147,14 +148,17 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
             quaternions=chunks.rows("particles/orientation", [1.0, 0, 0, 0], "f").astype(np.float64),
             ids=np.arange(chunks.count), cell=cell, origin=origin, periodic=periodic,
             step=int(chunks.get("configuration/step", [0])[0]), dimensions=2 if dimensions == 2 else 3,
-            source="lengths of type_shapes as radii, quaternions orientation as w x y z",
+            source=f"lengths of {'type_shapes' if any(map(_says, shapes)) or not of_state else 'state/hpmc'} as radii, quaternions "
+                   f"orientation as w x y z{diameters}",
         )  # fmt: skip
     check_lengths_of_names(names, frame.error)
     wrong = ~((typeid >= 0) & (typeid < len(names)))
     if wrong.any():
         raise frame.error(f"has the type {typeid[wrong][0]}, but there are {len(names)}: the file is broken", int(wrong.argmax()))
     frame.types = np.array(names)[typeid]
-    frame.shapes = _shapes(frame, shapes, typeid)
+    frame.shapes = _shapes(frame, shapes if any(map(_says, shapes)) else of_state, typeid)
+    if of_state and (frame.shapes != _shapes(frame, of_state, typeid)).any():
+        raise frame.error("the shapes of particles/type_shapes are not those of state/hpmc: write the file again")
     return frame.system(options)
 
 
@@ -165,6 +169,22 @@ def _cell(lengths_and_tilts: Any, dimensions: int) -> tuple[Floats, Floats, Sequ
     lz = lz or 1.0
     cell = np.array([[lx, 0, 0], [xy * ly, ly, 0], [xz * lz, yz * lz, lz]])
     return cell, -cell.sum(axis=0) / 2, periodic
+
+
+def _says(shape: str) -> bool:
+    """Returns whether a type has a shape."""
+    return shape.strip() not in ("", "{}")
+
+
+def _shapes_of_state(chunks: _Chunks) -> list[str]:
+    """Shapes of types as HOOMD-blue 2 wrote the state of its integrators, in the form of type_shapes."""
+    radii = chunks.get("state/hpmc/sphere/radius", None)
+    axes = [chunks.get(f"state/hpmc/ellipsoid/{name}", None) for name in "abc"]
+    shapes = [] if radii is None else [{"type": "Sphere", "diameter": 2.0 * float(radius)} for radius in np.ravel(radii)]
+    if all(one is not None for one in axes):
+        rows = zip(*(np.ravel(one).tolist() for one in axes))
+        shapes = [dict(zip(("type", *"abc"), ("Ellipsoid", *row))) for row in rows]
+    return [json.dumps(shape) for shape in shapes]
 
 
 def _shapes(frame: Frame, type_shapes: Sequence[str], typeid: Any) -> Floats:

@@ -44,11 +44,12 @@ _SMALL_CHUNK = 1 << 11
 
 
 class _Source(NamedTuple):
-    """A group of a file of which a frame is read."""
+    """A group of a file of which a frame is read. `step` is that of its positions, None if the file has no steps."""
 
     path: os.PathLike[str]
     group: Any
     frame: int
+    step: int | None = None
 
     def error(self, name: str, reason: str) -> FileError:
         return FileError(self.path, f"the data set {name} {reason}", self.frame)
@@ -155,6 +156,7 @@ def locate(path: os.PathLike[str]) -> Iterator[Location]:
 def load(path: os.PathLike[str], location: Location, options: Options) -> System:
     with opened(path) as file:
         source = _Source(path, _group(path, file), location.frame)
+        source = source._replace(step=_step(source, "position", location.frame))
         columns = _width(source, "position")
         positions = _floats(source, "position", -1, columns)
         assert positions is not None
@@ -162,21 +164,33 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         frame = Frame(
             path, location, positions, shapes=_floats(source, "semi_axes", n, _width(source, "semi_axes")), types=_species(source, n),
             quaternions=_floats(source, "orientation", n, 4), ids=_read(source, "id", (n,), "iu", "whole numbers"),
-            step=_step(source), source=f"lengths semi_axes as radii, quaternions orientation as {' '.join(options.quaternion or 'wxyz')}",
+            step=source.step or 0,
+            source=f"lengths semi_axes as radii, quaternions orientation as {' '.join(options.quaternion or 'wxyz')}",
             dimensions=_said_dimensions(source),
         )  # fmt: skip
-        _take_angles(frame, source, n)
         if frame.shapes is None and (forms := _floats(source, "form", n, 6)) is not None:
+            unused = ["orientation", "angle"]
             _take_forms(frame, forms)
+        else:
+            unused = ["form"] if frame.quaternions is None else ["form", "angle"]
+            _take_angles(frame, source, n)
         _take_box(frame, source)
-        _check_names(source, frame, options)
+        _check_units(source)
+        _check_names(source, frame, options, unused)
     return frame.system(options)
 
 
-def _check_names(source: _Source, frame: Frame, options: Options) -> None:
-    """Refuses elements that could change bodies and are not used. Of several groups of particles, one is read."""
+def _check_names(source: _Source, frame: Frame, options: Options, unused: list[str]) -> None:
+    """Refuses elements that could change bodies and are not used, and says which others are not. Of several groups of particles, one is
+    read. Of those that are known, `unused` are not used here."""
+    ignored = options.ignore_columns or ()
+    for name in ignored:
+        if name not in source.group:
+            raise source.error(name, f"of --ignore-columns is not there, but {' '.join(source.group)[:200]}: name one of these")
+    said = " ".join(name for name in source.group if (name not in _USED or name in unused) and name not in ignored)
+    frame.source += said and f", data sets that are not used: {said}"
     for name in source.group:
-        if name not in (*_USED, *(options.ignore_columns or ())) and could_change(name):
+        if name not in (*_USED, *ignored) and could_change(name):
             raise source.error(name, "could change the shapes or how they are turned, and is not used: rename it to semi_axes, orientation "
                                f"or form if it is one of these, or leave it out (--ignore-columns {name})")  # fmt: skip
     groups = list(source.group.parent)
@@ -215,13 +229,26 @@ def _take_angles(frame: Frame, source: _Source, n: int) -> None:
     angles = None if frame.quaternions is not None else _floats(source, "angle", n)
     if angles is None:
         return
-    element = _find(source.path, source.group, "angle")
-    unit = "" if element is None else element.attrs.get("unit", "")
-    unit = unit.decode() if isinstance(unit, bytes) else str(unit)
+    unit = _unit(source, "angle")
     if unit not in ("rad", "deg"):
         raise source.error("angle", "may be in degrees or in radians: give it the attribute unit, 'deg' or 'rad'")
     frame.angles = np.radians(angles) if unit == "deg" else angles
     frame.source = f"lengths semi_axes as radii, angle in {'degrees' if unit == 'deg' else 'radians'}"
+
+
+def _unit(source: _Source, name: str) -> str:
+    """The attribute unit of an element, or of its data set; empty if there is none."""
+    found = (_find(source.path, source.group, name), _values(source, name)[0])
+    units = [one.attrs["unit"] for one in found if one is not None and "unit" in one.attrs]
+    return "" if not units else units[0].decode() if isinstance(units[0], bytes) else str(units[0])
+
+
+def _check_units(source: _Source) -> None:
+    """Refuses lengths in several units: numbers are taken as they are."""
+    units = {unit: name for name in ("position", "semi_axes", "box/edges", "box/offset") if (unit := _unit(source, name))}
+    if len(units) > 1:
+        named = " and ".join(f"{name} ({unit})" for unit, name in units.items())
+        raise FileError(source.path, f"the data sets {named} have different units: convert them to one", source.frame)
 
 
 def _take_box(frame: Frame, source: _Source) -> None:
@@ -260,13 +287,24 @@ def _read(source: _Source, name: str, shape: tuple[int, ...], kinds: str, what: 
     there = values.shape[has_time:] if values.shape is not None else ()
     if len(there) != len(shape) or any(a != b != -1 for a, b in zip(there, shape)):
         raise source.error(name, f"must have the shape {shape}, not {there}")
-    if has_time and len(values) <= source.frame:
-        raise source.error(name, f"has {counted(len(values), 'frame')}, fewer than there are positions: write the file again")
+    row = _row(source, name, len(values)) if has_time else 0
     if values.dtype.kind not in kinds:
         raise source.error(name, f"must have {what}, not {values.dtype}")
     # What has a row for each position, and no long rows, needs no more memory than positions.
     _check_size(source, name, values, math.prod(there) if -1 in shape or values.dtype.itemsize > 8 else 0)
-    return values[source.frame] if has_time else values[()]
+    return values[row] if has_time else values[()]
+
+
+def _row(source: _Source, name: str, count: int) -> int:
+    """The row of an element that belongs to the frame: elements of H5MD may be written at other steps than the positions."""
+    if source.frame < count and _step(source, name, source.frame) in (None, source.step):
+        return source.frame
+    if source.step is not None and 0 <= (row := _row_of_step(source, name, source.step, count)) < count:
+        return row
+    if source.frame >= count:
+        raise source.error(name, f"has {counted(count, 'frame')}, fewer than there are positions: write the file again")
+    raise source.error(name, f"has nothing at the step {source.step} of the positions: write both at the same steps, or choose other "
+                       "frames (--frames)")  # fmt: skip
 
 
 def _floats(source: _Source, name: str, *shape: int) -> Floats | None:
@@ -293,20 +331,41 @@ def _species(source: _Source, n: int) -> Any | None:
     return np.array(names)
 
 
-def _step(source: _Source) -> int:
+def _said_steps(source: _Source, name: str) -> Any | None:
+    """The data set of the steps of an element: one number for each row, or their distance. None if there is none."""
     import h5py
 
-    position = _find(source.path, source.group, "position")
-    steps = _find(source.path, position, "step") if isinstance(position, h5py.Group) else None
+    element = _find(source.path, source.group, name)
+    steps = _find(source.path, element, "step") if isinstance(element, h5py.Group) else None
+    if steps is not None and (not isinstance(steps, h5py.Dataset) or steps.dtype.kind not in "iu" or steps.ndim > 1):
+        raise source.error(f"{name}/step", "must be whole numbers")
+    return steps
+
+
+def _step(source: _Source, name: str, row: int) -> int | None:
+    """The step of a row of an element; None if it does not say steps."""
+    steps = _said_steps(source, name)
     if steps is None:
-        return 0
-    if not isinstance(steps, h5py.Dataset) or steps.dtype.kind not in "iu" or steps.ndim > 1:
-        raise source.error("position/step", "must be whole numbers")
-    if steps.ndim:
-        if len(steps) <= source.frame:
-            raise source.error("position/step", f"has {counted(len(steps), 'frame')}, fewer than there are positions: write the file again")
-        return int(steps[source.frame])
-    return int(steps[()]) * source.frame + int(steps.attrs.get("offset", 0))
+        return None
+    if not steps.ndim:
+        return int(steps[()]) * row + int(steps.attrs.get("offset", 0))
+    if len(steps) <= row:
+        raise source.error(f"{name}/step", f"has {counted(len(steps), 'frame')}, fewer than there are positions: write the file again")
+    return int(steps[row])
+
+
+def _row_of_step(source: _Source, name: str, step: int, count: int) -> int:
+    """The one row of the `count` of an element that has a step; -1 if none has, or several have."""
+    steps = _said_steps(source, name)
+    if steps is None:
+        return -1
+    if not steps.ndim:
+        increment = int(steps[()])
+        row, rest = divmod(step - int(steps.attrs.get("offset", 0)), increment) if increment else (-1, 0)
+        return -1 if rest else row
+    _check_size(source, f"{name}/step", steps, len(steps))
+    rows = np.flatnonzero(steps[()] == step)
+    return int(rows[0]) if len(rows) == 1 and len(steps) == count else -1
 
 
 def save(path: os.PathLike[str], systems: Iterator[System]) -> None:

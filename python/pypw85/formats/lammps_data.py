@@ -113,6 +113,8 @@ def _header(lines: Lines) -> tuple[_Header, str | None]:
     is_general = not np.isnan(vectors).any()
     if "atoms" not in counts or (np.isnan(corners).any() and not is_general):
         raise lines.error("the number of atoms or the bounds of the box are missing before the first section")
+    if is_general and (tilts.any() or not np.isnan(corners).all()):
+        raise lines.error("the header gives the box twice, by its bounds and by avec, bvec and cvec, which LAMMPS refuses: remove one")
     if is_general:
         return _Header(counts, vectors, origin), line
     return _Header(counts, np.diag(corners[:, 1] - corners[:, 0]) + tilts, corners[:, 0]), line

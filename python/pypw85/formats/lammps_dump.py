@@ -86,8 +86,9 @@ def _positions(columns: Sequence[str]) -> tuple[str, ...] | None:
 
 
 def _others(columns: Sequence[str]) -> list[str]:
-    """The charge, and computes, fixes and variables that are called like a unit, as c_cm."""
-    return [name for name in columns if name == "q" or (name[:2] in ("c_", "f_", "v_") and UNIT_AT_END.fullmatch(name, 1))]
+    """Ids, types, the charge, and computes, fixes and variables that are called like a unit, as c_cm."""
+    known = ("id", "type", "type again", _LABEL, "q")
+    return [name for name in columns if name in known or (name[:2] in ("c_", "f_", "v_") and UNIT_AT_END.fullmatch(name, 1))]
 
 
 def _warn_of_points(frame: Frame, options: Options) -> None:
@@ -112,9 +113,10 @@ def _warn_of_points(frame: Frame, options: Options) -> None:
 def _check_turned(header: _Header, taken: Taken, lines: Lines) -> None:
     """LAMMPS turns positions into a general triclinic box, but not what computes give, as quaternions."""
     is_turned = header.cell[np.triu_indices(3, 1)].any() or (np.diag(header.cell) < 0).any()
-    if is_turned and taken.quaternion and not taken.quaternion[0].lower().startswith("orientation"):
-        raise lines.error(f"the box is turned (triclinic/general): LAMMPS turns positions with it, but not the quaternions "
-                          f"{taken.quaternion[0]} of a compute: dump without triclinic/general")  # fmt: skip
+    names, what = (taken.quaternion, "quaternions") if taken.quaternion else (taken.turn.columns, "angles or directions")
+    if is_turned and names and not names[0].lower().startswith("orientation"):
+        raise lines.error(f"the box is turned (triclinic/general): LAMMPS turns positions with it, but not the {what} {names[0]} of a "
+                          "compute: dump without triclinic/general")  # fmt: skip
 
 
 def _type_column(columns: Sequence[str]) -> str:

@@ -56,7 +56,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
             dimensions = dimensions or _dimensions(seed)
             if _dimensions(seed) != dimensions:
                 raise lines.error("there are seeds of two and of three dimensions: choose one kind")
-            centers.append(_vector(lines, seed, "position" if "position" in seed else "center", dimensions))
+            centers.append(_center(lines, seed, dimensions))
             quaternions.append(_turn(lines, seed, dimensions))
             turns.update(key for key in _TURNS[dimensions] if key in seed)
             phases.append(lines.whole(seed.get("phase", "0"), "phase"))
@@ -103,6 +103,13 @@ def _seeds(lines: Lines) -> Iterator[tuple[int, dict[str, str]]]:
             seed[last] = f"{seed[last]} {line}"
     if seed:
         yield number, seed
+
+
+def _center(lines: Lines, seed: dict[str, str], dimensions: int) -> list[float]:
+    found = [_vector(lines, seed, key, dimensions) for key in ("position", "center") if key in seed]
+    if len(found) > 1 and found[0] != found[1]:
+        raise lines.error("the keys position and center of a seed differ: leave one of them")
+    return found[0] if found else _vector(lines, seed, "position", dimensions)
 
 
 def _vector(lines: Lines, seed: dict[str, str], key: str, count: int) -> list[float]:

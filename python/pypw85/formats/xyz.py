@@ -29,6 +29,10 @@ _LONGEST_COMMENT = 1 << 15
 _MOST_COLUMNS = 1 << 16
 # Names of properties without capitals and underscores, and how many columns each has.
 _TYPES = ("species", "type")
+_KEYS = ("Properties", "Lattice", "Origin", "pbc", "Dimensions", "Timestep")
+# Names of keys of others for what the keys above hold
+_OF_CELLS = re.compile(r"lattice|origin|pbc|dimensions|((unit|simulation|virtual)?_?(cell|box))\w*|boundar(y|ies)|periodic\w*|"
+                       r"virtual_lattice", re.IGNORECASE)  # fmt: skip
 _PROPERTIES = {"pos": 3, "asphericalshape": 3, "orientation": 4, "radius": 1, "species": 1, "type": 1, "id": 1}
 
 
@@ -74,6 +78,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         if count is None:
             raise lines.error("the file has become shorter")
         keys = _keys(lines)
+        _check_keys(keys, options, lines)
         dimensions = lines.whole(keys["Dimensions"], "Dimensions") if "Dimensions" in keys else None
         if dimensions not in (None, 2, 3):
             raise lines.error(f"'Dimensions' must be 2 or 3, not {dimensions}")
@@ -81,7 +86,8 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         positions = [f"pos[{k}]" for k in (1, 2, 3) if f"pos[{min(k, 2)}]" not in columns or f"pos[{k}]" in columns]
         if positions[0] not in columns:
             raise lines.error("the property pos is missing in 'Properties='")
-        taken = take(columns, options, lines.error, "radii", "xyzw", [*positions, *text], len(positions) == 2 or dimensions == 2)
+        taken = take(columns, options, lines.error, "radii", "xyzw", ["id", *positions, *_TYPES, *text],
+                     len(positions) == 2 or dimensions == 2)  # fmt: skip
         wanted = ["id", *_TYPES, *positions, *taken.columns]
         table = lines.table(count, columns, text, wanted=wanted)
         cell = keys.get("Lattice")
@@ -98,6 +104,8 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         dimensions=dimensions,
     )  # fmt: skip
     fill(frame, taken, table)
+    if unused := " ".join(name for name in keys if name not in _KEYS):
+        frame.source = ", ".join(filter(None, [frame.source, f"keys that are not used: {unused}"]))
     frame.refuse_other_bodies(options)
     return frame.system(options)
 
@@ -114,6 +122,14 @@ def _keys(lines: Lines) -> dict[str, str]:
     except ValueError:
         raise lines.error("a quotation mark has no partner") from None
     return dict(word.split("=", 1) for word in words if "=" in word)
+
+
+def _check_keys(keys: dict[str, str], options: Options, lines: Lines) -> None:
+    """Refuses keys that say a cell by another name than extended XYZ has for it."""
+    for name in keys:
+        if name not in _KEYS and _OF_CELLS.fullmatch(name) and options.cell is None:
+            raise lines.error(f"the key {name[:40]} could be the cell, and is not used: extended XYZ has Lattice, Origin and pbc for it; "
+                              "rename it, or give the cell (--cell)")  # fmt: skip
 
 
 def _columns(keys: dict[str, str], lines: Lines, count: int) -> tuple[list[str], list[str]]:

@@ -1,0 +1,345 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files that could be misread without a word: what could change the bodies and has two meanings is refused, and what is not used said."""
+
+import functools
+import os
+import subprocess
+import sys
+import warnings
+
+import gsd.fl
+import gsd.hoomd
+import h5py
+import numpy as np
+import pytest
+
+import pypw85
+from systems import command, random_system
+
+HALF = 2**-0.5
+UP = f"{HALF!r},0,0,{HALF!r}"  # the quaternion that turns x to y
+
+
+def read(path, **options):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return pypw85.read(path, **options)
+
+
+@pytest.fixture
+def run(capsys, monkeypatch):
+    return functools.partial(command, capsys, monkeypatch)
+
+
+# Headers of tables and their options, the values of a row, and the sentence that refuses them
+REFUSED = {
+    # What could be the shape beside a radius: eigenvalues, displacement parameters, elements of matrices, bounds, exponents, units
+    **{f"x,y,z,radius,{name}": ({}, f"0,0,0,1{',1' * (1 + name.count(','))}", f"the column {name.split(',')[0]} could change")
+       for name in ("eigenvalue1,eigenvalue2,eigenvalue3", "lambda_1", "principal_moment", "U11,U22,U33,U12,U13,U23", "B_iso", "m00",
+                    "Q_12", "r11", "rmin,rmax", "d_max", "ellipsoid", "unit", "spacing", "pixel_um", "resolution")},
+    "x,y,z,radius,rw,rx,ry,rz": ({}, f"0,0,0,1,{UP}", "the column rw could change the shapes or how they are turned"),
+    "x,y,z,a,b,c,dx,dy,dz": ({}, "0,0,0,2,.5,.5,0,1,0", "the column dx could change the shapes"),
+    "x,y,z,a,b,c,major_axis_x,major_axis_y,major_axis_z": ({}, "0,0,0,2,2,.5,0,1,0", "has two long axes, and a direction of one of them"),
+    "x,y,z,a,b,c,elevation_deg,azimuth_deg":
+        ({}, "0,0,0,2,2,.5,0,1", "elevation_deg may be an angle from the plane of x and y, and is not that from the axis z"),
+    "x,y,z,a,b,c,plunge,trend": ({"polar": ("plunge", "trend")}, "0,0,0,2,2,.5,0,1", "plunge may be an angle from the plane"),
+    "x,y,z,a,b,c,t_deg,p_deg": ({"polar": ("p_deg", "t_deg")}, "0,0,0,2,2,.5,90,270", "the p_deg 270, which is not an angle from the axis"),
+    "x,y,z,length,width,height,rotation_y": ({"lengths": "diameters", "euler": "y", "angle": "radians"}, "0,0,0,4,2,1,0",
+                                             "the bodies turn about y alone, so that height may be along y"),
+    "x,y,a,b,theta": ({"angle": "radians"}, "0,0,2,1,0", "the columns may be those of sep, and others mean other lengths"),
+    "x,y,z,a,b,c,quat[1],quat[2],quat[3],quat[4]": ({}, f"0,0,0,2,1,1,{UP}", r"quat\[1..4\] is x y z w for"),
+    "x,y,z,a,b,c,qw,qx,qy,qz": ({"quaternion": "xyzw"}, f"0,0,0,2,1,1,{UP}", "qw qx qy qz say which is which, and it is not"),
+    "label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation":
+        ({}, "1,0,0,4,1,90", "has the orientation 90, and this program writes radians up to 1.571: say the unit"),
+    "centroid-0,centroid-1,centroid-2,axis_major_length,axis_minor_length,orientation": ({}, "0,0,0,4,1,1", "two .* centroid-2"),
+    "x,y,z,axis_lengths_0,axis_lengths_1,axis_lengths_2": ({}, "0,0,0,1,1,1", "may be whole axes or semi-axes: use --lengths"),
+    "x,y,z,scale_x,scale_y,scale_z": ({"shape_columns": ("scale_x", "scale_y", "scale_z")}, "0,0,0,1,1,1", "may be whole axes or"),
+    "x,y,z,sigma1": ({"shape_columns": 3 * ("sigma1",)}, "0,0,0,1", "sigma1 may be whole axes or semi-axes"),
+    **{f"x,y,z,radius ({words})": ({}, "0,0,0,1", "more than a unit in brackets")
+       for words in ("log10", "squared", "full width", "mm^2")},
+    "x [scaled],y,z,radius": ({}, "0,0,0,1", r"'x \[scaled\]' says more than a unit in brackets"),
+    "x,y,a,b,theta [deg from north]": ({}, "0,0,2,1,0", "theta"),
+    "x,y,z,a,b,c,orientation_x,orientation_y,orientation_z": ({}, "0,0,0,2,.5,.5,30,0,90", "which may be angles or a direction: say"),
+    "x,y,z,radius,particle_type": ({}, "0,0,0,1,cube", "particles of the type cube are not ellipsoids"),
+    "x,y,z,radius,class": ({}, "0,0,0,1,Cylinder", "particles of the type Cylinder are not ellipsoids"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("header", REFUSED)
+def test_columns(header, tmp_path):
+    options, row, sentence = REFUSED[header]
+    (tmp_path / "a.csv").write_text(f"{header}\n{row}\n")
+    with pytest.raises(pypw85.FileError, match=sentence):
+        read(tmp_path / "a.csv", **options)
+
+
+# Tables, and the sentence that refuses them
+TABLES = {
+    " ,Label,X,Y,Major,Minor,Angle\n1,a.tif:1,5,5,4,1,90\n2,a.tif:2,5,5,4,1,90\n3,b.tif,5,5,4,1,90":
+        "line 4: the column Label has several values, a.tif and b.tif",
+    "frame_id,x,y,z,radius\n0,0,0,0,1\n1,0,1.5,0,1": "line 3: the column frame_id has several values, 0 and 1",
+    "t,x,y,z,radius\n0,0,0,0,1\n0.5,0,1.5,0,1": "line 3: the column t has several values",
+    "x\ty\tz\tradius\n0\t0\t0\t0.5\n1,500\t0\t0\t0.5": "line 3: '1,500' has a comma, and '0.5' a point",
+    "x;y;z;radius\n0;0;0;0.5\n1,5;0;0;0.5": "line 3: '1,5' has a comma, and '0.5' a point",
+    "x;y;z;radius\n0;0;0;1\n1,500;0;0;1": "line 3: the comma of '1,500' may be decimal or group thousands",
+    "# cell: 10 10 10\nx,y,z,radius\n0,0,0,1": "line 1: the comment '# cell: 10 10 10' could say the cell, and is not read",
+    "# Box = 10 10 10\nx,y,z,radius\n0,0,0,1": "the comment '# Box = 10 10 10' could say the cell",
+    "# - {name: x, unit: pix, datatype: float64}\n# - {name: radius, unit: arcsec, datatype: float64}\nx,y,z,radius\n0,0,0,1":
+        "line 3: the columns x.pix. and radius.arcsec. have different units",
+    "-x,y,z,radius\n0,0,0,1": "there is no column 'x', but -x y z radius",
+    "# periodic: xyz\nx,y,z,radius\n0,0,0,1": "could say the cell",
+}
+
+
+@pytest.mark.parametrize("text", TABLES)
+def test_tables(text, tmp_path):
+    (tmp_path / "a.csv").write_text(text + "\n")
+    with pytest.raises(pypw85.FileError, match=TABLES[text]):
+        read(tmp_path / "a.csv")
+
+
+# Tables that are read, their options, and the smallest μ by closed forms: long axes 2 along y at the distance 1.5 along y have 0.375
+PAIRS = {
+    "long": ("x,y,z,a,b,c,major_axis_x,major_axis_y,major_axis_z\n0,0,0,.5,2,.5,0,1,0\n0,1.5,0,2,.5,.5,0,-1,0", {}, 0.375),
+    "unit direction": ("x,y,z,a,b,c,orientation_x,orientation_y,orientation_z\n0,0,0,2,.5,.5,0,1,0\n0,1.5,0,2,.5,.5,0,-1,0", {}, 0.375),
+    "a direction that is said": ("x,y,z,a,b,c,orientation_x,orientation_y,orientation_z\n0,0,0,2,.5,.5,0,9,0\n0,1.5,0,2,.5,.5,0,1,0",
+                                 {"direction_columns": [f"orientation_{axis}" for axis in "xyz"]}, 0.375),
+    "letters": (f"x,y,z,a,b,c,qx,qy,qz,qw\n0,0,0,2,.5,.5,0,0,{HALF!r},{HALF!r}\n0,1.5,0,2,.5,.5,0,0,{HALF!r},{HALF!r}",
+                {"quaternion": "xyzw"}, 0.375),
+    "degrees": ("label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation\n1,5,5,4,1,0\n2,6.5,5,4,1,180",
+                {"angle": "degrees"}, 0.375),
+    "decimal commas": ("x;y;z;radius\n1,500;0;0;0,5\n2,25;0;0;0,5", {}, 0.75),
+    "about y": ("x,y,z,length,width,height,rotation_y_deg\n0,0,0,4,2,1,90\n0,0,3,4,2,1,90",
+                {"lengths": "diameters", "euler": "y", "shape_columns": ["length", "height", "width"]}, 0.75),
+    "plugin": ("Label,Ellipsoid.Center.X,Ellipsoid.Center.Y,Ellipsoid.Center.Z,Ellipsoid.Radius1,Ellipsoid.Radius2,Ellipsoid.Radius3,"
+               "Ellipsoid.Phi,Ellipsoid.Theta,Ellipsoid.Psi\n1,5,5,5,2,0.5,0.5,90,0,0\n2,5,6.5,5,2,0.5,0.5,90,0,0", {}, 0.375),
+    "degrees in brackets": ("label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation (deg)\n1,5,5,4,1,0\n"
+                            "2,6.5,5,4,1,180", {}, 0.375),
+    "radians of ECSV": ("# %ECSV 1.0\n# ---\n# datatype:\n# - {name: orientation, unit: rad, datatype: float64}\n# schema: astropy-2.0\n"
+                        "xcentroid ycentroid semimajor_sigma semiminor_sigma orientation\n5 5 1 .25 1.5707963267948966\n"
+                        "5 6.5 1 .25 1.5707963267948966", {}, 0.375),
+    "a cell that is given": ("# Box = 9 9 9\nx,y,z,radius\n0,0,0,1\n0,8,0,1", {"cell": 9 * np.eye(3)}, 0.5),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", PAIRS)
+def test_pairs(name, tmp_path):
+    text, options, mu = PAIRS[name]
+    (tmp_path / "a.csv").write_text(text + "\n")
+    np.testing.assert_allclose(read(tmp_path / "a.csv", **options).check(below=9).smallest_mu, mu, rtol=8e-15)
+
+
+def test_several_planes(tmp_path):
+    """Ellipses with centres at several z, which the convention does not use."""
+    names = [f"AreaShape_{name}" for name in ("Center_X", "Center_Y", "Center_Z", "MajorAxisLength", "MinorAxisLength", "Orientation")]
+    (tmp_path / "a.csv").write_text(",".join(names) + "\n1,2,0,4,2,30\n1,9,5,4,2,30\n")
+    with pytest.raises(pypw85.FileError, match="line 3: the column AreaShape_Center_Z has several values, 0.* and 5"):
+        read(tmp_path / "a.csv", convention="cellprofiler")
+    assert len(read(tmp_path / "a.csv", convention="cellprofiler", ignore_columns=["AreaShape_Center_Z"])) == 2
+
+
+def test_unused_columns_are_said(tmp_path):
+    (tmp_path / "a.csv").write_text("id,x,y,z,radius,zeta,volume,\n1,0,0,0,1,8,4,\n")
+    assert read(tmp_path / "a.csv").source == "lengths radius as radii, columns that are not used: zeta volume"
+    (tmp_path / "a.csv").write_text("id,type,x,y,z,radius,zeta\n1,1,0,0,0,1,8\n")
+    assert read(tmp_path / "a.csv", ignore_columns=["zeta"]).source == "lengths radius as radii"
+    (tmp_path / "a.dump").write_text("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS ff ff ff\n" + 3 * "-9 9\n" +
+                                     "ITEM: ATOMS id type x y z radius q c_7[1]\n1 1 0 0 0 1 0 4\n")  # fmt: skip
+    assert read(tmp_path / "a.dump").source == "lengths radius as radii, columns that are not used: c_7[1]"
+
+
+def test_notes(tmp_path):
+    (tmp_path / "a.csv").write_text("x_um,y_um,angle_rad,a_um,b\n0,0,90,2,1\n")
+    notes = read(tmp_path / "a.csv").notes
+    assert "b without a unit are taken in that of x_um" in notes
+    assert any(note.startswith("angle_rad is taken in radians, and is up to 90, more than a whole turn") for note in notes)
+
+
+def test_seeds_with_two_centres(tmp_path):
+    """Of MicroStructPy."""
+    seed = "Geometry: sphere\nRadius: 1\nPosition: (5, 5, 5)\nCenter: (5, 5, {})\n"
+    (tmp_path / "a.txt").write_text(seed.format(5))
+    assert read(tmp_path / "a.txt").centers.tolist() == [[5, 5, 5]]
+    (tmp_path / "a.txt").write_text(seed.format(4))
+    with pytest.raises(pypw85.FileError, match="the keys position and center of a seed differ"):
+        read(tmp_path / "a.txt")
+
+
+def test_keys_of_extended_xyz(tmp_path):
+    text = '1\n{}="9 0 0 0 9 0 0 0 9" units=nm Properties=species:S:1:pos:R:3:radius:R:1\nA 0 0 0 1\n'
+    for name in ("lattice", "cell", "Box", "cell_origin", "periodic"):
+        (tmp_path / "a.xyz").write_text(text.format(name))
+        with pytest.raises(pypw85.FileError, match=f"line 2: the key {name} could be the cell, and is not used"):
+            read(tmp_path / "a.xyz")
+        assert read(tmp_path / "a.xyz", cell=9 * np.eye(3)).source == f"lengths radius as radii, keys that are not used: {name} units"
+    (tmp_path / "a.xyz").write_text(text.format("Lattice"))
+    assert read(tmp_path / "a.xyz").source == "lengths radius as radii, keys that are not used: units"
+
+
+def test_letters_of_quaternions(tmp_path):
+    """Of extended XYZ: a property of four columns has no letters, and no order of its own unless OVITO named it."""
+    row = "A 0 0 0 2 1 1 1 0 0 0\n"
+    (tmp_path / "a.xyz").write_text(f"1\nProperties=species:S:1:pos:R:3:aspherical_shape:R:3:quaternion:R:4\n{row}")
+    with pytest.raises(pypw85.FileError, match=r"quaternion\[1..4\] is x y z w for"):
+        read(tmp_path / "a.xyz")
+    assert read(tmp_path / "a.xyz", quaternion="wxyz").quaternions.tolist() == [[1, 0, 0, 0]]
+
+
+def test_directions_in_turned_boxes(tmp_path):
+    """LAMMPS turns positions into them, but not what computes give."""
+    text = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS abc origin pp pp pp\n{}0 0 9 0\n"
+    text += "ITEM: ATOMS id type x y z shapex shapey shapez c_n[1] c_n[2] c_n[3]\n1 1 0 0 0 1 1 2 0 1 0\n"
+    for options in ({"direction_columns": ["c_n[1]", "c_n[2]", "c_n[3]"]},
+                    {"euler": "zyx", "angle": "degrees", "angle_columns": ["c_n[1]", "c_n[2]", "c_n[3]"]}):  # fmt: skip
+        (tmp_path / "a.dump").write_text(text.format("9 0 0 0\n0 9 0 0\n"))
+        assert len(read(tmp_path / "a.dump", **options)) == 1
+        (tmp_path / "a.dump").write_text(text.format("0 9 0 0\n-9 0 0 0\n"))
+        with pytest.raises(pypw85.FileError, match=r"the box is turned .* but not the angles or directions c_n\[1\] of a compute"):
+            read(tmp_path / "a.dump", **options)
+
+
+def test_two_boxes_of_lammps(tmp_path):
+    bounds = "-9 9 xlo xhi\n-9 9 ylo yhi\n-9 9 zlo zhi\n"
+    text = "of a test\n\n1 atoms\n1 ellipsoids\n{}\nAtoms\n\n1 1 1 1 0 0 0\n\nEllipsoids\n\n1 1 1 1 1 0 0 0\n"
+    vectors = "9 0 0 avec\n0 9 0 bvec\n0 0 9 cvec\n0 0 0 abc origin\n"
+    for box in (bounds, vectors):
+        (tmp_path / "a.data").write_text(text.format(box))
+        assert len(read(tmp_path / "a.data")) == 1
+    for other in (bounds, "1 0 0 xy xz yz\n"):
+        (tmp_path / "a.data").write_text(text.format(other + vectors))
+        with pytest.raises(pypw85.FileError, match="the header gives the box twice"):
+            read(tmp_path / "a.data")
+
+
+def gsd_file(path, **chunks):
+    mode = "w" if hasattr(gsd.hoomd, "Frame") else "wb"  # before gsd 2.8
+    with gsd.fl.open(str(path), mode, application="test", schema="hoomd", schema_version=(1, 4)) as file:
+        file.write_chunk("configuration/box", np.array([9, 9, 9, 0, 0, 0], np.float32))
+        file.write_chunk("particles/N", np.array([1], np.uint32))
+        for name, values in chunks.items():
+            file.write_chunk(name, np.atleast_1d(values))
+        file.end_frame()
+
+
+def test_gsd(tmp_path):
+    """Shapes as HOOMD-blue 2 wrote them, and what is not used."""
+    state = {f"state/hpmc/ellipsoid/{name}": np.float32(value) for name, value in zip("abc", (2, 1, 0.5))}
+    gsd_file(tmp_path / "a.gsd", **state, **{"particles/diameter": np.float32(7)})
+    system = read(tmp_path / "a.gsd")
+    assert system.semi_axes.tolist() == [[2, 1, 0.5]] and system.source.startswith("lengths of state/hpmc as radii")
+    assert system.source.endswith("particles/diameter is not used")
+    gsd_file(tmp_path / "a.gsd", **{"state/hpmc/sphere/radius": np.float32(2)})
+    assert read(tmp_path / "a.gsd").semi_axes.tolist() == [[2, 2, 2]]
+    shapes = np.array([list(b'{"type": "Ellipsoid", "a": 3, "b": 1, "c": 0.5}\0')], np.int8)
+    gsd_file(tmp_path / "a.gsd", **state, **{"particles/type_shapes": shapes})
+    with pytest.raises(pypw85.FileError, match="the shapes of particles/type_shapes are not those of state/hpmc"):
+        read(tmp_path / "a.gsd")
+
+
+def h5md(path, steps, unit="", offset=None):
+    """Two frames of a body at the steps 0 and 10, whose quaternion is turned at the step 10; `steps` are those of the quaternions."""
+    with h5py.File(path, "w") as file:
+        group = file.create_group("particles/all")
+        group["position/value"], group["position/step"] = np.zeros((2, 1, 3)), [0, 10]
+        group["position/value"].attrs["unit"] = "nm"
+        group["semi_axes"] = np.array([[2.0, 1, 1]])
+        if unit:
+            group["semi_axes"].attrs["unit"] = unit
+        rows = 3 if np.ndim(steps) == 0 else len(steps)
+        own = np.arange(rows) * steps + (offset or 0) if np.ndim(steps) == 0 else np.array(steps)
+        group["orientation/value"] = np.where((own == 10)[:, None, None], [[[HALF, 0, 0, HALF]]], [[[1.0, 0, 0, 0]]])
+        group["orientation/step"] = steps
+        if offset is not None:
+            group["orientation/step"].attrs["offset"] = offset
+
+
+@pytest.mark.parametrize("steps, offset", [([0, 10], None), ([0, 5, 10], None), ([10, 0], None), (5, None), (5, 0), (10, -10)])
+def test_steps_of_h5md(steps, offset, tmp_path):
+    """Each element may be written at steps of its own."""
+    h5md(tmp_path / "a.h5", steps, offset=offset)
+    for frame, w in ((0, 1.0), (1, HALF)):
+        assert read(tmp_path / "a.h5", frame=frame).quaternions[0, 0] == pytest.approx(w, abs=1e-15), frame
+
+
+@pytest.mark.parametrize("steps, offset", [([0, 7], None), (3, None), (0, 1)])
+def test_missing_steps_of_h5md(steps, offset, tmp_path):
+    h5md(tmp_path / "a.h5", steps, offset=offset)
+    with pytest.raises(pypw85.FileError, match="orientation has nothing at the step 10 of the positions"):
+        read(tmp_path / "a.h5", frame=1)
+
+
+def test_units_of_h5md(tmp_path):
+    h5md(tmp_path / "a.h5", [0, 10], unit="nm")
+    assert len(read(tmp_path / "a.h5")) == 1
+    h5md(tmp_path / "a.h5", [0, 10], unit="um")
+    with pytest.raises(pypw85.FileError, match=r"position \(nm\) and semi_axes \(um\) have different units"):
+        read(tmp_path / "a.h5")
+
+
+def test_unused_data_sets_are_said(tmp_path):
+    """Of H5MD: what has no meaning here, and forms and angles beside semi-axes and quaternions."""
+    h5md(tmp_path / "a.h5", [0, 10])
+    with h5py.File(tmp_path / "a.h5", "a") as file:
+        file["particles/all/form"], file["particles/all/velocity"] = np.ones((1, 6)), np.zeros((1, 3))
+        file["particles/all/angle"] = np.zeros(1)
+    assert read(tmp_path / "a.h5").source.endswith("as w x y z, data sets that are not used: angle form velocity")
+    assert read(tmp_path / "a.h5", ignore_columns=["angle", "velocity"]).source.endswith("data sets that are not used: form")
+    with pytest.raises(pypw85.FileError, match="the data set speed of --ignore-columns is not there, but"):
+        read(tmp_path / "a.h5", ignore_columns=["speed"])
+    with h5py.File(tmp_path / "a.h5", "a") as file:
+        del file["particles/all/semi_axes"]
+        file["particles/all/form"][:] = [[4, 0, 0, 1, 0, 1]]
+    assert read(tmp_path / "a.h5").source == "forms, data sets that are not used: angle orientation velocity"
+    with h5py.File(tmp_path / "a.h5", "a") as file:
+        del file["particles/all/orientation"]
+        file["particles/all/angle"][:] = 1  # which would turn the axes of the form again
+        file["particles/all/angle"].attrs["unit"] = "rad"
+    # Axes, a quaternion and products of matrices, each with a few rounding errors of the largest number, 4
+    np.testing.assert_allclose(read(tmp_path / "a.h5").q, [[4, 0, 0, 1, 0, 1]], rtol=0, atol=16 * 4 * 2.0**-53)
+
+
+REGIONS = {
+    "image\nellipse(10,10,4,1,90)\nphysical\nellipse(10,12,4,1,90)": "line 5: the regions are in several systems, image and physical",
+    "image\nellipse(10,10,4p,1p,90)": "line 3: the region is in the system image, with lengths in pixels of another",
+    "physical\nellipse(10,10,4i,1i,90)": "the region is in the system physical",
+}
+
+
+@pytest.mark.parametrize("text", REGIONS)
+def test_systems_of_regions(text, tmp_path):
+    (tmp_path / "a.reg").write_text(f"# Region file format: DS9 version 4.1\n{text}\n")
+    with pytest.raises(pypw85.FileError, match=REGIONS[text]):
+        read(tmp_path / "a.reg")
+
+
+def test_splats_of_whole_numbers(tmp_path):
+    """Bytes that stand for numbers in a way of their program's own."""
+    names = ["x", "y", "z", "scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2", "rot_3"]
+    kinds = {name: "uchar" if name.startswith("rot") else "float" for name in names}
+    header = "".join(f"property {kinds[name]} {name}\n" for name in names)
+    (tmp_path / "a.ply").write_text(f"ply\nformat ascii 1.0\nelement vertex 1\n{header}end_header\n0 0 0 -1 -2 -3 255 128 128 128\n")
+    with pytest.raises(pypw85.FileError, match="the property rot_0 has whole numbers, which are packed in a way that is not known"):
+        read(tmp_path / "a.ply")
+
+
+def test_commands_say_what_they_take(run, tmp_path, monkeypatch):
+    """On the standard output, unless the file goes there."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "a.csv").write_text("x,y,z,radius,zeta\n0,0,0,1,2\n5,5,5,1,2\n")
+    line = "a.csv: csv, lengths radius as radii, columns that are not used: zeta\n"
+    for words in ("convert a.csv b.csv", "draw a.csv b.png --size 50", "relax a.csv c.csv", "check a.csv",
+                  "plot a.csv b.svg --cell 20,20,20"):  # fmt: skip
+        done = run(*words.split())
+        assert done.status == 0 and done.out.startswith(line), (words, done)
+    done = run("convert", "a.csv", "-", "--to", "csv")
+    assert done.err == line and done.out.startswith("id,type,x,y,z")
+    pypw85.write("a.dump", [random_system(step=step) for step in range(3)])
+    assert run("convert", "a.dump", "b.gsd").out.count("\n") == 1
+
+
+@pytest.mark.skipif(not os.path.exists("/proc/self/fd"), reason="there is no such name of an open file")
+def test_standard_output_by_another_name(tmp_path):
+    (tmp_path / "a.csv").write_text("x,y,z,radius\n0,0,0,1\n")
+    line = [sys.executable, "-m", "pypw85", "convert", tmp_path / "a.csv", "/dev/stdout", "--to", "csv"]
+    done = subprocess.run(line, capture_output=True)
+    assert done.returncode == 0 and done.stdout.startswith(b"id,type") and b"lengths radius as radii" in done.stderr
