@@ -221,7 +221,7 @@ def check_static(results):
     scripts = [file for file in tracked("*.sh", ".ci/run", "debian/tests/consumer") if file != "scripts/packages.sh"]
     results.add("shellcheck", run(["shellcheck", "-x", "-s", "sh", "-e", "SC2046", *scripts]))  # unquoted lists of words
     prose = [file for file in tracked() if not file.endswith((".svg", ".png", ".ipynb", ".h5", ".js", ".out", "words.txt", "_pairs.txt"))]
-    results.add("codespell", run(["codespell", "-L", "lod,nd,nin,numer,rotat,te", *prose]))
+    results.add("codespell", run(["codespell", "-L", "crate,lod,nd,nin,numer,rotat,te", *prose]))
     results.add("licences", run(["reuse", "lint"]))
     add_unless_missing(results, "ruff", ["scripts/sid.sh", "ruff", "check"])
     glib = subprocess.run(["pkg-config", "--cflags", "glib-2.0"], check=True, text=True, stdout=subprocess.PIPE).stdout.split()
@@ -414,6 +414,11 @@ def check_npm(results):
     results.add("scripts/test_npm.sh", run(["scripts/test_npm.sh"]))
 
 
+def check_rust(results):
+    """The crates for Rust: their tests, examples and README, linter and formatter, and the bits of C."""
+    results.add("scripts/test_rust.sh", run(["scripts/test_rust.sh"]))
+
+
 def check_foreign(results):
     """The library by a compiler and an emulator for 64-bit ARM."""
     machine = ROOT / "scripts/cross/aarch64-linux-gnu.ini"
@@ -477,6 +482,7 @@ PARTS = {
     "r": Part(check_r, "$build_packages libboost-dev $r_packages", by_default=False),
     "octave": Part(check_octave, "$build_packages libboost-dev $octave_packages", by_default=False),
     "npm": Part(check_npm, "$npm_packages", by_default=False),
+    "rust": Part(check_rust, "$build_packages libboost-dev $rust_packages", by_default=False),
     "formats": Part(check_formats, f"{TEST} {MEASURING}", after=("tests",), by_default=False),
     "valgrind": Part(check_valgrind, f"{TEST} valgrind", after=("tests", "pages"), by_default=False),
     "platforms": Part(check_platforms, f"{TEST} {MACHINES}", after=("tests", "foreign"), by_default=False),

@@ -9,7 +9,7 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "scripts"))
 from release_notes import version_of_sources  # noqa: E402
 
-RECIPES = ["conda-forge", "vcpkg", "conan", "spack", "wrapdb", "oss-fuzz", "cran", "octave", "npm"]
+RECIPES = ["conda-forge", "vcpkg", "conan", "spack", "wrapdb", "oss-fuzz", "cran", "octave", "npm", "crates-io"]
 
 
 def addresses():

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # From nothing to the first number: installs the packages that a way to use pw85 needs, follows README and the chapter on installation in a
 # copy of the sources, and says how long both took. WAY is pkg-config, cmake (FetchContent), meson (a subproject), pip, r (the R
-# package) or octave; without one, all of them, of which later ones find packages of earlier ones. In a system where nothing is installed:
+# package), octave or rust; without one, all of them, of which later ones find packages of earlier ones. In a system where nothing is installed:
 #   scripts/test_release.sh bookworm scripts/first_number.sh cmake
 set -eu
 cd "$(dirname "$0")/.."
@@ -68,7 +68,18 @@ by_octave() {
   HOME=$work octave-cli "$work/pair.m"
 }
 
-[ $# -gt 0 ] || set -- pkg-config cmake meson pip r octave
+# The commands and the first program of the README of the crate for Rust.
+by_rust() {
+  # shellcheck disable=SC2016 # the marks of blocks
+  sed -n '/^```sh$/,/^```$/p' rust/pw85/README.md | sed '/^```/d' >"$work/commands"
+  (cd "$work/pw85" && sh -e "$work/commands")
+  # shellcheck disable=SC2016
+  sed -n '/^```rust$/,/^```$/p;/^```text$/q' rust/pw85/README.md | sed '/^```/d' >"$work/pw85/rust/pw85/examples/pair.rs"
+  PKG_CONFIG_PATH="$work/pw85/install/lib/pkgconfig" LD_LIBRARY_PATH="$work/pw85/install/lib" \
+    cargo run --offline --manifest-path "$work/pw85/rust/Cargo.toml" --example pair
+}
+
+[ $# -gt 0 ] || set -- pkg-config cmake meson pip r octave rust
 for way in "$@"; do
   # shellcheck disable=SC2154 # of packages.sh
   case $way in
@@ -78,7 +89,8 @@ for way in "$@"; do
     pip) packages="gcc g++ $python_packages" ;;
     r) packages="$build_packages r-base-core r-base-dev" ;;
     octave) packages="$build_packages octave octave-dev" ;;
-    *) echo "usage: $0 [pkg-config] [cmake] [meson] [pip] [r] [octave]" >&2 && exit 2 ;;
+    rust) packages="$build_packages rustc cargo" ;;
+    *) echo "usage: $0 [pkg-config] [cmake] [meson] [pip] [r] [octave] [rust]" >&2 && exit 2 ;;
   esac
   work=$(mktemp -d)
   trap 'rm -rf "$work"' EXIT

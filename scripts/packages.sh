@@ -38,3 +38,5 @@ r_packages='r-base-core r-base-dev r-cran-testthat r-cran-knitr r-cran-rmarkdown
 octave_packages='octave octave-dev'
 # Those of scripts/test_npm.sh, which installs npm, too, where nodejs comes without it.
 npm_packages='emscripten meson ninja-build libboost-dev nodejs python3 chromium chromium-driver python3-selenium node-typescript'
+# Those of scripts/test_rust.sh.
+rust_packages='rustc cargo rustfmt rust-clippy'

@@ -97,6 +97,26 @@ void test_numbers()
              6}(pw85_first_contact(r12, unit_form, unit_form, &rest, &shrinking, 2.0, q));
 }
 
+/// A cause that is not one entry has no value.
+void test_no_number()
+{
+    double const r12[] = {3, 0, 0}, larger[] = {1 + 0x1p-52, 0, 0, 1, 0, 1},
+                 twice[] = {4, 0, 0, 4, 0, 4};
+    int overlap = 0;
+    pw85_error error;
+    // No common point was found among the doubles, because 1 - μ² is about 1e-16.
+    g_assert_cmpint(pw85_overlap_witness(r12, larger, twice, &overlap, nullptr, nullptr), ==,
+                    PW85_ECONVERGENCE);
+    g_assert_cmpint(pw85_last_error(&error), ==, PW85_SUCCESS);
+    g_assert_cmpstr(error.requirement, ==, "the iterations did not converge");
+    if (error.argument != nullptr || !std::isnan(error.value)) g_error("%a", error.value);
+    unsigned char overlaps = 0;
+    g_assert_cmpint(pw85_overlap_witness_batch(1, r12, larger, twice, &overlaps, nullptr, nullptr),
+                    ==, PW85_ECONVERGENCE);
+    g_assert_cmpint(pw85_last_error(&error), ==, PW85_SUCCESS);
+    if (error.argument != nullptr || !std::isnan(error.value)) g_error("%a", error.value);
+}
+
 void test_lists()
 {
     double const centers[] = {0, 0, 0, 3, 0, 0}, far[] = {0, 0, 0, 1e300, 0, 0},
@@ -461,6 +481,7 @@ int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, nullptr);
     g_test_add_func("/causes/numbers", test_numbers);
+    g_test_add_func("/causes/no_number", test_no_number);
     g_test_add_func("/causes/lists", test_lists);
     g_test_add_func("/causes/meshes", test_meshes);
     g_test_add_func("/causes/walls", test_walls);

@@ -32,6 +32,10 @@
 
     The functions of JavaScript for those of the sections of a C header.
 
+.. rust-functions:: pw85.h
+
+    The same for Rust.
+
 .. python-functions:: Distance
 
     The functions of Python for those of a section of the C headers, with their texts.
@@ -50,6 +54,7 @@ import octave
 import javascript
 import pages
 import r
+import rust
 from docutils import nodes
 from docutils.parsers.rst import Directive
 from docutils.statemachine import StringList
@@ -189,6 +194,23 @@ class JavaScriptFunctions(FromHeader):
         yield from (f"``{signature}``", f"   {as_text(said)} See :c:func:`{row.function.name}`.", "")
 
 
+class RustFunctions(FromHeader):
+    def lines(self, section):
+        listed = [row for row in rust.asked() if row.function in section.functions]
+        if listed and section.title:
+            yield from (section.title, "~" * len(section.title), "")
+        for row in listed:
+            yield from self.entry(row, rust.names_in_rust())
+
+    def entry(self, row, names):
+        result = "()" if row.is_of_many() else rust.result_of(row)
+        arguments = [one.name for one in declarations.parameters(row.function) if one.name != "n" or not row.is_of_many()]
+        taken = arguments if row.is_of_many() else [one.name for one in row.inputs]
+        many = f"Many rows: ``{names[row.many.name]}()``. " if row.many and not row.is_of_many() else ""
+        yield from (f"``{names[row.function.name]}({', '.join(taken)}) -> Result<{result}, Error>``",
+                    f"   {as_text(' '.join(rust.InRust(row).head()))}", "", f"   {many}See :c:func:`{row.function.name}`.", "")
+
+
 class PythonFunctions(FromHeader):
     final_argument_whitespace = True
 
@@ -226,4 +248,5 @@ def setup(app):
     app.add_directive("javascript-functions", JavaScriptFunctions)
     app.add_directive("python-functions", PythonFunctions)
     app.add_directive("r-functions", RFunctions)
+    app.add_directive("rust-functions", RustFunctions)
     return {"parallel_read_safe": True}

@@ -97,9 +97,9 @@ def template(name, title, *lines):
 @pytest.fixture
 def make(tmp_path):
     """Makes a file of a template, by headers that declare one more function."""
-    for folder in ("api", "include", "r", "js", "src/pair", "src/brent"):
+    for folder in ("api", "include", "js", "octave", "r", "rust", "src/pair", "src/brent"):
         shutil.copytree(SOURCE / folder, tmp_path / folder)
-    for name in ("meson.build", "fortran/pw85.in.f90", "fortran/pw85.f90", "debian/libpw85-3.symbols",
+    for name in ("CHANGELOG.md", "meson.build", "fortran/pw85.in.f90", "fortran/pw85.f90", "debian/libpw85-3.symbols",
                  "debian/libpw85-gpu3.symbols", "python/pypw85/__init__.in.py", "src/simd/one_pair.hpp",
                  "src/base/objects.hpp", "src/c_api/forms_rows.cpp"):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
@@ -185,6 +185,8 @@ def test_first_version_of_a_symbol(make, tmp_path):
     path, build = tmp_path / "debian/libpw85-3.symbols", tmp_path / "meson.build"
     build.write_text(re.sub("version: '.*'", "version: '3.7.1'", build.read_text(encoding="utf-8"), count=1), encoding="utf-8")
     path.write_text(path.read_text(encoding="utf-8") + " pw85_gone@Base 3.0.0\n", encoding="utf-8")
+    with (tmp_path / "CHANGELOG.md").open("a", encoding="utf-8") as log:
+        log.write("\n## [3.7.1] - 2026-01-02\n")  # its day is in a made file
     assert run_program(tmp_path, "api/committed.py") == (0, "")
     text = path.read_text(encoding="utf-8")
     assert " pw85_girth@Base 3.7.1\n" in text and " pw85_contact@Base 3.0.0\n" in text and "gone" not in text

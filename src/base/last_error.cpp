@@ -199,7 +199,7 @@ int refuse(int status, char const *function, Argument const *arguments, std::siz
 {
     return in_default_environment([&] {
         Argument const *const end = arguments + count;
-        pw85_error cause{0, nullptr, nullptr, pw85_strerror(status), 0, 0, 0.0};
+        pw85_error cause{0, nullptr, nullptr, pw85_strerror(status), 0, 0, quiet_nan<double>()};
         if (status == PW85_EINVAL) find_invalid(arguments, end, cause);
         if (status == PW85_ENOTPD) find_cause(arguments, end, of_form, cause);
         cause.function = function;

@@ -1,0 +1,250 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Makes what the crates in rust/ have by the declarations of the C API: those of pw85-sys, and the functions and values of pw85.
+
+A function of one row takes arrays and returns a number, an array or a struct; one of many rows takes slices.
+"""
+
+import re
+import textwrap
+from functools import cache
+
+from declarations import ONE_ROW, SOURCE, c_functions, functions, parameters, statuses, version
+from examples import example_value
+from python_table import is_split
+from rows import BY_HAND, TRUTHS, RowFunction, name_of_many, operand, results, row_functions
+from voice import Voice, sentence
+
+FOLDER = SOURCE / "rust"
+MARK = "// SPDX-License-Identifier: BSD-3-Clause\n// Made by api/rust.py from the headers of the C API.\n"
+HEADERS = (*ONE_ROW, "pw85_batch.h")
+TYPES = {"double": "f64", "int": "c_int", "size_t": "usize", "unsigned char": "u8", "char": "c_char"}
+BY_HAND_IN_RUST = ("pw85_version", "pw85_set_reproducible", "pw85_is_reproducible", "pw85_contact_polytope", "pw85_overlap_polytope",
+                   "pw85_overlap_any", "pw85_inertia", "pw85_enclosing_ellipsoid", "pw85_enclosing_ellipsoid_of", "pw85_random_points")
+
+
+@cache
+def asked():
+    """The functions of one row, and those of many rows that have no relative for one."""
+    listed = [*row_functions(), *(row_function(c_functions()[name], c_functions()[name_of_many(name)]) for name in BY_HAND)]
+    return [row for row in listed if row.function.header in HEADERS and not row.is_building_block() and not row.is_by_hand()]
+
+
+def row_function(function, many):
+    listed = parameters(function)[function is many :]
+    return RowFunction(function, many, [operand(one) for one in listed if not one.is_output()], results(function, listed))
+
+
+@cache
+def names_in_rust():
+    """The names in Rust of functions of C."""
+    listed = [function.name for row in asked() for function in (row.function, row.many) if function]
+    return {name: name.removeprefix("pw85_") for name in (*listed, *BY_HAND_IN_RUST)}
+
+
+def array(shape):
+    return f"[{array(shape[1:])}; {shape[0]}]" if shape else "f64"
+
+
+def zero(one):
+    return "0" if one.type != "double" else row_type(one).replace("f64", "0.0")
+
+
+def is_of_rows(one):
+    return one.shape[:1] == ("n",)
+
+
+def row_type(one):
+    """The type of the numbers that a row has."""
+    if one.type == "double":
+        return array(one.shape[is_of_rows(one) :])
+    return {"pw85_motion": "Motion", "int": "i32"}.get(one.type, "u8")
+
+
+def argument_type(one):
+    if one.is_output():
+        return f"Option<&mut [{row_type(one)}]>" if one.nullable else f"&mut [{row_type(one)}]"
+    if is_of_rows(one):
+        return f"&[{row_type(one)}]"
+    return f"&{row_type(one)}" if one.shape or one.type == "pw85_motion" else "f64"
+
+
+def result_type(one):
+    if one.parameter.type == "int":
+        return "bool" if one.name in TRUTHS else "Ordering"
+    return array(one.shape)
+
+
+@cache
+def values():
+    """Structs of several outputs by functions, and their functions. The names are those in C++, unless two of one name differ."""
+    in_cpp = {function.name: re.search(r"(\w+)(?:<T(, \w)?>)?$", function.type) for function in functions("pw85/pw85.hpp")}
+    of_function, rows, outputs = {}, {}, {}
+    for row in (one for one in asked() if len(one.outputs) > 1 and not one.is_of_many()):
+        name = row.name.removesuffix("_2d")
+        like = in_cpp.get(name) or in_cpp[name.split("_")[0]]
+        key = [(one.name, result_type(one)) for one in row.outputs]
+        names = f"{like[1]}{'2d' if like[2] and row.name.endswith('_2d') else ''}", camel(row.name)
+        struct = next(one for one in names if outputs.setdefault(one, key) == key)
+        rows.setdefault(of_function.setdefault(row.function.name, struct), []).append(row)
+    return of_function, rows
+
+
+def result_of(row):
+    """The type of the result: a struct, or that of the only output."""
+    return values()[0].get(row.function.name) or result_type(row.outputs[0])
+
+
+class InRust(Voice):
+    """What the headers say, in the words of Rust."""
+
+    def __init__(self, row):
+        super().__init__(row, row, names_in_rust())
+
+    def reference(self, match, is_inherited):
+        name = self.names.get(match[1])
+        return f"`{name}()`" if name else f"`{match[1]}()` of the C API"
+
+    def told(self, listed):
+        """Texts, and arguments."""
+        texts = [(one.name, self.described(one.name), f"Unit: {one.attributes.unit}." * bool(one.attributes.unit)) for one in listed]
+        arguments = "\n".join(f"- `{name}`: {' '.join(filter(None, words))}" for name, *words in texts if any(words))
+        return [*self.head(), *self.notes(), *filter(None, ["# Arguments" * bool(arguments), arguments])]
+
+    def errors(self):
+        return sentence(re.sub(r"^For a single (row|value): | Rows of arrays become NaN\.$", "", self.raises())).strip()
+
+
+def camel(name):
+    return "".join(word.capitalize() for word in name.split("_"))
+
+
+def in_markdown(text):
+    """A text of the headers as it stands in a comment of Rust."""
+    named = {code.removeprefix("PW85_"): camel(name) for code, (name, _) in statuses().items()}
+    text = re.sub(r"``Status\.(\w+)``", lambda match: f"`Status::{named[match[1]]}`", re.sub(r"\bfor n (\w+)", r"for many \1", text))
+    links = {f"`{name}()`" for name in names_in_rust().values()}
+    code = [f"[{one}](crate::{one[1:-3]})" if one in links else one for one in re.findall(r"`+[^`]+`+", text)]
+    plain = [re.sub(r"([\[\]*|<>])", r"\\\1", part) for part in re.split(r"`+[^`]+`+", text)]
+    return "".join(part for pair in zip(plain, [*code, ""]) for part in pair)
+
+
+def comment(paragraphs, indent="", example=()):
+    """Paragraphs, and a program, as the comment of an item."""
+    for k, paragraph in enumerate(paragraphs):
+        yield from [f"{indent}///"] if k else []
+        for line in paragraph.split("\n"):
+            lines = textwrap.wrap(in_markdown(line), 94 - len(indent), break_long_words=False, break_on_hyphens=False,
+                                  subsequent_indent="  " if line.startswith("- ") else "")  # fmt: skip
+            yield from (f"{indent}/// {text}" for text in lines)
+    if example:
+        yield from ["///\n/// # Examples\n///\n/// ```", *(f"/// {line}" for line in example), "/// # Ok::<(), pw85::Error>(())\n/// ```"]
+
+
+def listing(head, listed, tail, indent=""):
+    """Code with a list, in one line or with a line for each element."""
+    line = f"{indent}{head}{', '.join(listed)}{tail}"
+    return [line] if len(line) <= 100 else [indent + head, *(f"{indent}    {one}," for one in listed), indent + tail]
+
+
+def literal(function, one):
+    """A valid argument of one row."""
+    value = example_value(function, one.name, (*one.shape[is_of_rows(one) :], 0)[0])
+    text = f"pw85::Motion {{ velocity: {value[:3]}, ..Default::default() }}" if one.type == "pw85_motion" else str(value)
+    return re.sub(r"(?<![\w.])\d+(?![\w.])", r"\g<0>.0", text)
+
+
+def passed(one):
+    """An argument as C takes it."""
+    if one.nullable and is_of_rows(one):
+        return f"pointer({one.name})"
+    if not one.pointer or (one.is_output() and not one.shape):
+        return f"&mut {one.name}" if one.pointer else one.name
+    pointer = f"{one.name}.{'as_mut_ptr' if one.is_output() else 'as_ptr'}()"
+    if one.type == "pw85_motion":
+        return f"{one.name}.as_ptr()" if is_of_rows(one) else one.name
+    return f"{pointer}.cast()" if len(one.shape) > 1 else pointer
+
+
+def single(row):
+    """The function of one row."""
+    name, listed, voice = names_in_rust()[row.function.name], parameters(row.function), InRust(row)
+    inputs, outputs = ([one for one in listed if one.is_output() is kind] for kind in (False, True))
+    given = [f"{'&' * (argument_type(one)[0] == '&')}{literal(row.function, one)}" for one in inputs]
+    shown = [*listing(f"let found = pw85::{name}(", given, ")?;"), 'println!("{found:?}");']
+    yield from [*comment([*voice.told(inputs), "# Errors", voice.errors()], example=shown), "#[inline]"]
+    struct, first = values()[0].get(row.function.name), outputs[0].name
+    arguments, result = [f"{one.name}: {argument_type(one)}" for one in inputs], f"Result<{result_of(row)}, Error>"
+    yield from listing(f"pub fn {name}(", arguments, f") -> {result} {{")
+    yield from (f"    let mut {one.name} = {zero(one)};" for one in outputs)
+    is_void, call = row.function.type == "void", f"unsafe {{ sys::{row.function.name}("
+    yield from listing(call if is_void else f"check({call}", [*map(passed, listed)], ") };" if is_void else ") })?;", "    ")
+    yield from [f"    check_number({first}[0])?;"] if is_void else []
+    found = [f"{first}[{k}]" for k in range(len(row.outputs))] if is_split(row) else [
+        {"bool": f"{one.name} == 1", "Ordering": f"{one.name}.cmp(&0)"}.get(result_type(one), one.name) for one in row.outputs]  # fmt: skip
+    fields = [one.name if one.name == text else f"{one.name}: {text}" for one, text in zip(row.outputs, found)]
+    yield from [*(listing(f"Ok({struct} {{ ", fields, " })", "    ") if struct else [f"    Ok({found[0]})"]), "}\n"]
+
+
+def many(row):
+    """The function of many rows."""
+    name, listed = names_in_rust()[row.many.name], parameters(row.many)[1:]
+    inputs, outputs = ([one for one in listed if one.is_output() is kind] for kind in (False, True))
+    first, *others = [one for one in listed if is_of_rows(one)]
+    optional = " An output that is `None` is not written." * any(one.nullable for one in outputs)
+    told = [*InRust(row_function(row.many, row.many)).told(listed), f"Row i of each slice belongs to row i of `{first.name}`.{optional}",
+            "# Errors", f"A slice has not as many rows as `{first.name}`, or a row is refused. The outputs of such rows are NaN, 255 for "
+            "truth values, 2 for signs; other rows are computed."]  # fmt: skip
+    lines = [f"let {one.name} = {'[' * is_of_rows(one)}{literal(row.many, one)}{'; 2]' * is_of_rows(one)};" for one in inputs]
+    lines += [f"let mut {one.name} = [{zero(one)}; 2];" for one in outputs]
+    given = [f"Some(&mut {one.name})" if one.nullable else "&" * is_of_rows(one) + "mut " * one.is_output() + one.name for one in listed]
+    lines += [*listing(f"pw85::{name}(", given, ")?;"), f"assert_eq!({outputs[-1].name}[0], {outputs[-1].name}[1]);"]
+    yield from comment(told, example=lines)
+    yield from listing(f"pub fn {name}(", [f"{one.name}: {argument_type(one)}" for one in listed], ") -> Result<(), Error> {")
+    counts = [f'("{one.name}", {f"rows_of(&{one.name}, n)" if one.nullable else f"{one.name}.len()"})' for one in others]
+    yield from [f"    let n = {first.name}.len();", *listing("let counts = [", counts, "];", "    ")]
+    yield f'    same_rows("{row.many.name}", "must have as many rows as {first.name}", n, &counts)?;'
+    yield from [*listing(f"check_rows(unsafe {{ sys::{row.many.name}(", ["n", *map(passed, listed)], ") })", "    "), "}\n"]
+
+
+def struct(name, rows):
+    shared = ", ".join(f"`{names_in_rust()[one.function.name]}()`" for one in rows)
+    yield from [*comment([f"Results of {shared}."]), f"#[derive(Clone, Copy, Debug, PartialEq)]\npub struct {name} {{"]
+    texts = [InRust(rows[0]).described(one.parameter.name) for one in rows[0].outputs]
+    if is_split(rows[0]) and ", and the " in texts[0]:  # one sentence tells of all numbers: "μ², and the maximiser"
+        texts = texts[0].rstrip(".").split(", and the ")
+    for one, text in zip(rows[0].outputs, texts, strict=True):
+        text = "Whether the ellipsoids overlap." if result_type(one) == "bool" else sentence(text)
+        yield from [*comment([text], "    "), f"    pub {one.name}: {result_type(one)},"]
+    yield "}\n"
+
+
+def questions():
+    known = [(code, camel(name), value) for code, (name, value) in statuses().items() if value != "0"]
+    lines = [f"{MARK}\nuse crate::error::{{check, check_number, check_rows, pointer, rows_of, same_rows, Error}};",
+             "use crate::Motion;\nuse core::cmp::Ordering;\nuse pw85_sys as sys;\n\n/// Why a call was refused.",
+             "#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]\n#[non_exhaustive]\n#[repr(i32)]\npub enum Status {",
+             *(f"    /// `{code}` of C.\n    {name} = {value}," for code, name, value in known),
+             "    /// A number that this version does not know.\n    Unknown = -1,\n}\n",
+             *listing(f"pub(crate) const STATUSES: [Status; {len(known)}] = [", [f"Status::{one}" for _, one, _ in known], "];\n"),
+             *(line for name, rows in values()[1].items() for line in struct(name, rows))]  # fmt: skip
+    for row in asked():
+        lines += [*([] if row.is_of_many() else single(row)), *(many(row) if row.many else [])]
+    return "\n".join(lines)
+
+
+def raw(function):
+    """The declaration in pw85-sys."""
+    result = {"void": "", "char const *": " -> *const c_char"}.get(function.type, f" -> {TYPES.get(function.type)}")
+    kinds = ((one, TYPES.get(one.type, one.type)) for one in parameters(function))
+    listed = [f"{one.name}: {'*const ' if one.const else '*mut ' if one.pointer else ''}{kind}" for one, kind in kinds]
+    return [*comment([f"{function.brief()}."], "    "), *listing(f"pub fn {function.name}(", listed, f"){result};", "    ")]
+
+
+def files():
+    """The texts of all made files by their paths."""
+    templates = {f"{crate}/Cargo.toml": FOLDER / crate / "Cargo.toml.in" for crate in ("pw85-sys", "pw85")}
+    made = {path: template.read_text(encoding="utf-8").replace("@version@", version()) for path, template in templates.items()}
+    named = [line for header in (*HEADERS, "pw85_enclosing.h") for function in functions(header) for line in raw(function)]
+    head = f'{MARK}\nuse crate::{{c_char, c_int, pw85_motion}};\n\nextern "C" {{'
+    made |= {"pw85-sys/src/functions.rs": "\n".join([head, *named, "}", ""]), "pw85/src/questions.rs": questions()}
+    return {FOLDER / path: text for path, text in made.items()}

@@ -1,0 +1,9022 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Made by api/rust.py from the headers of the C API.
+
+use crate::error::{check, check_number, check_rows, pointer, rows_of, same_rows, Error};
+use crate::Motion;
+use core::cmp::Ordering;
+use pw85_sys as sys;
+
+/// Why a call was refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+#[repr(i32)]
+pub enum Status {
+    /// `PW85_EINVAL` of C.
+    InvalidArgument = 1,
+    /// `PW85_ENOTPD` of C.
+    NotPositiveDefinite = 2,
+    /// `PW85_ECONVERGENCE` of C.
+    NoConvergence = 3,
+    /// `PW85_ENOMEM` of C.
+    OutOfMemory = 4,
+    /// `PW85_EDEVICE` of C.
+    NoDevice = 5,
+    /// `PW85_EOVERLAP` of C.
+    Overlap = 6,
+    /// `PW85_EPOTENTIAL` of C.
+    BadPotential = 7,
+    /// A number that this version does not know.
+    Unknown = -1,
+}
+
+pub(crate) const STATUSES: [Status; 7] = [
+    Status::InvalidArgument,
+    Status::NotPositiveDefinite,
+    Status::NoConvergence,
+    Status::OutOfMemory,
+    Status::NoDevice,
+    Status::Overlap,
+    Status::BadPotential,
+];
+
+/// Results of [`contact()`](crate::contact), [`contact_rounded()`](crate::contact_rounded),
+/// [`contact_factored()`](crate::contact_factored),
+/// [`contact_function()`](crate::contact_function), [`contact_2d()`](crate::contact_2d).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact {
+    /// μ².
+    pub mu2: f64,
+    /// Maximiser λ of f in \[0, 1\].
+    pub lambda: f64,
+}
+
+/// Results of [`contact_geometry()`](crate::contact_geometry),
+/// [`contact_geometry_factored()`](crate::contact_geometry_factored).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactGeometry {
+    /// Relative to the centre of ellipsoid 1.
+    pub point: [f64; 3],
+    /// Unit vector, outward from ellipsoid 1 and into ellipsoid 2.
+    pub normal: [f64; 3],
+}
+
+/// Results of [`contact_gradient()`](crate::contact_gradient).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactGradient {
+    /// ∂μ²/∂r12; its negative is the derivative with respect to the centre of ellipsoid 1.
+    pub d_r12: [f64; 3],
+    /// Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands
+    /// for two entries of the matrix).
+    pub d_q1: [f64; 6],
+    /// Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands
+    /// for two entries of the matrix).
+    pub d_q2: [f64; 6],
+}
+
+/// Results of [`contact_gradient_factored()`](crate::contact_gradient_factored).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FactorGradient {
+    /// ∂μ²/∂r12.
+    pub d_r12: [f64; 3],
+    /// Row-major: derivatives with respect to the entries of s1 and s2.
+    pub d_s1: [[f64; 3]; 3],
+    /// Row-major: derivatives with respect to the entries of s1 and s2.
+    pub d_s2: [[f64; 3]; 3],
+}
+
+/// Results of [`contact_torque()`](crate::contact_torque).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactTorque {
+    /// Per radian, for ellipsoids 1 and 2.
+    pub d_rot1: [f64; 3],
+    /// Per radian, for ellipsoids 1 and 2.
+    pub d_rot2: [f64; 3],
+}
+
+/// Results of [`overlap_witness()`](crate::overlap_witness).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OverlapWitness {
+    /// Whether the ellipsoids overlap.
+    pub overlap: bool,
+    /// λ from 0 to 1, with f(λ) \> 1, if the ellipsoids are apart; otherwise NaN.
+    pub lambda: f64,
+    /// A point inside both ellipsoids and on neither surface, relative to the centre of ellipsoid
+    /// 1, if they overlap; otherwise NaN.
+    pub point: [f64; 3],
+}
+
+/// Results of [`containment()`](crate::containment).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContainmentScale {
+    /// Square of the factor.
+    pub mu2: f64,
+    /// The point on the surface of ellipsoid 2, relative to the centre of ellipsoid 1. If the
+    /// ellipsoids touch at several points, the result is one of them. They touch at several
+    /// points for r12 = 0, and where r12 is short and has no component along the longest
+    /// semi-axis that ellipsoid 2 has after the linear map that makes ellipsoid 1 a unit ball.
+    pub point: [f64; 3],
+}
+
+/// Results of [`overlap_volume_gradient()`](crate::overlap_volume_gradient).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OverlapVolumeGradient {
+    /// ∂V/∂r12; its negative is the derivative with respect to the centre of ellipsoid 1.
+    pub d_r12: [f64; 3],
+    /// Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands
+    /// for two entries of the matrix).
+    pub d_q1: [f64; 6],
+    /// Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands
+    /// for two entries of the matrix).
+    pub d_q2: [f64; 6],
+}
+
+/// Results of [`overlap_volume_torque()`](crate::overlap_volume_torque).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OverlapVolumeTorque {
+    /// Per radian, for ellipsoids 1 and 2.
+    pub d_rot1: [f64; 3],
+    /// Per radian, for ellipsoids 1 and 2.
+    pub d_rot2: [f64; 3],
+}
+
+/// Results of [`overlap_area_gradient_2d()`](crate::overlap_area_gradient_2d).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OverlapAreaGradient {
+    /// ∂V/∂r12; its negative is the derivative with respect to the centre of ellipse 1.
+    pub d_r12: [f64; 2],
+    /// Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands
+    /// for two entries of the matrix).
+    pub d_q1: [f64; 3],
+    /// Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands
+    /// for two entries of the matrix).
+    pub d_q2: [f64; 3],
+}
+
+/// Results of [`overlap_area_torque_2d()`](crate::overlap_area_torque_2d).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OverlapAreaTorque {
+    /// Per radian.
+    pub d_rot1: f64,
+    /// Per radian.
+    pub d_rot2: f64,
+}
+
+/// Results of [`contact_geometry_2d()`](crate::contact_geometry_2d).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactGeometry2d {
+    /// Relative to the centre of ellipse 1.
+    pub point: [f64; 2],
+    /// Unit vector, outward from ellipse 1 and into ellipse 2.
+    pub normal: [f64; 2],
+}
+
+/// Results of [`contact_gradient_2d()`](crate::contact_gradient_2d).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactGradient2d {
+    /// ∂μ²/∂r12; its negative is the derivative with respect to the centre of ellipse 1.
+    pub d_r12: [f64; 2],
+    /// Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands
+    /// for two entries of the matrix).
+    pub d_q1: [f64; 3],
+    /// Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands
+    /// for two entries of the matrix).
+    pub d_q2: [f64; 3],
+}
+
+/// Results of [`contact_torque_2d()`](crate::contact_torque_2d).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactTorque2d {
+    /// Per radian.
+    pub d_rot1: f64,
+    /// Per radian.
+    pub d_rot2: f64,
+}
+
+/// Results of [`containment_2d()`](crate::containment_2d).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContainmentScale2d {
+    /// Square of the factor.
+    pub mu2: f64,
+    /// The point on the surface of ellipse 2, relative to the centre of ellipse 1. If the
+    /// ellipses touch at several points, the result is one of them. They touch at several points
+    /// for r12 = 0, and where r12 is short and has no component along the longest semi-axis that
+    /// ellipse 2 has after the linear map that makes ellipse 1 a unit ball.
+    pub point: [f64; 2],
+}
+
+/// Results of [`distance()`](crate::distance), [`signed_distance()`](crate::signed_distance).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Distance {
+    /// The distance, in the unit of `r12`; zero if the ellipsoids overlap, as
+    /// [`overlap()`](crate::overlap) decides.
+    pub distance: f64,
+    /// The closest points of ellipsoids 1 and 2, both relative to the centre of ellipsoid 1; NaN
+    /// if the ellipsoids overlap.
+    pub point1: [f64; 3],
+    /// The closest points of ellipsoids 1 and 2, both relative to the centre of ellipsoid 1; NaN
+    /// if the ellipsoids overlap.
+    pub point2: [f64; 3],
+}
+
+/// Results of [`distance_derivatives()`](crate::distance_derivatives),
+/// [`signed_distance_derivatives()`](crate::signed_distance_derivatives).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DistanceDerivatives {
+    /// The unit normal at the closest points, into ellipsoid 2.
+    pub d_r12: [f64; 3],
+    /// With respect to rotations, as for [`contact_torque()`](crate::contact_torque).
+    pub d_rot1: [f64; 3],
+    /// With respect to rotations, as for [`contact_torque()`](crate::contact_torque).
+    pub d_rot2: [f64; 3],
+    /// Symmetric: second derivatives with respect to r12, rotation 1 and rotation 2, where the
+    /// vector ω stands for the rotation by \|ω\| about ω.
+    pub hessian: [[f64; 9]; 9],
+}
+
+/// Results of [`penetration()`](crate::penetration).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Penetration {
+    /// The depth, in the unit of `r12`; zero if the ellipsoids do not overlap, as
+    /// [`overlap()`](crate::overlap) decides.
+    pub depth: f64,
+    /// Unit vector along which ellipsoid 2 must move; NaN if the ellipsoids do not overlap.
+    pub direction: [f64; 3],
+}
+
+/// Results of [`gap_inside()`](crate::gap_inside).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GapInside {
+    /// The gap, in the unit of `r12`; zero if the ellipsoids touch, or if ellipsoid 2 is not
+    /// inside ellipsoid 1, as [`contains()`](crate::contains) decides.
+    pub gap: f64,
+    /// The points of the surfaces of ellipsoids 1 and 2 where they are closest, both relative to
+    /// the centre of ellipsoid 1; NaN if ellipsoid 2 is not inside.
+    pub point1: [f64; 3],
+    /// The points of the surfaces of ellipsoids 1 and 2 where they are closest, both relative to
+    /// the centre of ellipsoid 1; NaN if ellipsoid 2 is not inside.
+    pub point2: [f64; 3],
+    /// Unit vector out of both ellipsoids at these points, from point2 to point1: minus the
+    /// derivative of the gap with respect to r12; NaN if ellipsoid 2 is not inside.
+    pub normal: [f64; 3],
+}
+
+/// Results of [`distance_2d()`](crate::distance_2d),
+/// [`signed_distance_2d()`](crate::signed_distance_2d).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Distance2d {
+    /// The distance, in the unit of `r12`; zero if the ellipses overlap, as
+    /// [`overlap()`](crate::overlap) decides.
+    pub distance: f64,
+    /// The closest points of ellipses 1 and 2, both relative to the centre of ellipse 1; NaN if
+    /// the ellipses overlap.
+    pub point1: [f64; 2],
+    /// The closest points of ellipses 1 and 2, both relative to the centre of ellipse 1; NaN if
+    /// the ellipses overlap.
+    pub point2: [f64; 2],
+}
+
+/// Results of [`penetration_2d()`](crate::penetration_2d).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Penetration2d {
+    /// The depth, in the unit of `r12`; zero if the ellipses do not overlap, as
+    /// [`overlap()`](crate::overlap) decides.
+    pub depth: f64,
+    /// Unit vector along which ellipse 2 must move; NaN if the ellipses do not overlap.
+    pub direction: [f64; 2],
+}
+
+/// Results of [`gap_inside_2d()`](crate::gap_inside_2d).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GapInside2d {
+    /// The gap, in the unit of `r12`; zero if the ellipses touch, or if ellipse 2 is not inside
+    /// ellipse 1, as [`contains()`](crate::contains) decides.
+    pub gap: f64,
+    /// The points of the surfaces of ellipses 1 and 2 where they are closest, both relative to
+    /// the centre of ellipse 1; NaN if ellipse 2 is not inside.
+    pub point1: [f64; 2],
+    /// The points of the surfaces of ellipses 1 and 2 where they are closest, both relative to
+    /// the centre of ellipse 1; NaN if ellipse 2 is not inside.
+    pub point2: [f64; 2],
+    /// Unit vector out of both ellipses at these points, from point2 to point1: minus the
+    /// derivative of the gap with respect to r12; NaN if ellipse 2 is not inside.
+    pub normal: [f64; 2],
+}
+
+/// Results of [`closest_passage()`](crate::closest_passage).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ClosestPassage {
+    /// The least μ²; 0 if ellipsoid 2 passes the centre of ellipsoid 1.
+    pub mu2: f64,
+    /// The time, in \[0, t_max\]; 0 for a zero velocity or r12 = 0.
+    pub t: f64,
+}
+
+/// Results of [`curvature()`](crate::curvature).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Curvature {
+    /// Reciprocal radii of curvature, \> 0, the smaller one first.
+    pub curvatures: [f64; 2],
+    /// Unit vectors along which the surface has these curvatures. Their cross product is the unit
+    /// normal. If both curvatures are equal, they are any such vectors.
+    pub directions: [[f64; 3]; 2],
+}
+
+/// Results of [`hertz()`](crate::hertz).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HertzEllipse {
+    /// The effective radius. For spheres it is R1 R2/(R1 + R2).
+    pub radius: f64,
+    /// Squares of the semi-axes over the depth, along the direction of each curvature.
+    pub ellipse: [f64; 2],
+}
+
+/// Results of [`hertz_contact()`](crate::hertz_contact).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HertzContact {
+    /// In the unit of `r12`; negative if a slab separates them.
+    pub depth: f64,
+    /// Where the forces of contact act: the middle of the points of both surfaces that have the
+    /// normals n and -n, relative to the centre of ellipsoid 1.
+    pub point: [f64; 3],
+    /// Of the gap between both surfaces, \> 0, the smaller one first: eigenvalues of the sum of
+    /// their second fundamental forms, as [`hertz()`](crate::hertz) takes them.
+    pub curvatures: [f64; 2],
+    /// Of these curvatures and of the contact ellipse.
+    pub directions: [[f64; 3]; 2],
+    /// The effective radius. For spheres it is R1 R2/(R1 + R2).
+    pub radius: f64,
+    /// Squares of the semi-axes over the depth, along the direction of each curvature.
+    pub ellipse: [f64; 2],
+}
+
+/// Results of [`grain_contact()`](crate::grain_contact).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GrainContact {
+    /// Unit vector.
+    pub normal: [f64; 3],
+    /// δ, in the unit of `r12`; negative if a slab separates the ellipsoids.
+    pub depth: f64,
+    /// The middle of the points of both surfaces that have the normals n and -n, which are δ n
+    /// apart, relative to the centre of ellipsoid 1.
+    pub point: [f64; 3],
+    /// Of the gap between both surfaces, \> 0, the smaller one first: eigenvalues of the sum of
+    /// their second fundamental forms, as [`hertz()`](crate::hertz) takes them.
+    pub curvatures: [f64; 2],
+    /// The effective radius. For spheres it is R1 R2/(R1 + R2).
+    pub radius: f64,
+}
+
+/// Results of [`grain_radius_gradient()`](crate::grain_radius_gradient).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GrainRadiusGradient {
+    /// With respect to r12.
+    pub d_r12: [f64; 3],
+    /// With respect to small rotation vectors of either ellipsoid about its own centre, per
+    /// radian.
+    pub d_rot1: [f64; 3],
+    /// With respect to small rotation vectors of either ellipsoid about its own centre, per
+    /// radian.
+    pub d_rot2: [f64; 3],
+}
+
+/// Results of [`grain_contact_wall()`](crate::grain_contact_wall).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GrainWallContact {
+    /// Minus the distance of [`distance_plane()`](crate::distance_plane).
+    pub depth: f64,
+    /// Of the ellipsoid, the deepest one in the wall.
+    pub point: [f64; 3],
+    /// Of the gap, the smaller one first. It is raised to 2⁻²⁰ times the larger one if it is
+    /// less: surfaces that touch along a line have no finite radius.
+    pub curvatures: [f64; 2],
+    /// The effective radius. For spheres it is R1 R2/(R1 + R2).
+    pub radius: f64,
+}
+
+/// Results of [`distance_plane()`](crate::distance_plane).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfaceDistance {
+    /// In the unit of the semi-axes; negative if the two overlap: minus the depth.
+    pub distance: f64,
+    /// Of the ellipsoid, nearest to the half-space or deepest in it.
+    pub point: [f64; 3],
+}
+
+/// Results of [`distance_plane_derivatives()`](crate::distance_plane_derivatives),
+/// [`contact_plane_derivatives()`](crate::contact_plane_derivatives).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlaneDerivatives {
+    /// With respect to the position of the centre.
+    pub d_center: [f64; 3],
+    /// With respect to small rotation vectors about the centre, per radian.
+    pub d_rot: [f64; 3],
+}
+
+/// Results of [`contact_plane()`](crate::contact_plane).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlaneContact {
+    /// Square of the factor by which the ellipsoid must be scaled to touch; 0 if the centre is in
+    /// the half-space.
+    pub mu2: f64,
+    /// Where the scaled ellipsoid touches.
+    pub point: [f64; 3],
+}
+
+/// Results of [`distance_box()`](crate::distance_box).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DistanceBox {
+    /// Negative if the ellipsoid is not inside of the box.
+    pub distance: f64,
+    /// Of the ellipsoid, nearest to that face or farthest beyond it.
+    pub point: [f64; 3],
+    /// Outward unit normal of that face.
+    pub normal: [f64; 3],
+}
+
+/// Results of [`distance_cylinder()`](crate::distance_cylinder).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DistanceCylinder {
+    /// Negative if the ellipsoid is not inside of the cylinder.
+    pub distance: f64,
+    /// Of the ellipsoid, farthest from the axis, relative to its centre.
+    pub point: [f64; 3],
+    /// Outward unit normal of the wall there.
+    pub normal: [f64; 3],
+}
+
+/// Results of [`distance_point()`](crate::distance_point).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DistancePoint {
+    /// Negative if the point is inside.
+    pub distance: f64,
+    /// Of the surface, nearest to r, relative to the centre; one of them if there are several.
+    pub point: [f64; 3],
+    /// Unit vector out of the ellipsoid at this point, the derivative of the distance.
+    pub normal: [f64; 3],
+}
+
+/// Results of [`intersect_line()`](crate::intersect_line).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Chord {
+    /// NaN if the line misses the ellipsoid.
+    pub enter: f64,
+    /// NaN if the line misses the ellipsoid.
+    pub leave: f64,
+}
+
+/// Results of [`contact_segment()`](crate::contact_segment),
+/// [`contact_triangle()`](crate::contact_triangle), [`contact_box()`](crate::contact_box).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShapeContact {
+    /// Square of the factor by which the ellipsoid must be scaled to touch.
+    pub mu2: f64,
+    /// Of the segment, where the scaled ellipsoid touches.
+    pub point: [f64; 3],
+}
+
+/// Results of [`distance_segment()`](crate::distance_segment),
+/// [`distance_triangle()`](crate::distance_triangle),
+/// [`distance_solid_box()`](crate::distance_solid_box).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShapeDistance {
+    /// Negative if they overlap: minus the depth.
+    pub distance: f64,
+    /// Of the ellipsoid: nearest to the segment, or deepest.
+    pub point1: [f64; 3],
+    /// Of the segment: nearest to the ellipsoid, or deepest; relative to the centre of the
+    /// ellipsoid.
+    pub point2: [f64; 3],
+    /// Unit vector out of the ellipsoid at point1; point2 - point1 is `distance` times it.
+    pub normal: [f64; 3],
+}
+
+/// Results of [`distance_point_2d()`](crate::distance_point_2d).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfaceDistance2d {
+    /// Negative if the point is inside.
+    pub distance: f64,
+    /// Of the surface, nearest to r, relative to the centre; one of them if there are several.
+    pub point: [f64; 2],
+    /// Unit vector out of the ellipse at this point, the derivative of the distance.
+    pub normal: [f64; 2],
+}
+
+/// Results of [`contact_segment_2d()`](crate::contact_segment_2d),
+/// [`contact_box_2d()`](crate::contact_box_2d).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShapeContact2d {
+    /// Square of the factor by which the ellipse must be scaled to touch.
+    pub mu2: f64,
+    /// Of the segment, where the scaled ellipse touches.
+    pub point: [f64; 2],
+}
+
+/// Quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ.
+///
+/// # Arguments
+///
+/// - `a`: Equatorial radius; \> 0. Unit: length.
+/// - `c`: Polar radius; \> 0. Unit: length.
+/// - `n`: Direction of the axis of revolution, of any length; not zero.
+///
+/// # Errors
+///
+/// Invalid input.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::spheroid(3.0, 1.0, &[0.0, 0.0, 1.0])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn spheroid(a: f64, c: f64, n: &[f64; 3]) -> Result<[f64; 6], Error> {
+    let mut q = [0.0; 6];
+    unsafe { sys::pw85_spheroid(a, c, n.as_ptr(), q.as_mut_ptr()) };
+    check_number(q[0])?;
+    Ok(q)
+}
+
+/// Quadratic form of a general ellipsoid, Q = R diag(semi_axes²) Rᵀ.
+///
+/// # Arguments
+///
+/// - `semi_axes`: Lengths of the principal semi-axes (not diameters), whose squares are in the
+///   range of double; \> 0. Unit: length.
+/// - `rotation`: Matrix R in row-major order. Its columns are the principal directions: R takes
+///   the body frame to the space frame. RᵀR may differ from I by at most 1e-6 in any entry
+///   (single precision is accepted); reflections are accepted.
+///
+/// # Errors
+///
+/// A number is not finite, `semi_axes` is not positive or `rotation` is not orthonormal.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::ellipsoid(
+///     &[3.0, 2.0, 1.0],
+///     &[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn ellipsoid(semi_axes: &[f64; 3], rotation: &[[f64; 3]; 3]) -> Result<[f64; 6], Error> {
+    let mut q = [0.0; 6];
+    check(unsafe { sys::pw85_ellipsoid(
+        semi_axes.as_ptr(),
+        rotation.as_ptr().cast(),
+        q.as_mut_ptr(),
+    ) })?;
+    Ok(q)
+}
+
+/// Quadratic form of a general ellipsoid whose orientation is a quaternion.
+///
+/// # Arguments
+///
+/// - `semi_axes`: Lengths of the principal semi-axes (not diameters), whose squares are in the
+///   range of double; \> 0. Unit: length.
+/// - `quaternion`: (w, x, y, z), scalar first, of any length; the function normalises it. It
+///   takes the body frame to the space frame; not zero.
+///
+/// # Errors
+///
+/// A number is not finite, `semi_axes` is not positive or `quaternion` is zero.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::ellipsoid_quaternion(&[3.0, 2.0, 1.0], &[0.9, 0.1, 0.3, 0.2])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn ellipsoid_quaternion(
+    semi_axes: &[f64; 3],
+    quaternion: &[f64; 4],
+) -> Result<[f64; 6], Error> {
+    let mut q = [0.0; 6];
+    check(unsafe { sys::pw85_ellipsoid_quaternion(
+        semi_axes.as_ptr(),
+        quaternion.as_ptr(),
+        q.as_mut_ptr(),
+    ) })?;
+    Ok(q)
+}
+
+/// [`ellipsoid_quaternion()`](crate::ellipsoid_quaternion) for many ellipsoids; the bits are the
+/// same.
+///
+/// # Arguments
+///
+/// - `semi_axes`: \> 0. Unit: length.
+/// - `quaternions`: Not zero.
+/// - `q`: Unit: length².
+///
+/// Row i of each slice belongs to row i of `semi_axes`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `semi_axes`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let semi_axes = [[3.0, 2.0, 1.0]; 2];
+/// let quaternions = [[0.9, 0.1, 0.3, 0.2]; 2];
+/// let mut q = [[0.0; 6]; 2];
+/// pw85::ellipsoid_quaternion_batch(&semi_axes, &quaternions, &mut q)?;
+/// assert_eq!(q[0], q[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn ellipsoid_quaternion_batch(
+    semi_axes: &[[f64; 3]],
+    quaternions: &[[f64; 4]],
+    q: &mut [[f64; 6]],
+) -> Result<(), Error> {
+    let n = semi_axes.len();
+    let counts = [("quaternions", quaternions.len()), ("q", q.len())];
+    same_rows("pw85_ellipsoid_quaternion_batch", "must have as many rows as semi_axes", n, &counts)?;
+    check_rows(unsafe { sys::pw85_ellipsoid_quaternion_batch(
+        n,
+        semi_axes.as_ptr().cast(),
+        quaternions.as_ptr().cast(),
+        q.as_mut_ptr().cast(),
+    ) })
+}
+
+/// Factor S of the quadratic form of a general ellipsoid, Q = S Sᵀ.
+///
+/// The factor keeps the digits that squares of lengths lose: see
+/// [`contact_factored()`](crate::contact_factored).
+///
+/// # Arguments
+///
+/// - `semi_axes`: Lengths of the principal semi-axes (not diameters), whose squares are in the
+///   range of double; \> 0. Unit: length.
+/// - `quaternion`: (w, x, y, z), scalar first, of any length; not zero.
+///
+/// # Errors
+///
+/// A number is not finite, `semi_axes` is not positive or `quaternion` is zero.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::ellipsoid_factor(&[3.0, 2.0, 1.0], &[0.9, 0.1, 0.3, 0.2])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn ellipsoid_factor(
+    semi_axes: &[f64; 3],
+    quaternion: &[f64; 4],
+) -> Result<[[f64; 3]; 3], Error> {
+    let mut s = [[0.0; 3]; 3];
+    check(unsafe { sys::pw85_ellipsoid_factor(
+        semi_axes.as_ptr(),
+        quaternion.as_ptr(),
+        s.as_mut_ptr().cast(),
+    ) })?;
+    Ok(s)
+}
+
+/// [`ellipsoid_factor()`](crate::ellipsoid_factor) for many ellipsoids; the bits are the same.
+///
+/// # Arguments
+///
+/// - `semi_axes`: \> 0. Unit: length.
+/// - `quaternions`: Not zero.
+/// - `s`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `semi_axes`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `semi_axes`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let semi_axes = [[3.0, 2.0, 1.0]; 2];
+/// let quaternions = [[0.9, 0.1, 0.3, 0.2]; 2];
+/// let mut s = [[[0.0; 3]; 3]; 2];
+/// pw85::ellipsoid_factor_batch(&semi_axes, &quaternions, &mut s)?;
+/// assert_eq!(s[0], s[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn ellipsoid_factor_batch(
+    semi_axes: &[[f64; 3]],
+    quaternions: &[[f64; 4]],
+    s: &mut [[[f64; 3]; 3]],
+) -> Result<(), Error> {
+    let n = semi_axes.len();
+    let counts = [("quaternions", quaternions.len()), ("s", s.len())];
+    same_rows("pw85_ellipsoid_factor_batch", "must have as many rows as semi_axes", n, &counts)?;
+    check_rows(unsafe { sys::pw85_ellipsoid_factor_batch(
+        n,
+        semi_axes.as_ptr().cast(),
+        quaternions.as_ptr().cast(),
+        s.as_mut_ptr().cast(),
+    ) })
+}
+
+/// Quadratic form (xx, xy, yy) of an ellipse.
+///
+/// # Arguments
+///
+/// - `a`: Semi-axes, whose squares are in the range of double; \> 0. Unit: length.
+/// - `b`: Semi-axes, whose squares are in the range of double; \> 0. Unit: length.
+/// - `angle`: From the x axis to the first semi-axis, counter-clockwise, in radians.
+///
+/// # Errors
+///
+/// A number is not finite, `a` is not positive or `b` is not positive.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::ellipse(3.0, 2.0, 0.5)?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn ellipse(a: f64, b: f64, angle: f64) -> Result<[f64; 3], Error> {
+    let mut q = [0.0; 3];
+    check(unsafe { sys::pw85_ellipse(a, b, angle, q.as_mut_ptr()) })?;
+    Ok(q)
+}
+
+/// Contact function of two ellipsoids, by a third-order iteration on log(λ/(1-λ)).
+///
+/// The relative error of μ² is below 4 u cond, with u = 2⁻⁵³ and the entrywise condition number
+/// of [`condition()`](crate::condition), also for forms that are singular to working precision.
+/// The function evaluates f at most 157 times.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid: μ² = 0, λ =
+///   1/2. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the bound
+/// on the error cannot be proved; this has never been seen.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::contact(
+///     &[3.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn contact(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<Contact, Error> {
+    let mut out = [0.0; 2];
+    check(unsafe { sys::pw85_contact(r12.as_ptr(), q1.as_ptr(), q2.as_ptr(), out.as_mut_ptr()) })?;
+    Ok(Contact { mu2: out[0], lambda: out[1] })
+}
+
+/// [`contact()`](crate::contact) for many pairs.
+///
+/// The relative error of μ² is below 4 u cond, too; the last bits may differ from those of
+/// [`contact()`](crate::contact).
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let mut mu2 = [0.0; 2];
+/// let mut lambda = [0.0; 2];
+/// pw85::contact_batch(&r12, &q1, &q2, &mut mu2, Some(&mut lambda))?;
+/// assert_eq!(lambda[0], lambda[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn contact_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    mu2: &mut [f64],
+    lambda: Option<&mut [f64]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("mu2", mu2.len()),
+        ("lambda", rows_of(&lambda, n)),
+    ];
+    same_rows("pw85_contact_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_contact_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        mu2.as_mut_ptr(),
+        pointer(lambda),
+    ) })
+}
+
+/// Contact function of two ellipsoids, with μ² correctly rounded.
+///
+/// It is the double nearest to the exact value for the numbers given.
+///
+/// If two doubles are equally near, μ² is the one whose last bit is 0. Underflow and overflow
+/// follow the same rule: a μ² that is at least 2¹⁰²⁴ - 2⁹⁷⁰ becomes infinity, with success. λ
+/// errs by less than one unit in the last place. Every processor and every instruction set
+/// therefore gives the same μ². An exchange of the two ellipsoids does not change μ². Other units
+/// that are powers of two do not change it if μ² stays in the range of normal doubles.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the last
+/// digit of λ cannot be proved; this has never been seen.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::contact_rounded(
+///     &[3.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn contact_rounded(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<Contact, Error> {
+    let mut out = [0.0; 2];
+    check(unsafe { sys::pw85_contact_rounded(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        out.as_mut_ptr(),
+    ) })?;
+    Ok(Contact { mu2: out[0], lambda: out[1] })
+}
+
+/// [`contact_rounded()`](crate::contact_rounded) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let mut mu2 = [0.0; 2];
+/// let mut lambda = [0.0; 2];
+/// pw85::contact_rounded_batch(&r12, &q1, &q2, Some(&mut mu2), Some(&mut lambda))?;
+/// assert_eq!(lambda[0], lambda[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn contact_rounded_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    mu2: Option<&mut [f64]>,
+    lambda: Option<&mut [f64]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("mu2", rows_of(&mu2, n)),
+        ("lambda", rows_of(&lambda, n)),
+    ];
+    same_rows("pw85_contact_rounded_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_contact_rounded_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        pointer(mu2),
+        pointer(lambda),
+    ) })
+}
+
+/// Contact function of two ellipsoids that are given by factors of their forms, Q1 = S1 S1ᵀ and
+/// Q2 = S2 S2ᵀ.
+///
+/// Rounding a form to doubles changes μ² by some 1e-12 at aspect ratio 100, 1e-8 at 10⁴ and 1e-4
+/// at 10⁶: an entry of the form adds the squares of long and of short semi-axes, and rounding it
+/// to double loses digits of the short ones. Rounding a factor changes μ² by less than 1e-14,
+/// 1e-12 and 1e-12. The relative error of the result is below 4 u c. Here c is the relative
+/// change of μ², to first order, for relative changes of one in the entries of s1, s2 and r12.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `s1`: Row-major, as [`ellipsoid_factor()`](crate::ellipsoid_factor) makes them. Any matrix S
+///   counts as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if
+///   the lengths of its columns differ by less than a factor of 2¹²⁷. Unit: length.
+/// - `s2`: Row-major, as [`ellipsoid_factor()`](crate::ellipsoid_factor) makes them. Any matrix S
+///   counts as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if
+///   the lengths of its columns differ by less than a factor of 2¹²⁷. Unit: length.
+///
+/// # Errors
+///
+/// A number is not finite. `Status::NoConvergence`: as for [`contact()`](crate::contact).
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::contact_factored(
+///     &[3.0, 0.5, 0.0],
+///     &[[3.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0]],
+///     &[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn contact_factored(
+    r12: &[f64; 3],
+    s1: &[[f64; 3]; 3],
+    s2: &[[f64; 3]; 3],
+) -> Result<Contact, Error> {
+    let mut out = [0.0; 2];
+    check(unsafe { sys::pw85_contact_factored(
+        r12.as_ptr(),
+        s1.as_ptr().cast(),
+        s2.as_ptr().cast(),
+        out.as_mut_ptr(),
+    ) })?;
+    Ok(Contact { mu2: out[0], lambda: out[1] })
+}
+
+/// [`contact_factored()`](crate::contact_factored) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `s1`: Unit: length.
+/// - `s2`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let s1 = [[[3.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0]]; 2];
+/// let s2 = [[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]; 2];
+/// let mut mu2 = [0.0; 2];
+/// let mut lambda = [0.0; 2];
+/// pw85::contact_factored_batch(&r12, &s1, &s2, Some(&mut mu2), Some(&mut lambda))?;
+/// assert_eq!(lambda[0], lambda[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn contact_factored_batch(
+    r12: &[[f64; 3]],
+    s1: &[[[f64; 3]; 3]],
+    s2: &[[[f64; 3]; 3]],
+    mu2: Option<&mut [f64]>,
+    lambda: Option<&mut [f64]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("s1", s1.len()),
+        ("s2", s2.len()),
+        ("mu2", rows_of(&mu2, n)),
+        ("lambda", rows_of(&lambda, n)),
+    ];
+    same_rows("pw85_contact_factored_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_contact_factored_batch(
+        n,
+        r12.as_ptr().cast(),
+        s1.as_ptr().cast(),
+        s2.as_ptr().cast(),
+        pointer(mu2),
+        pointer(lambda),
+    ) })
+}
+
+/// Condition number of the contact function.
+///
+/// If each entry of r12, q1 and q2 changes by a fraction ε of itself, μ² changes by a fraction of
+/// at most ε cond, to first order in ε.
+///
+/// Data that are known to d digits give μ² to d - log10(cond) digits. The condition number is of
+/// the order of one for ordinary pairs, and of the order of the squared aspect ratio for slender
+/// ones. It is \[λ(1-λ) Σ \|n_i\| ((1-λ) \|q1_ij\| + λ \|q2_ij\|) \|n_j\| + 2 λ(1-λ) Σ \|r12_i
+/// n_i\|\]/μ² with n = \[(1-λ) q1 + λ q2\]⁻¹ r12, the sums over all i and j.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `lambda`: From [`contact()`](crate::contact).
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite or λ is not in \[0, 1\].
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::condition(
+///     &[3.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+///     0.5,
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn condition(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6], lambda: f64) -> Result<f64, Error> {
+    let mut cond = 0.0;
+    check(unsafe { sys::pw85_condition(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        lambda,
+        &mut cond,
+    ) })?;
+    Ok(cond)
+}
+
+/// [`condition()`](crate::condition) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+///
+/// Row i of each slice belongs to row i of `r12`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let lambda = [0.5; 2];
+/// let mut cond = [0.0; 2];
+/// pw85::condition_batch(&r12, &q1, &q2, &lambda, &mut cond)?;
+/// assert_eq!(cond[0], cond[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn condition_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    lambda: &[f64],
+    cond: &mut [f64],
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("lambda", lambda.len()),
+        ("cond", cond.len()),
+    ];
+    same_rows("pw85_condition_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_condition_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        lambda.as_ptr(),
+        cond.as_mut_ptr(),
+    ) })
+}
+
+/// Contact function of two ellipsoids, by Brent's method on f, refined by Halley's method, with
+/// the arguments of pw85 1.0, which used Newton's.
+///
+/// For the contract see [`contact()`](crate::contact), which is several times faster.
+///
+/// The relative error of μ² is below 4 u cond, too. Brent's method works on a problem in which
+/// both ellipsoids have been scaled to similar size. ``lambda_atol`` therefore has the same
+/// meaning for ellipsoids of all sizes.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the bound
+/// on the error cannot be proved; this has never been seen.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::contact_function(
+///     &[3.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn contact_function(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<Contact, Error> {
+    let mut out = [0.0; 2];
+    check(unsafe { sys::pw85_contact_function(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        out.as_mut_ptr(),
+    ) })?;
+    Ok(Contact { mu2: out[0], lambda: out[1] })
+}
+
+/// [`contact_function()`](crate::contact_function) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let mut mu2 = [0.0; 2];
+/// let mut lambda = [0.0; 2];
+/// pw85::contact_function_batch(&r12, &q1, &q2, Some(&mut mu2), Some(&mut lambda))?;
+/// assert_eq!(lambda[0], lambda[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn contact_function_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    mu2: Option<&mut [f64]>,
+    lambda: Option<&mut [f64]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("mu2", rows_of(&mu2, n)),
+        ("lambda", rows_of(&lambda, n)),
+    ];
+    same_rows("pw85_contact_function_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_contact_function_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        pointer(mu2),
+        pointer(lambda),
+    ) })
+}
+
+/// Point at which the ellipsoids, scaled by μ, touch, and their common normal.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; not zero. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `lambda`: From [`contact()`](crate::contact). Any other value in (0, 1) gives the point
+///   x0(λ) of the chapter on theory: it is on both ellipsoids when they are scaled by the factors
+///   μ1 and μ2 for which f(λ) = λ μ1² + (1-λ) μ2².
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite, `r12` is zero or λ is not in \[0,
+/// 1\].
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::contact_geometry(
+///     &[3.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+///     0.5,
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn contact_geometry(
+    r12: &[f64; 3],
+    q1: &[f64; 6],
+    q2: &[f64; 6],
+    lambda: f64,
+) -> Result<ContactGeometry, Error> {
+    let mut point = [0.0; 3];
+    let mut normal = [0.0; 3];
+    check(unsafe { sys::pw85_contact_geometry(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        lambda,
+        point.as_mut_ptr(),
+        normal.as_mut_ptr(),
+    ) })?;
+    Ok(ContactGeometry { point, normal })
+}
+
+/// [`contact_geometry()`](crate::contact_geometry) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Not zero. Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `point`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let lambda = [0.5; 2];
+/// let mut point = [[0.0; 3]; 2];
+/// let mut normal = [[0.0; 3]; 2];
+/// pw85::contact_geometry_batch(&r12, &q1, &q2, &lambda, Some(&mut point), Some(&mut normal))?;
+/// assert_eq!(normal[0], normal[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn contact_geometry_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    lambda: &[f64],
+    point: Option<&mut [[f64; 3]]>,
+    normal: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("lambda", lambda.len()),
+        ("point", rows_of(&point, n)),
+        ("normal", rows_of(&normal, n)),
+    ];
+    same_rows("pw85_contact_geometry_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_contact_geometry_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        lambda.as_ptr(),
+        pointer(point),
+        pointer(normal),
+    ) })
+}
+
+/// [`contact_geometry()`](crate::contact_geometry) of ellipsoids that are given by factors of
+/// their forms.
+///
+/// The errors are below 4 u times the change that follows if each entry of a factor changes by
+/// the largest entry of its column, and each coordinate of r12 by itself. This holds for the λ
+/// given.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; not zero. Unit: length.
+/// - `s1`: Row-major, as [`ellipsoid_factor()`](crate::ellipsoid_factor) makes them. Any matrix S
+///   counts as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if
+///   the lengths of its columns differ by less than a factor of 2¹²⁷. Unit: length.
+/// - `s2`: Row-major, as [`ellipsoid_factor()`](crate::ellipsoid_factor) makes them. Any matrix S
+///   counts as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if
+///   the lengths of its columns differ by less than a factor of 2¹²⁷. Unit: length.
+/// - `lambda`: From [`contact_factored()`](crate::contact_factored).
+///
+/// # Errors
+///
+/// A number is not finite, `r12` is zero or λ is not in \[0, 1\].
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::contact_geometry_factored(
+///     &[3.0, 0.5, 0.0],
+///     &[[3.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0]],
+///     &[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+///     0.5,
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn contact_geometry_factored(
+    r12: &[f64; 3],
+    s1: &[[f64; 3]; 3],
+    s2: &[[f64; 3]; 3],
+    lambda: f64,
+) -> Result<ContactGeometry, Error> {
+    let mut point = [0.0; 3];
+    let mut normal = [0.0; 3];
+    check(unsafe { sys::pw85_contact_geometry_factored(
+        r12.as_ptr(),
+        s1.as_ptr().cast(),
+        s2.as_ptr().cast(),
+        lambda,
+        point.as_mut_ptr(),
+        normal.as_mut_ptr(),
+    ) })?;
+    Ok(ContactGeometry { point, normal })
+}
+
+/// [`contact_geometry_factored()`](crate::contact_geometry_factored) for many pairs; the bits are
+/// the same.
+///
+/// # Arguments
+///
+/// - `r12`: Not zero. Unit: length.
+/// - `s1`: Unit: length.
+/// - `s2`: Unit: length.
+/// - `point`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let s1 = [[[3.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0]]; 2];
+/// let s2 = [[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]; 2];
+/// let lambda = [0.5; 2];
+/// let mut point = [[0.0; 3]; 2];
+/// let mut normal = [[0.0; 3]; 2];
+/// pw85::contact_geometry_factored_batch(
+///     &r12,
+///     &s1,
+///     &s2,
+///     &lambda,
+///     Some(&mut point),
+///     Some(&mut normal),
+/// )?;
+/// assert_eq!(normal[0], normal[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn contact_geometry_factored_batch(
+    r12: &[[f64; 3]],
+    s1: &[[[f64; 3]; 3]],
+    s2: &[[[f64; 3]; 3]],
+    lambda: &[f64],
+    point: Option<&mut [[f64; 3]]>,
+    normal: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("s1", s1.len()),
+        ("s2", s2.len()),
+        ("lambda", lambda.len()),
+        ("point", rows_of(&point, n)),
+        ("normal", rows_of(&normal, n)),
+    ];
+    same_rows("pw85_contact_geometry_factored_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_contact_geometry_factored_batch(
+        n,
+        r12.as_ptr().cast(),
+        s1.as_ptr().cast(),
+        s2.as_ptr().cast(),
+        lambda.as_ptr(),
+        pointer(point),
+        pointer(normal),
+    ) })
+}
+
+/// Derivatives of μ².
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `lambda`: From [`contact()`](crate::contact).
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite or λ is not in \[0, 1\].
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::contact_gradient(
+///     &[3.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+///     0.5,
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn contact_gradient(
+    r12: &[f64; 3],
+    q1: &[f64; 6],
+    q2: &[f64; 6],
+    lambda: f64,
+) -> Result<ContactGradient, Error> {
+    let mut d_r12 = [0.0; 3];
+    let mut d_q1 = [0.0; 6];
+    let mut d_q2 = [0.0; 6];
+    check(unsafe { sys::pw85_contact_gradient(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        lambda,
+        d_r12.as_mut_ptr(),
+        d_q1.as_mut_ptr(),
+        d_q2.as_mut_ptr(),
+    ) })?;
+    Ok(ContactGradient { d_r12, d_q1, d_q2 })
+}
+
+/// [`contact_gradient()`](crate::contact_gradient) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `d_r12`: Unit: 1/length.
+/// - `d_q1`: Unit: 1/length².
+/// - `d_q2`: Unit: 1/length².
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let lambda = [0.5; 2];
+/// let mut d_r12 = [[0.0; 3]; 2];
+/// let mut d_q1 = [[0.0; 6]; 2];
+/// let mut d_q2 = [[0.0; 6]; 2];
+/// pw85::contact_gradient_batch(
+///     &r12,
+///     &q1,
+///     &q2,
+///     &lambda,
+///     Some(&mut d_r12),
+///     Some(&mut d_q1),
+///     Some(&mut d_q2),
+/// )?;
+/// assert_eq!(d_q2[0], d_q2[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn contact_gradient_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    lambda: &[f64],
+    d_r12: Option<&mut [[f64; 3]]>,
+    d_q1: Option<&mut [[f64; 6]]>,
+    d_q2: Option<&mut [[f64; 6]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("lambda", lambda.len()),
+        ("d_r12", rows_of(&d_r12, n)),
+        ("d_q1", rows_of(&d_q1, n)),
+        ("d_q2", rows_of(&d_q2, n)),
+    ];
+    same_rows("pw85_contact_gradient_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_contact_gradient_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        lambda.as_ptr(),
+        pointer(d_r12),
+        pointer(d_q1),
+        pointer(d_q2),
+    ) })
+}
+
+/// Derivatives of μ² of ellipsoids that are given by factors of their forms.
+///
+/// The derivative with respect to a factor S is 2 (∂μ²/∂Q) S, with the symmetric matrix ∂μ²/∂Q. A
+/// change dS of the factor changes μ² by Σ d_s_ij dS_ij. The errors are those of
+/// [`contact_geometry_factored()`](crate::contact_geometry_factored).
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `s1`: Row-major, as [`ellipsoid_factor()`](crate::ellipsoid_factor) makes them. Any matrix S
+///   counts as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if
+///   the lengths of its columns differ by less than a factor of 2¹²⁷. Unit: length.
+/// - `s2`: Row-major, as [`ellipsoid_factor()`](crate::ellipsoid_factor) makes them. Any matrix S
+///   counts as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if
+///   the lengths of its columns differ by less than a factor of 2¹²⁷. Unit: length.
+/// - `lambda`: From [`contact_factored()`](crate::contact_factored).
+///
+/// # Errors
+///
+/// A number is not finite or λ is not in \[0, 1\].
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::contact_gradient_factored(
+///     &[3.0, 0.5, 0.0],
+///     &[[3.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0]],
+///     &[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+///     0.5,
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn contact_gradient_factored(
+    r12: &[f64; 3],
+    s1: &[[f64; 3]; 3],
+    s2: &[[f64; 3]; 3],
+    lambda: f64,
+) -> Result<FactorGradient, Error> {
+    let mut d_r12 = [0.0; 3];
+    let mut d_s1 = [[0.0; 3]; 3];
+    let mut d_s2 = [[0.0; 3]; 3];
+    check(unsafe { sys::pw85_contact_gradient_factored(
+        r12.as_ptr(),
+        s1.as_ptr().cast(),
+        s2.as_ptr().cast(),
+        lambda,
+        d_r12.as_mut_ptr(),
+        d_s1.as_mut_ptr().cast(),
+        d_s2.as_mut_ptr().cast(),
+    ) })?;
+    Ok(FactorGradient { d_r12, d_s1, d_s2 })
+}
+
+/// [`contact_gradient_factored()`](crate::contact_gradient_factored) for many pairs; the bits are
+/// the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `s1`: Unit: length.
+/// - `s2`: Unit: length.
+/// - `d_r12`: Unit: 1/length.
+/// - `d_s1`: Unit: 1/length.
+/// - `d_s2`: Unit: 1/length.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let s1 = [[[3.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0]]; 2];
+/// let s2 = [[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]; 2];
+/// let lambda = [0.5; 2];
+/// let mut d_r12 = [[0.0; 3]; 2];
+/// let mut d_s1 = [[[0.0; 3]; 3]; 2];
+/// let mut d_s2 = [[[0.0; 3]; 3]; 2];
+/// pw85::contact_gradient_factored_batch(
+///     &r12,
+///     &s1,
+///     &s2,
+///     &lambda,
+///     Some(&mut d_r12),
+///     Some(&mut d_s1),
+///     Some(&mut d_s2),
+/// )?;
+/// assert_eq!(d_s2[0], d_s2[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn contact_gradient_factored_batch(
+    r12: &[[f64; 3]],
+    s1: &[[[f64; 3]; 3]],
+    s2: &[[[f64; 3]; 3]],
+    lambda: &[f64],
+    d_r12: Option<&mut [[f64; 3]]>,
+    d_s1: Option<&mut [[[f64; 3]; 3]]>,
+    d_s2: Option<&mut [[[f64; 3]; 3]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("s1", s1.len()),
+        ("s2", s2.len()),
+        ("lambda", lambda.len()),
+        ("d_r12", rows_of(&d_r12, n)),
+        ("d_s1", rows_of(&d_s1, n)),
+        ("d_s2", rows_of(&d_s2, n)),
+    ];
+    same_rows("pw85_contact_gradient_factored_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_contact_gradient_factored_batch(
+        n,
+        r12.as_ptr().cast(),
+        s1.as_ptr().cast(),
+        s2.as_ptr().cast(),
+        lambda.as_ptr(),
+        pointer(d_r12),
+        pointer(d_s1),
+        pointer(d_s2),
+    ) })
+}
+
+/// Derivatives of μ² with respect to rotations.
+///
+/// For a rotation of an ellipsoid about its own centre by the small vector ω, dμ² = d_rot·ω. The
+/// torque of an energy U(μ²) is -U'(μ²) d_rot.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `lambda`: From [`contact()`](crate::contact).
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite or λ is not in \[0, 1\].
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::contact_torque(
+///     &[3.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+///     0.5,
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn contact_torque(
+    r12: &[f64; 3],
+    q1: &[f64; 6],
+    q2: &[f64; 6],
+    lambda: f64,
+) -> Result<ContactTorque, Error> {
+    let mut d_rot1 = [0.0; 3];
+    let mut d_rot2 = [0.0; 3];
+    check(unsafe { sys::pw85_contact_torque(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        lambda,
+        d_rot1.as_mut_ptr(),
+        d_rot2.as_mut_ptr(),
+    ) })?;
+    Ok(ContactTorque { d_rot1, d_rot2 })
+}
+
+/// [`contact_torque()`](crate::contact_torque) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let lambda = [0.5; 2];
+/// let mut d_rot1 = [[0.0; 3]; 2];
+/// let mut d_rot2 = [[0.0; 3]; 2];
+/// pw85::contact_torque_batch(&r12, &q1, &q2, &lambda, Some(&mut d_rot1), Some(&mut d_rot2))?;
+/// assert_eq!(d_rot2[0], d_rot2[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn contact_torque_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    lambda: &[f64],
+    d_rot1: Option<&mut [[f64; 3]]>,
+    d_rot2: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("lambda", lambda.len()),
+        ("d_rot1", rows_of(&d_rot1, n)),
+        ("d_rot2", rows_of(&d_rot2, n)),
+    ];
+    same_rows("pw85_contact_torque_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_contact_torque_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        lambda.as_ptr(),
+        pointer(d_rot1),
+        pointer(d_rot2),
+    ) })
+}
+
+/// Second derivatives of μ².
+///
+/// The relative error of the derivatives is a few times that of λ and 1-λ. The relative error of
+/// λ from [`contact()`](crate::contact) is some u times the squared aspect ratio. If ellipsoid 1
+/// is much larger than ellipsoid 2, the relative error of 1-λ is u/(1-λ).
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; not zero. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `lambda`: From [`contact()`](crate::contact).
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite, `r12` is zero or λ is not in \[0,
+/// 1\].
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::contact_hessian(
+///     &[3.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+///     0.5,
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn contact_hessian(
+    r12: &[f64; 3],
+    q1: &[f64; 6],
+    q2: &[f64; 6],
+    lambda: f64,
+) -> Result<[[f64; 9]; 9], Error> {
+    let mut hessian = [[0.0; 9]; 9];
+    check(unsafe { sys::pw85_contact_hessian(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        lambda,
+        hessian.as_mut_ptr().cast(),
+    ) })?;
+    Ok(hessian)
+}
+
+/// [`contact_hessian()`](crate::contact_hessian) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Not zero. Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `hessian`: Unit: mixed units.
+///
+/// Row i of each slice belongs to row i of `r12`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let lambda = [0.5; 2];
+/// let mut hessian = [[[0.0; 9]; 9]; 2];
+/// pw85::contact_hessian_batch(&r12, &q1, &q2, &lambda, &mut hessian)?;
+/// assert_eq!(hessian[0], hessian[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn contact_hessian_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    lambda: &[f64],
+    hessian: &mut [[[f64; 9]; 9]],
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("lambda", lambda.len()),
+        ("hessian", hessian.len()),
+    ];
+    same_rows("pw85_contact_hessian_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_contact_hessian_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        lambda.as_ptr(),
+        hessian.as_mut_ptr().cast(),
+    ) })
+}
+
+/// Tests whether two ellipsoids overlap, μ² \< 1.
+///
+/// Tangent ellipsoids (μ² = 1) do not overlap.
+///
+/// The answer is exact for the numbers given. Bounds that account for rounding decide almost all
+/// pairs; exact arithmetic decides the others.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; zero is an overlap. Unit:
+///   length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::overlap(
+///     &[3.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn overlap(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<bool, Error> {
+    let mut overlap = 0;
+    check(unsafe { sys::pw85_overlap(r12.as_ptr(), q1.as_ptr(), q2.as_ptr(), &mut overlap) })?;
+    Ok(overlap == 1)
+}
+
+/// [`overlap()`](crate::overlap) for many pairs; the answers are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `overlap`: 1, 0, or 255 for a bad pair.
+///
+/// Row i of each slice belongs to row i of `r12`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let mut overlap = [0; 2];
+/// pw85::overlap_batch(&r12, &q1, &q2, &mut overlap)?;
+/// assert_eq!(overlap[0], overlap[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn overlap_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    overlap: &mut [u8],
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [("q1", q1.len()), ("q2", q2.len()), ("overlap", overlap.len())];
+    same_rows("pw85_overlap_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_overlap_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        overlap.as_mut_ptr(),
+    ) })
+}
+
+/// Tests whether two ellipsoids overlap that are given by factors of their forms, Q1 = S1 S1ᵀ and
+/// Q2 = S2 S2ᵀ.
+///
+/// The answer is exact for the exact products of the factors given. It may differ from the answer
+/// of [`overlap()`](crate::overlap) for the rounded products. Separating planes and common
+/// points, with bounds that account for rounding, decide almost all pairs. Integers decide the
+/// others, if their digits fit: the entries of s1 and s2, and r12, must be multiples of a power
+/// of two and smaller than 2¹⁵⁰⁰ times that power.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; zero is an overlap. Unit:
+///   length.
+/// - `s1`: Row-major, as [`ellipsoid_factor()`](crate::ellipsoid_factor) makes them. Any matrix S
+///   counts as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if
+///   the lengths of its columns differ by less than a factor of 2¹²⁷. Unit: length.
+/// - `s2`: Row-major, as [`ellipsoid_factor()`](crate::ellipsoid_factor) makes them. Any matrix S
+///   counts as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if
+///   the lengths of its columns differ by less than a factor of 2¹²⁷. Unit: length.
+///
+/// # Errors
+///
+/// A number is not finite. `Status::NoConvergence`: the pair is so near contact that only
+/// integers can decide, and their digits do not fit.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::overlap_factored(
+///     &[3.0, 0.5, 0.0],
+///     &[[3.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0]],
+///     &[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn overlap_factored(
+    r12: &[f64; 3],
+    s1: &[[f64; 3]; 3],
+    s2: &[[f64; 3]; 3],
+) -> Result<bool, Error> {
+    let mut overlap = 0;
+    check(unsafe { sys::pw85_overlap_factored(
+        r12.as_ptr(),
+        s1.as_ptr().cast(),
+        s2.as_ptr().cast(),
+        &mut overlap,
+    ) })?;
+    Ok(overlap == 1)
+}
+
+/// [`overlap_factored()`](crate::overlap_factored) for many pairs; the answers are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `s1`: Unit: length.
+/// - `s2`: Unit: length.
+/// - `overlap`: 1, 0, or 255 for a bad pair.
+///
+/// Row i of each slice belongs to row i of `r12`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let s1 = [[[3.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0]]; 2];
+/// let s2 = [[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]; 2];
+/// let mut overlap = [0; 2];
+/// pw85::overlap_factored_batch(&r12, &s1, &s2, &mut overlap)?;
+/// assert_eq!(overlap[0], overlap[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn overlap_factored_batch(
+    r12: &[[f64; 3]],
+    s1: &[[[f64; 3]; 3]],
+    s2: &[[[f64; 3]; 3]],
+    overlap: &mut [u8],
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [("s1", s1.len()), ("s2", s2.len()), ("overlap", overlap.len())];
+    same_rows("pw85_overlap_factored_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_overlap_factored_batch(
+        n,
+        r12.as_ptr().cast(),
+        s1.as_ptr().cast(),
+        s2.as_ptr().cast(),
+        overlap.as_mut_ptr(),
+    ) })
+}
+
+/// Sign of μ² - mu2, for any number mu2 \>= 0.
+///
+/// The sign is exact for the numbers given; [`overlap()`](crate::overlap) is the case mu2 = 1. A
+/// bound on the error of μ² decides almost all pairs; exact arithmetic decides the others.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `mu2`: The number to compare with; \>= 0; may be infinite.
+///
+/// # Errors
+///
+/// A number is not finite (`mu2` may be infinite), a form is not positive definite or `mu2` is
+/// negative.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::compare(
+///     &[3.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+///     1.0,
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn compare(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6], mu2: f64) -> Result<Ordering, Error> {
+    let mut sign = 0;
+    check(unsafe { sys::pw85_compare(r12.as_ptr(), q1.as_ptr(), q2.as_ptr(), mu2, &mut sign) })?;
+    Ok(sign.cmp(&0))
+}
+
+/// [`compare()`](crate::compare) for many pairs; the signs are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `mu2`: \>= 0; may be infinite.
+/// - `sign`: -1, 0 or 1, or 2 for a bad pair.
+///
+/// Row i of each slice belongs to row i of `r12`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let mu2 = [1.0; 2];
+/// let mut sign = [0; 2];
+/// pw85::compare_batch(&r12, &q1, &q2, &mu2, &mut sign)?;
+/// assert_eq!(sign[0], sign[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn compare_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    mu2: &[f64],
+    sign: &mut [i32],
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [("q1", q1.len()), ("q2", q2.len()), ("mu2", mu2.len()), ("sign", sign.len())];
+    same_rows("pw85_compare_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_compare_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        mu2.as_ptr(),
+        sign.as_mut_ptr(),
+    ) })
+}
+
+/// Tests whether two ellipsoids overlap, as [`overlap()`](crate::overlap) does, and gives a
+/// number or a point that proves the answer.
+///
+/// The proof holds in exact arithmetic for the numbers given, and rational arithmetic can check
+/// it. Tangent ellipsoids do not overlap, and have no such proof: `λ` and `point` are NaN, and
+/// the status is success. The function finds a λ that proves that ellipsoids are apart, if there
+/// is one among the doubles. It searches for a common point near the point where the ellipsoids,
+/// scaled by μ, touch. If 1 - μ² is below 1e-13, it may find none.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: no proof
+/// among the doubles was found; seen only where μ² differs from one by less than 1e-13, at aspect
+/// ratios up to 10⁸.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::overlap_witness(
+///     &[3.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn overlap_witness(
+    r12: &[f64; 3],
+    q1: &[f64; 6],
+    q2: &[f64; 6],
+) -> Result<OverlapWitness, Error> {
+    let mut overlap = 0;
+    let mut lambda = 0.0;
+    let mut point = [0.0; 3];
+    check(unsafe { sys::pw85_overlap_witness(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        &mut overlap,
+        &mut lambda,
+        point.as_mut_ptr(),
+    ) })?;
+    Ok(OverlapWitness { overlap: overlap == 1, lambda, point })
+}
+
+/// [`overlap_witness()`](crate::overlap_witness) for many pairs; the results are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `overlap`: 1, 0, or 255 for a bad pair.
+/// - `lambda`: NaN where the ellipsoids are not apart.
+/// - `point`: NaN where they do not overlap. Unit: length.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let mut overlap = [0; 2];
+/// let mut lambda = [0.0; 2];
+/// let mut point = [[0.0; 3]; 2];
+/// pw85::overlap_witness_batch(&r12, &q1, &q2, &mut overlap, Some(&mut lambda), Some(&mut point))?;
+/// assert_eq!(point[0], point[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn overlap_witness_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    overlap: &mut [u8],
+    lambda: Option<&mut [f64]>,
+    point: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("overlap", overlap.len()),
+        ("lambda", rows_of(&lambda, n)),
+        ("point", rows_of(&point, n)),
+    ];
+    same_rows("pw85_overlap_witness_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_overlap_witness_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        overlap.as_mut_ptr(),
+        pointer(lambda),
+        pointer(point),
+    ) })
+}
+
+/// Tests whether ellipsoid 2 is inside ellipsoid 1.
+///
+/// It may touch the surface of ellipsoid 1 from inside.
+///
+/// The answer is exact for the numbers given. Every ellipsoid is inside itself.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::contains(
+///     &[3.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn contains(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<bool, Error> {
+    let mut contains = 0;
+    check(unsafe { sys::pw85_contains(r12.as_ptr(), q1.as_ptr(), q2.as_ptr(), &mut contains) })?;
+    Ok(contains == 1)
+}
+
+/// [`contains()`](crate::contains) for many pairs; the answers are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `contains`: 1, 0, or 255 for a bad pair.
+///
+/// Row i of each slice belongs to row i of `r12`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let mut contains = [0; 2];
+/// pw85::contains_batch(&r12, &q1, &q2, &mut contains)?;
+/// assert_eq!(contains[0], contains[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn contains_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    contains: &mut [u8],
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [("q1", q1.len()), ("q2", q2.len()), ("contains", contains.len())];
+    same_rows("pw85_contains_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_contains_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        contains.as_mut_ptr(),
+    ) })
+}
+
+/// Factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2, and the
+/// point where the ellipsoids then touch.
+///
+/// The square of the factor is the largest value of xᵀ q1⁻¹ x over the points x of ellipsoid 2.
+/// It is at most 1 if ellipsoid 2 is inside ellipsoid 1; [`contains()`](crate::contains) decides
+/// this without rounding errors. The relative error is below 16 u c, with u = 2⁻⁵³, where u c is
+/// the fraction by which the square can change if each entry of r12, q1 and q2 changes by a
+/// fraction u of itself. The search proves the result by bounds from both sides.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the bounds
+/// cannot be made to agree; this has never been seen.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::containment(
+///     &[3.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn containment(
+    r12: &[f64; 3],
+    q1: &[f64; 6],
+    q2: &[f64; 6],
+) -> Result<ContainmentScale, Error> {
+    let mut mu2 = 0.0;
+    let mut point = [0.0; 3];
+    check(unsafe { sys::pw85_containment(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        &mut mu2,
+        point.as_mut_ptr(),
+    ) })?;
+    Ok(ContainmentScale { mu2, point })
+}
+
+/// [`containment()`](crate::containment) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `point`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let mut mu2 = [0.0; 2];
+/// let mut point = [[0.0; 3]; 2];
+/// pw85::containment_batch(&r12, &q1, &q2, Some(&mut mu2), Some(&mut point))?;
+/// assert_eq!(point[0], point[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn containment_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    mu2: Option<&mut [f64]>,
+    point: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("mu2", rows_of(&mu2, n)),
+        ("point", rows_of(&point, n)),
+    ];
+    same_rows("pw85_containment_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_containment_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        pointer(mu2),
+        pointer(point),
+    ) })
+}
+
+/// Distance of closest approach.
+///
+/// The distance of the centres at which two ellipsoids of fixed orientation touch from outside,
+/// when their centres are on a line of given direction d. It is \|d\|/μ(d).
+///
+/// # Arguments
+///
+/// - `direction`: From centre 1 to centre 2, of any length; not zero.
+/// - `q1`: Forms of the ellipsoids. Unit: length².
+/// - `q2`: Forms of the ellipsoids. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite or `direction` is zero.
+/// `Status::NoConvergence`: as for [`contact()`](crate::contact).
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::closest_approach(
+///     &[1.0, 0.0, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn closest_approach(direction: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<f64, Error> {
+    let mut distance = 0.0;
+    check(unsafe { sys::pw85_closest_approach(
+        direction.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        &mut distance,
+    ) })?;
+    Ok(distance)
+}
+
+/// [`closest_approach()`](crate::closest_approach) for many pairs.
+///
+/// The relative error is below 2 u cond + 4 u; the last bits may differ from those of
+/// [`closest_approach()`](crate::closest_approach).
+///
+/// # Arguments
+///
+/// - `directions`: Not zero.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `distance`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `directions`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `directions`, or a row is refused. The outputs of such rows
+/// are NaN, 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let directions = [[1.0, 0.0, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let mut distance = [0.0; 2];
+/// pw85::closest_approach_batch(&directions, &q1, &q2, &mut distance)?;
+/// assert_eq!(distance[0], distance[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn closest_approach_batch(
+    directions: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    distance: &mut [f64],
+) -> Result<(), Error> {
+    let n = directions.len();
+    let counts = [("q1", q1.len()), ("q2", q2.len()), ("distance", distance.len())];
+    same_rows("pw85_closest_approach_batch", "must have as many rows as directions", n, &counts)?;
+    check_rows(unsafe { sys::pw85_closest_approach_batch(
+        n,
+        directions.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        distance.as_mut_ptr(),
+    ) })
+}
+
+/// Volume of an ellipsoid, (4/3)π √det q.
+///
+/// The relative error is below 2⁻⁵² if the semi-axes differ by a factor below 10⁷. For a larger
+/// factor k it is below 2⁻⁵² k²/10¹⁴.
+///
+/// # Arguments
+///
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::volume(&[9.0, 0.0, 0.0, 4.0, 0.0, 1.0])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn volume(q: &[f64; 6]) -> Result<f64, Error> {
+    let mut volume = 0.0;
+    check(unsafe { sys::pw85_volume(q.as_ptr(), &mut volume) })?;
+    Ok(volume)
+}
+
+/// [`volume()`](crate::volume) for many ellipsoids; the bits are the same.
+///
+/// # Arguments
+///
+/// - `q`: Unit: length².
+/// - `volume`: Unit: length³.
+///
+/// Row i of each slice belongs to row i of `q`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `q`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut volume = [0.0; 2];
+/// pw85::volume_batch(&q, &mut volume)?;
+/// assert_eq!(volume[0], volume[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn volume_batch(q: &[[f64; 6]], volume: &mut [f64]) -> Result<(), Error> {
+    let n = q.len();
+    let counts = [("volume", volume.len())];
+    same_rows("pw85_volume_batch", "must have as many rows as q", n, &counts)?;
+    check_rows(unsafe { sys::pw85_volume_batch(n, q.as_ptr().cast(), volume.as_mut_ptr()) })
+}
+
+/// Volume of the common part of two ellipsoids.
+///
+/// The volume is 0 exactly if [`overlap()`](crate::overlap) says that the ellipsoids do not
+/// overlap. It is [`volume()`](crate::volume) of the smaller ellipsoid exactly if
+/// [`contains()`](crate::contains) says that this one is inside the other one. Otherwise the
+/// error is below u (64 v + 16 s), with u = 2⁻⁵³, the volume v of the smaller one, and s =
+/// Σ\|r12_i ∂V/∂r12_i\| + Σ √(q1_ii q1_jj) \|∂V/∂q1_ij\| + the same sum for q2, over the entries
+/// and derivatives of [`overlap_volume_gradient()`](crate::overlap_volume_gradient). If the
+/// common part, or what remains of the smaller ellipsoid, is as thin as rounding errors, it may
+/// count as empty: the volume is then 0, or that of the smaller ellipsoid.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: by the
+/// linear map that takes the smaller ellipsoid to a unit ball, the other one becomes a disc that
+/// is thinner than 2⁻²¹; the integral does not converge; or 32 digits are not enough for the
+/// bound, which is seen at aspect ratios above 10⁵.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::overlap_volume(
+///     &[3.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn overlap_volume(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<f64, Error> {
+    let mut volume = 0.0;
+    check(unsafe { sys::pw85_overlap_volume(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        &mut volume,
+    ) })?;
+    Ok(volume)
+}
+
+/// [`overlap_volume()`](crate::overlap_volume) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `volume`: Unit: length³.
+///
+/// Row i of each slice belongs to row i of `r12`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let mut volume = [0.0; 2];
+/// pw85::overlap_volume_batch(&r12, &q1, &q2, &mut volume)?;
+/// assert_eq!(volume[0], volume[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn overlap_volume_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    volume: &mut [f64],
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [("q1", q1.len()), ("q2", q2.len()), ("volume", volume.len())];
+    same_rows("pw85_overlap_volume_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_overlap_volume_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        volume.as_mut_ptr(),
+    ) })
+}
+
+/// Derivatives of the volume of the common part.
+///
+/// The derivatives are 0 if the ellipsoids do not overlap. If one ellipsoid is inside the other
+/// one, only the derivatives of its own volume are not 0. If the surfaces touch from inside at a
+/// point, except for some 10⁻¹⁷ of their size, and cross elsewhere, 32 digits may not be enough
+/// (`Status::NoConvergence`). The error of the derivative with respect to a number p is below u
+/// (256 m + 64 s), with u = 2⁻⁵³ and s = Σ\|r12_i ∂²V/∂r12_i∂p\| + Σ √(q1_ii q1_jj)
+/// \|∂²V/∂q1_ij∂p\| + the same for q2. With the volume v of the smaller ellipsoid, the inverse P
+/// of its form, and the inverse P' of the form to which p belongs, m is v √P_ii for r12_i, v
+/// √(P_ii P'_ii) for a diagonal entry, and v (√(P_ii P'_jj) + √(P_jj P'_ii)) for another entry.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::overlap_volume_gradient(
+///     &[3.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn overlap_volume_gradient(
+    r12: &[f64; 3],
+    q1: &[f64; 6],
+    q2: &[f64; 6],
+) -> Result<OverlapVolumeGradient, Error> {
+    let mut d_r12 = [0.0; 3];
+    let mut d_q1 = [0.0; 6];
+    let mut d_q2 = [0.0; 6];
+    check(unsafe { sys::pw85_overlap_volume_gradient(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        d_r12.as_mut_ptr(),
+        d_q1.as_mut_ptr(),
+        d_q2.as_mut_ptr(),
+    ) })?;
+    Ok(OverlapVolumeGradient { d_r12, d_q1, d_q2 })
+}
+
+/// [`overlap_volume_gradient()`](crate::overlap_volume_gradient) for many pairs; the bits are the
+/// same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `d_r12`: Unit: length².
+/// - `d_q1`: Unit: length.
+/// - `d_q2`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let mut d_r12 = [[0.0; 3]; 2];
+/// let mut d_q1 = [[0.0; 6]; 2];
+/// let mut d_q2 = [[0.0; 6]; 2];
+/// pw85::overlap_volume_gradient_batch(
+///     &r12,
+///     &q1,
+///     &q2,
+///     Some(&mut d_r12),
+///     Some(&mut d_q1),
+///     Some(&mut d_q2),
+/// )?;
+/// assert_eq!(d_q2[0], d_q2[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn overlap_volume_gradient_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    d_r12: Option<&mut [[f64; 3]]>,
+    d_q1: Option<&mut [[f64; 6]]>,
+    d_q2: Option<&mut [[f64; 6]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("d_r12", rows_of(&d_r12, n)),
+        ("d_q1", rows_of(&d_q1, n)),
+        ("d_q2", rows_of(&d_q2, n)),
+    ];
+    same_rows("pw85_overlap_volume_gradient_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_overlap_volume_gradient_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        pointer(d_r12),
+        pointer(d_q1),
+        pointer(d_q2),
+    ) })
+}
+
+/// Derivatives of the volume of the common part with respect to rotations.
+///
+/// For a rotation of an ellipsoid about its own centre by the small vector ω, dV = d_rot·ω. The
+/// torque of an energy U(V) is -U'(V) d_rot. With ∂V/∂r12 from
+/// [`overlap_volume_gradient()`](crate::overlap_volume_gradient), d_rot1 + d_rot2 + r12 × ∂V/∂r12
+/// = 0. The derivatives are the axial vectors of 2 q1 G1 and 2 q2 G2 with the matrices G of
+/// ∂V/∂q, and their errors follow from those of G: each is below twice the sum of \|q_ij\| times
+/// the bound for G_jk over the products that the vector is made of.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::overlap_volume_torque(
+///     &[3.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn overlap_volume_torque(
+    r12: &[f64; 3],
+    q1: &[f64; 6],
+    q2: &[f64; 6],
+) -> Result<OverlapVolumeTorque, Error> {
+    let mut d_rot1 = [0.0; 3];
+    let mut d_rot2 = [0.0; 3];
+    check(unsafe { sys::pw85_overlap_volume_torque(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        d_rot1.as_mut_ptr(),
+        d_rot2.as_mut_ptr(),
+    ) })?;
+    Ok(OverlapVolumeTorque { d_rot1, d_rot2 })
+}
+
+/// [`overlap_volume_torque()`](crate::overlap_volume_torque) for many pairs; the bits are the
+/// same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `d_rot1`: Unit: length³.
+/// - `d_rot2`: Unit: length³.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let mut d_rot1 = [[0.0; 3]; 2];
+/// let mut d_rot2 = [[0.0; 3]; 2];
+/// pw85::overlap_volume_torque_batch(&r12, &q1, &q2, Some(&mut d_rot1), Some(&mut d_rot2))?;
+/// assert_eq!(d_rot2[0], d_rot2[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn overlap_volume_torque_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    d_rot1: Option<&mut [[f64; 3]]>,
+    d_rot2: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("d_rot1", rows_of(&d_rot1, n)),
+        ("d_rot2", rows_of(&d_rot2, n)),
+    ];
+    same_rows("pw85_overlap_volume_torque_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_overlap_volume_torque_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        pointer(d_rot1),
+        pointer(d_rot2),
+    ) })
+}
+
+/// Area of an ellipse, π √det q; see [`volume()`](crate::volume).
+///
+/// # Arguments
+///
+/// - `q`: Form of the ellipse. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::area_2d(&[9.0, 0.0, 4.0])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn area_2d(q: &[f64; 3]) -> Result<f64, Error> {
+    let mut area = 0.0;
+    check(unsafe { sys::pw85_area_2d(q.as_ptr(), &mut area) })?;
+    Ok(area)
+}
+
+/// [`area_2d()`](crate::area_2d) for many ellipses; the bits are the same.
+///
+/// # Arguments
+///
+/// - `q`: Unit: length².
+/// - `area`: Unit: length².
+///
+/// Row i of each slice belongs to row i of `q`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `q`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let q = [[9.0, 0.0, 4.0]; 2];
+/// let mut area = [0.0; 2];
+/// pw85::area_batch_2d(&q, &mut area)?;
+/// assert_eq!(area[0], area[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn area_batch_2d(q: &[[f64; 3]], area: &mut [f64]) -> Result<(), Error> {
+    let n = q.len();
+    let counts = [("area", area.len())];
+    same_rows("pw85_area_batch_2d", "must have as many rows as q", n, &counts)?;
+    check_rows(unsafe { sys::pw85_area_batch_2d(n, q.as_ptr().cast(), area.as_mut_ptr()) })
+}
+
+/// Area of the common part of two ellipses; see [`overlap_volume()`](crate::overlap_volume).
+///
+/// The bound on the error is the same, with areas.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipse 1 to that of ellipse 2; zero is valid. Unit: length.
+/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: by the
+/// linear map that takes the smaller ellipsoid to a unit ball, the other one becomes a disc that
+/// is thinner than 2⁻²¹; the integral does not converge; or 32 digits are not enough for the
+/// bound, which is seen at aspect ratios above 10⁵.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::overlap_area_2d(&[3.0, 0.5], &[9.0, 0.0, 4.0], &[0.25, 0.0, 0.25])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn overlap_area_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<f64, Error> {
+    let mut area = 0.0;
+    check(unsafe { sys::pw85_overlap_area_2d(r12.as_ptr(), q1.as_ptr(), q2.as_ptr(), &mut area) })?;
+    Ok(area)
+}
+
+/// [`overlap_area_2d()`](crate::overlap_area_2d) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `area`: Unit: length².
+///
+/// Row i of each slice belongs to row i of `r12`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5]; 2];
+/// let q1 = [[9.0, 0.0, 4.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.25]; 2];
+/// let mut area = [0.0; 2];
+/// pw85::overlap_area_batch_2d(&r12, &q1, &q2, &mut area)?;
+/// assert_eq!(area[0], area[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn overlap_area_batch_2d(
+    r12: &[[f64; 2]],
+    q1: &[[f64; 3]],
+    q2: &[[f64; 3]],
+    area: &mut [f64],
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [("q1", q1.len()), ("q2", q2.len()), ("area", area.len())];
+    same_rows("pw85_overlap_area_batch_2d", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_overlap_area_batch_2d(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        area.as_mut_ptr(),
+    ) })
+}
+
+/// Derivatives of the area of the common part; see
+/// [`overlap_volume_gradient()`](crate::overlap_volume_gradient).
+///
+/// The bounds on the errors are the same, with areas.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::overlap_area_gradient_2d(&[3.0, 0.5], &[9.0, 0.0, 4.0], &[0.25, 0.0, 0.25])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn overlap_area_gradient_2d(
+    r12: &[f64; 2],
+    q1: &[f64; 3],
+    q2: &[f64; 3],
+) -> Result<OverlapAreaGradient, Error> {
+    let mut d_r12 = [0.0; 2];
+    let mut d_q1 = [0.0; 3];
+    let mut d_q2 = [0.0; 3];
+    check(unsafe { sys::pw85_overlap_area_gradient_2d(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        d_r12.as_mut_ptr(),
+        d_q1.as_mut_ptr(),
+        d_q2.as_mut_ptr(),
+    ) })?;
+    Ok(OverlapAreaGradient { d_r12, d_q1, d_q2 })
+}
+
+/// [`overlap_area_gradient_2d()`](crate::overlap_area_gradient_2d) for many pairs; the bits are
+/// the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `d_r12`: Unit: length.
+/// - `d_q1`: Unit: no unit.
+/// - `d_q2`: Unit: no unit.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5]; 2];
+/// let q1 = [[9.0, 0.0, 4.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.25]; 2];
+/// let mut d_r12 = [[0.0; 2]; 2];
+/// let mut d_q1 = [[0.0; 3]; 2];
+/// let mut d_q2 = [[0.0; 3]; 2];
+/// pw85::overlap_area_gradient_batch_2d(
+///     &r12,
+///     &q1,
+///     &q2,
+///     Some(&mut d_r12),
+///     Some(&mut d_q1),
+///     Some(&mut d_q2),
+/// )?;
+/// assert_eq!(d_q2[0], d_q2[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn overlap_area_gradient_batch_2d(
+    r12: &[[f64; 2]],
+    q1: &[[f64; 3]],
+    q2: &[[f64; 3]],
+    d_r12: Option<&mut [[f64; 2]]>,
+    d_q1: Option<&mut [[f64; 3]]>,
+    d_q2: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("d_r12", rows_of(&d_r12, n)),
+        ("d_q1", rows_of(&d_q1, n)),
+        ("d_q2", rows_of(&d_q2, n)),
+    ];
+    same_rows("pw85_overlap_area_gradient_batch_2d", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_overlap_area_gradient_batch_2d(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        pointer(d_r12),
+        pointer(d_q1),
+        pointer(d_q2),
+    ) })
+}
+
+/// Derivatives of the area of the common part with respect to the angles of both ellipses,
+/// counter-clockwise.
+///
+/// See [`overlap_volume_torque()`](crate::overlap_volume_torque).
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::overlap_area_torque_2d(&[3.0, 0.5], &[9.0, 0.0, 4.0], &[0.25, 0.0, 0.25])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn overlap_area_torque_2d(
+    r12: &[f64; 2],
+    q1: &[f64; 3],
+    q2: &[f64; 3],
+) -> Result<OverlapAreaTorque, Error> {
+    let mut d_rot1 = 0.0;
+    let mut d_rot2 = 0.0;
+    check(unsafe { sys::pw85_overlap_area_torque_2d(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        &mut d_rot1,
+        &mut d_rot2,
+    ) })?;
+    Ok(OverlapAreaTorque { d_rot1, d_rot2 })
+}
+
+/// [`overlap_area_torque_2d()`](crate::overlap_area_torque_2d) for many pairs; the bits are the
+/// same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `d_rot1`: Unit: length².
+/// - `d_rot2`: Unit: length².
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5]; 2];
+/// let q1 = [[9.0, 0.0, 4.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.25]; 2];
+/// let mut d_rot1 = [0.0; 2];
+/// let mut d_rot2 = [0.0; 2];
+/// pw85::overlap_area_torque_batch_2d(&r12, &q1, &q2, Some(&mut d_rot1), Some(&mut d_rot2))?;
+/// assert_eq!(d_rot2[0], d_rot2[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn overlap_area_torque_batch_2d(
+    r12: &[[f64; 2]],
+    q1: &[[f64; 3]],
+    q2: &[[f64; 3]],
+    d_rot1: Option<&mut [f64]>,
+    d_rot2: Option<&mut [f64]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("d_rot1", rows_of(&d_rot1, n)),
+        ("d_rot2", rows_of(&d_rot2, n)),
+    ];
+    same_rows("pw85_overlap_area_torque_batch_2d", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_overlap_area_torque_batch_2d(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        pointer(d_rot1),
+        pointer(d_rot2),
+    ) })
+}
+
+/// Contact function of two ellipses; see [`contact()`](crate::contact).
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipse 1 to that of ellipse 2; zero is valid: μ² = 0, λ = 1/2.
+///   Unit: length.
+/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the bound
+/// on the error cannot be proved; this has never been seen.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::contact_2d(&[3.0, 0.5], &[9.0, 0.0, 4.0], &[0.25, 0.0, 0.25])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn contact_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<Contact, Error> {
+    let mut out = [0.0; 2];
+    check(unsafe { sys::pw85_contact_2d(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        out.as_mut_ptr(),
+    ) })?;
+    Ok(Contact { mu2: out[0], lambda: out[1] })
+}
+
+/// [`contact_2d()`](crate::contact_2d) for many pairs; see
+/// [`contact_batch()`](crate::contact_batch).
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5]; 2];
+/// let q1 = [[9.0, 0.0, 4.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.25]; 2];
+/// let mut mu2 = [0.0; 2];
+/// let mut lambda = [0.0; 2];
+/// pw85::contact_batch_2d(&r12, &q1, &q2, &mut mu2, Some(&mut lambda))?;
+/// assert_eq!(lambda[0], lambda[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn contact_batch_2d(
+    r12: &[[f64; 2]],
+    q1: &[[f64; 3]],
+    q2: &[[f64; 3]],
+    mu2: &mut [f64],
+    lambda: Option<&mut [f64]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("mu2", mu2.len()),
+        ("lambda", rows_of(&lambda, n)),
+    ];
+    same_rows("pw85_contact_batch_2d", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_contact_batch_2d(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        mu2.as_mut_ptr(),
+        pointer(lambda),
+    ) })
+}
+
+/// Point at which the ellipses, scaled by μ, touch, and their common normal; see
+/// [`contact_geometry()`](crate::contact_geometry).
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipse 1 to that of ellipse 2; not zero. Unit: length.
+/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `lambda`: From [`contact()`](crate::contact). Any other value in (0, 1) gives the point
+///   x0(λ) of the chapter on theory: it is on both ellipses when they are scaled by the factors
+///   μ1 and μ2 for which f(λ) = λ μ1² + (1-λ) μ2².
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite, `r12` is zero or λ is not in \[0,
+/// 1\].
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::contact_geometry_2d(&[3.0, 0.5], &[9.0, 0.0, 4.0], &[0.25, 0.0, 0.25], 0.5)?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn contact_geometry_2d(
+    r12: &[f64; 2],
+    q1: &[f64; 3],
+    q2: &[f64; 3],
+    lambda: f64,
+) -> Result<ContactGeometry2d, Error> {
+    let mut point = [0.0; 2];
+    let mut normal = [0.0; 2];
+    check(unsafe { sys::pw85_contact_geometry_2d(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        lambda,
+        point.as_mut_ptr(),
+        normal.as_mut_ptr(),
+    ) })?;
+    Ok(ContactGeometry2d { point, normal })
+}
+
+/// [`contact_geometry_2d()`](crate::contact_geometry_2d) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Not zero. Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `point`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5]; 2];
+/// let q1 = [[9.0, 0.0, 4.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.25]; 2];
+/// let lambda = [0.5; 2];
+/// let mut point = [[0.0; 2]; 2];
+/// let mut normal = [[0.0; 2]; 2];
+/// pw85::contact_geometry_batch_2d(&r12, &q1, &q2, &lambda, Some(&mut point), Some(&mut normal))?;
+/// assert_eq!(normal[0], normal[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn contact_geometry_batch_2d(
+    r12: &[[f64; 2]],
+    q1: &[[f64; 3]],
+    q2: &[[f64; 3]],
+    lambda: &[f64],
+    point: Option<&mut [[f64; 2]]>,
+    normal: Option<&mut [[f64; 2]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("lambda", lambda.len()),
+        ("point", rows_of(&point, n)),
+        ("normal", rows_of(&normal, n)),
+    ];
+    same_rows("pw85_contact_geometry_batch_2d", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_contact_geometry_batch_2d(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        lambda.as_ptr(),
+        pointer(point),
+        pointer(normal),
+    ) })
+}
+
+/// Derivatives of μ² of two ellipses; see [`contact_gradient()`](crate::contact_gradient).
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `lambda`: From [`contact()`](crate::contact).
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite or λ is not in \[0, 1\].
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::contact_gradient_2d(&[3.0, 0.5], &[9.0, 0.0, 4.0], &[0.25, 0.0, 0.25], 0.5)?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn contact_gradient_2d(
+    r12: &[f64; 2],
+    q1: &[f64; 3],
+    q2: &[f64; 3],
+    lambda: f64,
+) -> Result<ContactGradient2d, Error> {
+    let mut d_r12 = [0.0; 2];
+    let mut d_q1 = [0.0; 3];
+    let mut d_q2 = [0.0; 3];
+    check(unsafe { sys::pw85_contact_gradient_2d(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        lambda,
+        d_r12.as_mut_ptr(),
+        d_q1.as_mut_ptr(),
+        d_q2.as_mut_ptr(),
+    ) })?;
+    Ok(ContactGradient2d { d_r12, d_q1, d_q2 })
+}
+
+/// [`contact_gradient_2d()`](crate::contact_gradient_2d) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `d_r12`: Unit: 1/length.
+/// - `d_q1`: Unit: 1/length².
+/// - `d_q2`: Unit: 1/length².
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5]; 2];
+/// let q1 = [[9.0, 0.0, 4.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.25]; 2];
+/// let lambda = [0.5; 2];
+/// let mut d_r12 = [[0.0; 2]; 2];
+/// let mut d_q1 = [[0.0; 3]; 2];
+/// let mut d_q2 = [[0.0; 3]; 2];
+/// pw85::contact_gradient_batch_2d(
+///     &r12,
+///     &q1,
+///     &q2,
+///     &lambda,
+///     Some(&mut d_r12),
+///     Some(&mut d_q1),
+///     Some(&mut d_q2),
+/// )?;
+/// assert_eq!(d_q2[0], d_q2[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn contact_gradient_batch_2d(
+    r12: &[[f64; 2]],
+    q1: &[[f64; 3]],
+    q2: &[[f64; 3]],
+    lambda: &[f64],
+    d_r12: Option<&mut [[f64; 2]]>,
+    d_q1: Option<&mut [[f64; 3]]>,
+    d_q2: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("lambda", lambda.len()),
+        ("d_r12", rows_of(&d_r12, n)),
+        ("d_q1", rows_of(&d_q1, n)),
+        ("d_q2", rows_of(&d_q2, n)),
+    ];
+    same_rows("pw85_contact_gradient_batch_2d", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_contact_gradient_batch_2d(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        lambda.as_ptr(),
+        pointer(d_r12),
+        pointer(d_q1),
+        pointer(d_q2),
+    ) })
+}
+
+/// Derivatives of μ² with respect to the angles of two ellipses, counter-clockwise; see
+/// [`contact_torque()`](crate::contact_torque).
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `lambda`: From [`contact()`](crate::contact).
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite or λ is not in \[0, 1\].
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::contact_torque_2d(&[3.0, 0.5], &[9.0, 0.0, 4.0], &[0.25, 0.0, 0.25], 0.5)?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn contact_torque_2d(
+    r12: &[f64; 2],
+    q1: &[f64; 3],
+    q2: &[f64; 3],
+    lambda: f64,
+) -> Result<ContactTorque2d, Error> {
+    let mut d_rot1 = 0.0;
+    let mut d_rot2 = 0.0;
+    check(unsafe { sys::pw85_contact_torque_2d(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        lambda,
+        &mut d_rot1,
+        &mut d_rot2,
+    ) })?;
+    Ok(ContactTorque2d { d_rot1, d_rot2 })
+}
+
+/// [`contact_torque_2d()`](crate::contact_torque_2d) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5]; 2];
+/// let q1 = [[9.0, 0.0, 4.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.25]; 2];
+/// let lambda = [0.5; 2];
+/// let mut d_rot1 = [0.0; 2];
+/// let mut d_rot2 = [0.0; 2];
+/// pw85::contact_torque_batch_2d(&r12, &q1, &q2, &lambda, Some(&mut d_rot1), Some(&mut d_rot2))?;
+/// assert_eq!(d_rot2[0], d_rot2[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn contact_torque_batch_2d(
+    r12: &[[f64; 2]],
+    q1: &[[f64; 3]],
+    q2: &[[f64; 3]],
+    lambda: &[f64],
+    d_rot1: Option<&mut [f64]>,
+    d_rot2: Option<&mut [f64]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("lambda", lambda.len()),
+        ("d_rot1", rows_of(&d_rot1, n)),
+        ("d_rot2", rows_of(&d_rot2, n)),
+    ];
+    same_rows("pw85_contact_torque_batch_2d", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_contact_torque_batch_2d(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        lambda.as_ptr(),
+        pointer(d_rot1),
+        pointer(d_rot2),
+    ) })
+}
+
+/// Second derivatives of μ² of two ellipses; see [`contact_hessian()`](crate::contact_hessian).
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipse 1 to that of ellipse 2; not zero. Unit: length.
+/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `lambda`: From [`contact()`](crate::contact).
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite, `r12` is zero or λ is not in \[0,
+/// 1\].
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::contact_hessian_2d(&[3.0, 0.5], &[9.0, 0.0, 4.0], &[0.25, 0.0, 0.25], 0.5)?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn contact_hessian_2d(
+    r12: &[f64; 2],
+    q1: &[f64; 3],
+    q2: &[f64; 3],
+    lambda: f64,
+) -> Result<[[f64; 4]; 4], Error> {
+    let mut hessian = [[0.0; 4]; 4];
+    check(unsafe { sys::pw85_contact_hessian_2d(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        lambda,
+        hessian.as_mut_ptr().cast(),
+    ) })?;
+    Ok(hessian)
+}
+
+/// [`contact_hessian_2d()`](crate::contact_hessian_2d) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Not zero. Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `hessian`: Unit: mixed units.
+///
+/// Row i of each slice belongs to row i of `r12`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5]; 2];
+/// let q1 = [[9.0, 0.0, 4.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.25]; 2];
+/// let lambda = [0.5; 2];
+/// let mut hessian = [[[0.0; 4]; 4]; 2];
+/// pw85::contact_hessian_batch_2d(&r12, &q1, &q2, &lambda, &mut hessian)?;
+/// assert_eq!(hessian[0], hessian[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn contact_hessian_batch_2d(
+    r12: &[[f64; 2]],
+    q1: &[[f64; 3]],
+    q2: &[[f64; 3]],
+    lambda: &[f64],
+    hessian: &mut [[[f64; 4]; 4]],
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("lambda", lambda.len()),
+        ("hessian", hessian.len()),
+    ];
+    same_rows("pw85_contact_hessian_batch_2d", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_contact_hessian_batch_2d(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        lambda.as_ptr(),
+        hessian.as_mut_ptr().cast(),
+    ) })
+}
+
+/// Tests whether two ellipses overlap; see [`overlap()`](crate::overlap).
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipse 1 to that of ellipse 2; zero is an overlap. Unit: length.
+/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::overlap_2d(&[3.0, 0.5], &[9.0, 0.0, 4.0], &[0.25, 0.0, 0.25])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn overlap_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<bool, Error> {
+    let mut overlap = 0;
+    check(unsafe { sys::pw85_overlap_2d(r12.as_ptr(), q1.as_ptr(), q2.as_ptr(), &mut overlap) })?;
+    Ok(overlap == 1)
+}
+
+/// [`overlap_2d()`](crate::overlap_2d) for many pairs; see
+/// [`overlap_batch()`](crate::overlap_batch).
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `overlap`: 1, 0, or 255 for a bad pair.
+///
+/// Row i of each slice belongs to row i of `r12`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5]; 2];
+/// let q1 = [[9.0, 0.0, 4.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.25]; 2];
+/// let mut overlap = [0; 2];
+/// pw85::overlap_batch_2d(&r12, &q1, &q2, &mut overlap)?;
+/// assert_eq!(overlap[0], overlap[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn overlap_batch_2d(
+    r12: &[[f64; 2]],
+    q1: &[[f64; 3]],
+    q2: &[[f64; 3]],
+    overlap: &mut [u8],
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [("q1", q1.len()), ("q2", q2.len()), ("overlap", overlap.len())];
+    same_rows("pw85_overlap_batch_2d", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_overlap_batch_2d(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        overlap.as_mut_ptr(),
+    ) })
+}
+
+/// Tests whether ellipse 2 is inside ellipse 1; see [`contains()`](crate::contains).
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::contains_2d(&[3.0, 0.5], &[9.0, 0.0, 4.0], &[0.25, 0.0, 0.25])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn contains_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<bool, Error> {
+    let mut contains = 0;
+    check(unsafe { sys::pw85_contains_2d(r12.as_ptr(), q1.as_ptr(), q2.as_ptr(), &mut contains) })?;
+    Ok(contains == 1)
+}
+
+/// Factor by which ellipse 1 must be scaled to contain ellipse 2; see
+/// [`containment()`](crate::containment).
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipse 1 to that of ellipse 2; zero is valid. Unit: length.
+/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the bounds
+/// cannot be made to agree; this has never been seen.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::containment_2d(&[3.0, 0.5], &[9.0, 0.0, 4.0], &[0.25, 0.0, 0.25])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn containment_2d(
+    r12: &[f64; 2],
+    q1: &[f64; 3],
+    q2: &[f64; 3],
+) -> Result<ContainmentScale2d, Error> {
+    let mut mu2 = 0.0;
+    let mut point = [0.0; 2];
+    check(unsafe { sys::pw85_containment_2d(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        &mut mu2,
+        point.as_mut_ptr(),
+    ) })?;
+    Ok(ContainmentScale2d { mu2, point })
+}
+
+/// Distance of closest approach of two ellipses; see
+/// [`closest_approach()`](crate::closest_approach).
+///
+/// # Arguments
+///
+/// - `direction`: From centre 1 to centre 2, of any length; not zero.
+/// - `q1`: Forms (xx, xy, yy) of the ellipses. Unit: length².
+/// - `q2`: Forms (xx, xy, yy) of the ellipses. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite or `direction` is zero.
+/// `Status::NoConvergence`: as for [`contact()`](crate::contact).
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::closest_approach_2d(&[1.0, 0.0], &[9.0, 0.0, 4.0], &[0.25, 0.0, 0.25])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn closest_approach_2d(
+    direction: &[f64; 2],
+    q1: &[f64; 3],
+    q2: &[f64; 3],
+) -> Result<f64, Error> {
+    let mut distance = 0.0;
+    check(unsafe { sys::pw85_closest_approach_2d(
+        direction.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        &mut distance,
+    ) })?;
+    Ok(distance)
+}
+
+/// [`closest_approach_2d()`](crate::closest_approach_2d) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `directions`: Not zero.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `distance`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `directions`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `directions`, or a row is refused. The outputs of such rows
+/// are NaN, 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let directions = [[1.0, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 4.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.25]; 2];
+/// let mut distance = [0.0; 2];
+/// pw85::closest_approach_batch_2d(&directions, &q1, &q2, &mut distance)?;
+/// assert_eq!(distance[0], distance[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn closest_approach_batch_2d(
+    directions: &[[f64; 2]],
+    q1: &[[f64; 3]],
+    q2: &[[f64; 3]],
+    distance: &mut [f64],
+) -> Result<(), Error> {
+    let n = directions.len();
+    let counts = [("q1", q1.len()), ("q2", q2.len()), ("distance", distance.len())];
+    same_rows("pw85_closest_approach_batch_2d", "must have as many rows as directions", n, &counts)?;
+    check_rows(unsafe { sys::pw85_closest_approach_batch_2d(
+        n,
+        directions.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        distance.as_mut_ptr(),
+    ) })
+}
+
+/// Distance of the surfaces of two ellipsoids, and the points where they are closest.
+///
+/// The error of the distance is below 8 u Σ, with u = 2⁻⁵³ and Σ = Σ\|n_i r12_i\| + Σ\|n_i q1_ij
+/// n_j\|/(2α) + Σ\|n_i q2_ij n_j\|/(2β), the sums over all i and j. Rounding the data entry by
+/// entry can change the distance by u Σ. Here n is the unit normal, and α and β are the
+/// half-widths of the ellipsoids along it. The answer can be checked independently: any unit
+/// vector n gives a lower bound n·r12 - α - β of the distance, and any two points of the
+/// ellipsoids give an upper bound. `distance` is the lower bound for the normal that
+/// [`distance_derivatives()`](crate::distance_derivatives) returns, and \|point2 - point1\| is an
+/// upper bound.
+///
+/// The vector point2 - point1 differs from `distance` times n by less than 2¹⁸ u (\|r12\| +
+/// \|point1\| + \|r12 - point2\|), and \|point2 - point1\| differs from `distance` by no more
+/// than that. The points are the closest points of a pair whose r12 differs by no more than that.
+/// The distance of each point from the surface is below 2¹⁸ u times the longest semi-axis of its
+/// ellipsoid, plus the rounding error u \|point2\| of its coordinates.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the errors
+/// cannot be bounded; seen only beyond aspect ratio 10⁶.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::distance(
+///     &[5.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn distance(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<Distance, Error> {
+    let mut distance = 0.0;
+    let mut point1 = [0.0; 3];
+    let mut point2 = [0.0; 3];
+    check(unsafe { sys::pw85_distance(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        &mut distance,
+        point1.as_mut_ptr(),
+        point2.as_mut_ptr(),
+    ) })?;
+    Ok(Distance { distance, point1, point2 })
+}
+
+/// [`distance()`](crate::distance) for many pairs.
+///
+/// Points of pairs that overlap are NaN.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `distance`: Unit: length.
+/// - `point1`: Unit: length.
+/// - `point2`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[5.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let mut distance = [0.0; 2];
+/// let mut point1 = [[0.0; 3]; 2];
+/// let mut point2 = [[0.0; 3]; 2];
+/// pw85::distance_batch(&r12, &q1, &q2, Some(&mut distance), Some(&mut point1), Some(&mut point2))?;
+/// assert_eq!(point2[0], point2[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn distance_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    distance: Option<&mut [f64]>,
+    point1: Option<&mut [[f64; 3]]>,
+    point2: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("distance", rows_of(&distance, n)),
+        ("point1", rows_of(&point1, n)),
+        ("point2", rows_of(&point2, n)),
+    ];
+    same_rows("pw85_distance_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_distance_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        pointer(distance),
+        pointer(point1),
+        pointer(point2),
+    ) })
+}
+
+/// Derivatives of the distance of two ellipsoids that are apart; NaN if they overlap.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: as for
+/// [`distance()`](crate::distance).
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::distance_derivatives(
+///     &[5.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn distance_derivatives(
+    r12: &[f64; 3],
+    q1: &[f64; 6],
+    q2: &[f64; 6],
+) -> Result<DistanceDerivatives, Error> {
+    let mut d_r12 = [0.0; 3];
+    let mut d_rot1 = [0.0; 3];
+    let mut d_rot2 = [0.0; 3];
+    let mut hessian = [[0.0; 9]; 9];
+    check(unsafe { sys::pw85_distance_derivatives(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        d_r12.as_mut_ptr(),
+        d_rot1.as_mut_ptr(),
+        d_rot2.as_mut_ptr(),
+        hessian.as_mut_ptr().cast(),
+    ) })?;
+    Ok(DistanceDerivatives { d_r12, d_rot1, d_rot2, hessian })
+}
+
+/// [`distance_derivatives()`](crate::distance_derivatives) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `d_rot1`: Unit: length.
+/// - `d_rot2`: Unit: length.
+/// - `hessian`: Unit: mixed units.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[5.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let mut d_r12 = [[0.0; 3]; 2];
+/// let mut d_rot1 = [[0.0; 3]; 2];
+/// let mut d_rot2 = [[0.0; 3]; 2];
+/// let mut hessian = [[[0.0; 9]; 9]; 2];
+/// pw85::distance_derivatives_batch(
+///     &r12,
+///     &q1,
+///     &q2,
+///     Some(&mut d_r12),
+///     Some(&mut d_rot1),
+///     Some(&mut d_rot2),
+///     Some(&mut hessian),
+/// )?;
+/// assert_eq!(hessian[0], hessian[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn distance_derivatives_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    d_r12: Option<&mut [[f64; 3]]>,
+    d_rot1: Option<&mut [[f64; 3]]>,
+    d_rot2: Option<&mut [[f64; 3]]>,
+    hessian: Option<&mut [[[f64; 9]; 9]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("d_r12", rows_of(&d_r12, n)),
+        ("d_rot1", rows_of(&d_rot1, n)),
+        ("d_rot2", rows_of(&d_rot2, n)),
+        ("hessian", rows_of(&hessian, n)),
+    ];
+    same_rows("pw85_distance_derivatives_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_distance_derivatives_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        pointer(d_r12),
+        pointer(d_rot1),
+        pointer(d_rot2),
+        pointer(hessian),
+    ) })
+}
+
+/// Depth of an overlap: the length of the shortest translation of ellipsoid 2 that separates two
+/// ellipsoids.
+///
+/// The depth is the smallest value of α + β - n·r12 over unit vectors n, with the half-widths α
+/// and β of the ellipsoids along n. This function of n may have several local minima; the result
+/// is proved to be the global one. `depth` is the value for the returned direction, with an error
+/// below 8 u Σ, with Σ as for [`distance()`](crate::distance). No other direction has a value
+/// that is smaller by more than 32 u Σ, where Σ is the larger one of the two directions. If
+/// several directions are equally good, the result is one of them. The time is 3 to 8 times that
+/// of [`contact()`](crate::contact) for more than nine in ten random pairs, whose minimum has a
+/// certificate, 10 to 60 times that for the others, and about a thousand times that if the best
+/// direction is not isolated.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the proof
+/// takes too long; seen only for forms that are singular to working precision.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::penetration(
+///     &[3.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn penetration(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<Penetration, Error> {
+    let mut depth = 0.0;
+    let mut direction = [0.0; 3];
+    check(unsafe { sys::pw85_penetration(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        &mut depth,
+        direction.as_mut_ptr(),
+    ) })?;
+    Ok(Penetration { depth, direction })
+}
+
+/// [`penetration()`](crate::penetration) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `depth`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let mut depth = [0.0; 2];
+/// let mut direction = [[0.0; 3]; 2];
+/// pw85::penetration_batch(&r12, &q1, &q2, Some(&mut depth), Some(&mut direction))?;
+/// assert_eq!(direction[0], direction[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn penetration_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    depth: Option<&mut [f64]>,
+    direction: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("depth", rows_of(&depth, n)),
+        ("direction", rows_of(&direction, n)),
+    ];
+    same_rows("pw85_penetration_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_penetration_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        pointer(depth),
+        pointer(direction),
+    ) })
+}
+
+/// Signed distance of two ellipsoids.
+///
+/// Their distance if they are apart, minus the depth of their overlap otherwise.
+///
+/// The signed distance is the largest value of n·r12 - α - β over unit vectors n, with the
+/// half-widths α and β of the ellipsoids along n, whether they overlap or not. It is a convex
+/// function of r12 with slope 1, and is continuous at contact. It is positive only if the
+/// ellipsoids are apart and negative only if they overlap, as [`overlap()`](crate::overlap)
+/// decides. Its error is that of [`distance()`](crate::distance) if they are apart, and that of
+/// [`penetration()`](crate::penetration) if they overlap. [`penetration()`](crate::penetration)
+/// also states the time that overlaps take.
+///
+/// If they overlap, moving ellipsoid 2 by point1 - point2 separates them by the shortest way. If
+/// several directions are equally good, the result belongs to one of them. For a direction that
+/// is isolated, and aspect ratios up to 10³, point2 - point1 differs from `distance` times the
+/// unit normal by less than 2¹⁸ u (\|r12\| + \|point1\| + \|r12 - point2\|), with u = 2⁻⁵³.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: as for
+/// [`distance()`](crate::distance).
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::signed_distance(
+///     &[3.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn signed_distance(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<Distance, Error> {
+    let mut distance = 0.0;
+    let mut point1 = [0.0; 3];
+    let mut point2 = [0.0; 3];
+    check(unsafe { sys::pw85_signed_distance(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        &mut distance,
+        point1.as_mut_ptr(),
+        point2.as_mut_ptr(),
+    ) })?;
+    Ok(Distance { distance, point1, point2 })
+}
+
+/// [`signed_distance()`](crate::signed_distance) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `distance`: Unit: length.
+/// - `point1`: Unit: length.
+/// - `point2`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let mut distance = [0.0; 2];
+/// let mut point1 = [[0.0; 3]; 2];
+/// let mut point2 = [[0.0; 3]; 2];
+/// pw85::signed_distance_batch(
+///     &r12,
+///     &q1,
+///     &q2,
+///     Some(&mut distance),
+///     Some(&mut point1),
+///     Some(&mut point2),
+/// )?;
+/// assert_eq!(point2[0], point2[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn signed_distance_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    distance: Option<&mut [f64]>,
+    point1: Option<&mut [[f64; 3]]>,
+    point2: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("distance", rows_of(&distance, n)),
+        ("point1", rows_of(&point1, n)),
+        ("point2", rows_of(&point2, n)),
+    ];
+    same_rows("pw85_signed_distance_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_signed_distance_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        pointer(distance),
+        pointer(point1),
+        pointer(point2),
+    ) })
+}
+
+/// Derivatives of the signed distance of two ellipsoids.
+///
+/// At contact they are the limits from both sides. The derivatives of the distance with respect
+/// to the entries of the forms are -n_i n_j/(2α) and -n_i n_j/(2β), twice that for entries off
+/// the diagonal, with the normal n = d_r12.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: as for
+/// [`signed_distance()`](crate::signed_distance).
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::signed_distance_derivatives(
+///     &[3.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn signed_distance_derivatives(
+    r12: &[f64; 3],
+    q1: &[f64; 6],
+    q2: &[f64; 6],
+) -> Result<DistanceDerivatives, Error> {
+    let mut d_r12 = [0.0; 3];
+    let mut d_rot1 = [0.0; 3];
+    let mut d_rot2 = [0.0; 3];
+    let mut hessian = [[0.0; 9]; 9];
+    check(unsafe { sys::pw85_signed_distance_derivatives(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        d_r12.as_mut_ptr(),
+        d_rot1.as_mut_ptr(),
+        d_rot2.as_mut_ptr(),
+        hessian.as_mut_ptr().cast(),
+    ) })?;
+    Ok(DistanceDerivatives { d_r12, d_rot1, d_rot2, hessian })
+}
+
+/// [`signed_distance_derivatives()`](crate::signed_distance_derivatives) for many pairs; the bits
+/// are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `d_rot1`: Unit: length.
+/// - `d_rot2`: Unit: length.
+/// - `hessian`: Unit: mixed units.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let mut d_r12 = [[0.0; 3]; 2];
+/// let mut d_rot1 = [[0.0; 3]; 2];
+/// let mut d_rot2 = [[0.0; 3]; 2];
+/// let mut hessian = [[[0.0; 9]; 9]; 2];
+/// pw85::signed_distance_derivatives_batch(
+///     &r12,
+///     &q1,
+///     &q2,
+///     Some(&mut d_r12),
+///     Some(&mut d_rot1),
+///     Some(&mut d_rot2),
+///     Some(&mut hessian),
+/// )?;
+/// assert_eq!(hessian[0], hessian[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn signed_distance_derivatives_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    d_r12: Option<&mut [[f64; 3]]>,
+    d_rot1: Option<&mut [[f64; 3]]>,
+    d_rot2: Option<&mut [[f64; 3]]>,
+    hessian: Option<&mut [[[f64; 9]; 9]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("d_r12", rows_of(&d_r12, n)),
+        ("d_rot1", rows_of(&d_rot1, n)),
+        ("d_rot2", rows_of(&d_rot2, n)),
+        ("hessian", rows_of(&hessian, n)),
+    ];
+    same_rows("pw85_signed_distance_derivatives_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_signed_distance_derivatives_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        pointer(d_r12),
+        pointer(d_rot1),
+        pointer(d_rot2),
+        pointer(hessian),
+    ) })
+}
+
+/// Least gap between the surface of an ellipsoid and that of an ellipsoid that contains it.
+///
+/// Ellipsoid 2 is inside ellipsoid 1, as for [`contains()`](crate::contains). The gap is the
+/// least distance of the surfaces, by which ellipsoid 2 can move in any direction without leaving
+/// ellipsoid 1. It is the smallest value of α - β - n·r12 over unit vectors n, with the
+/// half-widths α and β of ellipsoids 1 and 2 along n. This function of n may have several local
+/// minima. The result is proved to be the global one.
+///
+/// `gap` is the value for the returned normal to a few roundings. No other direction has a value
+/// that is smaller by more than 128 u α (1 + α/β), with u = 2⁻⁵³ and the α and β of the normal.
+/// Where minima are not isolated, for example on circles of spheroids with a common axis, the
+/// proof is coarser: in three dimensions another direction may have a value that is smaller by up
+/// to 2⁻²⁰ of the gap (in two, 2⁻⁴⁰). If several directions are equally good, the result is one
+/// of them. The time is 50 to 300 times that of [`contact()`](crate::contact) for isolated
+/// minima, and up to some tenths of a second otherwise.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the proof
+/// takes too long; this has never been seen.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::gap_inside(
+///     &[0.5, 0.25, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn gap_inside(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<GapInside, Error> {
+    let mut gap = 0.0;
+    let mut point1 = [0.0; 3];
+    let mut point2 = [0.0; 3];
+    let mut normal = [0.0; 3];
+    check(unsafe { sys::pw85_gap_inside(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        &mut gap,
+        point1.as_mut_ptr(),
+        point2.as_mut_ptr(),
+        normal.as_mut_ptr(),
+    ) })?;
+    Ok(GapInside { gap, point1, point2, normal })
+}
+
+/// [`gap_inside()`](crate::gap_inside) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `gap`: Unit: length.
+/// - `point1`: Unit: length.
+/// - `point2`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[0.5, 0.25, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let mut gap = [0.0; 2];
+/// let mut point1 = [[0.0; 3]; 2];
+/// let mut point2 = [[0.0; 3]; 2];
+/// let mut normal = [[0.0; 3]; 2];
+/// pw85::gap_inside_batch(
+///     &r12,
+///     &q1,
+///     &q2,
+///     Some(&mut gap),
+///     Some(&mut point1),
+///     Some(&mut point2),
+///     Some(&mut normal),
+/// )?;
+/// assert_eq!(normal[0], normal[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn gap_inside_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    gap: Option<&mut [f64]>,
+    point1: Option<&mut [[f64; 3]]>,
+    point2: Option<&mut [[f64; 3]]>,
+    normal: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("gap", rows_of(&gap, n)),
+        ("point1", rows_of(&point1, n)),
+        ("point2", rows_of(&point2, n)),
+        ("normal", rows_of(&normal, n)),
+    ];
+    same_rows("pw85_gap_inside_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_gap_inside_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        pointer(gap),
+        pointer(point1),
+        pointer(point2),
+        pointer(normal),
+    ) })
+}
+
+/// Distance of two ellipses; see [`distance()`](crate::distance).
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the errors
+/// cannot be bounded; seen only beyond aspect ratio 10⁶.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::distance_2d(&[5.0, 0.5], &[9.0, 0.0, 4.0], &[0.25, 0.0, 0.25])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn distance_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<Distance2d, Error> {
+    let mut distance = 0.0;
+    let mut point1 = [0.0; 2];
+    let mut point2 = [0.0; 2];
+    check(unsafe { sys::pw85_distance_2d(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        &mut distance,
+        point1.as_mut_ptr(),
+        point2.as_mut_ptr(),
+    ) })?;
+    Ok(Distance2d { distance, point1, point2 })
+}
+
+/// [`distance_2d()`](crate::distance_2d) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `distance`: Unit: length.
+/// - `point1`: Unit: length.
+/// - `point2`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[5.0, 0.5]; 2];
+/// let q1 = [[9.0, 0.0, 4.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.25]; 2];
+/// let mut distance = [0.0; 2];
+/// let mut point1 = [[0.0; 2]; 2];
+/// let mut point2 = [[0.0; 2]; 2];
+/// pw85::distance_batch_2d(&r12, &q1, &q2, Some(&mut distance), Some(&mut point1), Some(&mut point2))?;
+/// assert_eq!(point2[0], point2[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn distance_batch_2d(
+    r12: &[[f64; 2]],
+    q1: &[[f64; 3]],
+    q2: &[[f64; 3]],
+    distance: Option<&mut [f64]>,
+    point1: Option<&mut [[f64; 2]]>,
+    point2: Option<&mut [[f64; 2]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("distance", rows_of(&distance, n)),
+        ("point1", rows_of(&point1, n)),
+        ("point2", rows_of(&point2, n)),
+    ];
+    same_rows("pw85_distance_batch_2d", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_distance_batch_2d(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        pointer(distance),
+        pointer(point1),
+        pointer(point2),
+    ) })
+}
+
+/// Depth of an overlap of two ellipses; see [`penetration()`](crate::penetration).
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the proof
+/// takes too long; seen only for forms that are singular to working precision.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::penetration_2d(&[3.0, 0.5], &[9.0, 0.0, 4.0], &[0.25, 0.0, 0.25])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn penetration_2d(
+    r12: &[f64; 2],
+    q1: &[f64; 3],
+    q2: &[f64; 3],
+) -> Result<Penetration2d, Error> {
+    let mut depth = 0.0;
+    let mut direction = [0.0; 2];
+    check(unsafe { sys::pw85_penetration_2d(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        &mut depth,
+        direction.as_mut_ptr(),
+    ) })?;
+    Ok(Penetration2d { depth, direction })
+}
+
+/// [`penetration_2d()`](crate::penetration_2d) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `depth`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5]; 2];
+/// let q1 = [[9.0, 0.0, 4.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.25]; 2];
+/// let mut depth = [0.0; 2];
+/// let mut direction = [[0.0; 2]; 2];
+/// pw85::penetration_batch_2d(&r12, &q1, &q2, Some(&mut depth), Some(&mut direction))?;
+/// assert_eq!(direction[0], direction[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn penetration_batch_2d(
+    r12: &[[f64; 2]],
+    q1: &[[f64; 3]],
+    q2: &[[f64; 3]],
+    depth: Option<&mut [f64]>,
+    direction: Option<&mut [[f64; 2]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("depth", rows_of(&depth, n)),
+        ("direction", rows_of(&direction, n)),
+    ];
+    same_rows("pw85_penetration_batch_2d", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_penetration_batch_2d(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        pointer(depth),
+        pointer(direction),
+    ) })
+}
+
+/// Signed distance of two ellipses; see [`signed_distance()`](crate::signed_distance).
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: as for
+/// [`distance()`](crate::distance).
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::signed_distance_2d(&[3.0, 0.5], &[9.0, 0.0, 4.0], &[0.25, 0.0, 0.25])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn signed_distance_2d(
+    r12: &[f64; 2],
+    q1: &[f64; 3],
+    q2: &[f64; 3],
+) -> Result<Distance2d, Error> {
+    let mut distance = 0.0;
+    let mut point1 = [0.0; 2];
+    let mut point2 = [0.0; 2];
+    check(unsafe { sys::pw85_signed_distance_2d(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        &mut distance,
+        point1.as_mut_ptr(),
+        point2.as_mut_ptr(),
+    ) })?;
+    Ok(Distance2d { distance, point1, point2 })
+}
+
+/// [`signed_distance_2d()`](crate::signed_distance_2d) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `distance`: Unit: length.
+/// - `point1`: Unit: length.
+/// - `point2`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5]; 2];
+/// let q1 = [[9.0, 0.0, 4.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.25]; 2];
+/// let mut distance = [0.0; 2];
+/// let mut point1 = [[0.0; 2]; 2];
+/// let mut point2 = [[0.0; 2]; 2];
+/// pw85::signed_distance_batch_2d(
+///     &r12,
+///     &q1,
+///     &q2,
+///     Some(&mut distance),
+///     Some(&mut point1),
+///     Some(&mut point2),
+/// )?;
+/// assert_eq!(point2[0], point2[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn signed_distance_batch_2d(
+    r12: &[[f64; 2]],
+    q1: &[[f64; 3]],
+    q2: &[[f64; 3]],
+    distance: Option<&mut [f64]>,
+    point1: Option<&mut [[f64; 2]]>,
+    point2: Option<&mut [[f64; 2]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("distance", rows_of(&distance, n)),
+        ("point1", rows_of(&point1, n)),
+        ("point2", rows_of(&point2, n)),
+    ];
+    same_rows("pw85_signed_distance_batch_2d", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_signed_distance_batch_2d(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        pointer(distance),
+        pointer(point1),
+        pointer(point2),
+    ) })
+}
+
+/// Least gap between an ellipse and an ellipse that contains it; see
+/// [`gap_inside()`](crate::gap_inside).
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the proof
+/// takes too long; this has never been seen.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::gap_inside_2d(&[0.5, 0.25], &[9.0, 0.0, 4.0], &[0.25, 0.0, 0.25])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn gap_inside_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<GapInside2d, Error> {
+    let mut gap = 0.0;
+    let mut point1 = [0.0; 2];
+    let mut point2 = [0.0; 2];
+    let mut normal = [0.0; 2];
+    check(unsafe { sys::pw85_gap_inside_2d(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        &mut gap,
+        point1.as_mut_ptr(),
+        point2.as_mut_ptr(),
+        normal.as_mut_ptr(),
+    ) })?;
+    Ok(GapInside2d { gap, point1, point2, normal })
+}
+
+/// [`gap_inside_2d()`](crate::gap_inside_2d) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `gap`: Unit: length.
+/// - `point1`: Unit: length.
+/// - `point2`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[0.5, 0.25]; 2];
+/// let q1 = [[9.0, 0.0, 4.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.25]; 2];
+/// let mut gap = [0.0; 2];
+/// let mut point1 = [[0.0; 2]; 2];
+/// let mut point2 = [[0.0; 2]; 2];
+/// let mut normal = [[0.0; 2]; 2];
+/// pw85::gap_inside_batch_2d(
+///     &r12,
+///     &q1,
+///     &q2,
+///     Some(&mut gap),
+///     Some(&mut point1),
+///     Some(&mut point2),
+///     Some(&mut normal),
+/// )?;
+/// assert_eq!(normal[0], normal[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn gap_inside_batch_2d(
+    r12: &[[f64; 2]],
+    q1: &[[f64; 3]],
+    q2: &[[f64; 3]],
+    gap: Option<&mut [f64]>,
+    point1: Option<&mut [[f64; 2]]>,
+    point2: Option<&mut [[f64; 2]]>,
+    normal: Option<&mut [[f64; 2]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("gap", rows_of(&gap, n)),
+        ("point1", rows_of(&point1, n)),
+        ("point2", rows_of(&point2, n)),
+        ("normal", rows_of(&normal, n)),
+    ];
+    same_rows("pw85_gap_inside_batch_2d", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_gap_inside_batch_2d(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        pointer(gap),
+        pointer(point1),
+        pointer(point2),
+        pointer(normal),
+    ) })
+}
+
+/// Time of the first contact of two moving ellipsoids.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; at time 0. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`; at time 0. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`; at time 0. Unit: length².
+/// - `motion1`: Motions of the ellipsoids, whose semi-axes must be \> 0 until t_max. Unit: mixed
+///   units.
+/// - `motion2`: Motions of the ellipsoids, whose semi-axes must be \> 0 until t_max. Unit: mixed
+///   units.
+/// - `t_max`: The time up to which contacts count; \>= 0; may be infinite. Unit: time.
+///
+/// # Errors
+///
+/// A number is not finite (`t_max` may be infinite), a form is not positive definite, `t_max` is
+/// negative or an ellipsoid shrinks to nothing before `t_max`. `Status::NoConvergence`: the
+/// search ends after 100,000 steps: the ellipsoids turn by more than 50,000 radians near each
+/// other without contact, or by more than 10,000 if their aspect ratio is 1000; sizes, the
+/// relative velocity or the time leave the range of double; one turns by more than 2⁴³ radians,
+/// and its orientation is unknown, or its aspect ratio is above 10⁷, and rounding leaves no digit
+/// of its form.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::first_contact(
+///     &[3.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+///     &pw85::Motion { velocity: [0.0, 0.0, 0.0], ..Default::default() },
+///     &pw85::Motion { velocity: [-1.0, 0.0, 0.0], ..Default::default() },
+///     10.0,
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn first_contact(
+    r12: &[f64; 3],
+    q1: &[f64; 6],
+    q2: &[f64; 6],
+    motion1: &Motion,
+    motion2: &Motion,
+    t_max: f64,
+) -> Result<f64, Error> {
+    let mut t = 0.0;
+    check(unsafe { sys::pw85_first_contact(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        motion1,
+        motion2,
+        t_max,
+        &mut t,
+    ) })?;
+    Ok(t)
+}
+
+/// [`first_contact()`](crate::first_contact) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `motion1`: Unit: mixed units.
+/// - `motion2`: Unit: mixed units.
+/// - `t_max`: The time up to which contacts count; for all rows; \>= 0; may be infinite. Unit:
+///   time.
+/// - `t`: Unit: time.
+///
+/// Row i of each slice belongs to row i of `r12`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let motion1 = [pw85::Motion { velocity: [0.0, 0.0, 0.0], ..Default::default() }; 2];
+/// let motion2 = [pw85::Motion { velocity: [-1.0, 0.0, 0.0], ..Default::default() }; 2];
+/// let t_max = 10.0;
+/// let mut t = [0.0; 2];
+/// pw85::first_contact_batch(&r12, &q1, &q2, &motion1, &motion2, t_max, &mut t)?;
+/// assert_eq!(t[0], t[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn first_contact_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    motion1: &[Motion],
+    motion2: &[Motion],
+    t_max: f64,
+    t: &mut [f64],
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("motion1", motion1.len()),
+        ("motion2", motion2.len()),
+        ("t", t.len()),
+    ];
+    same_rows("pw85_first_contact_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_first_contact_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        motion1.as_ptr(),
+        motion2.as_ptr(),
+        t_max,
+        t.as_mut_ptr(),
+    ) })
+}
+
+/// Least μ² while ellipsoid 2 passes ellipsoid 1 on a straight path.
+///
+/// The minimum of the contact function for the separations r12 + t velocity, 0 \<= t \<= t_max.
+///
+/// μ² is a convex function of the time. The time of the minimum is therefore unique unless the
+/// velocity is zero. The error of μ² is below 8 u S. Here S is the change of μ² for relative
+/// errors of one in the given numbers: S = μ² cond + 2 λ(1-λ) Σ\|n_i\| (\|r12_i\| + t
+/// \|velocity_i\|), with cond, λ and n of the pair at time t as in
+/// [`condition()`](crate::condition). Ellipsoids that only translate overlap on this path if and
+/// only if μ² \< 1.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; at time 0. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`; at time 0. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`; at time 0. Unit: length².
+/// - `velocity`: Velocity of ellipsoid 2 relative to ellipsoid 1; it may be zero. Unit:
+///   length/time.
+/// - `t_max`: The end of the time; \>= 0; may be infinite. Unit: time.
+///
+/// # Errors
+///
+/// A number is not finite (`t_max` may be infinite), a form is not positive definite or `t_max`
+/// is negative. `Status::NoConvergence`: as for [`contact()`](crate::contact).
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::closest_passage(
+///     &[3.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+///     &[-1.0, 0.0, 0.0],
+///     10.0,
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn closest_passage(
+    r12: &[f64; 3],
+    q1: &[f64; 6],
+    q2: &[f64; 6],
+    velocity: &[f64; 3],
+    t_max: f64,
+) -> Result<ClosestPassage, Error> {
+    let mut mu2 = 0.0;
+    let mut t = 0.0;
+    check(unsafe { sys::pw85_closest_passage(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        velocity.as_ptr(),
+        t_max,
+        &mut mu2,
+        &mut t,
+    ) })?;
+    Ok(ClosestPassage { mu2, t })
+}
+
+/// [`closest_passage()`](crate::closest_passage) for many pairs.
+///
+/// The error of μ² is below 8 u S, too; the last bits may differ from those of
+/// [`closest_passage()`](crate::closest_passage).
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `velocity`: Unit: length/time.
+/// - `t_max`: The end of the time; for all rows; \>= 0; may be infinite. Unit: time.
+/// - `t`: Unit: time.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let velocity = [[-1.0, 0.0, 0.0]; 2];
+/// let t_max = 10.0;
+/// let mut mu2 = [0.0; 2];
+/// let mut t = [0.0; 2];
+/// pw85::closest_passage_batch(&r12, &q1, &q2, &velocity, t_max, &mut mu2, Some(&mut t))?;
+/// assert_eq!(t[0], t[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn closest_passage_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    velocity: &[[f64; 3]],
+    t_max: f64,
+    mu2: &mut [f64],
+    t: Option<&mut [f64]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("velocity", velocity.len()),
+        ("mu2", mu2.len()),
+        ("t", rows_of(&t, n)),
+    ];
+    same_rows("pw85_closest_passage_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_closest_passage_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        velocity.as_ptr().cast(),
+        t_max,
+        mu2.as_mut_ptr(),
+        pointer(t),
+    ) })
+}
+
+/// Free path of ellipsoid 1 along a direction: how far it may move before it touches ellipsoid 2.
+///
+/// Ellipsoid 1 moves by t times `direction`, and the separation is then r12 - t direction.
+///
+/// If the ellipsoids do not overlap at t = 0, they certainly do not overlap at the returned t or
+/// before: rounding errors make t smaller, never larger. At the returned t the ellipsoids are in
+/// contact up to rounding: μ² \<= 1 + 80 u S, with S as for
+/// [`first_contact()`](crate::first_contact). t is 0 if the ellipsoids overlap at t = 0 by more
+/// than rounding, or touch and approach.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `direction`: Of any length; not zero.
+/// - `t_max`: The end of the path, in units of the length of `direction`: a length if that is a
+///   unit vector; \>= 0; may be infinite. Unit: length.
+///
+/// # Errors
+///
+/// A number is not finite (`t_max` may be infinite), a form is not positive definite, `t_max` is
+/// negative or `direction` is zero. `Status::NoConvergence`: as for
+/// [`first_contact()`](crate::first_contact).
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::free_path(
+///     &[3.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+///     &[1.0, 0.0, 0.0],
+///     10.0,
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn free_path(
+    r12: &[f64; 3],
+    q1: &[f64; 6],
+    q2: &[f64; 6],
+    direction: &[f64; 3],
+    t_max: f64,
+) -> Result<f64, Error> {
+    let mut t = 0.0;
+    check(unsafe { sys::pw85_free_path(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        direction.as_ptr(),
+        t_max,
+        &mut t,
+    ) })?;
+    Ok(t)
+}
+
+/// [`free_path()`](crate::free_path) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `directions`: Not zero.
+/// - `t_max`: \>= 0; may be infinite. Unit: length.
+/// - `t`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `r12`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let directions = [[1.0, 0.0, 0.0]; 2];
+/// let t_max = [10.0; 2];
+/// let mut t = [0.0; 2];
+/// pw85::free_path_batch(&r12, &q1, &q2, &directions, &t_max, &mut t)?;
+/// assert_eq!(t[0], t[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn free_path_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    directions: &[[f64; 3]],
+    t_max: &[f64],
+    t: &mut [f64],
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("directions", directions.len()),
+        ("t_max", t_max.len()),
+        ("t", t.len()),
+    ];
+    same_rows("pw85_free_path_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_free_path_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        directions.as_ptr().cast(),
+        t_max.as_ptr(),
+        t.as_mut_ptr(),
+    ) })
+}
+
+/// Principal curvatures of an ellipsoid's surface at the point with a given normal, and their
+/// directions.
+///
+/// The relative error of each curvature is below 1e-12 for the numbers as given, up to aspect
+/// ratio 10⁶. From aspect ratio 10 or so on the function computes with twice the digits, which
+/// takes some eight times as long.
+///
+/// # Arguments
+///
+/// - `normal`: Out of the ellipsoid, of any length; not zero.
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite or `normal` is zero.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::curvature(&[1.0, 0.0, 0.0], &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn curvature(normal: &[f64; 3], q: &[f64; 6]) -> Result<Curvature, Error> {
+    let mut curvatures = [0.0; 2];
+    let mut directions = [[0.0; 3]; 2];
+    check(unsafe { sys::pw85_curvature(
+        normal.as_ptr(),
+        q.as_ptr(),
+        curvatures.as_mut_ptr(),
+        directions.as_mut_ptr().cast(),
+    ) })?;
+    Ok(Curvature { curvatures, directions })
+}
+
+/// [`curvature()`](crate::curvature) for many ellipsoids; the bits are the same.
+///
+/// # Arguments
+///
+/// - `normals`: Not zero.
+/// - `q`: Unit: length².
+/// - `curvatures`: Unit: 1/length.
+///
+/// Row i of each slice belongs to row i of `normals`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `normals`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let normals = [[1.0, 0.0, 0.0]; 2];
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut curvatures = [[0.0; 2]; 2];
+/// let mut directions = [[[0.0; 3]; 2]; 2];
+/// pw85::curvature_batch(&normals, &q, Some(&mut curvatures), Some(&mut directions))?;
+/// assert_eq!(directions[0], directions[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn curvature_batch(
+    normals: &[[f64; 3]],
+    q: &[[f64; 6]],
+    curvatures: Option<&mut [[f64; 2]]>,
+    directions: Option<&mut [[[f64; 3]; 2]]>,
+) -> Result<(), Error> {
+    let n = normals.len();
+    let counts = [
+        ("q", q.len()),
+        ("curvatures", rows_of(&curvatures, n)),
+        ("directions", rows_of(&directions, n)),
+    ];
+    same_rows("pw85_curvature_batch", "must have as many rows as normals", n, &counts)?;
+    check_rows(unsafe { sys::pw85_curvature_batch(
+        n,
+        normals.as_ptr().cast(),
+        q.as_ptr().cast(),
+        pointer(curvatures),
+        pointer(directions),
+    ) })
+}
+
+/// Hertz's theory of the contact of two elastic bodies.
+///
+/// The force and the contact ellipse as functions of the depth.
+///
+/// The gap between the undeformed surfaces is half of the sum of curvature times squared length
+/// along two perpendicular directions. For a depth δ the bodies repel each other by the force
+/// (4/3) E\* √(radius δ³), with 1/E\* = (1 - ν1²)/E1 + (1 - ν2²)/E2, Young's moduli E and
+/// Poisson's ratios ν. The energy is (8/15) E\* √(radius δ⁵). The contact area is an ellipse with
+/// the semi-axes √(ellipse\[0\] δ) and √(ellipse\[1\] δ), the square of whose
+/// arithmetic-geometric mean is radius δ. Complete elliptic integrals are included. The relative
+/// errors are below 256 u, with u = 2⁻⁵³, for curvatures whose ratio is at most 10¹⁸.
+///
+/// # Arguments
+///
+/// - `curvatures`: Along both directions, the sums of those of both bodies: those of
+///   [`hertz_contact()`](crate::hertz_contact) for two ellipsoids, of
+///   [`curvature()`](crate::curvature) for one on a plane; \> 0. Unit: 1/length.
+///
+/// # Errors
+///
+/// A number is not finite or `curvatures` is not positive.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::hertz(&[1.0, 2.0])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn hertz(curvatures: &[f64; 2]) -> Result<HertzEllipse, Error> {
+    let mut radius = 0.0;
+    let mut ellipse = [0.0; 2];
+    check(unsafe { sys::pw85_hertz(curvatures.as_ptr(), &mut radius, ellipse.as_mut_ptr()) })?;
+    Ok(HertzEllipse { radius, ellipse })
+}
+
+/// [`hertz()`](crate::hertz) for many contacts; the bits are the same.
+///
+/// # Arguments
+///
+/// - `curvatures`: \> 0. Unit: 1/length.
+/// - `radius`: Unit: length.
+/// - `ellipse`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `curvatures`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `curvatures`, or a row is refused. The outputs of such rows
+/// are NaN, 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let curvatures = [[1.0, 2.0]; 2];
+/// let mut radius = [0.0; 2];
+/// let mut ellipse = [[0.0; 2]; 2];
+/// pw85::hertz_batch(&curvatures, Some(&mut radius), Some(&mut ellipse))?;
+/// assert_eq!(ellipse[0], ellipse[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn hertz_batch(
+    curvatures: &[[f64; 2]],
+    radius: Option<&mut [f64]>,
+    ellipse: Option<&mut [[f64; 2]]>,
+) -> Result<(), Error> {
+    let n = curvatures.len();
+    let counts = [("radius", rows_of(&radius, n)), ("ellipse", rows_of(&ellipse, n))];
+    same_rows("pw85_hertz_batch", "must have as many rows as curvatures", n, &counts)?;
+    check_rows(unsafe { sys::pw85_hertz_batch(
+        n,
+        curvatures.as_ptr().cast(),
+        pointer(radius),
+        pointer(ellipse),
+    ) })
+}
+
+/// Geometry of the contact of two grains along a common normal: what laws of contact such as
+/// Hertz's need.
+///
+/// For the normal n of [`contact_geometry()`](crate::contact_geometry) the depth is α + β - n·r12
+/// = (1/μ - 1) n·r12, with the half-widths α and β of the ellipsoids along n. This is the usual
+/// choice: it is a smooth function of positions and orientations for μ \> 0. The depth of
+/// [`penetration()`](crate::penetration) is smaller by a part of second order in the depth; its
+/// direction, as `normal`, gives it here, too. For every normal a negative depth proves that the
+/// ellipsoids are apart, by at least minus the depth, and the depth is at least that of
+/// [`penetration()`](crate::penetration) if they overlap.
+///
+/// The error of the depth is below 8 u Σ, with Σ as for [`distance()`](crate::distance) with this
+/// normal. Up to aspect ratio 10⁶, and for the normal as given, the relative errors of
+/// curvatures, radius and ellipse are below 1e-12. The point is half the sum of r12 and of one
+/// vector of each ellipsoid; its error is below 1e-12 times the sum of their lengths. The
+/// directions err by less than 1e-12/(1 - k1/k2) radians, with the curvatures k1 \< k2.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `normal`: Out of ellipsoid 1 and into ellipsoid 2, of any length; not zero.
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite or `normal` is zero.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::hertz_contact(
+///     &[3.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+///     &[1.0, 0.0, 0.0],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn hertz_contact(
+    r12: &[f64; 3],
+    q1: &[f64; 6],
+    q2: &[f64; 6],
+    normal: &[f64; 3],
+) -> Result<HertzContact, Error> {
+    let mut depth = 0.0;
+    let mut point = [0.0; 3];
+    let mut curvatures = [0.0; 2];
+    let mut directions = [[0.0; 3]; 2];
+    let mut radius = 0.0;
+    let mut ellipse = [0.0; 2];
+    check(unsafe { sys::pw85_hertz_contact(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        normal.as_ptr(),
+        &mut depth,
+        point.as_mut_ptr(),
+        curvatures.as_mut_ptr(),
+        directions.as_mut_ptr().cast(),
+        &mut radius,
+        ellipse.as_mut_ptr(),
+    ) })?;
+    Ok(HertzContact { depth, point, curvatures, directions, radius, ellipse })
+}
+
+/// [`hertz_contact()`](crate::hertz_contact) for many pairs; the bits are the same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `normals`: Not zero.
+/// - `depth`: Unit: length.
+/// - `point`: Unit: length.
+/// - `curvatures`: Unit: 1/length.
+/// - `radius`: Unit: length.
+/// - `ellipse`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let normals = [[1.0, 0.0, 0.0]; 2];
+/// let mut depth = [0.0; 2];
+/// let mut point = [[0.0; 3]; 2];
+/// let mut curvatures = [[0.0; 2]; 2];
+/// let mut directions = [[[0.0; 3]; 2]; 2];
+/// let mut radius = [0.0; 2];
+/// let mut ellipse = [[0.0; 2]; 2];
+/// pw85::hertz_contact_batch(
+///     &r12,
+///     &q1,
+///     &q2,
+///     &normals,
+///     Some(&mut depth),
+///     Some(&mut point),
+///     Some(&mut curvatures),
+///     Some(&mut directions),
+///     Some(&mut radius),
+///     Some(&mut ellipse),
+/// )?;
+/// assert_eq!(ellipse[0], ellipse[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn hertz_contact_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    normals: &[[f64; 3]],
+    depth: Option<&mut [f64]>,
+    point: Option<&mut [[f64; 3]]>,
+    curvatures: Option<&mut [[f64; 2]]>,
+    directions: Option<&mut [[[f64; 3]; 2]]>,
+    radius: Option<&mut [f64]>,
+    ellipse: Option<&mut [[f64; 2]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("normals", normals.len()),
+        ("depth", rows_of(&depth, n)),
+        ("point", rows_of(&point, n)),
+        ("curvatures", rows_of(&curvatures, n)),
+        ("directions", rows_of(&directions, n)),
+        ("radius", rows_of(&radius, n)),
+        ("ellipse", rows_of(&ellipse, n)),
+    ];
+    same_rows("pw85_hertz_contact_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_hertz_contact_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        normals.as_ptr().cast(),
+        pointer(depth),
+        pointer(point),
+        pointer(curvatures),
+        pointer(directions),
+        pointer(radius),
+        pointer(ellipse),
+    ) })
+}
+
+/// The contact of two grains along their common normal.
+///
+/// The least overlap δ(n) = α + β - n·r12 near a given direction, with the half-widths α and β of
+/// the ellipsoids along the unit vector n.
+///
+/// δ is stationary there, so the force U'(δ) n at the point conserves an energy U(δ).
+/// [`hertz_contact()`](crate::hertz_contact) takes the normal from the caller; this function
+/// finds it by Newton's method. Start from the normal of
+/// [`contact_geometry()`](crate::contact_geometry), or from that of the time step before. Then it
+/// takes one or two steps.
+///
+/// There is a minimum if the overlap is small: below the least sum of radii of curvature. The
+/// search ends after a step below 2⁻²² radians. The normal, and points and radius in units of the
+/// semi-axes, then err by less than 100·2⁻⁴⁴ at aspect ratios up to 4; the depth errs by the
+/// square of that and by rounding.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `start`: A direction near the normal, out of ellipsoid 1 and into ellipsoid 2, of any
+///   length; not zero.
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite or `start` is zero.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::grain_contact(
+///     &[3.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+///     &[1.0, 0.0, 0.0],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn grain_contact(
+    r12: &[f64; 3],
+    q1: &[f64; 6],
+    q2: &[f64; 6],
+    start: &[f64; 3],
+) -> Result<GrainContact, Error> {
+    let mut normal = [0.0; 3];
+    let mut depth = 0.0;
+    let mut point = [0.0; 3];
+    let mut curvatures = [0.0; 2];
+    let mut radius = 0.0;
+    check(unsafe { sys::pw85_grain_contact(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        start.as_ptr(),
+        normal.as_mut_ptr(),
+        &mut depth,
+        point.as_mut_ptr(),
+        curvatures.as_mut_ptr(),
+        &mut radius,
+    ) })?;
+    Ok(GrainContact { normal, depth, point, curvatures, radius })
+}
+
+/// [`grain_contact()`](crate::grain_contact) for many pairs.
+///
+/// The bounds of the errors are the same; the last bits may differ from those of
+/// [`grain_contact()`](crate::grain_contact).
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `starts`: Not zero.
+/// - `depth`: Unit: length.
+/// - `point`: Unit: length.
+/// - `curvatures`: Unit: 1/length.
+/// - `radius`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let starts = [[1.0, 0.0, 0.0]; 2];
+/// let mut normal = [[0.0; 3]; 2];
+/// let mut depth = [0.0; 2];
+/// let mut point = [[0.0; 3]; 2];
+/// let mut curvatures = [[0.0; 2]; 2];
+/// let mut radius = [0.0; 2];
+/// pw85::grain_contact_batch(
+///     &r12,
+///     &q1,
+///     &q2,
+///     &starts,
+///     Some(&mut normal),
+///     Some(&mut depth),
+///     Some(&mut point),
+///     Some(&mut curvatures),
+///     Some(&mut radius),
+/// )?;
+/// assert_eq!(radius[0], radius[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn grain_contact_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    starts: &[[f64; 3]],
+    normal: Option<&mut [[f64; 3]]>,
+    depth: Option<&mut [f64]>,
+    point: Option<&mut [[f64; 3]]>,
+    curvatures: Option<&mut [[f64; 2]]>,
+    radius: Option<&mut [f64]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("starts", starts.len()),
+        ("normal", rows_of(&normal, n)),
+        ("depth", rows_of(&depth, n)),
+        ("point", rows_of(&point, n)),
+        ("curvatures", rows_of(&curvatures, n)),
+        ("radius", rows_of(&radius, n)),
+    ];
+    same_rows("pw85_grain_contact_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_grain_contact_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        starts.as_ptr().cast(),
+        pointer(normal),
+        pointer(depth),
+        pointer(point),
+        pointer(curvatures),
+        pointer(radius),
+    ) })
+}
+
+/// Derivatives of the radius of [`grain_contact()`](crate::grain_contact), whose normal follows
+/// each motion.
+///
+/// A force that depends on the radius needs them to conserve the energy.
+///
+/// # Arguments
+///
+/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `normal`: That of [`grain_contact()`](crate::grain_contact), of any length; not zero.
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite or `normal` is zero.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::grain_radius_gradient(
+///     &[3.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+///     &[1.0, 0.0, 0.0],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn grain_radius_gradient(
+    r12: &[f64; 3],
+    q1: &[f64; 6],
+    q2: &[f64; 6],
+    normal: &[f64; 3],
+) -> Result<GrainRadiusGradient, Error> {
+    let mut d_r12 = [0.0; 3];
+    let mut d_rot1 = [0.0; 3];
+    let mut d_rot2 = [0.0; 3];
+    check(unsafe { sys::pw85_grain_radius_gradient(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        normal.as_ptr(),
+        d_r12.as_mut_ptr(),
+        d_rot1.as_mut_ptr(),
+        d_rot2.as_mut_ptr(),
+    ) })?;
+    Ok(GrainRadiusGradient { d_r12, d_rot1, d_rot2 })
+}
+
+/// [`grain_radius_gradient()`](crate::grain_radius_gradient) for many pairs; the bits are the
+/// same.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `normals`: Not zero.
+/// - `d_rot1`: Unit: length.
+/// - `d_rot2`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let normals = [[1.0, 0.0, 0.0]; 2];
+/// let mut d_r12 = [[0.0; 3]; 2];
+/// let mut d_rot1 = [[0.0; 3]; 2];
+/// let mut d_rot2 = [[0.0; 3]; 2];
+/// pw85::grain_radius_gradient_batch(
+///     &r12,
+///     &q1,
+///     &q2,
+///     &normals,
+///     Some(&mut d_r12),
+///     Some(&mut d_rot1),
+///     Some(&mut d_rot2),
+/// )?;
+/// assert_eq!(d_rot2[0], d_rot2[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn grain_radius_gradient_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    normals: &[[f64; 3]],
+    d_r12: Option<&mut [[f64; 3]]>,
+    d_rot1: Option<&mut [[f64; 3]]>,
+    d_rot2: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("normals", normals.len()),
+        ("d_r12", rows_of(&d_r12, n)),
+        ("d_rot1", rows_of(&d_rot1, n)),
+        ("d_rot2", rows_of(&d_rot2, n)),
+    ];
+    same_rows("pw85_grain_radius_gradient_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_grain_radius_gradient_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        normals.as_ptr().cast(),
+        pointer(d_r12),
+        pointer(d_rot1),
+        pointer(d_rot2),
+    ) })
+}
+
+/// The contact of a grain with its centre at 0 and a wall that touches the plane normal·x =
+/// offset and is curved along one direction, as a plane, a cylinder or the edge of one is.
+///
+/// Up to aspect ratio 10⁶ the relative errors of both curvatures and of the radius are below
+/// 1e-12 for the numbers as given, also where the curvatures nearly cancel. From aspect ratio 10
+/// or so on, and for concave walls (curvature \< 0) that make the product of both curvatures of
+/// the gap less than half of that of the ellipsoid, the function computes with twice the digits.
+///
+/// # Arguments
+///
+/// - `normal`: Into the half-space, of any length; not zero.
+/// - `offset`: In the unit of normal·x, which scales with `normal`: for a unit normal it is the
+///   distance of the plane from 0. Unit: length.
+/// - `direction`: Across the normal, of any length, along which the wall is curved; not zero.
+/// - `curvature`: Of the wall along `direction`: positive for a wall that is convex, 0 for a
+///   plane. Unit: 1/length.
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite, `normal` is zero or `direction` is
+/// zero.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::grain_contact_wall(
+///     &[1.0, 0.0, 0.0],
+///     5.0,
+///     &[1.0, 0.0, 0.0],
+///     0.5,
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn grain_contact_wall(
+    normal: &[f64; 3],
+    offset: f64,
+    direction: &[f64; 3],
+    curvature: f64,
+    q: &[f64; 6],
+) -> Result<GrainWallContact, Error> {
+    let mut depth = 0.0;
+    let mut point = [0.0; 3];
+    let mut curvatures = [0.0; 2];
+    let mut radius = 0.0;
+    check(unsafe { sys::pw85_grain_contact_wall(
+        normal.as_ptr(),
+        offset,
+        direction.as_ptr(),
+        curvature,
+        q.as_ptr(),
+        &mut depth,
+        point.as_mut_ptr(),
+        curvatures.as_mut_ptr(),
+        &mut radius,
+    ) })?;
+    Ok(GrainWallContact { depth, point, curvatures, radius })
+}
+
+/// [`grain_contact_wall()`](crate::grain_contact_wall) for many ellipsoids and walls; the bits
+/// are the same.
+///
+/// # Arguments
+///
+/// - `normals`: Not zero.
+/// - `offsets`: Unit: length.
+/// - `directions`: Not zero.
+/// - `curvature`: Unit: 1/length.
+/// - `q`: Unit: length².
+/// - `depth`: Unit: length.
+/// - `point`: Unit: length.
+/// - `curvatures`: Unit: 1/length.
+/// - `radius`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `normals`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `normals`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let normals = [[1.0, 0.0, 0.0]; 2];
+/// let offsets = [5.0; 2];
+/// let directions = [[1.0, 0.0, 0.0]; 2];
+/// let curvature = [0.5; 2];
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut depth = [0.0; 2];
+/// let mut point = [[0.0; 3]; 2];
+/// let mut curvatures = [[0.0; 2]; 2];
+/// let mut radius = [0.0; 2];
+/// pw85::grain_contact_wall_batch(
+///     &normals,
+///     &offsets,
+///     &directions,
+///     &curvature,
+///     &q,
+///     Some(&mut depth),
+///     Some(&mut point),
+///     Some(&mut curvatures),
+///     Some(&mut radius),
+/// )?;
+/// assert_eq!(radius[0], radius[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn grain_contact_wall_batch(
+    normals: &[[f64; 3]],
+    offsets: &[f64],
+    directions: &[[f64; 3]],
+    curvature: &[f64],
+    q: &[[f64; 6]],
+    depth: Option<&mut [f64]>,
+    point: Option<&mut [[f64; 3]]>,
+    curvatures: Option<&mut [[f64; 2]]>,
+    radius: Option<&mut [f64]>,
+) -> Result<(), Error> {
+    let n = normals.len();
+    let counts = [
+        ("offsets", offsets.len()),
+        ("directions", directions.len()),
+        ("curvature", curvature.len()),
+        ("q", q.len()),
+        ("depth", rows_of(&depth, n)),
+        ("point", rows_of(&point, n)),
+        ("curvatures", rows_of(&curvatures, n)),
+        ("radius", rows_of(&radius, n)),
+    ];
+    same_rows("pw85_grain_contact_wall_batch", "must have as many rows as normals", n, &counts)?;
+    check_rows(unsafe { sys::pw85_grain_contact_wall_batch(
+        n,
+        normals.as_ptr().cast(),
+        offsets.as_ptr(),
+        directions.as_ptr().cast(),
+        curvature.as_ptr(),
+        q.as_ptr().cast(),
+        pointer(depth),
+        pointer(point),
+        pointer(curvatures),
+        pointer(radius),
+    ) })
+}
+
+/// Area of the surface of an ellipsoid: 4π abc R_G(1/a², 1/b², 1/c²), with Carlson's integral.
+///
+/// # Arguments
+///
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::surface_area(&[9.0, 0.0, 0.0, 4.0, 0.0, 1.0])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn surface_area(q: &[f64; 6]) -> Result<f64, Error> {
+    let mut area = 0.0;
+    check(unsafe { sys::pw85_surface_area(q.as_ptr(), &mut area) })?;
+    Ok(area)
+}
+
+/// [`surface_area()`](crate::surface_area) for many ellipsoids; the bits are the same.
+///
+/// # Arguments
+///
+/// - `q`: Unit: length².
+/// - `area`: Unit: length².
+///
+/// Row i of each slice belongs to row i of `q`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `q`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut area = [0.0; 2];
+/// pw85::surface_area_batch(&q, &mut area)?;
+/// assert_eq!(area[0], area[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn surface_area_batch(q: &[[f64; 6]], area: &mut [f64]) -> Result<(), Error> {
+    let n = q.len();
+    let counts = [("area", area.len())];
+    same_rows("pw85_surface_area_batch", "must have as many rows as q", n, &counts)?;
+    check_rows(unsafe { sys::pw85_surface_area_batch(n, q.as_ptr().cast(), area.as_mut_ptr()) })
+}
+
+/// Mean of x xᵀ over a uniform solid ellipsoid, about its centre: q/5.
+///
+/// The error of each entry is below u times the entry.
+///
+/// # Arguments
+///
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::second_moments(&[9.0, 0.0, 0.0, 4.0, 0.0, 1.0])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn second_moments(q: &[f64; 6]) -> Result<[f64; 6], Error> {
+    let mut moments = [0.0; 6];
+    check(unsafe { sys::pw85_second_moments(q.as_ptr(), moments.as_mut_ptr()) })?;
+    Ok(moments)
+}
+
+/// [`second_moments()`](crate::second_moments) for many ellipsoids; the bits are the same.
+///
+/// # Arguments
+///
+/// - `q`: Unit: length².
+/// - `moments`: Unit: length².
+///
+/// Row i of each slice belongs to row i of `q`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `q`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut moments = [[0.0; 6]; 2];
+/// pw85::second_moments_batch(&q, &mut moments)?;
+/// assert_eq!(moments[0], moments[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn second_moments_batch(q: &[[f64; 6]], moments: &mut [[f64; 6]]) -> Result<(), Error> {
+    let n = q.len();
+    let counts = [("moments", moments.len())];
+    same_rows("pw85_second_moments_batch", "must have as many rows as q", n, &counts)?;
+    check_rows(unsafe { sys::pw85_second_moments_batch(
+        n,
+        q.as_ptr().cast(),
+        moments.as_mut_ptr().cast(),
+    ) })
+}
+
+/// Mean of x xᵀ over the surface of an ellipsoid, about its centre: the second moments of a
+/// shell.
+///
+/// # Arguments
+///
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::shell_moments(&[9.0, 0.0, 0.0, 4.0, 0.0, 1.0])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn shell_moments(q: &[f64; 6]) -> Result<[f64; 6], Error> {
+    let mut moments = [0.0; 6];
+    check(unsafe { sys::pw85_shell_moments(q.as_ptr(), moments.as_mut_ptr()) })?;
+    Ok(moments)
+}
+
+/// [`shell_moments()`](crate::shell_moments) for many ellipsoids; the bits are the same.
+///
+/// # Arguments
+///
+/// - `q`: Unit: length².
+/// - `moments`: Unit: length².
+///
+/// Row i of each slice belongs to row i of `q`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `q`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut moments = [[0.0; 6]; 2];
+/// pw85::shell_moments_batch(&q, &mut moments)?;
+/// assert_eq!(moments[0], moments[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn shell_moments_batch(q: &[[f64; 6]], moments: &mut [[f64; 6]]) -> Result<(), Error> {
+    let n = q.len();
+    let counts = [("moments", moments.len())];
+    same_rows("pw85_shell_moments_batch", "must have as many rows as q", n, &counts)?;
+    check_rows(unsafe { sys::pw85_shell_moments_batch(
+        n,
+        q.as_ptr().cast(),
+        moments.as_mut_ptr().cast(),
+    ) })
+}
+
+/// Perimeter of an ellipse: 8 R_G(0, a², b²), with Carlson's integral.
+///
+/// # Arguments
+///
+/// - `q`: Form of the ellipse. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::perimeter_2d(&[9.0, 0.0, 4.0])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn perimeter_2d(q: &[f64; 3]) -> Result<f64, Error> {
+    let mut perimeter = 0.0;
+    check(unsafe { sys::pw85_perimeter_2d(q.as_ptr(), &mut perimeter) })?;
+    Ok(perimeter)
+}
+
+/// [`perimeter_2d()`](crate::perimeter_2d) for many ellipses; the bits are the same.
+///
+/// # Arguments
+///
+/// - `q`: Unit: length².
+/// - `perimeter`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `q`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `q`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let q = [[9.0, 0.0, 4.0]; 2];
+/// let mut perimeter = [0.0; 2];
+/// pw85::perimeter_batch_2d(&q, &mut perimeter)?;
+/// assert_eq!(perimeter[0], perimeter[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn perimeter_batch_2d(q: &[[f64; 3]], perimeter: &mut [f64]) -> Result<(), Error> {
+    let n = q.len();
+    let counts = [("perimeter", perimeter.len())];
+    same_rows("pw85_perimeter_batch_2d", "must have as many rows as q", n, &counts)?;
+    check_rows(unsafe { sys::pw85_perimeter_batch_2d(
+        n,
+        q.as_ptr().cast(),
+        perimeter.as_mut_ptr(),
+    ) })
+}
+
+/// Mean of x xᵀ over a uniform ellipse, about its centre: q/4.
+///
+/// The trace is the moment of inertia about the axis across the plane, for the mass 1.
+///
+/// # Arguments
+///
+/// - `q`: Form of the ellipse. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::second_moments_2d(&[9.0, 0.0, 4.0])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn second_moments_2d(q: &[f64; 3]) -> Result<[f64; 3], Error> {
+    let mut moments = [0.0; 3];
+    check(unsafe { sys::pw85_second_moments_2d(q.as_ptr(), moments.as_mut_ptr()) })?;
+    Ok(moments)
+}
+
+/// [`second_moments_2d()`](crate::second_moments_2d) for many ellipses; the bits are the same.
+///
+/// # Arguments
+///
+/// - `q`: Unit: length².
+/// - `moments`: Unit: length².
+///
+/// Row i of each slice belongs to row i of `q`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `q`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let q = [[9.0, 0.0, 4.0]; 2];
+/// let mut moments = [[0.0; 3]; 2];
+/// pw85::second_moments_batch_2d(&q, &mut moments)?;
+/// assert_eq!(moments[0], moments[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn second_moments_batch_2d(q: &[[f64; 3]], moments: &mut [[f64; 3]]) -> Result<(), Error> {
+    let n = q.len();
+    let counts = [("moments", moments.len())];
+    same_rows("pw85_second_moments_batch_2d", "must have as many rows as q", n, &counts)?;
+    check_rows(unsafe { sys::pw85_second_moments_batch_2d(
+        n,
+        q.as_ptr().cast(),
+        moments.as_mut_ptr().cast(),
+    ) })
+}
+
+/// Mean of x xᵀ over the perimeter of an ellipse, about its centre: the second moments of a wire.
+///
+/// # Arguments
+///
+/// - `q`: Form of the ellipse. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::shell_moments_2d(&[9.0, 0.0, 4.0])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn shell_moments_2d(q: &[f64; 3]) -> Result<[f64; 3], Error> {
+    let mut moments = [0.0; 3];
+    check(unsafe { sys::pw85_shell_moments_2d(q.as_ptr(), moments.as_mut_ptr()) })?;
+    Ok(moments)
+}
+
+/// [`shell_moments_2d()`](crate::shell_moments_2d) for many ellipses; the bits are the same.
+///
+/// # Arguments
+///
+/// - `q`: Unit: length².
+/// - `moments`: Unit: length².
+///
+/// Row i of each slice belongs to row i of `q`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `q`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let q = [[9.0, 0.0, 4.0]; 2];
+/// let mut moments = [[0.0; 3]; 2];
+/// pw85::shell_moments_batch_2d(&q, &mut moments)?;
+/// assert_eq!(moments[0], moments[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn shell_moments_batch_2d(q: &[[f64; 3]], moments: &mut [[f64; 3]]) -> Result<(), Error> {
+    let n = q.len();
+    let counts = [("moments", moments.len())];
+    same_rows("pw85_shell_moments_batch_2d", "must have as many rows as q", n, &counts)?;
+    check_rows(unsafe { sys::pw85_shell_moments_batch_2d(
+        n,
+        q.as_ptr().cast(),
+        moments.as_mut_ptr().cast(),
+    ) })
+}
+
+/// Distance from an ellipsoid with its centre at 0 to the half-space normal·x \>= offset: (offset
+/// - α)/\|normal\|.
+///
+/// # Arguments
+///
+/// - `normal`: Into the half-space, of any length; not zero.
+/// - `offset`: In the unit of normal·x, which scales with `normal`: for a unit normal it is the
+///   distance of the plane from 0; negative if the centre is in the half-space. Unit: length.
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite or `normal` is zero.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::distance_plane(&[1.0, 0.0, 0.0], 5.0, &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn distance_plane(
+    normal: &[f64; 3],
+    offset: f64,
+    q: &[f64; 6],
+) -> Result<SurfaceDistance, Error> {
+    let mut distance = 0.0;
+    let mut point = [0.0; 3];
+    check(unsafe { sys::pw85_distance_plane(
+        normal.as_ptr(),
+        offset,
+        q.as_ptr(),
+        &mut distance,
+        point.as_mut_ptr(),
+    ) })?;
+    Ok(SurfaceDistance { distance, point })
+}
+
+/// [`distance_plane()`](crate::distance_plane) for many ellipsoids and half-spaces; the bits are
+/// the same.
+///
+/// # Arguments
+///
+/// - `normals`: Not zero.
+/// - `offsets`: Unit: length.
+/// - `q`: Unit: length².
+/// - `distance`: Unit: length.
+/// - `point`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `normals`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `normals`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let normals = [[1.0, 0.0, 0.0]; 2];
+/// let offsets = [5.0; 2];
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut distance = [0.0; 2];
+/// let mut point = [[0.0; 3]; 2];
+/// pw85::distance_plane_batch(&normals, &offsets, &q, Some(&mut distance), Some(&mut point))?;
+/// assert_eq!(point[0], point[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn distance_plane_batch(
+    normals: &[[f64; 3]],
+    offsets: &[f64],
+    q: &[[f64; 6]],
+    distance: Option<&mut [f64]>,
+    point: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = normals.len();
+    let counts = [
+        ("offsets", offsets.len()),
+        ("q", q.len()),
+        ("distance", rows_of(&distance, n)),
+        ("point", rows_of(&point, n)),
+    ];
+    same_rows("pw85_distance_plane_batch", "must have as many rows as normals", n, &counts)?;
+    check_rows(unsafe { sys::pw85_distance_plane_batch(
+        n,
+        normals.as_ptr().cast(),
+        offsets.as_ptr(),
+        q.as_ptr().cast(),
+        pointer(distance),
+        pointer(point),
+    ) })
+}
+
+/// Derivatives of the distance to a half-space, which do not depend on its offset.
+///
+/// -n and n × point, with n the unit normal.
+///
+/// # Arguments
+///
+/// - `normal`: Into the half-space, of any length; not zero.
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite or `normal` is zero.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::distance_plane_derivatives(&[1.0, 0.0, 0.0], &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn distance_plane_derivatives(
+    normal: &[f64; 3],
+    q: &[f64; 6],
+) -> Result<PlaneDerivatives, Error> {
+    let mut d_center = [0.0; 3];
+    let mut d_rot = [0.0; 3];
+    check(unsafe { sys::pw85_distance_plane_derivatives(
+        normal.as_ptr(),
+        q.as_ptr(),
+        d_center.as_mut_ptr(),
+        d_rot.as_mut_ptr(),
+    ) })?;
+    Ok(PlaneDerivatives { d_center, d_rot })
+}
+
+/// [`distance_plane_derivatives()`](crate::distance_plane_derivatives) for many ellipsoids and
+/// half-spaces; the bits are the same.
+///
+/// # Arguments
+///
+/// - `normals`: Not zero.
+/// - `q`: Unit: length².
+/// - `d_rot`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `normals`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `normals`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let normals = [[1.0, 0.0, 0.0]; 2];
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut d_center = [[0.0; 3]; 2];
+/// let mut d_rot = [[0.0; 3]; 2];
+/// pw85::distance_plane_derivatives_batch(&normals, &q, Some(&mut d_center), Some(&mut d_rot))?;
+/// assert_eq!(d_rot[0], d_rot[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn distance_plane_derivatives_batch(
+    normals: &[[f64; 3]],
+    q: &[[f64; 6]],
+    d_center: Option<&mut [[f64; 3]]>,
+    d_rot: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = normals.len();
+    let counts = [
+        ("q", q.len()),
+        ("d_center", rows_of(&d_center, n)),
+        ("d_rot", rows_of(&d_rot, n)),
+    ];
+    same_rows("pw85_distance_plane_derivatives_batch", "must have as many rows as normals", n, &counts)?;
+    check_rows(unsafe { sys::pw85_distance_plane_derivatives_batch(
+        n,
+        normals.as_ptr().cast(),
+        q.as_ptr().cast(),
+        pointer(d_center),
+        pointer(d_rot),
+    ) })
+}
+
+/// Contact function of an ellipsoid with its centre at 0 and the half-space normal·x \>= offset.
+///
+/// # Arguments
+///
+/// - `normal`: Into the half-space, of any length; not zero.
+/// - `offset`: In the unit of normal·x, which scales with `normal`: for a unit normal it is the
+///   distance of the plane from 0. Unit: length.
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite or `normal` is zero.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::contact_plane(&[1.0, 0.0, 0.0], 5.0, &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn contact_plane(normal: &[f64; 3], offset: f64, q: &[f64; 6]) -> Result<PlaneContact, Error> {
+    let mut mu2 = 0.0;
+    let mut point = [0.0; 3];
+    check(unsafe { sys::pw85_contact_plane(
+        normal.as_ptr(),
+        offset,
+        q.as_ptr(),
+        &mut mu2,
+        point.as_mut_ptr(),
+    ) })?;
+    Ok(PlaneContact { mu2, point })
+}
+
+/// [`contact_plane()`](crate::contact_plane) for many ellipsoids and half-spaces; the bits are
+/// the same.
+///
+/// # Arguments
+///
+/// - `normals`: Not zero.
+/// - `offsets`: Unit: length.
+/// - `q`: Unit: length².
+/// - `point`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `normals`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `normals`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let normals = [[1.0, 0.0, 0.0]; 2];
+/// let offsets = [5.0; 2];
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut mu2 = [0.0; 2];
+/// let mut point = [[0.0; 3]; 2];
+/// pw85::contact_plane_batch(&normals, &offsets, &q, Some(&mut mu2), Some(&mut point))?;
+/// assert_eq!(point[0], point[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn contact_plane_batch(
+    normals: &[[f64; 3]],
+    offsets: &[f64],
+    q: &[[f64; 6]],
+    mu2: Option<&mut [f64]>,
+    point: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = normals.len();
+    let counts = [
+        ("offsets", offsets.len()),
+        ("q", q.len()),
+        ("mu2", rows_of(&mu2, n)),
+        ("point", rows_of(&point, n)),
+    ];
+    same_rows("pw85_contact_plane_batch", "must have as many rows as normals", n, &counts)?;
+    check_rows(unsafe { sys::pw85_contact_plane_batch(
+        n,
+        normals.as_ptr().cast(),
+        offsets.as_ptr(),
+        q.as_ptr().cast(),
+        pointer(mu2),
+        pointer(point),
+    ) })
+}
+
+/// Derivatives of μ² of [`contact_plane()`](crate::contact_plane).
+///
+/// -2μ n/α and 2μ² (n × p)/α, with p the point of the ellipsoid that is nearest to the
+/// half-space, n the normal as given and α = n·p; zero if the centre is in the half-space.
+///
+/// # Arguments
+///
+/// - `normal`: Into the half-space, of any length; not zero.
+/// - `offset`: In the unit of normal·x, which scales with `normal`: for a unit normal it is the
+///   distance of the plane from 0. Unit: length.
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite or `normal` is zero.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::contact_plane_derivatives(
+///     &[1.0, 0.0, 0.0],
+///     5.0,
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn contact_plane_derivatives(
+    normal: &[f64; 3],
+    offset: f64,
+    q: &[f64; 6],
+) -> Result<PlaneDerivatives, Error> {
+    let mut d_center = [0.0; 3];
+    let mut d_rot = [0.0; 3];
+    check(unsafe { sys::pw85_contact_plane_derivatives(
+        normal.as_ptr(),
+        offset,
+        q.as_ptr(),
+        d_center.as_mut_ptr(),
+        d_rot.as_mut_ptr(),
+    ) })?;
+    Ok(PlaneDerivatives { d_center, d_rot })
+}
+
+/// [`contact_plane_derivatives()`](crate::contact_plane_derivatives) for many ellipsoids and
+/// half-spaces; the bits are the same.
+///
+/// # Arguments
+///
+/// - `normals`: Not zero.
+/// - `offsets`: Unit: length.
+/// - `q`: Unit: length².
+/// - `d_center`: Unit: 1/length.
+///
+/// Row i of each slice belongs to row i of `normals`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `normals`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let normals = [[1.0, 0.0, 0.0]; 2];
+/// let offsets = [5.0; 2];
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut d_center = [[0.0; 3]; 2];
+/// let mut d_rot = [[0.0; 3]; 2];
+/// pw85::contact_plane_derivatives_batch(
+///     &normals,
+///     &offsets,
+///     &q,
+///     Some(&mut d_center),
+///     Some(&mut d_rot),
+/// )?;
+/// assert_eq!(d_rot[0], d_rot[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn contact_plane_derivatives_batch(
+    normals: &[[f64; 3]],
+    offsets: &[f64],
+    q: &[[f64; 6]],
+    d_center: Option<&mut [[f64; 3]]>,
+    d_rot: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = normals.len();
+    let counts = [
+        ("offsets", offsets.len()),
+        ("q", q.len()),
+        ("d_center", rows_of(&d_center, n)),
+        ("d_rot", rows_of(&d_rot, n)),
+    ];
+    same_rows("pw85_contact_plane_derivatives_batch", "must have as many rows as normals", n, &counts)?;
+    check_rows(unsafe { sys::pw85_contact_plane_derivatives_batch(
+        n,
+        normals.as_ptr().cast(),
+        offsets.as_ptr(),
+        q.as_ptr().cast(),
+        pointer(d_center),
+        pointer(d_rot),
+    ) })
+}
+
+/// Distance from an ellipsoid with its centre at 0 to the nearest face of a box around it, a
+/// container.
+///
+/// The distance to a solid box, an obstacle, is
+/// [`distance_solid_box()`](crate::distance_solid_box).
+///
+/// # Arguments
+///
+/// - `lower`: Corners of the box, relative to the centre of the ellipsoid; `lower` \<= `upper`.
+///   Unit: length.
+/// - `upper`: Corners of the box, relative to the centre of the ellipsoid; `lower` \<= `upper`.
+///   Unit: length.
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite or `lower` is larger than `upper`.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::distance_box(
+///     &[2.0, -1.0, -1.0],
+///     &[4.0, 1.0, 1.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn distance_box(
+    lower: &[f64; 3],
+    upper: &[f64; 3],
+    q: &[f64; 6],
+) -> Result<DistanceBox, Error> {
+    let mut distance = 0.0;
+    let mut point = [0.0; 3];
+    let mut normal = [0.0; 3];
+    check(unsafe { sys::pw85_distance_box(
+        lower.as_ptr(),
+        upper.as_ptr(),
+        q.as_ptr(),
+        &mut distance,
+        point.as_mut_ptr(),
+        normal.as_mut_ptr(),
+    ) })?;
+    Ok(DistanceBox { distance, point, normal })
+}
+
+/// [`distance_box()`](crate::distance_box) for many ellipsoids and boxes; the bits are the same.
+///
+/// # Arguments
+///
+/// - `lower`: `lower` \<= `upper`. Unit: length.
+/// - `upper`: `lower` \<= `upper`. Unit: length.
+/// - `q`: Unit: length².
+/// - `distance`: Unit: length.
+/// - `point`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `lower`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `lower`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let lower = [[2.0, -1.0, -1.0]; 2];
+/// let upper = [[4.0, 1.0, 1.0]; 2];
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut distance = [0.0; 2];
+/// let mut point = [[0.0; 3]; 2];
+/// let mut normal = [[0.0; 3]; 2];
+/// pw85::distance_box_batch(
+///     &lower,
+///     &upper,
+///     &q,
+///     Some(&mut distance),
+///     Some(&mut point),
+///     Some(&mut normal),
+/// )?;
+/// assert_eq!(normal[0], normal[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn distance_box_batch(
+    lower: &[[f64; 3]],
+    upper: &[[f64; 3]],
+    q: &[[f64; 6]],
+    distance: Option<&mut [f64]>,
+    point: Option<&mut [[f64; 3]]>,
+    normal: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = lower.len();
+    let counts = [
+        ("upper", upper.len()),
+        ("q", q.len()),
+        ("distance", rows_of(&distance, n)),
+        ("point", rows_of(&point, n)),
+        ("normal", rows_of(&normal, n)),
+    ];
+    same_rows("pw85_distance_box_batch", "must have as many rows as lower", n, &counts)?;
+    check_rows(unsafe { sys::pw85_distance_box_batch(
+        n,
+        lower.as_ptr().cast(),
+        upper.as_ptr().cast(),
+        q.as_ptr().cast(),
+        pointer(distance),
+        pointer(point),
+        pointer(normal),
+    ) })
+}
+
+/// Distance from an ellipsoid to the wall of a cylinder of infinite length around it.
+///
+/// # Arguments
+///
+/// - `axis`: Direction of the axis, which goes through 0; of any length; not zero.
+/// - `radius`: Of the cylinder; \> 0. Unit: length.
+/// - `center`: Of the ellipsoid. Unit: length.
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite, `radius` is not positive or `axis` is
+/// zero.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::distance_cylinder(
+///     &[1.0, 0.0, 0.0],
+///     99.0,
+///     &[8.0, 8.0, 8.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn distance_cylinder(
+    axis: &[f64; 3],
+    radius: f64,
+    center: &[f64; 3],
+    q: &[f64; 6],
+) -> Result<DistanceCylinder, Error> {
+    let mut distance = 0.0;
+    let mut point = [0.0; 3];
+    let mut normal = [0.0; 3];
+    check(unsafe { sys::pw85_distance_cylinder(
+        axis.as_ptr(),
+        radius,
+        center.as_ptr(),
+        q.as_ptr(),
+        &mut distance,
+        point.as_mut_ptr(),
+        normal.as_mut_ptr(),
+    ) })?;
+    Ok(DistanceCylinder { distance, point, normal })
+}
+
+/// [`distance_cylinder()`](crate::distance_cylinder) for many ellipsoids and cylinders; the bits
+/// are the same.
+///
+/// # Arguments
+///
+/// - `axis`: Not zero.
+/// - `radius`: \> 0. Unit: length.
+/// - `center`: Unit: length.
+/// - `q`: Unit: length².
+/// - `distance`: Unit: length.
+/// - `point`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `axis`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `axis`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let axis = [[1.0, 0.0, 0.0]; 2];
+/// let radius = [99.0; 2];
+/// let center = [[8.0, 8.0, 8.0]; 2];
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut distance = [0.0; 2];
+/// let mut point = [[0.0; 3]; 2];
+/// let mut normal = [[0.0; 3]; 2];
+/// pw85::distance_cylinder_batch(
+///     &axis,
+///     &radius,
+///     &center,
+///     &q,
+///     Some(&mut distance),
+///     Some(&mut point),
+///     Some(&mut normal),
+/// )?;
+/// assert_eq!(normal[0], normal[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn distance_cylinder_batch(
+    axis: &[[f64; 3]],
+    radius: &[f64],
+    center: &[[f64; 3]],
+    q: &[[f64; 6]],
+    distance: Option<&mut [f64]>,
+    point: Option<&mut [[f64; 3]]>,
+    normal: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = axis.len();
+    let counts = [
+        ("radius", radius.len()),
+        ("center", center.len()),
+        ("q", q.len()),
+        ("distance", rows_of(&distance, n)),
+        ("point", rows_of(&point, n)),
+        ("normal", rows_of(&normal, n)),
+    ];
+    same_rows("pw85_distance_cylinder_batch", "must have as many rows as axis", n, &counts)?;
+    check_rows(unsafe { sys::pw85_distance_cylinder_batch(
+        n,
+        axis.as_ptr().cast(),
+        radius.as_ptr(),
+        center.as_ptr().cast(),
+        q.as_ptr().cast(),
+        pointer(distance),
+        pointer(point),
+        pointer(normal),
+    ) })
+}
+
+/// Distance from a point to the surface of an ellipsoid.
+///
+/// # Arguments
+///
+/// - `r`: The point, relative to the centre of the ellipsoid. Unit: length.
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::distance_point(&[4.0, 2.0, 1.0], &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn distance_point(r: &[f64; 3], q: &[f64; 6]) -> Result<DistancePoint, Error> {
+    let mut distance = 0.0;
+    let mut point = [0.0; 3];
+    let mut normal = [0.0; 3];
+    check(unsafe { sys::pw85_distance_point(
+        r.as_ptr(),
+        q.as_ptr(),
+        &mut distance,
+        point.as_mut_ptr(),
+        normal.as_mut_ptr(),
+    ) })?;
+    Ok(DistancePoint { distance, point, normal })
+}
+
+/// [`distance_point()`](crate::distance_point) for many points and ellipsoids; the bits are the
+/// same.
+///
+/// # Arguments
+///
+/// - `r`: Unit: length.
+/// - `q`: Unit: length².
+/// - `distance`: Unit: length.
+/// - `point`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `r`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r = [[4.0, 2.0, 1.0]; 2];
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut distance = [0.0; 2];
+/// let mut point = [[0.0; 3]; 2];
+/// let mut normal = [[0.0; 3]; 2];
+/// pw85::distance_point_batch(&r, &q, Some(&mut distance), Some(&mut point), Some(&mut normal))?;
+/// assert_eq!(normal[0], normal[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn distance_point_batch(
+    r: &[[f64; 3]],
+    q: &[[f64; 6]],
+    distance: Option<&mut [f64]>,
+    point: Option<&mut [[f64; 3]]>,
+    normal: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = r.len();
+    let counts = [
+        ("q", q.len()),
+        ("distance", rows_of(&distance, n)),
+        ("point", rows_of(&point, n)),
+        ("normal", rows_of(&normal, n)),
+    ];
+    same_rows("pw85_distance_point_batch", "must have as many rows as r", n, &counts)?;
+    check_rows(unsafe { sys::pw85_distance_point_batch(
+        n,
+        r.as_ptr().cast(),
+        q.as_ptr().cast(),
+        pointer(distance),
+        pointer(point),
+        pointer(normal),
+    ) })
+}
+
+/// The part t\[0\] \<= t \<= t\[1\] of the line origin + t·direction that is in an ellipsoid.
+///
+/// A ray from the origin has t \>= 0, the segment from the origin to origin + direction 0 \<= t
+/// \<= 1.
+///
+/// Rounding errors decide about lines that are nearly tangent.
+/// [`overlap_segment()`](crate::overlap_segment) says exactly whether a segment has inner points
+/// of the ellipsoid.
+///
+/// # Arguments
+///
+/// - `origin`: Of the line, relative to the centre of the ellipsoid. Unit: length.
+/// - `direction`: Of any length; not zero.
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite or `direction` is zero.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::intersect_line(
+///     &[-5.0, 0.0, 0.0],
+///     &[1.0, 0.0, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn intersect_line(
+    origin: &[f64; 3],
+    direction: &[f64; 3],
+    q: &[f64; 6],
+) -> Result<Chord, Error> {
+    let mut t = [0.0; 2];
+    check(unsafe { sys::pw85_intersect_line(
+        origin.as_ptr(),
+        direction.as_ptr(),
+        q.as_ptr(),
+        t.as_mut_ptr(),
+    ) })?;
+    Ok(Chord { enter: t[0], leave: t[1] })
+}
+
+/// [`intersect_line()`](crate::intersect_line) for many lines and ellipsoids; the bits are the
+/// same.
+///
+/// # Arguments
+///
+/// - `origin`: Unit: length.
+/// - `directions`: Not zero.
+/// - `q`: Unit: length².
+/// - `enter`: Unit: length.
+/// - `leave`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `origin`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `origin`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let origin = [[-5.0, 0.0, 0.0]; 2];
+/// let directions = [[1.0, 0.0, 0.0]; 2];
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut enter = [0.0; 2];
+/// let mut leave = [0.0; 2];
+/// pw85::intersect_line_batch(&origin, &directions, &q, Some(&mut enter), Some(&mut leave))?;
+/// assert_eq!(leave[0], leave[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn intersect_line_batch(
+    origin: &[[f64; 3]],
+    directions: &[[f64; 3]],
+    q: &[[f64; 6]],
+    enter: Option<&mut [f64]>,
+    leave: Option<&mut [f64]>,
+) -> Result<(), Error> {
+    let n = origin.len();
+    let counts = [
+        ("directions", directions.len()),
+        ("q", q.len()),
+        ("enter", rows_of(&enter, n)),
+        ("leave", rows_of(&leave, n)),
+    ];
+    same_rows("pw85_intersect_line_batch", "must have as many rows as origin", n, &counts)?;
+    check_rows(unsafe { sys::pw85_intersect_line_batch(
+        n,
+        origin.as_ptr().cast(),
+        directions.as_ptr().cast(),
+        q.as_ptr().cast(),
+        pointer(enter),
+        pointer(leave),
+    ) })
+}
+
+/// Volume of the part of an ellipsoid that is in the half-space of the points x with normal·x \<=
+/// offset, relative to the centre of the ellipsoid.
+///
+/// # Arguments
+///
+/// - `normal`: Outward normal of the half-space, of any length; not zero.
+/// - `offset`: In units of the length of `normal` times the unit of length. Unit: length.
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite or `normal` is zero.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::overlap_volume_plane(&[1.0, 0.0, 0.0], 5.0, &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn overlap_volume_plane(normal: &[f64; 3], offset: f64, q: &[f64; 6]) -> Result<f64, Error> {
+    let mut volume = 0.0;
+    check(unsafe { sys::pw85_overlap_volume_plane(
+        normal.as_ptr(),
+        offset,
+        q.as_ptr(),
+        &mut volume,
+    ) })?;
+    Ok(volume)
+}
+
+/// [`overlap_volume_plane()`](crate::overlap_volume_plane) for many ellipsoids and half-spaces;
+/// the bits are the same.
+///
+/// # Arguments
+///
+/// - `normals`: Not zero.
+/// - `offsets`: Unit: length.
+/// - `q`: Unit: length².
+/// - `volume`: Unit: length³.
+///
+/// Row i of each slice belongs to row i of `normals`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `normals`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let normals = [[1.0, 0.0, 0.0]; 2];
+/// let offsets = [5.0; 2];
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut volume = [0.0; 2];
+/// pw85::overlap_volume_plane_batch(&normals, &offsets, &q, &mut volume)?;
+/// assert_eq!(volume[0], volume[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn overlap_volume_plane_batch(
+    normals: &[[f64; 3]],
+    offsets: &[f64],
+    q: &[[f64; 6]],
+    volume: &mut [f64],
+) -> Result<(), Error> {
+    let n = normals.len();
+    let counts = [("offsets", offsets.len()), ("q", q.len()), ("volume", volume.len())];
+    same_rows("pw85_overlap_volume_plane_batch", "must have as many rows as normals", n, &counts)?;
+    check_rows(unsafe { sys::pw85_overlap_volume_plane_batch(
+        n,
+        normals.as_ptr().cast(),
+        offsets.as_ptr(),
+        q.as_ptr().cast(),
+        volume.as_mut_ptr(),
+    ) })
+}
+
+/// Contact function of an ellipsoid and a segment.
+///
+/// # Arguments
+///
+/// - `end1`: Of the segment, relative to the centre of the ellipsoid; equal ends are a point.
+///   Unit: length.
+/// - `end2`: Of the segment, relative to the centre of the ellipsoid; equal ends are a point.
+///   Unit: length.
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::contact_segment(
+///     &[2.0, 2.0, 1.0],
+///     &[2.0, -2.0, 1.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn contact_segment(
+    end1: &[f64; 3],
+    end2: &[f64; 3],
+    q: &[f64; 6],
+) -> Result<ShapeContact, Error> {
+    let mut mu2 = 0.0;
+    let mut point = [0.0; 3];
+    check(unsafe { sys::pw85_contact_segment(
+        end1.as_ptr(),
+        end2.as_ptr(),
+        q.as_ptr(),
+        &mut mu2,
+        point.as_mut_ptr(),
+    ) })?;
+    Ok(ShapeContact { mu2, point })
+}
+
+/// [`contact_segment()`](crate::contact_segment) for many ellipsoids and segments.
+///
+/// The bound of the error is the same; the last bits may differ.
+///
+/// # Arguments
+///
+/// - `end1`: Unit: length.
+/// - `end2`: Unit: length.
+/// - `q`: Unit: length².
+/// - `point`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `end1`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `end1`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let end1 = [[2.0, 2.0, 1.0]; 2];
+/// let end2 = [[2.0, -2.0, 1.0]; 2];
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut mu2 = [0.0; 2];
+/// let mut point = [[0.0; 3]; 2];
+/// pw85::contact_segment_batch(&end1, &end2, &q, Some(&mut mu2), Some(&mut point))?;
+/// assert_eq!(point[0], point[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn contact_segment_batch(
+    end1: &[[f64; 3]],
+    end2: &[[f64; 3]],
+    q: &[[f64; 6]],
+    mu2: Option<&mut [f64]>,
+    point: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = end1.len();
+    let counts = [
+        ("end2", end2.len()),
+        ("q", q.len()),
+        ("mu2", rows_of(&mu2, n)),
+        ("point", rows_of(&point, n)),
+    ];
+    same_rows("pw85_contact_segment_batch", "must have as many rows as end1", n, &counts)?;
+    check_rows(unsafe { sys::pw85_contact_segment_batch(
+        n,
+        end1.as_ptr().cast(),
+        end2.as_ptr().cast(),
+        q.as_ptr().cast(),
+        pointer(mu2),
+        pointer(point),
+    ) })
+}
+
+/// Contact function of an ellipsoid and a triangle.
+///
+/// # Arguments
+///
+/// - `vertex1`: Of the triangle, relative to the centre of the ellipsoid; a triangle without area
+///   is the segment or the point that has all three vertices. Unit: length.
+/// - `vertex2`: Of the triangle, relative to the centre of the ellipsoid; a triangle without area
+///   is the segment or the point that has all three vertices. Unit: length.
+/// - `vertex3`: Of the triangle, relative to the centre of the ellipsoid; a triangle without area
+///   is the segment or the point that has all three vertices. Unit: length.
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::contact_triangle(
+///     &[2.0, 2.0, 1.0],
+///     &[2.0, -2.0, 1.0],
+///     &[2.0, 0.0, 4.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn contact_triangle(
+    vertex1: &[f64; 3],
+    vertex2: &[f64; 3],
+    vertex3: &[f64; 3],
+    q: &[f64; 6],
+) -> Result<ShapeContact, Error> {
+    let mut mu2 = 0.0;
+    let mut point = [0.0; 3];
+    check(unsafe { sys::pw85_contact_triangle(
+        vertex1.as_ptr(),
+        vertex2.as_ptr(),
+        vertex3.as_ptr(),
+        q.as_ptr(),
+        &mut mu2,
+        point.as_mut_ptr(),
+    ) })?;
+    Ok(ShapeContact { mu2, point })
+}
+
+/// [`contact_triangle()`](crate::contact_triangle) for many ellipsoids and triangles.
+///
+/// The bound of the error is the same; the last bits may differ.
+///
+/// # Arguments
+///
+/// - `vertex1`: Unit: length.
+/// - `vertex2`: Unit: length.
+/// - `vertex3`: Unit: length.
+/// - `q`: Unit: length².
+/// - `point`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `vertex1`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `vertex1`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let vertex1 = [[2.0, 2.0, 1.0]; 2];
+/// let vertex2 = [[2.0, -2.0, 1.0]; 2];
+/// let vertex3 = [[2.0, 0.0, 4.0]; 2];
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut mu2 = [0.0; 2];
+/// let mut point = [[0.0; 3]; 2];
+/// pw85::contact_triangle_batch(&vertex1, &vertex2, &vertex3, &q, Some(&mut mu2), Some(&mut point))?;
+/// assert_eq!(point[0], point[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn contact_triangle_batch(
+    vertex1: &[[f64; 3]],
+    vertex2: &[[f64; 3]],
+    vertex3: &[[f64; 3]],
+    q: &[[f64; 6]],
+    mu2: Option<&mut [f64]>,
+    point: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = vertex1.len();
+    let counts = [
+        ("vertex2", vertex2.len()),
+        ("vertex3", vertex3.len()),
+        ("q", q.len()),
+        ("mu2", rows_of(&mu2, n)),
+        ("point", rows_of(&point, n)),
+    ];
+    same_rows("pw85_contact_triangle_batch", "must have as many rows as vertex1", n, &counts)?;
+    check_rows(unsafe { sys::pw85_contact_triangle_batch(
+        n,
+        vertex1.as_ptr().cast(),
+        vertex2.as_ptr().cast(),
+        vertex3.as_ptr().cast(),
+        q.as_ptr().cast(),
+        pointer(mu2),
+        pointer(point),
+    ) })
+}
+
+/// Contact function of an ellipsoid and a solid box with sides along the axes.
+///
+/// # Arguments
+///
+/// - `lower`: Corners of the box, relative to the centre of the ellipsoid; a box may be flat;
+///   `lower` \<= `upper`. Unit: length.
+/// - `upper`: Corners of the box, relative to the centre of the ellipsoid; a box may be flat;
+///   `lower` \<= `upper`. Unit: length.
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite or `lower` is larger than `upper`.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::contact_box(
+///     &[2.0, -1.0, -1.0],
+///     &[4.0, 1.0, 1.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn contact_box(
+    lower: &[f64; 3],
+    upper: &[f64; 3],
+    q: &[f64; 6],
+) -> Result<ShapeContact, Error> {
+    let mut mu2 = 0.0;
+    let mut point = [0.0; 3];
+    check(unsafe { sys::pw85_contact_box(
+        lower.as_ptr(),
+        upper.as_ptr(),
+        q.as_ptr(),
+        &mut mu2,
+        point.as_mut_ptr(),
+    ) })?;
+    Ok(ShapeContact { mu2, point })
+}
+
+/// [`contact_box()`](crate::contact_box) for many ellipsoids and boxes.
+///
+/// The bound of the error is the same; the last bits may differ.
+///
+/// # Arguments
+///
+/// - `lower`: `lower` \<= `upper`. Unit: length.
+/// - `upper`: `lower` \<= `upper`. Unit: length.
+/// - `q`: Unit: length².
+/// - `point`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `lower`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `lower`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let lower = [[2.0, -1.0, -1.0]; 2];
+/// let upper = [[4.0, 1.0, 1.0]; 2];
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut mu2 = [0.0; 2];
+/// let mut point = [[0.0; 3]; 2];
+/// pw85::contact_box_batch(&lower, &upper, &q, Some(&mut mu2), Some(&mut point))?;
+/// assert_eq!(point[0], point[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn contact_box_batch(
+    lower: &[[f64; 3]],
+    upper: &[[f64; 3]],
+    q: &[[f64; 6]],
+    mu2: Option<&mut [f64]>,
+    point: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = lower.len();
+    let counts = [
+        ("upper", upper.len()),
+        ("q", q.len()),
+        ("mu2", rows_of(&mu2, n)),
+        ("point", rows_of(&point, n)),
+    ];
+    same_rows("pw85_contact_box_batch", "must have as many rows as lower", n, &counts)?;
+    check_rows(unsafe { sys::pw85_contact_box_batch(
+        n,
+        lower.as_ptr().cast(),
+        upper.as_ptr().cast(),
+        q.as_ptr().cast(),
+        pointer(mu2),
+        pointer(point),
+    ) })
+}
+
+/// Tests whether an ellipsoid and a segment overlap, μ² \< 1.
+///
+/// If they only touch, they do not. The answer is that of exact arithmetic for the numbers given,
+/// as that of [`overlap()`](crate::overlap).
+///
+/// # Arguments
+///
+/// - `end1`: Of the segment, relative to the centre of the ellipsoid. Unit: length.
+/// - `end2`: Of the segment, relative to the centre of the ellipsoid. Unit: length.
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::overlap_segment(
+///     &[2.0, 2.0, 1.0],
+///     &[2.0, -2.0, 1.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn overlap_segment(end1: &[f64; 3], end2: &[f64; 3], q: &[f64; 6]) -> Result<bool, Error> {
+    let mut overlap = 0;
+    check(unsafe { sys::pw85_overlap_segment(
+        end1.as_ptr(),
+        end2.as_ptr(),
+        q.as_ptr(),
+        &mut overlap,
+    ) })?;
+    Ok(overlap == 1)
+}
+
+/// [`overlap_segment()`](crate::overlap_segment) for many ellipsoids and segments; the answers
+/// are the same.
+///
+/// # Arguments
+///
+/// - `end1`: Unit: length.
+/// - `end2`: Unit: length.
+/// - `q`: Unit: length².
+/// - `overlap`: 1, 0, or 255 for a bad ellipsoid.
+///
+/// Row i of each slice belongs to row i of `end1`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `end1`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let end1 = [[2.0, 2.0, 1.0]; 2];
+/// let end2 = [[2.0, -2.0, 1.0]; 2];
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut overlap = [0; 2];
+/// pw85::overlap_segment_batch(&end1, &end2, &q, &mut overlap)?;
+/// assert_eq!(overlap[0], overlap[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn overlap_segment_batch(
+    end1: &[[f64; 3]],
+    end2: &[[f64; 3]],
+    q: &[[f64; 6]],
+    overlap: &mut [u8],
+) -> Result<(), Error> {
+    let n = end1.len();
+    let counts = [("end2", end2.len()), ("q", q.len()), ("overlap", overlap.len())];
+    same_rows("pw85_overlap_segment_batch", "must have as many rows as end1", n, &counts)?;
+    check_rows(unsafe { sys::pw85_overlap_segment_batch(
+        n,
+        end1.as_ptr().cast(),
+        end2.as_ptr().cast(),
+        q.as_ptr().cast(),
+        overlap.as_mut_ptr(),
+    ) })
+}
+
+/// Tests whether an ellipsoid and a triangle overlap, μ² \< 1.
+///
+/// If they only touch, they do not. The answer is that of exact arithmetic for the numbers given,
+/// as that of [`overlap()`](crate::overlap).
+///
+/// # Arguments
+///
+/// - `vertex1`: Of the triangle, relative to the centre of the ellipsoid. Unit: length.
+/// - `vertex2`: Of the triangle, relative to the centre of the ellipsoid. Unit: length.
+/// - `vertex3`: Of the triangle, relative to the centre of the ellipsoid. Unit: length.
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::overlap_triangle(
+///     &[2.0, 2.0, 1.0],
+///     &[2.0, -2.0, 1.0],
+///     &[2.0, 0.0, 4.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn overlap_triangle(
+    vertex1: &[f64; 3],
+    vertex2: &[f64; 3],
+    vertex3: &[f64; 3],
+    q: &[f64; 6],
+) -> Result<bool, Error> {
+    let mut overlap = 0;
+    check(unsafe { sys::pw85_overlap_triangle(
+        vertex1.as_ptr(),
+        vertex2.as_ptr(),
+        vertex3.as_ptr(),
+        q.as_ptr(),
+        &mut overlap,
+    ) })?;
+    Ok(overlap == 1)
+}
+
+/// [`overlap_triangle()`](crate::overlap_triangle) for many ellipsoids and triangles; the answers
+/// are the same.
+///
+/// # Arguments
+///
+/// - `vertex1`: Unit: length.
+/// - `vertex2`: Unit: length.
+/// - `vertex3`: Unit: length.
+/// - `q`: Unit: length².
+/// - `overlap`: 1, 0, or 255 for a bad ellipsoid.
+///
+/// Row i of each slice belongs to row i of `vertex1`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `vertex1`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let vertex1 = [[2.0, 2.0, 1.0]; 2];
+/// let vertex2 = [[2.0, -2.0, 1.0]; 2];
+/// let vertex3 = [[2.0, 0.0, 4.0]; 2];
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut overlap = [0; 2];
+/// pw85::overlap_triangle_batch(&vertex1, &vertex2, &vertex3, &q, &mut overlap)?;
+/// assert_eq!(overlap[0], overlap[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn overlap_triangle_batch(
+    vertex1: &[[f64; 3]],
+    vertex2: &[[f64; 3]],
+    vertex3: &[[f64; 3]],
+    q: &[[f64; 6]],
+    overlap: &mut [u8],
+) -> Result<(), Error> {
+    let n = vertex1.len();
+    let counts = [
+        ("vertex2", vertex2.len()),
+        ("vertex3", vertex3.len()),
+        ("q", q.len()),
+        ("overlap", overlap.len()),
+    ];
+    same_rows("pw85_overlap_triangle_batch", "must have as many rows as vertex1", n, &counts)?;
+    check_rows(unsafe { sys::pw85_overlap_triangle_batch(
+        n,
+        vertex1.as_ptr().cast(),
+        vertex2.as_ptr().cast(),
+        vertex3.as_ptr().cast(),
+        q.as_ptr().cast(),
+        overlap.as_mut_ptr(),
+    ) })
+}
+
+/// Tests whether an ellipsoid and a solid box with sides along the axes overlap, μ² \< 1.
+///
+/// If they only touch, they do not. The answer is that of exact arithmetic for the numbers given,
+/// as that of [`overlap()`](crate::overlap).
+///
+/// # Arguments
+///
+/// - `lower`: Corners of the box, relative to the centre of the ellipsoid; `lower` \<= `upper`.
+///   Unit: length.
+/// - `upper`: Corners of the box, relative to the centre of the ellipsoid; `lower` \<= `upper`.
+///   Unit: length.
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite or `lower` is larger than `upper`.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::overlap_box(
+///     &[2.0, -1.0, -1.0],
+///     &[4.0, 1.0, 1.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn overlap_box(lower: &[f64; 3], upper: &[f64; 3], q: &[f64; 6]) -> Result<bool, Error> {
+    let mut overlap = 0;
+    check(unsafe { sys::pw85_overlap_box(
+        lower.as_ptr(),
+        upper.as_ptr(),
+        q.as_ptr(),
+        &mut overlap,
+    ) })?;
+    Ok(overlap == 1)
+}
+
+/// [`overlap_box()`](crate::overlap_box) for many ellipsoids and boxes; the answers are the same.
+///
+/// # Arguments
+///
+/// - `lower`: `lower` \<= `upper`. Unit: length.
+/// - `upper`: `lower` \<= `upper`. Unit: length.
+/// - `q`: Unit: length².
+/// - `overlap`: 1, 0, or 255 for a bad ellipsoid.
+///
+/// Row i of each slice belongs to row i of `lower`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `lower`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let lower = [[2.0, -1.0, -1.0]; 2];
+/// let upper = [[4.0, 1.0, 1.0]; 2];
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut overlap = [0; 2];
+/// pw85::overlap_box_batch(&lower, &upper, &q, &mut overlap)?;
+/// assert_eq!(overlap[0], overlap[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn overlap_box_batch(
+    lower: &[[f64; 3]],
+    upper: &[[f64; 3]],
+    q: &[[f64; 6]],
+    overlap: &mut [u8],
+) -> Result<(), Error> {
+    let n = lower.len();
+    let counts = [("upper", upper.len()), ("q", q.len()), ("overlap", overlap.len())];
+    same_rows("pw85_overlap_box_batch", "must have as many rows as lower", n, &counts)?;
+    check_rows(unsafe { sys::pw85_overlap_box_batch(
+        n,
+        lower.as_ptr().cast(),
+        upper.as_ptr().cast(),
+        q.as_ptr().cast(),
+        overlap.as_mut_ptr(),
+    ) })
+}
+
+/// Signed distance of an ellipsoid and a segment, and the points where it is reached.
+///
+/// # Arguments
+///
+/// - `end1`: Of the segment, relative to the centre of the ellipsoid. Unit: length.
+/// - `end2`: Of the segment, relative to the centre of the ellipsoid. Unit: length.
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::distance_segment(
+///     &[2.0, 2.0, 1.0],
+///     &[2.0, -2.0, 1.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn distance_segment(
+    end1: &[f64; 3],
+    end2: &[f64; 3],
+    q: &[f64; 6],
+) -> Result<ShapeDistance, Error> {
+    let mut distance = 0.0;
+    let mut point1 = [0.0; 3];
+    let mut point2 = [0.0; 3];
+    let mut normal = [0.0; 3];
+    check(unsafe { sys::pw85_distance_segment(
+        end1.as_ptr(),
+        end2.as_ptr(),
+        q.as_ptr(),
+        &mut distance,
+        point1.as_mut_ptr(),
+        point2.as_mut_ptr(),
+        normal.as_mut_ptr(),
+    ) })?;
+    Ok(ShapeDistance { distance, point1, point2, normal })
+}
+
+/// [`distance_segment()`](crate::distance_segment) for many ellipsoids and segments; the bits are
+/// the same.
+///
+/// # Arguments
+///
+/// - `end1`: Unit: length.
+/// - `end2`: Unit: length.
+/// - `q`: Unit: length².
+/// - `distance`: Unit: length.
+/// - `point1`: Unit: length.
+/// - `point2`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `end1`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `end1`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let end1 = [[2.0, 2.0, 1.0]; 2];
+/// let end2 = [[2.0, -2.0, 1.0]; 2];
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut distance = [0.0; 2];
+/// let mut point1 = [[0.0; 3]; 2];
+/// let mut point2 = [[0.0; 3]; 2];
+/// let mut normal = [[0.0; 3]; 2];
+/// pw85::distance_segment_batch(
+///     &end1,
+///     &end2,
+///     &q,
+///     Some(&mut distance),
+///     Some(&mut point1),
+///     Some(&mut point2),
+///     Some(&mut normal),
+/// )?;
+/// assert_eq!(normal[0], normal[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn distance_segment_batch(
+    end1: &[[f64; 3]],
+    end2: &[[f64; 3]],
+    q: &[[f64; 6]],
+    distance: Option<&mut [f64]>,
+    point1: Option<&mut [[f64; 3]]>,
+    point2: Option<&mut [[f64; 3]]>,
+    normal: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = end1.len();
+    let counts = [
+        ("end2", end2.len()),
+        ("q", q.len()),
+        ("distance", rows_of(&distance, n)),
+        ("point1", rows_of(&point1, n)),
+        ("point2", rows_of(&point2, n)),
+        ("normal", rows_of(&normal, n)),
+    ];
+    same_rows("pw85_distance_segment_batch", "must have as many rows as end1", n, &counts)?;
+    check_rows(unsafe { sys::pw85_distance_segment_batch(
+        n,
+        end1.as_ptr().cast(),
+        end2.as_ptr().cast(),
+        q.as_ptr().cast(),
+        pointer(distance),
+        pointer(point1),
+        pointer(point2),
+        pointer(normal),
+    ) })
+}
+
+/// Signed distance of an ellipsoid and a triangle, which is a surface.
+///
+/// An overlap is undone by a translation to either side.
+///
+/// # Arguments
+///
+/// - `vertex1`: Of the triangle, relative to the centre of the ellipsoid. Unit: length.
+/// - `vertex2`: Of the triangle, relative to the centre of the ellipsoid. Unit: length.
+/// - `vertex3`: Of the triangle, relative to the centre of the ellipsoid. Unit: length.
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::distance_triangle(
+///     &[2.0, 2.0, 1.0],
+///     &[2.0, -2.0, 1.0],
+///     &[2.0, 0.0, 4.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn distance_triangle(
+    vertex1: &[f64; 3],
+    vertex2: &[f64; 3],
+    vertex3: &[f64; 3],
+    q: &[f64; 6],
+) -> Result<ShapeDistance, Error> {
+    let mut distance = 0.0;
+    let mut point1 = [0.0; 3];
+    let mut point2 = [0.0; 3];
+    let mut normal = [0.0; 3];
+    check(unsafe { sys::pw85_distance_triangle(
+        vertex1.as_ptr(),
+        vertex2.as_ptr(),
+        vertex3.as_ptr(),
+        q.as_ptr(),
+        &mut distance,
+        point1.as_mut_ptr(),
+        point2.as_mut_ptr(),
+        normal.as_mut_ptr(),
+    ) })?;
+    Ok(ShapeDistance { distance, point1, point2, normal })
+}
+
+/// [`distance_triangle()`](crate::distance_triangle) for many ellipsoids and triangles; the bits
+/// are the same.
+///
+/// # Arguments
+///
+/// - `vertex1`: Unit: length.
+/// - `vertex2`: Unit: length.
+/// - `vertex3`: Unit: length.
+/// - `q`: Unit: length².
+/// - `distance`: Unit: length.
+/// - `point1`: Unit: length.
+/// - `point2`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `vertex1`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `vertex1`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let vertex1 = [[2.0, 2.0, 1.0]; 2];
+/// let vertex2 = [[2.0, -2.0, 1.0]; 2];
+/// let vertex3 = [[2.0, 0.0, 4.0]; 2];
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut distance = [0.0; 2];
+/// let mut point1 = [[0.0; 3]; 2];
+/// let mut point2 = [[0.0; 3]; 2];
+/// let mut normal = [[0.0; 3]; 2];
+/// pw85::distance_triangle_batch(
+///     &vertex1,
+///     &vertex2,
+///     &vertex3,
+///     &q,
+///     Some(&mut distance),
+///     Some(&mut point1),
+///     Some(&mut point2),
+///     Some(&mut normal),
+/// )?;
+/// assert_eq!(normal[0], normal[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn distance_triangle_batch(
+    vertex1: &[[f64; 3]],
+    vertex2: &[[f64; 3]],
+    vertex3: &[[f64; 3]],
+    q: &[[f64; 6]],
+    distance: Option<&mut [f64]>,
+    point1: Option<&mut [[f64; 3]]>,
+    point2: Option<&mut [[f64; 3]]>,
+    normal: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = vertex1.len();
+    let counts = [
+        ("vertex2", vertex2.len()),
+        ("vertex3", vertex3.len()),
+        ("q", q.len()),
+        ("distance", rows_of(&distance, n)),
+        ("point1", rows_of(&point1, n)),
+        ("point2", rows_of(&point2, n)),
+        ("normal", rows_of(&normal, n)),
+    ];
+    same_rows("pw85_distance_triangle_batch", "must have as many rows as vertex1", n, &counts)?;
+    check_rows(unsafe { sys::pw85_distance_triangle_batch(
+        n,
+        vertex1.as_ptr().cast(),
+        vertex2.as_ptr().cast(),
+        vertex3.as_ptr().cast(),
+        q.as_ptr().cast(),
+        pointer(distance),
+        pointer(point1),
+        pointer(point2),
+        pointer(normal),
+    ) })
+}
+
+/// Signed distance of an ellipsoid and a solid box with sides along the axes.
+///
+/// For a box around the ellipsoid, a container, see [`distance_box()`](crate::distance_box).
+///
+/// # Arguments
+///
+/// - `lower`: Corners of the box, relative to the centre of the ellipsoid; `lower` \<= `upper`.
+///   Unit: length.
+/// - `upper`: Corners of the box, relative to the centre of the ellipsoid; `lower` \<= `upper`.
+///   Unit: length.
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite or `lower` is larger than `upper`.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::distance_solid_box(
+///     &[2.0, -1.0, -1.0],
+///     &[4.0, 1.0, 1.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn distance_solid_box(
+    lower: &[f64; 3],
+    upper: &[f64; 3],
+    q: &[f64; 6],
+) -> Result<ShapeDistance, Error> {
+    let mut distance = 0.0;
+    let mut point1 = [0.0; 3];
+    let mut point2 = [0.0; 3];
+    let mut normal = [0.0; 3];
+    check(unsafe { sys::pw85_distance_solid_box(
+        lower.as_ptr(),
+        upper.as_ptr(),
+        q.as_ptr(),
+        &mut distance,
+        point1.as_mut_ptr(),
+        point2.as_mut_ptr(),
+        normal.as_mut_ptr(),
+    ) })?;
+    Ok(ShapeDistance { distance, point1, point2, normal })
+}
+
+/// [`distance_solid_box()`](crate::distance_solid_box) for many ellipsoids and boxes; the bits
+/// are the same.
+///
+/// # Arguments
+///
+/// - `lower`: `lower` \<= `upper`. Unit: length.
+/// - `upper`: `lower` \<= `upper`. Unit: length.
+/// - `q`: Unit: length².
+/// - `distance`: Unit: length.
+/// - `point1`: Unit: length.
+/// - `point2`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `lower`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `lower`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let lower = [[2.0, -1.0, -1.0]; 2];
+/// let upper = [[4.0, 1.0, 1.0]; 2];
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut distance = [0.0; 2];
+/// let mut point1 = [[0.0; 3]; 2];
+/// let mut point2 = [[0.0; 3]; 2];
+/// let mut normal = [[0.0; 3]; 2];
+/// pw85::distance_solid_box_batch(
+///     &lower,
+///     &upper,
+///     &q,
+///     Some(&mut distance),
+///     Some(&mut point1),
+///     Some(&mut point2),
+///     Some(&mut normal),
+/// )?;
+/// assert_eq!(normal[0], normal[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn distance_solid_box_batch(
+    lower: &[[f64; 3]],
+    upper: &[[f64; 3]],
+    q: &[[f64; 6]],
+    distance: Option<&mut [f64]>,
+    point1: Option<&mut [[f64; 3]]>,
+    point2: Option<&mut [[f64; 3]]>,
+    normal: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = lower.len();
+    let counts = [
+        ("upper", upper.len()),
+        ("q", q.len()),
+        ("distance", rows_of(&distance, n)),
+        ("point1", rows_of(&point1, n)),
+        ("point2", rows_of(&point2, n)),
+        ("normal", rows_of(&normal, n)),
+    ];
+    same_rows("pw85_distance_solid_box_batch", "must have as many rows as lower", n, &counts)?;
+    check_rows(unsafe { sys::pw85_distance_solid_box_batch(
+        n,
+        lower.as_ptr().cast(),
+        upper.as_ptr().cast(),
+        q.as_ptr().cast(),
+        pointer(distance),
+        pointer(point1),
+        pointer(point2),
+        pointer(normal),
+    ) })
+}
+
+/// Distance from a point to an ellipse, the curve; see
+/// [`distance_point()`](crate::distance_point).
+///
+/// # Arguments
+///
+/// - `r`: The point, relative to the centre of the ellipse. Unit: length.
+/// - `q`: Form of the ellipse. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::distance_point_2d(&[4.0, 2.0], &[9.0, 0.0, 4.0])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn distance_point_2d(r: &[f64; 2], q: &[f64; 3]) -> Result<SurfaceDistance2d, Error> {
+    let mut distance = 0.0;
+    let mut point = [0.0; 2];
+    let mut normal = [0.0; 2];
+    check(unsafe { sys::pw85_distance_point_2d(
+        r.as_ptr(),
+        q.as_ptr(),
+        &mut distance,
+        point.as_mut_ptr(),
+        normal.as_mut_ptr(),
+    ) })?;
+    Ok(SurfaceDistance2d { distance, point, normal })
+}
+
+/// [`distance_point_2d()`](crate::distance_point_2d) for many points and ellipses; the bits are
+/// the same.
+///
+/// # Arguments
+///
+/// - `r`: Unit: length.
+/// - `q`: Unit: length².
+/// - `distance`: Unit: length.
+/// - `point`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `r`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r = [[4.0, 2.0]; 2];
+/// let q = [[9.0, 0.0, 4.0]; 2];
+/// let mut distance = [0.0; 2];
+/// let mut point = [[0.0; 2]; 2];
+/// let mut normal = [[0.0; 2]; 2];
+/// pw85::distance_point_batch_2d(&r, &q, Some(&mut distance), Some(&mut point), Some(&mut normal))?;
+/// assert_eq!(normal[0], normal[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn distance_point_batch_2d(
+    r: &[[f64; 2]],
+    q: &[[f64; 3]],
+    distance: Option<&mut [f64]>,
+    point: Option<&mut [[f64; 2]]>,
+    normal: Option<&mut [[f64; 2]]>,
+) -> Result<(), Error> {
+    let n = r.len();
+    let counts = [
+        ("q", q.len()),
+        ("distance", rows_of(&distance, n)),
+        ("point", rows_of(&point, n)),
+        ("normal", rows_of(&normal, n)),
+    ];
+    same_rows("pw85_distance_point_batch_2d", "must have as many rows as r", n, &counts)?;
+    check_rows(unsafe { sys::pw85_distance_point_batch_2d(
+        n,
+        r.as_ptr().cast(),
+        q.as_ptr().cast(),
+        pointer(distance),
+        pointer(point),
+        pointer(normal),
+    ) })
+}
+
+/// Contact function of an ellipse and a segment; see
+/// [`contact_segment()`](crate::contact_segment).
+///
+/// # Arguments
+///
+/// - `end1`: Of the segment, relative to the centre of the ellipse; equal ends are a point. Unit:
+///   length.
+/// - `end2`: Of the segment, relative to the centre of the ellipse; equal ends are a point. Unit:
+///   length.
+/// - `q`: Form of the ellipse. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::contact_segment_2d(&[2.0, 2.0], &[2.0, -2.0], &[9.0, 0.0, 4.0])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn contact_segment_2d(
+    end1: &[f64; 2],
+    end2: &[f64; 2],
+    q: &[f64; 3],
+) -> Result<ShapeContact2d, Error> {
+    let mut mu2 = 0.0;
+    let mut point = [0.0; 2];
+    check(unsafe { sys::pw85_contact_segment_2d(
+        end1.as_ptr(),
+        end2.as_ptr(),
+        q.as_ptr(),
+        &mut mu2,
+        point.as_mut_ptr(),
+    ) })?;
+    Ok(ShapeContact2d { mu2, point })
+}
+
+/// [`contact_segment_2d()`](crate::contact_segment_2d) for many ellipses and segments; the bits
+/// are the same.
+///
+/// # Arguments
+///
+/// - `end1`: Unit: length.
+/// - `end2`: Unit: length.
+/// - `q`: Unit: length².
+/// - `point`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `end1`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `end1`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let end1 = [[2.0, 2.0]; 2];
+/// let end2 = [[2.0, -2.0]; 2];
+/// let q = [[9.0, 0.0, 4.0]; 2];
+/// let mut mu2 = [0.0; 2];
+/// let mut point = [[0.0; 2]; 2];
+/// pw85::contact_segment_batch_2d(&end1, &end2, &q, Some(&mut mu2), Some(&mut point))?;
+/// assert_eq!(point[0], point[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn contact_segment_batch_2d(
+    end1: &[[f64; 2]],
+    end2: &[[f64; 2]],
+    q: &[[f64; 3]],
+    mu2: Option<&mut [f64]>,
+    point: Option<&mut [[f64; 2]]>,
+) -> Result<(), Error> {
+    let n = end1.len();
+    let counts = [
+        ("end2", end2.len()),
+        ("q", q.len()),
+        ("mu2", rows_of(&mu2, n)),
+        ("point", rows_of(&point, n)),
+    ];
+    same_rows("pw85_contact_segment_batch_2d", "must have as many rows as end1", n, &counts)?;
+    check_rows(unsafe { sys::pw85_contact_segment_batch_2d(
+        n,
+        end1.as_ptr().cast(),
+        end2.as_ptr().cast(),
+        q.as_ptr().cast(),
+        pointer(mu2),
+        pointer(point),
+    ) })
+}
+
+/// Contact function of an ellipse and a solid rectangle with sides along the axes; see
+/// [`contact_box()`](crate::contact_box).
+///
+/// # Arguments
+///
+/// - `lower`: Corners of the box, relative to the centre of the ellipse; a box may be flat;
+///   `lower` \<= `upper`. Unit: length.
+/// - `upper`: Corners of the box, relative to the centre of the ellipse; a box may be flat;
+///   `lower` \<= `upper`. Unit: length.
+/// - `q`: Form of the ellipse. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite or `lower` is larger than `upper`.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::contact_box_2d(&[2.0, -1.0], &[4.0, 1.0], &[9.0, 0.0, 4.0])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn contact_box_2d(
+    lower: &[f64; 2],
+    upper: &[f64; 2],
+    q: &[f64; 3],
+) -> Result<ShapeContact2d, Error> {
+    let mut mu2 = 0.0;
+    let mut point = [0.0; 2];
+    check(unsafe { sys::pw85_contact_box_2d(
+        lower.as_ptr(),
+        upper.as_ptr(),
+        q.as_ptr(),
+        &mut mu2,
+        point.as_mut_ptr(),
+    ) })?;
+    Ok(ShapeContact2d { mu2, point })
+}
+
+/// [`contact_box_2d()`](crate::contact_box_2d) for many ellipses and boxes; the bits are the
+/// same.
+///
+/// # Arguments
+///
+/// - `lower`: `lower` \<= `upper`. Unit: length.
+/// - `upper`: `lower` \<= `upper`. Unit: length.
+/// - `q`: Unit: length².
+/// - `point`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `lower`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `lower`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let lower = [[2.0, -1.0]; 2];
+/// let upper = [[4.0, 1.0]; 2];
+/// let q = [[9.0, 0.0, 4.0]; 2];
+/// let mut mu2 = [0.0; 2];
+/// let mut point = [[0.0; 2]; 2];
+/// pw85::contact_box_batch_2d(&lower, &upper, &q, Some(&mut mu2), Some(&mut point))?;
+/// assert_eq!(point[0], point[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn contact_box_batch_2d(
+    lower: &[[f64; 2]],
+    upper: &[[f64; 2]],
+    q: &[[f64; 3]],
+    mu2: Option<&mut [f64]>,
+    point: Option<&mut [[f64; 2]]>,
+) -> Result<(), Error> {
+    let n = lower.len();
+    let counts = [
+        ("upper", upper.len()),
+        ("q", q.len()),
+        ("mu2", rows_of(&mu2, n)),
+        ("point", rows_of(&point, n)),
+    ];
+    same_rows("pw85_contact_box_batch_2d", "must have as many rows as lower", n, &counts)?;
+    check_rows(unsafe { sys::pw85_contact_box_batch_2d(
+        n,
+        lower.as_ptr().cast(),
+        upper.as_ptr().cast(),
+        q.as_ptr().cast(),
+        pointer(mu2),
+        pointer(point),
+    ) })
+}
+
+/// Tests whether an ellipse and a segment overlap, μ² \< 1; see
+/// [`overlap_segment()`](crate::overlap_segment).
+///
+/// # Arguments
+///
+/// - `end1`: Of the segment, relative to the centre of the ellipse; equal ends are a point. Unit:
+///   length.
+/// - `end2`: Of the segment, relative to the centre of the ellipse; equal ends are a point. Unit:
+///   length.
+/// - `q`: Form of the ellipse. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::overlap_segment_2d(&[2.0, 2.0], &[2.0, -2.0], &[9.0, 0.0, 4.0])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn overlap_segment_2d(end1: &[f64; 2], end2: &[f64; 2], q: &[f64; 3]) -> Result<bool, Error> {
+    let mut overlap = 0;
+    check(unsafe { sys::pw85_overlap_segment_2d(
+        end1.as_ptr(),
+        end2.as_ptr(),
+        q.as_ptr(),
+        &mut overlap,
+    ) })?;
+    Ok(overlap == 1)
+}
+
+/// [`overlap_segment_2d()`](crate::overlap_segment_2d) for many ellipses and segments; the
+/// answers are the same.
+///
+/// # Arguments
+///
+/// - `end1`: Unit: length.
+/// - `end2`: Unit: length.
+/// - `q`: Unit: length².
+/// - `overlap`: 1, 0, or 255 for a bad ellipse.
+///
+/// Row i of each slice belongs to row i of `end1`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `end1`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let end1 = [[2.0, 2.0]; 2];
+/// let end2 = [[2.0, -2.0]; 2];
+/// let q = [[9.0, 0.0, 4.0]; 2];
+/// let mut overlap = [0; 2];
+/// pw85::overlap_segment_batch_2d(&end1, &end2, &q, &mut overlap)?;
+/// assert_eq!(overlap[0], overlap[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn overlap_segment_batch_2d(
+    end1: &[[f64; 2]],
+    end2: &[[f64; 2]],
+    q: &[[f64; 3]],
+    overlap: &mut [u8],
+) -> Result<(), Error> {
+    let n = end1.len();
+    let counts = [("end2", end2.len()), ("q", q.len()), ("overlap", overlap.len())];
+    same_rows("pw85_overlap_segment_batch_2d", "must have as many rows as end1", n, &counts)?;
+    check_rows(unsafe { sys::pw85_overlap_segment_batch_2d(
+        n,
+        end1.as_ptr().cast(),
+        end2.as_ptr().cast(),
+        q.as_ptr().cast(),
+        overlap.as_mut_ptr(),
+    ) })
+}
+
+/// Tests whether an ellipse and a solid rectangle with sides along the axes overlap, μ² \< 1; see
+/// [`overlap_box()`](crate::overlap_box).
+///
+/// # Arguments
+///
+/// - `lower`: Corners of the box, relative to the centre of the ellipse; a box may be flat;
+///   `lower` \<= `upper`. Unit: length.
+/// - `upper`: Corners of the box, relative to the centre of the ellipse; a box may be flat;
+///   `lower` \<= `upper`. Unit: length.
+/// - `q`: Form of the ellipse. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite or `lower` is larger than `upper`.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::overlap_box_2d(&[2.0, -1.0], &[4.0, 1.0], &[9.0, 0.0, 4.0])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn overlap_box_2d(lower: &[f64; 2], upper: &[f64; 2], q: &[f64; 3]) -> Result<bool, Error> {
+    let mut overlap = 0;
+    check(unsafe { sys::pw85_overlap_box_2d(
+        lower.as_ptr(),
+        upper.as_ptr(),
+        q.as_ptr(),
+        &mut overlap,
+    ) })?;
+    Ok(overlap == 1)
+}
+
+/// [`overlap_box_2d()`](crate::overlap_box_2d) for many ellipses and boxes; the answers are the
+/// same.
+///
+/// # Arguments
+///
+/// - `lower`: `lower` \<= `upper`. Unit: length.
+/// - `upper`: `lower` \<= `upper`. Unit: length.
+/// - `q`: Unit: length².
+/// - `overlap`: 1, 0, or 255 for a bad ellipse.
+///
+/// Row i of each slice belongs to row i of `lower`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `lower`, or a row is refused. The outputs of such rows are
+/// NaN, 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let lower = [[2.0, -1.0]; 2];
+/// let upper = [[4.0, 1.0]; 2];
+/// let q = [[9.0, 0.0, 4.0]; 2];
+/// let mut overlap = [0; 2];
+/// pw85::overlap_box_batch_2d(&lower, &upper, &q, &mut overlap)?;
+/// assert_eq!(overlap[0], overlap[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn overlap_box_batch_2d(
+    lower: &[[f64; 2]],
+    upper: &[[f64; 2]],
+    q: &[[f64; 3]],
+    overlap: &mut [u8],
+) -> Result<(), Error> {
+    let n = lower.len();
+    let counts = [("upper", upper.len()), ("q", q.len()), ("overlap", overlap.len())];
+    same_rows("pw85_overlap_box_batch_2d", "must have as many rows as lower", n, &counts)?;
+    check_rows(unsafe { sys::pw85_overlap_box_batch_2d(
+        n,
+        lower.as_ptr().cast(),
+        upper.as_ptr().cast(),
+        q.as_ptr().cast(),
+        overlap.as_mut_ptr(),
+    ) })
+}
+
+/// [`contact()`](crate::contact), [`contact_geometry()`](crate::contact_geometry),
+/// [`contact_gradient()`](crate::contact_gradient) and
+/// [`contact_torque()`](crate::contact_torque) for many pairs.
+///
+/// All that the forces and torques of an energy U(μ²) need. A pair with r12 = 0 is valid: its
+/// derivatives are zero, its point and normal NaN.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`: Unit: length².
+/// - `q2`: Unit: length².
+/// - `point`: Contact points relative to the centres of the first ellipsoids. Unit: length.
+/// - `normal`: Unit normals.
+/// - `d_r12`: ∂μ²/∂r12. Unit: 1/length.
+/// - `d_rot1`: ∂μ²/∂(rotation vector) of either ellipsoid about its own centre, per radian.
+/// - `d_rot2`: ∂μ²/∂(rotation vector) of either ellipsoid about its own centre, per radian.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let mut mu2 = [0.0; 2];
+/// let mut lambda = [0.0; 2];
+/// let mut point = [[0.0; 3]; 2];
+/// let mut normal = [[0.0; 3]; 2];
+/// let mut d_r12 = [[0.0; 3]; 2];
+/// let mut d_rot1 = [[0.0; 3]; 2];
+/// let mut d_rot2 = [[0.0; 3]; 2];
+/// pw85::contact_derivatives_batch(
+///     &r12,
+///     &q1,
+///     &q2,
+///     Some(&mut mu2),
+///     Some(&mut lambda),
+///     Some(&mut point),
+///     Some(&mut normal),
+///     Some(&mut d_r12),
+///     Some(&mut d_rot1),
+///     Some(&mut d_rot2),
+/// )?;
+/// assert_eq!(d_rot2[0], d_rot2[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn contact_derivatives_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    mu2: Option<&mut [f64]>,
+    lambda: Option<&mut [f64]>,
+    point: Option<&mut [[f64; 3]]>,
+    normal: Option<&mut [[f64; 3]]>,
+    d_r12: Option<&mut [[f64; 3]]>,
+    d_rot1: Option<&mut [[f64; 3]]>,
+    d_rot2: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("mu2", rows_of(&mu2, n)),
+        ("lambda", rows_of(&lambda, n)),
+        ("point", rows_of(&point, n)),
+        ("normal", rows_of(&normal, n)),
+        ("d_r12", rows_of(&d_r12, n)),
+        ("d_rot1", rows_of(&d_rot1, n)),
+        ("d_rot2", rows_of(&d_rot2, n)),
+    ];
+    same_rows("pw85_contact_derivatives_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_contact_derivatives_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        pointer(mu2),
+        pointer(lambda),
+        pointer(point),
+        pointer(normal),
+        pointer(d_r12),
+        pointer(d_rot1),
+        pointer(d_rot2),
+    ) })
+}
+
+/// Tight boxes, with sides along the axes, around n ellipsoids.
+///
+/// # Arguments
+///
+/// - `q`: Unit: length².
+/// - `half_widths`: √Qxx, √Qyy, √Qzz, in the unit of the semi-axes. Unit: length.
+///
+/// Row i of each slice belongs to row i of `q`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `q`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut half_widths = [[0.0; 3]; 2];
+/// pw85::bounding_boxes(&q, &mut half_widths)?;
+/// assert_eq!(half_widths[0], half_widths[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn bounding_boxes(q: &[[f64; 6]], half_widths: &mut [[f64; 3]]) -> Result<(), Error> {
+    let n = q.len();
+    let counts = [("half_widths", half_widths.len())];
+    same_rows("pw85_bounding_boxes", "must have as many rows as q", n, &counts)?;
+    check_rows(unsafe { sys::pw85_bounding_boxes(
+        n,
+        q.as_ptr().cast(),
+        half_widths.as_mut_ptr().cast(),
+    ) })
+}
+
+/// Form of the uniform solid ellipsoid that has given second moments.
+///
+/// 5 times these, the inverse of [`second_moments()`](crate::second_moments). Other bodies get
+/// the ellipsoid with their second moments, which has another volume. The error of each entry is
+/// below u times the entry.
+///
+/// # Arguments
+///
+/// - `second_moments`: Mean of x xᵀ over a body, about its centre. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::from_moments(&[9.0, 0.0, 0.0, 4.0, 0.0, 1.0])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn from_moments(second_moments: &[f64; 6]) -> Result<[f64; 6], Error> {
+    let mut q = [0.0; 6];
+    check(unsafe { sys::pw85_from_moments(second_moments.as_ptr(), q.as_mut_ptr()) })?;
+    Ok(q)
+}
+
+/// [`from_moments()`](crate::from_moments) for many ellipsoids; the bits are the same.
+///
+/// # Arguments
+///
+/// - `second_moments`: Unit: length².
+/// - `q`: Unit: length².
+///
+/// Row i of each slice belongs to row i of `second_moments`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `second_moments`, or a row is refused. The outputs of such
+/// rows are NaN, 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let second_moments = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut q = [[0.0; 6]; 2];
+/// pw85::from_moments_batch(&second_moments, &mut q)?;
+/// assert_eq!(q[0], q[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn from_moments_batch(second_moments: &[[f64; 6]], q: &mut [[f64; 6]]) -> Result<(), Error> {
+    let n = second_moments.len();
+    let counts = [("q", q.len())];
+    same_rows("pw85_from_moments_batch", "must have as many rows as second_moments", n, &counts)?;
+    check_rows(unsafe { sys::pw85_from_moments_batch(
+        n,
+        second_moments.as_ptr().cast(),
+        q.as_mut_ptr().cast(),
+    ) })
+}
+
+/// Form of the uniform ellipse that has given second moments: 4 times these; see
+/// [`from_moments()`](crate::from_moments).
+///
+/// # Arguments
+///
+/// - `second_moments`: Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::from_moments_2d(&[9.0, 0.0, 4.0])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn from_moments_2d(second_moments: &[f64; 3]) -> Result<[f64; 3], Error> {
+    let mut q = [0.0; 3];
+    check(unsafe { sys::pw85_from_moments_2d(second_moments.as_ptr(), q.as_mut_ptr()) })?;
+    Ok(q)
+}
+
+/// [`from_moments_2d()`](crate::from_moments_2d) for many ellipses; the bits are the same.
+///
+/// # Arguments
+///
+/// - `second_moments`: Unit: length².
+/// - `q`: Unit: length².
+///
+/// Row i of each slice belongs to row i of `second_moments`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `second_moments`, or a row is refused. The outputs of such
+/// rows are NaN, 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let second_moments = [[9.0, 0.0, 4.0]; 2];
+/// let mut q = [[0.0; 3]; 2];
+/// pw85::from_moments_batch_2d(&second_moments, &mut q)?;
+/// assert_eq!(q[0], q[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn from_moments_batch_2d(second_moments: &[[f64; 3]], q: &mut [[f64; 3]]) -> Result<(), Error> {
+    let n = second_moments.len();
+    let counts = [("q", q.len())];
+    same_rows("pw85_from_moments_batch_2d", "must have as many rows as second_moments", n, &counts)?;
+    check_rows(unsafe { sys::pw85_from_moments_batch_2d(
+        n,
+        second_moments.as_ptr().cast(),
+        q.as_mut_ptr().cast(),
+    ) })
+}
