@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // libFuzzer target: bytes as a saved simulation, as they are and with the right size and checksum.
-// A state that is restored is saved as the same state again, and can be restored after a sweep, which
-// ends soon. Corpus: tests/portable/saved_*.1.
+// A state that is restored is saved as the same state again, and can be restored after a sweep,
+// which ends soon. Corpus: tests/portable/saved_*.1.
 #include <cstdio>
 
 #include "../tests/saved_sections.hpp"

@@ -64,8 +64,8 @@ struct ListLimits {
 inline constexpr std::size_t groups_per_task = 16;
 
 /// Finds the pairs whose first box belongs to the groups of a task, each pair once. They replace
-/// the pairs in `found`. Returns false if there is no memory, or if there are more than `most` pairs
-/// per particle.
+/// the pairs in `found`. Returns false if there is no memory, or if there are more than `most`
+/// pairs per particle.
 [[nodiscard]] bool find_pairs(Tree const &tree, Periodicity const &lattice,
                               Array<LatticeVector> const &images, std::size_t task, double most,
                               FoundPairs &found) noexcept;

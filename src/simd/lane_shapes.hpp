@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The kernels for ellipsoids and convex sets, one ellipsoid per lane: the contact functions with
-/// segments, triangles and boxes, and whether they overlap (lanes_shapes.cpp); the parts of lines in
-/// ellipsoids (lanes_lines.cpp).
+/// segments, triangles and boxes, and whether they overlap (lanes_shapes.cpp); the parts of lines
+/// in ellipsoids (lanes_lines.cpp).
 ///
 /// The formulas are those of one ellipsoid. Rows that fail the fast checks, and rows for which the
 /// digits do not suffice, are left over.

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Declarations as the manual of MATLAB has them, of the functions of its C Matrix API and C MEX API
- * that octave/src may call: a test compiles the sources with this header, too. Functions that Octave
- * alone has, or MATLAB alone, are not here. */
+ * that octave/src may call: a test compiles the sources with this header, too. Functions that
+ * Octave alone has, or MATLAB alone, are not here. */
 #ifndef MEX_H_INCLUDED
 #define MEX_H_INCLUDED
 
