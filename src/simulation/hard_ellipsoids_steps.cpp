@@ -15,8 +15,8 @@ namespace pw85::detail::simulation {
 namespace {
 
 /// Returns a status, which says whether these can be the largest changes of trials: a translation,
-/// a rotation and maybe a change of the volume. For negative steps, no list of neighbours would ever
-/// hold.
+/// a rotation and maybe a change of the volume. For negative steps, no list of neighbours would
+/// ever hold.
 int check_steps(std::span<double const> steps, Configuration const &configuration,
                 std::size_t row = 0) noexcept
 {
