@@ -21,7 +21,8 @@ import tempfile
 from pathlib import Path
 
 NEEDED = ("api", "include", "meson.build", "fortran/pw85.in.f90", "fortran/pw85.f90", "r/DESCRIPTION.in", "octave/DESCRIPTION.in",
-          "CHANGELOG.md", "js", "debian", "python/pypw85", "src/simd/one_pair.hpp", "src/pair", "src/brent")  # fmt: skip
+          "rust/pw85/Cargo.toml.in", "rust/pw85-sys/Cargo.toml.in", "js", "CHANGELOG.md", "debian", "python/pypw85",
+          "src/simd/one_pair.hpp", "src/pair", "src/brent")  # fmt: skip
 SEEDS = (1, 2)
 COMMENT = re.compile(r"/\*\*[\s\S]*?\*/|(?:^ *///.*\n)+", re.MULTILINE)
 # What is data in a comment: marks, tags with their names and attributes, titles.
@@ -79,7 +80,7 @@ def without_texts(path, text):
         text = "\n".join(re.findall(r"^\\(?:name|alias|item)\{[^}]*\}|^\\(?:usage|examples)\{\n[\s\S]*?\n\}", text, re.MULTILINE))
     elif path.endswith(".m"):
         text = re.sub(r"^%(?!!).*\n", "", text, flags=re.MULTILINE)
-    elif path.endswith((".h", ".hpp", ".c", ".cpp", ".js", ".ts")):
+    elif path.endswith((".h", ".hpp", ".c", ".cpp", ".js", ".ts", ".rs")):
         text = re.sub(r"/\*.*?\*/|//[^\n]*", "", text, flags=re.DOTALL)
     elif path.endswith(".py"):
         tree = ast.parse(text)
