@@ -5,15 +5,9 @@
 # declarations that MATLAB documents, too.
 set -eu
 cd "$(dirname "$0")/.."
-. scripts/packages.sh
+. scripts/library.sh
 # shellcheck disable=SC2086,SC2154 # a list of words
-if command -v apt-get >/dev/null; then install_packages $build_packages libboost-dev $octave_packages; fi
-
-prefix=$PWD/build-octave/prefix
-[ -f build-octave/build.ninja ] || meson setup build-octave --prefix="$prefix" --libdir=lib -Dtests=disabled -Dbench=disabled \
-  -Dpython=disabled -Dfortran=disabled -Dgsl=disabled -Dgpu=disabled -Ddefault_library=shared
-meson compile -C build-octave
-meson install -C build-octave --quiet
+install_library build-octave $octave_packages
 sources=$PWD
 rm -rf build-octave/octave && mkdir -p build-octave/octave/packages
 cd build-octave/octave

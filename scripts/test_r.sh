@@ -4,15 +4,9 @@
 # check as CRAN does but for its network and the PDF manual, README's programs, and compares bits with those of a program in C.
 set -eu
 cd "$(dirname "$0")/.."
-. scripts/packages.sh
+. scripts/library.sh
 # shellcheck disable=SC2086,SC2154 # a list of words
-if command -v apt-get >/dev/null; then install_packages $build_packages libboost-dev $r_packages; fi
-
-prefix=$PWD/build-r/prefix
-[ -f build-r/build.ninja ] || meson setup build-r --prefix="$prefix" --libdir=lib -Dtests=disabled -Dbench=disabled -Dpython=disabled \
-  -Dfortran=disabled -Dgsl=disabled -Dgpu=disabled -Ddefault_library=shared
-meson compile -C build-r
-meson install -C build-r --quiet
+install_library build-r $r_packages
 rm -rf build-r/r && mkdir -p build-r/r/library
 cp -R r build-r/r/pw85
 cd build-r/r

@@ -5,15 +5,9 @@
 # and builds README's program by these packages in a project of its own. No step needs a network.
 set -eu
 cd "$(dirname "$0")/.."
-. scripts/packages.sh
+. scripts/library.sh
 # shellcheck disable=SC2086,SC2154 # a list of words
-if command -v apt-get >/dev/null; then install_packages $build_packages libboost-dev $rust_packages; fi
-
-prefix=$PWD/build-rust/prefix
-[ -f build-rust/build.ninja ] || meson setup build-rust --prefix="$prefix" --libdir=lib -Dtests=disabled -Dbench=disabled -Dpython=disabled \
-  -Dfortran=disabled -Dgsl=disabled -Dgpu=disabled -Ddefault_library=shared
-meson compile -C build-rust
-meson install -C build-rust --quiet
+install_library build-rust $rust_packages
 # The compiler of the system: its linter does not change between two runs.
 [ ! -x /usr/bin/cargo ] || PATH=/usr/bin:$PATH
 work=$PWD/build-rust/rust
