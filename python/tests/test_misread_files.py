@@ -34,11 +34,14 @@ def run(capsys, monkeypatch):
 # Headers of tables and their options, the values of a row, and the sentence that refuses them
 REFUSED = {
     # What could be the shape beside a radius: eigenvalues, displacement parameters, elements of matrices, bounds, exponents, units
-    **{f"x,y,z,radius,{name}": ({}, f"0,0,0,1{',1' * (1 + name.count(','))}", f"the column {name.split(',')[0]} could change")
+    **{f"x,y,z,radius,{name}": ({}, f"0,0,0,1{',1' * (1 + name.count(','))}", f"the columns? {name.replace(',', ' ')} could change")
        for name in ("eigenvalue1,eigenvalue2,eigenvalue3", "lambda_1", "principal_moment", "U11,U22,U33,U12,U13,U23", "B_iso", "m00",
                     "Q_12", "r11", "rmin,rmax", "d_max", "ellipsoid", "unit", "spacing", "pixel_um", "resolution")},
     "x,y,z,radius,rw,rx,ry,rz": ({}, f"0,0,0,1,{UP}", "the column rw could change the shapes or how they are turned"),
-    "x,y,z,a,b,c,dx,dy,dz": ({}, "0,0,0,2,.5,.5,0,1,0", "the column dx could change the shapes"),
+    "x,y,z,a,b,c,dx,dy,dz":
+        ({}, "0,0,0,2,.5,.5,0,1,0", "the columns dx dy dz could change .*, and are not used: .* out .--ignore-columns dx,dy,dz."),
+    "x,y,z,radius,Pixel Size (um),tilt":
+        ({}, "0,0,0,1,2,3", "the columns .*say what they are .--shape-columns, --quaternion-.*--ignore-columns 'Pixel Size .um.,tilt'"),
     "x,y,z,a,b,c,major_axis_x,major_axis_y,major_axis_z": ({}, "0,0,0,2,2,.5,0,1,0", "has two long axes, and a direction of one of them"),
     "x,y,z,a,b,c,elevation_deg,azimuth_deg":
         ({}, "0,0,0,2,2,.5,0,1", "elevation_deg may be an angle from the plane of x and y, and is not that from the axis z"),
@@ -52,6 +55,8 @@ REFUSED = {
     "label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation":
         ({}, "1,0,0,4,1,90", "has the orientation 90, and this program writes radians up to 1.571: say the unit"),
     "centroid-0,centroid-1,centroid-2,axis_major_length,axis_minor_length,orientation": ({}, "0,0,0,4,1,1", "two .* centroid-2"),
+    "x,y,width,height,angle": ({"angle": "degrees"}, "0,0,4,1,0", "--lengths radii, or name the program .--convention opencv.$"),
+    "x,y,w,h,angle": ({"angle": "degrees", "convention": "none"}, "0,0,4,1,0", "w h may be whole axes or semi-axes: .*--lengths radii$"),
     "x,y,z,axis_lengths_0,axis_lengths_1,axis_lengths_2": ({}, "0,0,0,1,1,1", "may be whole axes or semi-axes: use --lengths"),
     "x,y,z,scale_x,scale_y,scale_z": ({"shape_columns": ("scale_x", "scale_y", "scale_z")}, "0,0,0,1,1,1", "may be whole axes or"),
     "x,y,z,sigma1": ({"shape_columns": 3 * ("sigma1",)}, "0,0,0,1", "sigma1 may be whole axes or semi-axes"),
@@ -86,6 +91,9 @@ TABLES = {
     "# Box = 10 10 10\nx,y,z,radius\n0,0,0,1": "the comment '# Box = 10 10 10' could say the cell",
     "# - {name: x, unit: pix, datatype: float64}\n# - {name: radius, unit: arcsec, datatype: float64}\nx,y,z,radius\n0,0,0,1":
         "line 3: the columns x.pix. and radius.arcsec. have different units",
+    "0,0,0,1": "line 1: there is no line with the names .*,qx,qy,qz$",
+    "0,0,4,1,0": "or say which program wrote them .--convention opencv or --convention matgeom.$",
+    "0 0 0 3 2 1 0 0 0": "or say which program wrote them .--convention matgeom.$",
     "-x,y,z,radius\n0,0,0,1": "there is no column 'x', but -x y z radius",
     "# periodic: xyz\nx,y,z,radius\n0,0,0,1": "could say the cell",
 }
@@ -136,6 +144,32 @@ def test_several_planes(tmp_path):
     with pytest.raises(pypw85.FileError, match="line 3: the column AreaShape_Center_Z has several values, 0.* and 5"):
         read(tmp_path / "a.csv", convention="cellprofiler")
     assert len(read(tmp_path / "a.csv", convention="cellprofiler", ignore_columns=["AreaShape_Center_Z"])) == 2
+
+
+# Columns beside lengths and quaternions whose names sound like lengths or turns, and that hold neither
+HARMLESS = ("rotational_energy", "Rotational Kinetic Energy", "rotational_velocity_x", "information", "misorientation", "psi6", "psi_4",
+            "orientational_order", "track_length", "form_factor", "inertia_x", "moment_of_inertia_xx", "label", "name",
+            "class")  # fmt: skip
+
+
+@pytest.mark.parametrize("name", HARMLESS)
+def test_harmless_columns(name, tmp_path):
+    (tmp_path / "a.csv").write_text(f"type,x,y,z,a,b,c,qw,qx,qy,qz,{name}\n1,0,0,0,2,.5,.5,{UP},7\n")
+    system = read(tmp_path / "a.csv")
+    assert system.semi_axes.tolist() == [[2, 0.5, 0.5]]
+    assert system.source.endswith(f", columns that are not used: {name}")
+
+
+def test_inertia_of_what_may_be_turned(tmp_path):
+    (tmp_path / "a.csv").write_text("x,y,z,a,b,c,inertia_xx,inertia_xy\n0,0,0,2,.5,.5,1,1\n")
+    with pytest.raises(pypw85.FileError, match="lacks an orientation"):
+        read(tmp_path / "a.csv")
+
+
+def test_lengths_of_a_column_are_said_once(tmp_path):
+    (tmp_path / "a.csv").write_text(f"x,y,z,radius,qw,qx,qy,qz\n0,0,0,1,{UP}\n")
+    source = read(tmp_path / "a.csv", shape_columns=3 * ["radius"]).source
+    assert source == "lengths radius radius radius as radii, quaternions qw qx qy qz as w x y z"
 
 
 def test_unused_columns_are_said(tmp_path):

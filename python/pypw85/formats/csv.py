@@ -20,7 +20,8 @@ import numpy as np
 from .._system import System
 from .._typing import Floats
 from ._columns import UNIT_AT_END, Taken, centers_of, convention_of, fill, plain_name, take
-from ._conventions import Convention, named, possible, recognised
+from ._conventions import CONVENTIONS, Convention, named, possible, recognised
+from ._errors import for_option
 from ._frames import Frame, Location, Options, said_dimensions
 from ._names import PRINTED, Rule, checked_names
 from ._table import Lines, Table, coded, write_rows
@@ -127,11 +128,10 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         if dimensions not in (None, 2, 3):
             raise lines.error(f"'dimensions' must be 2 or 3, not {dimensions}")
         _check_third(columns, positions, options, lines)
-        taken = take(columns, options, lines.error, "radii", "wxyz", [*positions, *_others(columns)],
+        ids, types = _ids_and_types(columns)
+        taken = take(columns, options, lines.error, "radii", "wxyz", [*positions, ids, types],
                      (dimensions or len(positions)) == 2, convention)  # fmt: skip
         _check_lengths(columns, positions, taken, (options.dimensions or dimensions) is not None, lines)
-        plain = {plain_name(name): name for name in reversed(columns)}
-        ids, types = (next((plain[name] for name in names if name in plain), "") for names in (_IDS, _TYPES))
         step = lines.whole(keys.get("step", "0"), "step", -(2**63))
         cell = _cell(lines, keys["cell"]) if "cell" in keys else None
         if cell is not None and len(keys["cell"].split()) == 4:
@@ -197,7 +197,7 @@ def _check_series(table: Table, series: list[str], lines: Lines) -> None:
         if len(values) > 1:
             lines.number = table.line + rows.index(values[1])
             raise lines.error(f"the column {name} has several values, {values[0]} and {values[1]}: write the rows of one of them, or say "
-                              f"that all are bodies of one system (--ignore-columns {name})")  # fmt: skip
+                              f"that all are bodies of one system (--ignore-columns {for_option([name])})")  # fmt: skip
 
 
 def _cell(lines: Lines, text: str) -> Floats:
@@ -277,15 +277,16 @@ def _names(lines: Lines, line: str, options: Options) -> tuple[str | None, list[
             separator = next(one for one in _SEPARATORS if len(_split(line, one)) == count)
             return separator, [], list(one.rows)
     lines.next()
-    raise lines.error("there is no line with the names of the columns: write one before the numbers, as x,y,z,a,b,c,qw,qx,qy,qz, or say "
-                      "which program wrote them (--convention matgeom or --convention opencv)")  # fmt: skip
+    programs = " or ".join(f"--convention {one.name}" for one in CONVENTIONS if one.rows and len(one.rows) == count)
+    program = f", or say which program wrote them ({programs})" if programs else ""
+    raise lines.error(f"there is no line with the names of the columns: write one before the numbers, as x,y,z,a,b,c,qw,qx,qy,qz{program}")
 
 
-def _others(columns: list[str]) -> list[str]:
-    """Columns of ids and names, and the one of types."""
-    plain = [plain_name(name) for name in columns]
-    types = next((one for one in _TYPES if one in plain), "")
-    return [name for name in columns if plain_name(name) in (*_IDS, types, "label", "labels", "name")]
+def _ids_and_types(columns: list[str]) -> tuple[str, str]:
+    """The columns of ids and of types, each empty if there is none."""
+    plain = {plain_name(name): name for name in reversed(columns)}
+    ids, types = (next((plain[name] for name in names if name in plain), "") for names in (_IDS, _TYPES))
+    return ids, types
 
 
 def _check_third(columns: list[str], positions: list[str], options: Options, lines: Lines) -> None:
@@ -294,7 +295,7 @@ def _check_third(columns: list[str], positions: list[str], options: Options, lin
         for name in columns:
             if plain_name(name) in _THIRD and name not in positions and name not in (options.ignore_columns or ()):
                 raise lines.error(f"there are two coordinates, {' '.join(positions)}, and {name}: rename it to z, or leave it out "
-                                  f"(--ignore-columns {name})")  # fmt: skip
+                                  f"(--ignore-columns {for_option([name])})")  # fmt: skip
 
 
 def _check_lengths(columns: list[str], positions: list[str], taken: Taken, says_dimensions: bool, lines: Lines) -> None:
