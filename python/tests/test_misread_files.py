@@ -87,7 +87,7 @@ TABLES = {
     "x\ty\tz\tradius\n0\t0\t0\t0.5\n1,500\t0\t0\t0.5": "line 3: '1,500' has a comma, and '0.5' a point",
     "x;y;z;radius\n0;0;0;0.5\n1,5;0;0;0.5": "line 3: '1,5' has a comma, and '0.5' a point",
     "x;y;z;radius\n0;0;0;1\n1,500;0;0;1": "line 3: the comma of '1,500' may be decimal or group thousands",
-    "# cell: 10 10 10\nx,y,z,radius\n0,0,0,1": "line 1: the comment '# cell: 10 10 10' could say the cell, and is not read",
+    "# cell: 10 10 10\nx,y,z,radius\n0,0,0,1": "'# cell: 10 10 10' could say the cell, and is not read: .*, give the cell .--cell.",
     "# Box = 10 10 10\nx,y,z,radius\n0,0,0,1": "the comment '# Box = 10 10 10' could say the cell",
     "# - {name: x, unit: pix, datatype: float64}\n# - {name: radius, unit: arcsec, datatype: float64}\nx,y,z,radius\n0,0,0,1":
         "line 3: the columns x.pix. and radius.arcsec. have different units",
@@ -95,6 +95,9 @@ TABLES = {
     "0,0,4,1,0": "or say which program wrote them .--convention opencv or --convention matgeom.$",
     "0 0 0 3 2 1 0 0 0": "or say which program wrote them .--convention matgeom.$",
     "-x,y,z,radius\n0,0,0,1": "there is no column 'x', but -x y z radius",
+    "Report of grains\n\nx,y,z,radius\n0,0,0,1": "but Report of grains: .*, or begin lines before the names with #$",
+    'x,y,z,radius,"name, long"\n0,0,0,1,a, b': "line 2: 6 columns instead of 5",
+    "id,x,y,z,radius\n1,0,0,0,1\nP-2,0,9,0,1": "line 3: column 1 .id. must be a number, not 'P-2'",
     "# periodic: xyz\nx,y,z,radius\n0,0,0,1": "could say the cell",
 }
 
@@ -144,6 +147,32 @@ def test_several_planes(tmp_path):
     with pytest.raises(pypw85.FileError, match="line 3: the column AreaShape_Center_Z has several values, 0.* and 5"):
         read(tmp_path / "a.csv", convention="cellprofiler")
     assert len(read(tmp_path / "a.csv", convention="cellprofiler", ignore_columns=["AreaShape_Center_Z"])) == 2
+
+
+@pytest.mark.parametrize("separator", [",", ";"])
+def test_ids_that_are_words(separator, tmp_path):
+    rows = "id,x,y,z,radius\nP-1,0,0,0,1\nP-2,0,9,0,1\n"
+    (tmp_path / "a.csv").write_text(rows.replace(",", separator))
+    system = read(tmp_path / "a.csv")
+    assert system.ids.tolist() == [1, 2]
+    assert system.source == "lengths radius as radii, columns that are not used: id"
+    assert "the column id has words, not numbers: the particles are numbered from 1 in their order" in system.notes
+    (tmp_path / "a.csv").write_text(rows.replace("P-1", "1").replace(",", separator))
+    assert read(tmp_path / "a.csv", ignore_columns=["id"]).ids.tolist() == [1, 2]
+
+
+def test_quoted_names(tmp_path):
+    (tmp_path / "a.csv").write_text('"x","y","z","radius","name, long"\n0,0,0,1,"a, b"\n')
+    assert read(tmp_path / "a.csv").source == "lengths radius as radii, columns that are not used: name, long"
+    (tmp_path / "a.csv").write_text('x,y,z,radius,5" disc\n0,0,0,1,2\n')  # a quotation mark that quotes nothing
+    assert read(tmp_path / "a.csv").semi_axes.tolist() == [[1, 1, 1]]
+
+
+def test_ids_and_types_by_other_names(tmp_path):
+    (tmp_path / "a.csv").write_text("index,class,x,y,z,radius\n7,sand,0,0,0,1\n")
+    system = read(tmp_path / "a.csv")
+    assert system.ids.tolist() == [7] and system.types.tolist() == ["sand"]
+    assert system.source == "ids index, types class, lengths radius as radii"
 
 
 # Columns beside lengths and quaternions whose names sound like lengths or turns, and that hold neither

@@ -88,7 +88,8 @@ _SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thi
                     r"block|expon|round|superquad|squareness|scale|scaling|stretch|sigma|size|eccentr|flatten|oblate|prolate|spheric|"
                     r"(?<!in)form|matrix|covar|inertia|eigen|lambda|principal|ellips|spheroid).*|(shape)?anisotropy|kappa|ar|"
                     r"eps(ilon)?[12]|geom|geometry|primitive|kind|[xyz](2|end)|(end|tip|tail)[xyz]|[abcdhlrsw]|"
-                    r"[abdrsl][xyz0-3]|[fv]?[rd](max|mid|int|min)|rad|len|dia|(?!chi)[a-z]?(xx|yy|zz|xy|xz|yz)|(?![cfv]\d)[a-z]{1,2}(0[0-2]|[123][0-3])|[ub](iso|eq|equiv|aniso)|"
+                    r"[abdrsl][xyz0-3]|[fv]?[rd](max|mid|int|min)|rad|len|dia|(?!chi)[a-z]?(xx|yy|zz|xy|xz|yz)|"
+                    r"(?![cfv]\d)[a-z]{1,2}(0[0-2]|[123][0-3])|[ub](iso|eq|equiv|aniso)|"
                     r"units?|spacing|resolution|magnification|calibration|pixel|voxel")
 _TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bearing|trend|plunge|strike|rake|tilt|inclin|"
                     r"(?<!mis)orient|rotat|quat|phi|theta|psi|direct|(?<!ab)normal|posang|rodrig|sequence).*|alpha|beta|gamma|"
@@ -102,7 +103,7 @@ _SOUND_EITHER = re.compile(r"(?!.*(semi|half|radi|diam)).*(scal|sigma|std|rms|ex
 # Those of other things: stresses, velocities, contacts, positions, counts
 _OTHERS = re.compile(r"(bond|cluster|group|sample|batch|step|wave|track)\w*(length|size|width)|temperature\w*|charge\w*|mass\w*|density\w*|"
                      r"(stress|strain|virial|pressure|force|torque|velocity)\w*|c?stress\[\d\]|number\w*|.*neighbou?rs?|"
-                     r"euler(number|characteristic)|(?:rot|transl|kin|ang|lin)\w*(energy|velocity|temperature|momentum)[xyz]?|"
+                     r"euler(number|characteristic)|rot\w*(energy|velocity|temperature|momentum)[xyz]?|"
                      r"orientationalorder(parameter)?|psi[468]")  # fmt: skip
 # Measures of bodies whose lengths are all there
 _DERIVED = re.compile(r".*(aspect|ratio|elong|eccentr|flatten|oblate|prolate|round(?!ness\W?\d)|circular|spheric|feret|equivalent|bounding|"
