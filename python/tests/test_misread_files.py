@@ -177,7 +177,8 @@ def test_ids_and_types_by_other_names(tmp_path):
 
 # Columns beside lengths and quaternions whose names sound like lengths or turns, and that hold neither
 HARMLESS = ("rotational_energy", "Rotational Kinetic Energy", "rotational_velocity_x", "information", "misorientation", "psi6", "psi_4",
-            "orientational_order", "track_length", "form_factor", "inertia_x", "moment_of_inertia_xx", "label", "name",
+            "orientational_order", "track_length", "form_factor", "inertia_x", "moment_of_inertia_xx", "moment_inertia[2]",
+            "c_orientorder[1]", "c_erotate", "f_inertia[1]", "c_cluster_size", "Cavity Radius", "deformation_gradient[1]", "label", "name",
             "class")  # fmt: skip
 
 
@@ -235,8 +236,20 @@ def test_keys_of_extended_xyz(tmp_path):
         with pytest.raises(pypw85.FileError, match=f"line 2: the key {name} could be the cell, and is not used"):
             read(tmp_path / "a.xyz")
         assert read(tmp_path / "a.xyz", cell=9 * np.eye(3)).source == f"lengths radius as radii, keys that are not used: {name} units"
+    for name in ("cell_energy", "Box_volume"):
+        (tmp_path / "a.xyz").write_text(text.format(name))
+        assert read(tmp_path / "a.xyz").source == f"lengths radius as radii, keys that are not used: {name} units"
     (tmp_path / "a.xyz").write_text(text.format("Lattice"))
     assert read(tmp_path / "a.xyz").source == "lengths radius as radii, keys that are not used: units"
+
+
+def test_words_of_extended_xyz(tmp_path):
+    text = "1\nProperties=species:S:1:pos:R:3:radius:R:1:{}:S:1\nA 0 0 0 1 cube\n"
+    (tmp_path / "a.xyz").write_text(text.format("group"))
+    assert read(tmp_path / "a.xyz").source == "lengths radius as radii, columns that are not used: group"
+    (tmp_path / "a.xyz").write_text(text.format("shape_type"))
+    with pytest.raises(pypw85.FileError, match="the column shape_type could change the shapes"):
+        read(tmp_path / "a.xyz")
 
 
 def test_letters_of_quaternions(tmp_path):

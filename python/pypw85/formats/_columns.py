@@ -104,10 +104,10 @@ _SOUND_EITHER = re.compile(r"(?!.*(semi|half|radi|diam)).*(scal|sigma|std|rms|ex
 _OTHERS = re.compile(r"(bond|cluster|group|sample|batch|step|wave|track)\w*(length|size|width)|temperature\w*|charge\w*|mass\w*|density\w*|"
                      r"(stress|strain|virial|pressure|force|torque|velocity)\w*|c?stress\[\d\]|number\w*|.*neighbou?rs?|"
                      r"euler(number|characteristic)|rot\w*(energy|velocity|temperature|momentum)[xyz]?|"
-                     r"orientationalorder(parameter)?|psi[468]")  # fmt: skip
+                     r"orient(ational)?order(parameter)?(\[\d+\])?|psi[468]|erotate\w*|cavityradius|deformationgradient.*")  # fmt: skip
 # Measures of bodies whose lengths are all there
 _DERIVED = re.compile(r".*(aspect|ratio|elong|eccentr|flatten|oblate|prolate|round(?!ness\W?\d)|circular|spheric|feret|equivalent|bounding|"
-                      r"bbox|inscr).*|perim\w*|(shape)?anisotropy|ar|(form|shape)factor|(moments?of)?inertia\w*")  # fmt: skip
+                      r"bbox|inscr).*|perim\w*|(shape)?anisotropy|ar|(form|shape)factor|(moments?(of)?)?inertia[\w\[\]]*")  # fmt: skip
 _UNUSED = ("the column {0} could change the shapes or how they are turned, and is not used: say what it is ({1}), or leave it out "
            "(--ignore-columns {2})")  # fmt: skip
 _SEVERAL_UNUSED = ("the columns {0} could change the shapes or how they are turned, and are not used: say what they are ({1}), or leave "
@@ -127,7 +127,13 @@ _MORE_THAN_UNITS = re.compile(r"full|whole|half|semi|diam|radi(us|i)|log|\bln|ex
 def could_change(name: str) -> bool:
     """Returns whether a column of this name could change the shape or the orientation of a body."""
     plain = plain_name(name)
-    return not _OTHERS.fullmatch(plain) and (_SIZES.fullmatch(plain) is not None or _TURNS.fullmatch(plain) is not None)
+    return not _matches(_OTHERS, name) and (_SIZES.fullmatch(plain) is not None or _TURNS.fullmatch(plain) is not None)
+
+
+def _matches(pattern: re.Pattern[str], name: str) -> bool:
+    """Returns whether a name matches a pattern of plain names, with or without what LAMMPS writes before computes, fixes and variables."""
+    names = (name, name[2:]) if name[:2] in ("c_", "f_", "v_") else (name,)
+    return any(pattern.fullmatch(plain_name(one)) for one in names)
 
 
 class Taken(NamedTuple):
@@ -320,9 +326,9 @@ def _check_unused(columns: Sequence[str], taken: Taken, known: Sequence[str], op
     found: dict[str, bool] = {}  # names, and whether these are of lengths alone
     for name in columns:
         plain = plain_name(name)
-        if name in used or _OTHERS.fullmatch(plain) or (convention is not None and is_harmless(convention, plain)):
+        if name in used or _matches(_OTHERS, name) or (convention is not None and is_harmless(convention, plain)):
             continue
-        if _turns.is_other_unit(name, taken.turn) or (has_all and not taken.spheroid and _DERIVED.fullmatch(plain)):
+        if _turns.is_other_unit(name, taken.turn) or (has_all and not taken.spheroid and _matches(_DERIVED, name)):
             continue
         is_size, is_turn = _SIZES.fullmatch(plain) is not None, _TURNS.fullmatch(plain) is not None
         if (is_size and not says_sizes) or (is_turn and not names_turns):
