@@ -344,6 +344,15 @@ def test_missing_steps_of_h5md(steps, offset, tmp_path):
         read(tmp_path / "a.h5", frame=1)
 
 
+def test_a_length_for_each_of_two_particles_in_h5md(tmp_path):
+    with h5py.File(tmp_path / "a.h5", "w") as file:
+        group = file.create_group("particles/all")
+        group["position"], group["semi_axes"] = np.eye(3)[:2], [1.0, 1.0]
+        group.create_group("box").attrs.update(dimension=3, boundary=[b"none"] * 3)
+    with pytest.raises(pypw85.FileError, match=r"semi_axes must have the shape \(2, 3\), not \(2,\)"):
+        read(tmp_path / "a.h5")
+
+
 def test_units_of_h5md(tmp_path):
     h5md(tmp_path / "a.h5", [0, 10], unit="nm")
     assert len(read(tmp_path / "a.h5")) == 1
@@ -385,6 +394,14 @@ REGIONS = {
 def test_systems_of_regions(text, tmp_path):
     (tmp_path / "a.reg").write_text(f"# Region file format: DS9 version 4.1\n{text}\n")
     with pytest.raises(pypw85.FileError, match=REGIONS[text]):
+        read(tmp_path / "a.reg")
+
+
+def test_included_regions(tmp_path):
+    (tmp_path / "a.reg").write_text("# Region file format: DS9 version 4.1\nimage\n+ellipse(1,2,4,1,0)\nellipse(1,6,4,1,0)\n")
+    assert read(tmp_path / "a.reg").semi_axes[:, :2].tolist() == [[4, 1], [4, 1]]
+    (tmp_path / "a.reg").write_text("# Region file format: DS9 version 4.1\nimage\n-ellipse(1,2,4,1,0)\n")
+    with pytest.raises(pypw85.FileError, match="is not an ellipse or circle, and only these"):
         read(tmp_path / "a.reg")
 
 
