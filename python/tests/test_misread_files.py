@@ -190,6 +190,11 @@ def test_harmless_columns(name, tmp_path):
     assert system.source.endswith(f", columns that are not used: {name}")
 
 
+def test_material_of_spheres(tmp_path):
+    (tmp_path / "a.csv").write_text("x,y,z,radius,poisson_ratio,Poisson's ratio\n0,0,0,1,.3,.3\n")
+    assert read(tmp_path / "a.csv").source == "lengths radius as radii, columns that are not used: poisson_ratio Poisson's ratio"
+
+
 def test_inertia_of_what_may_be_turned(tmp_path):
     (tmp_path / "a.csv").write_text("x,y,z,a,b,c,inertia_xx,inertia_xy\n0,0,0,2,.5,.5,1,1\n")
     with pytest.raises(pypw85.FileError, match="lacks an orientation"):
