@@ -175,7 +175,7 @@ REFUSED = {
     "x,y,a,b,angle_deg,depth": "there are two coordinates, x y, and depth",
     "x,y,width,height,angle": "the columns may be those of opencv, and others mean .* .--convention opencv., or what they are",
     "x,y,major,minor,angle": "the columns may be those of imagej, and others mean",
-    "x,y,width,height,angle_deg": "width height may be whole axes or semi-axes: .*--convention",
+    "x,y,width,height,angle_deg": "width height may be whole axes or semi-axes: use --lengths diameters or --lengths radii$",
     "AreaShape_Center_X,AreaShape_Center_Y,AreaShape_MajorAxisLength,AreaShape_MinorAxisLength,AreaShape_Orientation":
         "the columns may be those of cellprofiler, which other versions mean otherwise: say so .--convention cellprofiler",
     "x,y,z,a,b,c,quat_0,quat_1,quat_2,quat_3": "quat_0 quat_1 quat_2 quat_3 is x y z w for .* and w x y z for others: use --quaternion",

@@ -34,11 +34,14 @@ def run(capsys, monkeypatch):
 # Headers of tables and their options, the values of a row, and the sentence that refuses them
 REFUSED = {
     # What could be the shape beside a radius: eigenvalues, displacement parameters, elements of matrices, bounds, exponents, units
-    **{f"x,y,z,radius,{name}": ({}, f"0,0,0,1{',1' * (1 + name.count(','))}", f"the column {name.split(',')[0]} could change")
+    **{f"x,y,z,radius,{name}": ({}, f"0,0,0,1{',1' * (1 + name.count(','))}", f"the columns? {name.replace(',', ' ')} could change")
        for name in ("eigenvalue1,eigenvalue2,eigenvalue3", "lambda_1", "principal_moment", "U11,U22,U33,U12,U13,U23", "B_iso", "m00",
                     "Q_12", "r11", "rmin,rmax", "d_max", "ellipsoid", "unit", "spacing", "pixel_um", "resolution")},
     "x,y,z,radius,rw,rx,ry,rz": ({}, f"0,0,0,1,{UP}", "the column rw could change the shapes or how they are turned"),
-    "x,y,z,a,b,c,dx,dy,dz": ({}, "0,0,0,2,.5,.5,0,1,0", "the column dx could change the shapes"),
+    "x,y,z,a,b,c,dx,dy,dz":
+        ({}, "0,0,0,2,.5,.5,0,1,0", "the columns dx dy dz could change .*, and are not used: .* out .--ignore-columns dx,dy,dz."),
+    "x,y,z,radius,Pixel Size (um),tilt":
+        ({}, "0,0,0,1,2,3", "the columns .*say what they are .--shape-columns, --quaternion-.*--ignore-columns 'Pixel Size .um.,tilt'"),
     "x,y,z,a,b,c,major_axis_x,major_axis_y,major_axis_z": ({}, "0,0,0,2,2,.5,0,1,0", "has two long axes, and a direction of one of them"),
     "x,y,z,a,b,c,elevation_deg,azimuth_deg":
         ({}, "0,0,0,2,2,.5,0,1", "elevation_deg may be an angle from the plane of x and y, and is not that from the axis z"),
@@ -52,6 +55,8 @@ REFUSED = {
     "label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation":
         ({}, "1,0,0,4,1,90", "has the orientation 90, and this program writes radians up to 1.571: say the unit"),
     "centroid-0,centroid-1,centroid-2,axis_major_length,axis_minor_length,orientation": ({}, "0,0,0,4,1,1", "two .* centroid-2"),
+    "x,y,width,height,angle": ({"angle": "degrees"}, "0,0,4,1,0", "--lengths radii, or name the program .--convention opencv.$"),
+    "x,y,w,h,angle": ({"angle": "degrees", "convention": "none"}, "0,0,4,1,0", "w h may be whole axes or semi-axes: .*--lengths radii$"),
     "x,y,z,axis_lengths_0,axis_lengths_1,axis_lengths_2": ({}, "0,0,0,1,1,1", "may be whole axes or semi-axes: use --lengths"),
     "x,y,z,scale_x,scale_y,scale_z": ({"shape_columns": ("scale_x", "scale_y", "scale_z")}, "0,0,0,1,1,1", "may be whole axes or"),
     "x,y,z,sigma1": ({"shape_columns": 3 * ("sigma1",)}, "0,0,0,1", "sigma1 may be whole axes or semi-axes"),
@@ -82,11 +87,17 @@ TABLES = {
     "x\ty\tz\tradius\n0\t0\t0\t0.5\n1,500\t0\t0\t0.5": "line 3: '1,500' has a comma, and '0.5' a point",
     "x;y;z;radius\n0;0;0;0.5\n1,5;0;0;0.5": "line 3: '1,5' has a comma, and '0.5' a point",
     "x;y;z;radius\n0;0;0;1\n1,500;0;0;1": "line 3: the comma of '1,500' may be decimal or group thousands",
-    "# cell: 10 10 10\nx,y,z,radius\n0,0,0,1": "line 1: the comment '# cell: 10 10 10' could say the cell, and is not read",
+    "# cell: 10 10 10\nx,y,z,radius\n0,0,0,1": "'# cell: 10 10 10' could say the cell, and is not read: .*, give the cell .--cell.",
     "# Box = 10 10 10\nx,y,z,radius\n0,0,0,1": "the comment '# Box = 10 10 10' could say the cell",
     "# - {name: x, unit: pix, datatype: float64}\n# - {name: radius, unit: arcsec, datatype: float64}\nx,y,z,radius\n0,0,0,1":
         "line 3: the columns x.pix. and radius.arcsec. have different units",
+    "0,0,0,1": "line 1: there is no line with the names .*,qx,qy,qz$",
+    "0,0,4,1,0": "or say which program wrote them .--convention opencv or --convention matgeom.$",
+    "0 0 0 3 2 1 0 0 0": "or say which program wrote them .--convention matgeom.$",
     "-x,y,z,radius\n0,0,0,1": "there is no column 'x', but -x y z radius",
+    "Report of grains\n\nx,y,z,radius\n0,0,0,1": "but Report of grains: .*, or begin lines before the names with #$",
+    'x,y,z,radius,"name, long"\n0,0,0,1,a, b': "line 2: 6 columns instead of 5",
+    "id,x,y,z,radius\n1,0,0,0,1\nP-2,0,9,0,1": "line 3: column 1 .id. must be a number, not 'P-2'",
     "# periodic: xyz\nx,y,z,radius\n0,0,0,1": "could say the cell",
 }
 
@@ -138,6 +149,64 @@ def test_several_planes(tmp_path):
     assert len(read(tmp_path / "a.csv", convention="cellprofiler", ignore_columns=["AreaShape_Center_Z"])) == 2
 
 
+@pytest.mark.parametrize("separator", [",", ";"])
+def test_ids_that_are_words(separator, tmp_path):
+    rows = "id,x,y,z,radius\nP-1,0,0,0,1\nP-2,0,9,0,1\n"
+    (tmp_path / "a.csv").write_text(rows.replace(",", separator))
+    system = read(tmp_path / "a.csv")
+    assert system.ids.tolist() == [1, 2]
+    assert system.source == "lengths radius as radii, columns that are not used: id"
+    assert "the column id has words, not numbers: the particles are numbered from 1 in their order" in system.notes
+    (tmp_path / "a.csv").write_text(rows.replace("P-1", "1").replace(",", separator))
+    assert read(tmp_path / "a.csv", ignore_columns=["id"]).ids.tolist() == [1, 2]
+
+
+def test_quoted_names(tmp_path):
+    (tmp_path / "a.csv").write_text('"x","y","z","radius","name, long"\n0,0,0,1,"a, b"\n')
+    assert read(tmp_path / "a.csv").source == "lengths radius as radii, columns that are not used: name, long"
+    (tmp_path / "a.csv").write_text('x,y,z,radius,5" disc\n0,0,0,1,2\n')  # a quotation mark that quotes nothing
+    assert read(tmp_path / "a.csv").semi_axes.tolist() == [[1, 1, 1]]
+
+
+def test_ids_and_types_by_other_names(tmp_path):
+    (tmp_path / "a.csv").write_text("index,class,x,y,z,radius\n7,sand,0,0,0,1\n")
+    system = read(tmp_path / "a.csv")
+    assert system.ids.tolist() == [7] and system.types.tolist() == ["sand"]
+    assert system.source == "ids index, types class, lengths radius as radii"
+
+
+# Columns beside lengths and quaternions whose names sound like lengths or turns, and that hold neither
+HARMLESS = ("rotational_energy", "Rotational Kinetic Energy", "rotational_velocity_x", "information", "misorientation", "psi6", "psi_4",
+            "orientational_order", "track_length", "form_factor", "inertia_x", "moment_of_inertia_xx", "moment_inertia[2]",
+            "c_orientorder[1]", "c_erotate", "f_inertia[1]", "c_cluster_size", "Cavity Radius", "deformation_gradient[1]", "label", "name",
+            "class")  # fmt: skip
+
+
+@pytest.mark.parametrize("name", HARMLESS)
+def test_harmless_columns(name, tmp_path):
+    (tmp_path / "a.csv").write_text(f"type,x,y,z,a,b,c,qw,qx,qy,qz,{name}\n1,0,0,0,2,.5,.5,{UP},7\n")
+    system = read(tmp_path / "a.csv")
+    assert system.semi_axes.tolist() == [[2, 0.5, 0.5]]
+    assert system.source.endswith(f", columns that are not used: {name}")
+
+
+def test_material_of_spheres(tmp_path):
+    (tmp_path / "a.csv").write_text("x,y,z,radius,poisson_ratio,Poisson's ratio\n0,0,0,1,.3,.3\n")
+    assert read(tmp_path / "a.csv").source == "lengths radius as radii, columns that are not used: poisson_ratio Poisson's ratio"
+
+
+def test_inertia_of_what_may_be_turned(tmp_path):
+    (tmp_path / "a.csv").write_text("x,y,z,a,b,c,inertia_xx,inertia_xy\n0,0,0,2,.5,.5,1,1\n")
+    with pytest.raises(pypw85.FileError, match="lacks an orientation"):
+        read(tmp_path / "a.csv")
+
+
+def test_lengths_of_a_column_are_said_once(tmp_path):
+    (tmp_path / "a.csv").write_text(f"x,y,z,radius,qw,qx,qy,qz\n0,0,0,1,{UP}\n")
+    source = read(tmp_path / "a.csv", shape_columns=3 * ["radius"]).source
+    assert source == "lengths radius radius radius as radii, quaternions qw qx qy qz as w x y z"
+
+
 def test_unused_columns_are_said(tmp_path):
     (tmp_path / "a.csv").write_text("id,x,y,z,radius,zeta,volume,\n1,0,0,0,1,8,4,\n")
     assert read(tmp_path / "a.csv").source == "lengths radius as radii, columns that are not used: zeta volume"
@@ -172,8 +241,20 @@ def test_keys_of_extended_xyz(tmp_path):
         with pytest.raises(pypw85.FileError, match=f"line 2: the key {name} could be the cell, and is not used"):
             read(tmp_path / "a.xyz")
         assert read(tmp_path / "a.xyz", cell=9 * np.eye(3)).source == f"lengths radius as radii, keys that are not used: {name} units"
+    for name in ("cell_energy", "Box_volume"):
+        (tmp_path / "a.xyz").write_text(text.format(name))
+        assert read(tmp_path / "a.xyz").source == f"lengths radius as radii, keys that are not used: {name} units"
     (tmp_path / "a.xyz").write_text(text.format("Lattice"))
     assert read(tmp_path / "a.xyz").source == "lengths radius as radii, keys that are not used: units"
+
+
+def test_words_of_extended_xyz(tmp_path):
+    text = "1\nProperties=species:S:1:pos:R:3:radius:R:1:{}:S:1\nA 0 0 0 1 cube\n"
+    (tmp_path / "a.xyz").write_text(text.format("group"))
+    assert read(tmp_path / "a.xyz").source == "lengths radius as radii, columns that are not used: group"
+    (tmp_path / "a.xyz").write_text(text.format("shape_type"))
+    with pytest.raises(pypw85.FileError, match="the column shape_type could change the shapes"):
+        read(tmp_path / "a.xyz")
 
 
 def test_letters_of_quaternions(tmp_path):
@@ -268,6 +349,15 @@ def test_missing_steps_of_h5md(steps, offset, tmp_path):
         read(tmp_path / "a.h5", frame=1)
 
 
+def test_a_length_for_each_of_two_particles_in_h5md(tmp_path):
+    with h5py.File(tmp_path / "a.h5", "w") as file:
+        group = file.create_group("particles/all")
+        group["position"], group["semi_axes"] = np.eye(3)[:2], [1.0, 1.0]
+        group.create_group("box").attrs.update(dimension=3, boundary=[b"none"] * 3)
+    with pytest.raises(pypw85.FileError, match=r"semi_axes must have the shape \(2, 3\), not \(2,\)"):
+        read(tmp_path / "a.h5")
+
+
 def test_units_of_h5md(tmp_path):
     h5md(tmp_path / "a.h5", [0, 10], unit="nm")
     assert len(read(tmp_path / "a.h5")) == 1
@@ -309,6 +399,14 @@ REGIONS = {
 def test_systems_of_regions(text, tmp_path):
     (tmp_path / "a.reg").write_text(f"# Region file format: DS9 version 4.1\n{text}\n")
     with pytest.raises(pypw85.FileError, match=REGIONS[text]):
+        read(tmp_path / "a.reg")
+
+
+def test_included_regions(tmp_path):
+    (tmp_path / "a.reg").write_text("# Region file format: DS9 version 4.1\nimage\n+ellipse(1,2,4,1,0)\nellipse(1,6,4,1,0)\n")
+    assert read(tmp_path / "a.reg").semi_axes[:, :2].tolist() == [[4, 1], [4, 1]]
+    (tmp_path / "a.reg").write_text("# Region file format: DS9 version 4.1\nimage\n-ellipse(1,2,4,1,0)\n")
+    with pytest.raises(pypw85.FileError, match="is not an ellipse or circle, and only these"):
         read(tmp_path / "a.reg")
 
 

@@ -121,6 +121,8 @@ _OTHERS = [
     (rb"(?:<\?xml[^>]*>|<!--.*?-->|\s)*<(?:mujoco|robot|sdf)\b", "models of bodies (MJCF, URDF, SDF) are not read: write a table of the "
                                                                "positions, quaternions and semi-axes of the ellipsoids"),
     (rb"<\?xml", "XML is not read: save the table as CSV"),
+    (rb"ply\s(?!.*\belement (?:face|tristrips)\b).*\bend_header\b", "these are points without shapes, neither splats nor a mesh: save "
+                                                                     "a table as CSV, with columns of lengths"),
     (rb"ply\s|(?i:solid)\s|(?:#[^\n]*\n|\s)*(?:mtllib|o|v)\s", "this is a mesh, not a file of particles: read it with pypw85.Mesh.read"),
     (rb"PK\x03\x04.{26}(?:meta\.json|\w+\.webp)", "splats in .sog are not read: convert them (splat-transform INPUT.sog OUT.ply)"),
     (rb"glTF", "files of .glb are not read: convert the splats of which it was made (splat-transform INPUT OUTPUT.ply)"),

@@ -15,8 +15,8 @@ import numpy as np
 
 from .._typing import Floats
 from . import _turns
-from ._conventions import NONE, Convention, is_harmless, named, possible_ellipses, recognised
-from ._errors import FileError
+from ._conventions import NONE, Convention, is_harmless, named, possible, possible_ellipses, recognised
+from ._errors import FileError, for_option
 from ._frames import Frame, Options, lengths_in_words
 from ._table import Table
 from ._turns import Turn
@@ -71,12 +71,10 @@ _EXPONENTS: list[tuple[str, tuple[float, ...]]] = [
 ]  # fmt: skip
 _SHAPE_OF_SMD = ("{} may be lengths of property/atom, which are diameters, or of smd/tlsph/shape, which are radii: say which "
                  "(--lengths diameters or --lengths radii)")  # fmt: skip
-_TWO_ORDERS = ("{} is x y z w for OVITO and moltemplate, and w x y z for others: use --quaternion xyzw or --quaternion wxyz, "
-               "or name the four columns in the order w x y z (--quaternion-columns)")  # fmt: skip
+_TWO_ORDERS = ("{} is x y z w for OVITO and moltemplate, and w x y z for others: use --quaternion xyzw or --quaternion wxyz")
 
 
-_WHOLE_OR_HALF = ("{} may be whole axes or semi-axes: use --lengths diameters or --lengths radii, or name the program "
-                  "(--convention)")  # fmt: skip
+_WHOLE_OR_HALF = ("{} may be whole axes or semi-axes: use --lengths diameters or --lengths radii")
 # Two columns that are the length of a spheroid across its axis and along it, with the factors that make semi-axes of them
 _SPHEROIDS: list[tuple[Names, Names, tuple[float, float]]] = [
     (("diameter", "d", "width", "thickness"), ("length", "len", "l"), (0.5, 0.5)),
@@ -87,14 +85,15 @@ _SPHEROIDS: list[tuple[Names, Names, tuple[float, float]]] = [
 _RATIOS = ("aspectratio", "aspect", "elongation", "ar")
 # Names of what can change the size or the shape of a body, or its turn. What is not used of these is refused.
 _SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thick|axis|axes|shape|aspect|ratio(?!n)|elong|major|minor|"
-                    r"block|expon|round|superquad|squareness|scale|scaling|stretch|sigma|size|eccentr|flatten|oblate|prolate|spheric|form|"
-                    r"matrix|covar|inertia|eigen|lambda|principal|ellips|spheroid).*|(shape)?anisotropy|kappa|ar|eps(ilon)?[12]|geom|"
-                    r"geometry|primitive|kind|[xyz](2|end)|(end|tip|tail)[xyz]|[abcdhlrsw]|[abdrsl][xyz0-3]|[fv]?[rd](max|mid|int|min)|"
-                    r"rad|len|dia|(?!chi)[a-z]?(xx|yy|zz|xy|xz|yz)|(?![cfv]\d)[a-z]{1,2}(0[0-2]|[123][0-3])|[ub](iso|eq|equiv|aniso)|"
+                    r"block|expon|round|superquad|squareness|scale|scaling|stretch|sigma|size|eccentr|flatten|oblate|prolate|spheric|"
+                    r"(?<!in)form|matrix|covar|inertia|eigen|lambda|principal|ellips|spheroid).*|(shape)?anisotropy|kappa|ar|"
+                    r"eps(ilon)?[12]|geom|geometry|primitive|kind|[xyz](2|end)|(end|tip|tail)[xyz]|[abcdhlrsw]|"
+                    r"[abdrsl][xyz0-3]|[fv]?[rd](max|mid|int|min)|rad|len|dia|(?!chi)[a-z]?(xx|yy|zz|xy|xz|yz)|"
+                    r"(?![cfv]\d)[a-z]{1,2}(0[0-2]|[123][0-3])|[ub](iso|eq|equiv|aniso)|"
                     r"units?|spacing|resolution|magnification|calibration|pixel|voxel")
-_TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bearing|trend|plunge|strike|rake|tilt|inclin|orient|rotat|quat|"
-                    r"phi|theta|psi|direct|(?<!ab)normal|posang|rodrig|sequence).*|alpha|beta|gamma|dip|dipdir\w*|rot|rot\w|rot.?\[\d\]|"
-                    r"roll|pa|"
+_TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bearing|trend|plunge|strike|rake|tilt|inclin|"
+                    r"(?<!mis)orient|rotat|quat|phi|theta|psi|direct|(?<!ab)normal|posang|rodrig|sequence).*|alpha|beta|gamma|"
+                    r"dip|dipdir\w*|rot|rot\w|rot.?\[\d\]|roll|pa|"
                     r"rw|q(uat)?[wxyzijk0-4rs]?|qv\w*|[unde][xyz0-3]|dir[xyz]|ori[xyz]|e[1-3][xyz]|axis\w*")  # fmt: skip
 # Names of whole lengths, and of half ones
 _SOUND_WHOLE = re.compile(r".*(diam|length|width|height|thick|feret|size).*|[fv]?d(max|mid|int|min|[xyz]|\d)|l[xyz]|[lwh]")
@@ -102,14 +101,18 @@ _SOUND_HALF = re.compile(r".*(radi(us|i)|semi|half).*|[fv]?r(max|mid|int|min|[xy
 # Names of lengths that say neither
 _SOUND_EITHER = re.compile(r"(?!.*(semi|half|radi|diam)).*(scal|sigma|std|rms|extent|dimension|span|ax[ei]s|principal|eigen).*")
 # Those of other things: stresses, velocities, contacts, positions, counts
-_OTHERS = re.compile(r"(bond|cluster|group|sample|batch|step|wave)\w*(length|size|width)|temperature\w*|charge\w*|mass\w*|density\w*|"
+_OTHERS = re.compile(r"(bond|cluster|group|sample|batch|step|wave|track)\w*(length|size|width)|temperature\w*|charge\w*|mass\w*|density\w*|"
                      r"(stress|strain|virial|pressure|force|torque|velocity)\w*|c?stress\[\d\]|number\w*|.*neighbou?rs?|"
-                     r"euler(number|characteristic)")  # fmt: skip
+                     r"euler(number|characteristic)|rot\w*(energy|velocity|temperature|momentum)[xyz]?|"
+                     r"orient(ational)?order(parameter)?(\[\d+\])?|psi[468]|erotate\w*|cavityradius|poisson('?s)?ratio|"
+                     r"deformationgradient.*")  # fmt: skip
 # Measures of bodies whose lengths are all there
 _DERIVED = re.compile(r".*(aspect|ratio|elong|eccentr|flatten|oblate|prolate|round(?!ness\W?\d)|circular|spheric|feret|equivalent|bounding|"
-                      r"bbox|inscr).*|perim\w*|(shape)?anisotropy|ar")  # fmt: skip
+                      r"bbox|inscr).*|perim\w*|(shape)?anisotropy|ar|(form|shape)factor|(moments?(of)?)?inertia[\w\[\]]*")  # fmt: skip
 _UNUSED = ("the column {0} could change the shapes or how they are turned, and is not used: say what it is ({1}), or leave it out "
            "(--ignore-columns {2})")  # fmt: skip
+_SEVERAL_UNUSED = ("the columns {0} could change the shapes or how they are turned, and are not used: say what they are ({1}), or leave "
+                   "them out (--ignore-columns {2})")  # fmt: skip
 
 
 # A unit of length behind a name, not in brackets. A compute, a fix or a variable of LAMMPS may be called px.
@@ -125,7 +128,13 @@ _MORE_THAN_UNITS = re.compile(r"full|whole|half|semi|diam|radi(us|i)|log|\bln|ex
 def could_change(name: str) -> bool:
     """Returns whether a column of this name could change the shape or the orientation of a body."""
     plain = plain_name(name)
-    return not _OTHERS.fullmatch(plain) and (_SIZES.fullmatch(plain) is not None or _TURNS.fullmatch(plain) is not None)
+    return not _matches(_OTHERS, name) and (_SIZES.fullmatch(plain) is not None or _TURNS.fullmatch(plain) is not None)
+
+
+def _matches(pattern: re.Pattern[str], name: str) -> bool:
+    """Returns whether a name matches a pattern of plain names, with or without what LAMMPS writes before computes, fixes and variables."""
+    names = (name, name[2:]) if name[:2] in ("c_", "f_", "v_") else (name,)
+    return any(pattern.fullmatch(plain_name(one)) for one in names)
 
 
 class Taken(NamedTuple):
@@ -250,7 +259,8 @@ def _by_names(columns: Sequence[str], plain: dict[str, str], options: Options, e
     quaternion, order = ((), order) if options.says_turns else _quaternion(columns, plain, options, error, order)
     turn = _turns.find(columns, options, error, is_flat, bool(quaternion))
     shape, lengths, spheroid, factors = _shape_or_spheroid(columns, plain, options, error, lengths, turn, is_flat)
-    sphere: Names = next(((plain[name],) for name in (_OF_ZEROS if shape else _SPHERES) if name in plain), ())
+    sphere: Names = next(((plain[name],) for name in (_OF_ZEROS if shape else _SPHERES)
+                          if name in plain and plain[name] not in shape), ())  # fmt: skip
     exponents = [(plain[name], values) for name, values in _EXPONENTS if name in plain]
     if not shape and sphere and quaternion and options.shape is None:
         raise error(f"there are quaternions, but no shapes: {sphere[0]} may be that of the circumscribed sphere, as in LAMMPS since "
@@ -259,7 +269,7 @@ def _by_names(columns: Sequence[str], plain: dict[str, str], options: Options, e
     if not shape and sphere:
         if turn.kind:
             raise error(f"{sphere[0]} may be that of spheres, but there is also {' '.join(turn.columns)}: name columns of lengths "
-                        f"(--shape-columns), or leave these out (--ignore-columns {','.join(turn.columns)})")  # fmt: skip
+                        f"(--shape-columns), or leave these out (--ignore-columns {for_option(turn.columns)})")  # fmt: skip
         if not quaternion:
             shape, lengths = sphere, options.lengths or _SPHERES[plain_name(sphere[0])]
         sphere = ()
@@ -314,16 +324,20 @@ def _check_unused(columns: Sequence[str], taken: Taken, known: Sequence[str], op
     has_all = len(taken.shape) > 1
     names_turns = options.quaternion_columns or options.angle_columns or options.polar or options.direction_columns
     says_sizes = options.shape_columns or (not taken.shape and (options.shape is not None or options.shapes))
+    found: dict[str, bool] = {}  # names, and whether these are of lengths alone
     for name in columns:
         plain = plain_name(name)
-        if name in used or _OTHERS.fullmatch(plain) or (convention is not None and is_harmless(convention, plain)):
+        if name in used or _matches(_OTHERS, name) or (convention is not None and is_harmless(convention, plain)):
             continue
-        if _turns.is_other_unit(name, taken.turn) or (has_all and not taken.spheroid and _DERIVED.fullmatch(plain)):
+        if _turns.is_other_unit(name, taken.turn) or (has_all and not taken.spheroid and _matches(_DERIVED, name)):
             continue
         is_size, is_turn = _SIZES.fullmatch(plain) is not None, _TURNS.fullmatch(plain) is not None
         if (is_size and not says_sizes) or (is_turn and not names_turns):
-            how = "--shape-columns" if is_size and not is_turn else "--quaternion-columns, --euler, --polar or --direction-columns"
-            raise error(_UNUSED.format(name, how, name))
+            found[name] = is_size and not is_turn
+    if found:
+        how = "--shape-columns" if all(found.values()) else "--quaternion-columns, --euler, --polar or --direction-columns"
+        how = f"--shape-columns, {how}" if len(set(found.values())) > 1 else how
+        raise error((_UNUSED if len(found) == 1 else _SEVERAL_UNUSED).format(" ".join(found), how, for_option(found)))
 
 
 def fill(frame: Frame, taken: Taken, table: Table) -> None:
@@ -424,7 +438,9 @@ def _shape(columns: Sequence[str], plain: dict[str, str], options: Options, erro
     if re.fullmatch(r"c\w*shape\w*", stem) and f"{stem}[4]" in plain:
         meaning = _ASK
     if meaning == _ASK and found and options.lengths is None:
-        raise error((_SHAPE_OF_SMD if stem.startswith("c") else _WHOLE_OR_HALF).format(_short(found)))
+        programs = possible(plain) if options.convention is None else []
+        program = f", or name the program (--convention {programs[0]})" if programs else ""
+        raise error(_SHAPE_OF_SMD.format(_short(found)) if stem.startswith("c") else _WHOLE_OR_HALF.format(_short(found)) + program)
     return found, options.lengths or (meaning if found else lengths)
 
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import functools
 import os
+import shlex
 from typing import Any, TypeVar, cast
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -40,6 +41,11 @@ FileError.__module__ = "pypw85"
 def printable(text: str) -> str:
     """Escapes control characters, so that text from a file neither breaks a line nor controls a terminal."""
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
+
+
+def for_option(names: Iterable[str]) -> str:
+    """Names of columns as the value of an option, which a shell takes as one word."""
+    return shlex.quote(",".join(names))
 
 
 def guarded(function: Function) -> Function:

@@ -457,9 +457,10 @@ class Frame:
         if not has_shape.any():
             raise self.error("no particle has a shape: write shapes, or set them (--shape A,B,C for one type of particles, TYPE:A,B,C for "
                              "each of several)")  # fmt: skip
-        self._first(~np.isfinite(self.shapes).all(axis=1), "has a length that is not finite: correct its shape, or write 0 0 0 for none")
+        self._first(~np.isfinite(self.shapes).all(axis=1),
+                    "has a length that is not finite: correct it, or write 0 for all its lengths, for none")  # fmt: skip
         self._first(~np.all((self.shapes > 0) | ~has_shape[:, None], axis=1),
-                    "has a length that is not positive: correct its shape, or write 0 0 0 for none")  # fmt: skip
+                    "has a length that is not positive: correct it, or write 0 for all its lengths, for none")  # fmt: skip
         self._first(np.any((self.shapes > _LARGEST) | (self.shapes < _SMALLEST), axis=1) & has_shape,
                     f"has a length beyond {_SMALLEST:g} to {_LARGEST:g}: choose another unit of length")  # fmt: skip
         return has_shape

@@ -16,7 +16,7 @@ from .._rotations import directions_of_polar, quaternions_of_euler
 from .._typing import Floats
 from .._words import counted
 from ._conventions import Convention, sense_in_words, sequence_in_words
-from ._errors import FileError
+from ._errors import FileError, for_option
 from ._frames import Options
 from ._table import Table
 
@@ -168,21 +168,21 @@ def _of_ellipses(columns: Sequence[str], options: Options, error: Error) -> Turn
 
 def _of_bodies(columns: Sequence[str], options: Options, error: Error) -> Turn:
     if names := _triple(columns):
-        raise error(_SEQUENCES.format(" ".join(names), ",".join(names)))
+        raise error(_SEQUENCES.format(" ".join(names), for_option(names)))
     if names := _first(columns, _PAIRS):
         _refuse_elevation(names, error)
-        raise error(_POLAR.format(" ".join(names), ",".join(names)))
+        raise error(_POLAR.format(" ".join(names), for_option(names)))
     if names := _first(columns, _DIRECTIONS):
         return Turn("direction", names, largest=1.0 if base(names[0])[0].startswith("orient") else 0.0)
     if found := _bases(columns, (*_OF_ELLIPSES, *_AXES)):
         names = tuple(found.values())
-        raise error((_ONE_ANGLE if len(names) == 1 else _SEQUENCES).format(" ".join(names), ",".join(names)))
+        raise error((_ONE_ANGLE if len(names) == 1 else _SEQUENCES).format(" ".join(names), for_option(names)))
     return Turn()
 
 
 def _refuse_elevation(names: Names, error: Error) -> None:
     if base(names[0])[0] in _FROM_PLANE:
-        raise error(_ELEVATION.format(names[0], ",".join(names)))
+        raise error(_ELEVATION.format(names[0], for_option(names)))
 
 
 def _euler(columns: Sequence[str], sequence: str, options: Options, error: Error) -> Turn:

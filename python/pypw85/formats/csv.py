@@ -9,6 +9,8 @@ Names of types are quoted where they have a comma or a quotation mark.
 
 from __future__ import annotations
 
+import contextlib
+import csv
 import itertools
 import os
 import re
@@ -20,7 +22,8 @@ import numpy as np
 from .._system import System
 from .._typing import Floats
 from ._columns import UNIT_AT_END, Taken, centers_of, convention_of, fill, plain_name, take
-from ._conventions import Convention, named, possible, recognised
+from ._conventions import CONVENTIONS, Convention, named, possible, recognised
+from ._errors import for_option
 from ._frames import Frame, Location, Options, said_dimensions
 from ._names import PRINTED, Rule, checked_names
 from ._table import Lines, Table, coded, write_rows
@@ -57,6 +60,9 @@ _SERIES = re.compile(r"(slice|frame|image|picture|step|timestep|timepoint|time|t
                      r"(s|id|no|nr|num|number|index|idx|name)?|t")
 _IDS = ("id", "ids", "particleid", "featureid", "index", "number")
 _TYPES = ("type", "types", "species", "phase", "phases", "particletype", "bodytype", "objecttype", "graintype", "body", "object", "class")
+
+# Names of columns of ids and types that need not be said
+_USUAL = ("id", "ids", "particleid", "type", "types", "species")
 
 
 def recognise(start: bytes) -> bool:
@@ -107,7 +113,11 @@ def _header(line: str) -> tuple[str | None, list[str], list[str]]:
 
 
 def _split(line: str, separator: str | None) -> list[str]:
-    return [word.strip().strip('"').strip() for word in line.split(separator)]
+    words = line.split(separator)
+    if separator is not None and '"' in line:
+        with contextlib.suppress(csv.Error, StopIteration):
+            words = next(csv.reader([line], delimiter=separator, skipinitialspace=True, strict=True))
+    return [word.strip().strip('"').strip() for word in words]
 
 
 def locate(path: os.PathLike[str]) -> Iterator[Location]:
@@ -127,11 +137,10 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         if dimensions not in (None, 2, 3):
             raise lines.error(f"'dimensions' must be 2 or 3, not {dimensions}")
         _check_third(columns, positions, options, lines)
-        taken = take(columns, options, lines.error, "radii", "wxyz", [*positions, *_others(columns)],
+        ids, types, notes = _ids_and_types(lines, separator, columns, options)
+        taken = take(columns, options, lines.error, "radii", "wxyz", [*positions, ids, types],
                      (dimensions or len(positions)) == 2, convention)  # fmt: skip
         _check_lengths(columns, positions, taken, (options.dimensions or dimensions) is not None, lines)
-        plain = {plain_name(name): name for name in reversed(columns)}
-        ids, types = (next((plain[name] for name in names if name in plain), "") for names in (_IDS, _TYPES))
         step = lines.whole(keys.get("step", "0"), "step", -(2**63))
         cell = _cell(lines, keys["cell"]) if "cell" in keys else None
         if cell is not None and len(keys["cell"].split()) == 4:
@@ -153,6 +162,9 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         lines=range(table.line, table.line + table.count), dimensions=dimensions,
     )  # fmt: skip
     fill(frame, taken, table)
+    frame.notes += notes
+    said = [f"{what} {name}" for what, name in (("ids", ids), ("types", types)) if name and plain_name(name) not in _USUAL]
+    frame.source = ", ".join(filter(None, [*said, frame.source]))
     frame.refuse_other_bodies(options)
     return frame.system(options)
 
@@ -166,7 +178,8 @@ def _check_positions(columns: list[str], positions: list[str], lines: Lines) -> 
                           f"(--convention {others[0]})")  # fmt: skip
     if all(map(_NUMBER.fullmatch, columns)):
         raise lines.error(f"the first line must name the columns (x,y,z,a,b,c,qw,qx,qy,qz), not be {' '.join(columns)}: add such a line")
-    raise lines.error(f"there is no column 'x', but {' '.join(columns)}: rename those of positions to x, y and z")
+    raise lines.error(f"there is no column 'x', but {' '.join(columns)}: rename those of positions to x, y and z, or begin lines before "
+                      "the names with #")  # fmt: skip
 
 
 def _without_empty_end(lines: Lines, separator: str | None, columns: list[str]) -> list[str]:
@@ -177,6 +190,14 @@ def _without_empty_end(lines: Lines, separator: str | None, columns: list[str]) 
     row = lines.next("\r\n") or ""
     lines.back(place)
     return columns[:-1] if len(_split(row, separator)) == len(columns) - 1 else columns
+
+
+def _starts_with_number(lines: Lines, separator: str | None, column: int) -> bool:
+    """Returns whether the first row has a number in this column, or is too short for a row."""
+    place = lines.location(lines.frame)
+    words = _split(lines.next("\r\n") or "", separator)
+    lines.back(place)
+    return column >= len(words) or _NUMBER.fullmatch(words[column].replace(",", ".")) is not None
 
 
 def _series(columns: list[str], dimensions: int, options: Options, convention: Convention | None) -> list[str]:
@@ -197,7 +218,7 @@ def _check_series(table: Table, series: list[str], lines: Lines) -> None:
         if len(values) > 1:
             lines.number = table.line + rows.index(values[1])
             raise lines.error(f"the column {name} has several values, {values[0]} and {values[1]}: write the rows of one of them, or say "
-                              f"that all are bodies of one system (--ignore-columns {name})")  # fmt: skip
+                              f"that all are bodies of one system (--ignore-columns {for_option([name])})")  # fmt: skip
 
 
 def _cell(lines: Lines, text: str) -> Floats:
@@ -229,7 +250,8 @@ def _keys(lines: Lines, options: Options) -> tuple[dict[str, str], str]:
             units[found[1]] = found[2]
         elif options.cell is None and (found := _LIKE_KEYS.match(text)):
             raise lines.error(f"the comment '{text[:60]}' could say the cell, and is not read: write '# cell' and nine numbers, '# origin' "
-                              f"and three, '# periodic' and three of T and F, or put another word before {found[1]}")  # fmt: skip
+                              f"and three, '# periodic' and three of T and F, give the cell (--cell), or put another word before "
+                              f"{found[1]}")  # fmt: skip
         elif text.isdecimal():
             keys["rows"] = text
         elif text:
@@ -277,15 +299,18 @@ def _names(lines: Lines, line: str, options: Options) -> tuple[str | None, list[
             separator = next(one for one in _SEPARATORS if len(_split(line, one)) == count)
             return separator, [], list(one.rows)
     lines.next()
-    raise lines.error("there is no line with the names of the columns: write one before the numbers, as x,y,z,a,b,c,qw,qx,qy,qz, or say "
-                      "which program wrote them (--convention matgeom or --convention opencv)")  # fmt: skip
+    programs = " or ".join(f"--convention {one.name}" for one in CONVENTIONS if one.rows and len(one.rows) == count)
+    program = f", or say which program wrote them ({programs})" if programs else ""
+    raise lines.error(f"there is no line with the names of the columns: write one before the numbers, as x,y,z,a,b,c,qw,qx,qy,qz{program}")
 
 
-def _others(columns: list[str]) -> list[str]:
-    """Columns of ids and names, and the one of types."""
-    plain = [plain_name(name) for name in columns]
-    types = next((one for one in _TYPES if one in plain), "")
-    return [name for name in columns if plain_name(name) in (*_IDS, types, "label", "labels", "name")]
+def _ids_and_types(lines: Lines, separator: str | None, columns: list[str], options: Options) -> tuple[str, str, list[str]]:
+    """The columns of ids and of types, each empty if there is none, and a note if ids are words."""
+    plain = {plain_name(name): name for name in reversed(columns) if name not in (options.ignore_columns or ())}
+    ids, types = (next((plain[name] for name in names if name in plain), "") for names in (_IDS, _TYPES))
+    if not ids or _starts_with_number(lines, separator, columns.index(ids)):
+        return ids, types, []
+    return "", types, [f"the column {ids} has words, not numbers: the particles are numbered from 1 in their order"]
 
 
 def _check_third(columns: list[str], positions: list[str], options: Options, lines: Lines) -> None:
@@ -294,7 +319,7 @@ def _check_third(columns: list[str], positions: list[str], options: Options, lin
         for name in columns:
             if plain_name(name) in _THIRD and name not in positions and name not in (options.ignore_columns or ()):
                 raise lines.error(f"there are two coordinates, {' '.join(positions)}, and {name}: rename it to z, or leave it out "
-                                  f"(--ignore-columns {name})")  # fmt: skip
+                                  f"(--ignore-columns {for_option([name])})")  # fmt: skip
 
 
 def _check_lengths(columns: list[str], positions: list[str], taken: Taken, says_dimensions: bool, lines: Lines) -> None:

@@ -18,7 +18,7 @@ from ._table import Lines
 SUFFIXES: tuple[str, ...] = ()
 _SYSTEMS = ("image", "physical", "detector", "amplifier", "linear", "fk4", "fk5", "icrs", "galactic", "ecliptic", "b1950", "j2000", "wcs")
 _OF_PIXELS = ("image", "physical")
-_REGION = re.compile(r"(ellipse|circle)\s*[( ]\s*([^)#]*)\)?\s*(?:#.*)?", re.IGNORECASE)
+_REGION = re.compile(r"\+?\s*(ellipse|circle)\s*[( ]\s*([^)#]*)\)?\s*(?:#.*)?", re.IGNORECASE)
 _COMMENT = re.compile(r"#.*|global\b.*|$", re.IGNORECASE)
 
 

@@ -191,8 +191,9 @@ def _check_names(source: _Source, frame: Frame, options: Options, unused: list[s
     frame.source += said and f", data sets that are not used: {said}"
     for name in source.group:
         if name not in (*_USED, *ignored) and could_change(name):
-            raise source.error(name, "could change the shapes or how they are turned, and is not used: rename it to semi_axes, orientation "
-                               f"or form if it is one of these, or leave it out (--ignore-columns {name})")  # fmt: skip
+            raise source.error(name, "could change the shapes or how they are turned, and is not used: write it as semi_axes (three "
+                               "lengths of each particle), orientation or form if it is one of these, or leave it out "
+                               f"(--ignore-columns {name})")  # fmt: skip
     groups = list(source.group.parent)
     if len(groups) > 1:
         frame.notes.append(f"only the first of the groups {' '.join(groups)[:200]} of /particles is read: copy another one to a file of "
@@ -212,7 +213,7 @@ def _take_forms(frame: Frame, forms: Floats) -> None:
 def _width(source: _Source, name: str) -> int:
     """2 if a data set has two columns, as for ellipses; otherwise 3."""
     values, has_time = _values(source, name)
-    return 2 if values is not None and values.ndim > has_time and values.shape[-1] == 2 else 3
+    return 2 if values is not None and values.ndim > has_time + 1 and values.shape[-1] == 2 else 3
 
 
 def _said_dimensions(source: _Source) -> int | None:

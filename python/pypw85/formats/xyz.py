@@ -31,8 +31,8 @@ _MOST_COLUMNS = 1 << 16
 _TYPES = ("species", "type")
 _KEYS = ("Properties", "Lattice", "Origin", "pbc", "Dimensions", "Timestep")
 # Names of keys of others for what the keys above hold
-_OF_CELLS = re.compile(r"lattice|origin|pbc|dimensions|((unit|simulation|virtual)?_?(cell|box))\w*|boundar(y|ies)|periodic\w*|"
-                       r"virtual_lattice", re.IGNORECASE)  # fmt: skip
+_OF_CELLS = re.compile(r"(?!.*(?:energy|volume)$)(?:lattice|origin|pbc|dimensions|((unit|simulation|virtual)?_?(cell|box))\w*|"
+                       r"boundar(y|ies)|periodic\w*|virtual_lattice)", re.IGNORECASE)  # fmt: skip
 _PROPERTIES = {"pos": 3, "asphericalshape": 3, "orientation": 4, "radius": 1, "species": 1, "type": 1, "id": 1}
 
 
@@ -86,7 +86,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         positions = [f"pos[{k}]" for k in (1, 2, 3) if f"pos[{min(k, 2)}]" not in columns or f"pos[{k}]" in columns]
         if positions[0] not in columns:
             raise lines.error("the property pos is missing in 'Properties='")
-        taken = take(columns, options, lines.error, "radii", "xyzw", ["id", *positions, *_TYPES, *text],
+        taken = take(columns, options, lines.error, "radii", "xyzw", ["id", *positions, *_TYPES],
                      len(positions) == 2 or dimensions == 2)  # fmt: skip
         wanted = ["id", *_TYPES, *positions, *taken.columns]
         table = lines.table(count, columns, text, wanted=wanted)
