@@ -77,7 +77,7 @@ def _check_seal(path: os.PathLike[str]) -> None:
         raise FileError(path, "is damaged, or was changed after pw85 mc had written it: write it again")
 
 
-def opened(path: os.PathLike[str]) -> Any:
+def opened(path: str | os.PathLike[str]) -> Any:
     """A file to be read. Use it in functions that are guarded()."""
     import h5py
 
