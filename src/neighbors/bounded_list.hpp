@@ -15,7 +15,7 @@ namespace pw85::detail::neighbors {
 /// than 0.05 ms for each particle. They are those of a box as long as 16 cells in each direction.
 /// A pair takes some 50 bytes and 0.1 µs, or some 10 µs if it needs exact arithmetic. So 2¹³ pairs
 /// take less than 0.1 s for each particle.
-inline constexpr ListLimits bounded{0x1p15, 0x1p13};
+constexpr ListLimits bounded{0x1p15, 0x1p13};
 
 /// Makes a list as pw85_neighbors_create(), but at most as long as `bounded` says. A longer one is
 /// refused with PW85_ENOMEM and a cause.

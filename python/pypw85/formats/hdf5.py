@@ -67,7 +67,7 @@ def sealed(content: bytes) -> bytes:
     return content + _SEAL + zlib.crc32(content).to_bytes(4, "little")
 
 
-def _check_seal(path: os.PathLike[str]) -> None:
+def _check_seal(path: str | os.PathLike[str]) -> None:
     """Refuses a file that has a checksum of other bytes."""
     size = os.path.getsize(path) - len(_SEAL) - 4
     with open(path, "rb") as file:
