@@ -77,6 +77,7 @@ rst_epilog = f"""
 .. |conditions-of-arrays| replace:: {measurements.conditions("arrays")}
 .. |conditions-of-bodies| replace:: {measurements.conditions("bodies")}
 .. |conditions-of-calls| replace:: {measurements.conditions("calls")}
+.. |conditions-of-samples| replace:: {measurements.conditions("samples")}
 .. |conditions-of-sizes| replace:: {measurements.conditions("sizes")}
 .. |conditions-of-gpu| replace:: {measurements.conditions("gpu")}
 .. |conditions-of-files| replace:: {measurements.conditions("files")}
