@@ -15,8 +15,9 @@ parameters as members. api/committed.py writes the headers or compares them.
 
 import re
 
-from cpp_calls import CLASSES, Call
+from cpp_calls import Call
 from cpp_texts import FOLDER, TEMPLATES
+from cpp_types import CLASSES
 from declarations import c_functions
 
 MARK = re.compile(
@@ -26,13 +27,16 @@ MARK = re.compile(
 )
 
 
-def definition(match, prefix):
+def definition(match, prefix, path):
     is_member, name = match["kind"] == "member", match["name"]
+    place, c_name = f"{path.name}: @{match['kind']} {name}", f"pw85_{prefix * is_member}{name}"
+    if c_name not in c_functions():
+        raise ValueError(f"{place}: no function {c_name}()")
     types = dict(line.strip().split(": ", 1) for line in match["said"].splitlines())
-    call = Call(c_functions()[f"pw85_{prefix * is_member}{name}"], types, is_member, match["without"], match["type"])
-    unknown = {*types, match["without"]} - {None, *(one.name for one in call.listed), *(name for _, name, _ in call.described)}
+    call = Call(c_functions()[c_name], types, is_member, match["without"], match["type"])
+    unknown = {*types, match["without"]} - {None, *(one.name for one in call.listed), *(own for _, own, _ in call.described)}
     if unknown:
-        raise ValueError(f"@{match['kind']} {name}: no such parameter: {', '.join(unknown)}")
+        raise ValueError(f"{place}: no such parameter: {', '.join(sorted(unknown))}")
     return "".join(f"{line}\n" for line in call.lines(match["own"] or name, match["indent"]))
 
 
@@ -40,7 +44,10 @@ def header(path):
     template = path.read_text(encoding="utf-8")
     owner = re.search(r"^class (\w+) \{", template, re.MULTILINE)
     prefixes = {kind: f"{c_name.removeprefix('pw85_')}_" for c_name, kind in CLASSES.items()}
-    return MARK.sub(lambda match: definition(match, prefixes[owner[1]] if owner else ""), template)
+    made = MARK.sub(lambda match: definition(match, prefixes[owner[1]] if owner else "", path), template)
+    if left := re.search(r"^ *@(?!\{|\}).*", made, re.MULTILINE):
+        raise ValueError(f"{path.name}: {left[0].strip()}: not understood")
+    return made
 
 
 def files():

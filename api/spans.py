@@ -13,8 +13,9 @@ api/committed.py writes the headers or compares them.
 import textwrap
 from dataclasses import dataclass
 
-from cpp_calls import WIDTH, Call, structs, wrapped
+from cpp_calls import WIDTH, Call, wrapped
 from cpp_texts import FOLDER, ROWS_HEADERS, is_of_list, is_of_rows, plain
+from cpp_types import structs
 from declarations import parameters, sections
 
 BEGIN = """\
