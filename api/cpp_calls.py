@@ -161,7 +161,8 @@ class Call:
         value = one.attributes.on_error or ("NaN" if one.type == "double" else "")
         if value:
             value = VALUES.get(value, value)
-            self.marked.append(f"{one.name}.fill({value});" if one.shape else f"{one.name} = {value};")
+            values = ", ".join([value] * prod(one.shape))
+            self.marked.append(f"{one.name} = {{{values}}};" if one.shape else f"{one.name} = {value};")
 
     def returned(self, one):
         """The only output, which is returned."""

@@ -311,7 +311,7 @@ class HardEllipsoids {
                                                       std::span<double const> activities,
                                                       std::array<std::int64_t, 4> &counts) noexcept
     {
-        counts.fill(-1);
+        counts = {-1, -1, -1, -1};
         if (!detail::have_rows(semi_axes.size(), activities)) return StatusCode::invalid_argument;
         return static_cast<StatusCode>(pw85_hard_ellipsoids_insertion_moves(
             get(), num_moves, semi_axes.size(), detail::in_c(semi_axes), detail::in_c(activities),
@@ -401,7 +401,7 @@ static inline StatusCode hard_ellipsoids_create(Particles const &particles, Vect
                                                 IndexPair &pair) noexcept
 {
     simulation = HardEllipsoids();
-    pair.fill(-1);
+    pair = {-1, -1};
     if (!detail::have_rows(particles.centers.size(), detail::optional(particles.q), semi_axes,
         quaternions)) return StatusCode::invalid_argument;
     pw85_system const particles_in_c = detail::in_c(particles);
