@@ -349,9 +349,10 @@ def described(function, name):
     own = function.descriptions[name]
     if not own.attributes.like:
         return own
-    if own.attributes.like not in c_functions():
+    known = c_functions() if function.header in C_HEADERS else {one.name: one for one in functions(function.header)}
+    if own.attributes.like not in known:
         raise ValueError(f"{own.place}: no function {own.attributes.like}()")
-    other = described(c_functions()[own.attributes.like], name)
+    other = described(known[own.attributes.like], name)
     is_whole = function.name.endswith("_2d") and not own.text
     text = other.text if is_whole else "; ".join(filter(None, [other.text.partition(";")[0], own.text]))
     return Description(own.attributes.merged(other.attributes), text, own.is_output, own.place)

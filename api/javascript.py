@@ -11,10 +11,9 @@ import textwrap
 from functools import cache
 from math import prod
 
-from declarations import SOURCE, parameters, version
-from python_table import is_integer, is_split
+from declarations import SOURCE, version
 from rows import row_functions
-from voice import Voice
+from voice import PlainVoice, with_named_statuses
 
 FOLDER = SOURCE / "js"
 # The questions of the module, by their names in C. Each takes its part of the 300 kB that pages load.
@@ -38,25 +37,16 @@ def camel(name):
     return re.sub(r"_(\w)", lambda match: match[1].upper(), name)
 
 
-def takes_rows(row):
-    """Whether the function of many rows is called: where it has an array for each operand."""
-    return row.many is not None and all(one.pointer for one in parameters(row.many)[1:])
-
-
 def type_of(row, one):
     """The numbers that C writes."""
-    if is_integer(one):
-        return "u8" if takes_rows(row) and row.is_truth() else "i32"
+    if one.is_integer():
+        return "u8" if row.takes_rows() and row.is_truth() else "i32"
     return "f64"
-
-
-def is_truth(row, one):
-    return is_integer(one) and one.name in ("overlap", "contains")
 
 
 def called(row):
     """The function of C that is called."""
-    return row.many.name if takes_rows(row) else row.function.name
+    return row.many.name if row.takes_rows() else row.function.name
 
 
 def exports():
@@ -66,14 +56,14 @@ def exports():
 
 def entry(row):
     """A row of the table."""
-    assert takes_rows(row) or not is_split(row), row.name
+    assert row.takes_rows() or not row.is_split(), row.name
     inputs = [{"name": camel(one.name), "cName": one.name, "size": prod(one.shape), "isNumber": not one.shape} for one in row.inputs]
     outputs = [
-        {"name": camel(one.name or row.name), "size": prod(one.shape), "type": type_of(row, one), "isTruth": is_truth(row, one),
+        {"name": camel(one.name or row.name), "size": prod(one.shape), "type": type_of(row, one), "isTruth": one.is_truth(),
          "shape": bool(one.shape)}
         for one in row.outputs
     ]  # fmt: skip
-    return {"name": camel(row.name), "function": called(row), "isOfRows": takes_rows(row), "inputs": inputs, "outputs": outputs}
+    return {"name": camel(row.name), "function": called(row), "isOfRows": row.takes_rows(), "inputs": inputs, "outputs": outputs}
 
 
 def table():
@@ -84,19 +74,15 @@ def table():
 
 def plain(text):
     """A text of the headers as it stands in comments."""
-    return re.sub(r"``Status\.(\w+)``", r"the status \1", text).replace("``", "`")
+    return with_named_statuses(text).replace("``", "`")
 
 
-class InJavaScript(Voice):
+class InJavaScript(PlainVoice):
     """What the headers say, in the words of JavaScript."""
 
     def __init__(self, row):
         super().__init__(row, row, {one.function.name: camel(one.name) for one in asked()})
         self.arguments = {one.name: camel(one.name) for one in row.inputs}
-
-    def reference(self, match, is_inherited):
-        found = super().reference(match, is_inherited)
-        return found if "C API" in found else f"`{found.strip('`')}()`"
 
     def of_argument(self, one):
         """What an argument is, with its numbers."""
@@ -136,7 +122,7 @@ def parameters_of(row, kind):
 
 def signature(row):
     """The function for one row with its types."""
-    one = result(row, lambda output: ARRAYS[type_of(row, output)] if output.shape else "boolean" if is_truth(row, output) else "number")
+    one = result(row, lambda output: ARRAYS[type_of(row, output)] if output.shape else "boolean" if output.is_truth() else "number")
     return f"{camel(row.name)}({parameters_of(row, lambda one: 'Numbers' if one.shape else 'number')}): {one}"
 
 

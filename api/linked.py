@@ -12,7 +12,7 @@ import textwrap
 from functools import cache
 
 from declarations import INCLUDE, c_functions, functions, parameters
-from spans import WIDTH, wrapped
+from cpp_calls import WIDTH, wrapped
 
 HEADER = INCLUDE / "pw85/linked.hpp"
 TEMPLATES = "pw85/pw85.hpp"

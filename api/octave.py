@@ -75,7 +75,7 @@ def table(name, question):
     short, lines, entries = name.removeprefix("pw85_"), [], []
     for dimension, row in sorted(question.rows.items()):
         head = f"static int {short}_{dimension}(size_t n, double const *const *in, void *const *out, size_t *row)"
-        lines += [r.wrapped(head, "") + ("\n{\n    (void)row;" if r.takes_rows(row) else "\n{")]
+        lines += [r.wrapped(head, "") + ("\n{\n    (void)row;" if row.takes_rows() else "\n{")]
         lines += [r.wrapped(line.strip(), " " * (4 + len(line) - len(line.lstrip()))) for line in r.call(row)] + ["}\n"]
         given = ", ".join(f'{{"{one.name}", {r.KINDS.get(one.name, "PW85_VALUES")}, {prod(one.shape)}}}' for one in row.inputs)
         sizes = [prod(one.shape) for one in row.outputs]
@@ -103,7 +103,7 @@ class InOctave(r.InR):
 
 
 def help_text(text):
-    return re.sub(r"``Status\.(\w+)``", r"the status \1", text).replace("`", "")
+    return r.with_named_statuses(text).replace("`", "")
 
 
 def paragraph(text, indent="  ", first=None):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The functions of the compiled part of the Python package on objects of the library, which python/src/objects.cpp includes.
+"""The functions of the compiled part of the Python package on objects, lists of pairs and systems, and on arrays of any dimension,
+which python/src/objects.cpp includes.
 
 A function takes the arguments of the function of C of its name, without the numbers of rows, and returns its status and its outputs.
 Arrays are NumPy arrays of the right type, and outputs of many rows are arrays that it fills. A struct is given by its members.
@@ -7,18 +8,21 @@ Arrays are NumPy arrays of the right type, and outputs of many rows are arrays t
 
 from math import prod
 
-from declarations import OBJECTS, SIMULATION, functions, members, members_read, parameters
+from declarations import OBJECTS, PACKED, SIMULATION, functions, members, members_read, parameters
+from rows import row_functions
 
-HEADERS = ("pw85_systems.h", *SIMULATION)
+HEADERS = ("pw85_systems.h", *SIMULATION, "pw85_enclosing.h", "pw85_any_dimension.h")
+# Functions of pw85_batch.h whose arrays are not rows of as many arguments.
+OTHERS = ("pw85_overlap_any", "pw85_contact_polytope_batch", "pw85_overlap_polytope_batch")
 SCALARS = {"size_t": "size", "int": "integer", "double": "real"}
 
 
 def listed_functions():
-    """Those with an object and a status or a size; of two for one row and for many the latter."""
-    found = [one for header in HEADERS for one in functions(header)]
-    names = {one.name for one in found}
-    kept = [one for one in found if one.is_of_object() or (one.type == "size_t" and parameters(one)[0].type in OBJECTS)]
-    return [one for one in kept if f"{one.name}_batch" not in names]
+    """Those with a status, except those of api/rows.py, and sizes of objects; of two for one row and for many the latter."""
+    found = [one for header in HEADERS for one in functions(header)] + [one for one in functions("pw85_batch.h") if one.name in OTHERS]
+    names, of_rows = {one.name for one in found}, {row.function.name for row in row_functions()}
+    kept = [one for one in found if one.name not in of_rows and f"{one.name}_batch" not in names]
+    return [one for one in kept if one.type == "int" or (one.type == "size_t" and parameters(one)[0].type in OBJECTS)]
 
 
 def plain(function):
@@ -32,19 +36,28 @@ def is_result(one):
 
 def counts(listed):
     """The names of numbers of rows, which the arrays tell."""
-    return {one.shape[0] for one in listed if one.pointer and one.shape and isinstance(one.shape[0], str)}
+    sizes = {one.name for one in listed if one.type == "size_t" and not one.pointer}
+    return {one.shape[0] for one in listed if one.pointer and one.shape} & sizes
 
 
-def array(one):
-    """The expression that reads an array."""
+def product(extents):
+    """The number of numbers in an array with these extents."""
+    return " * ".join("(npy_intp{n} * (n + 1) / 2)" if one == PACKED else str(one) for one in extents) or "1"
+
+
+def array(one, sizes):
+    """The expression that reads an array. `sizes` are numbers of rows."""
     # Whether there must be a cell is known to the library alone.
-    element, optional = f"{one.type}{' const' if one.const else ''}", "true" if one.nullable or one.name == "cell" else "false"
-    if all(isinstance(extent, int) for extent in one.shape):
-        return f"in.numbers<{element}>({prod(one.shape)}, {optional})"
-    return f"in.rows<{element}>({one.shape[0]}, {prod(one.shape[1:]) if one.shape[1:] else 0}, {optional})"
+    optional = "true" if one.nullable or one.name == "cell" else "false"
+    if not one.shape or one.shape[0] not in sizes:
+        return f"in.numbers<{one.type}{' const' if one.const else ''}>({product(one.shape)}, {optional})"
+    if one.type == "pw85_motion":  # an array of numbers in Python
+        return f"reinterpret_cast<pw85_motion const *>(in.rows<double const>({one.shape[0]}, 7, {optional}))"
+    columns = product(one.shape[1:]) if one.shape[1:] else "0"
+    return f"in.rows<{one.type}{' const' if one.const else ''}>({one.shape[0]}, {columns}, {optional})"
 
 
-def read(one):
+def read(one, sizes):
     """The statement that reads an argument."""
     if one.type in OBJECTS:
         return f'auto *const {one.name} = in.object<{one.type}>("{one.type}");'
@@ -52,7 +65,7 @@ def read(one):
         return f"auto *const {one.name} = reinterpret_cast<{one.type} *>(in.address());"
     if not one.pointer:
         return f"auto const {one.name} = in.{SCALARS[one.type]}();"
-    return f"auto *const {one.name} = {array(one)};"
+    return f"auto *const {one.name} = {array(one, sizes)};"
 
 
 class Body:
@@ -83,7 +96,7 @@ class Body:
         if one.name in names:
             self.counted.add(one.name)
         else:
-            self.reads.append(read(one))
+            self.reads.append(read(one, names | self.counted))
             self.number += 1
 
     def add_struct(self, one):

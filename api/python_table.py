@@ -3,9 +3,10 @@
 
 from math import prod
 
-from declarations import parameters
+from declarations import c_functions, parameters
 
 NUMBERS_OF_FORM = 6
+SILENT_HEADERS = ("pw85_legacy.h", "pw85_zheng.h")  # of a library that keeps no record of refusals
 
 ROW = """\
 {{"{name}", "{signature}",
@@ -26,32 +27,36 @@ def argument(operand, number):
 
 def call(row, outputs):
     inputs = [argument(one, k) for k, one in enumerate(row.inputs)]
-    return f"{row.function.name}({', '.join((['1'] if row.is_of_many() else []) + inputs + outputs)})"
+    written = f"{row.function.name}({', '.join((['1'] if row.is_of_many() else []) + inputs + outputs)})"
+    return f"recorded({written}, [&] {{ {recorder(row)} }})" if is_silent(row) else written
+
+
+def is_silent(row):
+    """Whether the function returns a status, and is of a library that keeps no record of refusals."""
+    return row.function.type == "int" and row.function.header in SILENT_HEADERS
+
+
+def recorder(row):
+    """A call of the function of the library pw85 that has the same inputs: all of them are declared "as" its own."""
+    name, = {row.function.descriptions[one.name].attributes.like for one in row.inputs}
+    outputs = [one for one in parameters(c_functions()[name]) if one.is_output()]
+    ignored = ", ".join(f"ignored + {sum(prod(two.shape) for two in outputs[:k])}" for k in range(len(outputs)))
+    inputs = ", ".join(f"in[{k}]" for k in range(len(row.inputs)))
+    return f"double ignored[{sum(prod(one.shape) for one in outputs)}]; {name}({inputs}, {ignored});"
 
 
 def status_of(row, value):
-    """The status of a function that returns none: of the pair, or of the matrix, where the result is NaN."""
+    """The status of a function that returns none: of λ and the pair, or of the matrix, where the result is NaN."""
     if not row.function.is_nan_on_error():
         return "PW85_SUCCESS"
-    blamed = [f"in[{k}]" for k, one in enumerate(row.inputs) if one.name == "r12" or one.shape == (NUMBERS_OF_FORM,)]
+    blamed = [f"in[{k}]" for k, one in enumerate(row.inputs) if one.name in ("lambda", "r12") or one.shape == (NUMBERS_OF_FORM,)]
     return f"status_of({', '.join([value, *blamed])})"
 
 
-def is_split(row):
-    """Whether results are numbers that the function writes into one array."""
-    first = row.outputs[0]
-    return not first.shape and first.parameter is not None and bool(first.parameter.shape) and not row.is_of_many()
-
-
-def is_integer(operand):
-    """Whether a result is an integer of C, which is a number of Python, NaN on error."""
-    return operand.parameter is not None and operand.parameter.type == "int"
-
-
 def body_with_integers(row):
-    """Of a function of which some results are integers."""
-    written = [f"&integer{k}" if is_integer(one) else f"out[{k}]" for k, one in enumerate(row.outputs)]
-    of_integers = [k for k, one in enumerate(row.outputs) if is_integer(one)]
+    """Of a function of which some results are integers of C, which are numbers of Python, NaN on error."""
+    written = [f"&integer{k}" if one.is_integer() else f"out[{k}]" for k, one in enumerate(row.outputs)]
+    of_integers = [k for k, one in enumerate(row.outputs) if one.is_integer()]
     declared = f"int {', '.join(f'integer{k}' for k in of_integers)};"
     stored = "".join(f" number(status, integer{k}, out[{k}]);" for k in of_integers)
     return f"{declared} int const status = {call(row, written)};{stored} return status;"
@@ -62,7 +67,7 @@ def body(row):
         return f"return {row.name}(in, out);"
     if row.is_truth():
         return f"int answer; return truth({call(row, ['&answer'])}, answer, out);"
-    if is_split(row):
+    if row.is_split():
         made = call(row, ["row"])
         declared = f"double row[{row.outputs[0].parameter.shape[0]}];"
         if row.function.type == "int":
@@ -70,7 +75,7 @@ def body(row):
         return f"{declared} {made}; return split({status_of(row, 'row[0]')}, row, out);"
     if row.function.type == "double":
         return f"*out[0] = {call(row, [])}; return {status_of(row, '*out[0]')};"
-    if any(is_integer(one) for one in row.outputs):
+    if any(one.is_integer() for one in row.outputs):
         return body_with_integers(row)
     made = call(row, [f"out[{k}]" for k in range(len(row.outputs))])
     return f"return {made};" if row.function.type == "int" else f"{made}; return {status_of(row, '*out[0]')};"
@@ -78,7 +83,7 @@ def body(row):
 
 def batch(row):
     """The function of many rows; one that is not only of arrays has a function of its own in function.cpp."""
-    if row.many is None or row.is_truth() or any(is_integer(one) for one in row.outputs):
+    if row.many is None or row.is_truth() or any(one.is_integer() for one in row.outputs):
         return "nullptr"
     is_of_arrays = all(one.pointer for one in parameters(row.many)[1:])
     has_motions = any(one.type == "pw85_motion" for one in parameters(row.many))

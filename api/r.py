@@ -13,10 +13,9 @@ from dataclasses import dataclass
 from functools import cache
 from math import prod
 
-from declarations import ONE_ROW, SOURCE, parameters, version
-from python_table import is_integer, is_split
+from declarations import ONE_ROW, SOURCE, version
 from rows import row_functions
-from voice import Voice
+from voice import PlainVoice, with_named_statuses
 
 FOLDER = SOURCE / "r"
 NAMES = {"overlap": "overlaps"}  # the names in R that are others than those of C
@@ -98,18 +97,12 @@ def columns(row, dimension):
     return found
 
 
-def takes_rows(row):
-    """Whether the function of many rows has an array of doubles for each operand."""
-    listed = parameters(row.many)[1:] if row.many is not None else []
-    return bool(listed) and all(one.pointer and (one.type == "double" or (row.is_truth() and one.is_output())) for one in listed)
-
-
 def call(row):
     """The lines of C that compute n rows."""
-    if takes_rows(row):
+    if row.takes_rows():
         given = [f"in[{k}]" for k in range(len(row.inputs))] + [f"out[{k}]" for k in range(len(row.outputs))]
         return [f"return {row.many.name}({', '.join(['n', *given])});"]
-    assert not is_split(row), row.name
+    assert not row.is_split(), row.name
     given = []
     for k, one in enumerate(row.inputs):
         text = f"in[{k}] + {prod(one.shape)} * i" if one.shape else f"in[{k}][i]"
@@ -117,7 +110,7 @@ def call(row):
     integers, written, stored = [], [], []
     kind = "unsigned char" if row.is_truth() else "double"
     for k, one in enumerate(row.outputs):
-        if is_integer(one):
+        if one.is_integer():
             integers.append(f"int integer{k};")
             written.append(f"&integer{k}")
             stored.append(f"(({kind} *)out[{k}])[i] = ({kind})integer{k};")
@@ -136,7 +129,7 @@ def table(question):
     """The C code of a question."""
     for dimension, row in question.rows.items():
         head = f"static int {question.name}_{dimension}(size_t n, double const *const *in, void *const *out, size_t *row)"
-        yield wrapped(head, "") + ("\n{\n    (void)row;" if takes_rows(row) else "\n{")
+        yield wrapped(head, "") + ("\n{\n    (void)row;" if row.takes_rows() else "\n{")
         yield from (wrapped(line.strip(), " " * (4 + len(line) - len(line.lstrip()))) for line in call(row))
         yield "}\n"
     yield f"static struct pw85_question const {question.name}_question = {{"
@@ -173,15 +166,11 @@ def r_source():
     return "\n".join([*lines, ""])
 
 
-class InR(Voice):
+class InR(PlainVoice):
     """What the headers say, in the words of R."""
 
     def __init__(self, question, names):
         super().__init__(question.first, question.first, names)
-
-    def reference(self, match, is_inherited):
-        name = self.names.get(match[1])
-        return f"`{name}()`" if name else f"`{match[1]}()` of the C API"
 
 
 def help_text(text):
@@ -189,7 +178,7 @@ def help_text(text):
     text = re.sub(r"Σ(?=_?\w* ?[|(])", "sum ", text.replace("μ²", "mu2"))
     text = re.sub("[⁰¹²³⁴-⁹⁻]+", lambda match: "^" + unicodedata.normalize("NFKC", match[0]), text)
     text = unicodedata.normalize("NFKC", "".join(ASCII.get(letter, letter) for letter in text))
-    text = re.sub(r"([{}%])", r"\\\1", re.sub(r"``Status\.(\w+)``", r"the status \1", text))
+    text = re.sub(r"([{}%])", r"\\\1", with_named_statuses(text))
     text = re.sub(r"`+([^`]+)`+", r"\\code{\1}", text).replace("pw85-package", "\\link{pw85-package}")
     return textwrap.fill(text, 100, break_long_words=False, break_on_hyphens=False)
 

@@ -30,6 +30,14 @@ class Operand:
         """Its shape as in the signature of a generalised ufunc."""
         return f"({','.join(map(str, self.shape))})"
 
+    def is_integer(self):
+        """Whether it is an integer of C."""
+        return self.parameter is not None and self.parameter.type == "int"
+
+    def is_truth(self):
+        """Whether it is an integer that is a truth value."""
+        return self.is_integer() and self.name in TRUTHS
+
 
 @dataclass
 class RowFunction:
@@ -66,6 +74,16 @@ class RowFunction:
         if self.many is None:
             return len(outputs) == 1 and outputs[0].type == "int" and outputs[0].name in TRUTHS
         return [one.type for one in outputs] == ["unsigned char"]
+
+    def is_split(self):
+        """Whether results are numbers that the function writes into one array."""
+        first = self.outputs[0]
+        return not first.shape and first.parameter is not None and bool(first.parameter.shape) and not self.is_of_many()
+
+    def takes_rows(self):
+        """Whether the relative for many rows has an array of doubles for each operand, or of bytes for truth values."""
+        listed = parameters(self.many)[1:] if self.many is not None else []
+        return bool(listed) and all(one.pointer and (one.type == "double" or (self.is_truth() and one.is_output())) for one in listed)
 
     def signature(self):
         return "->".join(",".join(one.core() for one in operands) for operands in (self.inputs, self.outputs))

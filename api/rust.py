@@ -10,9 +10,8 @@ from functools import cache
 
 from declarations import ONE_ROW, SOURCE, c_functions, functions, parameters, statuses, version
 from examples import example_value
-from python_table import is_split
 from rows import BY_HAND, TRUTHS, RowFunction, name_of_many, operand, results, row_functions
-from voice import Voice, sentence
+from voice import PlainVoice, sentence
 
 FOLDER = SOURCE / "rust"
 MARK = "// SPDX-License-Identifier: BSD-3-Clause\n// Made by api/rust.py from the headers of the C API.\n"
@@ -94,15 +93,11 @@ def result_of(row):
     return values()[0].get(row.function.name) or result_type(row.outputs[0])
 
 
-class InRust(Voice):
+class InRust(PlainVoice):
     """What the headers say, in the words of Rust."""
 
     def __init__(self, row):
         super().__init__(row, row, names_in_rust())
-
-    def reference(self, match, is_inherited):
-        name = self.names.get(match[1])
-        return f"`{name}()`" if name else f"`{match[1]}()` of the C API"
 
     def told(self, listed):
         """Texts, and arguments."""
@@ -179,7 +174,7 @@ def single(row):
     is_void, call = row.function.type == "void", f"unsafe {{ sys::{row.function.name}("
     yield from listing(call if is_void else f"check({call}", [*map(passed, listed)], ") };" if is_void else ") })?;", "    ")
     yield from [f"    check_number({first}[0])?;"] if is_void else []
-    found = [f"{first}[{k}]" for k in range(len(row.outputs))] if is_split(row) else [
+    found = [f"{first}[{k}]" for k in range(len(row.outputs))] if row.is_split() else [
         {"bool": f"{one.name} == 1", "Ordering": f"{one.name}.cmp(&0)"}.get(result_type(one), one.name) for one in row.outputs]  # fmt: skip
     fields = [one.name if one.name == text else f"{one.name}: {text}" for one, text in zip(row.outputs, found)]
     yield from [*(listing(f"Ok({struct} {{ ", fields, " })", "    ") if struct else [f"    Ok({found[0]})"]), "}\n"]
@@ -210,8 +205,6 @@ def struct(name, rows):
     shared = ", ".join(f"`{names_in_rust()[one.function.name]}()`" for one in rows)
     yield from [*comment([f"Results of {shared}."]), f"#[derive(Clone, Copy, Debug, PartialEq)]\npub struct {name} {{"]
     texts = [InRust(rows[0]).described(one.parameter.name) for one in rows[0].outputs]
-    if is_split(rows[0]) and ", and the " in texts[0]:  # one sentence tells of all numbers: "μ², and the maximiser"
-        texts = texts[0].rstrip(".").split(", and the ")
     for one, text in zip(rows[0].outputs, texts, strict=True):
         text = "Whether the ellipsoids overlap." if result_type(one) == "bool" else sentence(text)
         yield from [*comment([text], "    "), f"    pub {one.name}: {result_type(one)},"]

@@ -51,6 +51,11 @@ def limits_of(one):
     return [text for word, text in SAID.items() if word in one.attributes.words]
 
 
+def with_named_statuses(text):
+    """A text in which a status is not a member of a class of Python."""
+    return re.sub(r"``Status\.(\w+)``", r"the status \1", text)
+
+
 class Voice:
     """How texts of the C headers are said in Python, of one function."""
 
@@ -58,7 +63,8 @@ class Voice:
         self.row = row
         self.names = names  # C functions that Python has, with the names that they have there
         self.arguments = {one.name: argument.name for one, argument in zip(row.inputs, signature.inputs)}
-        self.is_flat = row.function.name.endswith("_2d")
+        has_flat_forms = any(one.name in ("q", "q1", "q2") and one.shape == (3,) for one in row.inputs)
+        self.is_flat = row.function.name.endswith("_2d") or has_flat_forms
 
     def reference(self, match, is_inherited):
         """A function in the words of Python: in what a function of ellipses inherits, that of ellipses."""
@@ -125,3 +131,11 @@ class Voice:
         if match is None or not (match[1] or match[2]):
             return ""
         return f"``Status.ECONVERGENCE``: {self.said(match[1] or match[2])}. "
+
+
+class PlainVoice(Voice):
+    """In the words of a language that has the functions by names of its own, or not at all."""
+
+    def reference(self, match, is_inherited):
+        name = self.names.get(match[1])
+        return f"`{name}()`" if name else f"`{match[1]}()` of the C API"

@@ -37,10 +37,10 @@ extern "C" {
  * pw85_condition(), with sums over n coordinates. For n = 2 and 3 the numbers are those of
  * pw85_contact_2d() and pw85_contact() within the bounds of both.
  *
- * @param n number of dimensions
- * @param r12 n numbers: from the centre of ellipsoid 1 to that of ellipsoid 2
- * @param q1,q2 n (n + 1)/2 numbers each: the forms
- * @param[out] out μ² and λ
+ * @param n [1..16] number of dimensions
+ * @param r12 [n; length] from the centre of ellipsoid 1 to that of ellipsoid 2
+ * @param q1,q2 [n(n+1)/2; length²; definite] the forms
+ * @param[out] out [members mu2, lambda] μ² and λ
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM, or #PW85_ECONVERGENCE for forms
  *         that are nearer to singular than numbers of 384 binary digits can tell */
 PW85_API int pw85_nd_contact(int n, double const *r12, double const *q1, double const *q2,
@@ -53,13 +53,14 @@ PW85_API int pw85_nd_contact(int n, double const *r12, double const *q1, double 
  * respect to a form are with respect to the stored entries, of which an off-diagonal one stands for
  * two entries of the matrix.
  *
- * @param n,r12,q1,q2 as for pw85_nd_contact(); r12 must not be zero
- * @param lambda from pw85_nd_contact(), in [0, 1]
- * @param[out] point n numbers, relative to the centre of ellipsoid 1; may be null
- * @param[out] normal n numbers: unit vector, outward from ellipsoid 1; may be null
- * @param[out] d_r12 n numbers: ∂μ²/∂r12; may be null
- * @param[out] d_q1,d_q2 n (n + 1)/2 numbers each: derivatives with respect to the entries of q1 and
- *        q2; may be null
+ * @param n,q1,q2 [as pw85_nd_contact()]
+ * @param r12 [n; length; != 0] from the centre of ellipsoid 1 to that of ellipsoid 2
+ * @param lambda [0..1] from pw85_nd_contact()
+ * @param[out] point [n; length; optional] relative to the centre of ellipsoid 1
+ * @param[out] normal [n; optional] unit vector, outward from ellipsoid 1
+ * @param[out] d_r12 [n; 1/length; optional] ∂μ²/∂r12
+ * @param[out] d_q1,d_q2 [n(n+1)/2; 1/length²; optional] derivatives with respect to the entries of
+ *        q1 and q2
  * @return as pw85_nd_contact() */
 PW85_API int pw85_nd_contact_geometry(int n, double const *r12, double const *q1, double const *q2,
                                       double lambda, double *point, double *normal, double *d_r12,
@@ -74,17 +75,17 @@ PW85_API int pw85_nd_contact_geometry(int n, double const *r12, double const *q1
  * scaled to length one: a tie with entries from 1e-300 to 1 takes 15 ms for n = 4, and 50 s for
  * n = 16.
  *
- * @param n,r12,q1,q2 as for pw85_nd_contact()
- * @param[out] overlap 1 or 0; -1 on error
+ * @param n,r12,q1,q2 [as pw85_nd_contact()]
+ * @param[out] overlap [-1 on error] 1 or 0
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM */
 PW85_API int pw85_nd_overlap(int n, double const *r12, double const *q1, double const *q2,
                              int *overlap);
 
 /** The sign of μ² - mu2, for the doubles exactly as given; see pw85_nd_overlap().
  *
- * @param n,r12,q1,q2 as for pw85_nd_contact()
- * @param mu2 what μ² is compared with, at least 0; it may be infinite
- * @param[out] sign -1, 0 or 1; 2 on error
+ * @param n,r12,q1,q2 [as pw85_nd_contact()]
+ * @param mu2 [>= 0; or infinite] what μ² is compared with
+ * @param[out] sign [2 on error] -1, 0 or 1
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM */
 PW85_API int pw85_nd_compare(int n, double const *r12, double const *q1, double const *q2,
                              double mu2, int *sign);
@@ -96,8 +97,8 @@ PW85_API int pw85_nd_compare(int n, double const *r12, double const *q1, double 
  * tie of forms with entries of similar size takes up to 1 ms for n = 4 and 0.1 s for n = 16; the
  * time grows with the range of the exponents as that of pw85_nd_overlap() does.
  *
- * @param n,r12,q1,q2 as for pw85_nd_contact()
- * @param[out] contains 1 or 0; -1 on error
+ * @param n,r12,q1,q2 [as pw85_nd_contact()]
+ * @param[out] contains [-1 on error] 1 or 0
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM */
 PW85_API int pw85_nd_contains(int n, double const *r12, double const *q1, double const *q2,
                               int *contains);
@@ -108,10 +109,10 @@ PW85_API int pw85_nd_contains(int n, double const *r12, double const *q1, double
  * The relative error of the square is below (2n + 20) u c, with c as for pw85_containment() and
  * sums over n coordinates. The search proves the result by bounds from both sides.
  *
- * @param n,r12,q1,q2 as for pw85_nd_contact()
- * @param[out] mu2 square of the factor, at most 1 if ellipsoid 2 is inside; may be null
- * @param[out] point n numbers: the point on the surface of ellipsoid 2, relative to the centre of
- *        ellipsoid 1, or one of them as for pw85_containment(); may be null
+ * @param n,r12,q1,q2 [as pw85_nd_contact()]
+ * @param[out] mu2 [optional] square of the factor, at most 1 if ellipsoid 2 is inside
+ * @param[out] point [n; length; optional] the point on the surface of ellipsoid 2, relative to the
+ *        centre of ellipsoid 1, or one of them as for pw85_containment()
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM, or #PW85_ECONVERGENCE for axes
  *         too far apart, as above */
 PW85_API int pw85_nd_containment(int n, double const *r12, double const *q1, double const *q2,
@@ -126,12 +127,13 @@ PW85_API int pw85_nd_containment(int n, double const *r12, double const *q1, dou
  * vector point2 - point1 differs from `distance` times `normal` by less than 2¹⁸ u |r12|, plus the
  * rounding errors u |point1| and u |point2|.
  *
- * @param n,r12,q1,q2 as for pw85_nd_contact()
- * @param[out] distance zero if the ellipsoids overlap, as pw85_nd_overlap() decides; may be null
- * @param[out] point1,point2 n numbers each: the closest points of ellipsoids 1 and 2, both relative
- *        to the centre of ellipsoid 1; NaN if the ellipsoids overlap, also on success; may be null
- * @param[out] normal n numbers: unit vector, outward from ellipsoid 1: the derivative of the
- *        distance with respect to r12; NaN as the points; may be null
+ * @param n,r12,q1,q2 [as pw85_nd_contact()]
+ * @param[out] distance [length; optional] zero if the ellipsoids overlap, as pw85_nd_overlap()
+ *        decides
+ * @param[out] point1,point2 [n; length; optional] the closest points of ellipsoids 1 and 2, both
+ *        relative to the centre of ellipsoid 1; NaN if the ellipsoids overlap, also on success
+ * @param[out] normal [n; optional] unit vector, outward from ellipsoid 1: the derivative of the
+ *        distance with respect to r12; NaN as the points
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM, or #PW85_ECONVERGENCE for
  *         semi-axes below 2⁻⁴⁰⁰ of the largest coordinate of r12 (otherwise never seen) */
 PW85_API int pw85_nd_distance(int n, double const *r12, double const *q1, double const *q2,
@@ -148,18 +150,27 @@ PW85_API int pw85_nd_distance(int n, double const *r12, double const *q1, double
 
 /** pw85_nd_contact() for many pairs; the bits are the same.
  *
- * @param num_pairs number of pairs
- * @param n,r12,q1,q2 as for pw85_nd_contact(), one row for each pair
- * @param[out] mu2,lambda one number for each pair; lambda may be null
+ * @param num_pairs [number of pairs]
+ * @param n [1..16] number of dimensions
+ * @param r12 [num_pairs×n; length] as for pw85_nd_contact()
+ * @param q1,q2 [num_pairs×n(n+1)/2; length²; definite] as for pw85_nd_contact()
+ * @param[out] mu2 [num_pairs]
+ * @param[out] lambda [num_pairs; optional]
  * @return #PW85_SUCCESS, or the status of the first bad pair */
 PW85_API int pw85_nd_contact_batch(size_t num_pairs, int n, double const *r12, double const *q1,
                                    double const *q2, double *mu2, double *lambda);
 
 /** pw85_nd_contact_geometry() for many pairs; the bits are the same.
  *
- * @param num_pairs number of pairs
- * @param n,r12,q1,q2,lambda as for pw85_nd_contact_geometry(), one row for each pair
- * @param[out] point,normal,d_r12,d_q1,d_q2 as for pw85_nd_contact_geometry(), one row for each pair
+ * @param num_pairs [number of pairs]
+ * @param n,q1,q2 [as pw85_nd_contact_batch()]
+ * @param r12 [num_pairs×n; length; != 0] as for pw85_nd_contact()
+ * @param lambda [num_pairs; 0..1] from pw85_nd_contact_batch()
+ * @param[out] point [num_pairs×n; length; optional] as for pw85_nd_contact_geometry()
+ * @param[out] normal [num_pairs×n; optional] as for pw85_nd_contact_geometry()
+ * @param[out] d_r12 [num_pairs×n; 1/length; optional] as for pw85_nd_contact_geometry()
+ * @param[out] d_q1,d_q2 [num_pairs×n(n+1)/2; 1/length²; optional] as for
+ *        pw85_nd_contact_geometry()
  * @return #PW85_SUCCESS, or the status of the first bad pair */
 PW85_API int pw85_nd_contact_geometry_batch(size_t num_pairs, int n, double const *r12,
                                             double const *q1, double const *q2,
@@ -168,45 +179,49 @@ PW85_API int pw85_nd_contact_geometry_batch(size_t num_pairs, int n, double cons
 
 /** pw85_nd_overlap() for many pairs.
  *
- * @param num_pairs number of pairs
- * @param n,r12,q1,q2 as for pw85_nd_contact(), one row for each pair
- * @param[out] overlap one byte for each pair: 1 or 0; 255 for a bad pair
+ * @param num_pairs [number of pairs]
+ * @param n,r12,q1,q2 [as pw85_nd_contact_batch()]
+ * @param[out] overlap [num_pairs] 1 or 0; 255 for a bad pair
  * @return #PW85_SUCCESS, or the status of the first bad pair */
 PW85_API int pw85_nd_overlap_batch(size_t num_pairs, int n, double const *r12, double const *q1,
                                    double const *q2, unsigned char *overlap);
 
 /** pw85_nd_compare() for many pairs.
  *
- * @param num_pairs number of pairs
- * @param n,r12,q1,q2,mu2 as for pw85_nd_compare(), one row for each pair
- * @param[out] sign one number for each pair: -1, 0 or 1; 2 for a bad pair
+ * @param num_pairs [number of pairs]
+ * @param n,r12,q1,q2 [as pw85_nd_contact_batch()]
+ * @param mu2 [num_pairs; >= 0; or infinite] as for pw85_nd_compare()
+ * @param[out] sign [num_pairs] -1, 0 or 1; 2 for a bad pair
  * @return #PW85_SUCCESS, or the status of the first bad pair */
 PW85_API int pw85_nd_compare_batch(size_t num_pairs, int n, double const *r12, double const *q1,
                                    double const *q2, double const *mu2, int *sign);
 
 /** pw85_nd_contains() for many pairs.
  *
- * @param num_pairs number of pairs
- * @param n,r12,q1,q2 as for pw85_nd_contact(), one row for each pair
- * @param[out] contains one byte for each pair: 1 or 0; 255 for a bad pair
+ * @param num_pairs [number of pairs]
+ * @param n,r12,q1,q2 [as pw85_nd_contact_batch()]
+ * @param[out] contains [num_pairs] 1 or 0; 255 for a bad pair
  * @return #PW85_SUCCESS, or the status of the first bad pair */
 PW85_API int pw85_nd_contains_batch(size_t num_pairs, int n, double const *r12, double const *q1,
                                     double const *q2, unsigned char *contains);
 
 /** pw85_nd_containment() for many pairs; the bits are the same.
  *
- * @param num_pairs number of pairs
- * @param n,r12,q1,q2 as for pw85_nd_contact(), one row for each pair
- * @param[out] mu2,point as for pw85_nd_containment(), one row for each pair
+ * @param num_pairs [number of pairs]
+ * @param n,r12,q1,q2 [as pw85_nd_contact_batch()]
+ * @param[out] mu2 [num_pairs; optional] as for pw85_nd_containment()
+ * @param[out] point [num_pairs×n; length; optional] as for pw85_nd_containment()
  * @return #PW85_SUCCESS, or the status of the first bad pair */
 PW85_API int pw85_nd_containment_batch(size_t num_pairs, int n, double const *r12, double const *q1,
                                        double const *q2, double *mu2, double *point);
 
 /** pw85_nd_distance() for many pairs; the bits are the same.
  *
- * @param num_pairs number of pairs
- * @param n,r12,q1,q2 as for pw85_nd_contact(), one row for each pair
- * @param[out] distance,point1,point2,normal as for pw85_nd_distance(), one row for each pair
+ * @param num_pairs [number of pairs]
+ * @param n,r12,q1,q2 [as pw85_nd_contact_batch()]
+ * @param[out] distance [num_pairs; length; optional] as for pw85_nd_distance()
+ * @param[out] point1,point2 [num_pairs×n; length; optional] as for pw85_nd_distance()
+ * @param[out] normal [num_pairs×n; optional] as for pw85_nd_distance()
  * @return #PW85_SUCCESS, or the status of the first bad pair */
 PW85_API int pw85_nd_distance_batch(size_t num_pairs, int n, double const *r12, double const *q1,
                                     double const *q2, double *distance, double *point1,

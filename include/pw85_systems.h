@@ -217,7 +217,7 @@ PW85_API int pw85_law_forces_pairs(pw85_pair_list const *list, pw85_system const
  * @param list,system [as pw85_contact_pairs()]
  * @param motions [num_particles; mixed units; > 0 until t_max]
  * @param t_max [as pw85_first_contact()] for all pairs
- * @param[out] t [num_pairs; time]
+ * @param[out] t [num_pairs; time; member time]
  * @param[out] next [num_particles; time; optional] the least t of the pairs of each particle,
  *        infinity if there is none
  * @param[out] next_pair [num_particles; optional] the index of that pair, the first of several, or
@@ -240,7 +240,7 @@ PW85_API int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system co
  * are not valid for the other.
  *
  * @param cell [3×3; length; independent rows] rows = vectors
- * @param[out] reduced [3×3; length] may be the same array as cell
+ * @param[out] reduced [3×3; length; member cell] may be the same array as cell
  * @return #PW85_SUCCESS or #PW85_EINVAL (a null pointer, a cell that is singular or not finite) */
 PW85_API int pw85_cell_reduce(double const cell[9], double reduced[9]);
 
@@ -315,8 +315,8 @@ PW85_API int pw85_neighbors_create(pw85_system const *system, double scale, doub
 /** The particle because of which a list cannot be made; arguments as for pw85_neighbors_create().
  *
  * @param system,scale,skin [as pw85_neighbors_create()]
- * @param[out] particle index of the first bad particle: its centre or form is invalid, or it is too
- *        far away; num_particles if there is none, 0 if `system` is null
+ * @param[out] particle [num_particles on error] index of the first bad particle: its centre or form
+ *        is invalid, or it is too far away; num_particles if there is none, 0 if `system` is null
  * @return the status of that particle; or of the other arguments, with `particle` =
  *        num_particles; #PW85_SUCCESS if only the memory or the number of images can be the
  *        cause */

@@ -22,8 +22,7 @@ extern "C" {
 
 /** Distance of closest approach of two ellipses, in closed form (the root of a quartic).
  *
- * @param direction [!= 0] from centre 1 to centre 2, of any length
- * @param q1,q2 [length²; definite] forms (xx, xy, yy) of the ellipses
+ * @param direction,q1,q2 [as pw85_closest_approach_2d()]
  * @param[out] distance [length] of the centres at external tangency
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_zheng_ellipses(double const direction[2], double const q1[3], double const q2[3],
@@ -32,8 +31,7 @@ PW85_API int pw85_zheng_ellipses(double const direction[2], double const q1[3], 
 /** Distance of closest approach of two ellipsoids: the largest of those of the ellipses that a
  * plane through the line of centres cuts out, as the plane turns.
  *
- * @param direction [!= 0] from centre 1 to centre 2, of any length
- * @param q1,q2 [length²; definite] forms of the ellipsoids
+ * @param direction,q1,q2 [as pw85_closest_approach()]
  * @param[out] distance [length] of the centres at external tangency
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_zheng_ellipsoids(double const direction[3], double const q1[6],

@@ -90,7 +90,7 @@ export interface Pw85 {
     /**
      * Contact function of two ellipsoids, by a third-order iteration on log(λ/(1-λ)).
      * The relative error of μ² is below 4 u cond, with u = 2⁻⁵³ and the entrywise condition number of
-     * `pw85_condition` in the C API, also for forms that are singular to working precision. The function
+     * `pw85_condition()` of the C API, also for forms that are singular to working precision. The function
      * evaluates f at most 157 times.
      * @param r12 From the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid: μ² = 0, λ = 1/2. 3
      *   numbers.
@@ -138,11 +138,11 @@ export interface Pw85 {
 
     /**
      * Volume of the common part of two ellipsoids.
-     * The volume is 0 exactly if `overlap()` says that the ellipsoids do not overlap. It is `pw85_volume` in the
-     * C API of the smaller ellipsoid exactly if `pw85_contains` in the C API says that this one is inside the
-     * other one. Otherwise the error is below u (64 v + 16 s), with u = 2⁻⁵³, the volume v of the smaller one,
-     * and s = Σ|r12_i ∂V/∂r12_i| + Σ √(q1_ii q1_jj) |∂V/∂q1_ij| + the same sum for q2, over the entries and
-     * derivatives of `pw85_overlap_volume_gradient` in the C API. If the common part, or what remains of the
+     * The volume is 0 exactly if `overlap()` says that the ellipsoids do not overlap. It is `pw85_volume()` of
+     * the C API of the smaller ellipsoid exactly if `pw85_contains()` of the C API says that this one is inside
+     * the other one. Otherwise the error is below u (64 v + 16 s), with u = 2⁻⁵³, the volume v of the smaller
+     * one, and s = Σ|r12_i ∂V/∂r12_i| + Σ √(q1_ii q1_jj) |∂V/∂q1_ij| + the same sum for q2, over the entries and
+     * derivatives of `pw85_overlap_volume_gradient()` of the C API. If the common part, or what remains of the
      * smaller ellipsoid, is as thin as rounding errors, it may count as empty: the volume is then 0, or that of
      * the smaller ellipsoid.
      * @param r12 From the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid. 3 numbers.
@@ -163,7 +163,7 @@ export interface Pw85 {
      * by u Σ. Here n is the unit normal, and α and β are the half-widths of the ellipsoids along it. The answer
      * can be checked independently: any unit vector n gives a lower bound n·r12 - α - β of the distance, and any
      * two points of the ellipsoids give an upper bound. `distance` is the lower bound for the normal that
-     * `pw85_distance_derivatives` in the C API returns, and |point2 - point1| is an upper bound.
+     * `pw85_distance_derivatives()` of the C API returns, and |point2 - point1| is an upper bound.
      * The vector point2 - point1 differs from `distance` times n by less than 2¹⁸ u (|r12| + |point1| + |r12 -
      * point2|), and |point2 - point1| differs from `distance` by no more than that. The points are the closest
      * points of a pair whose r12 differs by no more than that. The distance of each point from the surface is

@@ -266,6 +266,50 @@ void test_walls()
         pw85_hard_ellipsoids_set_walls(periodic, 1, &across, nullptr));
 }
 
+/// Walls that cut the first particle: with its centre in the wall, the numbers of the wall are told.
+void test_cuts()
+{
+    Simulation const open({5, 6, 7}, nullptr, {0, 0, 0}), flat = in_plane();
+    constexpr char cut[] = "must not cut a particle: move one of them",
+                   plane[] = "must not have a particle in them, where normal·x >= offset: correct "
+                             "the numbers of the wall, or move the particle",
+                   round[] = "must not have a particle in them, beyond the radius: correct the "
+                             "numbers of the wall, or move the particle",
+                   box[] = "must not have a particle in them, outside of the box: correct the "
+                           "numbers of the wall, or move the particle";
+    struct {
+        pw85_hard_ellipsoids *simulation;
+        pw85_wall wall;
+        char const *requirement;
+    } const cases[] = {
+        {open, {PW85_WALL_PLANE, {}, {0, 0, 2}, 15}, cut},
+        {open, {PW85_WALL_PLANE, {}, {0, 0, 2}, 14}, plane},
+        {open, {PW85_WALL_PLANE, {}, {0, 0, -2}, -15}, plane},
+        {open, {PW85_WALL_SPHERE, {5, 6, 7.25}, {}, 0.5}, cut},
+        {open, {PW85_WALL_SPHERE, {5, 6, 9}, {}, 2}, round},
+        {open, {PW85_WALL_CYLINDER, {5, 6.25, -99}, {0, 0, 3}, 0.5}, cut},
+        {open, {PW85_WALL_CYLINDER, {5, 9, -99}, {0, 0, 3}, 2}, round},
+        {open, {PW85_WALL_BOX, {4.5, 0, 0}, {99, 99, 99}, 0}, cut},
+        {open, {PW85_WALL_BOX, {0, 0, 0}, {99, 5, 99}, 0}, box},
+        {open, {PW85_WALL_BOX, {0, 0, 8}, {99, 99, 99}, 0}, box},
+        {flat, {PW85_WALL_SPHERE, {0, 0, 99}, {}, 0.5}, cut},
+        {flat, {PW85_WALL_SPHERE, {99, 0, 0}, {}, 9}, round},
+        {flat, {PW85_WALL_BOX, {-0.5, -9, 99}, {9, 9, 99}, 0}, cut},
+    };
+    for (auto const &[simulation, wall, requirement] : cases) {
+        pw85_wall const both[] = {{PW85_WALL_BOX, {-1e3, -1e3, -1e3}, {1e3, 1e3, 1e3}, 0}, wall};
+        int32_t overlap[2];
+        Expected{"pw85_hard_ellipsoids_set_walls", "walls", requirement,
+                 1}(pw85_hard_ellipsoids_set_walls(simulation, 2, both, overlap), PW85_EOVERLAP);
+        g_assert_cmpint(overlap[0], ==, 0);
+        g_assert_cmpint(overlap[1], ==, 1);
+    }
+    constexpr double corners[] = {4, 6, 7, 6, 6, 7, 5, 7, 7};
+    constexpr int32_t triangles[] = {0, 1, 2};
+    Expected{"pw85_hard_ellipsoids_set_mesh", "triangles", cut}(
+        pw85_hard_ellipsoids_set_mesh(open, 3, corners, 1, triangles, nullptr), PW85_EOVERLAP);
+}
+
 void test_fields()
 {
     Simulation const one({4, 4, 4});
@@ -485,6 +529,7 @@ int main(int argc, char **argv)
     g_test_add_func("/causes/lists", test_lists);
     g_test_add_func("/causes/meshes", test_meshes);
     g_test_add_func("/causes/walls", test_walls);
+    g_test_add_func("/causes/cuts", test_cuts);
     g_test_add_func("/causes/fields", test_fields);
     g_test_add_func("/causes/potentials", test_potentials);
     g_test_add_func("/causes/laws", test_laws);

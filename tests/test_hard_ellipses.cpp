@@ -740,6 +740,10 @@ void test_open_planes()
     g_assert_true(open.sweep(50) == Status::success);
     expect_no_overlap(open);
     HardEllipsoids none;
+    std::vector<pw85::SymmetricMatrix<double, 3>> const forms(plane.centers.size() + 1);
+    g_assert_true(hard_ellipsoids_create({plane.centers, forms, nullptr}, plane.semi_axes,
+                                         plane.quaternions, 1, none,
+                                         pair) == Status::invalid_argument);
     g_assert_true(hard_ellipsoids_create({{}, {}, nullptr}, {}, {}, 1, none, pair) ==
                   Status::success);
     g_assert_true(none.set_dimensions(2) == Status::success && none.sweep(2) == Status::success);

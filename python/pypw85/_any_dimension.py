@@ -68,7 +68,7 @@ def nd_contact(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> tuple[Any, Any]:
     """
     rows = _Rows("nd_contact", r12, q1, q2)
     mu2, lambda_ = np.empty(rows.count), np.empty(rows.count)
-    rows.check(_core.nd_contact(*rows.arrays, mu2, lambda_))
+    rows.check(_core.nd_contact_batch(rows.n, *rows.arrays, mu2, lambda_))
     return rows.shaped(mu2), rows.shaped(lambda_)
 
 
@@ -102,7 +102,7 @@ def nd_contact_geometry(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, lambda_: A
     """
     rows = _Rows("nd_contact_geometry", r12, q1, q2, lambda_=lambda_)
     outputs = [np.empty((rows.count, size)) for size in (rows.n, rows.n, rows.n, rows.size, rows.size)]
-    rows.check(_core.nd_contact_geometry(*rows.arrays, *outputs))
+    rows.check(_core.nd_contact_geometry_batch(rows.n, *rows.arrays, *outputs))
     return NdContactGeometry(*map(rows.shaped, outputs))
 
 
@@ -133,7 +133,7 @@ def nd_overlap(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     """
     rows = _Rows("nd_overlap", r12, q1, q2)
     overlap = np.empty(rows.count, dtype=np.uint8)
-    rows.check(_core.nd_overlap(*rows.arrays, overlap))
+    rows.check(_core.nd_overlap_batch(rows.n, *rows.arrays, overlap))
     return rows.shaped(overlap.astype(bool))
 
 
@@ -165,7 +165,7 @@ def nd_compare(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, mu2: ArrayLike) -> 
     """
     rows = _Rows("nd_compare", r12, q1, q2, mu2=mu2)
     sign = np.empty(rows.count, dtype=np.intc)
-    rows.check(_core.nd_compare(*rows.arrays, sign))
+    rows.check(_core.nd_compare_batch(rows.n, *rows.arrays, sign))
     return rows.shaped(sign)
 
 
@@ -196,7 +196,7 @@ def nd_contains(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     """
     rows = _Rows("nd_contains", r12, q1, q2)
     contains = np.empty(rows.count, dtype=np.uint8)
-    rows.check(_core.nd_contains(*rows.arrays, contains))
+    rows.check(_core.nd_contains_batch(rows.n, *rows.arrays, contains))
     return rows.shaped(contains.astype(bool))
 
 
@@ -232,7 +232,7 @@ def nd_containment(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> tuple[Any, A
     """
     rows = _Rows("nd_containment", r12, q1, q2)
     mu2, point = np.empty(rows.count), np.empty((rows.count, rows.n))
-    rows.check(_core.nd_containment(*rows.arrays, mu2, point))
+    rows.check(_core.nd_containment_batch(rows.n, *rows.arrays, mu2, point))
     return rows.shaped(mu2), rows.shaped(point)
 
 
@@ -264,7 +264,7 @@ def nd_distance(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> NdDistance:
     """
     rows = _Rows("nd_distance", r12, q1, q2)
     outputs = [np.empty(rows.count), *(np.empty((rows.count, rows.n)) for _ in range(3))]
-    rows.check(_core.nd_distance(*rows.arrays, *outputs))
+    rows.check(_core.nd_distance_batch(rows.n, *rows.arrays, *outputs))
     return NdDistance(*map(rows.shaped, outputs))
 
 

@@ -172,15 +172,15 @@ def _enclose(name: str, function: Any, tolerance: float, **inputs: Floats) -> tu
     """Calls a function of C for points, or for centres and forms."""
     what, rows = next(iter(inputs.items()))
     m, n = rows.shape
-    center, q, excess = np.empty(n), np.empty(n * (n + 1) // 2), np.empty(1)
-    status = function(*inputs.values(), tolerance, center, q, excess)
+    center, q = np.empty(n), np.empty(n * (n + 1) // 2)
+    status, excess = function(n, *inputs.values(), tolerance, center, q)
     if not status:
-        return center, q, float(excess[0])
+        return center, q, excess
     cause = last_cause("row", tolerance=tolerance, m=m, **inputs)
     if status != Status.ECONVERGENCE:
         raise PW85Error(status, name, _core.strerror(status), f"{what}: {cause}" if cause.startswith("m must") else cause)
-    warnings.warn(f"{name}: the excess is {excess[0]:.3g}, above the tolerance {tolerance:g}", RuntimeWarning, stacklevel=3)
-    return center, q, float(excess[0])
+    warnings.warn(f"{name}: the excess is {excess:.3g}, above the tolerance {tolerance:g}", RuntimeWarning, stacklevel=3)
+    return center, q, excess
 
 
 def _points(points: ArrayLike, name: str) -> Floats:

@@ -16,13 +16,6 @@ from ._errors import PW85Error
 
 _FORM = re.compile(r"q\d?$")
 
-# Functions of libraries that tell no causes, by the names of their arguments: the function that refuses the same ones, and its arguments.
-_SAME_ARGUMENTS = {
-    ("lambda_", "r12", "q1", "q2"): ("condition", (1, 2, 3, 0)),
-    ("r12", "q1", "q2"): ("contact", (0, 1, 2)),
-    ("direction", "q1", "q2"): ("closest_approach", (0, 1, 2)),
-}
-
 
 def raise_status(status: int, name: str, arguments: tuple[Any, ...]) -> None:
     """Called by the compiled part when a call for one row has failed."""
@@ -98,8 +91,6 @@ def _marked_rows(name: str, flat: list[NDArray[np.float64]]) -> NDArray[np.intp]
 def _last_cause(name: str, arguments: tuple[Any, ...]) -> str:
     """The cause that the library gives for the last refusal, of one row, with the value of the argument."""
     names, cause = names_of_inputs(name), _core.last_error()
-    if cause is None:
-        cause = _cause_of_same_arguments(name, tuple(names), arguments)
     if cause is None or cause[1] is None:
         return ""
     argument = next((one for one in names if one.startswith(cause[1])), cause[1])
@@ -108,19 +99,6 @@ def _last_cause(name: str, arguments: tuple[Any, ...]) -> str:
     if cause[2].endswith("NaN"):  # which is the value
         return f"{argument} {cause[2]}"
     return f"{argument} {cause[2]}, not {np.asarray(plain(arguments[names.index(argument)]), dtype=np.float64).tolist()}"
-
-
-def _cause_of_same_arguments(
-    name: str, names: tuple[str, ...], arguments: tuple[Any, ...]
-) -> tuple[str, str | None, str, int, int, float] | None:
-    """The cause that a function with the same arguments tells; none if there is no such function."""
-    other, order = _SAME_ARGUMENTS.get(names, ("", ()))
-    if not other:
-        return None
-    is_plane = np.shape(plain(arguments[order[0]])) == (2,)
-    with np.errstate(all="ignore"):
-        getattr(_core, other + "_2d" * is_plane)(*(plain(arguments[k]) for k in order))
-    return _core.last_error()
 
 
 def explain_shapes(name: str, arguments: tuple[Any, ...]) -> str:

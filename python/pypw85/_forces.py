@@ -62,10 +62,10 @@ def contact_derivatives_pairs(
     if is_device_array(pairs):
         return ContactDerivatives(*apply_to_pairs("contact_derivatives", pairs, centers, q, _cell(cell), images))
     arrays = _pair_list(pairs, centers, q, cell, images)
-    n = len(arrays[0])
+    n = len(arrays.pairs)
     result = ContactDerivatives(np.empty(n), np.empty(n), *(np.empty((n, 3)) for _ in range(5)))
     status = _core.contact_derivatives_pairs(*arrays, *result)
-    check_list(status, "contact_derivatives_pairs", *arrays)
+    check_list(status, "contact_derivatives_pairs", arrays)
     return result
 
 
@@ -113,17 +113,18 @@ def contact_forces_pairs(
            [ 0.75,  0.  ,  0.  ]])
     """
     arrays = _pair_list(pairs, centers, None, cell, images)
-    n, num_particles = len(arrays[0]), len(arrays[1])
+    n, num_particles = len(arrays.pairs), len(arrays.centers)
     slopes = np.require(reals(d_u, "d_u"), np.float64, ["C", "A"])
     if slopes.shape != (n,):
         raise ValueError(f"the shape of d_u must be ({n},), not {slopes.shape}")
     rows = [_rows(getattr(derivatives, name), 3, name) for name in ("d_r12", "d_rot1", "d_rot2")]
     if any(len(array) != n for array in rows):
         raise ValueError(f"the derivatives must have {n} rows, one for each pair")
-    result = ContactForces(np.empty((num_particles, 3)), np.empty((num_particles, 3)), np.empty((3, 3)))
-    status = _core.contact_forces_pairs(*arrays, slopes, *rows, *result)
-    check_list(status, "contact_forces_pairs", *arrays)
-    return result
+    forces, torques = np.empty((num_particles, 3)), np.empty((num_particles, 3))
+    given = (one for name, one in arrays._asdict().items() if name != "q")
+    status, virial = _core.contact_forces_pairs(*given, slopes, *rows, forces, torques)
+    check_list(status, "contact_forces_pairs", arrays)
+    return ContactForces(forces, torques, np.reshape(virial, (3, 3)))
 
 
 class Law(NamedTuple):
@@ -222,11 +223,10 @@ def law_forces_pairs(
            [ 2.,  0.,  0.]]))
     """
     arrays = _pair_list(pairs, centers, q, cell, images)
-    num_particles = len(arrays[1])
+    num_particles = len(arrays.centers)
     law = checked_law(law, "law_forces_pairs: law")
     parameters = np.require(law.parameters, np.float64, ["C", "A"])
-    energy = np.empty(1)
-    result = LawForces(0.0, np.empty((num_particles, 3)), np.empty((num_particles, 3)), np.empty((3, 3)))
-    status = _core.law_forces_pairs(*arrays, law.kind, parameters, energy, *result[1:])
-    check_list(status, "law_forces_pairs", *arrays, num_parameters=len(parameters), parameters=parameters)
-    return result._replace(energy=float(energy[0]))
+    forces, torques = np.empty((num_particles, 3)), np.empty((num_particles, 3))
+    status, energy, virial = _core.law_forces_pairs(*arrays, law.kind, parameters, forces, torques)
+    check_list(status, "law_forces_pairs", arrays, num_parameters=len(parameters), parameters=parameters)
+    return LawForces(energy, forces, torques, np.reshape(virial, (3, 3)))

@@ -96,10 +96,10 @@ def first_contact_pairs(
     """
     arrays = _pair_list(pairs, centers, q, cell, images)
     rows = _rows(motions, 7, "motions")
-    if len(rows) != len(arrays[1]):
-        raise ValueError(f"{len(arrays[1])} centers, but {len(rows)} motions")
-    n, num_particles = len(arrays[0]), len(rows)
+    if len(rows) != len(arrays.centers):
+        raise ValueError(f"{len(arrays.centers)} centers, but {len(rows)} motions")
+    n, num_particles = len(arrays.pairs), len(rows)
     result = Events(np.empty(n), np.empty(num_particles), np.empty(num_particles, dtype=np.int64))
     status = _core.first_contact_pairs(*arrays, rows, float(t_max), *result)
-    check_list(status, "first_contact_pairs", *arrays)
+    check_list(status, "first_contact_pairs", arrays)
     return result

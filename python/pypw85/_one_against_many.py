@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._errors import PW85Error, check_status, last_cause
-from ._pairs import _cell, _images, _int32, _particles, _rows
+from ._pairs import ALL_PERIODIC, _cell, _images, _int32, _particles, _rows
 
 
 def overlap_any_indices(
@@ -67,13 +67,14 @@ def overlap_any_indices(
         others = np.empty(0, np.int32)
     if others.ndim != 1 or others.dtype.kind not in "iu":
         raise ValueError("indices must be a row of integers")
-    one, form = _rows(np.asarray(center)[np.newaxis], 3, "center"), _rows(np.asarray(q1)[np.newaxis], 6, "q1")
+    one, form = _rows(np.asarray(center)[np.newaxis], 3, "center")[0], _rows(np.asarray(q1)[np.newaxis], 6, "q1")[0]
     points, forms = _particles(centers, q)
     rows, vectors = _int32(others, "indices"), _cell(cell)
-    status, overlap = _core.overlap_any_indices(one, form, rows, points, forms, vectors, _images(images, len(others), cell is not None))
+    multiples = _images(images, len(others), cell is not None)
+    status, overlap = _core.overlap_any_indices(one, form, points, forms, vectors, ALL_PERIODIC, rows, multiples)
     if status:
         r12, q2 = points.take(rows, axis=0, mode="clip") - one, forms.take(rows, axis=0, mode="clip")
-        cause = last_cause(cell=vectors, indices=rows.tolist(), r12=r12, q1=form[0], q2=q2)
+        cause = last_cause(cell=vectors, indices=rows.tolist(), r12=r12, q1=form, q2=q2)
         detail = cause.replace("index of a particle", f"index of the {len(points)} particles")
         raise PW85Error(status, "overlap_any_indices", _core.strerror(status), detail)
     return bool(overlap)
@@ -111,12 +112,12 @@ def overlap_any(q1: ArrayLike, r12: ArrayLike, q2: ArrayLike) -> bool:
     >>> pypw85.overlap_any(q[0], [[3, 0, 0], [0, 1.5, 0]], q)
     True
     """
-    form = _rows(np.asarray(q1)[np.newaxis], 6, "q1")
+    form = _rows(np.asarray(q1)[np.newaxis], 6, "q1")[0]
     separations, forms = _rows(r12, 3, "r12"), _rows(q2, 6, "q2")
     if len(separations) != len(forms):
         raise ValueError(f"{len(separations)} separations, but {len(forms)} forms")
     status, overlap = _core.overlap_any(form, separations, forms)
-    check_status(status, "overlap_any", r12=separations, q1=form[0], q2=forms)
+    check_status(status, "overlap_any", r12=separations, q1=form, q2=forms)
     return bool(overlap)
 
 
@@ -151,6 +152,6 @@ def nearest_image_limit(q: ArrayLike, cell: ArrayLike) -> float:
     """
     rows = _cell(cell)
     forms = _rows(q, 6, "q")
-    status, limit = _core.nearest_image_limit(forms, rows)
+    status, limit = _core.nearest_image_limit(forms, rows, ALL_PERIODIC)
     check_status(status, "nearest_image_limit", q=forms, cell=rows)
     return float(limit)

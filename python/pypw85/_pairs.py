@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NoReturn, cast
+from typing import Any, NamedTuple, NoReturn, cast
 from collections.abc import Callable
 
 import numpy as np
@@ -17,6 +17,20 @@ from ._errors import describe
 from ._explanations import form_hint
 from ._typing import Floats
 from ._words import counted
+
+ALL_PERIODIC = np.ones(3, np.int32)  # all vectors of a cell
+
+
+class PairList(NamedTuple):
+    """Pairs and their system, in the order of the arguments of the compiled functions."""
+
+    pairs: NDArray[np.int32]
+    images: NDArray[np.int32] | None
+    centers: Floats
+    q: Floats | None
+    cell: Floats | None
+    periodic: NDArray[np.int32] = ALL_PERIODIC
+
 
 @documented
 def contact_pairs(
@@ -54,9 +68,9 @@ def contact_pairs(
             raise TypeError("contact_pairs: with arrays on a GPU, there can be no 'out'")
         return cast("tuple[Floats, Floats]", apply_to_pairs("contact", pairs, centers, q, _cell(cell), images))
     arrays = _pair_list(pairs, centers, q, cell, images)
-    mu2, lambda_ = _outputs(out, len(arrays[0]))
+    mu2, lambda_ = _outputs(out, len(arrays.pairs))
     status = _core.contact_pairs(*arrays, mu2, lambda_)
-    check_list(status, "contact_pairs", *arrays)
+    check_list(status, "contact_pairs", arrays)
     return mu2, lambda_
 
 
@@ -98,9 +112,9 @@ def overlap_pairs(
     if is_device_array(pairs):
         return cast("NDArray[Any]", apply_to_pairs("overlap", pairs, centers, q, _cell(cell), images, dtype))
     arrays = _pair_list(pairs, centers, q, cell, images)
-    codes = np.empty(len(arrays[0]), dtype=np.uint8)
+    codes = np.empty(len(arrays.pairs), dtype=np.uint8)
     status = _core.overlap_pairs(*arrays, codes)
-    check_list(status, "overlap_pairs", *arrays, report=_core.report_overlap_pairs)
+    check_list(status, "overlap_pairs", arrays, report=_core.report_overlap_pairs)
     if np.dtype(dtype) == np.uint8:
         return codes
     np.minimum(codes, 1, out=codes)
@@ -139,9 +153,9 @@ def overlap_volume_pairs(
     array([1.309])
     """
     arrays = _pair_list(pairs, centers, q, cell, images)
-    volume = np.empty(len(arrays[0]))
+    volume = np.empty(len(arrays.pairs))
     status = _core.overlap_volume_pairs(*arrays, volume)
-    check_list(status, "overlap_volume_pairs", *arrays, report=_core.report_overlap_volume_pairs)
+    check_list(status, "overlap_volume_pairs", arrays, report=_core.report_overlap_volume_pairs)
     return volume
 
 
@@ -176,11 +190,10 @@ def nearest_images(
     >>> pypw85.nearest_images([[0, 1]], [[0, 0, 0], [9, 0, 0]], 10 * np.eye(3))
     (array([[-1.,  0.,  0.]]), array([[-1,  0,  0]], dtype=int32))
     """
-    rows = _rows(centers, 3, "centers")
-    indices, vectors = _indices(pairs, len(rows)), _cell(cell)
-    r12, images = np.empty((len(indices), 3)), np.empty((len(indices), 3), dtype=np.int32)
-    status = _core.nearest_images(indices, rows, vectors, r12, images)
-    check_list(status, "nearest_images", indices, rows, None, vectors, None, report=lambda status: None)
+    arrays = _pair_list(pairs, centers, None, cell, None)
+    r12, images = np.empty((len(arrays.pairs), 3)), np.empty((len(arrays.pairs), 3), dtype=np.int32)
+    status = _core.nearest_images(arrays.pairs, arrays.centers, arrays.cell, arrays.periodic, r12, images)
+    check_list(status, "nearest_images", arrays, report=lambda status: None)
     return r12, images
 
 
@@ -195,11 +208,11 @@ def _outputs(out: Any, count: int) -> tuple[Floats, Floats]:
 
 def _pair_list(
     pairs: ArrayLike, centers: ArrayLike, q: ArrayLike | None, cell: ArrayLike | None, images: ArrayLike | None
-) -> tuple[NDArray[np.int32], Floats, Floats | None, Floats | None, NDArray[np.int32] | None]:
+) -> PairList:
     """Contiguous arrays of the types that the library takes. Arrays of these types are not copied. No forms if `q` is None."""
     rows, forms = (_rows(centers, 3, "centers"), None) if q is None else _particles(centers, q)
     indices = _indices(pairs, len(rows))
-    return indices, rows, forms, _cell(cell), _images(images, len(indices), cell is not None)
+    return PairList(indices, _images(images, len(indices), cell is not None), rows, forms, _cell(cell))
 
 
 def _particles(centers: ArrayLike, q: ArrayLike) -> tuple[Floats, Floats]:
@@ -278,15 +291,7 @@ def _refuse_pair(pair: int, indices: NDArray[Any], num_particles: int) -> NoRetu
 
 
 def check_list(
-    status: int,
-    name: str,
-    pairs: NDArray[np.int32],
-    centers: Floats,
-    q: Floats | None,
-    cell: Floats | None,
-    images: NDArray[np.int32] | None,
-    report: Callable[[int], None] = _core.report_contact_pairs,
-    **others: Any,
+    status: int, name: str, arrays: PairList, report: Callable[[int], None] = _core.report_contact_pairs, **others: Any
 ) -> None:
     """Raises the exception for a list that was refused as a whole, with the cause that the library gives. Calls report(status) if pairs
     of it are bad: then the cause is that of one pair, or of its centres."""
@@ -296,6 +301,6 @@ def check_list(
     if cause is None or cause[0] != f"pw85_{name}" or cause[1] == "centers":
         report(status)
     elif cause[1] == "pairs":
-        _refuse_pair(cause[3], pairs, len(centers))
+        _refuse_pair(cause[3], arrays.pairs, len(arrays.centers))
     else:
-        raise ValueError(f"{name}: {describe(cause, cell=cell, **others)}")
+        raise ValueError(f"{name}: {describe(cause, cell=arrays.cell, **others)}")

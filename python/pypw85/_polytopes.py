@@ -52,7 +52,7 @@ def contact_polytope(
     """
     arrays = _polytope(centers, q, normals, offsets)
     mu2, point = np.empty(len(arrays[0])), np.empty((len(arrays[0]), 3))
-    _check(_core.contact_polytope(*arrays, mu2, point), "contact_polytope", *arrays)
+    _check(_core.contact_polytope_batch(*arrays, mu2, point), "contact_polytope", *arrays)
     return mu2, point
 
 
@@ -88,7 +88,7 @@ def overlap_polytope(
     """
     arrays = _polytope(centers, q, normals, offsets)
     overlap = np.empty(len(arrays[0]), dtype=np.uint8)
-    _check(_core.overlap_polytope(*arrays, overlap), "overlap_polytope", *arrays)
+    _check(_core.overlap_polytope_batch(*arrays, overlap), "overlap_polytope", *arrays)
     return overlap.astype(bool)
 
 

@@ -28,7 +28,6 @@ from ._surroundings import (
     checked_field,
     checked_wall,
     compile_potential,
-    describe_cut,
 )
 from ._system import System
 from ._typing import Floats
@@ -229,10 +228,9 @@ class HardEllipsoids:
         with self._lock:
             status, (particle, cutting) = _core.hard_ellipsoids_set_walls(self._simulation, _records(given, _WALL))
         if status:
-            cause = last_cause("wall", walls=given)
-            if particle >= 0:
-                cause = f"wall {cutting}, {given[cutting]}: {describe_cut(given[cutting], self.centers[particle], ids[particle])}"
-            self._fail(status, "set_walls", cause)
+            is_cut = particle >= 0
+            where = f"wall {cutting}, {given[cutting]}, particle {ids[particle]}: " if is_cut else ""
+            self._fail(status, "set_walls", where + (last_cause() if is_cut else last_cause("wall", walls=given)))
 
     def set_mesh(self, mesh: Mesh | None) -> None:
         """Sets the hard mesh, in place of the one that there is: triangles that no particle meets, beside the walls.

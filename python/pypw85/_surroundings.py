@@ -187,21 +187,6 @@ class Field(NamedTuple):
         return cls(3, number, (0.0, 0.0, 0.0), vector, size)
 
 
-def describe_cut(wall: Wall, center: ArrayLike, particle: object) -> str:
-    """Says that a wall and a particle meet. If the centre is in the wall, its numbers may have another sign than was meant."""
-    offset, vector = np.asarray(center, dtype=np.float64) - wall.point, np.array(wall.vector)
-    if wall.kind == 0:
-        where, is_inside = f"normal·x >= {wall.size:g}", offset @ vector >= wall.size
-    elif wall.kind == 3:
-        where, is_inside = "outside of the box", not ((offset >= 0) & (offset <= vector - wall.point)).all()
-    else:
-        across = offset if wall.kind == 1 else np.cross(offset, vector) / np.linalg.norm(vector)
-        where, is_inside = f"beyond the radius {wall.size:g}", np.linalg.norm(across) >= wall.size
-    if is_inside:
-        return f"particle {particle} is in the wall, which is {where}: correct the numbers of the wall, or move the particle"
-    return f"it cuts particle {particle}: move one of them"
-
-
 def checked_wall(wall: Wall, name: str) -> Wall:
     """A wall with an integer, two vectors and a number, whatever they mean."""
     point, vector = _vector(f"{name}: point", wall.point), _vector(f"{name}: vector", wall.vector)

@@ -26,68 +26,6 @@ struct Callable {
 /// Callable; `out` is None, an array or a tuple; `keywords` is a dict.
 PyObject *call(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
-/// contact_pairs(pairs, centers, q, cell or None, images or None, mu2, lambda): status. Arrays are
-/// contiguous and of the right type.
-PyObject *contact_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// overlap_pairs(pairs, centers, q, cell or None, images or None, overlap): status. Arrays are
-/// contiguous and of the right type.
-PyObject *overlap_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// overlap_volume_pairs(pairs, centers, q, cell or None, images or None, volume): status. Arrays
-/// are contiguous and of the right type.
-PyObject *overlap_volume_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// first_contact_pairs(pairs, centers, q, cell or None, images or None, motions, t_max, t, next,
-/// next_pair): status. As above.
-PyObject *first_contact_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// contact_derivatives_pairs(pairs, centers, q, cell or None, images or None, mu2, lambda, point,
-/// normal, d_r12, d_rot1, d_rot2): status. Arrays are contiguous and of the right type.
-PyObject *contact_derivatives_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// overlap_any(q1 of one row, r12, q2): (status, any).
-PyObject *overlap_any(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// enclosing_ellipsoid(points, tolerance, center, q, excess): status. Arrays are contiguous and of
-/// the right type.
-PyObject *enclosing_ellipsoid(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// enclosing_ellipsoid_of(centers, forms, tolerance, center, q, excess): status. As above.
-PyObject *enclosing_ellipsoid_of(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// random_points(q, surface, seed, points): status. Arrays are contiguous and of the right type.
-PyObject *random_points(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// contact_polytope(centers, q, normals, offsets, mu2, point): status. Arrays are contiguous and of
-/// the right type.
-PyObject *contact_polytope(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// overlap_polytope(centers, q, normals, offsets, overlap as uint8): status. As above.
-PyObject *overlap_polytope(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// nd_contact(r12, q1, q2, mu2, lambda): status. Arrays are contiguous and of the right type, with
-/// the number of dimensions as the columns of r12.
-PyObject *nd_contact(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// nd_contact_geometry(r12, q1, q2, lambda, point, normal, d_r12, d_q1, d_q2): status. As above.
-PyObject *nd_contact_geometry(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// nd_overlap(r12, q1, q2, overlap as uint8): status. As above.
-PyObject *nd_overlap(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// nd_contains(r12, q1, q2, contains as uint8): status. As above.
-PyObject *nd_contains(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// nd_compare(r12, q1, q2, mu2, sign as int): status. As above.
-PyObject *nd_compare(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// nd_distance(r12, q1, q2, distance, point1, point2, normal): status. As above.
-PyObject *nd_distance(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// nd_containment(r12, q1, q2, mu2, point): status. As above.
-PyObject *nd_containment(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
 /// gpu(name, stream, n, addresses and sizes...): status of pw85_gpu_... of this name.
 PyObject *gpu(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
@@ -107,18 +45,6 @@ PyObject *device_wait(PyObject *self, PyObject *stream);
 
 /// Adds the functions on objects of the library: neighbour lists, meshes, simulations.
 bool add_objects(PyObject *module);
-
-/// nearest_images(pairs, centers, cell, r12, images): status. Arrays are contiguous and of the
-/// right type.
-PyObject *nearest_images(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// overlap_any_indices(center of one row, q1 of one row, indices, centers, q, cell or None, images
-/// or None): (status, any).
-PyObject *overlap_any_indices(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// contact_forces_pairs(pairs, centers, q, cell or None, images or None, d_u, d_r12, d_rot1,
-/// d_rot2, forces, torques, virial): status.
-PyObject *contact_forces_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
 /// parse_rows(block, separator or 0, kinds): (numbers (rows, n), codes (rows, m) of int32, m lists
 /// of names that codes count), or None unless all lines of the block, which is bytes, are plain.
@@ -154,13 +80,6 @@ PyObject *form_of_voxel(PyObject *self, PyObject *args);
 
 /// random_addition_placed(object): (centers, quaternions, kinds).
 PyObject *random_addition_placed(PyObject *self, PyObject *capsule);
-
-/// law_forces_pairs(pairs, centers, q, cell or None, images or None, kind, parameters, energy (one
-/// number), forces, torques, virial): status.
-PyObject *law_forces_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// nearest_image_limit(q, cell): (status, mu2).
-PyObject *nearest_image_limit(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
 } // namespace pypw85
 

@@ -35,13 +35,23 @@ int status_of(double value, double const *a) noexcept
     return all_finite(a, PW85_SYM) ? PW85_ENOTPD : PW85_EINVAL;
 }
 
-/// Status of a function of λ and a pair: a bad λ if the pair is good.
-int status_of(double value, double const *r12, double const *q1, double const *q2) noexcept
+/// Status of a function of λ and a pair, which keeps no record: pw85_condition() refuses the same
+/// arguments, and records why.
+int status_of(double value, double const *lambda, double const *r12, double const *q1,
+              double const *q2) noexcept
 {
     if (!std::isnan(value)) return PW85_SUCCESS;
-    double ignored[2];
-    int const status = pw85_contact(r12, q1, q2, ignored);
+    double ignored;
+    int const status = pw85_condition(r12, q1, q2, *lambda, &ignored);
     return status != PW85_SUCCESS ? status : PW85_EINVAL;
+}
+
+/// Returns the status of a function that keeps no record. If it is refused, other() calls a
+/// function that refuses the same arguments, and records why.
+template <class Other> int recorded(int status, Other const &other) noexcept
+{
+    if (status != PW85_SUCCESS) other();
+    return status;
 }
 
 /// The numbers that a function has written into one array, as outputs.
@@ -77,7 +87,7 @@ int f(Inputs in, Outputs out)
     std::copy_n(in[2], PW85_SYM, params + PW85_DIM);
     std::copy_n(in[3], PW85_SYM, params + PW85_DIM + PW85_SYM);
     *out[0] = -pw85_f_neg(*in[0], params);
-    return status_of(*out[0], in[1], in[2], in[3]);
+    return status_of(*out[0], in[0], in[1], in[2], in[3]);
 }
 
 /// The pointer of a parameter of a batch function, of which `number` come before it, `inputs` of

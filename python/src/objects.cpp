@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Functions on objects of the library: neighbour lists, meshes, simulations. They are made
-// (api/python_objects.py). The Python layer converts and explains; what would read or write beyond
-// an array is refused here.
+// Functions on objects of the library, lists of pairs, systems, and arrays of any dimension. They
+// are made (api/python_objects.py). The Python layer converts and explains; what would read or
+// write beyond an array is refused here.
 #include <cstdint>
 #include <type_traits>
 
 #include <pw85.h>
+#include <pw85_any_dimension.h>
+#include <pw85_batch.h>
+#include <pw85_enclosing.h>
 #include <pw85_simulation.h>
 #include <pw85_systems.h>
 
@@ -19,6 +22,7 @@ namespace {
 template <class Element> constexpr int number_of_type = NPY_VOID;
 template <> constexpr int number_of_type<double> = NPY_DOUBLE;
 template <> constexpr int number_of_type<std::int32_t> = NPY_INT32;
+template <> constexpr int number_of_type<std::int64_t> = NPY_INT64;
 template <> constexpr int number_of_type<unsigned char> = NPY_UINT8;
 
 /// Reads the arguments of a call in their order. After an exception the others are zero or null.

@@ -110,15 +110,16 @@ def test_errors():
     assert error.status == Status.EINVAL and "wall 0 must be the same in all images of the cell, not Wall(" in str(error)
     slit = spheres(periodic=(True, True, False))
     error = error_of(slit.set_walls, [Wall.plane([0, 0, 1], 99), Wall.plane([0, 0, -1], 0.25)])
-    assert error.status == Status.EOVERLAP and "wall 1, Wall(" in str(error) and "): it cuts particle 0: move one of them" in str(error)
-    inside = [(Wall.plane([0, 0, 1], -20), "normal·x >= -20"), (Wall.sphere([9, 9, 9], 2), "beyond the radius 2"),
-              (Wall.cylinder([9, 9, 9], [0, 0, 3], 2), "beyond the radius 2"),
+    assert error.status == Status.EOVERLAP and "wall 1, Wall(" in str(error) and str(error).endswith(
+        "), particle 0: walls must not cut a particle: move one of them")
+    inside = [(Wall.plane([0, 0, 1], -20), "where normal·x >= offset"), (Wall.sphere([9, 9, 9], 2), "beyond the radius"),
+              (Wall.cylinder([9, 9, 9], [0, 0, 3], 2), "beyond the radius"),
               (Wall.box([9, 9, 9], [20, 20, 20]), "outside of the box")]  # fmt: skip
     for wall, where in inside:
         error = error_of(spheres(periodic=False).set_walls, [wall])
-        assert f"particle 0 is in the wall, which is {where}: correct the numbers of the wall" in str(error), error
+        assert f"particle 0: walls must not have a particle in them, {where}: correct the numbers of the wall" in str(error), error
     for wall in (Wall.sphere([0, 0, 0], 0.25), Wall.cylinder([0, 0, 0], [0, 0, 3], 0.25), Wall.box([-0.25] * 3, [20, 20, 20])):
-        assert "it cuts particle 0: move one of them" in str(error_of(spheres(periodic=False).set_walls, [wall]))
+        assert "particle 0: walls must not cut a particle: move one of them" in str(error_of(spheres(periodic=False).set_walls, [wall]))
     assert "field 0 must be the same in all images" in str(error_of(simulation.set_fields, [Field.linear([1, 0, 0])]))
     slit.set_walls([Wall.plane([0, 0, -1], 2.0)])
     assert "must have no walls" in str(error_of(slit.chain, 1, 1.0))

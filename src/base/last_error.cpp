@@ -217,11 +217,11 @@ int note_cause(int status, char const *argument, char const *requirement, std::s
 int refuse_noted(int status, char const *function, Argument const *arguments,
                  std::size_t count) noexcept
 {
-    if (noted.requirement == nullptr || noted.status != status)
-        return refuse(status, function, arguments, count);
-    noted.function = function;
-    pw85_error const cause = noted;
+    pw85_error cause = noted;
     noted.requirement = nullptr;
+    if (cause.requirement == nullptr || cause.status != status)
+        return refuse(status, function, arguments, count);
+    cause.function = function;
     return refuse(status, cause);
 }
 

@@ -121,8 +121,8 @@ struct Argument {
                              std::size_t row = 0, std::size_t entry = 0,
                              double value = std::numeric_limits<double>::quiet_NaN()) noexcept;
 
-/// Records the cause that was noted with this status and forgets it, or else records the first
-/// argument that explains the status. Returns the status.
+/// Records the cause that was noted with this status, or else the first argument that explains the
+/// status. Forgets what was noted. Returns the status.
 [[gnu::cold]] int refuse_noted(int status, char const *function, Argument const *arguments,
                                std::size_t count) noexcept;
 

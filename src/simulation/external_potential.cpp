@@ -112,13 +112,20 @@ double without_minus_infinity(double energy) noexcept
 
 } // namespace
 
-/// Returns the first wall that cuts a particle, or the triangle of the mesh that is nearest to a
-/// particle which the mesh cuts; -1 if there is none.
-std::int32_t ExternalPotential::first_cut(Particle const &particle, int dimensions) const noexcept
+/// Notes the cause for a particle that a wall or the mesh cuts. Returns the first wall that cuts it,
+/// or the triangle that is nearest to it.
+std::int32_t ExternalPotential::refuse_cut(Particle const &particle, int dimensions) const noexcept
 {
-    for (std::size_t k = 0; k < walls.size(); ++k)
-        if (simulation::cuts(walls[k], particle, dimensions)) return static_cast<std::int32_t>(k);
-    return mesh.cuts(particle) ? mesh.nearest(particle) : -1;
+    for (std::size_t k = 0; k < walls.size(); ++k) {
+        if (!simulation::cuts(walls[k], particle, dimensions)) continue;
+        auto const found = complaint_of_cut(walls[k], particle.center, dimensions);
+        note_cause(PW85_EOVERLAP, found.member, found.text, k);
+        return static_cast<std::int32_t>(k);
+    }
+    std::int32_t const nearest = mesh.nearest(particle);
+    note_cause(PW85_EOVERLAP, "triangles", "must not cut a particle: move one of them",
+               static_cast<std::size_t>(nearest));
+    return nearest;
 }
 
 bool ExternalPotential::cuts(Particle const &particle, int dimensions) const noexcept
@@ -210,8 +217,9 @@ int ExternalPotential::check(Configuration const &configuration,
                               "their images may meet the mesh",
                               i);
         if (!cuts(particle, configuration.dimensions)) continue;
+        std::int32_t const other = refuse_cut(particle, configuration.dimensions);
         if (overlap != nullptr) overlap[0] = static_cast<std::int32_t>(i);
-        if (overlap != nullptr) overlap[1] = first_cut(particle, configuration.dimensions);
+        if (overlap != nullptr) overlap[1] = other;
         return PW85_EOVERLAP;
     }
     return check_energies(configuration);

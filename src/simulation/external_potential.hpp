@@ -83,7 +83,7 @@ class ExternalPotential {
     int check(Configuration const &configuration, std::int32_t *overlap) const noexcept;
 
   private:
-    std::int32_t first_cut(Particle const &particle, int dimensions) const noexcept;
+    std::int32_t refuse_cut(Particle const &particle, int dimensions) const noexcept;
     int check_suited(Configuration const &configuration) const noexcept;
     int check_energies(Configuration const &configuration) const noexcept;
 };

@@ -158,24 +158,33 @@ bool is_repeated_across(Vector3 const &direction, Cell const &cell) noexcept
 
 namespace {
 
-/// Requirements on the members of a wall; null where they are not read.
+/// Requirements on the members of a wall, null where they are not read, and on the centres of
+/// particles.
 struct Requirements {
-    char const *point, *vector, *size;
+    char const *point, *vector, *size, *center;
 };
 
 constexpr char radius[] = "must be a radius > 0 whose square is finite and not 0";
+constexpr char within_radius[] =
+    "must not have a particle in them, beyond the radius: correct the numbers of the wall, "
+    "or move the particle";
 
 /// By the kind of the wall.
 constexpr Requirements requirements[] = {
-    {nullptr, "must be a normal that is finite and not zero", "must be an offset that is finite"},
-    {"must be a center that is finite", nullptr, radius},
-    {"must be a point that is finite", "must be an axis that is finite and not zero", radius},
-    {"must be a lower corner that is finite", "must be an upper corner that is finite", nullptr}};
+    {nullptr, "must be a normal that is finite and not zero", "must be an offset that is finite",
+     "must not have a particle in them, where normal·x >= offset: correct the numbers of "
+     "the wall, or move the particle"},
+    {"must be a center that is finite", nullptr, radius, within_radius},
+    {"must be a point that is finite", "must be an axis that is finite and not zero", radius,
+     within_radius},
+    {"must be a lower corner that is finite", "must be an upper corner that is finite", nullptr,
+     "must not have a particle in them, outside of the box: correct the numbers of the "
+     "wall, or move the particle"}};
 
 /// Checks that the numbers that are read are finite.
 MemberComplaint unless_all_finite(pw85_wall const &wall) noexcept
 {
-    auto const [point, vector, size] = requirements[wall.kind];
+    auto const [point, vector, size, center] = requirements[wall.kind];
     MemberComplaint found{};
     if (point != nullptr) found = unless_finite("point", point, wall.point, 3);
     if (vector != nullptr && found.text == nullptr)
@@ -223,6 +232,33 @@ MemberComplaint complaint_of(pw85_wall const &wall, Configuration const &configu
     if (found.text == nullptr) found = of_finite_numbers(wall, configuration.dimensions == 2);
     if (found.text != nullptr || is_repeated(wall, configuration.cell)) return found;
     return {"walls", "must be the same in all images of the cell"};
+}
+
+namespace {
+
+/// Returns whether a wall has a point, up to rounding errors.
+bool has_point(pw85_wall const &wall, Vector3 const &x, int dimensions) noexcept
+{
+    Vector3 const point = load_vector<3>(wall.point), from_point = x - point,
+                  vector = dimensions == 2 && wall.kind == PW85_WALL_SPHERE
+                               ? Vector3{0.0, 0.0, 1.0}
+                               : load_vector<3>(wall.vector);
+    if (wall.kind == PW85_WALL_PLANE) return dot(vector, x) >= wall.size;
+    if (wall.kind == PW85_WALL_SPHERE && dimensions == 3) return magnitude(from_point) >= wall.size;
+    if (wall.kind != PW85_WALL_BOX)
+        return magnitude(cross(from_point, vector)) >= wall.size * magnitude(vector);
+    bool outside = false;
+    for (int d = 0; d < dimensions; ++d) outside = outside || x[d] < point[d] || x[d] > vector[d];
+    return outside;
+}
+
+} // namespace
+
+MemberComplaint complaint_of_cut(pw85_wall const &wall, Vector3 const &center,
+                                 int dimensions) noexcept
+{
+    if (has_point(wall, center, dimensions)) return {"walls", requirements[wall.kind].center};
+    return {"walls", "must not cut a particle: move one of them"};
 }
 
 bool cuts(pw85_wall const &wall, Particle const &particle, int dimensions) noexcept

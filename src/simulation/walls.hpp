@@ -31,6 +31,11 @@ MemberComplaint complaint_of(pw85_wall const &wall, Configuration const &configu
 /// Returns whether a particle has inner points in a wall.
 bool cuts(pw85_wall const &wall, Particle const &particle, int dimensions) noexcept;
 
+/// Says why a wall is refused that cuts a particle with this centre. If the centre is in the wall,
+/// a number of the wall may have another sign than was meant.
+MemberComplaint complaint_of_cut(pw85_wall const &wall, Vector3 const &center,
+                                 int dimensions) noexcept;
+
 /// Returns whether something that does not change along a vector stays the same if it is moved by
 /// the periodic vectors of a cell: whether these vectors have no component along `normal`, up to
 /// rounding errors.

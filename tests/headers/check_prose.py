@@ -6,8 +6,8 @@
 
 rewords every sentence of the contracts at random: words are dropped, exchanged for others, and change their order. What stands in
 brackets behind the names of parameters stays, as do the names, the titles of sections, and the functions and rows of
-api/pw85_batch.h.in. All files that api/ makes must be the same as before, but for comments and docstrings. Then attributes are
-spoiled one by one: the parser must refuse each, and name the line.
+api/pw85_batch.h.in. All files that api/ makes must be the same as before, but for comments and docstrings. Then attributes and lines of
+the templates of C++ are spoiled one by one: the programs must refuse each, and name the line.
 """
 
 import ast
@@ -163,6 +163,31 @@ SPOILED = (
 )
 
 
+# What replaces a part of a template of C++, and what is said then.
+SPOILED_TEMPLATES = (
+    ("hard_ellipsoids", "@member sweep", "@member sweeps", "no function pw85_hard_ellipsoids_sweeps()"),
+    ("hard_ellipsoids", "        take: bool\n        is_free", "        takes: bool\n        is_free", "no such parameter: takes"),
+    ("hard_ellipsoids", "@member chain without direction", "@member chain without a direction", "not understood"),
+    ("neighbors", "@function neighbors_holds", "@functions neighbors_holds", "not understood"),
+)
+
+
+def complaints_of_templates(source, folder):
+    other = copied(source, folder / "templates")
+    for name, old, new, said in SPOILED_TEMPLATES:
+        template = other / f"api/{name}.hpp.in"
+        text = template.read_text(encoding="utf-8")
+        if old not in text:
+            yield f"{name}.hpp.in does not say {old}"
+            continue
+        template.write_text(text.replace(old, new, 1), encoding="utf-8")
+        command = [sys.executable, "-B", "-c", "import classes; classes.files()"]
+        done = subprocess.run(command, cwd=other / "api", capture_output=True, text=True)
+        template.write_text(text, encoding="utf-8")
+        if done.returncode == 0 or said not in done.stderr or f"{name}.hpp.in: @" not in done.stderr:
+            yield f"{new}: {done.stderr or 'accepted'}"
+
+
 def complaints_of_spoiling(source, folder):
     """What is refused by the parser alone, which reads all functions of pw85.h."""
     other = copied(source, folder / "spoiled")
@@ -181,7 +206,9 @@ def complaints_of_spoiling(source, folder):
 
 def main(source):
     with tempfile.TemporaryDirectory() as name:
-        found = [*complaints_of_rewording(source, Path(name)), *complaints_of_spoiling(source, Path(name))]
+        folder = Path(name)
+        parts = (complaints_of_rewording, complaints_of_spoiling, complaints_of_templates)
+        found = [complaint for part in parts for complaint in part(source, folder)]
     print("\n".join(found))
     return 1 if found else 0
 

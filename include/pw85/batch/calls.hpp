@@ -42,6 +42,16 @@ template <class Row> static bool fits(std::size_t n, std::span<Row> rows) noexce
     return rows.empty() || rows.size() == n;
 }
 
+/// An input that may be left out.
+template <class Row> struct Optional {
+    std::span<Row const> rows;
+};
+
+template <class Row> static Optional<Row> optional(std::span<Row const> input) noexcept
+{
+    return {input};
+}
+
 // Arguments of functions of n rows. Inputs have n rows. Outputs have n rows or none; those without
 // rows are null in C.
 
@@ -55,9 +65,19 @@ template <class Row> static bool has_rows(std::size_t n, std::span<Row> output) 
     return fits(n, output);
 }
 
+template <class Row> static bool has_rows(std::size_t n, Optional<Row> input) noexcept
+{
+    return fits(n, input.rows);
+}
+
 static inline bool has_rows(std::size_t, double) noexcept { return true; }
 
 static inline bool has_rows(std::size_t, int) noexcept { return true; }
+
+template <class... Arguments> static bool have_rows(std::size_t n, Arguments... all) noexcept
+{
+    return (has_rows(n, all) && ...);
+}
 
 template <class Row> static auto in_c(std::span<Row const> input) noexcept
 {
@@ -79,7 +99,7 @@ template <class Function, class First, class... Rest>
 static StatusCode call_rows(Function const &function, First first, Rest... rest) noexcept
 {
     std::size_t const n = first.size();
-    if (!(has_rows(n, rest) && ...)) return StatusCode::invalid_argument;
+    if (!have_rows(n, rest...)) return StatusCode::invalid_argument;
     return static_cast<StatusCode>(function(n, in_c(first), in_c(rest)...));
 }
 

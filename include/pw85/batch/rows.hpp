@@ -572,8 +572,7 @@ static inline StatusCode closest_approach_batch(FlatVectors directions, FlatForm
 /// see pw85_contact_derivatives_batch().
 ///
 /// @param r12,q1,q2 one for each pair
-/// @param[out] out one row for each pair in all spans, or in some: see
-/// pw85_contact_derivatives_batch()
+/// @param[out] out rows in all spans, or in some: see pw85_contact_derivatives_batch()
 /// @return as for contact_batch()
 static inline StatusCode contact_derivatives_batch(Vectors r12, Forms q1, Forms q2,
                                                    DerivativeSpans const &out) noexcept

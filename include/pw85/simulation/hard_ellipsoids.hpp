@@ -2,6 +2,9 @@
 /// @file
 /// Simulations of hard ellipsoids, for C++. The members call the functions of the compiled library
 /// (link with pw85), and their contracts are those of pw85_simulation.h.
+///
+/// Made from the parts of pw85_simulation.h by api/committed.py.
+// clang-format off
 #ifndef PW85_SIMULATION_HARD_ELLIPSOIDS_HPP_INCLUDED
 #define PW85_SIMULATION_HARD_ELLIPSOIDS_HPP_INCLUDED
 
@@ -30,12 +33,14 @@ class HardEllipsoids {
     {
     }
 
+    /// Makes a simulation one of hard ellipses in a plane z = const, or again one of ellipsoids:
+    /// see pw85_hard_ellipsoids_set_dimensions().
     [[gnu::always_inline]] StatusCode set_dimensions(int dimensions) noexcept
     {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_set_dimensions(get(), dimensions));
     }
 
-    /// 2 or 3; -1 for a null simulation.
+    /// The number of dimensions of a simulation: see pw85_hard_ellipsoids_dimensions().
     [[gnu::always_inline]] int dimensions() const noexcept
     {
         int dimensions;
@@ -43,38 +48,42 @@ class HardEllipsoids {
         return dimensions;
     }
 
-    /// @param[out] overlap the first particle that a wall cuts, and the wall; or -1
+    /// Sets the hard walls of a simulation, in place of those that it has: see
+    /// pw85_hard_ellipsoids_set_walls().
     [[gnu::always_inline]] StatusCode set_walls(std::span<Wall const> walls,
                                                 IndexPair &overlap) noexcept
     {
-        return static_cast<StatusCode>(
-            pw85_hard_ellipsoids_set_walls(get(), walls.size(), walls.data(), overlap.data()));
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_walls(get(), walls.size(),
+                                                                      walls.data(),
+                                                                      overlap.data()));
     }
 
-    /// Sets the hard mesh, or none without triangles; see pw85_hard_ellipsoids_set_mesh().
-    ///
-    /// @param triangles indices of vertices, from 0
-    /// @param[out] overlap the first particle that meets a triangle, and this triangle; or -1
-    [[gnu::always_inline]] StatusCode
-    set_mesh(std::span<Vector<double, 3> const> vertices,
-             std::span<std::array<std::int32_t, 3> const> triangles, IndexPair &overlap) noexcept
+    /// Sets the hard mesh of a simulation, in place of the one that it has: see
+    /// pw85_hard_ellipsoids_set_mesh().
+    [[gnu::always_inline]] StatusCode set_mesh(
+        Vectors vertices, std::span<std::array<std::int32_t, 3> const> triangles,
+        IndexPair &overlap) noexcept
     {
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_mesh(
-            get(), vertices.size(), detail::in_c(vertices), triangles.size(),
-            detail::in_c(triangles), overlap.data()));
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_mesh(get(), vertices.size(),
+                                                                     detail::in_c(vertices),
+                                                                     triangles.size(),
+                                                                     detail::in_c(triangles),
+                                                                     overlap.data()));
     }
 
+    /// Sets the fields of a simulation, in place of those that it has: see
+    /// pw85_hard_ellipsoids_set_fields().
     [[gnu::always_inline]] StatusCode set_fields(std::span<Field const> fields) noexcept
     {
-        return static_cast<StatusCode>(
-            pw85_hard_ellipsoids_set_fields(get(), fields.size(), fields.data()));
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_fields(get(), fields.size(),
+                                                                       fields.data()));
     }
 
-    /// Sets the law of the energies of pairs; see pw85_hard_ellipsoids_set_law().
+    /// Sets an energy of pairs beside the hard cores, or none: see pw85_hard_ellipsoids_set_law().
     [[gnu::always_inline]] StatusCode set_law(Law const &law) noexcept
     {
-        pw85_law const c_law = {law.kind, law.parameters.size(), law.parameters.data()};
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_law(get(), &c_law));
+        pw85_law const law_in_c = detail::in_c(law);
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_law(get(), &law_in_c));
     }
 
     /// Takes the law away.
@@ -112,76 +121,89 @@ class HardEllipsoids {
             pw85_hard_ellipsoids_set_potential(get(), potential, context));
     }
 
-    /// @param[out] energy of all particles in fields and potential, in the unit of k_B T
+    /// The energy of all particles in the fields, the potential and the law of pairs, in the unit
+    /// of k_B T: see pw85_hard_ellipsoids_energy().
     [[gnu::always_inline]] StatusCode energy(double &energy) const noexcept
     {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_energy(get(), &energy));
     }
 
-    /// @param[out] virial of the law of pairs; see pw85_hard_ellipsoids_law_virial()
+    /// The virial of the law of pairs, W = -2 Σ μ² dβU/dμ², which the pressure has beside that of
+    /// the hard cores: see pw85_hard_ellipsoids_law_virial().
     [[gnu::always_inline]] StatusCode law_virial(double &virial) const noexcept
     {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_law_virial(get(), &virial));
     }
 
+    /// Makes sweeps: see pw85_hard_ellipsoids_sweep().
     [[gnu::always_inline]] StatusCode sweep(std::size_t num_sweeps) noexcept
     {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_sweep(get(), num_sweeps));
     }
 
-    [[gnu::always_inline]] StatusCode
-    volume_moves(std::size_t num_moves, double pressure,
-                 CellChange change = CellChange::isotropic) noexcept
+    /// Tries changes of the cell and of all centres with it, at constant pressure: see
+    /// pw85_hard_ellipsoids_volume_moves().
+    [[gnu::always_inline]] StatusCode volume_moves(
+        std::size_t num_moves, double pressure, CellChange change = CellChange::isotropic) noexcept
     {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_volume_moves(get(), num_moves, pressure,
                                                                          static_cast<int>(change)));
     }
 
-    /// Event chains along random directions.
+    /// Makes event chains, which translate many particles at once and give the pressure: see
+    /// pw85_hard_ellipsoids_chain().
     [[gnu::always_inline]] StatusCode chain(std::size_t num_chains, double length,
                                             double &compressibility) noexcept
     {
-        return static_cast<StatusCode>(
-            pw85_hard_ellipsoids_chain(get(), num_chains, length, nullptr, &compressibility));
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_chain(get(), num_chains, length,
+                                                                  nullptr, &compressibility));
     }
 
-    /// Event chains along one direction.
+    /// Makes event chains, which translate many particles at once and give the pressure: see
+    /// pw85_hard_ellipsoids_chain().
     [[gnu::always_inline]] StatusCode chain(std::size_t num_chains, double length,
                                             Vector<double, 3> const &direction,
                                             double &compressibility) noexcept
     {
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_chain(
-            get(), num_chains, length, direction.coordinates, &compressibility));
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_chain(get(), num_chains, length,
+                                                                  direction.coordinates,
+                                                                  &compressibility));
     }
 
-    /// @param pressure 0 for no trials of the volume
+    /// Makes sweeps, and changes the steps after each of them towards an acceptance: see
+    /// pw85_hard_ellipsoids_tune().
     [[gnu::always_inline]] StatusCode tune(std::size_t num_sweeps, double acceptance,
                                            double pressure = 0.0,
                                            CellChange change = CellChange::isotropic) noexcept
     {
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_tune(
-            get(), num_sweeps, acceptance, pressure, static_cast<int>(change)));
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_tune(get(), num_sweeps, acceptance,
+                                                                 pressure,
+                                                                 static_cast<int>(change)));
     }
 
+    /// Sets the fractions of the trials of a sweep that are translations, rotations, both at once,
+    /// and exchanges: see pw85_hard_ellipsoids_set_fractions().
     [[gnu::always_inline]] StatusCode set_fractions(TrialFractions const &fractions) noexcept
     {
-        double const all[4] = {fractions.translation, fractions.rotation, fractions.both,
-                               fractions.exchange};
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_fractions(get(), all));
+        auto const &[translation, rotation, both, exchange] = fractions;
+        double const fractions_in_c[] = {translation, rotation, both, exchange};
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_fractions(get(), fractions_in_c));
     }
 
+    /// Sets the largest changes of a trial: see pw85_hard_ellipsoids_set_steps().
     [[gnu::always_inline]] StatusCode set_steps(TrialSteps const &steps) noexcept
     {
-        double const all[3] = {steps.translation, steps.rotation, steps.volume};
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_steps(get(), all));
+        auto const &[translation, rotation, volume] = steps;
+        double const steps_in_c[] = {translation, rotation, volume};
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_steps(get(), steps_in_c));
     }
 
-    /// NaN for a null simulation.
+    /// The largest changes of a trial: see pw85_hard_ellipsoids_steps().
     [[gnu::always_inline]] TrialSteps steps() const noexcept
     {
-        double all[3];
-        static_cast<void>(pw85_hard_ellipsoids_steps(get(), all));
-        return {all[0], all[1], all[2]};
+        double steps[3];
+        static_cast<void>(pw85_hard_ellipsoids_steps(get(), steps));
+        return {steps[0], steps[1], steps[2]};
     }
 
     /// Steps of particles with some semi-axes, in place of all such steps: only translation and
@@ -208,13 +230,14 @@ class HardEllipsoids {
         return {own[0], own[1], steps().volume};
     }
 
-    /// -1 for a null simulation.
+    /// The numbers of trials since the simulation was made or tuned: see
+    /// pw85_hard_ellipsoids_counts().
     [[gnu::always_inline]] TrialCounts counts() const noexcept
     {
-        TrialCounts counts;
-        static_cast<void>(
-            pw85_hard_ellipsoids_counts(get(), counts.trials.data(), counts.accepted.data()));
-        return counts;
+        TrialCounts found{};
+        static_cast<void>(pw85_hard_ellipsoids_counts(get(), found.trials.data(),
+                                                      found.accepted.data()));
+        return found;
     }
 
     /// Images near a particle. Arrays without elements are not written.
@@ -234,73 +257,77 @@ class HardEllipsoids {
             separations.empty() ? nullptr : separations.front().coordinates));
     }
 
-    /// Tries a place of a particle, and takes it if it is free and `take`.
+    /// Tests whether a particle would be free of overlaps at another place, by the exact test, and
+    /// moves it there, if wanted: see pw85_hard_ellipsoids_try().
     [[gnu::always_inline]] StatusCode try_placement(std::size_t particle,
                                                     Vector<double, 3> const &center,
                                                     Vector<double, 4> const &quaternion, bool take,
                                                     bool &is_free) noexcept
     {
-        int found;
-        int const status =
-            pw85_hard_ellipsoids_try(get(), particle, center.coordinates, quaternion.coordinates,
-                                     static_cast<int>(take), &found);
-        is_free = found == 1;
+        int is_free_in_c = -1;
+        int const status = pw85_hard_ellipsoids_try(get(), particle, center.coordinates,
+                                                    quaternion.coordinates, static_cast<int>(take),
+                                                    &is_free_in_c);
+        is_free = is_free_in_c == 1;
         return static_cast<StatusCode>(status);
     }
 
-    /// Tries a new particle, and inserts it if it is free and `take`. Take views of the particles
-    /// again afterwards.
+    /// Tests whether a new particle would be free of overlaps, by the exact test, and inserts it as
+    /// the last one, if wanted: see pw85_hard_ellipsoids_insert().
     [[gnu::always_inline]] StatusCode insert(Vector<double, 3> const &center,
                                              Vector<double, 4> const &quaternion,
                                              Vector<double, 3> const &semi_axes, bool take,
                                              bool &is_free) noexcept
     {
-        int found;
-        int const status =
-            pw85_hard_ellipsoids_insert(get(), center.coordinates, quaternion.coordinates,
-                                        semi_axes.coordinates, static_cast<int>(take), &found);
-        is_free = found == 1;
+        int is_free_in_c = -1;
+        int const status = pw85_hard_ellipsoids_insert(get(), center.coordinates,
+                                                       quaternion.coordinates,
+                                                       semi_axes.coordinates,
+                                                       static_cast<int>(take), &is_free_in_c);
+        is_free = is_free_in_c == 1;
         return static_cast<StatusCode>(status);
     }
 
-    /// Removes a particle, whose index the last one takes. Take views again afterwards.
+    /// Removes a particle: see pw85_hard_ellipsoids_remove().
     [[gnu::always_inline]] StatusCode remove(std::size_t particle) noexcept
     {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_remove(get(), particle));
     }
 
-    /// @param[out] weight mean of e^-βU of a particle that is inserted at random, 0 where it
-    /// overlaps others
+    /// The mean of e^(-βU) of a particle that is inserted at random, 0 where it is not free: see
+    /// pw85_hard_ellipsoids_insertion_weight().
     [[gnu::always_inline]] StatusCode insertion_weight(std::size_t num_trials,
                                                        Vector<double, 3> const &semi_axes,
                                                        double &weight) noexcept
     {
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_insertion_weight(
-            get(), num_trials, semi_axes.coordinates, &weight));
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_insertion_weight(get(), num_trials,
+                                                                             semi_axes.coordinates,
+                                                                             &weight));
     }
 
-    /// Insertions and removals at constant activities. Take views again afterwards.
-    ///
-    /// @param[out] counts insertions, accepted ones, removals, accepted ones
+    /// Tries insertions and removals of particles, at constant activities: see
+    /// pw85_hard_ellipsoids_insertion_moves().
     [[gnu::always_inline]] StatusCode insertion_moves(std::size_t num_moves, Vectors semi_axes,
                                                       std::span<double const> activities,
                                                       std::array<std::int64_t, 4> &counts) noexcept
     {
         counts = {-1, -1, -1, -1};
-        if (semi_axes.size() != activities.size()) return StatusCode::invalid_argument;
+        if (!detail::have_rows(semi_axes.size(), activities)) return StatusCode::invalid_argument;
         return static_cast<StatusCode>(pw85_hard_ellipsoids_insertion_moves(
-            get(), num_moves, activities.size(), detail::in_c(semi_axes), activities.data(),
+            get(), num_moves, semi_axes.size(), detail::in_c(semi_axes), detail::in_c(activities),
             counts.data()));
     }
 
-    /// @param[out] factor of all lengths, with which particles nearly touch
+    /// Finds how far cell and centres can be compressed before particles touch: see
+    /// pw85_hard_ellipsoids_compress().
     [[gnu::always_inline]] StatusCode compress(bool take, double &factor) noexcept
     {
-        return static_cast<StatusCode>(
-            pw85_hard_ellipsoids_compress(get(), static_cast<int>(take), &factor));
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_compress(get(), static_cast<int>(take),
+                                                                     &factor));
     }
 
-    /// @param[out] pair the first overlap, or -1
+    /// Searches all particles for overlaps, by a neighbour list of its own: see
+    /// pw85_hard_ellipsoids_check().
     [[gnu::always_inline]] StatusCode check(IndexPair &pair) const noexcept
     {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_check(get(), pair.data()));
@@ -328,16 +355,18 @@ class HardEllipsoids {
                 system().num_particles};
     }
 
-    /// Returns the length of the array that save() fills.
+    /// The number of bytes that pw85_hard_ellipsoids_save() writes: see
+    /// pw85_hard_ellipsoids_num_bytes().
     [[gnu::always_inline]] std::size_t num_bytes() const noexcept
     {
         return pw85_hard_ellipsoids_num_bytes(get());
     }
 
+    /// Writes the whole state of a simulation as bytes: see pw85_hard_ellipsoids_save().
     [[gnu::always_inline]] StatusCode save(std::span<unsigned char> bytes) const noexcept
     {
-        return static_cast<StatusCode>(
-            pw85_hard_ellipsoids_save(get(), bytes.size(), bytes.data()));
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_save(get(), bytes.size(),
+                                                                 detail::in_c(bytes)));
     }
 
     [[gnu::always_inline]] pw85_hard_ellipsoids *get() const noexcept { return simulation_.get(); }
@@ -354,13 +383,18 @@ class HardEllipsoids {
 
 /// Makes a simulation: see pw85_hard_ellipsoids_create().
 ///
-/// @param particles centres and cell; the forms are not read
-/// @param semi_axes,quaternions one for each particle
+/// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
+/// @param semi_axes one for each particle: lengths of the principal semi-axes of each particle,
+/// whose squares are in the range of double; > 0
+/// @param quaternions one for each particle: (w, x, y, z), of any lengths; not zero
 /// @param seed selects the random numbers
-/// @param[out] simulation null on error
-/// @param[out] pair the first overlap, or -1
-/// @return Status::success, Status::overlap, Status::invalid_argument,
-/// Status::not_positive_definite, Status::out_of_memory
+/// @param[out] simulation empty on error
+/// @param[out] pair the first two particles that overlap, the same for a particle and its own
+/// image; -1 if no particles overlap
+/// @return Status::success; Status::overlap if particles overlap; Status::invalid_argument and
+/// Status::not_positive_definite as for neighbors_create(); Status::out_of_memory, also for
+/// particles so long that a list of neighbours has more than 2¹⁵ images of the cell, or 2¹³ pairs
+/// per particle
 static inline StatusCode hard_ellipsoids_create(Particles const &particles, Vectors semi_axes,
                                                 std::span<Vector<double, 4> const> quaternions,
                                                 std::size_t seed, HardEllipsoids &simulation,
@@ -368,27 +402,32 @@ static inline StatusCode hard_ellipsoids_create(Particles const &particles, Vect
 {
     simulation = HardEllipsoids();
     pair = {-1, -1};
-    std::size_t const n = particles.centers.size();
-    if (semi_axes.size() != n || quaternions.size() != n) return StatusCode::invalid_argument;
+    if (!detail::have_rows(particles.centers.size(), detail::optional(particles.q), semi_axes,
+        quaternions)) return StatusCode::invalid_argument;
+    pw85_system const particles_in_c = detail::in_c(particles);
     pw85_hard_ellipsoids *made = nullptr;
-    pw85_system const system = detail::in_c(particles);
-    int const status = pw85_hard_ellipsoids_create(
-        &system, detail::in_c(semi_axes), detail::in_c(quaternions), seed, pair.data(), &made);
+    int const status = pw85_hard_ellipsoids_create(&particles_in_c, detail::in_c(semi_axes),
+                                                   detail::in_c(quaternions), seed, pair.data(),
+                                                   &made);
     simulation = HardEllipsoids(made);
     return static_cast<StatusCode>(status);
 }
 
-/// Makes a simulation from saved bytes: see pw85_hard_ellipsoids_restore().
+/// Makes a simulation from the bytes of another, which it continues bit by bit: see
+/// pw85_hard_ellipsoids_restore().
 ///
-/// @param bytes from HardEllipsoids::save()
-/// @param[out] simulation null on error
-/// @return Status::success, Status::invalid_argument, Status::overlap,
-/// Status::not_positive_definite, Status::bad_potential, Status::out_of_memory
+/// @param bytes one for each byte
+/// @param[out] simulation empty on error
+/// @return Status::success; Status::invalid_argument, also for bytes that are incomplete or have
+/// been changed, and for those of a later format; Status::invalid_argument, Status::overlap,
+/// Status::not_positive_definite, Status::bad_potential if they are a state that is not possible;
+/// Status::out_of_memory
 static inline StatusCode hard_ellipsoids_restore(std::span<unsigned char const> bytes,
                                                  HardEllipsoids &simulation) noexcept
 {
+    simulation = HardEllipsoids();
     pw85_hard_ellipsoids *made = nullptr;
-    int const status = pw85_hard_ellipsoids_restore(bytes.size(), bytes.data(), &made);
+    int const status = pw85_hard_ellipsoids_restore(bytes.size(), detail::in_c(bytes), &made);
     simulation = HardEllipsoids(made);
     return static_cast<StatusCode>(status);
 }

@@ -29,6 +29,13 @@ static inline double const *in_c(Cell const *cell) noexcept
     return reinterpret_cast<double const *>(cell);
 }
 
+static inline double *in_c(Cell *cell) noexcept { return reinterpret_cast<double *>(cell); }
+
+static inline pw85_law in_c(Law const &law) noexcept
+{
+    return {law.kind, law.parameters.size(), law.parameters.data()};
+}
+
 /// Converts a list. Images are null in C if there are none, which means the nearest images.
 static inline pw85_pair_list in_c(PairList const &list) noexcept
 {
@@ -46,18 +53,13 @@ static inline pw85_system in_c(Particles const &particles) noexcept
             {particles.periodic[0], particles.periodic[1], particles.periodic[2]}};
 }
 
-/// Returns whether the sizes of a list and of a system are consistent.
-static inline bool fit(PairList const &list, Particles const &particles) noexcept
-{
-    return fits(list.pairs.size(), list.images) && particles.centers.size() == particles.q.size();
-}
-
 /// Calls a function of a list and a system, with rows for each pair, if all sizes are consistent.
 template <class Function, class... Rows>
 static StatusCode call_pairs(Function const &function, PairList const &list,
                              Particles const &particles, Rows... rows) noexcept
 {
-    if (!fit(list, particles) || !(has_rows(list.pairs.size(), rows) && ...))
+    if (!have_rows(list.pairs.size(), optional(list.images), rows...) ||
+        !has_rows(particles.centers.size(), particles.q))
         return StatusCode::invalid_argument;
     pw85_pair_list const c_list = in_c(list);
     pw85_system const system = in_c(particles);

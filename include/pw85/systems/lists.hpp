@@ -61,8 +61,7 @@ static inline StatusCode overlap_volume_pairs(PairList const &list, Particles co
 ///
 /// @param list indices of particles, with or without images
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
-/// @param[out] out one row for each pair in all spans, or in some: see
-/// pw85_contact_derivatives_pairs()
+/// @param[out] out rows in all spans, or in some: see pw85_contact_derivatives_pairs()
 /// @return as for contact_batch(); Status::invalid_argument also for `images` without `cell`, a
 /// cell that is not finite or, unless there are images, singular
 static inline StatusCode contact_derivatives_pairs(PairList const &list, Particles const &particles,

@@ -2,6 +2,9 @@
 /// @file
 /// Triangle meshes for C++. They call the functions of the compiled library (link with pw85), and
 /// their contracts are those of pw85_systems.h.
+///
+/// Made from pw85_systems.h by api/committed.py.
+// clang-format off
 #ifndef PW85_SYSTEMS_MESHES_HPP_INCLUDED
 #define PW85_SYSTEMS_MESHES_HPP_INCLUDED
 
@@ -68,14 +71,16 @@ struct MeshDistanceSpans {
 
 /// Makes a mesh: see pw85_mesh_create().
 ///
-/// @param vertices anywhere in space
-/// @param triangles indices of vertices, from 0
-/// @param[out] mesh null on error
+/// @param vertices one for each vertex
+/// @param triangles one for each triangle: indices of vertices, from 0. A triangle without area is
+/// the segment or the point that has all three vertices.
+/// @param[out] mesh empty on error
 /// @return Status::success, Status::invalid_argument, Status::out_of_memory
-static inline StatusCode mesh_create(std::span<Vector<double, 3> const> vertices,
+static inline StatusCode mesh_create(Vectors vertices,
                                      std::span<std::array<std::int32_t, 3> const> triangles,
                                      Mesh &mesh) noexcept
 {
+    mesh = Mesh();
     pw85_mesh *made = nullptr;
     int const status = pw85_mesh_create(vertices.size(), detail::in_c(vertices), triangles.size(),
                                         detail::in_c(triangles), &made);
@@ -88,97 +93,107 @@ static inline StatusCode mesh_create(std::span<Vector<double, 3> const> vertices
 /// @param mesh a mesh
 /// @param center of the ellipsoid
 /// @param q form of the ellipsoid
-/// @return the contact of the nearest triangle; Status::invalid_argument,
-/// Status::not_positive_definite
+/// @return the values, and Status::success; Status::invalid_argument, also if the coordinates of a
+/// vertex relative to the centre overflow; Status::not_positive_definite
 static inline MeshContact mesh_contact(Mesh const &mesh, Vector<double, 3> const &center,
                                        SymmetricMatrix<double, 3> const &q) noexcept
 {
     MeshContact found{};
-    found.status = static_cast<StatusCode>(
-        pw85_mesh_contact(mesh.get(), center.coordinates, q.entries, &found.mu2,
-                          found.point.coordinates, &found.triangle));
+    found.status = static_cast<StatusCode>(pw85_mesh_contact(mesh.get(), center.coordinates,
+                                                             q.entries, &found.mu2,
+                                                             found.point.coordinates,
+                                                             &found.triangle));
     return found;
 }
 
-/// Returns whether an ellipsoid and a mesh overlap, exactly: see pw85_mesh_overlap().
+/// Tests whether an ellipsoid and a mesh overlap, μ² < 1 for any triangle: see pw85_mesh_overlap().
 ///
-/// @param mesh,center,q as for mesh_contact()
-/// @return Status::success, Status::invalid_argument, Status::not_positive_definite
+/// @param mesh a mesh
+/// @param center of the ellipsoid
+/// @param q form of the ellipsoid
+/// @return the values, and as for mesh_contact()
 static inline ShapeOverlap mesh_overlap(Mesh const &mesh, Vector<double, 3> const &center,
                                         SymmetricMatrix<double, 3> const &q) noexcept
 {
-    int overlap = 0;
-    auto const status = static_cast<StatusCode>(
-        pw85_mesh_overlap(mesh.get(), center.coordinates, q.entries, &overlap));
-    return {overlap == 1, status};
+    ShapeOverlap found{};
+    int overlap_in_c = -1;
+    found.status = static_cast<StatusCode>(pw85_mesh_overlap(mesh.get(), center.coordinates,
+                                                             q.entries, &overlap_in_c));
+    found.overlap = overlap_in_c == 1;
+    return found;
 }
 
 /// Signed distance of an ellipsoid and a mesh: see pw85_mesh_distance().
 ///
-/// @param mesh,center,q as for mesh_contact()
-/// @return the distance of the nearest triangle; Status::invalid_argument,
-/// Status::not_positive_definite
+/// @param mesh a mesh
+/// @param center of the ellipsoid
+/// @param q form of the ellipsoid
+/// @return the values, and as for mesh_contact()
 static inline MeshDistance mesh_distance(Mesh const &mesh, Vector<double, 3> const &center,
                                          SymmetricMatrix<double, 3> const &q) noexcept
 {
     MeshDistance found{};
-    found.status = static_cast<StatusCode>(pw85_mesh_distance(
-        mesh.get(), center.coordinates, q.entries, &found.distance, found.point1.coordinates,
-        found.point2.coordinates, found.normal.coordinates, &found.triangle, &found.inside));
+    found.status = static_cast<StatusCode>(pw85_mesh_distance(mesh.get(), center.coordinates,
+                                                              q.entries, &found.distance,
+                                                              found.point1.coordinates,
+                                                              found.point2.coordinates,
+                                                              found.normal.coordinates,
+                                                              &found.triangle, &found.inside));
     return found;
 }
 
-/// mesh_contact() for many ellipsoids: see pw85_mesh_contact_batch().
+/// Computes mesh_contact() for many ellipsoids and one mesh: see pw85_mesh_contact_batch().
 ///
 /// @param mesh a mesh
 /// @param centers,q one for each ellipsoid
-/// @param[out] out one row for each ellipsoid, or none
-/// @return Status::success, Status::invalid_argument, or the status of the first bad ellipsoid
+/// @param[out] out rows in all spans, or in some: see pw85_mesh_contact_batch()
+/// @return as for contact_batch()
 static inline StatusCode mesh_contact_batch(Mesh const &mesh, Vectors centers, Forms q,
                                             MeshContactSpans const &out) noexcept
 {
-    std::size_t const n = centers.size();
-    if (q.size() != n || !detail::fits(n, out.mu2) || !detail::fits(n, out.point) ||
-        !detail::fits(n, out.triangle))
+    if (!detail::have_rows(centers.size(), q, out.mu2, out.point, out.triangle))
         return StatusCode::invalid_argument;
-    return static_cast<StatusCode>(pw85_mesh_contact_batch(
-        mesh.get(), n, detail::in_c(centers), detail::in_c(q), detail::in_c(out.mu2),
-        detail::in_c(out.point), out.triangle.data()));
+    return static_cast<StatusCode>(pw85_mesh_contact_batch(mesh.get(), centers.size(),
+                                                           detail::in_c(centers), detail::in_c(q),
+                                                           detail::in_c(out.mu2),
+                                                           detail::in_c(out.point),
+                                                           detail::in_c(out.triangle)));
 }
 
-/// mesh_overlap() for many ellipsoids: see pw85_mesh_overlap_batch().
+/// Computes mesh_overlap() for many ellipsoids and one mesh: see pw85_mesh_overlap_batch().
 ///
 /// @param mesh a mesh
 /// @param centers,q one for each ellipsoid
-/// @param[out] overlap one for each ellipsoid: 1 or 0; 255 for a bad one
-/// @return as for mesh_contact_batch()
+/// @param[out] overlap one for each ellipsoid: 1 or 0; 255 for a bad row
+/// @return as for contact_batch()
 static inline StatusCode mesh_overlap_batch(Mesh const &mesh, Vectors centers, Forms q,
                                             std::span<unsigned char> overlap) noexcept
 {
-    std::size_t const n = centers.size();
-    if (q.size() != n || overlap.size() != n) return StatusCode::invalid_argument;
-    return static_cast<StatusCode>(pw85_mesh_overlap_batch(mesh.get(), n, detail::in_c(centers),
-                                                           detail::in_c(q), overlap.data()));
+    if (!detail::have_rows(centers.size(), q, overlap)) return StatusCode::invalid_argument;
+    return static_cast<StatusCode>(pw85_mesh_overlap_batch(mesh.get(), centers.size(),
+                                                           detail::in_c(centers), detail::in_c(q),
+                                                           detail::in_c(overlap)));
 }
 
-/// mesh_distance() for many ellipsoids: see pw85_mesh_distance_batch().
+/// Computes mesh_distance() for many ellipsoids and one mesh: see pw85_mesh_distance_batch().
 ///
 /// @param mesh a mesh
 /// @param centers,q one for each ellipsoid
-/// @param[out] out one row for each ellipsoid, or none
-/// @return as for mesh_contact_batch()
+/// @param[out] out rows in all spans, or in some: see pw85_mesh_distance_batch()
+/// @return as for contact_batch()
 static inline StatusCode mesh_distance_batch(Mesh const &mesh, Vectors centers, Forms q,
                                              MeshDistanceSpans const &out) noexcept
 {
-    std::size_t const n = centers.size();
-    if (q.size() != n || !detail::fits(n, out.distance) || !detail::fits(n, out.point1) ||
-        !detail::fits(n, out.point2) || !detail::fits(n, out.normal) ||
-        !detail::fits(n, out.triangle) || !detail::fits(n, out.inside))
-        return StatusCode::invalid_argument;
-    return static_cast<StatusCode>(pw85_mesh_distance_batch(
-        mesh.get(), n, detail::in_c(centers), detail::in_c(q), detail::in_c(out.distance),
-        detail::in_c(out.point1), detail::in_c(out.point2), detail::in_c(out.normal),
-        out.triangle.data(), out.inside.data()));
+    if (!detail::have_rows(centers.size(), q, out.distance, out.point1, out.point2, out.normal,
+        out.triangle, out.inside)) return StatusCode::invalid_argument;
+    return static_cast<StatusCode>(pw85_mesh_distance_batch(mesh.get(), centers.size(),
+                                                            detail::in_c(centers), detail::in_c(q),
+                                                            detail::in_c(out.distance),
+                                                            detail::in_c(out.point1),
+                                                            detail::in_c(out.point2),
+                                                            detail::in_c(out.normal),
+                                                            detail::in_c(out.triangle),
+                                                            detail::in_c(out.inside)));
 }
 
 } // namespace pw85

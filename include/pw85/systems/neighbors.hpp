@@ -2,6 +2,9 @@
 /// @file
 /// Neighbour lists for C++. They call the functions of the compiled library (link with pw85), and
 /// their contracts are those of pw85_systems.h.
+///
+/// Made from pw85_systems.h by api/committed.py.
+// clang-format off
 #ifndef PW85_SYSTEMS_NEIGHBORS_HPP_INCLUDED
 #define PW85_SYSTEMS_NEIGHBORS_HPP_INCLUDED
 
@@ -55,55 +58,64 @@ class Neighbors {
     std::unique_ptr<pw85_neighbors, Destroy> list_;
 };
 
-/// Finds all pairs whose bounding boxes intersect: see pw85_neighbors_create().
+/// Lists the pairs (i, j, image) whose bounding boxes are no farther apart than `skin` along any
+/// axis, the ellipsoids scaled by `scale`: see pw85_neighbors_create().
 ///
-/// @param particles with or without a cell, which may be periodic along some of its vectors
-/// @param options which pairs to list
+/// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
+/// @param options see NeighborOptions
 /// @param[out] list empty on error
-/// @return Status::success, Status::invalid_argument, Status::not_positive_definite,
-/// Status::out_of_memory
+/// @return Status::success; Status::invalid_argument, also if the periodic vectors are not
+/// independent, or an image is more than 2²⁹ vectors away; Status::not_positive_definite;
+/// Status::out_of_memory. neighbors_check() says which particle is bad.
 static inline StatusCode neighbors_create(Particles const &particles,
                                           NeighborOptions const &options, Neighbors &list) noexcept
 {
     list = Neighbors();
-    if (particles.centers.size() != particles.q.size()) return StatusCode::invalid_argument;
+    if (!detail::have_rows(particles.centers.size(), particles.q))
+        return StatusCode::invalid_argument;
+    pw85_system const particles_in_c = detail::in_c(particles);
     pw85_neighbors *made = nullptr;
-    pw85_system const system = detail::in_c(particles);
-    int const status = pw85_neighbors_create(&system, options.scale, options.skin, &made);
+    int const status = pw85_neighbors_create(&particles_in_c, options.scale, options.skin, &made);
     list = Neighbors(made);
     return static_cast<StatusCode>(status);
 }
 
-/// Finds the particle because of which a list cannot be made: see pw85_neighbors_check().
+/// The particle because of which a list cannot be made: see pw85_neighbors_check().
 ///
-/// @param particles,options as for neighbors_create()
-/// @param[out] particle index of the first bad particle, or the number of particles if there is
-/// none
-/// @return the status of this particle or of the options, or Status::success
+/// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
+/// @param options see NeighborOptions
+/// @param[out] particle index of the first bad particle: its centre or form is invalid, or it is
+/// too far away; num_particles if there is none, 0 if `system` is null
+/// @return the status of that particle; or of the other arguments, with `particle` = num_particles;
+/// Status::success if only the memory or the number of images can be the cause
 static inline StatusCode neighbors_check(Particles const &particles, NeighborOptions const &options,
                                          std::size_t &particle) noexcept
 {
     particle = particles.centers.size();
-    if (particles.centers.size() != particles.q.size()) return StatusCode::invalid_argument;
-    pw85_system const system = detail::in_c(particles);
-    return static_cast<StatusCode>(
-        pw85_neighbors_check(&system, options.scale, options.skin, &particle));
+    if (!detail::have_rows(particles.centers.size(), particles.q))
+        return StatusCode::invalid_argument;
+    pw85_system const particles_in_c = detail::in_c(particles);
+    return static_cast<StatusCode>(pw85_neighbors_check(&particles_in_c, options.scale,
+                                                        options.skin, &particle));
 }
 
-/// Returns whether a list still has all pairs after particles or cell have changed: see
-/// pw85_neighbors_holds().
+/// Tests whether a list still has all pairs whose boxes intersect (without skin) after the
+/// particles have moved and turned, and the cell has changed: see pw85_neighbors_holds().
 ///
 /// @param list a list
-/// @param particles the present positions and the present cell
-/// @param[out] holds 1, 0, or -1 on error
-/// @return Status::success, Status::invalid_argument, Status::not_positive_definite
+/// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
+/// @param[out] holds 1 or 0
+/// @return Status::success, Status::invalid_argument, also if the number of particles is not that
+/// of the list, only one of the two has a cell, or the cell is periodic along other vectors, or its
+/// periodic vectors are not finite or not independent; or the status of the first bad particle
 static inline StatusCode neighbors_holds(Neighbors const &list, Particles const &particles,
                                          int &holds) noexcept
 {
     holds = -1;
-    if (particles.centers.size() != particles.q.size()) return StatusCode::invalid_argument;
-    pw85_system const system = detail::in_c(particles);
-    return static_cast<StatusCode>(pw85_neighbors_holds(list.get(), &system, &holds));
+    if (!detail::have_rows(particles.centers.size(), particles.q))
+        return StatusCode::invalid_argument;
+    pw85_system const particles_in_c = detail::in_c(particles);
+    return static_cast<StatusCode>(pw85_neighbors_holds(list.get(), &particles_in_c, &holds));
 }
 
 } // namespace pw85

@@ -2,6 +2,9 @@
 /// @file
 /// Periodic cells and the images of particles, and one ellipsoid among the particles of a system.
 /// The functions call the C API.
+///
+/// Made from pw85_systems.h by api/committed.py.
+// clang-format off
 #ifndef PW85_SYSTEMS_PERIODIC_HPP_INCLUDED
 #define PW85_SYSTEMS_PERIODIC_HPP_INCLUDED
 
@@ -61,53 +64,57 @@ static inline StatusCode overlap_any_indices(Vector<double, 3> const &center,
 /// @name Periodic cells
 /// @{
 
-/// Returns a reduced cell of the same lattice. It can be passed in place of the cell, and needs
-/// less preparation: see pw85_cell_reduce().
+/// A reduced cell of the same lattice: see pw85_cell_reduce().
 ///
-/// @param cell rows are its vectors
-/// @return the reduced cell; Status::invalid_argument for a cell that is singular or not finite
+/// @param cell rows = vectors
+/// @return the values, and Status::success or Status::invalid_argument (a null pointer, a cell that
+/// is singular or not finite)
 static inline ReducedCell cell_reduce(Cell const &cell) noexcept
 {
-    ReducedCell result;
-    result.status = static_cast<StatusCode>(
-        pw85_cell_reduce(detail::in_c(&cell), reinterpret_cast<double *>(&result.cell)));
-    return result;
+    ReducedCell found{};
+    found.status = static_cast<StatusCode>(pw85_cell_reduce(cell.front().coordinates,
+                                                            found.cell.front().coordinates));
+    return found;
 }
 
-/// Returns the nearest images of the pairs of a list: see pw85_nearest_images().
+/// The nearest images, which the functions of pair lists use without `images`: see
+/// pw85_nearest_images().
 ///
-/// @param pairs indices of particles
-/// @param particles centres and cell; forms may be left out
-/// @param[out] r12 from the first to the image of the second, one for each pair, or none
-/// @param[out] images multiples of the vectors of the cell, one row for each pair, or none
-/// @return Status::success, or Status::invalid_argument, also for the first bad pair, whose rows
-/// are NaN and INT32_MIN
+/// @param pairs one for each pair: indices (i, j) of particles, from 0
+/// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
+/// @param[out] r12 one for each pair, or empty: from particle i to the image of particle j; NaN for
+/// a bad pair
+/// @param[out] images one for each pair, or empty: multiples of the vectors of the cell, as given;
+/// INT32_MIN for a bad pair
+/// @return as for contact_batch(); a pair is bad if a centre is not finite, or, if `images` are
+/// requested, a multiple is beyond 2³¹ - 1; Status::invalid_argument also for a cell that is
+/// singular or not finite
 static inline StatusCode nearest_images(std::span<IndexPair const> pairs,
                                         Particles const &particles,
                                         std::span<Vector<double, 3>> r12,
-                                        std::span<Image> images = {}) noexcept
+                                        std::span<std::array<std::int32_t, 3>> images = {}) noexcept
 {
-    std::size_t const n = pairs.size();
-    if (!detail::fits(n, r12) || !detail::fits(n, images) ||
-        !detail::fits(particles.centers.size(), particles.q))
-        return StatusCode::invalid_argument;
-    pw85_system const system = detail::in_c(particles);
-    return static_cast<StatusCode>(pw85_nearest_images(n, detail::in_c(pairs), &system,
-                                                       detail::in_c(r12), detail::in_c(images)));
+    if (!(detail::have_rows(particles.centers.size(), detail::optional(particles.q)) &&
+        detail::have_rows(pairs.size(), r12, images))) return StatusCode::invalid_argument;
+    pw85_system const particles_in_c = detail::in_c(particles);
+    return static_cast<StatusCode>(pw85_nearest_images(pairs.size(), detail::in_c(pairs),
+                                                       &particles_in_c, detail::in_c(r12),
+                                                       detail::in_c(images)));
 }
 
-/// Computes the largest μ² up to which only nearest images count: see pw85_nearest_image_limit().
+/// The limit of μ² below which only nearest images count: see pw85_nearest_image_limit().
 ///
-/// @param particles forms and cell; centres may be left out
-/// @param[out] mu2 the limit; infinity if there are no particles
-/// @return Status::success, Status::invalid_argument (also for a cell that is singular or not
-/// finite), Status::not_positive_definite
+/// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
+/// @param[out] mu2 the limit
+/// @return Status::success, Status::invalid_argument (a cell that is singular or not finite, too),
+/// Status::not_positive_definite
 static inline StatusCode nearest_image_limit(Particles const &particles, double &mu2) noexcept
 {
     mu2 = detail::quiet_nan<double>();
-    if (!detail::fits(particles.q.size(), particles.centers)) return StatusCode::invalid_argument;
-    pw85_system const system = detail::in_c(particles);
-    return static_cast<StatusCode>(pw85_nearest_image_limit(&system, &mu2));
+    if (!detail::have_rows(particles.q.size(), detail::optional(particles.centers)))
+        return StatusCode::invalid_argument;
+    pw85_system const particles_in_c = detail::in_c(particles);
+    return static_cast<StatusCode>(pw85_nearest_image_limit(&particles_in_c, &mu2));
 }
 
 /// @}

@@ -141,6 +141,6 @@ def surround(path: str, ids: Any, simulation: HardEllipsoids, walls: Iterable[Su
             try:
                 set_all([one.made])
             except PW85Error as error:
-                reason = re.sub(r"^(wall|field) 0(, Wall\(.*size=\S+\))?: ", "", error.detail)
+                reason = re.sub(r"^(wall|field) 0(: |, Wall\(.*size=\S+\), )", "", error.detail)
                 raise FileError(path, f"{option} {one.text}: {reason}") from None
         set_all([one.made for one in given])

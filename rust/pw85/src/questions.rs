@@ -44,9 +44,9 @@ pub(crate) const STATUSES: [Status; 7] = [
 /// [`contact_function()`](crate::contact_function), [`contact_2d()`](crate::contact_2d).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
-    /// μ².
+    /// μ², and the maximiser λ of f in \[0, 1\].
     pub mu2: f64,
-    /// Maximiser λ of f in \[0, 1\].
+    /// μ², and the maximiser λ of f in \[0, 1\].
     pub lambda: f64,
 }
 
