@@ -205,6 +205,8 @@ PyMethodDef methods[] = {
      "Status of pw85_contact_polytope_batch()."},
     {"overlap_polytope", as_method(overlap_polytope), METH_FASTCALL,
      "Status of pw85_overlap_polytope_batch()."},
+    {"nd_one_pair", as_method(nd_one_pair), METH_FASTCALL,
+     "Outputs of a function of one pair in n dimensions, or None."},
     {"nd_contact", as_method(nd_contact), METH_FASTCALL, "Status of pw85_nd_contact_batch()."},
     {"nd_contact_geometry", as_method(nd_contact_geometry), METH_FASTCALL,
      "Status of pw85_nd_contact_geometry_batch()."},
