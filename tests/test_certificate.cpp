@@ -49,8 +49,8 @@ Number determinant(Matrix a)
 }
 
 /// z² - q = 1 for z = 2^k s + 1 and q = 2^(k + 1) s (2^(k - 1) s + 1), which has the 53 bits of a
-/// double. The form is q L Lᵀ, with ones on the diagonal of L and 0, 1 or -1 next to it. The point z
-/// L e is outside by 2⁻¹⁰⁰ or so, and (z - 1) L e is inside by 2⁻⁵¹: all numbers are exact.
+/// double. The form is q L Lᵀ, with ones on the diagonal of L and 0, 1 or -1 next to it. The point
+/// z L e is outside by 2⁻¹⁰⁰ or so, and (z - 1) L e is inside by 2⁻⁵¹: all numbers are exact.
 void test_points_just_outside()
 {
     Failures failures;

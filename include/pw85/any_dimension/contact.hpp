@@ -117,8 +117,8 @@ PW85_FUNCTION inline Contact<double> nd_contact(int n, double const *r12, double
     return detail::any_dimension::contact(detail::any_dimension::Input{n, r12, q1, q2});
 }
 
-/// Returns the contact function with the bits of nd_contact(N, …). The number of dimensions is known
-/// at compile time, which is faster for few dimensions.
+/// Returns the contact function with the bits of nd_contact(N, ...). The number of dimensions is
+/// known at compile time, which is faster for few dimensions.
 template <int N> PW85_FUNCTION inline Contact<double>
 nd_contact(double const *r12, double const *q1, double const *q2) noexcept
 {
