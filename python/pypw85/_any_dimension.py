@@ -67,7 +67,7 @@ def nd_contact(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> tuple[Any, Any]:
     4.0 0.5
     """
     if (found := _core.nd_one_pair("nd_contact", r12, q1, q2)) is not None:
-        return found
+        return found[0], found[1]
     rows = _Rows("nd_contact", r12, q1, q2)
     mu2, lambda_ = np.empty(rows.count), np.empty(rows.count)
     rows.check(_core.nd_contact(*rows.arrays, mu2, lambda_))
@@ -241,7 +241,7 @@ def nd_containment(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> tuple[Any, A
     4.0 [4. 0. 0. 0.]
     """
     if (found := _core.nd_one_pair("nd_containment", r12, q1, q2)) is not None:
-        return found
+        return found[0], found[1]
     rows = _Rows("nd_containment", r12, q1, q2)
     mu2, point = np.empty(rows.count), np.empty((rows.count, rows.n))
     rows.check(_core.nd_containment(*rows.arrays, mu2, point))
