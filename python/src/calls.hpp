@@ -66,11 +66,6 @@ PyObject *contact_polytope(PyObject *self, PyObject *const *args, Py_ssize_t nar
 /// overlap_polytope(centers, q, normals, offsets, overlap as uint8): status. As above.
 PyObject *overlap_polytope(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
-/// nd_one_pair(name, r12, q1, q2) or (name, r12, q1, q2, number): what the function of the package
-/// with this name returns for one pair, as a tuple if there are several outputs. None, if the
-/// arguments are not plain numbers of one pair, or the status is not success.
-PyObject *nd_one_pair(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
 /// nd_contact(r12, q1, q2, mu2, lambda): status. Arrays are contiguous and of the right type, with
 /// the number of dimensions as the columns of r12.
 PyObject *nd_contact(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
@@ -156,6 +151,11 @@ PyObject *radius_inside_body(PyObject *self, PyObject *args);
 /// the semi-axes a >= b of which the angle over π is from angle / angles to (angle + 1) / angles,
 /// in a cell with the sum of edges; None if rounding leaves none.
 PyObject *form_of_voxel(PyObject *self, PyObject *args);
+
+/// nd_one_pair(name, r12, q1, q2) or (name, r12, q1, q2, number): what the function of the package
+/// with this name returns for one pair, as a tuple if there are several outputs. None, if the
+/// arguments are not plain numbers of one pair, or the status is not success.
+PyObject *nd_one_pair(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
 /// random_addition_placed(object): (centers, quaternions, kinds).
 PyObject *random_addition_placed(PyObject *self, PyObject *capsule);

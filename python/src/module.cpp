@@ -205,8 +205,6 @@ PyMethodDef methods[] = {
      "Status of pw85_contact_polytope_batch()."},
     {"overlap_polytope", as_method(overlap_polytope), METH_FASTCALL,
      "Status of pw85_overlap_polytope_batch()."},
-    {"nd_one_pair", as_method(nd_one_pair), METH_FASTCALL,
-     "Outputs of a function of one pair in n dimensions, or None."},
     {"nd_contact", as_method(nd_contact), METH_FASTCALL, "Status of pw85_nd_contact_batch()."},
     {"nd_contact_geometry", as_method(nd_contact_geometry), METH_FASTCALL,
      "Status of pw85_nd_contact_geometry_batch()."},
@@ -236,6 +234,8 @@ PyMethodDef methods[] = {
     {"form_of_voxel", form_of_voxel, METH_VARARGS,
      "An ellipse inside all that can be put into a voxel."},
     {"random_addition_placed", random_addition_placed, METH_O, "The particles that were added."},
+    {"nd_one_pair", as_method(nd_one_pair), METH_FASTCALL,
+     "Outputs of a function of one pair in n dimensions, or None."},
     {"format_rows", format_rows, METH_VARARGS, "Text of the rows of a table."},
     {nullptr, nullptr, 0, nullptr},
 };
