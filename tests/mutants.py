@@ -63,6 +63,15 @@ MUTANTS = [
 
 # The same of the library, which is linked anew, and the case of a test that must fail. Files are relative to src/.
 LIBRARY_MUTANTS = [
+    ("../include/pw85/any_dimension/search.hpp", "return n * (3 * n + 4);", "return 0;", "any_dimension"),
+    ("../include/pw85/any_dimension/search.hpp", "T(-2) * (qv * inverse)", "T(-1) * (qv * inverse)", "any_dimension"),
+    ("../include/pw85/any_dimension/overlap.hpp", "+ T(n * (3 * n + 12)) * operation_error<T>() * diagonal_form(n, q, s);", ";",
+     "any_dimension"),
+    ("enclosing/certificate.cpp", "Wide(2.0 * (f * f + n * eta_))", "Wide(0.0)", "enclosing"),
+    ("enclosing/certificate.cpp", "- first[i] * first[j]);", ");", "enclosing"),
+    ("enclosing/smallest.cpp", "if (outside <= 0.0) outside = certificate_.largest_protrusion();", "", "enclosing"),
+    ("enclosing/around_ellipsoids.cpp", "for (std::size_t i = 0; i < bodies_.m; ++i)\n        if (!is_inside(i))",
+     "for (std::size_t i = 1; i < bodies_.m; ++i)\n        if (!is_inside(i))", "enclosing"),
     ("../include/pw85/volume/rim_frame.hpp", "return {!below, below};", "return {below, below};", "space_kinds/specimens"),
     ("../include/pw85/volume/rim_axis.hpp", "if (!find_lowest_root(", "if (find_lowest_root(", "space_kinds/specimens"),
     ("../include/pw85/volume/rim_axis.hpp", "towards_upper + towards_lower};", "towards_upper - towards_lower};", "space_kinds/specimens"),
@@ -261,7 +270,7 @@ class Tests:
     def __init__(self, source, build):
         self.source, self.build = source, build
         units = json.loads((build / "compile_commands.json").read_text())
-        self.of_library = [unit for unit in units if unit["output"].startswith(("src/libpw85.so", "src/simd/"))]
+        self.of_library = [unit for unit in units if unit["output"].startswith(("src/libpw85.so", "src/libpw85_compact", "src/simd/"))]
         self.units = {Path(unit["output"]).name: unit for unit in units}
         self.compiled_once = [unit for unit in units if unit["output"].startswith("tests/oracle/libonce")]
         self.links = [shlex.split(line) for line in self.ninja("commands").splitlines() if " -o " in line and " -c " not in line]

@@ -74,6 +74,42 @@ void test_contact()
         }
 }
 
+/// The contact function with N known at compile time.
+template <int N> Found contact_of(Case const &c)
+{
+    auto const found = pw85::nd_contact<N>(c.r12.data(), c.q1.data(), c.q2.data());
+    return {found.mu2, found.lambda, static_cast<int>(found.status)};
+}
+
+/// Checks that a pair of N dimensions has the bits of the C function.
+template <int N> void check_known(Failures &failures, Random &random)
+{
+    for (int i = 0; i < draws(160); ++i) {
+        Case c = nd::random_case(random, N, aspects[i % 4]);
+        double const unit = std::ldexp(1.0, i % 3 == 0 ? int(random.uniform(-400, 401)) : 0);
+        for (double &x : c.r12) x *= unit;
+        for (double &x : i % 2 ? c.q1 : c.q2) x *= i % 5 == 4 ? -unit : unit;
+        Found const one = contact(c), other = contact_of<N>(c);
+        auto const describe = [&] { return c.text(); };
+        failures.check(one.status == other.status, "status", other.status, one.status, describe);
+        if (one.status != PW85_SUCCESS) continue;
+        failures.check(one.mu2 == other.mu2, "mu2", other.mu2, one.mu2, describe);
+        failures.check(one.lambda == other.lambda, "lambda", other.lambda, one.lambda, describe);
+    }
+}
+
+// Dimensions that are known at compile time change no bit, and no status.
+void test_at_compile_time()
+{
+    Failures failures;
+    Random random(88);
+    check_known<1>(failures, random);
+    check_known<2>(failures, random);
+    check_known<4>(failures, random);
+    check_known<6>(failures, random);
+    check_known<16>(failures, random);
+}
+
 /// A pair of the plane as the section z = 0 of ellipsoids.
 Case in_space(Case const &c)
 {
@@ -981,6 +1017,7 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, nullptr);
     g_test_add_func("/any_dimension/contact", test_contact);
     g_test_add_func("/any_dimension/known_dimensions", test_known_dimensions);
+    g_test_add_func("/any_dimension/at_compile_time", test_at_compile_time);
     g_test_add_func("/any_dimension/padding", test_padding);
     g_test_add_func("/any_dimension/geometry", test_geometry);
     g_test_add_func("/any_dimension/geometry_of_singular_forms", test_geometry_of_singular_forms);

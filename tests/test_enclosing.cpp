@@ -221,7 +221,23 @@ void test_cross_polytopes()
     }
 }
 
-/// n + 1 points: all weights are 1/(n + 1).
+/// The smallest ellipsoid around n + 1 points: all weights are 1/(n + 1).
+Matrix around_simplex(Cloud const &cloud)
+{
+    auto const size = static_cast<std::size_t>(cloud.n);
+    int const n = cloud.n;
+    std::vector<Number> mean(size, Number(0));
+    Matrix form(size, mean);
+    for (std::size_t i = 0; i <= size; ++i)
+        for (std::size_t k = 0; k < size; ++k) mean[k] += Number(cloud.row(i)[k]) / (n + 1);
+    for (std::size_t i = 0; i <= size; ++i)
+        for (std::size_t k = 0; k < size; ++k)
+            for (std::size_t l = 0; l < size; ++l)
+                form[k][l] += (Number(cloud.row(i)[k]) - mean[k]) *
+                              (Number(cloud.row(i)[l]) - mean[l]) * n / (n + 1);
+    return form;
+}
+
 void test_simplices()
 {
     Failures failures;
@@ -229,22 +245,12 @@ void test_simplices()
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
     for (int draw = 0; draw < draws(160); ++draw) {
         int const n = random_dimension(random);
-        auto const size = static_cast<std::size_t>(n);
         Cloud cloud{n, {}};
         for (int i = 0; i < n + 1; ++i)
             for (int k = 0; k < n; ++k)
                 cloud.points.push_back(
                     std::ldexp(uniform(random) + (k == i ? 4.0 : 0.0), draw % 81 - 40));
-        std::vector<Number> mean(size, Number(0));
-        Matrix form(size, mean);
-        for (std::size_t i = 0; i <= size; ++i)
-            for (std::size_t k = 0; k < size; ++k) mean[k] += Number(cloud.row(i)[k]) / (n + 1);
-        for (std::size_t i = 0; i <= size; ++i)
-            for (std::size_t k = 0; k < size; ++k)
-                for (std::size_t l = 0; l < size; ++l)
-                    form[k][l] += (Number(cloud.row(i)[k]) - mean[k]) *
-                                  (Number(cloud.row(i)[l]) - mean[l]) * n / (n + 1);
-        check_least(failures, cloud, form, tolerances[draw % 4]);
+        check_least(failures, cloud, around_simplex(cloud), tolerances[draw % 4]);
     }
 }
 
@@ -410,6 +416,47 @@ void test_limits()
         failures.check(found.excess <= bound, "excess", found.excess, bound, text);
     }
     g_assert_cmpint(limited, >, 0);
+}
+
+/// Thin simplices, whose least volume is known: the excess that the rounding of the form leaves is
+/// never larger than what is said.
+void test_thin_simplices()
+{
+    Failures failures;
+    std::mt19937 random(14);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    for (int draw = 0; draw < draws(240); ++draw) {
+        int const n = 2 + draw % 7;
+        double const thin = std::ldexp(1.0, -static_cast<int>(random() % 22)),
+                     shift = draw % 3 == 0 ? 64.0 : 0.0;
+        Cloud cloud{n, {}};
+        for (int i = 0; i < n + 1; ++i) {
+            Numbers x;
+            for (int k = 0; k < n; ++k) x.push_back(uniform(random) + (k == i ? 4.0 : 0.0));
+            double sum = 0.0;
+            for (int k = 1; k < n; ++k) sum += x[static_cast<std::size_t>(k)];
+            x[0] = sum + thin * x[0]; // near the plane x0 = x1 + …
+            for (double &y : x) y += shift;
+            cloud.add(x);
+        }
+        Found const found = find(cloud, 1e-12);
+        auto const text = [&] { return cloud.text(); };
+        if (found.status != PW85_SUCCESS && found.status != PW85_ECONVERGENCE) {
+            failures.check(found.status == PW85_ENOTPD && thin <= 0x1p-17, "status", found.status,
+                           0.0, text);
+            continue;
+        }
+        failures.check((found.status == PW85_SUCCESS) == (found.excess <= 1e-12), "excess",
+                       found.excess, 1e-12, text);
+        check_inside(failures, cloud, found);
+        using std::sqrt;
+        Number const ratio =
+            sqrt(determinant(found.form()) / determinant(around_simplex(cloud))) - 1;
+        double const excess = static_cast<double>(ratio);
+        failures.check(excess >= 0.0, "below the least", excess, 0.0, text);
+        failures.check(ratio <= Number(found.excess), "above 1 + excess", excess, found.excess,
+                       text);
+    }
 }
 
 void test_flat()
@@ -804,6 +851,7 @@ int main(int argc, char **argv)
     g_test_add_func("/enclosing/iteration", test_iteration);
     g_test_add_func("/enclosing/units_and_order", test_units_and_order);
     g_test_add_func("/enclosing/limits", test_limits);
+    g_test_add_func("/enclosing/thin_simplices", test_thin_simplices);
     g_test_add_func("/enclosing/flat", test_flat);
     g_test_add_func("/enclosing/status", test_status);
     g_test_add_func("/enclosing/template", test_template);

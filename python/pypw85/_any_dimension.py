@@ -66,6 +66,8 @@ def nd_contact(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> tuple[Any, Any]:
     >>> print(mu2, lambda_)
     4.0 0.5
     """
+    if (found := _core.nd_one_pair("nd_contact", r12, q1, q2)) is not None:
+        return found[0], found[1]
     rows = _Rows("nd_contact", r12, q1, q2)
     mu2, lambda_ = np.empty(rows.count), np.empty(rows.count)
     rows.check(_core.nd_contact_batch(rows.n, *rows.arrays, mu2, lambda_))
@@ -100,6 +102,8 @@ def nd_contact_geometry(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, lambda_: A
     >>> geometry.point, geometry.d_r12
     (array([2., 0., 0., 0.]), array([2., 0., 0., 0.]))
     """
+    if (found := _core.nd_one_pair("nd_contact_geometry", r12, q1, q2, lambda_)) is not None:
+        return NdContactGeometry(*found)
     rows = _Rows("nd_contact_geometry", r12, q1, q2, lambda_=lambda_)
     outputs = [np.empty((rows.count, size)) for size in (rows.n, rows.n, rows.n, rows.size, rows.size)]
     rows.check(_core.nd_contact_geometry_batch(rows.n, *rows.arrays, *outputs))
@@ -131,6 +135,8 @@ def nd_overlap(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     >>> pypw85.nd_overlap([[2, 0, 0, 0, 0], [1.9, 0, 0, 0, 0]], np.eye(5), np.eye(5))
     array([False,  True])
     """
+    if (found := _core.nd_one_pair("nd_overlap", r12, q1, q2)) is not None:
+        return found
     rows = _Rows("nd_overlap", r12, q1, q2)
     overlap = np.empty(rows.count, dtype=np.uint8)
     rows.check(_core.nd_overlap_batch(rows.n, *rows.arrays, overlap))
@@ -163,6 +169,8 @@ def nd_compare(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, mu2: ArrayLike) -> 
     >>> pypw85.nd_compare([4, 0, 0, 0], np.eye(4), np.eye(4), [3.5, 4, np.inf])
     array([ 1,  0, -1], dtype=int32)
     """
+    if (found := _core.nd_one_pair("nd_compare", r12, q1, q2, mu2)) is not None:
+        return found
     rows = _Rows("nd_compare", r12, q1, q2, mu2=mu2)
     sign = np.empty(rows.count, dtype=np.intc)
     rows.check(_core.nd_compare_batch(rows.n, *rows.arrays, sign))
@@ -194,6 +202,8 @@ def nd_contains(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     >>> pypw85.nd_contains([[1, 0, 0, 0], [1.25, 0, 0, 0]], 4 * np.eye(4), np.eye(4))
     array([ True, False])
     """
+    if (found := _core.nd_one_pair("nd_contains", r12, q1, q2)) is not None:
+        return found
     rows = _Rows("nd_contains", r12, q1, q2)
     contains = np.empty(rows.count, dtype=np.uint8)
     rows.check(_core.nd_contains_batch(rows.n, *rows.arrays, contains))
@@ -230,6 +240,8 @@ def nd_containment(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> tuple[Any, A
     >>> print(mu2, point)
     4.0 [4. 0. 0. 0.]
     """
+    if (found := _core.nd_one_pair("nd_containment", r12, q1, q2)) is not None:
+        return found[0], found[1]
     rows = _Rows("nd_containment", r12, q1, q2)
     mu2, point = np.empty(rows.count), np.empty((rows.count, rows.n))
     rows.check(_core.nd_containment_batch(rows.n, *rows.arrays, mu2, point))
@@ -262,6 +274,8 @@ def nd_distance(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> NdDistance:
     >>> print(found.distance, found.point1, found.point2)
     2.0 [1. 0. 0. 0.] [3. 0. 0. 0.]
     """
+    if (found := _core.nd_one_pair("nd_distance", r12, q1, q2)) is not None:
+        return NdDistance(*found)
     rows = _Rows("nd_distance", r12, q1, q2)
     outputs = [np.empty(rows.count), *(np.empty((rows.count, rows.n)) for _ in range(3))]
     rows.check(_core.nd_distance_batch(rows.n, *rows.arrays, *outputs))

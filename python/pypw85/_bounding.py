@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._enclosing import enclosing_ellipsoid_of
+from ._errors import PW85Error
 from ._numbers import instance
 from ._system import System
 from ._words import shown
@@ -60,7 +61,12 @@ def enclosing(system: System, clusters: ArrayLike | None = None, tolerance: floa
     centers, forms = np.zeros((len(names), 3)), np.tile([1.0, 0, 0, 1, 0, 1], (len(names), 1))
     for k in range(len(names)):
         chosen = members == k
-        center, q, _ = enclosing_ellipsoid_of(system.centers[chosen, :n], system.q[np.ix_(chosen, entries)], tolerance)
+        try:
+            center, q, _ = enclosing_ellipsoid_of(system.centers[chosen, :n], system.q[np.ix_(chosen, entries)], tolerance)
+        except PW85Error as error:
+            detail = error.detail or error.reason
+            where = "" if clusters is None else f"cluster {names[k]}: "
+            raise PW85Error(error.status, "enclosing", error.reason, where + detail) from None
         centers[k, :n], forms[k, entries] = center, q
     return System(
         centers, forms, system.cell, system.periodic, types=names, origin=system.origin, step=system.step, dimensions=system.dimensions

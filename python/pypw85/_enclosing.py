@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._any_dimension import MAX_DIMENSION, packed_rows
 from ._arrays import reals
-from ._errors import PW85Error, Status, last_cause
+from ._errors import PW85Error, Status, describe
 from ._numbers import real
 from ._typing import Floats
 
@@ -156,6 +156,8 @@ def credible_ellipsoid(samples: ArrayLike, share: float, tolerance: float = 1e-6
         bad = int(np.flatnonzero(~np.isfinite(rows).all(axis=1))[0])
         detail = f"row {bad}: samples must be finite, not {rows[bad].tolist()}"
         raise PW85Error(Status.EINVAL, name, _core.strerror(Status.EINVAL), detail)
+    if m <= n:
+        return _enclose(name, _core.enclosing_ellipsoid, tolerance, samples=rows)
     # In units of the extents, because coordinates may have different units. Powers of two change no digit.
     extents = rows.max(axis=0) / 2 - rows.min(axis=0) / 2
     scaled = np.ldexp(rows, -np.frexp(extents)[1])
@@ -165,22 +167,38 @@ def credible_ellipsoid(samples: ArrayLike, share: float, tolerance: float = 1e-6
         if np.array_equal(np.sort(nearest), kept):
             break
         kept = np.sort(nearest)
-    return _enclose(name, _core.enclosing_ellipsoid, tolerance, points=rows[kept])
+    return _enclose(name, _core.enclosing_ellipsoid, tolerance, samples=rows[kept])
 
 
 def _enclose(name: str, function: Any, tolerance: float, **inputs: Floats) -> tuple[Floats, Floats, float]:
-    """Calls a function of C for points, or for centres and forms."""
+    """Calls a function of C for points or samples, or for centres and forms."""
     what, rows = next(iter(inputs.items()))
     m, n = rows.shape
     center, q = np.empty(n), np.empty(n * (n + 1) // 2)
     status, excess = function(n, *inputs.values(), tolerance, center, q)
     if not status:
         return center, q, excess
-    cause = last_cause("row", tolerance=tolerance, m=m, **inputs)
     if status != Status.ECONVERGENCE:
-        raise PW85Error(status, name, _core.strerror(status), f"{what}: {cause}" if cause.startswith("m must") else cause)
+        raise PW85Error(status, name, _core.strerror(status), _cause(tolerance, m, what, inputs))
     warnings.warn(f"{name}: the excess is {excess:.3g}, above the tolerance {tolerance:g}", RuntimeWarning, stacklevel=3)
     return center, q, excess
+
+
+def _cause(tolerance: float, m: int, what: str, inputs: dict[str, Floats]) -> str:
+    """Why C refused a call, in the words of the Python function."""
+    cause = _core.last_error()
+    if cause is None:
+        return ""
+    function, argument, requirement, row, entry, value = cause
+    if argument is None:
+        return requirement.replace("points", what)
+    if argument == "m":
+        return f"{what}: m {requirement}, not {m}"
+    if argument == "points":
+        argument = what
+    if argument == what and math.isnan(value) and np.isfinite(inputs[what]).all():  # all rows together are the cause
+        return f"{what} {requirement}"
+    return describe((function, argument, requirement, row, entry, value), "row", tolerance=tolerance, **inputs)
 
 
 def _points(points: ArrayLike, name: str) -> Floats:

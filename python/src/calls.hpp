@@ -78,6 +78,11 @@ PyObject *radius_inside_body(PyObject *self, PyObject *args);
 /// in a cell with the sum of edges; None if rounding leaves none.
 PyObject *form_of_voxel(PyObject *self, PyObject *args);
 
+/// nd_one_pair(name, r12, q1, q2) or (name, r12, q1, q2, number): what the function of the package
+/// with this name returns for one pair, as a tuple if there are several outputs. None, if the
+/// arguments are not plain numbers of one pair, or the status is not success.
+PyObject *nd_one_pair(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
 /// random_addition_placed(object): (centers, quaternions, kinds).
 PyObject *random_addition_placed(PyObject *self, PyObject *capsule);
 

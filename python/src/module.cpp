@@ -196,6 +196,8 @@ PyMethodDef methods[] = {
     {"form_of_voxel", form_of_voxel, METH_VARARGS,
      "An ellipse inside all that can be put into a voxel."},
     {"random_addition_placed", random_addition_placed, METH_O, "The particles that were added."},
+    {"nd_one_pair", as_method(nd_one_pair), METH_FASTCALL,
+     "Outputs of a function of one pair in n dimensions, or None."},
     {"format_rows", format_rows, METH_VARARGS, "Text of the rows of a table."},
     {nullptr, nullptr, 0, nullptr},
 };

@@ -148,3 +148,61 @@ def test_pairs_without_numbers():
     with pytest.raises(pypw85.PW85Error, match="^nd_distance: the iterations did not converge$") as caught:
         pypw85.nd_distance([2.0**600, 0], np.eye(2), 2.0**-900 * np.eye(2))
     assert caught.value.status == pypw85.Status.ECONVERGENCE
+
+
+def as_lists(x):
+    """A vector as a tuple; a matrix as it is."""
+    return tuple(x.tolist()) if x.ndim == 1 else x
+
+
+def strided(x):
+    wide = np.full(tuple(2 * k for k in x.shape), np.nan)
+    wide[(slice(None, None, 2),) * x.ndim] = x
+    return wide[(slice(None, None, 2),) * x.ndim]
+
+
+@pytest.mark.parametrize("n", [1, 2, 5, 16])
+def test_one_pair_is_a_row(n):
+    """Calls for one pair take a shorter way: the values, types and shapes are those of a row of many."""
+    rng = np.random.default_rng(n)
+    functions = {
+        pypw85.nd_contact: (), pypw85.nd_contact_geometry: (0.25,), pypw85.nd_overlap: (), pypw85.nd_compare: (1.5,),
+        pypw85.nd_contains: (), pypw85.nd_containment: (), pypw85.nd_distance: (),
+    }  # fmt: skip
+    for scale in (0.1, 1, 9):
+        r12, forms = scale * rng.normal(size=n), [random_form(rng, n, 5) for _ in range(2)]
+        packed = [q[np.triu_indices(n)] for q in forms]
+        for function, number in functions.items():
+            rows = function(r12[np.newaxis], *packed, *number)
+            expected = tuple(x[0] for x in rows) if isinstance(rows, tuple) else (rows[0],)
+            for convert in (np.asarray, as_lists, strided, np.asfortranarray, lambda x: x.astype(object)):
+                for given in (forms, packed):
+                    found = function(convert(r12), *map(convert, given), *number)
+                    assert type(found) is type(rows) or not isinstance(rows, tuple)
+                    for one, other in zip(found if isinstance(found, tuple) else (found,), expected):
+                        np.testing.assert_array_equal(one, other)
+                        assert type(one) is type(other) and one.dtype == other.dtype
+
+
+def test_what_is_not_one_plain_pair():
+    """Numbers of other types give the same result; what is not a number is refused by the same errors as in rows."""
+    eye = np.eye(2)
+    for r12 in ([4, 0], (4.0, 0), np.array([4, 0]), np.ma.array([4.0, 0]), [np.float32(4), 0], [True * 4, False]):
+        assert np.all(pypw85.nd_contact(r12, eye, eye)[0] == 4)
+    masked = np.ma.array([4.0, 0], mask=[True, False])
+    for r12, error, words in [
+        (masked, PW85Error, "r12 must be finite"), ([10**400, 0], TypeError, "r12 must be real numbers"), (["4", "0"], TypeError, "real"),
+        ([4, [0]], TypeError, "real"), ([], ValueError, "last dimension of 1 to 16"),
+        ([0.0] * 17, ValueError, "last dimension of 1 to 16"), ("44", TypeError, "real"), ({4.0, 0.0}, TypeError, "real"),
+    ]:  # fmt: skip
+        with pytest.raises(error, match=words):
+            pypw85.nd_contact(r12, eye, eye)
+    with pytest.raises(ValueError, match="q1 must be symmetric"):
+        pypw85.nd_contact([4, 0], [[1, 0.1], [0, 1]], eye)
+    with pytest.raises(ValueError, match="q2 must be symmetric"):
+        pypw85.nd_contact([4, 0], eye, np.array([[1, 0.1], [0, 1]]))
+    with pytest.raises(TypeError, match="lambda_ must be real numbers"):
+        pypw85.nd_contact_geometry([4, 0], eye, eye, "half")
+    for arguments in ((), ("nd_contact",), ("nd_compare", eye, eye, eye), ("contact", eye, eye, eye), (1, 2, 3, 4)):
+        with pytest.raises(TypeError, match="the name of a function and its arguments were expected"):
+            pypw85._core.nd_one_pair(*arguments)

@@ -73,6 +73,17 @@ def test_share_of_samples():
     assert 0.95 < volume / exact < 1.15
 
 
+@pytest.mark.parametrize("samples, words", [
+    (np.zeros((0, 3)), r"samples: m must be at least n \+ 1, not 0"),
+    (np.eye(3), r"samples: m must be at least n \+ 1, not 3"),
+    ([[0, 0], [1, 1], [2, 2], [3, 3]], "the samples are in a hyperplane, or too close to one"),
+    ([[0, 0], [1, 1e200], [2, 0], [3, 1]], r"credible_ellipsoid: samples must have an extent between 2\^-480 and 2\^480 along each coord"),
+])  # fmt: skip
+def test_bad_samples(samples, words):
+    with pytest.raises(pypw85.PW85Error, match=words):
+        pypw85.credible_ellipsoid(samples, 1)
+
+
 def test_share_of_all_is_the_smallest_around_all():
     samples = np.random.default_rng(3).normal(size=(40, 3))
     for one, other in zip(pypw85.credible_ellipsoid(samples, 1), pypw85.enclosing_ellipsoid(samples)):
@@ -157,6 +168,10 @@ def test_clusters_of_a_system():
         pypw85.enclosing([])
     with pytest.raises(TypeError, match="enclosing: clusters must be numbers or strings, not"):
         pypw85.enclosing(system, [None] * len(system))
+    with pytest.raises(pypw85.PW85Error, match="^enclosing: cluster a: tolerance must be > 0, not -1.0$"):
+        pypw85.enclosing(system, clusters, -1)
+    with pytest.raises(pypw85.PW85Error, match="^enclosing: tolerance must be > 0, not -1.0$"):
+        pypw85.enclosing(system, tolerance=-1)
 
 
 def test_one_ellipsoid_of_one_dimension():

@@ -6,7 +6,6 @@
 #include <pw85.h>
 #include <pw85_any_dimension.h>
 
-#include <pw85/any_dimension/containment.hpp>
 #include <pw85/any_dimension/distance.hpp>
 #include <pw85/any_dimension/geometry.hpp>
 #include <pw85/any_dimension/overlap.hpp>
@@ -14,6 +13,7 @@
 #include "../base/c_arrays.hpp"
 #include "../base/floating_point_environment.hpp"
 #include "causes.hpp"
+#include "shared.hpp"
 
 using namespace pw85;
 using namespace pw85::detail::c_api;
@@ -104,6 +104,30 @@ void store_all_nan(int n, NdGeometry const &out) noexcept
 }
 
 } // namespace
+
+namespace pw85::detail::any_dimension {
+
+StatusCode exact_status_of_form(int n, double const *q) noexcept { return status_of_form(n, q); }
+
+void find_dual(ReachWorkspace<double> &memory) noexcept
+{
+    // What the bounds have reached is in the memory, also where they differ by more.
+    static_cast<void>(find_dual(memory, 4.0 * unit_roundoff<double>()));
+}
+
+bool shows_inside_wider(Input const &in, Doubled<double> const *r12, double nu,
+                        double other) noexcept
+{
+    using Wide = Doubled<double>;
+    return with_wide_workspace([&](auto &work) {
+        scale(in, {0, 0, 0, false}, work.pair);
+        for (int k = 0; k < in.n; ++k) work.pair.r12[k] = r12[k];
+        return shows_inside(work.pair, Wide(nu), work.at.factors) ||
+               shows_inside(work.pair, Wide(other), work.at.factors);
+    });
+}
+
+} // namespace pw85::detail::any_dimension
 
 int pw85_nd_contact(int n, double const *r12, double const *q1, double const *q2, double out[2])
 {

@@ -2,9 +2,8 @@
 // The causes of refusals of functions in n dimensions.
 #include "causes.hpp"
 
-#include <pw85/any_dimension/definite.hpp>
-
 #include "../base/floating_point_environment.hpp"
+#include "shared.hpp"
 
 namespace pw85::detail::any_dimension {
 
@@ -16,7 +15,7 @@ int refuse_dimension(char const *function, int n) noexcept
 
 bool is_indefinite(int n, double const *q) noexcept
 {
-    return in_default_environment([&] { return status_of_form(n, q); }) ==
+    return in_default_environment([&] { return exact_status_of_form(n, q); }) ==
            Status::not_positive_definite;
 }
 

@@ -4,6 +4,7 @@
 
 #include <new>
 
+#include "../any_dimension/shared.hpp"
 #include "max_det.hpp"
 
 namespace pw85::detail::enclosing {
@@ -105,7 +106,7 @@ Status AroundEllipsoids::status_of_input() const noexcept
     for (std::size_t i = 0; i < bodies_.m; ++i) {
         auto const numbers = any_dimension::status_of_numbers(bodies_.n, bodies_.center(i));
         if (numbers != Status::success) return numbers;
-        auto const form = any_dimension::status_of_form(bodies_.n, bodies_.form(i));
+        auto const form = any_dimension::exact_status_of_form(bodies_.n, bodies_.form(i));
         if (form == Status::invalid_argument) return form;
         if (first == Status::success) first = form;
     }
@@ -227,18 +228,18 @@ void AroundEllipsoids::find_map(std::size_t i, Wide *map) noexcept
     }
 }
 
-/// Reads the outer ellipsoid from Z: its centre is -Z₁₁⁻¹ z₁₂ and its form ρ Z₁₁⁻¹ in the frame,
-/// with ρ = d - (z₂₂ - z₁₂ᵀ Z₁₁⁻¹ z₁₂).
-template <class Search> bool AroundEllipsoids::read_outer(Search const &search) noexcept
+/// Reads the outer ellipsoid from Z, which is in map_: its centre is -Z₁₁⁻¹ z₁₂ and its form ρ
+/// Z₁₁⁻¹ in the frame, with ρ = d - (z₂₂ - z₁₂ᵀ Z₁₁⁻¹ z₁₂). Returns ρ, or 0 if Z is not definite.
+Wide AroundEllipsoids::read_outer() noexcept
 {
     int const n = bodies_.n, d = n + 1;
     std::size_t const size = extent(n);
     Wide *const k = factor_.x;
     Wide y[max_dimension];
-    auto const z = [&](int i, int j) { return Wide(search.z().x[i * d + j]); };
+    auto const z = [&](int i, int j) { return map_.x[i * d + j]; };
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) k[i * n + j] = z(i, j);
-    if (!factorize(size, k, 0.0)) return false;
+    if (!factorize(size, k, 0.0)) return Wide(0.0);
     for (int i = 0; i < n; ++i) y[i] = z(i, n);
     substitute(size, k, y);
     Wide const rho = Wide(d) - z(n, n) + dot(size, y, y);
@@ -265,12 +266,35 @@ template <class Search> bool AroundEllipsoids::read_outer(Search const &search) 
             covariance_[at(i, j)] = rho * sum / Wide(n);
         }
     }
+    return rho;
+}
+
+/// Reads the outer ellipsoid, the multipliers and the moments.
+template <class Search> bool AroundEllipsoids::read(Search const &search) noexcept
+{
+    std::size_t const d = extent(bodies_.n) + 1;
+    for (std::size_t l = 0; l < d * d; ++l) map_.x[l] = Wide(search.z().x[l]);
+    Wide const rho = read_outer();
+    if (!(rho.high > 0.0)) return false;
     for (std::size_t i = 0; i < active_.size(); ++i) {
         multipliers_[i] = (Wide(search.lambda(i)) / rho).high;
-        for (std::size_t l = 0; l < extent(d) * extent(d); ++l)
+        for (std::size_t l = 0; l < d * d; ++l)
             moments_[i].x[l] = Wide(search.moments(i).x[l]).high;
     }
-    return rho.high > 0.0;
+    return true;
+}
+
+/// Continues a search with twice the digits, and reads its result. It is compiled for size.
+template <class Search> [[gnu::cold, gnu::noinline]] Status
+AroundEllipsoids::read_wider(Search const &search, double difference) noexcept
+{
+    std::size_t const count = active_.size();
+    std::unique_ptr<MaxDet<Wide>> const wide(new (std::nothrow) MaxDet<Wide>);
+    if (wide == nullptr || !wide->reserve(bodies_.n, count)) return Status::out_of_memory;
+    for (std::size_t i = 0; i < count; ++i) find_map(active_[i], wide->map(i).x);
+    wide->begin_at(search);
+    wide->solve(difference);
+    return read(*wide) ? Status::success : Status::not_positive_definite;
 }
 
 /// Finds the smallest ellipsoid around the active ones. If double precision does not reach the
@@ -290,19 +314,13 @@ Status AroundEllipsoids::enclose_active(double difference, bool is_final) noexce
             search->map(i).x[k] = map_.x[k].high;
     }
     search->begin();
-    bool found;
-    if (search->solve(difference) <= difference || !is_final) {
-        found = read_outer(*search);
-    } else {
-        std::unique_ptr<MaxDet<Wide>> const wide(new (std::nothrow) MaxDet<Wide>);
-        if (wide == nullptr || !wide->reserve(bodies_.n, count)) return Status::out_of_memory;
-        for (std::size_t i = 0; i < count; ++i) find_map(active_[i], wide->map(i).x);
-        wide->begin_at(*search);
-        wide->solve(difference);
-        found = read_outer(*wide);
-    }
-    round_outer(1.0);
-    return found ? Status::success : Status::not_positive_definite;
+    Status status = Status::success;
+    if (search->solve(difference) > difference && is_final)
+        status = read_wider(*search, difference);
+    else if (!read(*search))
+        status = Status::not_positive_definite;
+    if (status == Status::success) round_outer(1.0);
+    return status;
 }
 
 /// Rounds the centre, and a multiple of the form.
@@ -341,9 +359,7 @@ double AroundEllipsoids::reach(std::size_t i, bool roughly) noexcept
     auto &work = memory_.work;
     auto &search = memory_.search;
     scale({n, r, outer_.form, one.form}, {0, 0, 0, false}, work.pair);
-    minimize_dual(work.pair, search, work.at, [&](auto const &state) {
-        return has_converged(work.pair, state, 4.0 * unit_roundoff<double>());
-    });
+    find_dual(memory_);
     if (!(search.best.mu2 > 0.0)) return far * far; // a point
     nu_[i] = search.nu;
     return search.best.mu2;
@@ -461,12 +477,9 @@ bool AroundEllipsoids::is_inside(std::size_t i) noexcept
     if (shows_inside(work.pair, nu, work.at.factors)) return true;
     double const kappa2 = reach(i, false), other = nu_[i] + 0.5 * maximum(0.0, 1.0 - kappa2);
     nu_[i] = nu;
-    return with_wide_workspace([&](auto &wide) {
-        scale(in, units, wide.pair);
-        for (int k = 0; k < n; ++k) wide.pair.r12[k] = Wide(one.center[k]) - Wide(outer_.center[k]);
-        return shows_inside(wide.pair, Wide(nu), wide.at.factors) ||
-               shows_inside(wide.pair, Wide(other), wide.at.factors);
-    });
+    Wide exact[max_dimension];
+    for (int k = 0; k < n; ++k) exact[k] = Wide(one.center[k]) - Wide(outer_.center[k]);
+    return shows_inside_wider(in, exact, nu, other);
 }
 
 bool AroundEllipsoids::are_inside() noexcept

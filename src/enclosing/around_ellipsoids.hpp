@@ -77,7 +77,9 @@ class AroundEllipsoids {
     bool update_frame() noexcept;
     void find_map(std::size_t i, Wide *map) noexcept;
     Status enclose_active(double difference, bool is_final) noexcept;
-    template <class Search> bool read_outer(Search const &search) noexcept;
+    Wide read_outer() noexcept;
+    template <class Search> bool read(Search const &search) noexcept;
+    template <class Search> Status read_wider(Search const &search, double difference) noexcept;
     void round_outer(double factor) noexcept;
     double reach(std::size_t i, bool roughly) noexcept;
     double measure() noexcept;

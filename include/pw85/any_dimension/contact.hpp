@@ -18,14 +18,14 @@
 namespace pw85::detail::any_dimension {
 
 /// Memory of a search.
-template <class T> struct Workspace {
-    Pair<T> pair;
-    Evaluation<T> at;
+template <class T, class N = int> struct Workspace {
+    Pair<T, N> pair;
+    Evaluation<T, N> at;
 };
 
 /// Computes the maximum of f by numbers of type T, in the units of the pair.
-template <class T> [[gnu::noinline]] PW85_FUNCTION inline Maximum<double>
-maximize_in(Input const &in, Units const &units, Workspace<T> &work) noexcept
+template <class T, class N> [[gnu::noinline]] PW85_FUNCTION inline Maximum<double>
+maximize_in(InputOf<N> const &in, Units const &units, Workspace<T, N> &work) noexcept
 {
     scale(in, units, work.pair);
     auto const m = maximize(work.pair, work.at);
@@ -37,10 +37,10 @@ maximize_in(Input const &in, Units const &units, Workspace<T> &work) noexcept
 }
 
 /// Calls function(workspace) with a workspace on the stack.
-template <class Function>
+template <class N = int, class Function>
 [[gnu::noinline]] PW85_FUNCTION inline auto with_workspace(Function const &function) noexcept
 {
-    Workspace<double> work;
+    Workspace<double, N> work;
     return function(work);
 }
 
@@ -66,16 +66,43 @@ contact_extended(Input const &in, Units const &units) noexcept
     return {m.mu2, units.swapped ? m.complement : m.lambda, StatusCode::success};
 }
 
+/// Computes with numbers of twice, and then of seven times, the digits.
+[[gnu::cold, gnu::noinline]] PW85_FUNCTION inline Contact<double>
+contact_wider(Input const &in, Units const &units) noexcept
+{
+    if constexpr (FLT_EVAL_METHOD == 0) {
+        Maximum<double> const m =
+            with_wide_workspace([&](auto &work) { return maximize_in(in, units, work); });
+        if (m.certified)
+            return {m.mu2, units.swapped ? m.complement : m.lambda, StatusCode::success};
+    }
+    return contact_extended(in, units);
+}
+
 /// Returns the contact function of a valid pair with r12 != 0, in the units of the pair.
-PW85_FUNCTION inline Contact<double> contact_in_units(Input const &in, Units const &units) noexcept
+template <class N> PW85_FUNCTION inline Contact<double>
+contact_in_units(InputOf<N> const &in, Units const &units) noexcept
 {
     if (!keep_digits(in, units)) return all_nan<Contact<double>>(StatusCode::no_convergence);
-    auto const maximize = [&](auto &work) { return maximize_in(in, units, work); };
-    Maximum<double> m = with_workspace(maximize);
-    if constexpr (FLT_EVAL_METHOD == 0)
-        if (!m.certified) m = with_wide_workspace(maximize);
-    if (!m.certified) return contact_extended(in, units);
+    Maximum<double> const m =
+        with_workspace<N>([&](auto &work) { return maximize_in(in, units, work); });
+    if (!m.certified) return contact_wider({in.n, in.r12, in.q1, in.q2}, units);
     return {m.mu2, units.swapped ? m.complement : m.lambda, StatusCode::success};
+}
+
+} // namespace pw85::detail::any_dimension
+
+namespace pw85::detail::any_dimension {
+
+template <class N> PW85_FUNCTION inline Contact<double> contact(InputOf<N> const &in) noexcept
+{
+    StatusCode const status = status_of(in);
+    if (status != StatusCode::success) return all_nan<Contact<double>>(status);
+    if (largest_magnitude(in.n, in.r12) == 0.0) return {0.0, 0.5, StatusCode::success};
+    auto const units = units_of(in);
+    auto result = contact_in_units(in, units);
+    result.mu2 = times_power_of_two(result.mu2, 2 * (units.length - units.form));
+    return result;
 }
 
 } // namespace pw85::detail::any_dimension
@@ -87,15 +114,17 @@ namespace pw85 {
 PW85_FUNCTION inline Contact<double> nd_contact(int n, double const *r12, double const *q1,
                                                 double const *q2) noexcept
 {
-    using namespace detail;
-    any_dimension::Input const in{n, r12, q1, q2};
-    StatusCode const status = any_dimension::status_of(in);
-    if (status != StatusCode::success) return all_nan<Contact<double>>(status);
-    if (any_dimension::largest_magnitude(n, r12) == 0.0) return {0.0, 0.5, StatusCode::success};
-    auto const units = any_dimension::units_of(in);
-    auto result = any_dimension::contact_in_units(in, units);
-    result.mu2 = times_power_of_two(result.mu2, 2 * (units.length - units.form));
-    return result;
+    return detail::any_dimension::contact(detail::any_dimension::Input{n, r12, q1, q2});
+}
+
+/// Returns the contact function with the bits of nd_contact(N, ...). The number of dimensions is
+/// known at compile time, which is faster for few dimensions.
+template <int N> PW85_FUNCTION inline Contact<double>
+nd_contact(double const *r12, double const *q1, double const *q2) noexcept
+{
+    using namespace detail::any_dimension;
+    static_assert(N >= 1 && N <= max_dimension);
+    return contact(InputOf<Dimension<N>>{{}, r12, q1, q2});
 }
 
 } // namespace pw85

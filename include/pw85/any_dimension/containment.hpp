@@ -345,6 +345,17 @@ template <class T> struct ReachWorkspace {
     DualBoundSearch<T> search;
 };
 
+/// Searches until the bounds on κ² of the pair differ by at most tolerance S, with S of
+/// condition_sum(). Returns whether they do.
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline bool find_dual(ReachWorkspace<T> &memory,
+                                                                         double tolerance) noexcept
+{
+    auto &work = memory.work;
+    return minimize_dual(work.pair, memory.search, work.at, [&](auto const &state) {
+        return has_converged(work.pair, state, T(tolerance));
+    });
+}
+
 /// Computes κ² and the point in the units of the pair, by numbers of type T. Returns false if the
 /// bounds on κ² differ by more than tolerance S, with S of condition_sum().
 template <class T>
@@ -353,15 +364,12 @@ template <class T>
                                                        ReachWorkspace<T> &memory) noexcept
 {
     auto &pair = memory.work.pair;
-    auto &at = memory.work.at;
     int const n = given.n;
     pair.n = n;
     scale(n, given.r12, 0, 1.0, pair.r12);
     scale(packed_size(n), given.q1, 0, 1.0, pair.q1);
     scale(packed_size(n), given.q2, 0, 1.0, pair.q2);
-    bool const converged = minimize_dual(pair, memory.search, at, [&](auto const &state) {
-        return has_converged(pair, state, T(tolerance));
-    });
+    bool const converged = find_dual(memory, tolerance);
     auto const &best = memory.search.best;
     mu2 = rounded(best.mu2);
     for (int i = 0; i < n; ++i) point[i] = rounded(T(pair.r12[i] + best.q2s[i] / best.root2));

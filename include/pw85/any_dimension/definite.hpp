@@ -18,11 +18,11 @@ template <class T> PW85_FUNCTION inline T least_shift(int n) noexcept
     return T(4 * factorization_error(n)) * T(unit_roundoff<T>());
 }
 
-template <class T>
-PW85_FUNCTION inline bool is_clearly_definite(int n, double const *q, int exponent) noexcept
+template <class T, class N>
+PW85_FUNCTION inline bool is_clearly_definite(N n, double const *q, int exponent) noexcept
 {
     if (!keeps_digits(n, q, exponent)) return false;
-    T matrix[max_packed_size];
+    T matrix[packed_size(capacity<N>)];
     for (int i = 0, k = 0; i < n; ++i)
         for (int j = i; j < n; ++j, ++k)
             matrix[k] = T(exponent == 0 ? q[k] : times_power_of_two(q[k], exponent));
@@ -49,7 +49,7 @@ PW85_FUNCTION inline StatusCode status_of_numbers(int size, double const *x) noe
 }
 
 /// Returns the status of one form. Whether it is positive definite is decided exactly.
-PW85_FUNCTION inline StatusCode status_of_form(int n, double const *q) noexcept
+template <class N> PW85_FUNCTION inline StatusCode status_of_form(N n, double const *q) noexcept
 {
     if (status_of_numbers(packed_size(n), q) != StatusCode::success)
         return StatusCode::invalid_argument;
@@ -64,7 +64,8 @@ PW85_FUNCTION inline StatusCode status_of_form(int n, double const *q) noexcept
 PW85_FUNCTION constexpr bool is_dimension(int n) noexcept { return n >= 1 && n <= max_dimension; }
 
 /// Returns the status of a pair.
-[[gnu::noinline]] PW85_FUNCTION inline StatusCode status_of(Input const &in) noexcept
+template <class N>
+[[gnu::noinline]] PW85_FUNCTION inline StatusCode status_of(InputOf<N> const &in) noexcept
 {
     if (!is_dimension(in.n) || status_of_numbers(in.n, in.r12) != StatusCode::success)
         return StatusCode::invalid_argument;

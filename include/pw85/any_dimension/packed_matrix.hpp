@@ -24,6 +24,16 @@ PW85_FUNCTION constexpr int packed_size(int n) noexcept { return n * (n + 1) / 2
 
 inline constexpr int max_packed_size = packed_size(max_dimension);
 
+/// A number of dimensions that is known at compile time. Functions whose type of n is a template
+/// parameter N take such a number, or an int. The results have the same bits.
+template <int D> struct Dimension {
+    PW85_MEMBER constexpr operator int() const noexcept { return D; }
+};
+
+/// The largest number of dimensions of a type N.
+template <class N> inline constexpr int capacity = max_dimension;
+template <int D> inline constexpr int capacity<Dimension<D>> = D;
+
 /// Returns the position at which row i would begin if it had entries below the diagonal: entry (i,
 /// j) with i <= j is at row_offset(n, i) + j.
 PW85_FUNCTION constexpr int row_offset(int n, int i) noexcept { return i * (2 * n - i - 1) / 2; }
@@ -42,7 +52,7 @@ template <class T> PW85_FUNCTION constexpr T operation_error() noexcept
 }
 
 /// Σ x_i y_i. Four partial sums shorten the chain of additions, and the error.
-template <class T> PW85_FUNCTION inline T dot(int n, T const *x, T const *y) noexcept
+template <class T, class N> PW85_FUNCTION inline T dot(N n, T const *x, T const *y) noexcept
 {
     T sums[4] = {T(0), T(0), T(0), T(0)};
     int i = 0;
@@ -53,8 +63,8 @@ template <class T> PW85_FUNCTION inline T dot(int n, T const *x, T const *y) noe
 }
 
 /// y = A x.
-template <class T>
-[[gnu::noinline]] PW85_FUNCTION inline void product(int n, T const *a, T const *x, T *y) noexcept
+template <class T, class N>
+[[gnu::noinline]] PW85_FUNCTION inline void product(N n, T const *a, T const *x, T *y) noexcept
 {
     for (int i = 0; i < n; ++i) y[i] = T(0);
     for (int i = 0; i < n; ++i) {
@@ -68,7 +78,8 @@ template <class T>
 /// Factorises a matrix in place, A = L D Lᵀ. The rows of Lᵀ replace the rows of A, and the pivots D
 /// are on the diagonal. Returns whether all pivots are positive. If a pivot is not, the rest is not
 /// computed.
-template <class T> [[gnu::noinline]] PW85_FUNCTION inline bool factorize(int n, T *a) noexcept
+template <class T, class N>
+[[gnu::noinline]] PW85_FUNCTION inline bool factorize(N n, T *a) noexcept
 {
     for (int k = 0; k < n; ++k) {
         T *const pivot_row = a + row_offset(n, k);
@@ -85,8 +96,8 @@ template <class T> [[gnu::noinline]] PW85_FUNCTION inline bool factorize(int n, 
 }
 
 /// x = A⁻¹ b from the factors of A. x may be b.
-template <class T> [[gnu::noinline]] PW85_FUNCTION inline void solve(int n, T const *factors,
-                                                                     T const *b, T *x) noexcept
+template <class T, class N>
+[[gnu::noinline]] PW85_FUNCTION inline void solve(N n, T const *factors, T const *b, T *x) noexcept
 {
     for (int i = 0; i < n; ++i) x[i] = b[i];
     for (int k = 0; k < n; ++k) {
@@ -117,8 +128,8 @@ PW85_FUNCTION constexpr int factorization_error(int n) noexcept { return n * (n 
 /// Returns whether A - shift diag(A) has positive pivots. Then xᵀAx >= (shift - n (n + 4) u) Σ a_ii
 /// x_i² for every x, so that A is positive definite if the shift is larger than that. `memory` is
 /// for one matrix, and may be A itself.
-template <class T> PW85_FUNCTION inline bool
-is_definite_with_shift(int n, T const *a, T const &shift, T *memory) noexcept
+template <class T, class N> PW85_FUNCTION inline bool
+is_definite_with_shift(N n, T const *a, T const &shift, T *memory) noexcept
 {
     for (int i = 0, k = 0; i < n; ++i)
         for (int j = i; j < n; ++j, ++k) memory[k] = i == j ? T(a[k] - shift * a[k]) : a[k];

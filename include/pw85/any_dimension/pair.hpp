@@ -11,16 +11,17 @@
 namespace pw85::detail::any_dimension {
 
 /// A pair as the caller gives it. The arrays are his.
-struct Input {
-    int n;
+template <class N> struct InputOf {
+    N n;
     double const *r12, *q1, *q2;
 };
+using Input = InputOf<int>;
 
 /// A pair in units of its own. Its members mean what those of pw85::detail::Pair mean.
-template <class T> struct Pair {
-    int n;
-    T r12[max_dimension];
-    T q1[max_packed_size], q2[max_packed_size];
+template <class T, class N = int> struct Pair {
+    N n;
+    T r12[capacity<N>];
+    T q1[packed_size(capacity<N>)], q2[packed_size(capacity<N>)];
     T ratio;
 };
 
@@ -30,14 +31,14 @@ struct Units {
     bool swapped;
 };
 
-PW85_FUNCTION inline double largest_diagonal(int n, double const *q) noexcept
+template <class N> PW85_FUNCTION inline double largest_diagonal(N n, double const *q) noexcept
 {
     double largest = q[0];
     for (int i = 1; i < n; ++i) largest = maximum(largest, q[packed_index(n, i, i)]);
     return largest;
 }
 
-PW85_FUNCTION inline double largest_magnitude(int n, double const *x) noexcept
+template <class N> PW85_FUNCTION inline double largest_magnitude(N n, double const *x) noexcept
 {
     double largest = 0.0;
     for (int i = 0; i < n; ++i) largest = maximum(largest, absolute(x[i]));
@@ -46,7 +47,7 @@ PW85_FUNCTION inline double largest_magnitude(int n, double const *x) noexcept
 
 /// Returns the units of a pair with positive diagonals. Pairs of ordinary sizes keep those of the
 /// caller.
-PW85_FUNCTION inline Units units_of(Input const &in) noexcept
+template <class N> PW85_FUNCTION inline Units units_of(InputOf<N> const &in) noexcept
 {
     double const r = largest_magnitude(in.n, in.r12);
     double const size1 = largest_diagonal(in.n, in.q1), size2 = largest_diagonal(in.n, in.q2);
@@ -58,14 +59,16 @@ PW85_FUNCTION inline Units units_of(Input const &in) noexcept
 
 /// Returns whether no diagonal entry becomes so small in these units that digits of its products
 /// are lost.
-PW85_FUNCTION inline bool keeps_digits(int n, double const *q, int exponent) noexcept
+template <class N>
+PW85_FUNCTION inline bool keeps_digits(N n, double const *q, int exponent) noexcept
 {
     for (int i = 0; i < n; ++i)
         if (!(times_power_of_two(q[packed_index(n, i, i)], exponent) >= 0x1p-800)) return false;
     return true;
 }
 
-PW85_FUNCTION inline bool keep_digits(Input const &in, Units const &units) noexcept
+template <class N>
+PW85_FUNCTION inline bool keep_digits(InputOf<N> const &in, Units const &units) noexcept
 {
     int const first = units.swapped ? units.second : units.form,
               second = units.swapped ? units.form : units.second;
@@ -80,8 +83,8 @@ PW85_FUNCTION inline void scale(int size, double const *x, int exponent, double 
 }
 
 /// Brings a pair to its units. Only numbers that are too small to matter are rounded.
-template <class T>
-PW85_FUNCTION inline void scale(Input const &in, Units const &units, Pair<T> &pair) noexcept
+template <class T, class N>
+PW85_FUNCTION inline void scale(InputOf<N> const &in, Units const &units, Pair<T, N> &pair) noexcept
 {
     int const size = packed_size(in.n), limit = ratio_exponent_limit<double>();
     int const difference = units.form - units.second;
@@ -93,7 +96,8 @@ PW85_FUNCTION inline void scale(Input const &in, Units const &units, Pair<T> &pa
 }
 
 /// Σ q_ii x_i². It is at least 1/n of Σ |x_i q_ij x_j|.
-template <class T> PW85_FUNCTION inline T diagonal_form(int n, T const *q, T const *x) noexcept
+template <class T, class N>
+PW85_FUNCTION inline T diagonal_form(N n, T const *q, T const *x) noexcept
 {
     T sum = T(0);
     for (int i = 0; i < n; ++i) sum = sum + q[packed_index(n, i, i)] * (x[i] * x[i]);

@@ -13,24 +13,25 @@
 namespace pw85::detail::any_dimension {
 
 /// An evaluation at t: the factors of M = Q1 + t Q2, s = M⁻¹ r12, Q1 s and Q2 s, and M⁻¹ Q2 s.
-template <class T> struct Evaluation {
-    T factors[max_packed_size];
-    T s[max_dimension], p[max_dimension], q[max_dimension], v[max_dimension];
+template <class T, class N = int> struct Evaluation {
+    T factors[packed_size(capacity<N>)];
+    T s[capacity<N>], p[capacity<N>], q[capacity<N>], v[capacity<N>];
     T a, b; ///< sᵀQ1s and sᵀQ2s
 };
 
 /// sᵀQs from Qs, raised to at least its rounding error to make it positive.
-template <class T>
-PW85_FUNCTION inline T positive_form(int n, T const *q, T const *s, T const *qs) noexcept
+template <class T, class N>
+PW85_FUNCTION inline T positive_form(N n, T const *q, T const *s, T const *qs) noexcept
 {
     return maximum(dot(n, s, qs), T(T(unit_roundoff<T>()) * diagonal_form(n, q, s)));
 }
 
 /// Evaluates all but v. Returns false if rounding errors make a pivot negative.
-template <class T>
-PW85_FUNCTION inline bool evaluate(Pair<T> const &pair, T const &t, Evaluation<T> &at) noexcept
+template <class T, class N> PW85_FUNCTION inline bool evaluate(Pair<T, N> const &pair, T const &t,
+                                                               Evaluation<T, N> &at) noexcept
 {
-    int const n = pair.n, size = packed_size(n);
+    N const n = pair.n;
+    int const size = packed_size(n);
     for (int k = 0; k < size; ++k) at.factors[k] = pair.q1[k] + t * pair.q2[k];
     if (!factorize(n, at.factors)) return false;
     solve(n, at.factors, pair.r12, at.s);
@@ -43,11 +44,11 @@ PW85_FUNCTION inline bool evaluate(Pair<T> const &pair, T const &t, Evaluation<T
 
 /// A, B and their derivatives divided by A: contact/evaluation.hpp, item 2. As vᵀMv = vᵀQ2s, one
 /// product with a matrix gives both second derivatives.
-template <class T>
-PW85_FUNCTION inline Jet<T> jet_of(Pair<T> const &pair, T const &t, Evaluation<T> &at) noexcept
+template <class T, class N> PW85_FUNCTION inline Jet<T> jet_of(Pair<T, N> const &pair, T const &t,
+                                                               Evaluation<T, N> &at) noexcept
 {
-    int const n = pair.n;
-    T w[max_dimension];
+    N const n = pair.n;
+    T w[capacity<N>];
     solve(n, at.factors, at.q, at.v);
     product(n, pair.q2, at.v, w);
     T const qv = dot(n, at.q, at.v), second = dot(n, at.v, w), inverse = T(1) / at.a;
@@ -62,8 +63,9 @@ PW85_FUNCTION inline Jet<T> jet_of(Pair<T> const &pair, T const &t, Evaluation<T
 
 /// Searches from the candidate until a step is within penultimate_step(): the algorithm of
 /// detail::search(). Returns false if the search does not converge.
-template <class T> [[gnu::noinline]] PW85_FUNCTION inline bool
-search(Pair<T> const &pair, Candidate<T> &candidate, Evaluation<T> &at, int &evaluations) noexcept
+template <class T, class N>
+[[gnu::noinline]] PW85_FUNCTION inline bool search(Pair<T, N> const &pair, Candidate<T> &candidate,
+                                                   Evaluation<T, N> &at, int &evaluations) noexcept
 {
     auto state = safeguarded_search(candidate.t, free_factorized_steps);
     for (int i = 1;; ++i) {
@@ -88,14 +90,14 @@ search(Pair<T> const &pair, Candidate<T> &candidate, Evaluation<T> &at, int &eva
 
 /// A bound on the inverse of the smallest eigenvalue of M scaled to a unit diagonal: the sum of
 /// M_ii (M⁻¹)_ii, with M⁻¹ = L⁻ᵀ D⁻¹ L⁻¹.
-template <class T> PW85_FUNCTION inline T inverse_bound(Pair<T> const &pair, T const &t,
-                                                        Evaluation<T> const &at) noexcept
+template <class T, class N> PW85_FUNCTION inline T
+inverse_bound(Pair<T, N> const &pair, T const &t, Evaluation<T, N> const &at) noexcept
 {
-    int const n = pair.n;
-    T sum = T(0), inverse_pivots[max_dimension];
+    N const n = pair.n;
+    T sum = T(0), inverse_pivots[capacity<N>];
     for (int i = 0; i < n; ++i) inverse_pivots[i] = T(1) / at.factors[packed_index(n, i, i)];
     for (int i = 0; i < n; ++i) {
-        T column[max_dimension]; // of L⁻¹
+        T column[capacity<N>]; // of L⁻¹
         for (int j = i + 1; j < n; ++j) column[j] = T(0);
         column[i] = T(1);
         T entry = T(0);
@@ -119,16 +121,17 @@ PW85_FUNCTION constexpr int solution_error(int n) noexcept { return n * (3 * n +
 /// The error of h' where sᵀQ1s and sᵀQ2s cancel, as noise_of_slope() of three dimensions: n + 2
 /// roundings of product(), and n/4 + 3 of dot(), of sums of magnitudes of at most n
 /// diagonal_form().
-template <class T>
-PW85_FUNCTION inline T noise_of_slope(Pair<T> const &pair, Evaluation<T> const &at) noexcept
+template <class T, class N>
+PW85_FUNCTION inline T noise_of_slope(Pair<T, N> const &pair, Evaluation<T, N> const &at) noexcept
 {
-    int const n = pair.n;
+    N const n = pair.n;
     T const sum = diagonal_form(n, pair.q1, at.s) / at.a + diagonal_form(n, pair.q2, at.s) / at.b;
     return T(T(n * (2 * n + 6)) * T(unit_roundoff<T>())) * sum;
 }
 
-template <class T> [[gnu::noinline]] PW85_FUNCTION inline LastEvaluation<T>
-last_evaluation(Pair<T> const &pair, Candidate<T> const &candidate, Evaluation<T> &at) noexcept
+template <class T, class N> [[gnu::noinline]] PW85_FUNCTION inline LastEvaluation<T>
+last_evaluation(Pair<T, N> const &pair, Candidate<T> const &candidate,
+                Evaluation<T, N> &at) noexcept
 {
     if (!evaluate(pair, candidate.t, at)) return {{}, false};
     auto const value =
@@ -140,10 +143,10 @@ last_evaluation(Pair<T> const &pair, Candidate<T> const &candidate, Evaluation<T
 }
 
 /// The start of a search.
-template <class T>
-PW85_FUNCTION inline Candidate<T> start(Pair<T> const &pair, Evaluation<T> &at) noexcept
+template <class T, class N>
+PW85_FUNCTION inline Candidate<T> start(Pair<T, N> const &pair, Evaluation<T, N> &at) noexcept
 {
-    int const n = pair.n;
+    N const n = pair.n;
     product(n, pair.q1, pair.r12, at.p);
     product(n, pair.q2, pair.r12, at.q);
     T const form1 = positive_form(n, pair.q1, pair.r12, at.p),
@@ -152,8 +155,8 @@ PW85_FUNCTION inline Candidate<T> start(Pair<T> const &pair, Evaluation<T> &at) 
 }
 
 /// The maximum of f. It is right to rounding where `certified` is true.
-template <class T>
-PW85_FUNCTION inline Maximum<T> maximize(Pair<T> const &pair, Evaluation<T> &at) noexcept
+template <class T, class N>
+PW85_FUNCTION inline Maximum<T> maximize(Pair<T, N> const &pair, Evaluation<T, N> &at) noexcept
 {
     Candidate<T> candidate = start(pair, at);
     int evaluations = 0;
