@@ -288,16 +288,19 @@ template <class Rows> Failure compute(Target const &target, Rows const &rows, st
     return first;
 }
 
-/// Computes n pairs in parallel and returns the status of the first bad one.
-template <class Rows, class Arrays>
-int compute_all(std::size_t n, Rows const &rows, Arrays const &out) noexcept
+/// Computes n pairs in parallel, up to `pairs_of_block` of them by a thread at a time, and returns
+/// the status of the first bad one.
+template <class Rows, class Arrays> int compute_all(std::size_t n, Rows const &rows,
+                                                    Arrays const &out,
+                                                    std::size_t pairs_of_block = block) noexcept
 {
     Target const &target = chosen();
-    Failure const first = for_blocks(n, [&](Range range) {
+    auto const compute_block = [&](Range range) {
         Failure const bad =
             compute(target, rows.from(range.begin), range.end - range.begin, out.from(range.begin));
         return Failure{range.begin + bad.index, bad.status};
-    });
+    };
+    Failure const first = for_blocks(n, compute_block, pairs_of_block);
     return refuse_first(first, [&](std::size_t i) { return refuse_row_of(target, rows, out, i); });
 }
 

@@ -10,6 +10,9 @@ using namespace pw85::detail;
 using namespace pw85::detail::kernels;
 using pw85::detail::c_api::any_null;
 
+/// Fifty to a hundred microseconds of work.
+static constexpr std::size_t rows_of_block = 1024;
+
 int pw85_distance_point_batch(size_t n, double const *r, double const *q, double *distance,
                               double *point, double *normal)
 {
@@ -17,7 +20,7 @@ int pw85_distance_point_batch(size_t n, double const *r, double const *q, double
     if (n > max_rows || any_null(r, q))
         return refuse_arrays("pw85_distance_point_batch", "n", n, NamedArray{"r", r},
                              NamedArray{"q", q});
-    return compute_all(n, PointRows{r, q}, SurfaceArrays{distance, point, normal});
+    return compute_all(n, PointRows{r, q}, SurfaceArrays{distance, point, normal}, rows_of_block);
 }
 
 int pw85_distance_cylinder_batch(size_t n, double const *axis, double const *radius,
@@ -30,5 +33,5 @@ int pw85_distance_cylinder_batch(size_t n, double const *axis, double const *rad
                              NamedArray{"radius", radius}, NamedArray{"center", center},
                              NamedArray{"q", q});
     return compute_all(n, CylinderRows{axis, radius, center, q},
-                       SurfaceArrays{distance, point, normal});
+                       SurfaceArrays{distance, point, normal}, rows_of_block);
 }
