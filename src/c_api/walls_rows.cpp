@@ -63,24 +63,3 @@ int pw85_distance_box_batch(size_t n, double const *lower, double const *upper, 
                     OptionalRowsOf<1>{distance}, OptionalRowsOf<3>{point},
                     OptionalRowsOf<3>{normal});
 }
-
-int pw85_distance_cylinder_batch(size_t n, double const *axis, double const *radius,
-                                 double const *center, double const *q, double *distance,
-                                 double *point, double *normal)
-{
-    static constexpr char const *names[] = {"pw85_distance_cylinder_batch", "axis", "radius",
-                                            "center", "q", "distance", "point", "normal"};
-    return each_row(names, n, pw85_distance_cylinder, RowsOf<3>{axis}, Numbers{radius},
-                    RowsOf<3>{center}, RowsOf<6>{q}, OptionalRowsOf<1>{distance},
-                    OptionalRowsOf<3>{point}, OptionalRowsOf<3>{normal});
-}
-
-int pw85_distance_point_batch(size_t n, double const *r, double const *q, double *distance,
-                              double *point, double *normal)
-{
-    static constexpr char const *names[] = {"pw85_distance_point_batch", "r", "q", "distance",
-                                            "point", "normal"};
-    return each_row(names, n, pw85_distance_point, RowsOf<3>{r}, RowsOf<6>{q},
-                    OptionalRowsOf<1>{distance}, OptionalRowsOf<3>{point},
-                    OptionalRowsOf<3>{normal});
-}

@@ -186,6 +186,13 @@ int refuse_pair(AnyTarget const &, PairRow<3> const &pair, DistanceArrays const 
     return pw85_distance(pair.r12, pair.q1, pair.q2, nullptr, nullptr, nullptr);
 }
 
+/// Rows that are read one by one. Rows of pairs are gathered.
+template <class Rows>
+concept SingleRows = !requires
+{
+    Rows::dimension;
+};
+
 /// Records the cause for row i, and returns its status.
 template <class Rows, class Arrays>
 int refuse_row_of(Target const &target, Rows const &rows, Arrays const &out, std::size_t i) noexcept
@@ -205,8 +212,8 @@ inline int refuse_row_of(Target const &, Directions const &rows, ApproachArray c
     return pw85_closest_approach(row.r12, row.q1, row.q2, &distance);
 }
 
-template <class Set, class Arrays> int refuse_row_of(Target const &, SetRows<Set> const &rows,
-                                                     Arrays const &out, std::size_t i) noexcept
+template <SingleRows Rows, class Arrays>
+int refuse_row_of(Target const &, Rows const &rows, Arrays const &out, std::size_t i) noexcept
 {
     return scalar_fallback(rows.from(i), out.from(i));
 }
@@ -231,9 +238,9 @@ Failure scalar_fallback_all(Target const &target, Rows const &rows, Arrays const
     return first;
 }
 
-/// Computes the ellipsoids and sets that lanes left over.
-template <class Set, class Arrays>
-Failure scalar_fallback_all(Target const &, SetRows<Set> const &rows, Arrays const &out,
+/// Computes the rows of other kinds that lanes left over.
+template <SingleRows Rows, class Arrays>
+Failure scalar_fallback_all(Target const &, Rows const &rows, Arrays const &out,
                             Worklist const &rejected_lanes) noexcept
 {
     Failure first{0, 0};
@@ -281,16 +288,19 @@ template <class Rows> Failure compute(Target const &target, Rows const &rows, st
     return first;
 }
 
-/// Computes n pairs in parallel and returns the status of the first bad one.
-template <class Rows, class Arrays>
-int compute_all(std::size_t n, Rows const &rows, Arrays const &out) noexcept
+/// Computes n pairs in parallel, up to `pairs_of_block` of them by a thread at a time, and returns
+/// the status of the first bad one.
+template <class Rows, class Arrays> int compute_all(std::size_t n, Rows const &rows,
+                                                    Arrays const &out,
+                                                    std::size_t pairs_of_block = block) noexcept
 {
     Target const &target = chosen();
-    Failure const first = for_blocks(n, [&](Range range) {
+    auto const compute_block = [&](Range range) {
         Failure const bad =
             compute(target, rows.from(range.begin), range.end - range.begin, out.from(range.begin));
         return Failure{range.begin + bad.index, bad.status};
-    });
+    };
+    Failure const first = for_blocks(n, compute_block, pairs_of_block);
     return refuse_first(first, [&](std::size_t i) { return refuse_row_of(target, rows, out, i); });
 }
 

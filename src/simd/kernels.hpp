@@ -246,6 +246,12 @@ struct DerivativeArrays {
     }
 };
 
+// Rows and arrays that a header of their own defines, with all that belongs to their kernels.
+
+struct PointRows; // surface_distances.hpp
+struct CylinderRows;
+struct SurfaceArrays;
+
 // Laws: energies U(μ²) of pairs.
 
 /// U = ε/α (1 - μ)^α for μ < 1, otherwise 0.

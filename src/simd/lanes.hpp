@@ -33,6 +33,8 @@
     X(SetRows<Triangles>, OverlapArray)                                                            \
     X(SetRows<Boxes>, OverlapArray)                                                                \
     X(SetRows<Lines>, ChordArrays)                                                                 \
+    X(PointRows, SurfaceArrays)                                                                    \
+    X(CylinderRows, SurfaceArrays)                                                                 \
     X(NeighborList, ContactArrays)                                                                 \
     X(NeighborList, OverlapArray)                                                                  \
     X(NeighborList, DerivativeArrays)                                                              \

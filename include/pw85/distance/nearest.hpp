@@ -55,68 +55,77 @@ template <class T> PW85_FUNCTION constexpr void turn(T const &c, T const &s, T &
     y = s * old + c * y;
 }
 
-/// Jacobi's rotation in the plane of columns i and j, which makes a(i, j) zero.
-template <class T, int D> PW85_FUNCTION inline void
-rotate(SymmetricMatrix<T, D> &a, PrincipalAxes<T, D> &p, int i, int j) noexcept
+/// The search for the principal axes, by Jacobi's rotations. They find small eigenvalues of a
+/// positive definite matrix to the accuracy that its entries allow. They converge quadratically, to
+/// any precision in far fewer than 50 sweeps.
+template <class T, int D> struct AxesSearch {
+    SymmetricMatrix<T, D> a; ///< the matrix in the basis of the axes
+    T axes[std::size_t(D)][std::size_t(D)];
+    typename ScalarTraits<T>::Mask active; ///< true while the last sweep has rotated
+};
+
+inline constexpr int max_axes_steps = 50;
+
+template <class T, int D>
+PW85_FUNCTION inline AxesSearch<T, D> start_axes_search(SymmetricMatrix<T, D> const &a) noexcept
 {
-    T const cotangent = (a(j, j) - a(i, i)) / (T(2) * a(i, j)); // cotangent of twice the angle
-    T const root = square_root(T(T(1) + cotangent * cotangent));
-    T const t = cotangent < T(0) ? T(T(1) / (cotangent - root)) : T(T(1) / (cotangent + root));
-    T const c = T(1) / square_root(T(T(1) + t * t)), s = t * c, shift = t * a(i, j);
+    AxesSearch<T, D> search{a, {}, T(0) <= T(0)};
+    for (int i = 0; i < D; ++i) search.axes[i][i] = T(1);
+    return search;
+}
+
+/// Rotates in the plane of columns i and j, so that a(i, j) becomes zero where `mask` is true.
+template <class T, int D> PW85_FUNCTION inline void
+rotate(AxesSearch<T, D> &search, typename ScalarTraits<T>::Mask const &mask, int i, int j) noexcept
+{
+    auto &[a, axes, active] = search;
+    T const twice = a(i, j) + a(i, j), difference = a(j, j) - a(i, i);
+    T const root = square_root(T(difference * difference + twice * twice));
+    T const sum = select(difference < T(0), T(difference - root), T(difference + root));
+    T const t = select(mask, T(twice / sum), T(0)), shift = t * a(i, j);
+    T const c = T(1) / square_root(T(T(1) + t * t)), s = t * c;
     a(i, i) = a(i, i) - shift;
     a(j, j) = a(j, j) + shift;
-    a(i, j) = T(0);
+    a(i, j) = select(mask, T(0), a(i, j));
     for (int k = 0; k < D; ++k) {
-        turn(c, s, p.axes[k][i], p.axes[k][j]);
+        turn(c, s, axes[k][i], axes[k][j]);
         if (k != i && k != j) turn(c, s, a(k, i), a(k, j));
     }
 }
 
-/// Computes the principal axes by Jacobi's rotations. They find small eigenvalues of a positive
-/// definite matrix to the accuracy that its entries allow. They converge quadratically, to any
-/// precision in far fewer than 50 sweeps.
+/// Rotates once in each plane whose entry is larger than its rounding error.
+template <class T, int D> PW85_FUNCTION inline void take_step(AxesSearch<T, D> &search) noexcept
+{
+    auto &[a, axes, active] = search;
+    active = T(0) < T(0);
+    for (int i = 0; i < D; ++i)
+        for (int j = i + 1; j < D; ++j) {
+            T const u = T(unit_roundoff<T>()), bound = T(u * u) * T(a(i, i) * a(j, j));
+            auto const is_large = T(a(i, j) * a(i, j)) > maximum(T(0), bound);
+            if (!any_of(is_large)) continue;
+            rotate(search, is_large, i, j);
+            active = active || is_large;
+        }
+}
+
 template <class T, int D>
-PW85_FUNCTION inline PrincipalAxes<T, D> principal_axes(SymmetricMatrix<T, D> a) noexcept
+PW85_FUNCTION inline PrincipalAxes<T, D> found_axes(AxesSearch<T, D> const &search) noexcept
 {
     PrincipalAxes<T, D> p{};
-    for (int i = 0; i < D; ++i) p.axes[i][i] = T(1);
-    bool rotated = true;
-    for (int sweep = 0; rotated && sweep < 50; ++sweep) {
-        rotated = false;
-        for (int i = 0; i < D; ++i)
-            for (int j = i + 1; j < D; ++j) {
-                T const bound = unit_roundoff<T>() * square_root(a(i, i)) * square_root(a(j, j));
-                if (!(absolute(a(i, j)) > bound)) continue;
-                rotate(a, p, i, j);
-                rotated = true;
-            }
+    T const least = T(unit_roundoff<T>()) * largest_diagonal(search.a);
+    for (int i = 0; i < D; ++i) {
+        p.squares[i] = select(search.a(i, i) > T(0), search.a(i, i), least);
+        for (int k = 0; k < D; ++k) p.axes[i][k] = search.axes[i][k];
     }
-    T const largest = largest_diagonal(a);
-    for (int i = 0; i < D; ++i)
-        p.squares[i] = a(i, i) > T(0) ? a(i, i) : T(unit_roundoff<T>() * largest);
     return p;
 }
 
-/// The root of item 2 if F(0) >= 1, and zero otherwise. `roots` are √q_i |r_i|. 170 steps are more
-/// than any shape needs: see find_shift().
-template <class T, std::size_t D>
-PW85_FUNCTION inline T secular_root(T const (&gaps)[D], T const (&roots)[D]) noexcept
+template <class T, int D>
+PW85_FUNCTION inline PrincipalAxes<T, D> principal_axes(SymmetricMatrix<T, D> const &a) noexcept
 {
-    T sigma = T(0);
-    for (std::size_t i = 0; i < D; ++i) sigma = maximum(sigma, T(roots[i] - gaps[i]));
-    for (int n = 0; n < 170; ++n) {
-        T f2 = T(0), slope = T(0);
-        for (std::size_t i = 0; i < D; ++i) {
-            if (!(roots[i] > T(0))) continue;
-            T const x = roots[i] / (gaps[i] + sigma);
-            f2 = f2 + x * x;
-            slope = slope + x * x / (gaps[i] + sigma);
-        }
-        T const f = square_root(f2), step = (f - T(1)) * f2 / slope;
-        if (!(step > unit_roundoff<T>() * sigma)) break;
-        sigma = sigma + step;
-    }
-    return sigma;
+    auto search = start_axes_search(a);
+    for (int n = 0; n < max_axes_steps && any_of(search.active); ++n) take_step(search);
+    return found_axes(search);
 }
 
 /// The exponent of the unit of length for r, if `exponent` is that for the ellipsoid. The unit for
@@ -135,23 +144,55 @@ template <class T, int D> struct AxisComponents {
     T gaps[std::size_t(D)];  ///< g_i
     T along[std::size_t(D)]; ///< r_i
     T roots[std::size_t(D)]; ///< √q_i |r_i|
-    int last;                ///< the axis with g_i = 0
 };
 
 template <class T, int D> PW85_FUNCTION inline AxisComponents<T, D>
 axis_components(PrincipalAxes<T, D> const &p, Vector<T, D> const &x, bool nearest) noexcept
 {
     AxisComponents<T, D> c{};
+    T last = p.squares[0];
     for (int i = 1; i < D; ++i)
-        if (nearest ? p.squares[i] < p.squares[c.last] : p.squares[i] > p.squares[c.last])
-            c.last = i;
+        last = nearest ? minimum(last, p.squares[i]) : maximum(last, p.squares[i]);
     for (int i = 0; i < D; ++i) {
         c.along[i] = p.axes[0][i] * x[0];
         for (int k = 1; k < D; ++k) c.along[i] = c.along[i] + p.axes[k][i] * x[k];
-        c.gaps[i] = absolute(T(p.squares[i] - p.squares[c.last]));
+        c.gaps[i] = absolute(T(p.squares[i] - last));
         c.roots[i] = square_root(p.squares[i]) * absolute(c.along[i]);
     }
     return c;
+}
+
+/// The search for the root of item 2. σ stays zero if F(0) < 1.
+template <class T, int D> struct ShiftSearch {
+    AxisComponents<T, D> point;
+    T sigma;
+    typename ScalarTraits<T>::Mask active;
+};
+
+/// More steps than any shape needs: see find_shift().
+inline constexpr int max_shift_steps = 170;
+
+template <class T, int D> PW85_FUNCTION inline ShiftSearch<T, D>
+start_shift_search(AxisComponents<T, D> const &point) noexcept
+{
+    T sigma = T(0);
+    for (int i = 0; i < D; ++i) sigma = maximum(sigma, T(point.roots[i] - point.gaps[i]));
+    return {point, sigma, T(0) <= T(0)};
+}
+
+template <class T, int D> PW85_FUNCTION inline void take_step(ShiftSearch<T, D> &search) noexcept
+{
+    auto &[point, sigma, active] = search;
+    T f2 = T(0), slope = T(0);
+    for (int i = 0; i < D; ++i) {
+        T const inverse = T(1) / (point.gaps[i] + sigma), x = point.roots[i] * inverse,
+                square = select(point.roots[i] > T(0), T(x * x), T(0));
+        f2 = f2 + square;
+        slope = slope + select(point.roots[i] > T(0), T(square * inverse), T(0));
+    }
+    T const f = square_root(f2), step = (f - T(1)) * f2 / slope;
+    active = step > T(T(unit_roundoff<T>()) * sigma);
+    sigma = select(active, T(sigma + step), sigma);
 }
 
 /// The unit vector along a vector that is given in the basis of the principal axes.
@@ -166,19 +207,33 @@ unit_vector_along(PrincipalAxes<T, D> const &p, T const (&v)[std::size_t(D)]) no
     return unit_along(n);
 }
 
+/// The unit normal at the root of item 2, or by item 3 where that is zero.
+template <class T, int D> PW85_FUNCTION inline Vector<T, D>
+normal_at(PrincipalAxes<T, D> const &p, ShiftSearch<T, D> const &search) noexcept
+{
+    auto const &[point, sigma, active] = search;
+    T rest = T(1), v[std::size_t(D)];
+    for (int i = 0; i < D; ++i) {
+        v[i] = select(point.roots[i] > T(0), T(point.along[i] / T(point.gaps[i] + sigma)), T(0));
+        rest = rest - p.squares[i] * v[i] * v[i];
+    }
+    auto without_root = !(sigma > T(0));
+    if (!any_of(without_root)) return unit_vector_along<T, D>(p, v);
+    for (int i = 0; i < D; ++i) { // the first axis with g_i = 0
+        auto const is_last = point.gaps[i] == T(0) && without_root;
+        v[i] = select(is_last, square_root(T(maximum(T(0), rest) / p.squares[i])), v[i]);
+        without_root = without_root && !is_last;
+    }
+    return unit_vector_along<T, D>(p, v);
+}
+
 /// extreme_normal() of a point x in the unit of the principal axes.
 template <class T, int D> PW85_FUNCTION inline Vector<T, D>
 extreme_normal(PrincipalAxes<T, D> const &p, Vector<T, D> const &x, bool nearest) noexcept
 {
-    AxisComponents<T, D> const c = axis_components(p, x, nearest);
-    T const sigma = secular_root(c.gaps, c.roots);
-    T rest = T(1), v[std::size_t(D)];
-    for (int i = 0; i < D; ++i) {
-        v[i] = c.roots[i] > T(0) ? T(c.along[i] / (c.gaps[i] + sigma)) : T(0);
-        rest = rest - p.squares[i] * v[i] * v[i];
-    }
-    if (!(sigma > T(0))) v[c.last] = square_root(T(maximum(T(0), rest) / p.squares[c.last]));
-    return unit_vector_along<T, D>(p, v);
+    auto search = start_shift_search(axis_components(p, x, nearest));
+    for (int n = 0; n < max_shift_steps && any_of(search.active); ++n) take_step(search);
+    return normal_at(p, search);
 }
 
 /// The unit normal at the point of a valid ellipsoid that is nearest to r, or farthest from r.

@@ -53,28 +53,38 @@ template <class T> struct ShapeDistance {
 
 namespace pw85::detail {
 
+/// The first axis with g_i = 0.
+template <class T, int D>
+PW85_FUNCTION inline int axis_without_gap(AxisComponents<T, D> const &c) noexcept
+{
+    int i = 0;
+    while (i + 1 < D && !(c.gaps[i] <= T(0))) ++i;
+    return i;
+}
+
 /// Item 3: the local maximum that is not the global one. Returns false if there is none.
 template <class T, int D> PW85_FUNCTION inline bool
 local_normal(PrincipalAxes<T, D> const &p, Vector<T, D> const &x, Vector<T, D> &n) noexcept
 {
     AxisComponents<T, D> const c = axis_components(p, x, true);
-    T v[std::size_t(D)], sigma = c.roots[c.last];
+    int const last = axis_without_gap(c);
+    T v[std::size_t(D)], sigma = c.roots[last];
     if (!(sigma > T(0))) {
         n = extreme_normal(p, x, true);
         T twice = T(0);
-        for (int k = 0; k < D; ++k) twice = twice + T(2) * n[k] * p.axes[k][c.last];
-        for (int k = 0; k < D; ++k) n[k] = n[k] - twice * p.axes[k][c.last];
+        for (int k = 0; k < D; ++k) twice = twice + T(2) * n[k] * p.axes[k][last];
+        for (int k = 0; k < D; ++k) n[k] = n[k] - twice * p.axes[k][last];
         return true;
     }
-    for (int step = 0; step < 170; ++step) { // as in secular_root()
+    for (int step = 0; step < max_shift_steps; ++step) {
         T f2 = T(-1), slope = T(0);
         for (int i = 0; i < D; ++i) {
-            T const gap = i == c.last ? sigma : T(c.gaps[i] - sigma);
+            T const gap = i == last ? sigma : T(c.gaps[i] - sigma);
             if (!(gap > T(0))) return false;
             T const root = c.roots[i] / gap, square = root * root;
             f2 = f2 + square;
-            slope = slope + (i == c.last ? T(square / gap) : T(-square / gap));
-            v[i] = (i == c.last ? T(-c.along[i]) : c.along[i]) / gap;
+            slope = slope + (i == last ? T(square / gap) : T(-square / gap));
+            v[i] = (i == last ? T(-c.along[i]) : c.along[i]) / gap;
         }
         if (!(f2 > T(0))) break;
         if (!(slope > T(0))) return false;

@@ -96,6 +96,35 @@ complete_basis(Vector<T, 3> const &axis, Vector<T, 3> &e1, Vector<T, 3> &e2) noe
     e2 = {mixed, sign + T(a * axis[1]) * axis[1], -axis[1]};
 }
 
+/// The projection of an ellipsoid and of its centre to the plane across an axis, in a basis of unit
+/// vectors.
+template <class T> struct CrossSection {
+    Vector<T, 3> e1, e2;
+    SymmetricMatrix<T, 2> form;
+    Vector<T, 2> center;
+};
+
+template <class T>
+PW85_FUNCTION inline CrossSection<T> cross_section(Vector<T, 3> const &axis,
+                                                   Vector<T, 3> const &center,
+                                                   SymmetricMatrix<T, 3> const &q) noexcept
+{
+    Vector<T, 3> e1, e2;
+    complete_basis(axis, e1, e2);
+    Vector<T, 3> const q1 = product(q, e1), q2 = product(q, e2);
+    return {e1,
+            e2,
+            {positive_form(q, e1, q1), dot(e1, q2), positive_form(q, e2, q2)},
+            {dot(e1, center), dot(e2, center)}};
+}
+
+/// A vector of the plane across the axis.
+template <class T> PW85_FUNCTION inline Vector<T, 3> in_space(CrossSection<T> const &section,
+                                                              Vector<T, 2> const &x) noexcept
+{
+    return add_scaled(x[0] * section.e1, x[1], section.e2);
+}
+
 } // namespace pw85::detail
 
 namespace pw85 {
@@ -178,17 +207,11 @@ distance_cylinder(Vector<T, 3> axis, T const &radius, Vector<T, 3> const &center
                        radius * T(0) == T(0);
     StatusCode const status = valid ? validate(q) : StatusCode::invalid_argument;
     if (status != StatusCode::success) return all_nan<SurfaceDistance<T, 3>>(status);
-    axis = unit_along(axis / largest);
-    Vector<T, 3> e1, e2;
-    complete_basis(axis, e1, e2);
-    Vector<T, 3> const q1 = product(q, e1), q2 = product(q, e2);
-    Vector<T, 2> const across{dot(e1, center), dot(e2, center)};
-    auto const n2 = extreme_normal(
-        SymmetricMatrix<T, 2>{positive_form(q, e1, q1), dot(e1, q2), positive_form(q, e2, q2)},
-        across, false);
-    Vector<T, 3> const n = add_scaled(n2[0] * e1, n2[1], e2);
+    CrossSection<T> const section = cross_section(unit_along(axis / largest), center, q);
+    Vector<T, 2> const n2 = extreme_normal(section.form, section.center, false);
+    Vector<T, 3> const n = in_space(section, n2);
     Support<T, 3> const s = support_of_any(q, n);
-    return {radius - dot(n2, across) - s.extent, s.point, n, StatusCode::success};
+    return {radius - dot(n2, section.center) - s.extent, s.point, n, StatusCode::success};
 }
 
 } // namespace pw85

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The functions of many rows whose lanes give the bits of one row: rows of any size, and unusual and
+// bad rows in each place of a pack, among others.
+#include <cstring>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <glib.h>
+
+#include <pw85.h>
+#include <pw85_batch.h>
+
+#include "../draws.hpp"
+#include "../failures.hpp"
+#include "../random_pairs.hpp"
+
+using namespace pw85_tests;
+
+namespace {
+
+using Vector3 = pw85::Vector<double, 3>;
+using Form3 = pw85::SymmetricMatrix<double, 3>;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
+                 infinity = std::numeric_limits<double>::infinity();
+
+/// Two vectors, two forms and a number: what the functions take.
+struct Row {
+    Vector3 a, b;
+    Form3 q1, q2;
+    double x;
+};
+
+/// Rows, in arrays.
+struct Rows {
+    std::vector<double> a, b, q1, q2, x;
+
+    explicit Rows(std::vector<Row> const &rows)
+    {
+        for (Row const &row : rows) {
+            a.insert(a.end(), row.a.coordinates, row.a.coordinates + 3);
+            b.insert(b.end(), row.b.coordinates, row.b.coordinates + 3);
+            q1.insert(q1.end(), row.q1.entries, row.q1.entries + 6);
+            q2.insert(q2.end(), row.q2.entries, row.q2.entries + 6);
+            x.push_back(row.x);
+        }
+    }
+};
+
+/// What a function gives for some rows, at most seven numbers each. A row more than it computes
+/// shows whether it writes too much.
+struct Results {
+    std::vector<double> number, point, normal;
+    int status = 0;
+
+    explicit Results(std::size_t n)
+        : number(n + 1, 7.0), point(3 * n + 3, 7.0), normal(3 * n + 3, 7.0)
+    {
+    }
+
+    bool is_same(std::size_t i, Results const &other, std::size_t j) const
+    {
+        return std::memcmp(&number[i], &other.number[j], sizeof(double)) == 0 &&
+               std::memcmp(&point[3 * i], &other.point[3 * j], 3 * sizeof(double)) == 0 &&
+               std::memcmp(&normal[3 * i], &other.normal[3 * j], 3 * sizeof(double)) == 0;
+    }
+};
+
+/// A function of one row, and that of many.
+struct Function {
+    char const *name;
+    int (*one)(Row const &, double *number, double *point, double *normal);
+    int (*many)(std::size_t n, Rows const &, double *number, double *point, double *normal);
+};
+
+constexpr Function functions[] = {
+    {"distance_point",
+     [](Row const &row, double *number, double *point, double *normal) {
+         return pw85_distance_point(row.a.coordinates, row.q1.entries, number, point, normal);
+     },
+     [](std::size_t n, Rows const &rows, double *number, double *point, double *normal) {
+         return pw85_distance_point_batch(n, rows.a.data(), rows.q1.data(), number, point, normal);
+     }},
+    {"distance_cylinder",
+     [](Row const &row, double *number, double *point, double *normal) {
+         return pw85_distance_cylinder(row.b.coordinates, row.x, row.a.coordinates, row.q1.entries,
+                                       number, point, normal);
+     },
+     [](std::size_t n, Rows const &rows, double *number, double *point, double *normal) {
+         return pw85_distance_cylinder_batch(n, rows.b.data(), rows.x.data(), rows.a.data(),
+                                             rows.q1.data(), number, point, normal);
+     }},
+    {"penetration",
+     [](Row const &row, double *number, double *, double *normal) {
+         return pw85_penetration(row.a.coordinates, row.q1.entries, row.q2.entries, number, normal);
+     },
+     [](std::size_t n, Rows const &rows, double *number, double *, double *normal) {
+         return pw85_penetration_batch(n, rows.a.data(), rows.q1.data(), rows.q2.data(), number,
+                                       normal);
+     }},
+    {"intersect_line",
+     [](Row const &row, double *number, double *point, double *) {
+         double t[2];
+         int const status =
+             pw85_intersect_line(row.a.coordinates, row.b.coordinates, row.q1.entries, t);
+         number[0] = t[0];
+         if (point != nullptr) point[0] = t[1], point[1] = point[2] = 7.0;
+         return status;
+     },
+     [](std::size_t n, Rows const &rows, double *number, double *point, double *) {
+         std::vector<double> leave(n);
+         int const status = pw85_intersect_line_batch(n, rows.a.data(), rows.b.data(),
+                                                      rows.q1.data(), number, leave.data());
+         for (std::size_t i = 0; point != nullptr && i < n; ++i) point[3 * i] = leave[i];
+         return status;
+     }},
+};
+
+std::string text(Row const &row)
+{
+    return "a = " + hex_text(row.a.coordinates, 3) + ", b = " + hex_text(row.b.coordinates, 3) +
+           ", q1 = " + hex_text(row.q1.entries, 6) + ", q2 = " + hex_text(row.q2.entries, 6) +
+           ", x = " + hex_text(&row.x, 1);
+}
+
+/// Compares the rows of many with those of one.
+void compare(Failures &failures, Function const &function, std::vector<Row> const &rows)
+{
+    std::size_t const n = rows.size();
+    Results many(n), bare(n);
+    many.status =
+        function.many(n, Rows(rows), many.number.data(), many.point.data(), many.normal.data());
+    bare.status = function.many(n, Rows(rows), bare.number.data(), nullptr, nullptr);
+    int first_bad = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        Results one(1);
+        one.status = function.one(rows[i], one.number.data(), one.point.data(), one.normal.data());
+        if (first_bad == 0) first_bad = one.status;
+        failures.check(many.is_same(i, one, 0), function.name, many.number[i], one.number[0], [&] {
+            return "row " + std::to_string(i) + " of " + std::to_string(n) + ": " + text(rows[i]);
+        });
+    }
+    auto const none = [&] { return std::string(function.name); };
+    failures.check(many.is_same(n, Results(0), 0), "beyond the last row", many.number[n], 7.0,
+                   none);
+    failures.check(std::memcmp(many.number.data(), bare.number.data(), n * sizeof(double)) == 0,
+                   "without points", 0.0, 0.0, none);
+    failures.check(many.status == first_bad && bare.status == first_bad, "status", many.status,
+                   first_bad, none);
+}
+
+/// A row of lengths of order one.
+Row ordinary(Random &random)
+{
+    double const aspect = random.log_uniform(1.0, 1000.0);
+    return {random.log_uniform(0.1, 3.0) * random.direction<3>(), random.direction<3>(),
+            random.form(random.log_uniform(0.5, 2.0), aspect),
+            random.form(random.log_uniform(0.5, 2.0), aspect), random.log_uniform(1.0, 4.0)};
+}
+
+/// The row in units 2^-length of its points, and 2^-form of its ellipsoids.
+Row scaled(Row row, int length, int form)
+{
+    row.a = pw85::detail::times_power_of_two(row.a, length);
+    row.b = pw85::detail::times_power_of_two(row.b, length);
+    row.x = std::ldexp(row.x, length);
+    row.q1 = pw85::detail::times_power_of_two(row.q1, 2 * form);
+    row.q2 = pw85::detail::times_power_of_two(row.q2, 2 * form);
+    return row;
+}
+
+void test_scales()
+{
+    Failures failures;
+    Random random(4711);
+    for (Function const &function : functions)
+        for (int n = 0; n < draws(400); ++n) {
+            std::vector<Row> rows;
+            for (int i = 0; i < 61; ++i) {
+                int const length = static_cast<int>(random.uniform(-40.0, 41.0)),
+                          other = static_cast<int>(random.uniform(-40.0, 41.0));
+                rows.push_back(n % 4 == 0   ? scaled(ordinary(random), length, other)
+                               : n % 4 == 1 ? scaled(ordinary(random), length, length)
+                                            : ordinary(random));
+            }
+            compare(failures, function, rows);
+        }
+}
+
+constexpr int kinds = 24;
+
+/// Rows that few others are like, and bad ones.
+Row unusual(Row row, int kind)
+{
+    Form3 const sphere{1, 0, 0, 1, 0, 1}, disc{4, 0, 0, 4, 0, 0.25}, needle{0.01, 0, 0, 9, 0, 0.01};
+    switch (kind) {
+    case 0: // concentric
+        row.a = {0, 0, 0};
+        return row;
+    case 1:
+        row.a = {0, -0.0, 0};
+        row.q1 = row.q2 = sphere;
+        return row;
+    case 2: // on an axis, inside, where F(0) < 1
+        row.a = {0.1, 0, 0};
+        row.q1 = row.q2 = disc;
+        row.b = {0, 0, 1};
+        return row;
+    case 3: // on the shortest axis
+        row.a = {0, 0, 0.01};
+        row.q1 = disc;
+        row.q2 = needle;
+        row.b = {0, 0, -2};
+        return row;
+    case 4:
+        row.q1 = row.q2 = sphere;
+        row.b = {1, 0, 0};
+        return row;
+    case 5:
+        row.q1 = needle;
+        row.q2 = disc;
+        return row;
+    case 6: // equal
+        row.q2 = row.q1;
+        return row;
+    case 7: // on the surface
+        row.a = {2, 0, 0};
+        row.q1 = disc;
+        return row;
+    case 8: // numbers whose products underflow
+        row.a[1] = 0x1p-1060;
+        row.q1 = disc;
+        row.b = {0, 0x1p-1050, 1};
+        return row;
+    case 9:
+        row.a = {0x1p-300, 0x1p-600, 0.5};
+        row.q1 = needle;
+        row.b = {0x1p-530, 0x1p-520, -1};
+        return row;
+    case 10:
+        row.q1[1] = row.q2[2] = 0x1p-1070;
+        return row;
+    case 11: // apart
+        row.a = {50, 60, 70};
+        return row;
+    case 12:
+        row.a = {0x1p200, 1, 1};
+        return row;
+    case 13:
+        row.b = {0x1p-1000, 0x1p-1001, 0};
+        return row;
+    case 14:
+        row.b = {0x1p1000, 0x1p1001, 0};
+        return row;
+    case 15: // bad ones
+        row.a[1] = nan;
+        return row;
+    case 16:
+        row.a[2] = -infinity;
+        return row;
+    case 17:
+        row.q1[4] = nan;
+        return row;
+    case 18:
+        row.q1[0] = infinity;
+        return row;
+    case 19:
+        row.q1 = {1, 2, 0, 1, 0, 1};
+        return row;
+    case 20:
+        row.q2 = row.q1 = {1, 1, 1, 1, 1, 1};
+        return row;
+    case 21:
+        row.b = {0, 0, 0};
+        row.q2 = {0, 0, 0, 0, 0, 0};
+        return row;
+    case 22:
+        row.b[0] = nan;
+        row.x = infinity;
+        row.q2[5] = infinity;
+        return row;
+    default:
+        row.x = -1.0;
+        row.q2[5] = nan;
+        return row;
+    }
+}
+
+/// Each kind in each place of the packs of a chunk, of 24 rows at most, and in none other.
+void test_places()
+{
+    Failures failures;
+    Random random(4712);
+    for (Function const &function : functions)
+        for (int kind = 0; kind < kinds; ++kind)
+            for (std::size_t place = 0; place < 26; ++place) {
+                std::vector<Row> rows;
+                for (std::size_t i = 0; i < place + place % 5 + 1; ++i)
+                    rows.push_back(ordinary(random));
+                rows[place] = unusual(rows[place], kind);
+                compare(failures, function, rows);
+            }
+}
+
+/// Rows of all kinds, more than a list of those that lanes leave over can have.
+void test_mixed()
+{
+    Failures failures;
+    Random random(4713);
+    for (Function const &function : functions) {
+        std::vector<Row> rows;
+        for (int i = 0; i < 1300; ++i) {
+            rows.push_back(ordinary(random));
+            if (i % 3 != 0) rows.back() = unusual(rows.back(), i % kinds);
+        }
+        compare(failures, function, rows);
+    }
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/same_bits/scales", test_scales);
+    g_test_add_func("/same_bits/places", test_places);
+    g_test_add_func("/same_bits/mixed", test_mixed);
+    return g_test_run();
+}
