@@ -419,6 +419,11 @@ def check_rust(results):
     results.add("scripts/test_rust.sh", run(["scripts/test_rust.sh"]))
 
 
+def check_languages(results):
+    """The bits of 1,000 pairs in C, C++, Fortran, Python, Rust, R, Octave and JavaScript."""
+    results.add("scripts/test_languages.sh", run(["scripts/test_languages.sh"]))
+
+
 def check_foreign(results):
     """The library by a compiler and an emulator for 64-bit ARM."""
     machine = ROOT / "scripts/cross/aarch64-linux-gnu.ini"
@@ -483,6 +488,8 @@ PARTS = {
     "octave": Part(check_octave, "$build_packages libboost-dev $octave_packages", by_default=False),
     "npm": Part(check_npm, "$npm_packages", by_default=False),
     "rust": Part(check_rust, "$build_packages libboost-dev $rust_packages", by_default=False),
+    "languages": Part(check_languages, "$build_packages $python_packages gfortran $octave_packages $rust_packages $npm_packages "
+                      "r-base-core r-base-dev", by_default=False),
     "formats": Part(check_formats, f"{TEST} {MEASURING}", after=("tests",), by_default=False),
     "valgrind": Part(check_valgrind, f"{TEST} valgrind", after=("tests", "pages"), by_default=False),
     "platforms": Part(check_platforms, f"{TEST} {MACHINES}", after=("tests", "foreign"), by_default=False),

@@ -213,7 +213,7 @@ def page(question):
         f": {MOTION}" if one.parameter.type == "pw85_motion" else "." if one.shape else "")
         for one in question.others()}  # fmt: skip
     value = [line[1:] if line.startswith("@") else help_text(line) for line in value_of(question, voice)]
-    errors = help_text("A row that is refused is an error of class `pw85_error`: see pw85-package.")
+    errors = help_text("If a row has an NA, its result is NA. A row that is refused is an error of class `pw85_error`: see pw85-package.")
     return "\n".join([
         f"% SPDX-License-Identifier: BSD-3-Clause\n% {MARK[0].upper()}{MARK[1:]}.",
         f"\\name{{{question.name}}}\n\\alias{{{question.name}}}\n\\title{{{title(brief)}}}",

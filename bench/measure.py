@@ -6,10 +6,11 @@ Have the machine to yourself.
 
 All tables come from one run, which is written to docs/measurements.json with its conditions. --only replaces a single table, which a
 program of this folder, of python/bench or of lammps/bench prints, or all tables of lammps/bench (--only lammps) or of sizes.py (--only
-sizes), and stores its conditions with it (--only gpu, on a machine with a GPU, needs bench_gpu alone, and --only hoomd_monte_carlo needs a
-Python with HOOMD-blue). Tables that this run does not produce are kept: instructions on another processor (instructions.py), comparisons
-with libraries that are not available now, and those of Python and of LAMMPS if these are not built. Times are nanoseconds per pair, the
-shortest of several repetitions in which the functions take turns, in several processes.
+sizes), and stores its conditions with it. --only gpu, on a machine with a GPU, needs bench_gpu alone, --only hoomd_monte_carlo needs a
+Python with HOOMD-blue, and --only languages the compilers and interpreters of eight languages. Tables that this run does not produce are
+kept: instructions on another processor (instructions.py), comparisons with libraries that are not available now, and those of Python and
+of LAMMPS if these are not built. Times are nanoseconds per pair, the shortest of several repetitions in which the functions take turns, in
+several processes.
 """
 
 import csv
@@ -318,6 +319,8 @@ def rows_alone(name, programs, target):
         return size_rows(name, build_of(programs), target)
     if name in LAMMPS:
         return lammps_rows(name, programs["pw85_uninstalled"], target)
+    if name == "languages":
+        return read_table(sys.executable, ROOT / "bench" / "languages.py", build_of(programs), target=target)
     if name == "hoomd_monte_carlo":  # by an interpreter that has HOOMD-blue
         return read_table(sys.executable, ROOT / "bench" / "hoomd_monte_carlo.py", target=target)
     return program_rows(name, programs[name], target)

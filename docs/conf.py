@@ -62,6 +62,7 @@ rst_epilog = f"""
 .. |conditions-side-by-side| replace:: {measurements.conditions("side_by_side")}
 .. |conditions-of-instructions| replace:: {measurements.conditions("instructions")}
 .. |conditions-of-convex_peers| replace:: {measurements.conditions("convex_peers")}
+.. |conditions-of-languages| replace:: {measurements.conditions("languages")}
 .. |conditions-of-peers| replace:: {measurements.conditions("peers")}
 .. |conditions-of-common_parts| replace:: {measurements.conditions("common_parts")}
 .. |conditions-of-rounded| replace:: {measurements.conditions("rounded")}

@@ -4,6 +4,6 @@
 set -eu
 sources=$(cd "$(dirname "$0")" && pwd)
 version=$(sed -n 's/^Version: //p' "$sources/DESCRIPTION")
-tar -czf "pw85-$version.tar.gz" -C "$sources" --exclude='*.in' --exclude='*.mex' --exclude='*.o' --exclude=.gitignore \
+tar -chzf "pw85-$version.tar.gz" -C "$sources" --exclude='*.in' --exclude='*.mex' --exclude='*.o' --exclude=.gitignore \
   --exclude=package.sh --exclude=./tests \
   --transform "s|^\.|pw85-$version|" .

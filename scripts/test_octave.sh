@@ -42,6 +42,9 @@ cc -std=c99 "$sources/r/data-raw/pairs.c" -o pairs $(pkg-config --cflags --libs 
 ./pairs >expected
 run_octave "pkg load pw85; addpath $sources/octave/tests; pairs" | diff - expected
 
+echo '+ the bits of C, of pairs of all sizes'
+(cd "$sources" && PW85_MEASURE_ONCE='' /usr/bin/python3 bench/languages.py build-octave C Octave)
+
 echo '+ README'
 # shellcheck disable=SC2016 # the marks of blocks
 sed -n '/^```octave$/,/^```$/p' "$sources/octave/README.md" | sed '/^```/d; s/^\(pw85_overlap_area.*\) %.*/printf ("%.4f %.4f %g\\n", \1);/' >readme.m

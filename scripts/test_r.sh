@@ -25,6 +25,11 @@ echo '+ the bits of C'
 cc -std=c99 pw85/data-raw/pairs.c -o pairs $(pkg-config --cflags --libs pw85) -Wl,-rpath,"$prefix/lib"
 ./pairs | diff - pw85/tests/testthat/pairs.txt
 
+echo '+ the bits of C, of pairs of all sizes'
+cd ../..
+PW85_MEASURE_ONCE='' /usr/bin/python3 bench/languages.py build-r C R
+cd build-r/r
+
 echo '+ README'
 # shellcheck disable=SC2016 # the marks of blocks
 sed -n '/^```r$/,/^```$/p' pw85/README.md | sed '/^```/d' >readme.R

@@ -3,6 +3,8 @@
  * the C API for each row of matrices. Both have all functions of MEX that are used here. */
 #include "pw85_octave.h"
 
+#include "columns.h"
+
 #include <math.h>
 #include <mex.h>
 #include <stdarg.h>
@@ -12,7 +14,7 @@
 
 /* Rows of a block. The numbers of a block stay in the first cache of a core, and they are too few
  * for the library to start threads, which would not survive a fork, as that of parcellfun(). */
-enum { BLOCK = 256, MOST_NAME = 64 };
+enum { BLOCK = 128, MOST_NAME = 64 };
 
 /* The name of the function that the user called. */
 static char function_name[MOST_NAME];
@@ -321,27 +323,16 @@ static void refuse_block(struct call const *call, int status, size_t row)
     refuse(id_of(status), error.argument, (long)row, "%s", error.requirement);
 }
 
-/* Writes three columns into rows of `size` numbers: 1.5 times as fast as one by one. */
-static void gather_three(double const *source, size_t rows, size_t size, size_t n, double *to)
-{
-    double const *const second = source + rows, *const third = second + rows;
-    for (size_t i = 0; i < n; ++i, to += size) {
-        to[0] = source[i];
-        to[1] = second[i];
-        to[2] = third[i];
-    }
-}
-
 /* Writes n rows from row `from` on, one behind the other. One row stands for all. */
 static void gather(struct matrix const *matrix, size_t size, size_t from, size_t n, double *to)
 {
-    size_t const rows = matrix->rows, step = rows == 1 ? 0 : 1;
-    double const *const source = matrix->numbers + step * from;
-    size_t j = 0;
-    for (; step == 1 && j + 2 < size; j += 3)
-        gather_three(source + j * rows, rows, size, n, to + j);
-    for (; j < size; ++j)
-        for (size_t i = 0; i < n; ++i) to[i * size + j] = source[j * rows + step * i];
+    double const *columns[PW85_COLUMNS];
+    if (matrix->rows == 1) {
+        for (size_t k = 0; k < n * size; ++k) to[k] = matrix->numbers[k % size];
+        return;
+    }
+    for (size_t j = 0; j < size; ++j) columns[j] = matrix->numbers + j * matrix->rows + from;
+    pw85_rows_of_columns(columns, size, n, to);
 }
 
 /* Writes the results of a block to the matrices of the user. */
@@ -356,10 +347,9 @@ static void scatter(struct pw85_function const *function, void *const *out, size
             for (size_t i = 0; i < n; ++i) to[i] = bytes[i] == 1;
             continue;
         }
-        double const *const numbers = out[k];
-        double *to = mxGetPr(results[k]) + from;
-        for (size_t j = 0; j < size; ++j, to += rows)
-            for (size_t i = 0; i < n; ++i) to[i] = numbers[i * size + j];
+        double *columns[PW85_COLUMNS];
+        for (size_t j = 0; j < size; ++j) columns[j] = mxGetPr(results[k]) + j * rows + from;
+        pw85_columns_of_rows(out[k], size, n, columns);
     }
 }
 

@@ -5,14 +5,15 @@
 
 .names <- function(d) c(c("x", "y", "z")[seq_len(d)], .form_names(d))
 
-# Numbers without dimensions, whatever vector they are. An error is one of the function that the user called.
+# Numbers without dimensions, whatever vector they are, of which some may be NA. An error is one of the function that the user called.
 .numbers <- function(values, name) {
   call <- sys.call(sys.parent())
+  if (is.logical(values) && all(is.na(values))) values <- as.double(values)
   if (is.factor(values)) .refuse(name, NULL, NULL, "must be numeric, not a factor", call)
   if (inherits(values, "integer64")) .refuse(name, NULL, NULL, "must be numeric, not integer64: see as.double()", call)
   if (is.list(values)) .refuse(name, NULL, NULL, "must be numbers, not a list", call)
   if (!is.numeric(values)) .refuse(name, NULL, NULL, paste("must be numeric, not", if (is.object(values)) class(values)[1] else typeof(values)), call)
-  bad <- which(!is.finite(values))
+  bad <- which(is.infinite(values))
   if (length(bad)) .refuse(name, bad[1], NULL, "must be finite", call)
   as.vector(values, "double")
 }
@@ -24,9 +25,9 @@
   found
 }
 
-# A matrix of numbers without names; errors name its rows.
+# A matrix of numbers without names, of which some may be NA; errors name its rows.
 .number_rows <- function(rows, name, call = sys.call(sys.parent())) {
-  bad <- if (is.numeric(rows)) which(rowSums(!is.finite(rows)) > 0)
+  bad <- if (is.numeric(rows)) which(rowSums(is.infinite(rows)) > 0)
   if (length(bad)) .refuse(name, bad[1], NULL, "must be finite", call)
   matrix(.made(.numbers(rows, name), call), ncol = ncol(rows))
 }
@@ -125,6 +126,8 @@ covariance_ellipsoids <- function(mean, covariance, level = NULL) {
   if (length(bad)) .refuse("covariance", bad[1], NULL, "must be a numeric matrix, 2 x 2 or 3 x 3, all of the same size")
   d <- if (length(sizes)) sizes[1] else 2L
   if (is.data.frame(mean)) mean <- .matrix_of(mean)
+  if (is.list(mean) && length(mean) && all(vapply(mean, is.numeric, TRUE) & lengths(mean) == d)) mean <- do.call(rbind, mean)
+  if (identical(dim(mean)[1:2], c(1L, d))) mean <- matrix(mean, ncol = d, byrow = TRUE) # a row for each last index, as in SIBER
   if (!is.matrix(mean) && length(mean) == d) mean <- matrix(mean, 1)
   if (!is.matrix(mean) || ncol(mean) != d) .refuse("mean", NULL, NULL, sprintf("must have %d columns, as covariance", d))
   asymmetric <- which(!vapply(covariances, isSymmetric, TRUE, check.attributes = FALSE))
@@ -220,19 +223,26 @@ enclosing_ellipsoid <- function(points, group = NULL, tolerance = 1e-6) {
   .bound(found, .enclosing_names(ncol(points)))
 }
 
-# The centres and forms of ellipses or ellipsoids as a matrix. `question` is one that refuses other rows.
+# The centres and forms of ellipses or ellipsoids as a matrix, of which some may be NA. `question` is one that refuses other rows.
 .rows <- function(x, question, call = sys.call(sys.parent())) {
   force(x)
   .made(question(x), call)
+  if (is.null(dim(x))) x <- t(x)
   names <- .names(if (any(c("xz", "yz", "zz") %in% colnames(x))) 3 else 2)
   numbers <- matrix(as.double(as.matrix(x[, names])), ncol = length(names), dimnames = list(NULL, names))
-  bad <- which(!is.finite(numbers), arr.ind = TRUE)
-  if (length(bad)) .refuse("x", bad[1, 1], names[bad[1, 2]], "must be finite", call)
+  .refuse_cells(numbers, is.infinite(numbers), call)
   numbers
+}
+
+# Refuses cells of a matrix of ellipses or ellipsoids.
+.refuse_cells <- function(numbers, is_bad, call = sys.call(sys.parent())) {
+  bad <- which(is_bad, arr.ind = TRUE)
+  if (length(bad)) .refuse("x", bad[1, 1], colnames(numbers)[bad[1, 2]], "must be finite", call)
 }
 
 enclosing_ellipsoid_of <- function(x, tolerance = 1e-6) {
   numbers <- .rows(x, second_moments)
+  .refuse_cells(numbers, is.na(numbers))
   if (!nrow(numbers)) .refuse("x", NULL, NULL, "must have at least one row")
   centers <- seq_len(if (ncol(numbers) == 5) 2 else 3)
   .enclosing(numbers[, centers, drop = FALSE], t(numbers[, -centers, drop = FALSE]), tolerance)
@@ -258,6 +268,14 @@ reproducible <- function(on = NULL) {
   if (!is.null(on) && !isTRUE(on) && !isFALSE(on)) .refuse("on", NULL, NULL, "must be TRUE, FALSE or NULL")
   before <- .Call(C_reproducible, on)
   if (is.null(on)) before else invisible(before)
+}
+
+threads <- function(n = NULL) {
+  if (!is.null(n) && (!is.numeric(n) || length(n) != 1 || !is.finite(n) || n < 1 || n > 1024 || n %% 1 != 0)) {
+    .refuse("n", NULL, NULL, "must be NULL or one whole number from 1 to 1024")
+  }
+  before <- .Call(C_threads, n)
+  if (is.null(n)) before else invisible(before)
 }
 
 library_version <- function() .Call(C_version)

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Nanoseconds per row of functions of the C API, for the pairs that speed.R writes. Usage:
- * speed N <FILE, with N at most 16384; compile it with -D_POSIX_C_SOURCE=199309L */
+/* Nanoseconds per row of functions of the C API, for the pairs that speed.R writes, and of the copy
+ * of 15 columns that the packages for R and Octave make. Usage: speed N <FILE, with N at most
+ * 16384; compile it with -D_POSIX_C_SOURCE=199309L */
 #include <pw85_batch.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
+
+#include "../src/columns.h"
 
 static double now(void)
 {
@@ -25,6 +28,22 @@ static double now(void)
         printf("%s %.2f\n", name, 1e9 * best / (double)n);                                         \
     } while (0)
 
+/* Copies 15 columns of n numbers to rows, as if for pairs, in blocks. */
+static int copy(double const *numbers, size_t n)
+{
+    enum { BLOCK = 128, COLUMNS = 15 };
+    static double rows[COLUMNS * BLOCK];
+    for (size_t from = 0; from < n; from += BLOCK) {
+        size_t const count = n - from < BLOCK ? n - from : BLOCK;
+        double const *columns[COLUMNS];
+        for (size_t k = 0; k < COLUMNS; ++k) columns[k] = numbers + k * n + from;
+        pw85_rows_of_columns(columns, 3, count, rows);
+        pw85_rows_of_columns(columns + 3, 6, count, rows + 3 * BLOCK);
+        pw85_rows_of_columns(columns + 9, 6, count, rows + 9 * BLOCK);
+    }
+    return rows[0] > 1e300;
+}
+
 int main(int argc, char **argv)
 {
     static double numbers[48 * 16384];
@@ -34,6 +53,7 @@ int main(int argc, char **argv)
     double *const out = numbers + 40 * n;
     unsigned char *const bytes = (unsigned char *)(numbers + 30 * n);
     if (n < 1 || n > 16384 || fread(numbers, sizeof(double), 23 * n, stdin) != 23 * n) return 1;
+    BEST("copy", copy(numbers, n));
     BEST("overlaps", pw85_overlap_batch(n, r12, q1, q2, bytes));
     BEST("contains", pw85_contains_batch(n, r12, q1, q2, bytes));
     BEST("contact", pw85_contact_batch(n, r12, q1, q2, out, out + n));

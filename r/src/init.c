@@ -3,6 +3,20 @@
 #include "pw85_r.h"
 
 #include <math.h>
+#include <pthread.h>
+
+int pw85_num_threads = 1;
+
+#if defined _OPENMP
+#include <omp.h>
+
+int pw85_thread(void) { return omp_get_thread_num(); }
+#else
+int pw85_thread(void) { return 0; }
+#endif
+
+/* Threads do not survive a fork, as that of parallel::mclapply(). */
+static void use_one_thread(void) { pw85_num_threads = 1; }
 
 /* Ends the call with the cause for which an ellipsoid around points or ellipsoids is refused. */
 static void refuse_enclosing(int status, char const *argument, int dimensions, R_xlen_t rows,
@@ -44,6 +58,16 @@ static SEXP call_reproducible(SEXP on)
     return Rf_ScalarLogical(is_on);
 }
 
+/* Sets the number of threads, if it is given and R was built with OpenMP, and returns that before. */
+static SEXP call_threads(SEXP number)
+{
+    int const before = pw85_num_threads;
+#if defined _OPENMP
+    if (!Rf_isNull(number)) pw85_num_threads = Rf_asInteger(number);
+#endif
+    return Rf_ScalarInteger(before);
+}
+
 static SEXP call_version(void) { return Rf_mkString(pw85_version()); }
 
 void R_init_pw85(DllInfo *info)
@@ -51,9 +75,11 @@ void R_init_pw85(DllInfo *info)
     static R_CallMethodDef methods[128] = {
         {"enclosing", (DL_FUNC)&call_enclosing, 3},
         {"reproducible", (DL_FUNC)&call_reproducible, 1},
+        {"threads", (DL_FUNC)&call_threads, 1},
         {"version", (DL_FUNC)&call_version, 0},
     };
-    for (int k = 0; pw85_questions[k].name && k < 124; ++k) methods[k + 3] = pw85_questions[k];
+    for (int k = 0; pw85_questions[k].name && k < 123; ++k) methods[k + 4] = pw85_questions[k];
+    pthread_atfork(NULL, NULL, use_one_thread);
     R_registerRoutines(info, NULL, methods, NULL, NULL);
     R_useDynamicSymbols(info, FALSE);
     R_forceSymbols(info, TRUE);

@@ -48,6 +48,10 @@ struct pw85_question {
 
 extern R_CallMethodDef const pw85_questions[];
 
+/* Threads for rows, and the number of the one that calls, from 0. */
+extern int pw85_num_threads;
+int pw85_thread(void);
+
 /* Answers a question. `given` has the arguments of R: ellipsoids, then the others. */
 SEXP pw85_rows(struct pw85_question const *question, int num_ellipsoids, int num_values,
                SEXP const *given);

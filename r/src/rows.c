@@ -3,12 +3,20 @@
  * calls the function of C for each block, and writes its results to columns. */
 #include "pw85_r.h"
 
+#include "columns.h"
+
 #include <math.h>
 #include <string.h>
 
 /* Rows of a block. The numbers of a block stay in the first cache of a core. They are too few for
- * the library to start threads, which would not survive a fork, as that of parallel::mclapply(). */
-enum { BLOCK = 256, MOST_NUMBERS = 9, MOST_ARGUMENTS = 6 };
+ * the library to start threads. */
+enum { BLOCK = 128, MOST_NUMBERS = 9, MOST_ARGUMENTS = 6 };
+
+/* Rows that a thread computes before the user can interrupt the call. */
+enum { INTERRUPTED = 64 * BLOCK };
+
+/* The truth value NA as a byte. */
+enum { MISSING_BYTE = 255 };
 
 static char const *const forms[2][6] = {{"xx", "xy", "yy"}, {"xx", "xy", "xz", "yy", "yz", "zz"}};
 static char const *const coordinates[3] = {"x", "y", "z"};
@@ -41,6 +49,14 @@ void pw85_refuse(char const *argument, R_xlen_t row, char const *column, char co
     Rf_error("%s", requirement); /* not reached */
 }
 
+/* Whether all elements of a vector of truth values are NA, as in a column that has no other value. */
+static bool is_all_missing(SEXP values)
+{
+    for (R_xlen_t k = 0; k < Rf_xlength(values); ++k)
+        if (LOGICAL_RO(values)[k] != NA_LOGICAL) return false;
+    return true;
+}
+
 /* The numbers of a vector, from an offset. */
 static struct column column_of(SEXP values, R_xlen_t offset, char const *argument, char const *name)
 {
@@ -48,10 +64,16 @@ static struct column column_of(SEXP values, R_xlen_t offset, char const *argumen
     if (Rf_isFactor(values)) pw85_refuse(argument, -1, name, "must be numeric, not a factor");
     if (Rf_inherits(values, "integer64")) /* integers in the place of doubles */
         pw85_refuse(argument, -1, name, "must be numeric, not integer64: see as.double()");
+    /* Their numbers depend on an origin or a unit; R's is.numeric() is false for them. */
+    if (Rf_inherits(values, "Date") || Rf_inherits(values, "POSIXt") ||
+        Rf_inherits(values, "difftime"))
+        pw85_refuse(argument, -1, name, "must be numeric, not a date or time");
     if (TYPEOF(values) == REALSXP)
         found.doubles = REAL_RO(values) + offset;
     else if (TYPEOF(values) == INTSXP)
         found.integers = INTEGER_RO(values) + offset;
+    else if (TYPEOF(values) == LGLSXP && is_all_missing(values))
+        found.integers = LOGICAL_RO(values) + offset;
     else {
         char text[80];
         snprintf(text, sizeof text, "must be numeric, not %s", Rf_type2char(TYPEOF(values)));
@@ -73,18 +95,26 @@ static bool is_data_frame(SEXP values)
     return TYPEOF(values) == VECSXP && Rf_inherits(values, "data.frame");
 }
 
-/* The names of the columns of a data frame or matrix, or NULL. */
+/* Whether a value is a vector of numbers without dimensions, as a row of a matrix with names. */
+static bool is_named_row(SEXP values)
+{
+    return (TYPEOF(values) == REALSXP || TYPEOF(values) == INTSXP) && !Rf_isObject(values) &&
+           Rf_getAttrib(values, R_DimSymbol) == R_NilValue;
+}
+
+/* The names of the columns of a data frame or matrix, or of the numbers of one row, or NULL. */
 static SEXP names_of(SEXP values)
 {
-    if (is_data_frame(values)) return Rf_getAttrib(values, R_NamesSymbol);
-    if (!Rf_isMatrix(values)) return R_NilValue;
+    if (is_data_frame(values) || is_named_row(values)) return Rf_getAttrib(values, R_NamesSymbol);
+    if (!Rf_isMatrix(values) || TYPEOF(values) == VECSXP) return R_NilValue;
     SEXP const names = Rf_getAttrib(values, R_DimNamesSymbol);
     return names == R_NilValue ? names : VECTOR_ELT(names, 1);
 }
 
-static R_xlen_t find_name(SEXP names, char const *name)
+/* The place of a name from place k on, or -1. */
+static R_xlen_t find_name(SEXP names, char const *name, R_xlen_t k)
 {
-    for (R_xlen_t k = 0; k < Rf_xlength(names); ++k)
+    for (; k < Rf_xlength(names); ++k)
         if (strcmp(CHAR(STRING_ELT(names, k)), name) == 0) return k;
     return -1;
 }
@@ -101,13 +131,16 @@ static struct column column_at(SEXP values, R_xlen_t k, struct table *table, cha
 
 static R_xlen_t rows_of(SEXP values)
 {
+    if (is_named_row(values)) return 1;
     if (TYPEOF(values) != VECSXP) return Rf_nrows(values);
     return Rf_xlength(values) == 0 ? 0 : Rf_xlength(VECTOR_ELT(values, 0));
 }
 
 static struct column named_column(SEXP values, SEXP names, char const *name, struct table *table)
 {
-    R_xlen_t const k = find_name(names, name);
+    R_xlen_t const k = find_name(names, name, 0);
+    if (k >= 0 && find_name(names, name, k + 1) >= 0)
+        pw85_refuse(table->name, -1, name, "is there twice");
     if (k < 0)
         pw85_refuse(table->name, -1, name,
                     table->dimension == 2 ? "is missing: ellipses have columns x, y, xx, xy, yy"
@@ -119,8 +152,8 @@ static struct column named_column(SEXP values, SEXP names, char const *name, str
 /* Whether there are entries of forms in space. A column z alone may be another one of ellipses. */
 static bool is_solid(SEXP names)
 {
-    return find_name(names, "xz") >= 0 || find_name(names, "yz") >= 0 ||
-           find_name(names, "zz") >= 0;
+    return find_name(names, "xz", 0) >= 0 || find_name(names, "yz", 0) >= 0 ||
+           find_name(names, "zz", 0) >= 0;
 }
 
 static void read_ellipsoids(SEXP values, struct table *table)
@@ -181,23 +214,6 @@ static R_xlen_t common_rows(struct table const *tables, int count)
     return most;
 }
 
-/* Writes three columns of doubles, or one of them, into rows of `size` numbers. */
-static void copy_three(struct column const *columns, int size, R_xlen_t row, R_xlen_t n, double *to)
-{
-    double const *const a = columns[0].doubles + row, *const b = columns[1].doubles + row,
-                        *const c = columns[2].doubles + row;
-    for (R_xlen_t i = 0; i < n; ++i, to += size) {
-        to[0] = a[i];
-        to[1] = b[i];
-        to[2] = c[i];
-    }
-}
-
-static void copy_one(struct column column, int size, R_xlen_t row, R_xlen_t n, double *to)
-{
-    for (R_xlen_t i = 0; i < n; ++i, to += size) *to = column.doubles[row + i];
-}
-
 static bool are_doubles(struct column const *columns, int size)
 {
     for (int j = 0; j < size; ++j)
@@ -213,9 +229,9 @@ static void gather_run(struct column const *columns, int size, R_xlen_t row, R_x
             for (int j = 0; j < size; ++j) to[i * size + j] = number(columns[j], row + i);
         return;
     }
-    int j = 0;
-    for (; j + 2 < size; j += 3) copy_three(columns + j, size, row, n, to + j);
-    for (; j < size; ++j) copy_one(columns[j], size, row, n, to + j);
+    double const *first[MOST_NUMBERS];
+    for (int j = 0; j < size; ++j) first[j] = columns[j].doubles + row;
+    pw85_rows_of_columns(first, (size_t)size, (size_t)n, to);
 }
 
 /* Writes n rows from a row of the result on, one behind the other. After the last row of the
@@ -224,7 +240,8 @@ static void gather(struct column const *columns, int size, R_xlen_t rows, R_xlen
                    double *to)
 {
     R_xlen_t const different = rows < n ? rows : n;
-    R_xlen_t const row = from % rows, first = different < rows - row ? different : rows - row;
+    R_xlen_t const row = from < rows ? from : from % rows,
+                   first = different < rows - row ? different : rows - row;
     gather_run(columns, size, row, first, to);
     gather_run(columns, size, 0, different - first, to + first * size);
     for (R_xlen_t i = different * size; i < n * size; ++i) to[i] = to[i - different * size];
@@ -235,7 +252,15 @@ struct call {
     struct pw85_function const *function;
     struct table tables[MOST_ARGUMENTS];
     int num_ellipsoids, num_tables;
-    double *in[PW85_INPUTS], *centers; /* numbers of a block */
+};
+
+/* The numbers of a block of rows. Each thread has one. */
+struct block {
+    struct call const *call;
+    R_xlen_t from;
+    size_t n;
+    bool has_constants; /* the rows of arguments with one row, which are the same in all blocks */
+    double *in[PW85_INPUTS], *centers[2];
     void *out[PW85_OUTPUTS];
 };
 
@@ -251,44 +276,54 @@ static struct table const *table_of(struct call const *call, struct pw85_input c
     }
 }
 
-/* The separations of a block: the centres of y minus those of x. */
-static void gather_separation(struct call const *call, R_xlen_t from, R_xlen_t n, double *to)
+static void gather_rows(struct block const *block, struct table const *table,
+                        struct column const *columns, int size, double *to)
 {
-    struct table const *const x = &call->tables[0], *const y = &call->tables[1];
-    int const d = x->dimension;
-    gather(y->center, d, y->rows, from, n, to);
-    gather(x->center, d, x->rows, from, n, call->centers);
-    for (R_xlen_t i = 0; i < n * d; ++i) to[i] -= call->centers[i];
+    if (table->rows == 1 && block->has_constants) return;
+    gather(columns, size, table->rows, block->from, (R_xlen_t)block->n, to);
 }
 
-static void gather_inputs(struct call const *call, R_xlen_t from, R_xlen_t n)
+/* The separations of a block: the centres of y minus those of x. */
+static void gather_separation(struct block const *block, double *to)
 {
-    for (int k = 0; k < call->function->num_inputs; ++k) {
-        struct pw85_input const *const input = &call->function->inputs[k];
-        struct table const *const table = table_of(call, input);
+    struct table const *const x = &block->call->tables[0], *const y = &block->call->tables[1];
+    size_t const count = block->n * (size_t)x->dimension;
+    gather_rows(block, x, x->center, x->dimension, block->centers[0]);
+    gather_rows(block, y, y->center, x->dimension, block->centers[1]);
+    pw85_subtract(block->centers[1], block->centers[0], count, to);
+}
+
+static void gather_inputs(struct block *block)
+{
+    struct pw85_function const *const function = block->call->function;
+    for (int k = 0; k < function->num_inputs; ++k) {
+        struct pw85_input const *const input = &function->inputs[k];
+        struct table const *const table = table_of(block->call, input);
         if (input->kind == PW85_SEPARATION)
-            gather_separation(call, from, n, call->in[k]);
+            gather_separation(block, block->in[k]);
         else
-            gather(table->numbers, input->size, table->rows, from, n, call->in[k]);
+            gather_rows(block, table, table->numbers, input->size, block->in[k]);
     }
+    block->has_constants = true;
 }
 
 /* Writes the results of a block to the columns: vectors, of doubles or of truth values. */
-static void scatter_outputs(struct call const *call, R_xlen_t from, R_xlen_t n,
-                            void *const *columns)
+static void scatter_outputs(struct block const *block, void *const *columns)
 {
-    if (call->function->is_truth) {
-        unsigned char const *const bytes = call->out[0];
-        for (R_xlen_t i = 0; i < n; ++i) ((int *)columns[0])[from + i] = bytes[i];
+    struct pw85_function const *const function = block->call->function;
+    if (function->is_truth) {
+        unsigned char const *const bytes = block->out[0];
+        int *const to = (int *)columns[0] + block->from;
+        for (size_t i = 0; i < block->n; ++i)
+            to[i] = bytes[i] == MISSING_BYTE ? NA_LOGICAL : bytes[i];
         return;
     }
-    for (int k = 0, column = 0; k < call->function->num_outputs; ++k) {
-        int const size = call->function->sizes[k];
-        double const *const source = call->out[k];
-        for (int j = 0; j < size; ++j, ++column) {
-            double *const to = (double *)columns[column] + from;
-            for (R_xlen_t i = 0; i < n; ++i) to[i] = source[i * size + j];
-        }
+    for (int k = 0, column = 0; k < function->num_outputs; ++k) {
+        size_t const size = (size_t)function->sizes[k];
+        double *first[PW85_COLUMNS];
+        for (size_t j = 0; j < size; ++j, ++column)
+            first[j] = (double *)columns[column] + block->from;
+        pw85_columns_of_rows(block->out[k], size, block->n, first);
     }
 }
 
@@ -311,13 +346,14 @@ static struct table const *blamed_center(struct call const *call, R_xlen_t row, 
     return &call->tables[1];
 }
 
-/* Ends the call with the cause that the library tells, in the words of R. */
-static void NORET refuse_row(struct call const *call, int status, R_xlen_t row)
+/* Ends the call with the cause that the library tells, in the words of R. `rows` are those that the
+ * library had, of which it refused number `bad`, or a later one that it tells. */
+static void NORET refuse_row(struct call const *call, int status, R_xlen_t const *rows, size_t bad)
 {
     pw85_error error;
     pw85_last_error(&error);
     char const *const text = error.function ? error.requirement : pw85_strerror(status);
-    row += error.function ? (R_xlen_t)error.row : 0;
+    R_xlen_t const row = rows[bad + (error.function ? error.row : 0)];
     struct table const *table = NULL;
     char const *column = NULL;
     for (int k = 0; error.function && error.argument && k < call->function->num_inputs; ++k) {
@@ -334,23 +370,160 @@ static void NORET refuse_row(struct call const *call, int status, R_xlen_t row)
     pw85_refuse(table ? table->name : NULL, table ? row % table->rows : row, column, text);
 }
 
+static bool has_missing(struct table const *table, struct column const *columns, int size,
+                        R_xlen_t row)
+{
+    for (int k = 0; k < size; ++k)
+        if (ISNAN(number(columns[k], row % table->rows))) return true;
+    return false;
+}
+
+/* Whether one of the numbers for a row of the result is NA or NaN. */
+static bool is_missing(struct call const *call, R_xlen_t row)
+{
+    for (int k = 0; k < call->function->num_inputs; ++k) {
+        struct pw85_input const *const input = &call->function->inputs[k];
+        struct table const *table = table_of(call, input);
+        if (input->kind != PW85_SEPARATION) {
+            if (has_missing(table, table->numbers, input->size, row)) return true;
+            continue;
+        }
+        for (table = call->tables; table < call->tables + 2; ++table)
+            if (has_missing(table, table->center, table->dimension, row)) return true;
+    }
+    return false;
+}
+
+/* Moves the inputs of the rows of a block without missing numbers to its beginning, and writes which
+ * rows these are. Returns how many. */
+static size_t keep_complete(struct block const *block, R_xlen_t *rows)
+{
+    struct pw85_function const *const function = block->call->function;
+    size_t count = 0;
+    for (size_t i = 0; i < block->n; ++i) {
+        if (is_missing(block->call, block->from + (R_xlen_t)i)) continue;
+        for (int k = 0; k < function->num_inputs; ++k) {
+            size_t const size = (size_t)function->inputs[k].size;
+            double *const numbers = block->in[k];
+            memmove(numbers + size * count, numbers + size * i, size * sizeof(double));
+        }
+        rows[count++] = block->from + (R_xlen_t)i;
+    }
+    return count;
+}
+
+/* Writes the results of one row of a block, or NA if there is none, to row i. */
+static void move_output(struct block const *block, size_t const *row, size_t i)
+{
+    struct pw85_function const *const function = block->call->function;
+    if (function->is_truth) {
+        unsigned char *const bytes = block->out[0];
+        bytes[i] = row ? bytes[*row] : MISSING_BYTE;
+        return;
+    }
+    for (int k = 0; k < function->num_outputs; ++k) {
+        size_t const size = (size_t)function->sizes[k];
+        double *const numbers = block->out[k];
+        for (size_t j = 0; j < size; ++j)
+            numbers[i * size + j] = row ? numbers[*row * size + j] : NA_REAL;
+    }
+}
+
+/* Calls the function of C for the complete rows of a block, which `rows` receives. */
+static int compute_complete(struct block *block, R_xlen_t *rows, size_t *count, size_t *bad)
+{
+    *bad = 0;
+    *count = keep_complete(block, rows);
+    if (*count == 0) return 0;
+    return block->call->function->call(*count, (double const *const *)block->in, block->out, bad);
+}
+
+/* Computes a block, and returns false if the library refuses a row. If numbers of a row are missing,
+ * as are those that a user has not measured, its result is, too. The block is searched for such
+ * numbers only if it is refused with them. */
+static bool compute_block(struct block *block)
+{
+    R_xlen_t rows[BLOCK];
+    size_t count, bad = 0;
+    gather_inputs(block);
+    if (block->call->function->call(block->n, (double const *const *)block->in, block->out, &bad) ==
+        0)
+        return true;
+    if (compute_complete(block, rows, &count, &bad) != 0) return false;
+    for (size_t i = block->n; i-- > 0;) {
+        bool const is_complete = count > 0 && rows[count - 1] == block->from + (R_xlen_t)i;
+        if (is_complete) --count;
+        move_output(block, is_complete ? &count : NULL, i);
+    }
+    return true;
+}
+
+/* Ends the call with the cause for which the library refuses a row of a block. */
+static void NORET refuse_block(struct block *block)
+{
+    R_xlen_t rows[BLOCK];
+    size_t count, bad;
+    gather_inputs(block);
+    int const status = compute_complete(block, rows, &count, &bad);
+    refuse_row(block->call, status, rows, bad);
+}
+
+static struct block new_block(struct call const *call, size_t n)
+{
+    struct pw85_function const *const function = call->function;
+    struct block block = {call, 0, n, false, {NULL}, {NULL}, {NULL}};
+    for (int k = 0; k < 2; ++k) block.centers[k] = (double *)R_alloc(3 * n, sizeof(double));
+    for (int k = 0; k < function->num_inputs; ++k)
+        block.in[k] = (double *)R_alloc(n * (size_t)function->inputs[k].size, sizeof(double));
+    for (int k = 0; k < function->num_outputs; ++k)
+        block.out[k] = R_alloc(n * (size_t)function->sizes[k], sizeof(double));
+    return block;
+}
+
+static void set_rows(struct block *block, R_xlen_t from, R_xlen_t end)
+{
+    block->from = from;
+    block->n = end - from < BLOCK ? (size_t)(end - from) : BLOCK;
+}
+
+/* Computes rows in threads. Returns the first row of the first block of which the library refuses a
+ * row, or `end`. No thread calls R. */
+static R_xlen_t compute_rows(struct block *blocks, int threads, R_xlen_t from, R_xlen_t end,
+                             void *const *columns)
+{
+    R_xlen_t refused = end;
+#if defined _OPENMP
+#pragma omp parallel for num_threads(threads)
+#endif
+    for (R_xlen_t i = from; i < end; i += BLOCK) {
+        struct block *const block = &blocks[pw85_thread()];
+        set_rows(block, i, end);
+        if (compute_block(block)) {
+            scatter_outputs(block, columns);
+            continue;
+        }
+#if defined _OPENMP
+#pragma omp critical
+#endif
+        if (i < refused) refused = i;
+    }
+    return refused;
+}
+
 static void compute(struct call *call, R_xlen_t rows, void *const *columns)
 {
-    size_t const block = rows < BLOCK ? (size_t)rows : BLOCK;
-    struct pw85_function const *const function = call->function;
-    call->centers = (double *)R_alloc(3 * block, sizeof(double));
-    for (int k = 0; k < function->num_inputs; ++k)
-        call->in[k] = (double *)R_alloc(block * (size_t)function->inputs[k].size, sizeof(double));
-    for (int k = 0; k < function->num_outputs; ++k)
-        call->out[k] = R_alloc(block * (size_t)function->sizes[k], sizeof(double));
-    for (R_xlen_t from = 0; from < rows; from += BLOCK) {
-        R_xlen_t const n = rows - from < BLOCK ? rows - from : BLOCK;
-        size_t bad = 0;
-        gather_inputs(call, from, n);
-        int const status =
-            function->call((size_t)n, (double const *const *)call->in, call->out, &bad);
-        if (status != 0) refuse_row(call, status, from + (R_xlen_t)bad);
-        scatter_outputs(call, from, n, columns);
+    int const threads = rows <= BLOCK ? 1 : pw85_num_threads;
+    R_xlen_t const most = (R_xlen_t)threads * INTERRUPTED;
+    struct block *const blocks = (struct block *)R_alloc((size_t)threads, sizeof(struct block));
+    for (int k = 0; k < threads; ++k)
+        blocks[k] = new_block(call, rows < BLOCK ? (size_t)rows : BLOCK);
+    for (R_xlen_t from = 0; from < rows; from += most) {
+        R_xlen_t const end = rows - from < most ? rows : from + most,
+                       refused = compute_rows(blocks, threads, from, end, columns);
+        if (refused < end) {
+            set_rows(&blocks[0], refused, end);
+            refuse_block(&blocks[0]);
+        }
         R_CheckUserInterrupt();
     }
 }

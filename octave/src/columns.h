@@ -1,0 +1,1 @@
+../../r/src/columns.h
