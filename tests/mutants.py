@@ -192,7 +192,7 @@ LIBRARY_MUTANTS = [
     ("simulation/chains.cpp", "image == last_plane_->image", "image.index == last_plane_->image.index", "event_chains/line"),
     ("simulation/chains.cpp", " - moved;", ";", "event_chains/pressure"),
     ("simulation/chains.cpp", "touched.has_plane() && moved > 0.0", "touched.has_plane()", "event_chains/no_way"),
-    ("base/random.hpp", "symmetric(), -0.0};", "symmetric(), 0.0};", "hard_ellipses/nothing_leaves_the_plane"),
+    ("../include/pw85/algebra/philox.hpp", "symmetric(), -0.0};", "symmetric(), 0.0};", "hard_ellipses/nothing_leaves_the_plane"),
     ("simulation/engine.cpp", "steps.rotation * stream.symmetric())", "steps.rotation * stream.uniform())",
      "hard_ellipses/detailed_balance"),
     ("simulation/engine.cpp", "imaginary = z + v * w", "imaginary = z + v", "hard_ellipses/steps"),

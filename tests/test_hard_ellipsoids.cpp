@@ -8,10 +8,10 @@
 
 #include <glib.h>
 
+#include <pw85/algebra/philox.hpp>
 #include <pw85/pw85.hpp>
 #include <pw85/simulation.hpp>
 
-#include "../src/base/random.hpp"
 #include "hard_particles.hpp"
 #include "saved_sections.hpp"
 #include "threads.hpp"

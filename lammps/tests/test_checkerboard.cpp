@@ -14,6 +14,7 @@
 #include "random.hpp"
 
 using namespace pw85_lammps;
+using pw85::detail::philox, pw85::detail::PhiloxWords;
 
 namespace {
 

@@ -6,7 +6,8 @@
 
 #include <cmath>
 
-#include "../base/random.hpp"
+#include <pw85/algebra/philox.hpp>
+
 #include "configuration.hpp"
 
 namespace pw85::detail::simulation {

@@ -21,7 +21,8 @@
 #include <cstdint>
 #include <span>
 
-#include "../base/random.hpp"
+#include <pw85/algebra/philox.hpp>
+
 #include "configuration.hpp"
 
 namespace pw85::detail::simulation {
