@@ -786,7 +786,7 @@ void test_neighbors()
 }
 
 /// The probability that a trial of the volume of an ideal gas is rejected, by the midpoint rule
-/// over the factors that try_volume() of src/simulation/engine.hpp draws, for an isotropic scaling
+/// over the factors that src/simulation/change.hpp draws, for an isotropic scaling
 /// of the lengths by (1 + x/2)/(1 - x/2) with |x| < `largest`.
 double rejection_of_volume(double n, double pressure, double volume, double largest)
 {
