@@ -45,8 +45,8 @@ struct Model {
     ///
     /// Decisions are those of the exact overlap test for the rounded separations. The list only
     /// saves work: an overlap that is found is certain, wherever the fixed boxes are. A trial that
-    /// would be accepted, but leaves a fixed box, is `unlisted`. It is made again with another list.
-    /// So the list does not influence the result.
+    /// would be accepted, but leaves a fixed box, is `unlisted`. It is made again with another
+    /// list. So the list does not influence the result.
     template <std::size_t N, class Overlaps, class AcceptEnergy>
     [[gnu::always_inline]] Outcome accept_or_revert(Trial<N> const &trial, Overlaps const &overlaps,
                                                     AcceptEnergy const &accept_energy) noexcept

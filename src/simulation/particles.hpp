@@ -19,8 +19,8 @@
 
 namespace pw85::detail::simulation {
 
-/// The places of particles in memory. They follow Morton's curve: particles that are near each other
-/// in the cell are near in memory. The results of a simulation do not depend on them.
+/// The places of particles in memory. They follow Morton's curve: particles that are near each
+/// other in the cell are near in memory. The results of a simulation do not depend on them.
 class MemoryOrder {
   public:
     /// Orders the particles of a configuration. Returns a status; on error the places stay as they

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Counter-based random numbers: Philox4x32-10 of Salmon, Moraes, Dror and Shaw, Parallel random
-/// numbers: as easy as 1, 2, 3 (2011), doi:10.1145/2063384.2063405. The moves of simulations, random
-/// points of ellipsoids and the styles for LAMMPS draw from a Stream of them.
+/// numbers: as easy as 1, 2, 3 (2011), doi:10.1145/2063384.2063405. The moves of simulations,
+/// random points of ellipsoids and the styles for LAMMPS draw from a Stream of them.
 #ifndef PW85_ALGEBRA_PHILOX_HPP_INCLUDED
 #define PW85_ALGEBRA_PHILOX_HPP_INCLUDED
 
