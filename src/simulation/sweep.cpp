@@ -254,12 +254,13 @@ EnergySum Sweeps::energy_of(std::span<std::size_t const> places,
                             ReadableDomains const &readable) const noexcept
 {
     EnergySum sum;
-    for (std::size_t const i : places)
-        sum.add(model_.list.energy(i, model_.particles.copy(), model_.hamiltonian.pairs,
-                                   [&](std::size_t j) {
-                                       return readable.contain(domains_.number_at(j)) &&
-                                              (i == places[0] || j != places[0]);
-                                   }));
+    for (std::size_t const i : places) {
+        auto const is_counted = [&](std::size_t j) {
+            return readable.contain(domains_.number_at(j)) && (i == places[0] || j != places[0]);
+        };
+        sum.add(
+            model_.list.energy(i, model_.particles.copy(), model_.hamiltonian.pairs, is_counted));
+    }
     return sum;
 }
 
