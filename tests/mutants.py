@@ -133,7 +133,7 @@ LIBRARY_MUTANTS = [
     ("simulation/neighborhood.cpp", "list.make(configuration.system(), reach, skin", "list.make(configuration.system(), 1.0, skin",
      "pair_energy/many_spheres"),
     ("simulation/verlet_list.hpp", "j == i ? 1 : 2", "2", "pair_energy/own_images"),
-    ("simulation/sweep.cpp", "(i == places[0] || j != places[0])", "true", "pair_energy/exchange"),
+    ("simulation/sweep.cpp", "j != counted;", "true;", "pair_energy/exchange"),
     ("simulation/volume_moves.cpp", "accept_energy(before, model_.list.energy_of_all(all, pairs), stream)",
      "Outcome::accepted", "pair_energy/volume"),
     ("simulation/pair_energy.cpp", "tensor[0] + tensor[4] + tensor[8];", "tensor[0] + tensor[4];", "pair_energy/virial"),

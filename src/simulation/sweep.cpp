@@ -255,11 +255,12 @@ EnergySum Sweeps::energy_of(std::span<std::size_t const> places,
 {
     EnergySum sum;
     for (std::size_t const i : places) {
-        auto const is_counted = [&](std::size_t j) {
-            return readable.contain(domains_.number_at(j)) && (i == places[0] || j != places[0]);
-        };
-        sum.add(
-            model_.list.energy(i, model_.particles.copy(), model_.hamiltonian.pairs, is_counted));
+        std::size_t const counted = i == places[0] ? SIZE_MAX : places[0];
+        sum.add(model_.list.energy(i, model_.particles.copy(), model_.hamiltonian.pairs,
+                                   [this, readable, counted](std::size_t j) {
+                                       return readable.contain(domains_.number_at(j)) &&
+                                              j != counted;
+                                   }));
     }
     return sum;
 }
