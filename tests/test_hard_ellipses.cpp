@@ -9,7 +9,6 @@
 
 #include "hard_particles.hpp"
 #include "saved_sections.hpp"
-#include "threads.hpp"
 
 using namespace pw85_tests;
 
@@ -81,16 +80,6 @@ double area_of(HardEllipsoids const &simulation)
 }
 
 double angle_of(Quaternion const &q) { return 2.0 * std::atan2(q[3], q[0]); }
-
-/// Some of everything, but for the chains.
-void run(HardEllipsoids &simulation, int steps, double pressure)
-{
-    for (int k = 0; k < steps; ++k) {
-        g_assert_true(simulation.sweep(2) == Status::success);
-        g_assert_true(simulation.volume_moves(2, pressure, static_cast<CellChange>(k % 3)) ==
-                      Status::success);
-    }
-}
 
 /// Two unlike ellipses in a cell.
 struct TwoEllipses {
@@ -193,18 +182,8 @@ void test_detailed_balance()
     for (Vector3 &center : plane.centers) center = {1.3 * center[0], 1.3 * center[1], center[2]};
     for (Vector3 &vector : plane.cell) vector = 1.3 * vector;
     HardEllipsoids simulation = plane.ellipses();
-    g_assert_true(simulation.set_fractions({0.3, 0.3, 0.2, 0.2}) == Status::success);
     g_assert_true(simulation.set_steps({0.9, 0.7, 0.1}) == Status::success);
-    g_assert_true(simulation.sweep(300) == Status::success);
-    Changes changes(54);
-    auto before = states_of(simulation);
-    for (int k = 0; k < (g_test_perf() ? 100000 : 12000); ++k) {
-        g_assert_true(simulation.sweep(1) == Status::success);
-        auto const after = states_of(simulation);
-        changes.add(before, after);
-        before = after;
-    }
-    changes.expect_balance(200.0);
+    expect_detailed_balance(simulation, 12000, states_of);
 }
 
 // An ellipse alone: translations are uniform in a disc, whose mean square is 1/2, and turns by 2
@@ -237,38 +216,22 @@ void test_steps()
         v4.expect("fourth power of turns", 1.0 / 5);
 }
 
-// N points at constant pressure: the area A has the density A^N e^-βPA, so its mean and variance
-// are (N + 1)/βP and (N + 1)/βP². The cell is made anew now and then, since nothing limits its
-// shears.
 void test_ideal_gas()
 {
-    constexpr double pressure = 5.0, n = 4.0;
-    for (CellChange const change :
-         {CellChange::isotropic, CellChange::axis, CellChange::triclinic}) {
-        Blocks mean(2000), square(2000);
-        double side = 1.2;
-        for (int round = 0; round < 200; ++round) {
-            Plane gas;
-            gas.third = 1e-9;
-            for (int k = 0; k < 4; ++k)
-                gas.add_ellipse({0.5 * side * (k & 1), 0.5 * side * (k >> 1)}, 1e-9, 2e-9);
-            // of this area
-            gas.cell = {
-                {{side, 0.4 * side, 0.0}, {-0.2 * side, 0.92 * side, 0.0}, {0.0, 0.0, 3.0}}};
-            gas.periodic = {1, 1, 0};
-            HardEllipsoids simulation = gas.ellipses(static_cast<std::size_t>(round));
-            g_assert_true(simulation.set_steps({0.1, 0.1, 0.9}) == Status::success);
-            for (int k = 0; k < 300; ++k) {
-                g_assert_true(simulation.volume_moves(1, pressure, change) == Status::success);
-                double const a = area_of(simulation);
-                mean.add(a);
-                square.add((a - (n + 1) / pressure) * (a - (n + 1) / pressure));
-            }
-            side = std::sqrt(area_of(simulation));
-        }
-        mean.expect("mean area", (n + 1) / pressure);
-        square.expect("variance of the area", (n + 1) / (pressure * pressure));
-    }
+    auto const make = [](double area, std::size_t seed) {
+        double const side = std::sqrt(area);
+        Plane gas;
+        gas.third = 1e-9;
+        for (int k = 0; k < 4; ++k)
+            gas.add_ellipse({0.5 * side * (k & 1), 0.5 * side * (k >> 1)}, 1e-9, 2e-9);
+        // of this area
+        gas.cell = {{{side, 0.4 * side, 0.0}, {-0.2 * side, 0.92 * side, 0.0}, {0.0, 0.0, 3.0}}};
+        gas.periodic = {1, 1, 0};
+        HardEllipsoids simulation = gas.ellipses(seed);
+        g_assert_true(simulation.set_steps({0.1, 0.1, 0.9}) == Status::success);
+        return simulation;
+    };
+    expect_ideal_gas(4.0, make, area_of);
 }
 
 // Shears change the tilt of a cell, scalings of one axis its shape; isotropic changes do neither.
@@ -450,7 +413,7 @@ void test_nothing_leaves_the_plane()
             g_assert_true(simulation.set_fractions({3, 3, 2, 1}) == Status::success);
             g_assert_true(simulation.tune(20, 0.4, pressure, CellChange::triclinic) ==
                           Status::success);
-            run(simulation, 6, pressure);
+            try_everything(simulation, 6, pressure);
             double z, factor;
             bool is_free;
             g_assert_true(simulation.chain(20, 10 * unit, z) == Status::success);
@@ -458,7 +421,7 @@ void test_nothing_leaves_the_plane()
                 pw85_hard_ellipsoids_chain(simulation.get(), 20, 10 * unit, oblique, &z), ==,
                 PW85_SUCCESS);
             g_assert_true(simulation.compress(true, factor) == Status::success && factor > 0.1);
-            run(simulation, 3, pressure);
+            try_everything(simulation, 3, pressure);
             double const *const c = simulation.system().centers;
             Vector3 const there = {c[0] + 1e-6 * unit, c[1], height == 0.0 ? 0.0 : c[2]};
             g_assert_true(simulation.try_placement(0, there, simulation.quaternions()[0], true,
@@ -577,11 +540,11 @@ void test_third_axes()
             found.insert(found.end(), numbers.begin(), numbers.end());
         };
         double z;
-        run(simulation, 3, 1.5);
+        try_everything(simulation, 3, 1.5);
         append();
         g_assert_true(simulation.chain(20, 10.0, z) == Status::success);
         append();
-        run(simulation, 3, 1.5);
+        try_everything(simulation, 3, 1.5);
         append();
         if (expected.empty()) expected = found;
         auto const difference =
@@ -592,39 +555,14 @@ void test_third_axes()
     }
 }
 
-// There are many domains. The particles diffuse out of the boxes of their neighbour lists.
 void test_threads_and_restart()
 {
-    auto const begin = [] {
-        HardEllipsoids simulation = mixture(40).ellipses(42);
-        g_assert_true(simulation.set_fractions({3, 3, 2, 1}) == Status::success);
-        g_assert_true(simulation.set_steps({0.2, 0.1, 0.002}) == Status::success);
-        return simulation;
-    };
-    double z, again;
-    Threads const one(1);
-    HardEllipsoids simulation = begin();
-    run(simulation, 3, 1.5);
-    auto const middle = bytes_of(simulation);
-    run(simulation, 3, 1.5);
-    g_assert_true(simulation.chain(20, 10.0, z) == Status::success);
-    auto const expected = bytes_of(simulation);
-    expect_no_overlap(simulation);
-    g_assert_cmpint(simulation.counts().accepted[4], >, 0);
-    HardEllipsoids resumed;
-    g_assert_true(hard_ellipsoids_restore(middle, resumed) == Status::success);
-    g_assert_cmpint(resumed.dimensions(), ==, 2);
-    run(resumed, 3, 1.5);
-    g_assert_true(resumed.chain(20, 10.0, again) == Status::success && again == z);
-    g_assert_true(bytes_of(resumed) == expected);
-    // A domain that is taken too early changes the result in some runs only.
-    for (int k = 0; k < 12; ++k) {
-        Threads const several(2 + k % 2);
-        HardEllipsoids parallel = begin();
-        run(parallel, 6, 1.5);
-        g_assert_true(parallel.chain(20, 10.0, again) == Status::success);
-        g_assert_true(bytes_of(parallel) == expected);
-    }
+    expect_same_in_threads(mixture(40), 2, 12, [](HardEllipsoids &simulation) {
+        double z;
+        try_everything(simulation, 3, 1.5);
+        g_assert_true(simulation.chain(20, 10.0, z) == Status::success);
+        return z;
+    });
 }
 
 // Threads do not read particles in other domains of the colour that they work on. Here these are
@@ -638,17 +576,7 @@ void test_long_trials()
         for (int k = 0; k < 3 * n; ++k) plane.add_ellipse({a * (k % 3), 1.2 * (k / 3)}, 0.5, 0.5);
         plane.set_cell(3 * a, 0.0, 1.2 * n);
         HardEllipsoids simulation = plane.ellipses();
-        g_assert_true(simulation.set_fractions({1, 0, 0, 0}) == Status::success);
-        g_assert_true(simulation.set_steps({1.0, 0.1, 0.1}) == Status::success);
-        for (int k = 0; k < 5; ++k) {
-            HardEllipsoids other;
-            g_assert_true(hard_ellipsoids_restore(bytes_of(simulation), other) == Status::success);
-            g_assert_true(simulation.sweep(4) == Status::success);
-            g_assert_true(other.sweep(4) == Status::success);
-            g_assert_true(bytes_of(other) == bytes_of(simulation));
-        }
-        g_assert_cmpint(simulation.counts().accepted[0], >, 300);
-        expect_no_overlap(simulation);
+        expect_same_long_trials(simulation, 300);
     }
 }
 

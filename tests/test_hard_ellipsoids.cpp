@@ -8,10 +8,10 @@
 
 #include <glib.h>
 
+#include <pw85/algebra/philox.hpp>
 #include <pw85/pw85.hpp>
 #include <pw85/simulation.hpp>
 
-#include "../src/base/random.hpp"
 #include "hard_particles.hpp"
 #include "saved_sections.hpp"
 #include "threads.hpp"
@@ -65,34 +65,20 @@ void test_philox()
     }
 }
 
-// N points at constant pressure: V has the density V^N e^-βPV, so its mean and variance are (N +
-// 1)/βP and (N + 1)/βP². The cell is made anew now and then, since nothing limits its shears.
 void test_ideal_gas()
 {
-    constexpr double pressure = 5.0, n = 8.0;
-    for (CellChange const change :
-         {CellChange::isotropic, CellChange::axis, CellChange::triclinic}) {
-        Blocks mean(2000), square(2000);
-        double side = 1.2;
-        for (int round = 0; round < 200; ++round) {
-            Start gas;
-            for (int k = 0; k < 8; ++k)
-                gas.add(0.5 * side * Vector3{double(k & 1), double(k >> 1 & 1), double(k >> 2)},
-                        {1e-9, 2e-9, 1e-9});
-            gas.cell = box(side, side, side);
-            HardEllipsoids simulation = gas.simulation(static_cast<std::size_t>(round));
-            g_assert_true(simulation.set_steps({0.1, 0.1, 0.7}) == Status::success);
-            for (int k = 0; k < 300; ++k) {
-                g_assert_true(simulation.volume_moves(1, pressure, change) == Status::success);
-                double const v = volume_of(simulation);
-                mean.add(v);
-                square.add((v - (n + 1) / pressure) * (v - (n + 1) / pressure));
-            }
-            side = std::cbrt(volume_of(simulation));
-        }
-        mean.expect("mean volume", (n + 1) / pressure);
-        square.expect("variance of the volume", (n + 1) / (pressure * pressure));
-    }
+    auto const make = [](double volume, std::size_t seed) {
+        double const side = std::cbrt(volume);
+        Start gas;
+        for (int k = 0; k < 8; ++k)
+            gas.add(0.5 * side * Vector3{double(k & 1), double(k >> 1 & 1), double(k >> 2)},
+                    {1e-9, 2e-9, 1e-9});
+        gas.cell = box(side, side, side);
+        HardEllipsoids simulation = gas.simulation(seed);
+        g_assert_true(simulation.set_steps({0.1, 0.1, 0.7}) == Status::success);
+        return simulation;
+    };
+    expect_ideal_gas(8.0, make, volume_of);
 }
 
 // A sphere, or a disc, of diameter one does not overlap its images if all edges are at least one.
@@ -455,35 +441,14 @@ std::vector<std::size_t> states_of(HardEllipsoids const &simulation)
     return states;
 }
 
-// Changes of particles from one state to another in sweeps of all kinds of trials
 void test_detailed_balance()
 {
     Start start = mixture(3);
     for (auto &center : start.centers) center = 1.3 * center;
     for (auto &vector : start.cell) vector = 1.3 * vector;
     HardEllipsoids simulation = start.simulation();
-    g_assert_true(simulation.set_fractions({0.3, 0.3, 0.2, 0.2}) == Status::success);
     g_assert_true(simulation.set_steps({0.7, 0.7, 0.1}) == Status::success);
-    g_assert_true(simulation.sweep(300) == Status::success);
-    Changes changes(54);
-    auto before = states_of(simulation);
-    for (int k = 0; k < (g_test_perf() ? 100000 : 8000); ++k) {
-        g_assert_true(simulation.sweep(1) == Status::success);
-        auto const after = states_of(simulation);
-        changes.add(before, after);
-        before = after;
-    }
-    changes.expect_balance(200.0);
-}
-
-/// Some of everything.
-void run(HardEllipsoids &simulation, int steps)
-{
-    for (int k = 0; k < steps; ++k) {
-        g_assert_true(simulation.sweep(2) == Status::success);
-        CellChange const change = static_cast<CellChange>(k % 3);
-        g_assert_true(simulation.volume_moves(2, 2.0, change) == Status::success);
-    }
+    expect_detailed_balance(simulation, 8000, states_of);
 }
 
 // Threads do not read particles in other domains of the colour that they work on. Here these are
@@ -500,59 +465,20 @@ void test_long_trials()
             start.add({a * (k % 3), b * (k / 3 % n), b * (k / 3 / n)}, {0.5, 0.5, 0.5});
         start.cell = box(3 * a, b * n, b * n);
         HardEllipsoids simulation = start.simulation();
-        g_assert_true(simulation.set_fractions({1, 0, 0, 0}) == Status::success);
-        g_assert_true(simulation.set_steps({1.0, 0.1, 0.1}) == Status::success);
-        for (int k = 0; k < 5; ++k) {
-            // Another simulation has rows of its own, whose boxes other trials leave.
-            HardEllipsoids other;
-            g_assert_true(hard_ellipsoids_restore(bytes_of(simulation), other) == Status::success);
-            g_assert_true(simulation.sweep(4) == Status::success);
-            g_assert_true(other.sweep(4) == Status::success);
-            g_assert_true(bytes_of(other) == bytes_of(simulation));
-        }
-        g_assert_cmpint(simulation.counts().accepted[0], >, 1000);
-        expect_no_overlap(simulation);
+        expect_same_long_trials(simulation, 1000);
     }
 }
 
-// There are many domains. The particles diffuse out of the boxes of their neighbour lists.
 void test_threads_and_restart()
 {
-    auto const begin = [] {
-        HardEllipsoids simulation = mixture(13).simulation(42);
-        g_assert_true(simulation.set_fractions({3, 3, 2, 1}) == Status::success);
-        g_assert_true(simulation.set_steps({0.2, 0.1, 0.002}) == Status::success);
-        return simulation;
-    };
-    Threads const one(1);
-    HardEllipsoids simulation = begin();
-    run(simulation, 3);
-    auto const middle = bytes_of(simulation);
-    run(simulation, 3);
-    auto const expected = bytes_of(simulation);
-    expect_no_overlap(simulation);
-    g_assert_cmpint(simulation.counts().accepted[4], >, 0);
-    HardEllipsoids resumed;
-    g_assert_true(hard_ellipsoids_restore(middle, resumed) == Status::success);
-    run(resumed, 3);
-    g_assert_true(bytes_of(resumed) == expected);
-    auto const steps = resumed.steps(), expected_steps = simulation.steps();
-    g_assert_cmpfloat(steps.translation, ==, expected_steps.translation);
-    g_assert_cmpfloat(steps.rotation, ==, expected_steps.rotation);
-    g_assert_cmpfloat(steps.volume, ==, expected_steps.volume);
-    auto const counts = resumed.counts(), expected_counts = simulation.counts();
-    g_assert_true(counts.trials == expected_counts.trials &&
-                  counts.accepted == expected_counts.accepted);
-    // A domain that is taken too early changes the result in some runs only.
-    for (int k = 0; k < 24; ++k) {
-        Threads const several(2 + k % 2);
-        HardEllipsoids parallel = begin();
-        run(parallel, 6);
-        g_assert_true(bytes_of(parallel) == expected);
-    }
-    HardEllipsoids other = mixture(13).simulation(43);
-    run(other, 1);
-    g_assert_true(bytes_of(other) != middle);
+    Start const start = mixture(13);
+    expect_same_in_threads(start, 3, 24, [](HardEllipsoids &simulation) {
+        try_everything(simulation, 3, 2.0);
+        return simulation.steps().volume;
+    });
+    HardEllipsoids one = start.simulation(42), other = start.simulation(43);
+    try_everything(one, 1, 2.0), try_everything(other, 1, 2.0);
+    g_assert_true(bytes_of(other) != bytes_of(one));
 }
 
 // An exchange leaves the semi-axes of all particles together as they are, and does not move or turn
@@ -786,7 +712,7 @@ void test_neighbors()
 }
 
 /// The probability that a trial of the volume of an ideal gas is rejected, by the midpoint rule
-/// over the factors that try_volume() of src/simulation/engine.hpp draws, for an isotropic scaling
+/// over the factors that src/simulation/change.hpp draws, for an isotropic scaling
 /// of the lengths by (1 + x/2)/(1 - x/2) with |x| < `largest`.
 double rejection_of_volume(double n, double pressure, double volume, double largest)
 {

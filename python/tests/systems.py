@@ -72,6 +72,8 @@ def on_terminal(*arguments, until=None, program=PW85):
     return running.wait(timeout=60), written.decode().replace("\r\n", "\n")
 
 
-def without_times(text):
-    """What `pw85 mc` printed, without the part of the time that samples took, which differs from run to run."""
-    return re.sub(r"; samples took \d+% of the time", "", text)
+def of_run(text):
+    """What `pw85 mc` printed of a run: without what it took of its start, and without the part of the time that samples took, which differs
+    from run to run."""
+    first_line = text.rfind("\n", 0, text.index(", seed ")) + 1
+    return re.sub(r"; samples took \d+% of the time", "", text[first_line:])

@@ -10,7 +10,7 @@ import pytest
 
 import pypw85
 from pypw85 import Field, HardEllipsoids, Law, Wall
-from systems import command, without_times
+from systems import command, of_run
 
 h5py = pytest.importorskip("h5py")
 
@@ -74,7 +74,7 @@ def test_same_as_class(run, case):
     assert np.isnan(found["volume"]).all() == (periodic != "abc") and found["energy"].any() == bool(fields)
     assert run(*common, "--sweeps", SWEEPS // 2, "--out", "parts.h5").status == 0
     again = run("mc", "--resume", "parts.h5", "--sweeps", SWEEPS)
-    assert without_times(again.out) == without_times(done.out).replace("whole", "parts")
+    assert of_run(again.out) == of_run(done.out).replace("whole", "parts")
     with h5py.File("parts.h5") as file:
         assert file["pw85_mc/state"][()].tobytes() == simulation.save()
 
@@ -85,14 +85,14 @@ def test_what_is_said(run):
     options = CASES["both"][1]
     done = run("mc", "start.xyz", "--sweeps", 40, "--every", 1, "--out", "run.csv", "--trajectory", "run.dump",
                "--trajectory-every", 40, *options)  # fmt: skip
-    lines = done.out.splitlines()
+    lines = of_run(done.out).splitlines()
     assert lines[:4] == ["run.csv.h5: 18 particles, not periodic along all vectors, seed 1", "wall plane:0,0,-1,3", "field weight:0,0,1",
                          "field aligning:0,1,0,2"]  # fmt: skip
     named = {line.split()[0] for line in lines}
     assert {"energy", "nematic_order", "director"} <= named
     assert not {"volume", "density", "compressibility_chains", "compressibility_contacts"} & named
     assert not any("chain" in line for line in lines) and lines[-1] == "no overlaps after 40 sweeps"
-    assert run("mc", "--resume", "run.csv").out == without_times(done.out)
+    assert run("mc", "--resume", "run.csv").out == of_run(done.out)
     table = np.genfromtxt("run.csv", delimiter=",", names=True)
     energy = float(re.search(r"^energy +([\d.]+)", done.out, re.M)[1])
     assert energy == pytest.approx(table["energy"].mean(), rel=1e-7)
@@ -130,7 +130,7 @@ def test_plane(run):
     pypw85.write("start.xyz", pypw85.System.from_ellipses(places, np.tile([0.5, 0.25], (9, 1)), np.zeros(9)))
     done = run("mc", "start.xyz", "--wall", "sphere:0,0,0,2.5", "--field", "aligning:0,1,0,3,0", "--sweeps", 20, "--equilibrate", 5,
                "--out", "run.h5")  # fmt: skip
-    assert done.status == 0 and done.out.startswith("run.h5: 9 ellipses, not periodic along all vectors, seed 1\nwall sphere"), done
+    assert done.status == 0 and of_run(done.out).startswith("run.h5: 9 ellipses, not periodic along all vectors, seed 1\nwall sphere"), done
     simulation = HardEllipsoids(pypw85.read("start.xyz"))
     simulation.set_walls([Wall.sphere([0, 0], 2.5)])
     simulation.set_fields([Field.aligning([0, 1], 3, 0)])
@@ -185,13 +185,13 @@ def test_law(run, name):
         # The table is of few digits: a cubic polynomial between its points.
         near = {"powers": 1e-9, "table": 0.05}[name]
         np.testing.assert_allclose(file["pw85_mc/samples"]["compressibility_contacts"], pressures, atol=near, rtol=0)
-    lines = done.out.splitlines()
+    lines = of_run(done.out).splitlines()
     assert lines[:2] == ["whole.h5: 18 particles, constant volume, seed 1", f"law {option}"]
     assert re.search(r"^energy +-", done.out, re.M) and "chain" not in done.out
     assert run(*common, "--sweeps", SWEEPS, "--out", "parts.h5").status == 0
     pathlib.Path("law.txt").unlink()
     continued = run("mc", "--resume", "parts.h5", "--sweeps", 8 * SWEEPS)
-    assert without_times(continued.out) == without_times(done.out).replace("whole", "parts")
+    assert of_run(continued.out) == of_run(done.out).replace("whole", "parts")
     with h5py.File("parts.h5") as file:
         assert file["pw85_mc/state"][()].tobytes() == simulation.save()
 

@@ -13,13 +13,13 @@
 #include <pw85_enclosing.h>
 
 #include <pw85/algebra/doubled.hpp>
+#include <pw85/algebra/philox.hpp>
 #include <pw85/contact/validate.hpp>
 #include <pw85/distance/nearest.hpp>
 
 #include "../base/c_arrays.hpp"
 #include "../base/floating_point_environment.hpp"
 #include "../base/last_error.hpp"
-#include "../base/random.hpp"
 
 using namespace pw85;
 using namespace pw85::detail;

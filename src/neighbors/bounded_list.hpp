@@ -17,10 +17,22 @@ namespace pw85::detail::neighbors {
 /// take less than 0.1 s for each particle.
 constexpr ListLimits bounded{0x1p15, 0x1p13};
 
-/// Makes a list as pw85_neighbors_create(), but at most as long as `bounded` says. A longer one is
-/// refused with PW85_ENOMEM and a cause.
-int create_bounded_list(pw85_system const &system, double scale, double skin,
-                        pw85_neighbors *&list) noexcept;
+/// A list as pw85_neighbors_create() makes it, but at most as long as `bounded` says.
+class BoundedList {
+  public:
+    [[gnu::always_inline]] BoundedList() noexcept = default;
+    [[gnu::always_inline]] ~BoundedList() { pw85_neighbors_destroy(list_); }
+    BoundedList(BoundedList const &) = delete;
+    BoundedList &operator=(BoundedList const &) = delete;
+
+    /// Makes the list, once. A longer one is refused with PW85_ENOMEM and a cause.
+    int make(pw85_system const &system, double scale, double skin = 0.0) noexcept;
+
+    pw85_pair_list pairs() const noexcept { return pw85_neighbors_list(list_); }
+
+  private:
+    pw85_neighbors *list_ = nullptr;
+};
 
 } // namespace pw85::detail::neighbors
 

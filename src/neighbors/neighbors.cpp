@@ -348,10 +348,9 @@ int pw85::detail::neighbors_create(pw85_system const &system, double scale, doub
     return create(system, scale, skin, {}, list);
 }
 
-int pw85::detail::neighbors::create_bounded_list(pw85_system const &system, double scale,
-                                                 double skin, pw85_neighbors *&list) noexcept
+int BoundedList::make(pw85_system const &system, double scale, double skin) noexcept
 {
-    int const status = create(system, scale, skin, bounded, list);
+    int const status = create(system, scale, skin, bounded, list_);
     if (status != PW85_ENOMEM) return status;
     return note_cause(
         status, nullptr,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The overlap test of one ellipsoid of a system and images of others, up to the first overlap.
-/// lanes_images.cpp defines it, once per instruction set, and simulation/engine.cpp calls it.
+/// lanes_images.cpp defines it, once per instruction set, and simulation/verlet_list.cpp calls it.
 #ifndef PW85_SIMD_IMAGES_HPP_INCLUDED
 #define PW85_SIMD_IMAGES_HPP_INCLUDED
 

@@ -23,8 +23,7 @@ int Bins::prepare(Configuration const &configuration, double side, std::size_t m
 {
     cell_ = configuration.cell;
     neighbors::Periodicity periodicity;
-    if (!periodicity.prepare(cell_.exists ? cell_.vectors : nullptr, cell_.periodic))
-        return PW85_EINVAL;
+    if (!cell_.find_lattice(periodicity)) return PW85_EINVAL;
     std::size_t const n = configuration.size();
     for (int k = 0; k < 3; ++k)
         dual_[k] =

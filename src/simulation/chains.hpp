@@ -17,8 +17,9 @@
 
 #include <optional>
 
+#include <pw85/algebra/philox.hpp>
+
 #include "../base/list.hpp"
-#include "../base/random.hpp"
 #include "bins.hpp"
 
 namespace pw85::detail::simulation {

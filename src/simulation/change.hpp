@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Random changes of the cell of a simulation. volume.cpp draws and applies them.
+/// Random changes of the cell of a simulation. volume_moves.cpp draws and applies them.
 #ifndef PW85_SIMULATION_CHANGE_HPP_INCLUDED
 #define PW85_SIMULATION_CHANGE_HPP_INCLUDED
 
 #include <cmath>
 
-#include "../base/random.hpp"
+#include <pw85/algebra/philox.hpp>
+
 #include "configuration.hpp"
 
 namespace pw85::detail::simulation {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The particles of a simulation and their cell. neighborhood.hpp finds their neighbours,
-/// engine.hpp moves them.
+/// particles.hpp copies them for trials.
 #ifndef PW85_SIMULATION_CONFIGURATION_HPP_INCLUDED
 #define PW85_SIMULATION_CONFIGURATION_HPP_INCLUDED
 
@@ -23,6 +23,11 @@ using neighbors::Multiples;
 using Vector3 = Vector<double, 3>;
 using Quaternion = Vector<double, 4>;
 using Form3 = SymmetricMatrix<double, 3>;
+
+[[gnu::always_inline]] inline bool are_equal(Vector3 const &x, Vector3 const &y) noexcept
+{
+    return x[0] == y[0] && x[1] == y[1] && x[2] == y[2];
+}
 
 /// Prefetches the cache lines of some objects. They are loaded while other work continues.
 template <class T>
@@ -59,6 +64,15 @@ struct Cell {
     double vectors[9]; ///< rows are vectors; only insertions read those that are not periodic
     int periodic[3];
     bool exists = false;
+
+    /// Returns the vectors, or null without a cell.
+    double const *given() const noexcept { return exists ? vectors : nullptr; }
+
+    /// Finds the lattice. Returns false if the periodic vectors are not independent.
+    [[nodiscard]] bool find_lattice(neighbors::Periodicity &lattice) const noexcept
+    {
+        return lattice.prepare(given(), periodic);
+    }
 
     [[gnu::always_inline]] Vector3 vector(int k) const noexcept
     {
@@ -207,7 +221,7 @@ struct Configuration {
         return {size(),
                 reinterpret_cast<double const *>(centers.data()),
                 reinterpret_cast<double const *>(q.data()),
-                cell.exists ? cell.vectors : nullptr,
+                cell.given(),
                 {cell.periodic[0], cell.periodic[1], cell.periodic[2]}};
     }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The order in which threads work on the domains of a sweep (domains.hpp). engine.cpp calls this.
+/// The order in which threads work on the domains of a sweep (domains.hpp). sweep.cpp calls this.
 ///
 /// 1. The colours have a random order. A domain comes after those domains next to it whose colours
 ///    come before its own. Domains that are not next to each other may be worked on in any order

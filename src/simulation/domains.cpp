@@ -34,9 +34,7 @@ int Domains::prepare(Configuration const &configuration, std::span<std::int32_t 
                      double reach, Stream &stream) noexcept
 {
     neighbors::Periodicity periodicity;
-    Cell const &cell = configuration.cell;
-    if (!periodicity.prepare(cell.exists ? cell.vectors : nullptr, cell.periodic))
-        return PW85_EINVAL;
+    if (!configuration.cell.find_lattice(periodicity)) return PW85_EINVAL;
     double const most = most_parts_of(configuration.size(), configuration.dimensions);
     for (int k = 0; k < 3; ++k) {
         origin_[k] = stream.uniform();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Divides the cell into domains in which particles can be moved at the same time. engine.cpp makes
+/// Divides the cell into domains in which particles can be moved at the same time. sweep.cpp makes
 /// new ones for each sweep.
 ///
 /// 1. Vector k of the cell is divided into an even number of equal parts, from a random origin on,
@@ -21,7 +21,8 @@
 #include <cstdint>
 #include <span>
 
-#include "../base/random.hpp"
+#include <pw85/algebra/philox.hpp>
+
 #include "configuration.hpp"
 
 namespace pw85::detail::simulation {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// External potential of a simulation: walls, fields, and a potential of the
-/// caller. engine.cpp asks before each trial, insertions.cpp for each insertion.
+/// caller. hamiltonian.cpp asks for each trial, insertions.cpp for each insertion.
 ///
 /// 1. The density of the states is that of hard particles times e^-U, in which U is the sum of the
 ///    energies of the particles, in the unit of k_B T. A trial that changes U by ΔU is rejected by
 ///    a wall, or with the probability 1 - min(1, e^-ΔU), before the overlap test. The random number
-///    for that is drawn only if ΔU > 0. If the domain stops at this trial (engine.hpp, 4), it is
+///    for that is drawn only if ΔU > 0. If the domain stops at this trial (model.hpp), it is
 ///    drawn again.
 /// 2. An energy of infinity forbids a place. NaN, and minus infinity, are errors: the sweep stops,
 ///    and the simulation is in the state before it. So the potential does not have to be asked
@@ -75,6 +75,12 @@ class ExternalPotential {
             sum += energy_of_potential(i, particle);
         }
         return sum;
+    }
+
+    double energy_of_potential(Configuration const &configuration) const noexcept
+    {
+        return energy_of_potential(configuration,
+                                   [&](std::size_t i) { return configuration.centers[i]; });
     }
 
     /// Returns whether a configuration can have these walls and fields, and all its energies are

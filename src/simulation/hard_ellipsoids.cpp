@@ -24,12 +24,12 @@ int check_change(Engine const &engine, double pressure, int type) noexcept
         return note_cause(PW85_EINVAL, "change", "must be a constant PW85_CHANGE_...", 0, 0, type);
     if (type != PW85_CHANGE_ASPECT && !(pressure > 0.0))
         return note_cause(PW85_EINVAL, "pressure", "must be > 0", 0, 0, pressure);
-    if (!engine.configuration.is_closed())
+    if (!engine.particles.all().is_closed())
         return note_cause(PW85_EINVAL, "simulation",
-                          engine.configuration.dimensions == 2
+                          engine.particles.all().dimensions == 2
                               ? "must have a cell that is periodic along its first two vectors"
                               : "must have a cell that is periodic along its three vectors");
-    if (engine.external.mesh.exists())
+    if (engine.hamiltonian.external.mesh.exists())
         return note_cause(PW85_EINVAL, "simulation", "must have no mesh");
     return PW85_SUCCESS;
 }
@@ -37,24 +37,24 @@ int check_change(Engine const &engine, double pressure, int type) noexcept
 /// Calls work() in a session until it fails or was called often enough.
 template <class Work> int repeat(Engine &engine, std::size_t times, Work const &work) noexcept
 {
-    return engine.in_session([&] {
-        int status = PW85_SUCCESS;
-        for (std::size_t k = 0; k < times && status == PW85_SUCCESS; ++k) status = work();
-        return status;
-    });
+    Session const session(engine);
+    int status = session.status;
+    for (std::size_t k = 0; k < times && status == PW85_SUCCESS; ++k) status = work();
+    return status;
 }
 
 /// Runs sweeps, each followed by a trial of the volume if there is a pressure, and tunes the steps.
 int tune(Engine &engine, std::size_t num_sweeps, double acceptance, double pressure,
          ChangeType type) noexcept
 {
-    std::fill_n(engine.species_counts, max_species, Counts{});
+    std::fill_n(engine.parameters.species_counts, max_species, Counts{});
     int const status = repeat(engine, num_sweeps, [&] {
         Counts const before = engine.parameters.counts;
-        if (int const bad = engine.sweep()) return bad;
+        if (int const bad = engine.sweeps.run()) return bad;
         if (pressure > 0.0 || type == ChangeType::aspect)
-            if (int const bad = engine.try_volume(pressure, type)) return bad;
-        engine.tune(before, acceptance);
+            if (int const bad = engine.volume_moves.run(pressure, type)) return bad;
+        engine.parameters.tune(before, acceptance, engine.particles.copy(),
+                               engine.hamiltonian.external);
         return int{PW85_SUCCESS};
     });
     if (status == PW85_SUCCESS) engine.parameters.counts = {};
@@ -65,16 +65,15 @@ int tune(Engine &engine, std::size_t num_sweeps, double acceptance, double press
 int make_chains(Engine &engine, std::size_t num_chains, double length, Vector3 const &direction,
                 ChainSums &sums) noexcept
 {
-    auto const n = static_cast<std::uint32_t>(engine.configuration.size());
+    auto const n = static_cast<std::uint32_t>(engine.particles.all().size());
     bool const random = largest_coordinate(direction) == 0.0;
-    Chains chains(engine.configuration);
-    engine.forget();
+    Chains chains(engine.particles.change());
     if (int const status = chains.prepare()) return status;
     for (std::size_t k = 0; k < num_chains && n > 0; ++k) {
         Stream stream(engine.parameters.seed, engine.parameters.step++, UINT32_MAX);
         std::size_t const first = stream.below(n);
         Vector3 const along =
-            unit(random ? stream.in_ball(engine.configuration.dimensions) : direction);
+            unit(random ? stream.in_ball(engine.particles.all().dimensions) : direction);
         if (int const status = chains.run(first, along, length, sums)) return status;
     }
     if (chains.own_images_may_touch()) sums.transfers = quiet_nan<double>();
@@ -103,7 +102,7 @@ int place(Engine const &engine, double const *center, double const *quaternion,
     Particle const before = moved;
     if (center != nullptr) moved.center = c_api::load_vector<3>(center);
     if (quaternion != nullptr) moved.quaternion = unit(c_api::load_vector<4>(quaternion));
-    if (engine.configuration.dimensions == 2)
+    if (engine.particles.all().dimensions == 2)
         if (int const status = keep_in_plane(before, moved)) return status;
     return quaternion == nullptr
                ? int{PW85_SUCCESS}
@@ -114,15 +113,15 @@ int place(Engine const &engine, double const *center, double const *quaternion,
 int try_placement(Engine &engine, std::size_t particle, double const *center,
                   double const *quaternion, bool take, int &is_free) noexcept
 {
-    Particle moved = engine.configuration.get(particle);
+    Particle moved = engine.particles.all().get(particle);
     if (int const status = place(engine, center, quaternion, moved)) return status;
     bool found = false;
-    ExternalPotential const &external = engine.external;
+    ExternalPotential const &external = engine.hamiltonian.external;
     if (int const status = external.check_potential()) return status;
-    double const energy = external.energy(particle, moved, engine.configuration.dimensions);
+    double const energy = external.energy(particle, moved, engine.particles.all().dimensions);
     if (std::isnan(energy)) return ExternalPotential::refuse_energy();
     is_free = 0;
-    if (energy == HUGE_VAL || external.cuts(moved, engine.configuration.dimensions))
+    if (energy == HUGE_VAL || external.cuts(moved, engine.particles.all().dimensions))
         return PW85_SUCCESS;
     is_free = -1;
     int const status = engine.try_placement(particle, moved, take, found);
@@ -147,7 +146,7 @@ void store(Array<NearImage> const &found, std::size_t capacity, std::int32_t *pa
 int load_direction(Engine const &engine, double const *direction, Vector3 &along) noexcept
 {
     along = direction == nullptr ? Vector3{} : c_api::load_vector<3>(direction);
-    if (engine.configuration.dimensions != 2) return PW85_SUCCESS;
+    if (engine.particles.all().dimensions != 2) return PW85_SUCCESS;
     if (along[2] != 0.0)
         return note_cause(PW85_EINVAL, "direction", "must be in the plane", 0, 2, along[2]);
     along[2] = -0.0; // as Stream::in_disc()
@@ -160,14 +159,14 @@ int pw85::detail::hard_ellipsoids_sweep(pw85_hard_ellipsoids &simulation,
                                         size_t num_sweeps) noexcept
 {
     Engine &engine = simulation.engine;
-    return repeat(engine, num_sweeps, [&] { return engine.sweep(); });
+    return repeat(engine, num_sweeps, [&] { return engine.sweeps.run(); });
 }
 
 int pw85::detail::hard_ellipsoids_chain(pw85_hard_ellipsoids &simulation, size_t num_chains,
                                         double length, double const direction[3],
                                         double *compressibility) noexcept
 {
-    if (!simulation.engine.is_hard())
+    if (!simulation.engine.hamiltonian.is_hard())
         return note_cause(PW85_EINVAL, "simulation",
                           "must have no walls, mesh, fields, potential or law: use sweeps");
     Vector3 along;
@@ -190,8 +189,9 @@ int pw85::detail::hard_ellipsoids_volume_moves(pw85_hard_ellipsoids &simulation,
 {
     Engine &engine = simulation.engine;
     if (int const status = check_change(engine, pressure, change)) return status;
-    return repeat(engine, num_moves,
-                  [&] { return engine.try_volume(pressure, static_cast<ChangeType>(change)); });
+    return repeat(engine, num_moves, [&] {
+        return engine.volume_moves.run(pressure, static_cast<ChangeType>(change));
+    });
 }
 
 int pw85::detail::hard_ellipsoids_tune(pw85_hard_ellipsoids &simulation, size_t num_sweeps,
@@ -227,11 +227,13 @@ int pw85::detail::hard_ellipsoids_compress(pw85_hard_ellipsoids &simulation, int
                                            double *factor) noexcept
 {
     Engine &engine = simulation.engine;
-    if (!engine.external.is_empty())
+    if (!engine.hamiltonian.external.is_empty())
         return note_cause(PW85_EINVAL, "simulation",
                           "must have no walls, mesh, fields or potential");
     double found = 0.0;
-    int const status = engine.in_session([&] { return engine.compress(take != 0, found); });
+    Session const session(engine);
+    int status = session.status;
+    if (status == PW85_SUCCESS) status = engine.volume_moves.compress(take != 0, found);
     if (status == PW85_SUCCESS) *factor = found;
     return status;
 }
@@ -245,17 +247,17 @@ int pw85::detail::hard_ellipsoids_check(pw85_hard_ellipsoids const &simulation,
 pw85_system pw85_hard_ellipsoids_system(pw85_hard_ellipsoids const *simulation)
 {
     if (simulation == nullptr) return {0, nullptr, nullptr, nullptr, {0, 0, 0}};
-    return simulation->engine.configuration.system();
+    return simulation->engine.particles.all().system();
 }
 
 double const *pw85_hard_ellipsoids_quaternions(pw85_hard_ellipsoids const *simulation)
 {
     if (simulation == nullptr) return nullptr;
-    return reinterpret_cast<double const *>(simulation->engine.configuration.quaternions.data());
+    return reinterpret_cast<double const *>(simulation->engine.particles.all().quaternions.data());
 }
 
 double const *pw85_hard_ellipsoids_semi_axes(pw85_hard_ellipsoids const *simulation)
 {
     if (simulation == nullptr) return nullptr;
-    return reinterpret_cast<double const *>(simulation->engine.configuration.semi_axes.data());
+    return reinterpret_cast<double const *>(simulation->engine.particles.all().semi_axes.data());
 }

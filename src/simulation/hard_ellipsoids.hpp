@@ -40,7 +40,7 @@ template <class Coordinates>
 /// Returns a status, which says whether there is such a particle.
 [[gnu::always_inline]] inline int check_index(Engine const &engine, std::size_t particle) noexcept
 {
-    if (particle < engine.configuration.size()) return PW85_SUCCESS;
+    if (particle < engine.particles.all().size()) return PW85_SUCCESS;
     return note_cause(PW85_EINVAL, "particle", "must be the index of a particle", 0, 0,
                       static_cast<double>(particle));
 }

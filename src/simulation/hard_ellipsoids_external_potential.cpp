@@ -19,10 +19,10 @@ namespace {
 template <class Member> int replace(Engine &engine, Member ExternalPotential::*member, Member made,
                                     std::int32_t *overlap = nullptr) noexcept
 {
-    Member before = std::move(engine.external.*member);
-    engine.external.*member = std::move(made);
-    int const status = engine.external.check(engine.configuration, overlap);
-    if (status != PW85_SUCCESS) engine.external.*member = std::move(before);
+    Member before = std::move(engine.hamiltonian.external.*member);
+    engine.hamiltonian.external.*member = std::move(made);
+    int const status = engine.hamiltonian.external.check(engine.particles.all(), overlap);
+    if (status != PW85_SUCCESS) engine.hamiltonian.external.*member = std::move(before);
     return status;
 }
 
@@ -53,28 +53,20 @@ int set_mesh(Engine &engine, std::size_t num_vertices, double const *vertices,
     MeshWall made;
     if (int const status = copy_of(3 * num_vertices, vertices, made.vertices)) return status;
     if (int const status = copy_of(3 * num_triangles, triangles, made.triangles)) return status;
-    if (int const status = made.prepare(engine.configuration.cell)) return status;
+    if (int const status = made.prepare(engine.particles.all().cell)) return status;
     return replace(engine, &ExternalPotential::mesh, std::move(made), overlap);
-}
-
-/// Returns the energy of the caller's potential in the present state.
-double energy_of_potential(Engine const &engine) noexcept
-{
-    Configuration const &configuration = engine.configuration;
-    return engine.external.energy_of_potential(
-        configuration, [&](std::size_t i) { return configuration.centers[i]; });
 }
 
 /// Sets the potential. After a restore it must give the saved energy, to the last bit.
 int set_potential(Engine &engine, pw85_potential *potential, void *context) noexcept
 {
-    ExternalPotential &external = engine.external;
+    ExternalPotential &external = engine.hamiltonian.external;
     auto const old = std::pair(external.potential, external.context);
     external.potential = potential;
     external.context = context;
-    int status = external.check(engine.configuration, nullptr);
+    int status = external.check(engine.particles.all(), nullptr);
     if (status == PW85_SUCCESS && external.lacks_potential && potential != nullptr &&
-        energy_of_potential(engine) != external.saved_energy)
+        external.energy_of_potential(engine.particles.all()) != external.saved_energy)
         status = note_cause(PW85_EINVAL, "potential",
                             "must be that of the restored state: their energies differ");
     if (status == PW85_SUCCESS)
@@ -114,20 +106,17 @@ int pw85::detail::hard_ellipsoids_set_potential(pw85_hard_ellipsoids &simulation
 int pw85::detail::hard_ellipsoids_set_law(pw85_hard_ellipsoids &simulation,
                                           pw85_law const *law) noexcept
 {
-    return simulation.engine.set_law(law);
+    return simulation.engine.hamiltonian.pairs.set(law);
 }
 
 int pw85::detail::hard_ellipsoids_energy(pw85_hard_ellipsoids const &simulation,
                                          double *energy) noexcept
 {
     Engine const &engine = simulation.engine;
-    if (int const status = engine.external.check_potential()) return status;
-    double const sum = engine.external.energy(engine.configuration);
-    double of_pairs;
-    if (std::isnan(sum)) return ExternalPotential::refuse_energy();
-    if (int const status = engine.energy_of_pairs(of_pairs)) return status;
-    *energy = sum + of_pairs;
-    return PW85_SUCCESS;
+    double sum;
+    int const status = engine.hamiltonian.energy(engine.particles.all(), sum);
+    if (status == PW85_SUCCESS) *energy = sum;
+    return status;
 }
 
 int pw85::detail::hard_ellipsoids_law_virial(pw85_hard_ellipsoids const &simulation,
@@ -135,8 +124,8 @@ int pw85::detail::hard_ellipsoids_law_virial(pw85_hard_ellipsoids const &simulat
 {
     Engine const &engine = simulation.engine;
     double sum = 0.0;
-    if (engine.pair_energy.exists())
-        if (int const status = engine.pair_energy.virial_of_all(engine.configuration, sum))
+    if (engine.hamiltonian.pairs.exists())
+        if (int const status = engine.hamiltonian.pairs.virial_of_all(engine.particles.all(), sum))
             return status;
     *virial = sum;
     return PW85_SUCCESS;

@@ -24,16 +24,15 @@ int check_axes(Engine const &engine, Vector3 const &semi_axes, bool with_energie
 {
     Particle particle;
     if (int const status = make_particle({}, upright, semi_axes, particle)) return status;
-    Cell const &cell = engine.configuration.cell;
     neighbors::Periodicity periodicity;
-    if (!periodicity.prepare(cell.exists ? cell.vectors : nullptr, cell.periodic))
+    if (!engine.particles.all().cell.find_lattice(periodicity))
         return note_cause(PW85_EINVAL, "simulation", "must have a cell with independent vectors");
     double longest = 0.0;
-    for (int d = 0; d < engine.configuration.dimensions; ++d)
+    for (int d = 0; d < engine.particles.all().dimensions; ++d)
         longest = std::max(longest, semi_axes[d]);
-    if (with_energies && engine.pair_energy.exists())
-        longest = engine.pair_energy.reach() *
-                  std::max(longest, engine.configuration.longest_semi_axis());
+    if (with_energies && engine.hamiltonian.pairs.exists())
+        longest = engine.hamiltonian.pairs.reach() *
+                  std::max(longest, engine.particles.all().longest_semi_axis());
     if (longest <= 32.0 * periodicity.shortest()) return PW85_SUCCESS;
     return note_cause(PW85_EINVAL, "semi_axes",
                       "must be at most 32 times the shortest vector of the lattice, with a law of "
@@ -44,10 +43,10 @@ int check_axes(Engine const &engine, Vector3 const &semi_axes, bool with_energie
 /// Returns the status of a simulation in which particles are to be inserted at random.
 int check_cell(Engine const &engine) noexcept
 {
-    Configuration const &all = engine.configuration;
+    Configuration const &all = engine.particles.all();
     if (!all.cell.exists || !(all.volume() > 0.0 && std::isfinite(all.volume())))
         return note_cause(PW85_EINVAL, "simulation", "must have a cell with independent vectors");
-    return engine.external.check_potential();
+    return engine.hamiltonian.external.check_potential();
 }
 
 int mean_weight(Engine &engine, std::size_t num_trials, Vector3 const &semi_axes,
@@ -79,10 +78,11 @@ int load_species(Engine const &engine, std::size_t num_kinds, double const *semi
         if (!(activities[k] > 0.0 && std::isfinite(activities[k]))) return PW85_EINVAL;
         if (int const status = check_axes(engine, species[k].semi_axes, true)) return status;
         for (std::size_t j = 0; j < k; ++j)
-            if (species[j].has(species[k].semi_axes))
+            if (are_equal(species[j].semi_axes, species[k].semi_axes))
                 return note_cause(PW85_EINVAL, "semi_axes", "must differ from those before", k);
-        for (std::size_t i = 0; i < engine.configuration.size(); ++i)
-            species[k].count += species[k].has(engine.configuration.semi_axes[i]);
+        for (std::size_t i = 0; i < engine.particles.all().size(); ++i)
+            species[k].count +=
+                are_equal(species[k].semi_axes, engine.particles.all().semi_axes[i]);
     }
     return PW85_SUCCESS;
 }
@@ -92,7 +92,7 @@ int insertion_moves(Engine &engine, std::size_t num_moves, std::span<Species> sp
 {
     for (std::size_t done = 0; done < num_moves;) {
         std::size_t const count =
-            std::min(num_moves - done, std::max(least_trials, engine.configuration.size()));
+            std::min(num_moves - done, std::max(least_trials, engine.particles.all().size()));
         Insertions insertions(engine);
         if (int const status = insertions.prepare(count)) return status;
         for (std::size_t k = 0; k < count; ++k)
@@ -106,7 +106,7 @@ int insertion_moves(Engine &engine, std::size_t num_moves, std::span<Species> sp
 /// it gets the bits of z of the others. Returns a status.
 int check_placement(Engine const &engine, Particle &particle) noexcept
 {
-    Configuration const &all = engine.configuration;
+    Configuration const &all = engine.particles.all();
     if (all.dimensions == 2) {
         double const height = all.size() > 0 ? all.centers[0][2] : particle.center[2];
         if (particle.center[2] != height)
@@ -119,7 +119,7 @@ int check_placement(Engine const &engine, Particle &particle) noexcept
     pw85_system const alone{1,
                             particle.center.coordinates,
                             particle.q.entries,
-                            all.cell.exists ? all.cell.vectors : nullptr,
+                            all.cell.given(),
                             {all.cell.periodic[0], all.cell.periodic[1], all.cell.periodic[2]}};
     std::size_t bad;
     int const status = pw85_neighbors_check(&alone, 1.0, 0.0, &bad);
@@ -129,11 +129,11 @@ int check_placement(Engine const &engine, Particle &particle) noexcept
 
 int insert(Engine &engine, Particle &particle, bool take, int &is_free) noexcept
 {
-    ExternalPotential const &external = engine.external;
+    ExternalPotential const &external = engine.hamiltonian.external;
     if (int const status = external.check_potential()) return status;
     if (int const status = check_axes(engine, particle.semi_axes, false)) return status;
     if (int const status = check_placement(engine, particle)) return status;
-    Configuration const &all = engine.configuration;
+    Configuration const &all = engine.particles.all();
     double const energy = external.energy(all.size(), particle, all.dimensions);
     if (std::isnan(energy)) return ExternalPotential::refuse_energy();
     Insertions insertions(engine);
@@ -142,7 +142,7 @@ int insert(Engine &engine, Particle &particle, bool take, int &is_free) noexcept
     if (energy < HUGE_VAL)
         if (int const status = insertions.test(particle, found)) return status;
     if (found && take)
-        if (int const status = engine.add(particle)) return status;
+        if (int const status = engine.particles.add(particle)) return status;
     is_free = found;
     return PW85_SUCCESS;
 }
@@ -195,7 +195,7 @@ int pw85::detail::hard_ellipsoids_insert(pw85_hard_ellipsoids &simulation, doubl
 int pw85::detail::hard_ellipsoids_remove(pw85_hard_ellipsoids &simulation, size_t particle) noexcept
 {
     if (int const status = check_index(simulation.engine, particle)) return status;
-    if (int const status = simulation.engine.external.check_potential()) return status;
-    simulation.engine.remove(particle);
+    if (int const status = simulation.engine.hamiltonian.external.check_potential()) return status;
+    simulation.engine.particles.remove(particle);
     return PW85_SUCCESS;
 }

@@ -58,7 +58,7 @@ namespace {
 
 /// A compression of n ellipsoids by the relative volume δ makes no overlap with the probability
 /// exp(-n (Z - 1) δ). The first step of the volume suits Z = 11.
-constexpr Parameters first_parameters(std::size_t seed, double shortest, std::size_t n) noexcept
+Parameters first_parameters(std::size_t seed, double shortest, std::size_t n) noexcept
 {
     Parameters parameters{};
     parameters.seed = seed;
@@ -84,8 +84,7 @@ int check_cell(Cell const &cell) noexcept
     neighbors::Periodicity periodicity; // which does not read the other vectors
     bool finite = true;
     for (int k = 0; k < 3 && cell.exists; ++k) finite = finite && is_finite(cell.vector(k));
-    if (finite && periodicity.prepare(cell.exists ? cell.vectors : nullptr, cell.periodic))
-        return PW85_SUCCESS;
+    if (finite && cell.find_lattice(periodicity)) return PW85_SUCCESS;
     return note_cause(PW85_EINVAL, "cell",
                       "must have finite, independent vectors, one of them periodic");
 }
@@ -123,24 +122,25 @@ template <class Load, class Set> int make(std::size_t n, Cell const &cell, Load 
 {
     if (n > INT32_MAX) return note_cause(PW85_EINVAL, "num_particles", "must be below 2³¹");
     std::unique_ptr<pw85_hard_ellipsoids> made(new (std::nothrow) pw85_hard_ellipsoids);
-    if (made == nullptr || !made->engine.configuration.resize(n)) return PW85_ENOMEM;
+    if (made == nullptr) return PW85_ENOMEM;
     Engine &engine = made->engine;
-    engine.configuration.cell = cell;
+    Configuration &all = engine.particles.change();
+    if (!all.resize(n)) return PW85_ENOMEM;
+    all.cell = cell;
     for (std::size_t i = 0; i < n; ++i) {
         auto const [center, quaternion, axes] = load(i);
         Particle particle;
         if (!(absolute(dot(quaternion, quaternion) - 1.0) <= 0x1p-48)) return PW85_EINVAL;
         if (int const status = make_particle(center, quaternion, axes, particle)) return status;
-        engine.configuration.set(i, particle);
+        all.set(i, particle);
     }
     if (int const status = check_cell(cell)) return status;
     if (int const status = set(engine)) return status;
-    if (engine.configuration.dimensions == 2)
-        if (int const status = check_plane(engine.configuration)) return status;
-    if (int const status = engine.start()) return status;
+    if (all.dimensions == 2)
+        if (int const status = check_plane(all)) return status;
     // First, because a mesh tests all images of a particle, which are few if none of them overlap.
-    if (int const status = find_first_overlap(engine.configuration, pair)) return status;
-    if (int const status = engine.external.check(engine.configuration, nullptr)) return status;
+    if (int const status = find_first_overlap(all, pair)) return status;
+    if (int const status = engine.hamiltonian.external.check(all, nullptr)) return status;
     simulation = made.release();
     return PW85_SUCCESS;
 }
@@ -169,34 +169,35 @@ int create(pw85_system const &system, double const *semi_axes, double const *qua
 /// Sets the dimensions of a simulation whose state allows it. Returns a status.
 int set_dimensions(Engine &engine, int dimensions) noexcept
 {
+    Configuration &all = engine.particles.change();
     if (dimensions == 2)
-        if (int const status = check_plane(engine.configuration)) return status;
-    int const before = std::exchange(engine.configuration.dimensions, dimensions);
-    int const status = engine.external.check(engine.configuration, nullptr);
-    engine.configuration.dimensions = before;
-    if (status != PW85_SUCCESS) return PW85_EINVAL;
-    engine.set_dimensions(dimensions);
-    engine.limit_translations(engine.configuration.longest_useful_translation());
+        if (int const status = check_plane(all)) return status;
+    int const before = std::exchange(all.dimensions, dimensions);
+    if (engine.hamiltonian.external.check(all, nullptr) != PW85_SUCCESS) {
+        all.dimensions = before;
+        return PW85_EINVAL;
+    }
+    engine.parameters.limit_translations(all.longest_useful_translation());
     return PW85_SUCCESS;
 }
 
 /// Writes the state, with the energy of the caller's potential.
 void write_sections(Engine const &engine, double energy, Writer &writer) noexcept
 {
-    Configuration const &all = engine.configuration;
-    ExternalPotential const &external = engine.external;
+    Configuration const &all = engine.particles.all();
+    ExternalPotential const &external = engine.hamiltonian.external;
     writer.section(settings, all.dimensions, engine.parameters);
     if (all.cell.exists) writer.section(cell, all.cell.vectors, all.cell.periodic);
     writer.section_of(particles, all.size(), [&](std::size_t i) {
         return SavedParticle{all.centers[i], all.quaternions[i], all.semi_axes[i]};
     });
-    pw85_law const own = engine.pair_energy.law();
-    if (engine.pair_energy.exists())
+    pw85_law const own = engine.hamiltonian.pairs.law();
+    if (engine.hamiltonian.pairs.exists())
         writer.section(law, own.kind, std::span(own.parameters, own.num_parameters));
     if (external.mesh.exists())
         writer.section(mesh, external.mesh.vertices.size() / 3, external.mesh.vertices,
                        external.mesh.triangles);
-    if (engine.species.size() > 0) writer.section(species, engine.species);
+    if (engine.parameters.species.size() > 0) writer.section(species, engine.parameters.species);
     if (external.walls.size() > 0) writer.section(walls, external.walls);
     if (external.fields.size() > 0) writer.section(fields, external.fields);
     if (external.potential != nullptr || external.lacks_potential)
@@ -218,11 +219,9 @@ std::size_t write(Engine const &engine, double energy, std::size_t size,
 /// waits for its potential.
 double energy_to_save(Engine const &engine) noexcept
 {
-    ExternalPotential const &external = engine.external;
-    Configuration const &configuration = engine.configuration;
-    if (external.potential == nullptr) return external.saved_energy;
-    return external.energy_of_potential(configuration,
-                                        [&](std::size_t i) { return configuration.centers[i]; });
+    ExternalPotential const &external = engine.hamiltonian.external;
+    return external.potential == nullptr ? external.saved_energy
+                                         : external.energy_of_potential(engine.particles.all());
 }
 
 /// Writes the whole state. Returns a status.
@@ -306,19 +305,19 @@ int restore(Reader (&sections)[num_sections], pw85_hard_ellipsoids *&simulation)
         return particle;
     };
     auto const set = [&](Engine &engine) {
-        engine.parameters = parameters;
-        engine.configuration.dimensions = dimensions;
-        ExternalPotential &external = engine.external;
+        engine.parameters = std::move(parameters);
+        engine.particles.change().dimensions = dimensions;
+        ExternalPotential &external = engine.hamiltonian.external;
         for (int const status :
-             {sections[particles].finish(), read_law(sections[law], engine.pair_energy),
+             {sections[particles].finish(), read_law(sections[law], engine.hamiltonian.pairs),
               read_mesh(sections[mesh], cell_read, external.mesh),
-              read_objects(sections[species], engine.species),
+              read_objects(sections[species], engine.parameters.species),
               read_objects(sections[walls], external.walls),
               read_objects(sections[fields], external.fields),
               read_potential(sections[potential], external)})
             if (status != PW85_SUCCESS) return status;
-        if (!are_parameters(parameters, engine.configuration)) return int{PW85_EINVAL};
-        return check_kinds(engine.species, engine.configuration);
+        if (!are_parameters(engine.parameters, engine.particles.all())) return int{PW85_EINVAL};
+        return check_kinds(engine.parameters.species, engine.particles.all());
     };
     return make(sections[particles].remaining<SavedParticle>(), cell_read, load, set, nullptr,
                 simulation);
@@ -346,7 +345,7 @@ int pw85::detail::hard_ellipsoids_set_dimensions(pw85_hard_ellipsoids &simulatio
 int pw85::detail::hard_ellipsoids_dimensions(pw85_hard_ellipsoids const &simulation,
                                              int *dimensions) noexcept
 {
-    *dimensions = simulation.engine.configuration.dimensions;
+    *dimensions = simulation.engine.particles.all().dimensions;
     return PW85_SUCCESS;
 }
 

@@ -51,7 +51,7 @@ int check_kinds(Array<SpeciesSteps> const &kinds, Configuration const &configura
         if (int const status = check_steps(steps, configuration, k)) return status;
         if (!is_finite(kinds[k].semi_axes)) return PW85_EINVAL;
         for (std::size_t j = 0; j < k; ++j)
-            if (kinds[j].has(kinds[k].semi_axes))
+            if (are_equal(kinds[j].semi_axes, kinds[k].semi_axes))
                 return note_cause(PW85_EINVAL, "semi_axes", "must differ from those before", k);
     }
     return PW85_SUCCESS;
@@ -88,7 +88,7 @@ int pw85::detail::hard_ellipsoids_set_steps(pw85_hard_ellipsoids &simulation,
                                             double const steps[3]) noexcept
 {
     Engine &engine = simulation.engine;
-    if (int const status = check_steps({steps, 3}, engine.configuration)) return status;
+    if (int const status = check_steps({steps, 3}, engine.particles.all())) return status;
     engine.parameters.translation = steps[0];
     engine.parameters.rotation = steps[1];
     engine.parameters.volume = steps[2];
@@ -113,8 +113,8 @@ int pw85::detail::hard_ellipsoids_set_kind_steps(pw85_hard_ellipsoids &simulatio
     if (!kinds.resize(num_kinds)) return PW85_ENOMEM;
     for (std::size_t k = 0; k < num_kinds; ++k)
         kinds[k] = {c_api::load_vector<3>(semi_axes + 3 * k), steps[2 * k], steps[2 * k + 1]};
-    if (int const status = check_kinds(kinds, engine.configuration)) return status;
-    engine.species = std::move(kinds);
+    if (int const status = check_kinds(kinds, engine.particles.all())) return status;
+    engine.parameters.species = std::move(kinds);
     return PW85_SUCCESS;
 }
 
@@ -124,7 +124,7 @@ int pw85::detail::hard_ellipsoids_kind_steps(pw85_hard_ellipsoids const &simulat
 {
     for (std::size_t k = 0; k < num_kinds; ++k) {
         SpeciesSteps const own =
-            simulation.engine.steps_of(c_api::load_vector<3>(semi_axes + 3 * k));
+            simulation.engine.parameters.steps_of(c_api::load_vector<3>(semi_axes + 3 * k));
         steps[2 * k] = own.translation;
         steps[2 * k + 1] = own.rotation;
     }

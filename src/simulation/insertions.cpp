@@ -3,15 +3,11 @@
 #include "insertions.hpp"
 
 #include <cmath>
-#include <new>
 
 #include "../neighbors/bounded_list.hpp"
 #include "../rows/many_pairs.hpp"
-#include "acceptance.hpp"
 
 namespace pw85::detail::simulation {
-
-RetiredArrays::~RetiredArrays() = default;
 
 namespace {
 
@@ -42,58 +38,12 @@ Quaternion random_orientation(Stream &stream, int dimensions) noexcept
     return x / std::sqrt(square);
 }
 
-/// Moves arrays into `old`, and makes larger ones with the same first n elements.
-template <class T>
-bool grow(Array<T> &array, std::size_t n, std::size_t capacity, Array<T> &old) noexcept
-{
-    if (!old.resize(capacity)) return false;
-    std::copy_n(array.data(), n, old.data());
-    std::swap(array, old);
-    return true;
-}
-
 } // namespace
-
-// The capacity doubles: all outgrown arrays together have no more elements than the present ones.
-int Engine::add(Particle const &particle) noexcept
-{
-    Configuration &all = configuration;
-    std::size_t const n = all.size();
-    if (n >= INT32_MAX) return PW85_ENOMEM;
-    if (n == all.capacity()) {
-        std::size_t const more = std::max<std::size_t>(16, 2 * n);
-        std::unique_ptr<RetiredArrays> old(new (std::nothrow) RetiredArrays);
-        // half_widths come first and centers last, because the capacity is that of the centres.
-        if (old == nullptr || !all.half_widths.resize(more) ||
-            !grow(all.semi_axes, n, more, old->semi_axes) ||
-            !grow(all.quaternions, n, more, old->quaternions) || !grow(all.q, n, more, old->q) ||
-            !grow(all.centers, n, more, old->centers)) {
-            if (old != nullptr) old->older = std::move(retired_), retired_ = std::move(old);
-            return PW85_ENOMEM;
-        }
-        old->older = std::move(retired_);
-        retired_ = std::move(old);
-    }
-    all.set_size(n + 1);
-    all.set(n, particle);
-    is_started_ = is_taken_ = false;
-    return PW85_SUCCESS;
-}
-
-void Engine::remove(std::size_t particle) noexcept
-{
-    std::size_t const last = configuration.size() - 1;
-    configuration.set(particle, configuration.get(last));
-    configuration.set_size(last);
-    is_started_ = is_taken_ = false;
-}
 
 int Insertions::prepare(std::size_t more) noexcept
 {
-    Configuration const &all = engine_.configuration;
-    Cell const &cell = all.cell;
-    if (!periodicity_.prepare(cell.exists ? cell.vectors : nullptr, cell.periodic))
-        return PW85_EINVAL;
+    Configuration const &all = particles_.all();
+    if (!all.cell.find_lattice(periodicity_)) return PW85_EINVAL;
     shortest_ = periodicity_.shortest();
     listed_ = 0.0;
     std::size_t const n = all.size();
@@ -109,8 +59,8 @@ int Insertions::prepare(std::size_t more) noexcept
 
 int Insertions::add(Particle const &particle) noexcept
 {
-    std::size_t const n = engine_.configuration.size();
-    if (int const status = engine_.add(particle)) return status;
+    std::size_t const n = particles_.all().size();
+    if (int const status = particles_.add(particle)) return status;
     longest_ = std::max(longest_, largest_coordinate(particle.semi_axes));
     bins_.add(static_cast<std::size_t>(numbers_[n]), n, particle.center, particle.half_widths);
     return PW85_SUCCESS;
@@ -118,16 +68,16 @@ int Insertions::add(Particle const &particle) noexcept
 
 void Insertions::remove(std::size_t i) noexcept
 {
-    std::size_t const last = engine_.configuration.size() - 1;
+    std::size_t const last = particles_.all().size() - 1;
     bins_.take_out(static_cast<std::size_t>(numbers_[i]));
     std::swap(numbers_[i], numbers_[last]);
     bins_.rename(static_cast<std::size_t>(numbers_[i]), i);
-    engine_.remove(i);
+    particles_.remove(i);
 }
 
 bool Insertions::overlaps_others(Particle const &particle) const noexcept
 {
-    Configuration const &all = engine_.configuration;
+    Configuration const &all = particles_.all();
     double r12[3 * most_candidates], q2[6 * most_candidates];
     std::size_t count = 0;
     bool overlaps = false;
@@ -154,7 +104,7 @@ bool Insertions::overlaps_others(Particle const &particle) const noexcept
 double Insertions::longest_axis(Particle const &particle) const noexcept
 {
     double longest = 0.0;
-    for (int d = 0; d < engine_.configuration.dimensions; ++d)
+    for (int d = 0; d < particles_.all().dimensions; ++d)
         longest = std::max(longest, particle.semi_axes[d]);
     return longest;
 }
@@ -175,7 +125,7 @@ int Insertions::list_own_images(double reach) noexcept
             return status;
         if (!own_images_.resize(vectors.size())) return PW85_ENOMEM;
         for (std::size_t k = 1; k < vectors.size(); ++k) {
-            Vector3 const image = engine_.configuration.cell.translation(vectors[k].of_cell);
+            Vector3 const image = particles_.all().cell.translation(vectors[k].of_cell);
             own_images_[count] = image;
             count += largest_coordinate(image) <= width;
         }
@@ -203,7 +153,7 @@ int Insertions::test_images(Particle const &particle, bool &is_free) noexcept
 int Insertions::test(Particle const &particle, bool &is_free) noexcept
 {
     is_free = false;
-    if (engine_.external.cuts(particle, engine_.configuration.dimensions) ||
+    if (hamiltonian_.external.cuts(particle, particles_.all().dimensions) ||
         overlaps_others(particle))
         return PW85_SUCCESS;
     return test_images(particle, is_free);
@@ -215,9 +165,9 @@ int Insertions::test(Particle const &particle, bool &is_free) noexcept
 int Insertions::add_pair_energy(Particle const &particle, std::size_t skipped,
                                 double &energy) noexcept
 {
-    PairEnergy const &pairs = engine_.pair_energy;
+    PairEnergy const &pairs = hamiltonian_.pairs;
     if (!pairs.exists()) return PW85_SUCCESS;
-    Configuration const &all = engine_.configuration;
+    Configuration const &all = particles_.all();
     double const reach = pairs.reach(), others = (reach - 1.0) * longest_;
     EnergyCollector collected(pairs);
     Vector3 const half_widths = reach * particle.half_widths + Vector3{others, others, others};
@@ -240,7 +190,7 @@ int Insertions::add_pair_energy(Particle const &particle, std::size_t skipped,
 /// Draws a particle at a random position in the cell.
 bool Insertions::draw(Stream &stream, Vector3 const &semi_axes, Particle &particle) const noexcept
 {
-    Configuration const &all = engine_.configuration;
+    Configuration const &all = particles_.all();
     Vector3 center{};
     for (int k = 0; k < all.dimensions; ++k)
         center = add_scaled(center, stream.uniform(), all.cell.vector(k));
@@ -251,18 +201,19 @@ bool Insertions::draw(Stream &stream, Vector3 const &semi_axes, Particle &partic
 
 int Insertions::try_weight(Vector3 const &semi_axes, double &weight) noexcept
 {
-    Configuration const &all = engine_.configuration;
-    Stream stream(engine_.parameters.seed, engine_.parameters.step, 0);
+    Configuration const &all = particles_.all();
+    Stream stream(parameters_.seed, parameters_.step, 0);
     Particle particle;
     weight = 0.0;
     bool is_free = draw(stream, semi_axes, particle);
     if (is_free)
         if (int const status = test(particle, is_free)) return status;
-    double energy = is_free ? engine_.external.energy(all.size(), particle, all.dimensions) : 0.0;
+    double energy =
+        is_free ? hamiltonian_.external.energy(all.size(), particle, all.dimensions) : 0.0;
     if (std::isnan(energy)) return ExternalPotential::refuse_energy();
     if (is_free)
         if (int const status = add_pair_energy(particle, none, energy)) return status;
-    ++engine_.parameters.step;
+    ++parameters_.step;
     // e^800 is infinity, as are larger powers, for which exponential() is not made
     if (is_free)
         weight =
@@ -272,26 +223,26 @@ int Insertions::try_weight(Vector3 const &semi_axes, double &weight) noexcept
 
 int Insertions::try_exchange(std::span<Species> species, InsertionCounts &counts) noexcept
 {
-    Stream stream(engine_.parameters.seed, engine_.parameters.step, 0);
+    Stream stream(parameters_.seed, parameters_.step, 0);
     Species &chosen = species[stream.below(static_cast<std::uint32_t>(species.size()))];
     bool const inserts = stream.below(2) == 0;
     int const status =
         inserts ? try_insertion(chosen, stream, counts) : try_removal(chosen, stream, counts);
-    if (status == PW85_SUCCESS) ++engine_.parameters.step;
+    if (status == PW85_SUCCESS) ++parameters_.step;
     return status;
 }
 
 int Insertions::try_insertion(Species &species, Stream &stream, InsertionCounts &counts) noexcept
 {
-    Configuration const &all = engine_.configuration;
+    Configuration const &all = particles_.all();
     Particle particle;
     bool is_free = draw(stream, species.semi_axes, particle);
-    double energy = engine_.external.energy(all.size(), particle, all.dimensions);
+    double energy = hamiltonian_.external.energy(all.size(), particle, all.dimensions);
     if (std::isnan(energy)) return ExternalPotential::refuse_energy();
     double const ratio = species.activity * all.volume() / static_cast<double>(species.count + 1);
     // Pairs that overlap have no energy, so the overlap test comes first. Without pair energies it
     // comes last, because it takes the longest time.
-    bool const is_tested = engine_.pair_energy.exists();
+    bool const is_tested = hamiltonian_.pairs.exists();
     if (is_free && is_tested)
         if (int const status = test(particle, is_free)) return status;
     if (is_free)
@@ -309,13 +260,13 @@ int Insertions::try_insertion(Species &species, Stream &stream, InsertionCounts 
 
 int Insertions::try_removal(Species &species, Stream &stream, InsertionCounts &counts) noexcept
 {
-    Configuration const &all = engine_.configuration;
+    Configuration const &all = particles_.all();
     bool is_accepted = false;
     if (species.count > 0) {
         std::size_t i;
         do i = stream.below(static_cast<std::uint32_t>(all.size()));
-        while (!species.has(all.semi_axes[i]));
-        double energy = engine_.external.energy(i, all.get(i), all.dimensions);
+        while (!are_equal(species.semi_axes, all.semi_axes[i]));
+        double energy = hamiltonian_.external.energy(i, all.get(i), all.dimensions);
         if (std::isnan(energy)) return ExternalPotential::refuse_energy();
         if (int const status = add_pair_energy(all.get(i), i, energy)) return status;
         double const ratio = static_cast<double>(species.count) / (species.activity * all.volume());

@@ -14,14 +14,14 @@
 ///    species with min(1, N/(z V) e^U). Here N is the number of particles of the species before the
 ///    trial, and V the volume of the cell. Along vectors that are not periodic, particles may leave
 ///    the cell. Such a particle is not removed, as none is inserted there.
-/// 3. Decisions are those of the exact overlap test for the rounded separations, as in engine.hpp.
+/// 3. Decisions are those of the exact overlap test for the rounded separations, as in model.hpp.
 ///    Bins find the neighbours. Nothing depends on the state of the bins, so a saved state
 ///    continues bit by bit.
 #ifndef PW85_SIMULATION_INSERTIONS_HPP_INCLUDED
 #define PW85_SIMULATION_INSERTIONS_HPP_INCLUDED
 
 #include "bins.hpp"
-#include "engine.hpp"
+#include "model.hpp"
 
 namespace pw85::detail::simulation {
 
@@ -35,16 +35,15 @@ struct Species {
     Vector3 semi_axes;
     double activity;
     std::size_t count; ///< particles of this species
-
-    bool has(Vector3 const &axes) const noexcept
-    {
-        return axes[0] == semi_axes[0] && axes[1] == semi_axes[1] && axes[2] == semi_axes[2];
-    }
 };
 
 class Insertions {
   public:
-    explicit Insertions(Engine &engine) noexcept : engine_(engine) {}
+    explicit Insertions(Model &model) noexcept
+        : particles_(model.particles), hamiltonian_(model.hamiltonian),
+          parameters_(model.parameters)
+    {
+    }
 
     /// To be called after the configuration has changed in another way, and after `more` particles
     /// were added. Returns a status.
@@ -72,7 +71,9 @@ class Insertions {
     int list_own_images(double reach) noexcept;
     int test_images(Particle const &particle, bool &is_free) noexcept;
 
-    Engine &engine_;
+    Particles &particles_;
+    Hamiltonian const &hamiltonian_;
+    Parameters &parameters_;
     Bins bins_;
     /// numbers_[i] is the number of particle i in the bins; behind them stand the free numbers
     Array<std::int32_t> numbers_;

@@ -42,8 +42,7 @@ int MeshWall::prepare(Cell const &cell) noexcept
     if (!exists()) return PW85_SUCCESS;
     enclose(cell);
     neighbors::Periodicity periodicity;
-    if (!periodicity.prepare(cell.exists ? cell.vectors : nullptr, cell.periodic))
-        return PW85_EINVAL;
+    if (!cell.find_lattice(periodicity)) return PW85_EINVAL;
     for (int k = 0; k < 3; ++k) {
         bool const is_periodic = periodicity.is_periodic(k);
         dual_[k] = is_periodic ? periodicity.dual_of_cell(k) : Vector3{};

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <memory>
 #include <span>
 
 #include "../base/parallel.hpp"
@@ -123,6 +122,21 @@ bool number_images(std::span<ImagesOfShare const> shares, ImageTable &table) noe
     return table.finish();
 }
 
+/// Replaces the numbers of neighbours, by share and particle, by the positions of the first ones.
+/// Returns the size of all rows.
+std::size_t begin_rows(std::size_t n, std::size_t num_shares, Places *next,
+                       std::size_t *begin) noexcept
+{
+    std::size_t sum = 0;
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t part = 0; part < 2; ++part) {
+            begin[2 * i + part] = sum;
+            for (std::size_t share = 0; share < num_shares; ++share)
+                sum += std::exchange(next[share * n + i].of[part], sum);
+        }
+    return begin[2 * n] = sum;
+}
+
 } // namespace
 
 Neighborhood::Neighborhood() noexcept = default;
@@ -137,15 +151,11 @@ int Neighborhood::update(Configuration const &configuration, double reach, doubl
 int Neighborhood::rebuild_list(Configuration const &configuration, double reach,
                                double skin) noexcept
 {
-    pw85_system const system = configuration.system();
-    pw85_neighbors *made = nullptr;
-    int const status = neighbors::create_bounded_list(system, reach, skin, made);
-    std::unique_ptr<pw85_neighbors, DestroyList> const list(made);
-    if (status != PW85_SUCCESS) return status;
+    neighbors::BoundedList list;
+    if (int const status = list.make(configuration.system(), reach, skin)) return status;
     std::copy_n(configuration.cell.vectors, 9, cell_);
-    pw85_pair_list const pairs = pw85_neighbors_list(list.get());
-    if (!store_extents(configuration, reach, skin) || !fill_rows(configuration.size(), pairs) ||
-        !translations_.resize(images_.size()))
+    if (!store_extents(configuration, reach, skin) ||
+        !fill_rows(configuration.size(), list.pairs()) || !translations_.resize(images_.size()))
         return PW85_ENOMEM;
     return set_cell(configuration.cell) ? PW85_SUCCESS : PW85_EINVAL;
 }
@@ -194,16 +204,7 @@ bool Neighborhood::fill_rows(std::size_t n, pw85_pair_list const &list) noexcept
     });
     ImageTable table(images_);
     if (!number_images({of_shares, num_shares}, table)) return false;
-    std::size_t sum = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-        for (int part = 0; part < 2; ++part) {
-            begin_[2 * i + static_cast<std::size_t>(part)] = sum;
-            for (std::size_t share = 0; share < num_shares; ++share)
-                sum += std::exchange(next[share * n + i].of[part], sum);
-        }
-    }
-    begin_[2 * n] = sum;
-    if (!rows_.resize(sum)) return false;
+    if (!rows_.resize(begin_rows(n, num_shares, next.data(), begin_.data()))) return false;
     for_shares([&](std::size_t share, Multiples const &image, std::int32_t i, std::int32_t j) {
         Places *const places = next.data() + share * n;
         if (is_same(image, no_image)) {
@@ -226,9 +227,8 @@ void Neighborhood::put(std::size_t &place, Neighbor const &moved) noexcept
 bool Neighborhood::set_cell(Cell const &cell) noexcept
 {
     neighbors::Periodicity now;
-    double const *const vectors = cell.exists ? cell.vectors : nullptr;
-    if (!now.prepare(vectors, cell.periodic)) return false;
-    deformation_ = neighbors::Deformation(now, vectors, cell_);
+    if (!cell.find_lattice(now)) return false;
+    deformation_ = neighbors::Deformation(now, cell.given(), cell_);
     for (std::size_t k = 0; k < images_.size(); ++k)
         translations_[k] = cell.translation(images_[k]);
     return true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The Verlet list of a simulation, as one row of images for each particle. engine.hpp uses the
-/// rows to test whether a particle overlaps any other.
+/// The Verlet list of a simulation, as one row of images for each particle. verlet_list.hpp uses
+/// the rows to test whether a particle overlaps any other.
 ///
 /// 1. Particle i has a fixed box: the bounding box that it had when the rows were made, enlarged by
 ///    the reach of energies (pair_energy.hpp) and by half of the skin on each side. Its row has all
@@ -18,10 +18,6 @@
 #include "configuration.hpp"
 
 namespace pw85::detail::simulation {
-
-struct DestroyList {
-    void operator()(pw85_neighbors *list) const noexcept { pw85_neighbors_destroy(list); }
-};
 
 /// Returns the image of a pair; zero in a list without cell.
 static inline Multiples image_of(pw85_pair_list const &list, std::size_t pair) noexcept

@@ -2,14 +2,12 @@
 // Energies of pairs: see pair_energy.hpp.
 #include "pair_energy.hpp"
 
-#include <atomic>
 #include <cmath>
 
 #include "../base/member_complaint.hpp"
 #include "../neighbors/bounded_list.hpp"
 #include "../rows/laws.hpp"
-#include "acceptance.hpp"
-#include "engine.hpp"
+#include "neighborhood.hpp"
 
 namespace pw85::detail::simulation {
 
@@ -111,11 +109,9 @@ EnergySum PairEnergy::of_pairs(double const *r12, double const *q1, double const
 
 int PairEnergy::of_all(Configuration const &all, EnergySum &sum) const noexcept
 {
-    pw85_system const system = all.system();
-    pw85_neighbors *made = nullptr;
-    if (int const status = neighbors::create_bounded_list(system, reach_, 0.0, made)) return status;
-    std::unique_ptr<pw85_neighbors, DestroyList> const owner(made);
-    pw85_pair_list const list = pw85_neighbors_list(made);
+    neighbors::BoundedList made;
+    if (int const status = made.make(all.system(), reach_)) return status;
+    pw85_pair_list const list = made.pairs();
     EnergyCollector pairs(*this);
     for (std::size_t k = 0; k < list.num_pairs; ++k) {
         auto const i = static_cast<std::size_t>(list.pairs[2 * k]),
@@ -130,100 +126,15 @@ int PairEnergy::of_all(Configuration const &all, EnergySum &sum) const noexcept
 int PairEnergy::virial_of_all(Configuration const &all, double &virial) const noexcept
 {
     pw85_system const system = all.system();
-    pw85_neighbors *made = nullptr;
-    if (int const status = neighbors::create_bounded_list(system, reach_, 0.0, made)) return status;
-    std::unique_ptr<pw85_neighbors, DestroyList> const owner(made);
-    pw85_pair_list const list = pw85_neighbors_list(made);
+    neighbors::BoundedList made;
+    if (int const status = made.make(system, reach_)) return status;
+    pw85_pair_list const list = made.pairs();
     pw85_law const own = law();
     double tensor[9];
     int const status =
         pw85_law_forces_pairs(&list, &system, &own, nullptr, nullptr, nullptr, tensor);
     virial = tensor[0] + tensor[4] + tensor[8];
     return status;
-}
-
-int Engine::set_law(pw85_law const *law) noexcept
-{
-    if (int const status = pair_energy.set(law)) return status;
-    // Fixed boxes of a longer reach would let particles move farther than refresh_boxes() says.
-    neighborhood_ = Neighborhood();
-    forget();
-    return PW85_SUCCESS;
-}
-
-template <class IsRead>
-EnergySum Engine::energy_of_row(std::size_t i, IsRead const &is_read) const noexcept
-{
-    EnergyCollector pairs(pair_energy);
-    auto const search = boxes_.search(i);
-    Row const row = neighborhood_.row(i);
-    for (std::size_t k = 0; k < row.size(); ++k) {
-        Neighbor const neighbor = row[k];
-        auto const j = static_cast<std::size_t>(neighbor.index);
-        // An image of the particle itself is in its row twice, as n and as -n.
-        if (is_read(j) && search.may_meet(neighbor))
-            pairs.add(ordered_.separation(i, j, neighborhood_.translation(neighbor.image)),
-                      ordered_.q[i], ordered_.q[j], j == i ? 1 : 2);
-    }
-    return pairs.sum();
-}
-
-/// Returns the energy of some particles that a thread moves, and of all pairs with others.
-EnergySum Engine::energy_of(std::size_t const *particles, std::size_t count,
-                            ReadableDomains const &readable) const noexcept
-{
-    EnergySum sum;
-    for (std::size_t k = 0; k < count; ++k)
-        sum.add(energy_of_row(particles[k], [&](std::size_t j) {
-            return readable.contain(domains_.number_at(j)) && (k == 0 || j != particles[0]);
-        }));
-    return sum;
-}
-
-/// Returns the energy of all pairs, by the rows.
-EnergySum Engine::energy_of_rows() const noexcept
-{
-    std::atomic<std::int64_t> halves{0};
-    std::atomic<bool> is_bad{false};
-    for_all(ordered_.size(), [&](Range range) {
-        EnergySum sum;
-        for (std::size_t i = range.begin; i < range.end; ++i)
-            sum.add(energy_of_row(i, [i](std::size_t j) { return j >= i; }));
-        halves.fetch_add(sum.halves, std::memory_order_relaxed);
-        if (sum.is_bad) is_bad.store(true, std::memory_order_relaxed);
-        return Failure{0, PW85_SUCCESS};
-    });
-    return {halves.load(), is_bad.load()};
-}
-
-Engine::Outcome Engine::acceptance_of_change(EnergySum const &before, EnergySum const &after,
-                                             Stream &stream) noexcept
-{
-    if (before.is_bad || after.is_bad) return Outcome::failed;
-    double const change = EnergySum{after.halves - before.halves}.energy();
-    if (change <= 0.0) return Outcome::accepted;
-    return accept(1.0, 0.0, change, stream.uniform()) ? Outcome::accepted : Outcome::rejected;
-}
-
-Engine::Outcome Engine::acceptance_of_energies(std::size_t const *particles, Particle *old,
-                                               Particle const *moved, std::size_t count,
-                                               DomainRun &run) noexcept
-{
-    EnergySum const after = energy_of(particles, count, run.readable);
-    for (std::size_t k = 0; k < count; ++k) put(particles[k], old[k]);
-    EnergySum const before = energy_of(particles, count, run.readable);
-    for (std::size_t k = 0; k < count; ++k) put(particles[k], moved[k]);
-    return acceptance_of_change(before, after, run.progress.stream);
-}
-
-int Engine::energy_of_pairs(double &energy) const noexcept
-{
-    energy = 0.0;
-    if (!pair_energy.exists()) return PW85_SUCCESS;
-    EnergySum sum;
-    if (int const status = pair_energy.of_all(configuration, sum)) return status;
-    energy = sum.energy();
-    return sum.is_bad ? PW85_EPOTENTIAL : PW85_SUCCESS;
 }
 
 } // namespace pw85::detail::simulation

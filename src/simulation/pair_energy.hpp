@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The energy of pairs in addition to the hard core, a law of μ². engine.cpp computes it after the
-/// overlap test.
+/// The energy of pairs in addition to the hard core, a law of μ². sweep.cpp and volume_moves.cpp
+/// compute it after the overlap test.
 ///
 /// 1. A trial that changes the sum of the energies by ΔU is accepted with the probability
 ///    min(1, e^-ΔU), beside the other conditions. The product of such probabilities is in detailed

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file Hard walls around the particles of a simulation. external_potential.hpp holds them;
-/// engine.cpp calls it.
+/// external_potential.cpp calls it.
 ///
 /// 1. A particle is free of a wall if it has no inner point in the wall: it may touch the wall. The
 ///    decision depends on nothing but the particle and the wall, so a trial that a wall rejects is

@@ -165,7 +165,7 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
         _refuse_existing(name)
     _refuse_long_steps(sweeps, every, None if trajectory is None else others["trajectory_every"])
     is_surrounded = bool(walls or fields)
-    system = _checked(given, one_frame(given), is_surrounded)
+    system = _checked(given, one_frame(given, sys.stdout), is_surrounded)
     if exchange:
         _check_exchange(given, system)
     cell = system.cell
