@@ -17,12 +17,14 @@ printf '[constants]\nlauncher = [%s]\n' "$launcher" >"$build/launcher.ini"
   "-Dcpp_args=-msimd128 -mnontrapping-fptoint" -Dtests=disabled -Dbench=disabled -Dpython=disabled -Dfortran=disabled -Dgsl=disabled \
   -Dgpu=disabled -Dsystems=false -Dsimulation=false
 ninja -C "$build/library" src/libpw85.a
+# Of functions that several units have, the linker takes the first one: volumes call some that other units compile to be short.
+first=$build/library/src/libpw85.a.p/c_api_volumes.cpp.o
 # A call needs at most 16 kB of the stack (pw85.h). The stack is below all other data, so that nothing can be overwritten.
 for module in pw85 plane; do
   exports=$(/usr/bin/python3 "$root/api/javascript.py" "$module")
   # shellcheck disable=SC2086 # a list of words
-  clang++ --target=wasm32-wasi -msimd128 -nostartfiles -fno-exceptions "$root/js/module.cpp" "$build/library/src/libpw85.a" $exports \
+  clang++ --target=wasm32-wasi -msimd128 -nostartfiles -fno-exceptions "$root/js/module.cpp" "$first" "$build/library/src/libpw85.a" $exports \
     -Wl,--no-entry,--strip-all,--stack-first,-z,stack-size=262144,--initial-memory=1048576 -o "$build/$module.wasm"
-  wasm-opt -O2 --enable-simd --enable-nontrapping-float-to-int "$build/$module.wasm" -o "$folder/$module.wasm"
+  wasm-opt -Oz --enable-simd --enable-nontrapping-float-to-int "$build/$module.wasm" -o "$folder/$module.wasm"
   chmod 644 "$folder/$module.wasm"
 done

@@ -11,7 +11,8 @@ cd "$(dirname "$0")/.."
 install_library build-rust $rust_packages
 # The compiler of the system: its linter does not change between two runs.
 [ ! -x /usr/bin/cargo ] || PATH=/usr/bin:$PATH
-work=$PWD/build-rust/rust
+root=$PWD
+work=$root/build-rust/rust
 rm -rf "$work" && mkdir -p "$work/vendor"
 export CARGO_TARGET_DIR="$PWD/build-rust/target" CARGO_NET_OFFLINE=true
 cd rust
@@ -40,7 +41,7 @@ cargo run -q --example pairs | diff - "$work/pairs.txt"
 
 echo '+ cargo package'
 cp -R . "$work/crates"
-../scripts/vendor_rust.sh "$work/crates/pw85-sys"
+"$root/scripts/vendor_rust.sh" "$work/crates/pw85-sys"
 cd "$work/crates"
 cat >"$work/vendored.toml" <<END
 [source]
@@ -75,7 +76,7 @@ sed -n '/^```rust$/,/^```$/p;/^```text$/q' pw85/README.md | sed '/^```/d' >"$wor
 # shellcheck disable=SC2016
 sed -n '/^```text$/,/^```$/p' pw85/README.md | sed '/^```/d' >"$work/expected"
 cargo run -q --manifest-path "$work/readme/Cargo.toml" --config "$work/vendored.toml" | diff - "$work/expected"
-grep -q "$(head -n 1 "$work/expected")" ../examples/c/pair.txt
+grep -q "$(head -n 1 "$work/expected")" "$root/examples/c/pair.txt"
 
 # Without optimisation: the library is compiled in a third of the time.
 echo '+ README, with the library that pw85-sys compiles'

@@ -167,6 +167,19 @@ fn is_for_one_pair(target: &Target) -> bool {
     target.name != AVX512.name
 }
 
+/// What the list of instruction sets says of one: the condition under which a processor has it.
+fn line_of(target: &Target) -> String {
+    let test = |name: &&str| format!("__builtin_cpu_supports(\"{name}\")");
+    let tests: Vec<_> = target.features.iter().map(test).collect();
+    let (condition, one_pair) = if tests.is_empty() {
+        ("true".into(), NEON.name)
+    } else {
+        (tests.join(" && "), AVX2.name)
+    };
+    let name = target.name;
+    format!(" X({name}, {one_pair}, ({condition}) __VA_OPT__(, ) __VA_ARGS__)")
+}
+
 /// Writes what build systems make: the version, and the list of instruction sets.
 fn write_headers(root: &Path, out: &Path, targets: &[Target]) {
     let read = |path: &str| {
@@ -178,32 +191,13 @@ fn write_headers(root: &Path, out: &Path, targets: &[Target]) {
         let value = variable(&format!("CARGO_PKG_VERSION{part}"));
         version = version.replace(&format!("@PW85_VERSION{part}@"), &value);
     }
-    let mut sets = String::from("#define PW85_INSTRUCTION_SETS(X, ...)");
-    for target in targets.iter().filter(|target| target.name != BASELINE.name) {
-        let tests: Vec<_> = target
-            .features
-            .iter()
-            .map(|name| format!("__builtin_cpu_supports(\"{name}\")"))
-            .collect();
-        let condition = if tests.is_empty() {
-            "true".into()
-        } else {
-            tests.join(" && ")
-        };
-        let one_pair = if target.features.is_empty() {
-            NEON.name
-        } else {
-            AVX2.name
-        };
-        sets += &format!(
-            " X({}, {one_pair}, ({condition}) __VA_OPT__(, ) __VA_ARGS__)",
-            target.name
-        );
-    }
+    let named = |target: &&Target| target.name != BASELINE.name;
+    let sets: String = targets.iter().filter(named).map(line_of).collect();
+    let sets = format!("#define PW85_INSTRUCTION_SETS(X, ...){sets}\n");
     let folder = out.join("include/pw85");
     let written = fs::create_dir_all(&folder)
         .and_then(|()| fs::write(folder.join("version.h"), version))
-        .and_then(|()| fs::write(out.join("include/instruction_sets.h"), sets + "\n"));
+        .and_then(|()| fs::write(out.join("include/instruction_sets.h"), sets));
     written.unwrap_or_else(|error| refuse(&format!("{}: {error}", folder.display())));
 }
 

@@ -345,11 +345,13 @@ PW85_INLINE Pack minimum(Pack const &x, Pack const &y) noexcept { return _mm_min
 #elif defined(__wasm_simd128__) // its operands are in the other order
 PW85_INLINE Pack maximum(Pack const &x, Pack const &y) noexcept
 {
-    return reinterpret_cast<Register>(wasm_f64x2_pmax(reinterpret_cast<v128_t>(x.v), reinterpret_cast<v128_t>(y.v)));
+    return reinterpret_cast<Register>(
+        wasm_f64x2_pmax(reinterpret_cast<v128_t>(x.v), reinterpret_cast<v128_t>(y.v)));
 }
 PW85_INLINE Pack minimum(Pack const &x, Pack const &y) noexcept
 {
-    return reinterpret_cast<Register>(wasm_f64x2_pmin(reinterpret_cast<v128_t>(x.v), reinterpret_cast<v128_t>(y.v)));
+    return reinterpret_cast<Register>(
+        wasm_f64x2_pmin(reinterpret_cast<v128_t>(x.v), reinterpret_cast<v128_t>(y.v)));
 }
 #else
 PW85_INLINE Pack maximum(Pack const &x, Pack const &y) noexcept { return select(y > x, y, x); }
