@@ -39,7 +39,8 @@
             const isConcentric = r12.every(x => x === 0), none = [NaN, NaN, NaN]; // no point and no normal belong to such a pair
             const {point, normal} = isConcentric ? {point: none, normal: none} : pw85.contactGeometry(r12, q1, q2, contact.lambda);
             const f = isConcentric ? Array(101).fill(0) : curveOf(r12, q1, q2);
-            return {...contact, overlap: pw85.overlap(r12, q1, q2), distance, closest: [[...point1], [...point2]], point: [...point], normal: [...normal], f};
+            const overlap = pw85.overlap(r12, q1, q2), closest = [[...point1], [...point2]];
+            return {...contact, overlap, distance, closest, point: [...point], normal: [...normal], f};
         } catch (error) {
             if (error.name !== "Pw85Error") throw error;
             return null;
