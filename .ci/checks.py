@@ -451,7 +451,7 @@ MEASURING = ("python3-skimage python3-opencv python3-sep python3-photutils sourc
              "imagej xvfb xauth nodejs")
 LAMMPS = "lammps liblammps-dev libfmt-dev python3-lammps openmpi-bin libopenmpi-dev"
 PAGES = ("doxygen python3-breathe furo python3-sphinx-inline-tabs python3-sphinx-copybutton python3-myst-parser libjs-katex nodejs "
-         "hunspell hunspell-en-gb chromium clang lld")
+         "hunspell hunspell-en-gb chromium $wasm_packages")
 MACHINES = "qemu-user g++-aarch64-linux-gnu g++-i686-linux-gnu g++-s390x-linux-gnu g++-mingw-w64-x86-64-posix wine64 emscripten"
 
 

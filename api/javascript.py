@@ -7,6 +7,7 @@ contactRows(). js/pw85.js reads arguments and writes results by the table. The n
 
 import json
 import re
+import sys
 import textwrap
 from functools import cache
 from math import prod
@@ -16,10 +17,11 @@ from rows import row_functions
 from voice import PlainVoice, with_named_statuses
 
 FOLDER = SOURCE / "js"
-# The questions of the module, by their names in C. Each takes its part of the 300 kB that pages load.
-ASKED = (
-    "ellipsoid", "ellipsoid_quaternion", "contact", "contact_geometry", "overlap", "distance", "overlap_volume", "first_contact",
-)  # fmt: skip
+# The questions of each module, by their names in C. A page loads at most 300 kB for ellipsoids, and as much for ellipses.
+ASKED = {
+    "pw85": ("ellipsoid", "ellipsoid_quaternion", "contact", "contact_geometry", "overlap", "distance", "overlap_volume", "first_contact"),
+    "plane": ("ellipse", "contact_2d", "contact_geometry_2d", "overlap_2d", "distance_2d", "overlap_area_2d"),
+}
 OTHERS = ("pw85_last_error", "pw85_strerror")  # functions that js/pw85.js calls beside them
 ARRAYS = {"f64": "Float64Array", "i32": "Int32Array", "u8": "Uint8Array"}
 MARK = "Made by api/javascript.py from the headers of the C API."
@@ -27,10 +29,14 @@ LICENCE = "// SPDX-License-Identifier: BSD-3-Clause"
 
 
 @cache
-def asked():
-    found = {row.name: row for row in row_functions() if row.name in ASKED}
-    assert set(found) == set(ASKED), set(ASKED) - set(found)
+def asked_of(module):
+    found = {row.name: row for row in row_functions() if row.name in ASKED[module]}
+    assert set(found) == set(ASKED[module]), set(ASKED[module]) - set(found)
     return list(found.values())
+
+
+def asked():
+    return [row for module in ASKED for row in asked_of(module)]
 
 
 def camel(name):
@@ -49,9 +55,9 @@ def called(row):
     return row.many.name if row.takes_rows() else row.function.name
 
 
-def exports():
-    """The functions of C in the module."""
-    return [*(called(row) for row in asked()), *OTHERS]
+def exports(module):
+    """The functions of C in a module."""
+    return [*(called(row) for row in asked_of(module)), *OTHERS]
 
 
 def entry(row):
@@ -67,9 +73,10 @@ def entry(row):
 
 
 def table():
-    lines = [f"{LICENCE}\n// {MARK}", "export const QUESTIONS = ["]
-    lines += [f"    {json.dumps(entry(row))}," for row in asked()]
-    return "\n".join([*lines, "];", ""])
+    lines = [f"{LICENCE}\n// {MARK}"]
+    for module in ASKED:
+        lines += [f"export const {module.upper()} = [", *(f"    {json.dumps(entry(row))}," for row in asked_of(module)), "];"]
+    return "\n".join([*lines, ""])
 
 
 def plain(text):
@@ -144,7 +151,9 @@ def declaration(row):
 
 def types():
     text = (FOLDER / "pw85.in.d.ts").read_text(encoding="utf-8")
-    return text.replace("// @mark@", f"// {MARK}").replace("    // @functions@\n", "\n".join(map(declaration, asked())))
+    for module in ASKED:
+        text = text.replace(f"    // @{module}@\n", "\n".join(map(declaration, asked_of(module))))
+    return text.replace("// @mark@", f"// {MARK}")
 
 
 def package():
@@ -158,4 +167,4 @@ def files():
 
 
 if __name__ == "__main__":
-    print(",".join(f"_{name}" for name in exports()))
+    print(" ".join(f"-Wl,--export={name}" for name in exports(sys.argv[1])))

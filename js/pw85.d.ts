@@ -34,21 +34,20 @@ export class Pw85Error extends Error {
 }
 
 export interface Options {
-    /** The module, where it is not the file pw85.wasm beside pw85.js: its bytes, or what WebAssembly.compile() made of them. */
+    /** The module, where it is not the file pw85.wasm, or plane.wasm, beside pw85.js: its bytes, or what WebAssembly.compile() made of them. */
     wasm?: BufferSource | WebAssembly.Module;
     /** The numbers that allocate() may give, from 0 (without this option) to 2^28. */
     doubles?: number;
 }
 
-/** Loads the library. Each call makes an instance with a memory of its own. */
+/** Loads the functions of ellipsoids. Each call makes an instance with a memory of its own. */
 export function load(options?: Options): Promise<Pw85>;
 
-/**
- * The functions of the library. The function with `Rows` behind its name takes many rows. It returns new
- * arrays, or writes to the arrays `out` that are given, and returns these: of several results, those that
- * `out` names. Arrays `out` must not share memory with arguments.
- */
-export interface Pw85 {
+/** Loads the functions of ellipses, which are in a module of their own, plane.wasm: see load(). */
+export function loadPlane(options?: Options): Promise<Plane>;
+
+/** The memory of an instance. */
+export interface Memory {
     /**
      * An array in the memory of the library. Arguments and results of many rows that are such arrays are not copied.
      * @param length How many numbers it has.
@@ -57,7 +56,14 @@ export interface Pw85 {
 
     /** Takes the memory of all arrays of allocate() back: they must not be used any more. */
     release(): void;
+}
 
+/**
+ * The functions of ellipsoids. The function with `Rows` behind its name takes many rows. It returns new
+ * arrays, or writes to the arrays `out` that are given, and returns these: of several results, those that
+ * `out` names. Arrays `out` must not share memory with arguments.
+ */
+export interface Pw85 extends Memory {
     /**
      * Quadratic form of a general ellipsoid, Q = R diag(semi_axes²) Rᵀ.
      * @param semiAxes Lengths of the principal semi-axes (not diameters), whose squares are in the range of
@@ -197,4 +203,88 @@ export interface Pw85 {
      */
     firstContactRows(r12: Numbers, q1: Numbers, q2: Numbers, motion1: Numbers, motion2: Numbers, tMax?: Numbers | number): Float64Array;
     firstContactRows<Out extends Doubles>(r12: Numbers, q1: Numbers, q2: Numbers, motion1: Numbers, motion2: Numbers, tMax: Numbers | number | undefined, out: Out): Out;
+}
+
+/** The functions of ellipses: see {@link Pw85}. */
+export interface Plane extends Memory {
+    /**
+     * Quadratic form (xx, xy, yy) of an ellipse.
+     * @param a Semi-axes, whose squares are in the range of double; > 0.
+     * @param b Semi-axes, whose squares are in the range of double; > 0.
+     * @param angle From the x axis to the first semi-axis, counter-clockwise, in radians.
+     */
+    ellipse(a: number, b: number, angle: number): Float64Array;
+    /**
+     * ellipse() of many rows: see {@link Numbers}.
+     */
+    ellipseRows(a: Numbers | number, b: Numbers | number, angle: Numbers | number): Float64Array;
+    ellipseRows<Out extends Doubles>(a: Numbers | number, b: Numbers | number, angle: Numbers | number, out: Out): Out;
+
+    /**
+     * Area of the common part of two ellipses; see `overlapVolume()`.
+     * The bound on the error is the same, with areas.
+     * @param r12 From the centre of ellipse 1 to that of ellipse 2; zero is valid. 2 numbers.
+     * @param q1 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
+     * @param q2 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
+     */
+    overlapArea2d(r12: Numbers, q1: Numbers, q2: Numbers): number;
+    /**
+     * overlapArea2d() of many rows: see {@link Numbers}.
+     */
+    overlapArea2dRows(r12: Numbers, q1: Numbers, q2: Numbers): Float64Array;
+    overlapArea2dRows<Out extends Doubles>(r12: Numbers, q1: Numbers, q2: Numbers, out: Out): Out;
+
+    /**
+     * Contact function of two ellipses; see `contact()`.
+     * @param r12 From the centre of ellipse 1 to that of ellipse 2; zero is valid: μ² = 0, λ = 1/2. 2 numbers.
+     * @param q1 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
+     * @param q2 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
+     */
+    contact2d(r12: Numbers, q1: Numbers, q2: Numbers): { mu2: number; lambda: number };
+    /**
+     * contact2d() of many rows: see {@link Numbers}.
+     */
+    contact2dRows(r12: Numbers, q1: Numbers, q2: Numbers): { mu2: Float64Array; lambda: Float64Array };
+    contact2dRows<Out extends { mu2?: Doubles; lambda?: Doubles }>(r12: Numbers, q1: Numbers, q2: Numbers, out: Out): Out;
+
+    /**
+     * Point at which the ellipses, scaled by μ, touch, and their common normal; see `contactGeometry()`.
+     * @param r12 From the centre of ellipse 1 to that of ellipse 2; not zero. 2 numbers.
+     * @param q1 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
+     * @param q2 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
+     * @param lambda From `contact2d()`. Any other value in (0, 1) gives the point x0(λ) of the chapter on theory:
+     *   it is on both ellipses when they are scaled by the factors μ1 and μ2 for which f(λ) = λ μ1² + (1-λ) μ2².
+     */
+    contactGeometry2d(r12: Numbers, q1: Numbers, q2: Numbers, lambda: number): { point: Float64Array; normal: Float64Array };
+    /**
+     * contactGeometry2d() of many rows: see {@link Numbers}.
+     */
+    contactGeometry2dRows(r12: Numbers, q1: Numbers, q2: Numbers, lambda: Numbers | number): { point: Float64Array; normal: Float64Array };
+    contactGeometry2dRows<Out extends { point?: Doubles; normal?: Doubles }>(r12: Numbers, q1: Numbers, q2: Numbers, lambda: Numbers | number, out: Out): Out;
+
+    /**
+     * Tests whether two ellipses overlap; see `overlap()`.
+     * @param r12 From the centre of ellipse 1 to that of ellipse 2; zero is an overlap. 2 numbers.
+     * @param q1 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
+     * @param q2 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
+     */
+    overlap2d(r12: Numbers, q1: Numbers, q2: Numbers): boolean;
+    /**
+     * overlap2d() of many rows: see {@link Numbers}.
+     */
+    overlap2dRows(r12: Numbers, q1: Numbers, q2: Numbers): Uint8Array;
+    overlap2dRows<Out extends Uint8Array>(r12: Numbers, q1: Numbers, q2: Numbers, out: Out): Out;
+
+    /**
+     * Distance of two ellipses; see `distance()`.
+     * @param r12 From the centre of ellipse 1 to that of ellipse 2. 2 numbers.
+     * @param q1 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
+     * @param q2 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
+     */
+    distance2d(r12: Numbers, q1: Numbers, q2: Numbers): { distance: number; point1: Float64Array; point2: Float64Array };
+    /**
+     * distance2d() of many rows: see {@link Numbers}.
+     */
+    distance2dRows(r12: Numbers, q1: Numbers, q2: Numbers): { distance: Float64Array; point1: Float64Array; point2: Float64Array };
+    distance2dRows<Out extends { distance?: Doubles; point1?: Doubles; point2?: Doubles }>(r12: Numbers, q1: Numbers, q2: Numbers, out: Out): Out;
 }

@@ -34,21 +34,20 @@ export class Pw85Error extends Error {
 }
 
 export interface Options {
-    /** The module, where it is not the file pw85.wasm beside pw85.js: its bytes, or what WebAssembly.compile() made of them. */
+    /** The module, where it is not the file pw85.wasm, or plane.wasm, beside pw85.js: its bytes, or what WebAssembly.compile() made of them. */
     wasm?: BufferSource | WebAssembly.Module;
     /** The numbers that allocate() may give, from 0 (without this option) to 2^28. */
     doubles?: number;
 }
 
-/** Loads the library. Each call makes an instance with a memory of its own. */
+/** Loads the functions of ellipsoids. Each call makes an instance with a memory of its own. */
 export function load(options?: Options): Promise<Pw85>;
 
-/**
- * The functions of the library. The function with `Rows` behind its name takes many rows. It returns new
- * arrays, or writes to the arrays `out` that are given, and returns these: of several results, those that
- * `out` names. Arrays `out` must not share memory with arguments.
- */
-export interface Pw85 {
+/** Loads the functions of ellipses, which are in a module of their own, plane.wasm: see load(). */
+export function loadPlane(options?: Options): Promise<Plane>;
+
+/** The memory of an instance. */
+export interface Memory {
     /**
      * An array in the memory of the library. Arguments and results of many rows that are such arrays are not copied.
      * @param length How many numbers it has.
@@ -57,6 +56,18 @@ export interface Pw85 {
 
     /** Takes the memory of all arrays of allocate() back: they must not be used any more. */
     release(): void;
+}
 
-    // @functions@
+/**
+ * The functions of ellipsoids. The function with `Rows` behind its name takes many rows. It returns new
+ * arrays, or writes to the arrays `out` that are given, and returns these: of several results, those that
+ * `out` names. Arrays `out` must not share memory with arguments.
+ */
+export interface Pw85 extends Memory {
+    // @pw85@
+}
+
+/** The functions of ellipses: see {@link Pw85}. */
+export interface Plane extends Memory {
+    // @plane@
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Questions of ellipsoids, answered by the C library in WebAssembly. The functions are those of the table in questions.js. Here their
+// Questions of ellipsoids and ellipses, answered by the C library in WebAssembly. The functions are those of the tables in questions.js. Here their
 // arguments are read, the functions of C are called for blocks of rows, and the results are returned. pw85.d.ts documents everything.
-import { QUESTIONS } from "./questions.js";
+import { PLANE, PW85 } from "./questions.js";
 
 // Rows of a block. Arrays outside of the memory of the module are copied block by block, so that any number of rows takes little of it.
 const BLOCK = 256;
 const PAGE = 65536;
 const MOST_DOUBLES = 2 ** 28;
+const OPTIONS = ["wasm", "doubles"];
 const TYPES = { f64: Float64Array, i32: Int32Array, u8: Uint8Array };
 // Numbers of 4 bytes in a pw85_error: status, function, argument, requirement, row, entry, and the value, which has 8 bytes.
 const WORDS_OF_ERROR = 8;
@@ -34,12 +35,23 @@ function isTyped(value) {
     return ArrayBuffer.isView(value) && !(value instanceof DataView || value instanceof BigInt64Array || value instanceof BigUint64Array);
 }
 
+/** Refuses a typed array whose memory is gone, because it was transferred, for example to a worker. Its length is 0. */
+function checkAttached(name, value) {
+    if (value.length > 0) return;
+    try {
+        new Uint8Array(value.buffer);
+    } catch {
+        refuse(name, "must not be detached: its memory was transferred");
+    }
+}
+
 /** Returns how many rows an argument has. A number is a row of one number. */
 function countRows({ name, size }, value) {
     if (typeof value === "number" && size === 1) return 1;
     if (!Array.isArray(value) && !isTyped(value)) {
         refuse(name, `must be ${size === 1 ? "a number or " : ""}an array of numbers, not ${kindOf(value)}`);
     }
+    if (isTyped(value)) checkAttached(name, value);
     if (value.length % size !== 0) refuse(name, `must have ${size} numbers in each row, and has ${value.length} in all`);
     return value.length / size;
 }
@@ -84,9 +96,9 @@ function shareBytes(x, y) {
 
 /** The memory of a module: the numbers of a block, a pw85_error, and the arrays that the caller allocates. It never grows again. */
 class Memory {
-    constructor(memory, doubles) {
+    constructor(memory, questions, doubles) {
         const numbersOf = ({ inputs, outputs }) => [...inputs, ...outputs].reduce((sum, one) => sum + one.size, 0);
-        const block = BLOCK * Math.max(...QUESTIONS.map(numbersOf));
+        const block = BLOCK * Math.max(...questions.map(numbersOf));
         const bytes = 8 * (block + doubles) + 4 * WORDS_OF_ERROR;
         this.block = memory.grow(Math.ceil(bytes / PAGE)) * PAGE;
         this.error = this.block + 8 * block;
@@ -265,12 +277,13 @@ function checkTarget({ size, type }, label, target, n) {
     if (!isFloat && !(target instanceof TYPES[type])) {
         refuse(label, `must be a ${TYPES[type].name}${type === "f64" ? " or Float32Array" : ""}, not ${kindOf(target)}`);
     }
+    checkAttached(label, target);
     if (target.length !== n * size) refuse(label, `must have ${n * size} elements, not ${target.length}`);
 }
 
 async function bytesAt(url) {
     if (url.protocol === "file:" && globalThis.process?.versions?.node) { // fetch() of Node knows no files
-        const { readFile } = await import("node:fs/promises");
+        const { readFile } = await import(/* webpackIgnore: true */ /* @vite-ignore */ "node:fs/promises");
         return readFile(url);
     }
     const response = await fetch(url);
@@ -278,28 +291,60 @@ async function bytesAt(url) {
     return response.arrayBuffer();
 }
 
-let own = null;
-
-/** The module beside this file. It is compiled once, or tried again after a failure. */
-function ownModule() {
-    own ??= bytesAt(new URL("pw85.wasm", import.meta.url)).then(bytes => WebAssembly.compile(bytes)).catch(error => {
-        own = null;
-        throw error;
-    });
-    return own;
+/** Returns a function that compiles a module once, and again after a failure. addressOf() gives its address. */
+function compiledOnce(addressOf) {
+    let own = null;
+    return () => {
+        own ??= bytesAt(addressOf()).then(bytes => WebAssembly.compile(bytes)).catch(error => {
+            own = null;
+            throw error;
+        });
+        return own;
+    };
 }
 
-export async function load({ wasm, doubles = 0 } = {}) {
-    if (!Number.isInteger(doubles) || doubles < 0 || doubles > MOST_DOUBLES) {
-        refuse("doubles", `must be an integer from 0 to ${MOST_DOUBLES}, not ${String(doubles)}`);
+/** The module that the caller gives. */
+async function givenModule(wasm) {
+    if (wasm instanceof WebAssembly.Module) return wasm;
+    if (!ArrayBuffer.isView(wasm) && !/Buffer\]$/.test(Object.prototype.toString.call(wasm))) {
+        refuse("wasm", `must be the bytes of a module or a compiled module, not ${kindOf(wasm)}`);
     }
-    const module = wasm === undefined ? await ownModule() : wasm instanceof WebAssembly.Module ? wasm : await WebAssembly.compile(wasm);
-    const { exports } = await WebAssembly.instantiate(module);
-    const memory = new Memory(exports.memory, doubles);
-    const functions = QUESTIONS.flatMap(table => {
-        const question = new Question(exports, memory, table);
-        return [[table.name, (...values) => question.one(values)], [`${table.name}Rows`, (...values) => question.rows(values)]];
-    });
-    const own = { allocate: length => memory.allocate(length), release: () => memory.release() };
-    return Object.freeze({ ...own, ...Object.fromEntries(functions) });
+    return WebAssembly.compile(wasm);
 }
+
+/** Refuses a module with other functions. */
+function checkModule(exports, questions) {
+    const missing = questions.find(one => !(one.function in exports));
+    if (missing) refuse("wasm", `must be the module with ${missing.function}()`);
+}
+
+/** Refuses options that do not exist. */
+function checkOptions(options) {
+    if (kindOf(options).toLowerCase() !== "object") refuse("options", `must be an object with some of ${OPTIONS.join(", ")}, not ${kindOf(options)}`);
+    for (const name of Object.keys(options)) {
+        if (!OPTIONS.includes(name)) refuse(`options.${name}`, `is not an option: these are ${OPTIONS.join(", ")}`);
+    }
+}
+
+/** Returns load() for a table of questions, whose own module ownModule() compiles. */
+function loadOf(questions, ownModule) {
+    return async (options = {}) => {
+        checkOptions(options);
+        const { wasm, doubles = 0 } = options;
+        if (!Number.isInteger(doubles) || doubles < 0 || doubles > MOST_DOUBLES) {
+            refuse("doubles", `must be an integer from 0 to ${MOST_DOUBLES}, not ${String(doubles)}`);
+        }
+        const { exports } = await WebAssembly.instantiate(await (wasm === undefined ? ownModule() : givenModule(wasm)));
+        checkModule(exports, questions);
+        const memory = new Memory(exports.memory, questions, doubles);
+        const functions = questions.flatMap(table => {
+            const question = new Question(exports, memory, table);
+            return [[table.name, (...values) => question.one(values)], [`${table.name}Rows`, (...values) => question.rows(values)]];
+        });
+        const own = { allocate: length => memory.allocate(length), release: () => memory.release() };
+        return Object.freeze({ ...own, ...Object.fromEntries(functions) });
+    };
+}
+
+export const load = loadOf(PW85, compiledOnce(() => new URL("pw85.wasm", import.meta.url)));
+export const loadPlane = loadOf(PLANE, compiledOnce(() => new URL("plane.wasm", import.meta.url)));

@@ -14,19 +14,37 @@
     const element = id => document.getElementById("pair-" + id);
     const view = element("view"), curve = element("curve");
 
-    const bytes = Uint8Array.from(atob(PW85_WASM), c => c.charCodeAt(0));
-    const library = (await WebAssembly.instantiate(bytes, {})).instance.exports;
-    const input = new Float64Array(library.memory.buffer, library.input.value, 17);
-    const output = new Float64Array(library.memory.buffer, library.output.value, 117);
+    const pw85 = await PW85;
     const scene = makeScene(view.querySelector("canvas"), COLOURS);
     let state, selected = 1;
 
+    // f at λ = 0, 0.01 ... 1, from the points x0 of the theory and their normals n: f(λ) = λ (n·x0)(n·r12)/(nᵀQ1n).
+    function curveOf(r12, q1, q2) {
+        const inside = Array.from({length: 99}, (_, i) => (i + 1) / 100);
+        const {point, normal} = pw85.contactGeometryRows(r12, q1, q2, inside);
+        const at = inside.map((lambda, i) => {
+            const [x, y, z] = normal.subarray(3 * i), [px, py, pz] = point.subarray(3 * i), [xx, xy, xz, yy, yz, zz] = q1;
+            const width = xx * x * x + yy * y * y + zz * z * z + 2 * (xy * x * y + xz * x * z + yz * y * z);
+            return lambda * (x * px + y * py + z * pz) * (x * r12[0] + y * r12[1] + z * r12[2]) / width;
+        });
+        return [0, ...at, 0];
+    }
+
+    // What the page shows of the pair; null if the library refuses a number.
     function evaluate() {
-        input.set([...state.axes[0], ...state.quaternions[0], ...state.axes[1], ...state.quaternions[1], ...state.r12]);
-        library.evaluate();
-        const at = (start, count) => [...output.slice(start, start + count)];
-        return {status: output[0], mu2: output[1], lambda: output[2], distance: output[3], point: at(4, 3), normal: at(7, 3),
-            closest: [at(10, 3), at(13, 3)], f: at(16, 101)};
+        const {axes, quaternions, r12} = state;
+        try {
+            const [q1, q2] = axes.map((lengths, k) => pw85.ellipsoidQuaternion(lengths, quaternions[k]));
+            const contact = pw85.contact(r12, q1, q2), {distance, point1, point2} = pw85.distance(r12, q1, q2);
+            const isConcentric = r12.every(x => x === 0), none = [NaN, NaN, NaN]; // no point and no normal belong to such a pair
+            const {point, normal} = isConcentric ? {point: none, normal: none} : pw85.contactGeometry(r12, q1, q2, contact.lambda);
+            const f = isConcentric ? Array(101).fill(0) : curveOf(r12, q1, q2);
+            const overlap = pw85.overlap(r12, q1, q2), closest = [[...point1], [...point2]];
+            return {...contact, overlap, distance, closest, point: [...point], normal: [...normal], f};
+        } catch (error) {
+            if (error.name !== "Pw85Error") throw error;
+            return null;
+        }
     }
 
     // The state in the address, without the view.
@@ -82,21 +100,21 @@
     }
 
     function show(result) {
-        const good = result.status === 0, list = x => "(" + x.map(xi => xi.toFixed(4)).join(", ") + ")";
+        const good = result !== null, list = x => "(" + x.map(xi => xi.toFixed(4)).join(", ") + ")";
         element("mu2").textContent = good ? result.mu2.toPrecision(DIGITS) : "no ellipsoid";
         element("lambda").textContent = good ? result.lambda.toPrecision(DIGITS) : "";
-        element("verdict").textContent = !good ? "" : result.mu2 < 1 ? "they overlap" : "they are apart";
+        element("verdict").textContent = !good ? "" : result.overlap ? "they overlap" : "they are apart";
         element("distance").textContent = good ? result.distance.toPrecision(DIGITS) : "";
         element("point").textContent = good ? list(result.point) : "";
         element("normal").textContent = good ? list(result.normal) : "";
-        const verdict = element("verdict").textContent, numbers = [result.mu2, result.distance].map(x => x.toPrecision(4));
-        say(good ? `${verdict}: mu squared is ${numbers[0]}, the distance is ${numbers[1]}` : "no ellipsoid");
+        const verdict = element("verdict").textContent;
+        say(good ? `${verdict}: mu squared is ${result.mu2.toPrecision(4)}, the distance is ${result.distance.toPrecision(4)}` : "no ellipsoid");
     }
 
     function update() {
         const result = evaluate();
         show(result);
-        if (result.status === 0) {
+        if (result !== null) {
             if (scene) scene.draw(state, result, selected);
             drawCurve(result);
         }

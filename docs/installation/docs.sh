@@ -4,7 +4,8 @@ set -e
 # start
 sudo apt-get install doxygen furo python3-breathe python3-sphinx # Debian, Ubuntu
 sudo apt-get install python3-sphinx-inline-tabs python3-sphinx-copybutton
-sudo apt-get install python3-myst-parser libjs-katex libjs-three clang lld
+sudo apt-get install python3-myst-parser libjs-katex libjs-three libboost-dev
+sudo apt-get install clang lld llvm binaryen libc++-dev-wasm32 libclang-rt-dev-wasm32
 meson setup build-docs -Ddocs=enabled
 meson compile -C build-docs docs
 # end

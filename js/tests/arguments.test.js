@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What users of JavaScript pass: results as they expect them, or errors that name argument, row and entry.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { load, Pw85Error } from "pw85";
 
@@ -64,6 +65,20 @@ test("wrong lengths", () => {
     refused(() => pw85.contact([], one, one), "r12: must have 1 row, and has 0: see contactRows()", { argument: "r12" });
     refused(() => pw85.contactRows(new Float64Array(9), one, two), "q2: must have 1 row or 3 rows, as r12, and has 2", { argument: "q2" });
     refused(() => pw85.contactRows(new Float64Array(9), [], one), "q1: must have 1 row or 3 rows, as r12, and has 0", { argument: "q1" });
+});
+
+test("arrays whose memory was transferred", () => {
+    const gone = () => {
+        const array = new Float64Array(r12);
+        structuredClone(array.buffer, { transfer: [array.buffer] });
+        return array;
+    };
+    const requirement = "must not be detached: its memory was transferred";
+    refused(() => pw85.contact(gone(), one, one), `r12: ${requirement}`, { argument: "r12" });
+    refused(() => pw85.contactRows(gone(), one, one), `r12: ${requirement}`, { argument: "r12" });
+    refused(() => pw85.overlapVolumeRows(r12, one, one, gone()), `out: ${requirement}`, { argument: "out" });
+    refused(() => pw85.contactRows([], one, one, { mu2: gone() }), `out.mu2: ${requirement}`, { argument: "out.mu2" });
+    assert.deepEqual(pw85.overlapRows(new Float64Array(new ArrayBuffer(8), 8), one, one), new Uint8Array(0)); // empty, and not detached
 });
 
 test("no rows", () => {
@@ -142,4 +157,14 @@ test("memory of the library", async () => {
         await assert.rejects(load({ doubles: bad }), { message: `doubles: must be an integer from 0 to 268435456, not ${bad}` });
     }
     await assert.rejects(load({ wasm: new Uint8Array(8) }), WebAssembly.CompileError);
+    for (const [bad, kind] of [["pw85.wasm", "string"], [null, "null"], [new URL("file:///pw85.wasm"), "URL"], [[0, 97], "Array"]]) {
+        await assert.rejects(load({ wasm: bad }), { message: `wasm: must be the bytes of a module or a compiled module, not ${kind}` });
+    }
+    await assert.rejects(load({ double: 1 }), { message: "options.double: is not an option: these are wasm, doubles" });
+    await assert.rejects(load(100), { message: "options: must be an object with some of wasm, doubles, not number" });
+    await assert.rejects(load(null), { message: "options: must be an object with some of wasm, doubles, not null" });
+    const bytes = readFileSync(new URL(import.meta.resolve("pw85/pw85.wasm")));
+    for (const wasm of [bytes, new Uint8Array(bytes).buffer, new WebAssembly.Module(bytes)]) {
+        assert.equal((await load({ wasm })).overlap(r12, one, one), false);
+    }
 });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The 1,000 pairs of r/data-raw/pairs.c, and the lines of their numbers as that program prints them, in Node and in browsers.
 
-function makeUniform() {
+export function makeUniform() {
     let state = 1;
     return () => {
         state = state * 16807 % 2147483647; // below 2^53

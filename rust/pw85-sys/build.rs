@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! Finds the installed library pw85 by pkg-config.
+//! Finds the installed library pw85 by pkg-config, or compiles it: see the feature `vendored`.
+
+mod vendored;
 
 use std::env;
 use std::process::{exit, Command};
@@ -10,9 +12,14 @@ fn main() {
     for name in ["PKG_CONFIG", "PKG_CONFIG_PATH", "PKG_CONFIG_LIBDIR"] {
         println!("cargo:rerun-if-env-changed={name}");
     }
-    println!("cargo:rerun-if-changed=build.rs");
+    for file in ["build.rs", "vendored.rs"] {
+        println!("cargo:rerun-if-changed={file}");
+    }
     if env::var_os("DOCS_RS").is_some() {
         return; // Pages of reference are made without the library.
+    }
+    if env::var_os("CARGO_FEATURE_VENDORED").is_some() {
+        return vendored::build();
     }
     let folder = words(&pkg_config(&["--variable=pcfiledir", "pw85"])).concat();
     println!("cargo:rerun-if-changed={folder}/pw85.pc");
@@ -40,7 +47,8 @@ fn pkg_config(arguments: &[&str]) -> String {
         refuse(
             "the library pw85, version 3 or later, is not installed where pkg-config looks for it.\n\
              Install it, and add the folder of its file pw85.pc to PKG_CONFIG_PATH: \
-             export PKG_CONFIG_PATH=PREFIX/lib/pkgconfig",
+             export PKG_CONFIG_PATH=PREFIX/lib/pkgconfig\n\
+             Or let the crate compile it, by its feature `vendored`.",
         );
     }
     String::from_utf8_lossy(&output.stdout).into_owned()

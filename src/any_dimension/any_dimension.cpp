@@ -29,7 +29,7 @@ namespace {
 
 using Size = std::size_t;
 
-constexpr double nan = pw85::detail::quiet_nan<double>();
+constexpr double not_a_number = pw85::detail::quiet_nan<double>();
 
 /// The forms and separations of rows of one n.
 struct Rows {
@@ -209,7 +209,7 @@ int pw85_nd_containment(int n, double const *r12, double const *q1, double const
                         double *point)
 {
     auto const work = [&] {
-        store(nan, mu2);
+        store(not_a_number, mu2);
         store_nan(point, length(n, n));
         if (any_null(r12, q1, q2)) return null_pointer();
         auto const result =
@@ -225,7 +225,7 @@ int pw85_nd_distance(int n, double const *r12, double const *q1, double const *q
                      double *point1, double *point2, double *normal)
 {
     auto const work = [&] {
-        store(nan, distance);
+        store(not_a_number, distance);
         for (double *x : {point1, point2, normal}) store_nan(x, length(n, n));
         if (any_null(r12, q1, q2)) return null_pointer();
         auto const result = in_default_environment([&] {

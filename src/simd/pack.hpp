@@ -30,6 +30,8 @@
 #include <arm_neon.h>
 #elif defined(__SSE2__)
 #include <emmintrin.h>
+#elif defined(__wasm_simd128__)
+#include <wasm_simd128.h>
 #endif
 #if !defined(PW85_LANES_AVX512) && !defined(PW85_LANES_AVX2) && defined(__SSE2__)
 #define PW85_LANES_SSE2 // registers of two doubles
@@ -116,6 +118,8 @@ struct PackMask {
         return static_cast<unsigned>(svorv(bits, bit_of_lane()));
 #elif defined(PW85_LANES_SSE2)
         return static_cast<unsigned>(_mm_movemask_pd(reinterpret_cast<__m128d>(bits)));
+#elif defined(__wasm_simd128__)
+        return wasm_i64x2_bitmask(reinterpret_cast<v128_t>(bits));
 #else
         unsigned all = 0;
         for (std::size_t i = 0; i < lanes; ++i) all |= static_cast<unsigned>(bits[i] & 1) << i;
@@ -167,6 +171,15 @@ PW85_INLINE PackMask operator!(PackMask x) noexcept { return {~x.bits}; }
 #if defined(PW85_LANES_SVE)
 PW85_INLINE bool any_of(PackMask mask) noexcept { return svptest_any(svptrue_b64(), mask.bits); }
 PW85_INLINE bool all_of(PackMask mask) noexcept { return !any_of(!mask); }
+#elif defined(__wasm_simd128__)
+PW85_INLINE bool any_of(PackMask mask) noexcept
+{
+    return wasm_v128_any_true(reinterpret_cast<v128_t>(mask.bits));
+}
+PW85_INLINE bool all_of(PackMask mask) noexcept
+{
+    return wasm_i64x2_all_true(reinterpret_cast<v128_t>(mask.bits));
+}
 #else
 PW85_INLINE bool any_of(PackMask mask) noexcept { return mask.to_bits() != 0; }
 PW85_INLINE bool all_of(PackMask mask) noexcept { return mask.to_bits() == all_lanes; }
@@ -329,6 +342,17 @@ PW85_INLINE Pack minimum(Pack const &x, Pack const &y) noexcept { return _mm256_
 #elif defined(PW85_LANES_SSE2)
 PW85_INLINE Pack maximum(Pack const &x, Pack const &y) noexcept { return _mm_max_pd(y.v, x.v); }
 PW85_INLINE Pack minimum(Pack const &x, Pack const &y) noexcept { return _mm_min_pd(y.v, x.v); }
+#elif defined(__wasm_simd128__) // its operands are in the other order
+PW85_INLINE Pack maximum(Pack const &x, Pack const &y) noexcept
+{
+    return reinterpret_cast<Register>(
+        wasm_f64x2_pmax(reinterpret_cast<v128_t>(x.v), reinterpret_cast<v128_t>(y.v)));
+}
+PW85_INLINE Pack minimum(Pack const &x, Pack const &y) noexcept
+{
+    return reinterpret_cast<Register>(
+        wasm_f64x2_pmin(reinterpret_cast<v128_t>(x.v), reinterpret_cast<v128_t>(y.v)));
+}
 #else
 PW85_INLINE Pack maximum(Pack const &x, Pack const &y) noexcept { return select(y > x, y, x); }
 PW85_INLINE Pack minimum(Pack const &x, Pack const &y) noexcept { return select(y < x, y, x); }
@@ -351,6 +375,8 @@ PW85_INLINE Pack square_root(Pack const &x) noexcept
     return vsqrtq_f64(x.v);
 #elif defined(PW85_LANES_SSE2)
     return _mm_sqrt_pd(x.v);
+#elif defined(__wasm_simd128__)
+    return reinterpret_cast<Register>(wasm_f64x2_sqrt(reinterpret_cast<v128_t>(x.v)));
 #else
     Register root;
     for (std::size_t i = 0; i < lanes; ++i) root[i] = __builtin_sqrt(x.v[i]);

@@ -15,6 +15,14 @@
 #include <pw85/algebra/error_free.hpp>
 #include <pw85/algebra/symmetric.hpp>
 
+// In WebAssembly, which pages load, each operation is one function: inlined, they would make the
+// module of js/ a fifth longer.
+#ifdef __wasm__
+#define PW85_OPERATION [[gnu::noinline]] PW85_FUNCTION inline
+#else
+#define PW85_OPERATION PW85_FUNCTION inline
+#endif
+
 namespace pw85::detail {
 
 template <class T> struct Doubled {
@@ -39,7 +47,7 @@ template <class T> PW85_FUNCTION inline Doubled<T> ordered_sum(T const &x, T con
 }
 
 template <class T>
-PW85_FUNCTION inline Doubled<T> operator+(Doubled<T> const &x, Doubled<T> const &y) noexcept
+PW85_OPERATION Doubled<T> operator+(Doubled<T> const &x, Doubled<T> const &y) noexcept
 {
     CompensatedSum<T> c{x.high, T(0)};
     add(c, y.high);
@@ -54,13 +62,13 @@ template <class T> PW85_FUNCTION inline Doubled<T> operator-(Doubled<T> x) noexc
 }
 
 template <class T>
-PW85_FUNCTION inline Doubled<T> operator-(Doubled<T> const &x, Doubled<T> const &y) noexcept
+PW85_OPERATION Doubled<T> operator-(Doubled<T> const &x, Doubled<T> const &y) noexcept
 {
     return x + -y;
 }
 
 template <class T>
-PW85_FUNCTION inline Doubled<T> operator*(Doubled<T> const &x, Doubled<T> const &y) noexcept
+PW85_OPERATION Doubled<T> operator*(Doubled<T> const &x, Doubled<T> const &y) noexcept
 {
     Parts<T> const a = split(x.high), b = split(y.high);
     Doubled<T> const first = ordered_sum(T(a.high * b.high), T(a.high * b.low));
@@ -71,13 +79,13 @@ PW85_FUNCTION inline Doubled<T> operator*(Doubled<T> const &x, Doubled<T> const 
 
 /// The quotient of the remainder is added to the first quotient and gives the missing digits.
 template <class T>
-PW85_FUNCTION inline Doubled<T> operator/(Doubled<T> const &x, Doubled<T> const &y) noexcept
+PW85_OPERATION Doubled<T> operator/(Doubled<T> const &x, Doubled<T> const &y) noexcept
 {
     T const first = x.high / y.high, second = (x - y * Doubled<T>(first)).high / y.high;
     return ordered_sum(first, second);
 }
 
-template <class T> PW85_FUNCTION inline Doubled<T> sqrt(Doubled<T> const &x) noexcept
+template <class T> PW85_OPERATION Doubled<T> sqrt(Doubled<T> const &x) noexcept
 {
     T const root = square_root(x.high);
     if (!(root > T(0))) return Doubled<T>(root);
@@ -178,5 +186,7 @@ template <class T> struct std::numeric_limits<pw85::detail::Doubled<T>>
         return pw85::detail::Doubled<T>(pw85::detail::quiet_nan<T>());
     }
 };
+
+#undef PW85_OPERATION
 
 #endif

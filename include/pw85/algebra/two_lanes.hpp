@@ -105,7 +105,8 @@ template <class Mask> PW85_FUNCTION constexpr bool all_of(TwoMasks<Mask> const &
 }
 
 // Devices compute in scalars, and so do processors of 32 bits without SSE2.
-#if (defined(__SSE2__) || defined(__aarch64__)) && !defined(__CUDA__) && !defined(__CUDACC__)
+#if (defined(__SSE2__) || defined(__aarch64__) || defined(__wasm_simd128__)) &&                    \
+    !defined(__CUDA__) && !defined(__CUDACC__)
 
 /// The truth values of a comparison of two doubles: all bits of a lane are set, or none.
 struct TwoLaneMask {

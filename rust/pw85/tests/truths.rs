@@ -133,6 +133,32 @@ fn hard_ellipsoids_of_hoomd_rs() {
 }
 
 #[test]
+fn hard_ellipses_of_hoomd_rs() {
+    // The separations along an axis of hoomd-geometry's test of equal ellipses with the semi-axes 1
+    // and 4, and the example of its type Ellipse: the sum of the semi-axes less 0.1.
+    let equal = pw85::ellipse(1.0, 4.0, 0.0).unwrap();
+    for (x, overlap) in [
+        (0.0, true),
+        (1.0, true),
+        (1.999_999, true),
+        (2.000_001, false),
+        (2.1, false),
+    ] {
+        assert_eq!(
+            pw85::overlap_2d(&[x, 0.0], &equal, &equal),
+            Ok(overlap),
+            "{x}"
+        );
+    }
+    let (long, round) = (
+        pw85::ellipse(0.5, 3.0, 0.0).unwrap(),
+        pw85::ellipse(1.0, 2.0, 0.0).unwrap(),
+    );
+    assert_eq!(pw85::overlap_2d(&[0.0, 4.9], &long, &round), Ok(true));
+    assert_eq!(pw85::overlap_2d(&[0.0, 5.0], &long, &round), Ok(false)); // they touch
+}
+
+#[test]
 fn moving_balls() {
     let (still, ball) = (pw85::Motion::default(), ball(1.0));
     let moving = pw85::Motion {
