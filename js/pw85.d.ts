@@ -252,7 +252,7 @@ export interface Plane extends Memory {
      * @param r12 From the centre of ellipse 1 to that of ellipse 2; not zero. 2 numbers.
      * @param q1 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
      * @param q2 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
-     * @param lambda From `contact2d()`. Any other value in (0, 1) gives the point x0(λ) of the chapter on theory:
+     * @param lambda From `contact()`. Any other value in (0, 1) gives the point x0(λ) of the chapter on theory:
      *   it is on both ellipses when they are scaled by the factors μ1 and μ2 for which f(λ) = λ μ1² + (1-λ) μ2².
      */
     contactGeometry2d(r12: Numbers, q1: Numbers, q2: Numbers, lambda: number): { point: Float64Array; normal: Float64Array };
