@@ -427,12 +427,12 @@ def check_foreign(results):
 
 
 def check_thorough(results):
-    """All random inputs of the programs of which the test command takes an eighth."""
+    """Three eighths of the random inputs of the programs of which the test command takes an eighth."""
     test(results, TEST_COMMAND_BUILD, ["--suite", "thorough"])
 
 
 def check_whole(results):
-    """Whole proofs and long sweeps, in the folder of the test command."""
+    """All random inputs, whole proofs and long sweeps, in the folder of the test command."""
     test(results, TEST_COMMAND_BUILD, ["--suite", "whole"])
 
 
