@@ -22,9 +22,9 @@ meson test -C "$build" --print-errorlogs "$@" || status=$?
 [ $# -gt 0 ] || cat <<END
 
 These were the tests that a change needs. Others, by name:
-  scripts/test.sh --suite thorough         the same with all random inputs, not an eighth of them
+  scripts/test.sh --suite thorough         the same with three eighths of the random inputs, not one
   scripts/test.sh --suite wheel            wheels, and the interpreters for which the Python package is built
-  scripts/test.sh --suite whole            whole proofs and long sweeps
+  scripts/test.sh --suite whole            all random inputs, whole proofs and long sweeps
   scripts/test.sh --suite SUITE            one of: $(meson introspect --tests "$build" | tr ',' '\n' | sed -n 's/.*"pw85:\([a-z]*\)".*/\1/p' | sort -u | tr '\n' ' ')
   .ci/run list                             checks beyond tests: sanitizers, other machines, packages
 END

@@ -28,9 +28,10 @@ class PolynomialOnInterval {
   public:
     explicit PolynomialOnInterval(std::vector<Wide> const &coefficients) : c_(coefficients)
     {
+        static Wide const share("1e-42");
         Wide size = 0;
         for (auto const &x : c_) size += abs(x);
-        least_ = Wide("1e-42") * size;
+        least_ = share * size;
     }
 
     bool vanishes() const { return !(least_ > 0); }
@@ -79,6 +80,7 @@ class PolynomialOnInterval {
 
     Wide between(Wide low, Wide high, int sign_at_low) const
     {
+        static Wide const smallest_step("1e-55");
         auto const slope = derivative();
         Wide t = (low + high) / 2;
         for (int n = 0; n < 400; ++n) {
@@ -87,7 +89,7 @@ class PolynomialOnInterval {
             ((value > 0) == (sign_at_low > 0) ? low : high) = t;
             Wide next = t - value / slope.at(t);
             if (!(next > low && next < high)) next = (low + high) / 2;
-            if (abs(next - t) <= Wide("1e-55")) return next;
+            if (abs(next - t) <= smallest_step) return next;
             t = next;
         }
         return t;

@@ -38,6 +38,46 @@ struct Body {
     Real axes[3], center[3];
 };
 
+// Products and quotients without the treatment of infinite numbers that the standard library has.
+
+inline Complex product(Complex const &a, Complex const &b)
+{
+    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+
+inline Complex quotient(Complex const &a, Complex const &b)
+{
+    return product(a, std::conj(b)) / std::norm(b);
+}
+
+/// One step of Aberth's method for all roots z of a polynomial. Returns the square of the largest
+/// relative change.
+inline Real improve_roots(std::vector<Complex> &z, Complex const *c)
+{
+    std::size_t const degree = z.size();
+    Real change = 0;
+    for (std::size_t i = 0; i < degree; ++i) {
+        Complex p = c[degree], d = 0;
+        for (std::size_t k = degree; k-- > 0;) {
+            d = product(d, z[i]) + p;
+            p = product(p, z[i]) + c[k];
+        }
+        if (p == Complex(0)) continue;
+        Complex sum = 0;
+        for (std::size_t j = 0; j < degree; ++j)
+            if (j != i && z[i] != z[j]) sum += quotient(1, z[i] - z[j]);
+        Complex const w = quotient(p, d), s = quotient(w, Complex(1) - product(w, sum));
+        if (!(std::norm(s) < 1e60L)) {
+            z[i] *= Complex(1.01L, 0.02L);
+            change = 1;
+            continue;
+        }
+        z[i] -= s;
+        change = std::max(change, std::norm(s) / (std::norm(z[i]) + 1e-60L));
+    }
+    return change;
+}
+
 inline void add_roots(std::vector<Real> &angles, Complex const *c, std::size_t degree)
 {
     while (degree > 0 && std::abs(c[degree]) == 0) --degree;
@@ -45,28 +85,12 @@ inline void add_roots(std::vector<Real> &angles, Complex const *c, std::size_t d
     std::vector<Complex> z(degree);
     for (std::size_t i = 0; i < degree; ++i)
         z[i] = std::pow(Complex(0.4L, 0.9L), static_cast<int>(i) + 1);
-    for (int step = 0; step < 300; ++step) {
-        Real change = 0;
-        for (std::size_t i = 0; i < degree; ++i) {
-            Complex p = c[degree], d = 0;
-            for (std::size_t k = degree; k-- > 0;) {
-                d = d * z[i] + p;
-                p = p * z[i] + c[k];
-            }
-            if (p == Complex(0)) continue;
-            Complex sum = 0;
-            for (std::size_t j = 0; j < degree; ++j)
-                if (j != i && z[i] != z[j]) sum += Complex(1) / (z[i] - z[j]);
-            Complex const w = p / d, s = w / (Complex(1) - w * sum);
-            if (!(std::abs(s) < 1e30L)) {
-                z[i] *= Complex(1.01L, 0.02L);
-                change = 1;
-                continue;
-            }
-            z[i] -= s;
-            change = std::max(change, std::abs(s) / (std::abs(z[i]) + 1e-30L));
-        }
-        if (change < 1e-18L) break;
+    // Near multiple roots rounding errors of (2^-64)^(1/m) remain: the changes no longer fall.
+    Real least = 1;
+    for (int step = 0, idle = 0; step < 300 && idle < 4 && least >= 1e-36L; ++step) {
+        Real const change = improve_roots(z, c);
+        idle = change < least || least > 1e-8L ? 0 : idle + 1;
+        least = std::min(least, change);
     }
     for (auto const &w : z)
         if (std::isfinite(std::arg(w))) angles.push_back(std::arg(w));

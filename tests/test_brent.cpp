@@ -123,7 +123,7 @@ void test_slender()
                    searched, failures.checked() / 2);
     g_assert_cmpint(searched, >,
                     // of an eighth of them, half of the share: so few scatter
-                    g_test_thorough() ? 100 : 6);
+                    eighths() == 8 ? 100 : 6);
 }
 
 // A thin disc on the axis of a huge sphere, 2^1047 times as thick: τ is beyond the range of double,

@@ -254,7 +254,7 @@ void test_search()
             pair, pw85::detail::start_search(pair, pw85::detail::touching_multipliers(pair)));
         if (again.found) check(again.u, "from contact");
     }
-    if (g_test_thorough()) g_assert_cmpint(given_up, >, 0); // less than one pair in 500
+    if (eighths() == 8) g_assert_cmpint(given_up, >, 0); // less than one pair in 500
     g_assert_cmpint(given_up, <, 2500);
 }
 

@@ -303,7 +303,7 @@ void test_problems()
     Steps steps;
     std::size_t index = 0;
     for (auto const &p : contact_problems()) {
-        if (++index % static_cast<std::size_t>(g_test_thorough() ? 4 : 32) == 0)
+        if (++index % static_cast<std::size_t>(stride(4)) == 0)
             expect_rounded(p.pair, failures, steps);
         auto const c = pw85::contact_rounded(p.pair.r12, p.pair.q1, p.pair.q2);
         failures.check(c.mu2 == p.mu2, "mu2 of the data", c.mu2, p.mu2,

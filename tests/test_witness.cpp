@@ -377,9 +377,7 @@ void test_problems()
     Found found;
     std::size_t index = 0;
     for (auto const &p : contact_problems()) {
-        if (++index % static_cast<std::size_t>(g_test_thorough() ? 8 : 64) != 0 ||
-            p.mu2_minus_1 == 0.0)
-            continue;
+        if (++index % static_cast<std::size_t>(stride(8)) != 0 || p.mu2_minus_1 == 0.0) continue;
         bool const proved = expect_proof(p.pair, failures, found);
         failures.check(proved || std::fabs(p.mu2_minus_1) < 1e-15, "found", p.mu2_minus_1, 0,
                        [&] { return *p.category + ": " + hex_text(p.pair); });

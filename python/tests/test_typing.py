@@ -117,18 +117,20 @@ def test_package(mypy):
     assert done.returncode == 0, done.stdout
 
 
-def test_programs(mypy):
-    done = mypy(program=PROGRAM)
-    assert done.returncode == 0, done.stdout
-    done = mypy(**{f"wrong{n}": PROGRAM + line + "\n" for n, line in enumerate(WRONG)})
-    assert {int(n) for n in re.findall(r"^wrong(\d+)\.py:\d+: error", done.stdout, re.M)} == set(range(len(WRONG)))
-
-
-def test_revealed_types(mypy):
+@pytest.fixture(scope="module")
+def programs(mypy):
+    """What mypy says of a program that is right, with revealed types, and of one with each wrong line."""
     lines = "".join(f"reveal_type({expression})\n" for expression in REVEALED)
-    done = mypy(revealed=PROGRAM + lines)
-    assert done.returncode == 0, done.stdout
-    types = re.findall(r'Revealed type is "(.*)"', done.stdout)
+    wrong = {f"wrong{n}": PROGRAM + line + "\n" for n, line in enumerate(WRONG)}
+    return mypy(right=PROGRAM + lines, **wrong).stdout
+
+
+def test_programs(programs):
+    assert set(re.findall(r"^(.*)\.py:\d+: error", programs, re.M)) == {f"wrong{n}" for n in range(len(WRONG))}, programs
+
+
+def test_revealed_types(programs):
+    types = re.findall(r'Revealed type is "(.*)"', programs)
     plain = [re.sub(r"\w+\.(?=\w)", "", each).replace("Tuple", "tuple") for each in types]
     for now, before in OF_NUMPY_2.items():
         plain = [each.replace(now, before) for each in plain]

@@ -81,8 +81,8 @@ def prints_with(compiler, flags, page):
 
 
 def is_alone(flag):
-    """Whether a flag cannot be with others: levels, and what makes or links other programs."""
-    return flag.startswith(("-O", "-fsanitize", "-flto"))
+    """Whether a flag cannot be with others: the other levels, and what makes other programs."""
+    return flag != "-O2" and flag.startswith(("-O", "-fsanitize"))
 
 
 def safe_flags(compiler, page):
@@ -94,9 +94,9 @@ def safe_flags(compiler, page):
         yield f"{flag} is safe # SKIP the compiler lacks its library", (True, "")
     flags = [flag for flag in flags if flag not in missing]
     together = [flag for flag in flags if not is_alone(flag)]
-    result = prints_with(compiler, ["-O2", *together], page)
+    result = prints_with(compiler, together, page)
     if result[0]:
-        yield f"-O2 {' '.join(together)} are safe", result
+        yield f"{' '.join(together)} are safe", result
     for flag in flags:
         if is_alone(flag) or not result[0]:
             yield f"{flag} is safe", prints_with(compiler, [flag], page)
