@@ -33,6 +33,7 @@ MUTANTS = [
     ("distance/solids.hpp", "if ((global || search.overlap) && frame", "if (global && frame", "test_solids"),
     ("distance/solids.hpp", "slope = slope + (i == c.last", "slope = slope + (i != c.last", "test_solids"),
     ("distance/solids.hpp", "search.take_both(unit[i]);", "search.take(unit[i]);", "test_solids"),
+    ("distance/capsule.hpp", "dot(at_end.s, ball.along) >= T(0)", "dot(at_end.s, ball.along) <= T(0)", "test_capsule"),
     ("contact/rotations.hpp", "matrix_entry<T>(rotation, i, j)", "matrix_entry<T>(rotation, j, i)", "test_solids"),
     ("shapes/triangle.hpp", "form.map(i - m)) < T(0));", "form.map(i - m)) > T(0));", "test_shapes"),
     ("volume/overlap_area_derivatives.hpp", "sum(0, 1) + T(factor", "sum(0, 1) - T(factor", "test_overlap_volume_derivatives"),
@@ -63,6 +64,8 @@ MUTANTS = [
 
 # The same of the library, which is linked anew, and the case of a test that must fail. Files are relative to src/.
 LIBRARY_MUTANTS = [
+    ("../include/pw85/distance/capsule.hpp", "- radius * square_root(dot(s, s))", "+ radius * square_root(dot(s, s))", "capsule/overlap"),
+    ("../include/pw85/distance/capsule.hpp", "W(nearest.mu2 + error) < W(1)", "nearest.mu2 < W(1)", "capsule/touching"),
     ("../include/pw85/volume/rim_frame.hpp", "return {!below, below};", "return {below, below};", "space_kinds/specimens"),
     ("../include/pw85/volume/rim_axis.hpp", "if (!find_lowest_root(", "if (find_lowest_root(", "space_kinds/specimens"),
     ("../include/pw85/volume/rim_axis.hpp", "towards_upper + towards_lower};", "towards_upper - towards_lower};", "space_kinds/specimens"),
