@@ -28,7 +28,8 @@ CAUSES = (
     Cause("not positive", "a length, a scale, a curvature or a tolerance is not positive",
           "PW85_EINVAL", r"semi_axes|a|b|radius|scale|curvatures|tolerance", "> 0"),
     Cause("range", "the square of a length is zero or infinite in double", "PW85_EINVAL", r"semi_axes|a|b", "finite square"),
-    Cause("negative", "a time, a skin or a ``mu2`` is negative", "PW85_EINVAL", r"t_max|skin|mu2", ">= 0"),
+    Cause("negative", "a time, a skin, a ``mu2`` or the radius of a capsule is negative",
+          "PW85_EINVAL", r"t_max|skin|mu2|radius", ">= 0"),
     Cause("no rotation", "a matrix is neither a rotation nor a reflection", "PW85_EINVAL", r"rotation", "rotation"),
     Cause("zero", "a direction, a normal, an axis or a quaternion is zero",
           "PW85_EINVAL", r"directions?|starts?|normals?|axis|quaternions?", "!= 0"),
@@ -46,6 +47,8 @@ CAUSES = (
     Cause("far", "a centre is too many cells away for its images to be told", "PW85_EINVAL", r"centers", "near the cell"),
     Cause("other list", "the list is of another number of particles", "PW85_EINVAL", r"list", "of as many particles"),
 )  # fmt: skip
+# The attributes of parameters that have another cause instead.
+INSTEAD = {"not positive": ">= 0", "negative": "> 0"}
 FUNCTIONS = tuple(function for header in PARTS for function in functions(header) if function.type == "int")
 
 
@@ -61,6 +64,8 @@ def is_named(cause, one):
 
 def can_have(cause, one):
     """Whether a parameter of its name and direction can have a cause."""
+    if INSTEAD.get(cause.key) in one.attributes.words:
+        return False
     is_of_type = cause.type in ("", one.type)
     return is_of_type and bool(re.fullmatch(cause.parameters, one.name)) and (cause.key == "null" or not one.pointer or one.const)
 

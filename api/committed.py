@@ -17,6 +17,7 @@ import linked
 import objects
 import octave
 import r
+import rare
 import rust
 import shims
 import spans
@@ -30,7 +31,7 @@ def files():
     declarations.replace({"pw85_batch.h": header})  # from which the others follow
     made = {batch.HEADER: header, fortran.MODULE: fortran.module()}
     made |= shims.files() | objects.files() | symbols.files() | spans.headers() | linked.files() | r.files() | octave.files()
-    made |= classes.files() | javascript.files() | rust.files()
+    made |= classes.files() | javascript.files() | rust.files() | rare.file()
     marks = (f"{path.relative_to(SOURCE)} linguist-generated\n" for path in sorted(made))
     return made | {SOURCE / ".gitattributes": "# Made by api/committed.py, as all files in this list.\n" + "".join(marks)}
 

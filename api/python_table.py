@@ -14,9 +14,10 @@ ROW = """\
  {batch}, {codes}, {if_bad}}},
 """
 
-# Truth values that are true of a bad row, so that a simulation refuses it.
-TRUE_IF_BAD = ("overlap", "overlap_2d", "overlap_factored", "overlap_segment", "overlap_triangle", "overlap_box", "overlap_polytope",
-                "overlap_segment_2d", "overlap_box_2d")
+
+def is_true_if_bad(row):
+    """Whether a truth value is true of a bad row: overlaps are, so that a simulation refuses it."""
+    return row.is_truth() and row.name.startswith("overlap")
 
 
 def argument(operand, number):
@@ -108,7 +109,7 @@ def table(rows):
             body=body(row),
             batch=batch(row),
             codes=codes(row),
-            if_bad=str(row.name in TRUE_IF_BAD).lower(),
+            if_bad=str(is_true_if_bad(row)).lower(),
         )
         for row in rows
     )

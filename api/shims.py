@@ -41,12 +41,14 @@ FILES = {
     "bodies": ("Surface and inertia of bodies", ("bodies/inertia",)),
     "walls": ("Walls, points and lines", ("distance/line", "distance/walls", "volume/half_space")),
     "shapes": ("Shapes", ()),
-    "solids": ("Distances to shapes", ("distance/solids",)),
+    "solids": ("Distances to shapes", ("pw85",)),
     "contact_function": ("The contact function by Brent's method", ()),
-    "others": ("Functions of sections that this table does not have", ()),
+    "others": ("Functions of other sections", ()),
 }
 # The files of functions and of sections that have other names.
 FILE_OF = {"pw85_contact_rounded": "rounded", "pw85_overlap_witness": "witness", "Time": "passage"}
+# The files of sections that the table does not have, by their headers.
+FILE_OF_HEADER = {"pw85_shapes.h": "solids"}
 # The sources of functions that are written by hand.
 BY_HAND = ("src/pair/*.cpp", "src/brent/*.cpp")
 DEFINITION = re.compile(r"^(?:int|void|double|char const \*) ?(pw85\w+)\(", re.MULTILINE)
@@ -227,7 +229,8 @@ def file_of(function, section):
     if function.name.endswith("_factored"):
         return "factored"
     titles = {title: name for name, (title, _) in FILES.items()} | {f"pw85_{name}": name for name in FILES} | FILE_OF
-    return titles.get(function.name, titles.get(section.title, "others"))
+    other = FILE_OF_HEADER.get(function.header, "others")
+    return titles.get(function.name, titles.get(section.title, other))
 
 
 def files():

@@ -203,6 +203,9 @@ module pw85
   public :: pw85_distance_segment
   public :: pw85_distance_triangle
   public :: pw85_distance_solid_box
+  public :: pw85_contact_capsule
+  public :: pw85_overlap_capsule
+  public :: pw85_distance_capsule
   public :: pw85_distance_point_2d
   public :: pw85_contact_segment_2d
   public :: pw85_contact_box_2d
@@ -287,6 +290,9 @@ module pw85
   public :: pw85_overlap_segment_batch
   public :: pw85_overlap_triangle_batch
   public :: pw85_overlap_box_batch
+  public :: pw85_contact_capsule_batch
+  public :: pw85_overlap_capsule_batch
+  public :: pw85_distance_capsule_batch
   public :: pw85_distance_point_batch_2d
   public :: pw85_contact_segment_batch_2d
   public :: pw85_contact_box_batch_2d
@@ -1256,6 +1262,39 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_solid_box
 
+    !> Contact function of an ellipsoid and a capsule.
+    function pw85_contact_capsule(end1, end2, radius, q, mu2, point) result(status) bind(C, &
+      name='pw85_contact_capsule')
+      import
+      real(c_double), intent(in) :: end1(3), end2(3)
+      real(c_double), value :: radius
+      real(c_double), intent(in) :: q(6)
+      real(c_double), intent(out), optional :: mu2, point(3)
+      integer(c_int) :: status
+    end function pw85_contact_capsule
+
+    !> Tests whether an ellipsoid and a capsule overlap, μ² < 1.
+    function pw85_overlap_capsule(end1, end2, radius, q, overlap) result(status) bind(C, &
+      name='pw85_overlap_capsule')
+      import
+      real(c_double), intent(in) :: end1(3), end2(3)
+      real(c_double), value :: radius
+      real(c_double), intent(in) :: q(6)
+      integer(c_int), intent(out) :: overlap
+      integer(c_int) :: status
+    end function pw85_overlap_capsule
+
+    !> Signed distance of an ellipsoid and a capsule, and the points where it is reached.
+    function pw85_distance_capsule(end1, end2, radius, q, distance, point1, point2, normal) &
+      result(status) bind(C, name='pw85_distance_capsule')
+      import
+      real(c_double), intent(in) :: end1(3), end2(3)
+      real(c_double), value :: radius
+      real(c_double), intent(in) :: q(6)
+      real(c_double), intent(out), optional :: distance, point1(3), point2(3), normal(3)
+      integer(c_int) :: status
+    end function pw85_distance_capsule
+
     !> Distance from a point to an ellipse, the curve.
     function pw85_distance_point_2d(r, q, distance, point, normal) result(status) bind(C, &
       name='pw85_distance_point_2d')
@@ -2106,6 +2145,36 @@ module pw85
       integer(c_int8_t), intent(out) :: overlap(n)
       integer(c_int) :: status
     end function pw85_overlap_box_batch
+
+    !> pw85_contact_capsule() for n ellipsoids and capsules.
+    function pw85_contact_capsule_batch(n, end1, end2, radius, q, mu2, point) result(status) &
+      bind(C, name='pw85_contact_capsule_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: end1(3, n), end2(3, n), radius(n), q(6, n)
+      real(c_double), intent(out), optional :: mu2(n), point(3, n)
+      integer(c_int) :: status
+    end function pw85_contact_capsule_batch
+
+    !> pw85_overlap_capsule() for n ellipsoids and capsules.
+    function pw85_overlap_capsule_batch(n, end1, end2, radius, q, overlap) result(status) bind(C, &
+      name='pw85_overlap_capsule_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: end1(3, n), end2(3, n), radius(n), q(6, n)
+      integer(c_int8_t), intent(out) :: overlap(n)
+      integer(c_int) :: status
+    end function pw85_overlap_capsule_batch
+
+    !> pw85_distance_capsule() for n ellipsoids and capsules.
+    function pw85_distance_capsule_batch(n, end1, end2, radius, q, distance, point1, point2, &
+      normal) result(status) bind(C, name='pw85_distance_capsule_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: end1(3, n), end2(3, n), radius(n), q(6, n)
+      real(c_double), intent(out), optional :: distance(n), point1(3, n), point2(3, n), normal(3, n)
+      integer(c_int) :: status
+    end function pw85_distance_capsule_batch
 
     !> pw85_distance_point_2d() for n points and ellipses.
     function pw85_distance_point_batch_2d(n, r, q, distance, point, normal) result(status) bind(C, &

@@ -940,6 +940,45 @@ PW85_API int pw85_overlap_triangle_batch(size_t n, double const *vertex1, double
 PW85_API int pw85_overlap_box_batch(size_t n, double const *lower, double const *upper,
                                     double const *q, unsigned char *overlap);
 
+/** pw85_contact_capsule() for n ellipsoids and capsules; the bits are the same.
+ *
+ * @param n [number of ellipsoids]
+ * @param end1,end2 [n×3; length]
+ * @param radius [n; length; >= 0]
+ * @param q [n×6; length²; definite]
+ * @param[out] mu2 [n; optional]
+ * @param[out] point [n×3; length; optional]
+ * @return as for pw85_contact_capsule(), of the first bad ellipsoid */
+PW85_API int pw85_contact_capsule_batch(size_t n, double const *end1, double const *end2,
+                                        double const *radius, double const *q, double *mu2,
+                                        double *point);
+
+/** pw85_overlap_capsule() for n ellipsoids and capsules; the answers are the same.
+ *
+ * @param n [number of ellipsoids]
+ * @param end1,end2 [n×3; length]
+ * @param radius [n; length; >= 0]
+ * @param q [n×6; length²; definite]
+ * @param[out] overlap [n] 1, 0, or 255 for a bad ellipsoid
+ * @return as for pw85_overlap_capsule(), of the first bad ellipsoid */
+PW85_API int pw85_overlap_capsule_batch(size_t n, double const *end1, double const *end2,
+                                        double const *radius, double const *q,
+                                        unsigned char *overlap);
+
+/** pw85_distance_capsule() for n ellipsoids and capsules; the bits are the same.
+ *
+ * @param n [number of ellipsoids]
+ * @param end1,end2 [n×3; length]
+ * @param radius [n; length; >= 0]
+ * @param q [n×6; length²; definite]
+ * @param[out] distance [n; length; optional]
+ * @param[out] point1,point2 [n×3; length; optional]
+ * @param[out] normal [n×3; optional]
+ * @return as for pw85_distance_capsule(), of the first bad ellipsoid */
+PW85_API int pw85_distance_capsule_batch(size_t n, double const *end1, double const *end2,
+                                         double const *radius, double const *q, double *distance,
+                                         double *point1, double *point2, double *normal);
+
 /** pw85_distance_point_2d() for n points and ellipses; the bits are the same.
  *
  * @param n [number of points]

@@ -333,6 +333,57 @@ PW85_API int pw85_distance_solid_box(double const lower[3], double const upper[3
                                      double point2[3], double normal[3]);
 
 /** @}
+ * @name Capsules
+ *
+ * An ellipsoid with its centre at 0, and a capsule or spherocylinder: the points that are at most
+ * `radius` away from a segment. μ², the points and the signed distance are defined as for the other
+ * shapes.
+ *
+ * The error of μ² is below 80 u (S + 2 radius |s|). Here S is that of a segment: with s = Q⁻¹x at
+ * the point x of contact, v_k the ends, and w_k the weights of the point of the segment that is
+ * nearest to x. The signed distance is that of the segment minus the radius. Its error is below
+ * 16 u Σ, where R in Σ is the distance of the farthest point of the capsule.
+ *
+ * A capsule of radius 0 is its segment, and one with equal ends is a ball.
+ * @{ */
+
+/** Contact function of an ellipsoid and a capsule.
+ *
+ * @param end1,end2 [length] of the segment, relative to the centre of the ellipsoid; equal ends are
+ *        a ball
+ * @param radius [length; >= 0] of the capsule
+ * @param q [length²; definite] form of the ellipsoid
+ * @param[out] mu2 [optional] square of the factor by which the ellipsoid must be scaled to touch; 0
+ *        if its centre is in the capsule
+ * @param[out] point [length; optional] of the capsule, where the scaled ellipsoid touches
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a negative radius), #PW85_ENOTPD */
+PW85_API int pw85_contact_capsule(double const end1[3], double const end2[3], double radius,
+                                  double const q[6], double *mu2, double point[3]);
+
+/** Tests whether an ellipsoid and a capsule overlap, μ² < 1. If they only touch, they do not. The
+ * answer is that of exact arithmetic unless 1 - μ² is positive and below 2⁻³⁶⁰ (S + 2 radius |s|):
+ * such an overlap counts as touching.
+ *
+ * @param end1,end2,radius,q [as pw85_contact_capsule()]
+ * @param[out] overlap [-1 on error] 1 or 0
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a negative radius), #PW85_ENOTPD */
+PW85_API int pw85_overlap_capsule(double const end1[3], double const end2[3], double radius,
+                                  double const q[6], int *overlap);
+
+/** Signed distance of an ellipsoid and a capsule, and the points where it is reached.
+ *
+ * @param end1,end2,radius,q [as pw85_contact_capsule()]
+ * @param[out] distance [as pw85_distance_segment()]
+ * @param[out] point1 [length; optional] of the ellipsoid: nearest to the capsule, or deepest
+ * @param[out] point2 [length; optional] of the capsule: nearest to the ellipsoid, or deepest;
+ *        relative to the centre of the ellipsoid
+ * @param[out] normal [as pw85_distance_segment()]
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a negative radius), #PW85_ENOTPD */
+PW85_API int pw85_distance_capsule(double const end1[3], double const end2[3], double radius,
+                                   double const q[6], double *distance, double point1[3],
+                                   double point2[3], double normal[3]);
+
+/** @}
  * @name Points and shapes in the plane
  *
  * An ellipse with its centre at 0, and a point, a segment or a box. The errors have the bounds of

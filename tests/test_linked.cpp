@@ -135,6 +135,9 @@ void check_walls(Failures &failures, Sample<double, 3> const &p, Random &random)
     COMPARE(overlap_segment, a, b, q);
     COMPARE(overlap_triangle, a, b, r, q);
     COMPARE(overlap_box, lower, upper, q);
+    COMPARE(contact_capsule, a, b, size, q);
+    COMPARE(overlap_capsule, a, b, size, q);
+    COMPARE(distance_capsule, a, b, size, q);
 }
 
 void check_factored(Failures &failures, Random &random, double size)

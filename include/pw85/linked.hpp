@@ -1041,6 +1041,49 @@ PW85_LINKED ShapeDistance<double> distance_solid_box(Vector<double, 3> const &lo
     return result;
 }
 
+/// Computes contact_capsule() by pw85_contact_capsule().
+PW85_LINKED ShapeContact<double, 3> contact_capsule(Vector<double, 3> const &end1,
+                                                    Vector<double, 3> const &end2,
+                                                    double const &radius,
+                                                    SymmetricMatrix<double, 3> const &q) noexcept
+{
+    using namespace detail::linked;
+    ShapeContact<double, 3> result;
+    int const status = pw85_contact_capsule(in(end1), in(end2), in(radius), in(q), out(result.mu2),
+                                            out(result.point));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// Computes overlap_capsule() by pw85_overlap_capsule().
+PW85_LINKED ShapeOverlap overlap_capsule(Vector<double, 3> const &end1,
+                                         Vector<double, 3> const &end2, double const &radius,
+                                         SymmetricMatrix<double, 3> const &q) noexcept
+{
+    using namespace detail::linked;
+    ShapeOverlap result;
+    int answer = 0;
+    int const status = pw85_overlap_capsule(in(end1), in(end2), in(radius), in(q), &answer);
+    result.status = static_cast<StatusCode>(status);
+    result.overlap = answer == 1;
+    return result;
+}
+
+/// Computes distance_capsule() by pw85_distance_capsule().
+PW85_LINKED ShapeDistance<double> distance_capsule(Vector<double, 3> const &end1,
+                                                   Vector<double, 3> const &end2,
+                                                   double const &radius,
+                                                   SymmetricMatrix<double, 3> const &q) noexcept
+{
+    using namespace detail::linked;
+    ShapeDistance<double> result;
+    int const status = pw85_distance_capsule(in(end1), in(end2), in(radius), in(q),
+                                             out(result.distance), out(result.point1),
+                                             out(result.point2), out(result.normal));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
 /// Computes contact_segment() by pw85_contact_segment_2d().
 PW85_LINKED ShapeContact<double, 2> contact_segment(Vector<double, 2> const &end1,
                                                     Vector<double, 2> const &end2,

@@ -968,6 +968,43 @@ PW85_FUNCTION inline ShapeDistance<T> distance_solid_box(Vector<T, 3> const &low
                                                          SymmetricMatrix<T, 3> const &q) noexcept;
 
 /// @}
+/// @name Capsules: an ellipsoid with its centre at 0, and the points near a segment
+/// @{
+
+/// Contact function of an ellipsoid and a capsule; see pw85_shapes.h for the bounds of the errors.
+///
+/// @param end1,end2 of the segment, relative to the centre; equal ends are a ball
+/// @param radius of the capsule, >= 0
+/// @param q the form
+/// @return μ², 0 if the centre is in the capsule, and the point of the capsule where the scaled
+/// ellipsoid touches; Status::invalid_argument (also for a negative radius),
+/// Status::not_positive_definite
+template <class T>
+PW85_FUNCTION inline ShapeContact<T, 3> contact_capsule(Vector<T, 3> const &end1,
+                                                        Vector<T, 3> const &end2, T const &radius,
+                                                        SymmetricMatrix<T, 3> const &q) noexcept;
+
+/// Returns whether an ellipsoid and a capsule overlap, μ² < 1. For native types the answer is
+/// exact, except where 1 - μ² is positive and far below their digits; see pw85_shapes.h.
+///
+/// @param end1,end2,radius,q as for contact_capsule()
+/// @return the answer; Status::invalid_argument (also for a negative radius),
+/// Status::not_positive_definite
+template <class T>
+PW85_FUNCTION inline ShapeOverlap overlap_capsule(Vector<T, 3> const &end1,
+                                                  Vector<T, 3> const &end2, T const &radius,
+                                                  SymmetricMatrix<T, 3> const &q) noexcept;
+
+/// Signed distance of an ellipsoid and a capsule.
+///
+/// @param end1,end2,radius,q as for contact_capsule()
+/// @return as for distance_segment(); Status::invalid_argument also for a negative radius
+template <class T>
+PW85_FUNCTION inline ShapeDistance<T> distance_capsule(Vector<T, 3> const &end1,
+                                                       Vector<T, 3> const &end2, T const &radius,
+                                                       SymmetricMatrix<T, 3> const &q) noexcept;
+
+/// @}
 /// @name Shapes in the plane: an ellipse with its centre at 0, and a convex set
 /// @{
 
@@ -1028,6 +1065,7 @@ PW85_FUNCTION inline ShapeOverlap overlap_box(Vector<T, 2> const &lower, Vector<
 #include <pw85/contact/geometry_factored.hpp>
 #include <pw85/contact/rotations.hpp>
 #include <pw85/distance/bounding_box.hpp>
+#include <pw85/distance/capsule.hpp>
 #include <pw85/distance/distance.hpp>
 #include <pw85/distance/distance_derivatives.hpp>
 #include <pw85/distance/gap_inside.hpp>

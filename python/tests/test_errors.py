@@ -201,6 +201,7 @@ REASONS = {
     "cell": [(1, "must have independent rows")],
     **dict.fromkeys(["s1", "s2"], ((1, "must have columns that"), (0, "must have columns that"))),
     "lower": [(10, "must be at most upper")],
+    **dict.fromkeys((f"{what}_capsule radius" for what in ("contact", "overlap", "distance")), ((-1, "must be >= 0"),)),
 }
 
 
@@ -215,7 +216,8 @@ def causes():
                 bad.append((-1, "must be positive definite"))
             elif argument == "r12" and name.startswith(("contact_geometry", "contact_hessian")):
                 bad.append((0, "must not be zero"))
-            for value, words in [*bad, *(() if is_form(argument, core) else REASONS.get(argument, ()))]:
+            reasons = REASONS.get(f"{name} {argument}", REASONS.get(argument, ()))
+            for value, words in [*bad, *(() if is_form(argument, core) else reasons)]:
                 if not name.startswith(("cholesky_solve", "legacy_det", "legacy_xT", "legacy_rT")):  # plain formulas
                     words = f"{argument} .*{re.escape(words)}"
                     yield pytest.param(name, good, k, value, words, id=f"{name}-{argument}-{value}")

@@ -31,6 +31,8 @@ KNOWN = {
     "overlap_witness": "(3),(6),(6)->(),(),(3)",
     "distance_2d": "(2),(3),(3)->(),(2),(2)",
     "distance_cylinder": "(3),(),(3),(6)->(),(3),(3)",
+    "contact_capsule": "(3),(3),(),(6)->(),(3)",
+    "overlap_capsule": "(3),(3),(),(6)->()",
     "first_contact": "(3),(6),(6),(7),(7),()->()",
     "cell_reduce": "(3,3)->(3,3)",
     "bounding_boxes": "(6)->(3)",

@@ -42,3 +42,34 @@ int pw85_distance_solid_box_batch(size_t n, double const *lower, double const *u
                     RowsOf<6>{q}, OptionalRowsOf<1>{distance}, OptionalRowsOf<3>{point1},
                     OptionalRowsOf<3>{point2}, OptionalRowsOf<3>{normal});
 }
+
+int pw85_contact_capsule_batch(size_t n, double const *end1, double const *end2,
+                               double const *radius, double const *q, double *mu2, double *point)
+{
+    static constexpr char const *names[] = {"pw85_contact_capsule_batch", "end1", "end2", "radius",
+                                            "q", "mu2", "point"};
+    return each_row(names, n, pw85_contact_capsule, RowsOf<3>{end1}, RowsOf<3>{end2},
+                    Numbers{radius}, RowsOf<6>{q}, OptionalRowsOf<1>{mu2},
+                    OptionalRowsOf<3>{point});
+}
+
+int pw85_overlap_capsule_batch(size_t n, double const *end1, double const *end2,
+                               double const *radius, double const *q, unsigned char *overlap)
+{
+    static constexpr char const *names[] = {"pw85_overlap_capsule_batch", "end1", "end2", "radius",
+                                            "q", "overlap"};
+    return each_row(names, n, pw85_overlap_capsule, RowsOf<3>{end1}, RowsOf<3>{end2},
+                    Numbers{radius}, RowsOf<6>{q}, Bytes{overlap});
+}
+
+int pw85_distance_capsule_batch(size_t n, double const *end1, double const *end2,
+                                double const *radius, double const *q, double *distance,
+                                double *point1, double *point2, double *normal)
+{
+    static constexpr char const *names[] = {"pw85_distance_capsule_batch", "end1", "end2", "radius",
+                                            "q", "distance", "point1", "point2", "normal"};
+    return each_row(names, n, pw85_distance_capsule, RowsOf<3>{end1}, RowsOf<3>{end2},
+                    Numbers{radius}, RowsOf<6>{q}, OptionalRowsOf<1>{distance},
+                    OptionalRowsOf<3>{point1}, OptionalRowsOf<3>{point2},
+                    OptionalRowsOf<3>{normal});
+}

@@ -182,6 +182,10 @@ void test_walls()
             std::tie(in.r, in.upper, in.r, in.q1), numbers, vectors, vectors, vectors);
     compare(SPANS(distance_solid_box_batch), pw85_distance_solid_box_batch,
             std::tie(in.r, in.upper, in.q1), numbers, vectors, vectors, vectors);
+    auto const capsule = std::tie(in.r, in.upper, in.ones, in.q1);
+    compare(SPANS(contact_capsule_batch), pw85_contact_capsule_batch, capsule, numbers, vectors);
+    compare(SPANS(distance_capsule_batch), pw85_distance_capsule_batch, capsule, numbers, vectors,
+            vectors, vectors);
     compare(SPANS(distance_cylinder_batch), pw85_distance_cylinder_batch,
             std::tie(in.r, in.ones, in.upper, in.q1), numbers, vectors, vectors);
     compare(SPANS(distance_point_batch), pw85_distance_point_batch, std::tie(in.r, in.q1), numbers,

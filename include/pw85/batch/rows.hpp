@@ -1040,6 +1040,53 @@ static inline StatusCode overlap_box_batch(Vectors lower, Vectors upper, Forms q
     return detail::call_rows(pw85_overlap_box_batch, lower, upper, q, overlap);
 }
 
+/// Computes contact_capsule() for many ellipsoids and capsules: see pw85_contact_capsule_batch().
+///
+/// @param end1,end2 one for each ellipsoid
+/// @param radius one for each ellipsoid; >= 0
+/// @param q one for each ellipsoid
+/// @param[out] mu2,point one for each ellipsoid, or empty
+/// @return as for contact_capsule(), of the first bad ellipsoid
+static inline StatusCode contact_capsule_batch(Vectors end1, Vectors end2,
+                                               std::span<double const> radius, Forms q,
+                                               std::span<double> mu2,
+                                               std::span<Vector<double, 3>> point = {}) noexcept
+{
+    return detail::call_rows(pw85_contact_capsule_batch, end1, end2, radius, q, mu2, point);
+}
+
+/// Computes overlap_capsule() for many ellipsoids and capsules: see pw85_overlap_capsule_batch().
+///
+/// @param end1,end2 one for each ellipsoid
+/// @param radius one for each ellipsoid; >= 0
+/// @param q one for each ellipsoid
+/// @param[out] overlap one for each ellipsoid: 1, 0, or 255 for a bad ellipsoid
+/// @return as for overlap_capsule(), of the first bad ellipsoid
+static inline StatusCode overlap_capsule_batch(Vectors end1, Vectors end2,
+                                               std::span<double const> radius, Forms q,
+                                               std::span<unsigned char> overlap) noexcept
+{
+    return detail::call_rows(pw85_overlap_capsule_batch, end1, end2, radius, q, overlap);
+}
+
+/// Computes distance_capsule() for many ellipsoids and capsules: see pw85_distance_capsule_batch().
+///
+/// @param end1,end2 one for each ellipsoid
+/// @param radius one for each ellipsoid; >= 0
+/// @param q one for each ellipsoid
+/// @param[out] distance,point1,point2,normal one for each ellipsoid, or empty
+/// @return as for distance_capsule(), of the first bad ellipsoid
+static inline StatusCode distance_capsule_batch(Vectors end1, Vectors end2,
+                                                std::span<double const> radius, Forms q,
+                                                std::span<double> distance,
+                                                std::span<Vector<double, 3>> point1 = {},
+                                                std::span<Vector<double, 3>> point2 = {},
+                                                std::span<Vector<double, 3>> normal = {}) noexcept
+{
+    return detail::call_rows(pw85_distance_capsule_batch, end1, end2, radius, q, distance, point1,
+                             point2, normal);
+}
+
 /// Computes distance_point() for many points and ellipses: see pw85_distance_point_batch_2d().
 ///
 /// @param r,q one for each point

@@ -675,6 +675,34 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
+    /// Contact function of an ellipsoid and a capsule.
+    pub fn pw85_contact_capsule(
+        end1: *const f64,
+        end2: *const f64,
+        radius: f64,
+        q: *const f64,
+        mu2: *mut f64,
+        point: *mut f64,
+    ) -> c_int;
+    /// Tests whether an ellipsoid and a capsule overlap, μ² \< 1.
+    pub fn pw85_overlap_capsule(
+        end1: *const f64,
+        end2: *const f64,
+        radius: f64,
+        q: *const f64,
+        overlap: *mut c_int,
+    ) -> c_int;
+    /// Signed distance of an ellipsoid and a capsule, and the points where it is reached.
+    pub fn pw85_distance_capsule(
+        end1: *const f64,
+        end2: *const f64,
+        radius: f64,
+        q: *const f64,
+        distance: *mut f64,
+        point1: *mut f64,
+        point2: *mut f64,
+        normal: *mut f64,
+    ) -> c_int;
     /// Distance from a point to an ellipse, the curve.
     pub fn pw85_distance_point_2d(
         r: *const f64,
@@ -1392,6 +1420,37 @@ extern "C" {
         upper: *const f64,
         q: *const f64,
         overlap: *mut u8,
+    ) -> c_int;
+    /// pw85_contact_capsule() for many ellipsoids and capsules.
+    pub fn pw85_contact_capsule_batch(
+        n: usize,
+        end1: *const f64,
+        end2: *const f64,
+        radius: *const f64,
+        q: *const f64,
+        mu2: *mut f64,
+        point: *mut f64,
+    ) -> c_int;
+    /// pw85_overlap_capsule() for many ellipsoids and capsules.
+    pub fn pw85_overlap_capsule_batch(
+        n: usize,
+        end1: *const f64,
+        end2: *const f64,
+        radius: *const f64,
+        q: *const f64,
+        overlap: *mut u8,
+    ) -> c_int;
+    /// pw85_distance_capsule() for many ellipsoids and capsules.
+    pub fn pw85_distance_capsule_batch(
+        n: usize,
+        end1: *const f64,
+        end2: *const f64,
+        radius: *const f64,
+        q: *const f64,
+        distance: *mut f64,
+        point1: *mut f64,
+        point2: *mut f64,
+        normal: *mut f64,
     ) -> c_int;
     /// pw85_distance_point_2d() for many points and ellipses.
     pub fn pw85_distance_point_batch_2d(

@@ -465,7 +465,8 @@ pub struct Chord {
 }
 
 /// Results of [`contact_segment()`](crate::contact_segment),
-/// [`contact_triangle()`](crate::contact_triangle), [`contact_box()`](crate::contact_box).
+/// [`contact_triangle()`](crate::contact_triangle), [`contact_box()`](crate::contact_box),
+/// [`contact_capsule()`](crate::contact_capsule).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShapeContact {
     /// Square of the factor by which the ellipsoid must be scaled to touch.
@@ -476,7 +477,8 @@ pub struct ShapeContact {
 
 /// Results of [`distance_segment()`](crate::distance_segment),
 /// [`distance_triangle()`](crate::distance_triangle),
-/// [`distance_solid_box()`](crate::distance_solid_box).
+/// [`distance_solid_box()`](crate::distance_solid_box),
+/// [`distance_capsule()`](crate::distance_capsule).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShapeDistance {
     /// Negative if they overlap: minus the depth.
@@ -8329,6 +8331,340 @@ pub fn distance_solid_box_batch(
         n,
         lower.as_ptr().cast(),
         upper.as_ptr().cast(),
+        q.as_ptr().cast(),
+        pointer(distance),
+        pointer(point1),
+        pointer(point2),
+        pointer(normal),
+    ) })
+}
+
+/// Contact function of an ellipsoid and a capsule.
+///
+/// # Arguments
+///
+/// - `end1`: Of the segment, relative to the centre of the ellipsoid; equal ends are a ball.
+///   Unit: length.
+/// - `end2`: Of the segment, relative to the centre of the ellipsoid; equal ends are a ball.
+///   Unit: length.
+/// - `radius`: Of the capsule; \>= 0. Unit: length.
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite or `radius` is negative.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::contact_capsule(
+///     &[2.0, 2.0, 1.0],
+///     &[2.0, -2.0, 1.0],
+///     99.0,
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn contact_capsule(
+    end1: &[f64; 3],
+    end2: &[f64; 3],
+    radius: f64,
+    q: &[f64; 6],
+) -> Result<ShapeContact, Error> {
+    let mut mu2 = 0.0;
+    let mut point = [0.0; 3];
+    check(unsafe { sys::pw85_contact_capsule(
+        end1.as_ptr(),
+        end2.as_ptr(),
+        radius,
+        q.as_ptr(),
+        &mut mu2,
+        point.as_mut_ptr(),
+    ) })?;
+    Ok(ShapeContact { mu2, point })
+}
+
+/// [`contact_capsule()`](crate::contact_capsule) for many ellipsoids and capsules; the bits are
+/// the same.
+///
+/// # Arguments
+///
+/// - `end1`: Unit: length.
+/// - `end2`: Unit: length.
+/// - `radius`: \>= 0. Unit: length.
+/// - `q`: Unit: length².
+/// - `point`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `end1`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `end1`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let end1 = [[2.0, 2.0, 1.0]; 2];
+/// let end2 = [[2.0, -2.0, 1.0]; 2];
+/// let radius = [99.0; 2];
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut mu2 = [0.0; 2];
+/// let mut point = [[0.0; 3]; 2];
+/// pw85::contact_capsule_batch(&end1, &end2, &radius, &q, Some(&mut mu2), Some(&mut point))?;
+/// assert_eq!(point[0], point[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn contact_capsule_batch(
+    end1: &[[f64; 3]],
+    end2: &[[f64; 3]],
+    radius: &[f64],
+    q: &[[f64; 6]],
+    mu2: Option<&mut [f64]>,
+    point: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = end1.len();
+    let counts = [
+        ("end2", end2.len()),
+        ("radius", radius.len()),
+        ("q", q.len()),
+        ("mu2", rows_of(&mu2, n)),
+        ("point", rows_of(&point, n)),
+    ];
+    same_rows("pw85_contact_capsule_batch", "must have as many rows as end1", n, &counts)?;
+    check_rows(unsafe { sys::pw85_contact_capsule_batch(
+        n,
+        end1.as_ptr().cast(),
+        end2.as_ptr().cast(),
+        radius.as_ptr(),
+        q.as_ptr().cast(),
+        pointer(mu2),
+        pointer(point),
+    ) })
+}
+
+/// Tests whether an ellipsoid and a capsule overlap, μ² \< 1.
+///
+/// If they only touch, they do not. The answer is that of exact arithmetic unless 1 - μ² is
+/// positive and below 2⁻³⁶⁰ (S + 2 radius \|s\|): such an overlap counts as touching.
+///
+/// # Arguments
+///
+/// - `end1`: Of the segment, relative to the centre of the ellipsoid. Unit: length.
+/// - `end2`: Of the segment, relative to the centre of the ellipsoid. Unit: length.
+/// - `radius`: Of the capsule; \>= 0. Unit: length.
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite or `radius` is negative.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::overlap_capsule(
+///     &[2.0, 2.0, 1.0],
+///     &[2.0, -2.0, 1.0],
+///     99.0,
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn overlap_capsule(
+    end1: &[f64; 3],
+    end2: &[f64; 3],
+    radius: f64,
+    q: &[f64; 6],
+) -> Result<bool, Error> {
+    let mut overlap = 0;
+    check(unsafe { sys::pw85_overlap_capsule(
+        end1.as_ptr(),
+        end2.as_ptr(),
+        radius,
+        q.as_ptr(),
+        &mut overlap,
+    ) })?;
+    Ok(overlap == 1)
+}
+
+/// [`overlap_capsule()`](crate::overlap_capsule) for many ellipsoids and capsules; the answers
+/// are the same.
+///
+/// # Arguments
+///
+/// - `end1`: Unit: length.
+/// - `end2`: Unit: length.
+/// - `radius`: \>= 0. Unit: length.
+/// - `q`: Unit: length².
+/// - `overlap`: 1, 0, or 255 for a bad ellipsoid.
+///
+/// Row i of each slice belongs to row i of `end1`.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `end1`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let end1 = [[2.0, 2.0, 1.0]; 2];
+/// let end2 = [[2.0, -2.0, 1.0]; 2];
+/// let radius = [99.0; 2];
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut overlap = [0; 2];
+/// pw85::overlap_capsule_batch(&end1, &end2, &radius, &q, &mut overlap)?;
+/// assert_eq!(overlap[0], overlap[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn overlap_capsule_batch(
+    end1: &[[f64; 3]],
+    end2: &[[f64; 3]],
+    radius: &[f64],
+    q: &[[f64; 6]],
+    overlap: &mut [u8],
+) -> Result<(), Error> {
+    let n = end1.len();
+    let counts = [
+        ("end2", end2.len()),
+        ("radius", radius.len()),
+        ("q", q.len()),
+        ("overlap", overlap.len()),
+    ];
+    same_rows("pw85_overlap_capsule_batch", "must have as many rows as end1", n, &counts)?;
+    check_rows(unsafe { sys::pw85_overlap_capsule_batch(
+        n,
+        end1.as_ptr().cast(),
+        end2.as_ptr().cast(),
+        radius.as_ptr(),
+        q.as_ptr().cast(),
+        overlap.as_mut_ptr(),
+    ) })
+}
+
+/// Signed distance of an ellipsoid and a capsule, and the points where it is reached.
+///
+/// # Arguments
+///
+/// - `end1`: Of the segment, relative to the centre of the ellipsoid. Unit: length.
+/// - `end2`: Of the segment, relative to the centre of the ellipsoid. Unit: length.
+/// - `radius`: Of the capsule; \>= 0. Unit: length.
+/// - `q`: Form of the ellipsoid. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite, a form is not positive definite or `radius` is negative.
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::distance_capsule(
+///     &[2.0, 2.0, 1.0],
+///     &[2.0, -2.0, 1.0],
+///     99.0,
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn distance_capsule(
+    end1: &[f64; 3],
+    end2: &[f64; 3],
+    radius: f64,
+    q: &[f64; 6],
+) -> Result<ShapeDistance, Error> {
+    let mut distance = 0.0;
+    let mut point1 = [0.0; 3];
+    let mut point2 = [0.0; 3];
+    let mut normal = [0.0; 3];
+    check(unsafe { sys::pw85_distance_capsule(
+        end1.as_ptr(),
+        end2.as_ptr(),
+        radius,
+        q.as_ptr(),
+        &mut distance,
+        point1.as_mut_ptr(),
+        point2.as_mut_ptr(),
+        normal.as_mut_ptr(),
+    ) })?;
+    Ok(ShapeDistance { distance, point1, point2, normal })
+}
+
+/// [`distance_capsule()`](crate::distance_capsule) for many ellipsoids and capsules; the bits are
+/// the same.
+///
+/// # Arguments
+///
+/// - `end1`: Unit: length.
+/// - `end2`: Unit: length.
+/// - `radius`: \>= 0. Unit: length.
+/// - `q`: Unit: length².
+/// - `distance`: Unit: length.
+/// - `point1`: Unit: length.
+/// - `point2`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `end1`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `end1`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let end1 = [[2.0, 2.0, 1.0]; 2];
+/// let end2 = [[2.0, -2.0, 1.0]; 2];
+/// let radius = [99.0; 2];
+/// let q = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let mut distance = [0.0; 2];
+/// let mut point1 = [[0.0; 3]; 2];
+/// let mut point2 = [[0.0; 3]; 2];
+/// let mut normal = [[0.0; 3]; 2];
+/// pw85::distance_capsule_batch(
+///     &end1,
+///     &end2,
+///     &radius,
+///     &q,
+///     Some(&mut distance),
+///     Some(&mut point1),
+///     Some(&mut point2),
+///     Some(&mut normal),
+/// )?;
+/// assert_eq!(normal[0], normal[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn distance_capsule_batch(
+    end1: &[[f64; 3]],
+    end2: &[[f64; 3]],
+    radius: &[f64],
+    q: &[[f64; 6]],
+    distance: Option<&mut [f64]>,
+    point1: Option<&mut [[f64; 3]]>,
+    point2: Option<&mut [[f64; 3]]>,
+    normal: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = end1.len();
+    let counts = [
+        ("end2", end2.len()),
+        ("radius", radius.len()),
+        ("q", q.len()),
+        ("distance", rows_of(&distance, n)),
+        ("point1", rows_of(&point1, n)),
+        ("point2", rows_of(&point2, n)),
+        ("normal", rows_of(&normal, n)),
+    ];
+    same_rows("pw85_distance_capsule_batch", "must have as many rows as end1", n, &counts)?;
+    check_rows(unsafe { sys::pw85_distance_capsule_batch(
+        n,
+        end1.as_ptr().cast(),
+        end2.as_ptr().cast(),
+        radius.as_ptr(),
         q.as_ptr().cast(),
         pointer(distance),
         pointer(point1),
