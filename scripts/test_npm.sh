@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
 # Tests the npm package: builds it in build-npm, with the packages of Debian or Ubuntu that it needs, packs it, installs it from the
-# package without a network, and runs its tests and README's programs in Node, the types by TypeScript, and a page in Chromium.
+# package without a network, and runs its tests and README's programs in Node and, if the npm registry is there, in Deno, the types by
+# TypeScript, and a page in Chromium.
 set -eu
 cd "$(dirname "$0")/.."
 . scripts/packages.sh
@@ -43,6 +44,17 @@ sed -n '/^```text$/,/^```$/p' $readme | sed '/^```/d' >expected
 grep -qxF "$(head -n 1 expected)" ../../examples/c/pair.txt
 sed -n 's/^console.log(.*); \/\/ //p' $readme >>expected
 node readme.js | diff - expected
+
+echo '+ Deno'
+if npm install --silent --no-audit --no-fund --prefix deno deno@2.9.6; then
+  deno=deno/node_modules/.bin/deno
+  $deno run --no-remote --allow-read readme.js | diff - expected
+  # loaders.test.js starts Node.
+  PW85_PAIRS=../../r/tests/testthat/pairs.txt $deno test --no-remote --no-check --allow-read --allow-env \
+    tests/arguments.test.js tests/bits.test.js tests/plane.test.js tests/truths.test.js
+else
+  echo 'No Deno here.'
+fi
 
 echo '+ types'
 if command -v tsc >/dev/null; then
