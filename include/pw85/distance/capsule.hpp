@@ -174,28 +174,28 @@ template <class T> struct Capsule {
     {
         Vector<T, 3> const zero{T(0), T(0), T(0)}, e = ends[1] - ends[0];
         T const from_first = -dot(ends[0], e), to_second = dot(ends[1], e);
-        int const near = from_first > to_second ? 1 : 0;
+        int const nearer = from_first > to_second ? 1 : 0;
         bool const at_end = !(minimum(from_first, to_second) > T(0));
-        T const start = at_end ? T(0) : T((near == 1 ? T(-to_second) : from_first) / dot(e, e));
-        BallOnLine<T> ball{add_scaled(ends[near], start, e), e, radius, T(0)};
+        T const start = at_end ? T(0) : T((nearer == 1 ? T(-to_second) : from_first) / dot(e, e));
+        BallOnLine<T> ball{add_scaled(ends[nearer], start, e), e, radius, T(0)};
         T const distance = square_root(dot(ball.base, ball.base)), u = T(unit_roundoff<T>());
         ball.clearance = distance - radius;
         bool const clear = absolute(ball.clearance) > T(64) * u * size();
         if (!(ball.clearance > T(0))) return {T(0), zero, Normal<T, 3, with_normal>{zero}, clear};
-        auto found = nearest_outside<with_normal>(ball, near, start, q);
+        auto found = nearest_outside<with_normal>(ball, nearer, start, q);
         found.certified = found.certified && clear;
         return found;
     }
 
     /// Item 4. `ball` is about the point of the segment that is nearest to the centre, `start`
-    /// times e from the end `near`: 0 for the end itself.
+    /// times e from the end `nearer`: 0 for the end itself.
     template <bool with_normal> PW85_MEMBER Nearest<T, with_normal>
-    nearest_outside(BallOnLine<T> ball, int near, T const &start,
+    nearest_outside(BallOnLine<T> ball, int nearer, T const &start,
                     SymmetricMatrix<T, 3> const &q) const noexcept
     {
-        T const inward = near == 0 ? T(1) : T(-1); // the sense of e that leads to the other end
+        T const inward = nearer == 0 ? T(1) : T(-1); // the sense of e that leads to the other end
         if (start == T(0)) {
-            auto const at_end = nearest_at_end<with_normal>(near, q);
+            auto const at_end = nearest_at_end<with_normal>(nearer, q);
             if (inward * dot(at_end.s, ball.along) >= T(0)) return at_end.nearest;
             Vector<T, 3> const across = cross(ball.base, ball.along);
             T const square = dot(across, across) / dot(ball.along, ball.along);
@@ -205,7 +205,7 @@ template <class T> struct Capsule {
         auto const on_line = nearest_of_ball<with_normal>(ball, q);
         T const t = inward * (start + on_line.t);
         if (t >= T(0) && t <= T(1)) return on_line.nearest;
-        return nearest_at_end<with_normal>(t > T(0) ? 1 - near : near, q).nearest;
+        return nearest_at_end<with_normal>(t > T(0) ? 1 - nearer : nearer, q).nearest;
     }
 
     [[gnu::always_inline]] bool overlaps_exactly(SymmetricMatrix<T, 3> const &q) const noexcept
