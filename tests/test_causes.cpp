@@ -266,7 +266,7 @@ void test_walls()
         pw85_hard_ellipsoids_set_walls(periodic, 1, &across, nullptr));
 }
 
-/// Walls that cut the first particle: with its centre in the wall, the numbers of the wall are told.
+/// Walls that cut the first particle: with its centre in the wall, the wall's numbers are told.
 void test_cuts()
 {
     Simulation const open({5, 6, 7}, nullptr, {0, 0, 0}), flat = in_plane();

@@ -256,9 +256,9 @@ void check_balance(Failures &failures, Pair const &p, double volume)
     }
 }
 
-/// Every 41st (fewer if the test takes fewer inputs) of all whole semi-axes from 1 to 5 and offsets from 0 to 4: none is refused, those
-/// that are apart or inside have the volume 0 or that of the smaller body, and the volumes and
-/// derivatives of the others agree.
+/// Every 41st (fewer if the test takes fewer inputs) of all whole semi-axes from 1 to 5 and offsets
+/// from 0 to 4: none is refused, those that are apart or inside have the volume 0 or that of the
+/// smaller body, and the volumes and derivatives of the others agree.
 void test_list()
 {
     Failures failures;

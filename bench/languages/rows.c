@@ -54,7 +54,7 @@ static int volume_rows(size_t n)
     return pw85_overlap_volume_batch(n, r12[0], q1[0], q2[0], numbers[0]);
 }
 
-/* A function of pairs. Its results are in `numbers` and `points`, truth values of rows in `bytes`. */
+/* A function of pairs. Results are in `numbers` and `points`, truth values of rows in `bytes`. */
 struct function {
     char const *name;
     int (*call)(int i);

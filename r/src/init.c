@@ -58,7 +58,7 @@ static SEXP call_reproducible(SEXP on)
     return Rf_ScalarLogical(is_on);
 }
 
-/* Sets the number of threads, if it is given and R was built with OpenMP, and returns that before. */
+/* Sets the number of threads, if it is given and R was built with OpenMP. Returns that before. */
 static SEXP call_threads(SEXP number)
 {
     int const before = pw85_num_threads;

@@ -49,7 +49,7 @@ void pw85_refuse(char const *argument, R_xlen_t row, char const *column, char co
     Rf_error("%s", requirement); /* not reached */
 }
 
-/* Whether all elements of a vector of truth values are NA, as in a column that has no other value. */
+/* Whether all elements of a vector of truth values are NA, as in a column without other values. */
 static bool is_all_missing(SEXP values)
 {
     for (R_xlen_t k = 0; k < Rf_xlength(values); ++k)
@@ -394,8 +394,8 @@ static bool is_missing(struct call const *call, R_xlen_t row)
     return false;
 }
 
-/* Moves the inputs of the rows of a block without missing numbers to its beginning, and writes which
- * rows these are. Returns how many. */
+/* Moves the inputs of the rows of a block without missing numbers to its beginning, and writes
+ * which rows these are. Returns how many. */
 static size_t keep_complete(struct block const *block, R_xlen_t *rows)
 {
     struct pw85_function const *const function = block->call->function;
@@ -438,9 +438,9 @@ static int compute_complete(struct block *block, R_xlen_t *rows, size_t *count, 
     return block->call->function->call(*count, (double const *const *)block->in, block->out, bad);
 }
 
-/* Computes a block, and returns false if the library refuses a row. If numbers of a row are missing,
- * as are those that a user has not measured, its result is, too. The block is searched for such
- * numbers only if it is refused with them. */
+/* Computes a block, and returns false if the library refuses a row. If numbers of a row are
+ * missing, as are those that a user has not measured, its result is, too. The block is searched for
+ * such numbers only if it is refused with them. */
 static bool compute_block(struct block *block)
 {
     R_xlen_t rows[BLOCK];

@@ -112,8 +112,8 @@ double without_minus_infinity(double energy) noexcept
 
 } // namespace
 
-/// Notes the cause for a particle that a wall or the mesh cuts. Returns the first wall that cuts it,
-/// or the triangle that is nearest to it.
+/// Notes the cause for a particle that a wall or the mesh cuts. Returns the first wall that cuts
+/// it, or the triangle that is nearest to it.
 std::int32_t ExternalPotential::refuse_cut(Particle const &particle, int dimensions) const noexcept
 {
     for (std::size_t k = 0; k < walls.size(); ++k) {

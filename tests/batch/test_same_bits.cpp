@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The functions of many rows whose lanes give the bits of one row: rows of any size, and unusual and
-// bad rows in each place of a pack, among others.
+// The functions of many rows whose lanes give the bits of one row: rows of any size, and unusual
+// and bad rows in each place of a pack, among others.
 #include <cstring>
 #include <limits>
 #include <string>
