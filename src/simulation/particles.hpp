@@ -139,7 +139,7 @@ class Particles {
     Array<std::uint8_t> is_moved_; ///< by places: whether a particle may differ from the caller's
     Sizes sizes_;
     std::uint64_t generation_ = 0;
-    bool is_copied_ = false; ///< whether the copy is that of the caller's particles, or follows it
+    bool is_copied_ = false; ///< true if the copy is the caller's particles, or follows from them
 };
 
 } // namespace pw85::detail::simulation
