@@ -321,7 +321,9 @@ function checkModule(exports, questions) {
 
 /** Refuses options that do not exist. */
 function checkOptions(options) {
-    if (kindOf(options).toLowerCase() !== "object") refuse("options", `must be an object with some of ${OPTIONS.join(", ")}, not ${kindOf(options)}`);
+    if (kindOf(options).toLowerCase() !== "object") {
+        refuse("options", `must be an object with some of ${OPTIONS.join(", ")}, not ${kindOf(options)}`);
+    }
     for (const name of Object.keys(options)) {
         if (!OPTIONS.includes(name)) refuse(`options.${name}`, `is not an option: these are ${OPTIONS.join(", ")}`);
     }
