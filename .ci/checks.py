@@ -350,7 +350,7 @@ def check_python_of_debian_13(results):
 
 
 def check_clang(results):
-    """Runs the tests that depend on the optimisation of a compiler, with clang. The sanitizers run all tests and examples with clang."""
+    """Runs the tests that depend on the optimisation of a compiler, with clang. The sanitizers run the examples with clang."""
     suites = ["--suite=quick", "--suite=portable", "--suite=flags", "--no-suite=examples"]
     test_some(results, "clang", [*suites, *NOT_SOURCES], [*ONLY_TESTS, "-Dgsl=disabled"], CLANG)
 

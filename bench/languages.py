@@ -138,8 +138,7 @@ class Builder:
         return ["octave-cli", "--no-history", "--norc", "--quiet", starter]
 
     def javascript(self):
-        if not (ROOT / "js" / "pw85.wasm").exists():
-            run([ROOT / "scripts" / "build_npm.sh"], self.environment)
+        run([ROOT / "scripts" / "build_npm.sh"], self.environment)
         return ["node", PROGRAMS / "rows.mjs"]
 
 

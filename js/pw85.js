@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Questions of ellipsoids and ellipses, answered by the C library in WebAssembly. The functions are those of the tables in questions.js. Here their
-// arguments are read, the functions of C are called for blocks of rows, and the results are returned. pw85.d.ts documents everything.
+// Questions of ellipsoids and ellipses, answered by the C library in WebAssembly. The functions are those of the tables in questions.js.
+// Here their arguments are read, the functions of C are called for blocks of rows, and the results are returned. pw85.d.ts documents
+// everything.
 import { PLANE, PW85 } from "./questions.js";
 
 // Rows of a block. Arrays outside of the memory of the module are copied block by block, so that any number of rows takes little of it.
@@ -320,7 +321,9 @@ function checkModule(exports, questions) {
 
 /** Refuses options that do not exist. */
 function checkOptions(options) {
-    if (kindOf(options).toLowerCase() !== "object") refuse("options", `must be an object with some of ${OPTIONS.join(", ")}, not ${kindOf(options)}`);
+    if (kindOf(options).toLowerCase() !== "object") {
+        refuse("options", `must be an object with some of ${OPTIONS.join(", ")}, not ${kindOf(options)}`);
+    }
     for (const name of Object.keys(options)) {
         if (!OPTIONS.includes(name)) refuse(`options.${name}`, `is not an option: these are ${OPTIONS.join(", ")}`);
     }

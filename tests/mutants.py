@@ -3,6 +3,7 @@
 its test must fail with the changed file in place of the true one. Prints the Test Anything Protocol.
 
 Usage: mutants.py SOURCE BUILD [WORD], for all mutants, or those of files with a word in their path
+       mutants.py SOURCE, only whether the expressions are in the files
 """
 
 import json
@@ -28,10 +29,10 @@ MUTANTS = [
     ("algebra/sine_cosine.hpp", "w * (-1.0 / 5040", "w * (-1.0 / 5039", "test_elementary"),
     ("distance/support.hpp", "return {T(T(1) / extent) * point, extent};", "return {point, extent};", "test_distance"),
     ("distance/distance_derivatives.hpp", "cross(n, product(turn, rows[k]))", "cross(product(turn, rows[k]), n)", "test_distance"),
-    ("distance/walls.hpp", "radius - dot(n2, across) - s.extent", "radius + dot(n2, across) - s.extent", "test_walls"),
+    ("distance/walls.hpp", "radius - dot(n2, section.center) - s.extent", "radius + dot(n2, section.center) - s.extent", "test_walls"),
     ("distance/solids.hpp", "search.overlap && local_normal(axes", "false && local_normal(axes", "test_solids"),
     ("distance/solids.hpp", "if ((global || search.overlap) && frame", "if (global && frame", "test_solids"),
-    ("distance/solids.hpp", "slope = slope + (i == c.last", "slope = slope + (i != c.last", "test_solids"),
+    ("distance/solids.hpp", "slope = slope + (i == last", "slope = slope + (i != last", "test_solids"),
     ("distance/solids.hpp", "search.take_both(unit[i]);", "search.take(unit[i]);", "test_solids"),
     ("distance/capsule.hpp", "dot(at_end.s, ball.along) >= T(0)", "dot(at_end.s, ball.along) <= T(0)", "test_capsule"),
     ("contact/rotations.hpp", "matrix_entry<T>(rotation, i, j)", "matrix_entry<T>(rotation, j, i)", "test_solids"),
@@ -73,6 +74,7 @@ LIBRARY_MUTANTS = [
     ("enclosing/smallest.cpp", "if (outside <= 0.0) outside = certificate_.largest_protrusion();", "", "enclosing"),
     ("enclosing/around_ellipsoids.cpp", "for (std::size_t i = 0; i < bodies_.m; ++i)\n        if (!is_inside(i))",
      "for (std::size_t i = 1; i < bodies_.m; ++i)\n        if (!is_inside(i))", "enclosing"),
+    ("../include/pw85/distance/solids.hpp", "axes = axes_in_unit(\n", "axes = principal_axes(\n", "solids/long_segment"),
     ("../include/pw85/distance/capsule.hpp", "- radius * square_root(dot(s, s))", "+ radius * square_root(dot(s, s))", "capsule/overlap"),
     ("../include/pw85/distance/capsule.hpp", "W(nearest.mu2 + error) < W(1)", "nearest.mu2 < W(1)", "capsule/touching"),
     ("../include/pw85/volume/rim_frame.hpp", "return {!below, below};", "return {below, below};", "space_kinds/specimens"),
@@ -348,6 +350,18 @@ class Tests:
                               stderr=subprocess.DEVNULL).returncode
 
 
+def mutants():
+    """The kind of each mutant, the file in the sources, what is changed into what, and the test."""
+    folders = {"header": ("include/pw85", MUTANTS), "library": ("src", LIBRARY_MUTANTS), "package": ("python/pypw85", PYTHON_MUTANTS)}
+    return [(kind, os.path.normpath(f"{folder}/{file}"), *rest) for kind, (folder, listed) in folders.items() for file, *rest in listed]
+
+
+def stale_mutants(source):
+    """The mutants whose expression is not in the file, or more than once."""
+    counts = ((file, old, (source / file).read_text(encoding="utf-8").count(old)) for _, file, old, *_ in mutants())
+    return [f"{file} has {count} times {old!r}" for file, old, count in counts if count != 1]
+
+
 def is_seen(tests, fails, file, old, new, test):
     """Whether a test fails after a change of a file, and why not."""
     with tempfile.TemporaryDirectory(prefix="pw85-mutant-") as folder:
@@ -355,10 +369,7 @@ def is_seen(tests, fails, file, old, new, test):
         for part in ("include", "src", "python/pypw85"):
             shutil.copytree(tests.source / part, work / part)
         changed = work / file
-        text = changed.read_text(encoding="utf-8")
-        if text.count(old) != 1:
-            return False, f"{file} has {text.count(old)} times {old!r}"
-        changed.write_text(text.replace(old, new), encoding="utf-8")
+        changed.write_text(changed.read_text(encoding="utf-8").replace(old, new), encoding="utf-8")
         try:
             return fails(changed, test, work), f"{test} passes with {new!r}"
         except subprocess.CalledProcessError as error:
@@ -368,16 +379,18 @@ def is_seen(tests, fails, file, old, new, test):
 
 
 def main():
-    source, build = (Path(word).resolve() for word in sys.argv[1:3])
-    tests = Tests(source, build)
-    mutants = [(tests.fails_with_header, f"include/pw85/{file}", *rest) for file, *rest in MUTANTS]
-    mutants += [(tests.fails_with_library, os.path.normpath(f"src/{file}"), *rest) for file, *rest in LIBRARY_MUTANTS]
-    mutants += [(tests.fails_with_package, f"python/pypw85/{file}", *rest) for file, *rest in PYTHON_MUTANTS]
-    mutants = [mutant for mutant in mutants if all(word in mutant[1] for word in sys.argv[3:])]
-    print(f"1..{len(mutants)}")
+    source, *build = (Path(word).resolve() for word in sys.argv[1:3])
+    if stale := stale_mutants(source):
+        return "\n".join(stale)
+    if not build:
+        return 0
+    tests = Tests(source, build[0])
+    fails = {"header": tests.fails_with_header, "library": tests.fails_with_library, "package": tests.fails_with_package}
+    chosen = [mutant for mutant in mutants() if all(word in mutant[1] for word in sys.argv[3:])]
+    print(f"1..{len(chosen)}")
     all_seen = True
-    for number, (fails, file, old, new, test) in enumerate(mutants, 1):
-        seen, why = is_seen(tests, fails, file, old, new, test)
+    for number, (kind, file, old, new, test) in enumerate(chosen, 1):
+        seen, why = is_seen(tests, fails[kind], file, old, new, test)
         all_seen = all_seen and seen
         print(f"{'ok' if seen else 'not ok'} {number} {file}: {new}", flush=True)
         if not seen:

@@ -412,6 +412,32 @@ void test_far_sets()
     check(BoxDistance{}, Case<2>{{{-end, -end, -end}, {end, end, -0.5}}, ball}, -0.5, 0);
 }
 
+/// A needle along x beside a segment that is 2^1326 times as long as the needle is thick. Its
+/// elliptic section with semi-axes 3 s and s is turned, and the segment is at x + s n, where n is
+/// the normal at the point x of the section. The entries have terms up to 9 s² and the point has
+/// some up to 4 s, each with a few roundings.
+void test_long_segment()
+{
+    for (int const exponent : {-360, -400, -426}) {
+        double const s = std::ldexp(1.0, exponent), length = std::ldexp(1.0, 900);
+        pw85::SymmetricMatrix<double, 3> q{};
+        q(0, 0) = std::ldexp(1.0, -600);
+        q(1, 1) = (9 * 0.36 + 0.64) * s * s;
+        q(1, 2) = 8 * 0.48 * s * s;
+        q(2, 2) = (9 * 0.64 + 0.36) * s * s;
+        double const n[2] = {-0.28, 0.96}; // (0.6, 0.8), turned
+        double const extent = std::sqrt(9 * 0.36 + 0.64);
+        double const y = (9 * 0.6 * 0.6 - 0.8 * 0.8) * s / extent + n[0] * s,
+                     z = (9 * 0.6 * 0.8 + 0.8 * 0.6) * s / extent + n[1] * s;
+        auto const d =
+            distance_in_c<SegmentDistance>(Case<2>{{{-length, y, z}, {length, y, z}}, q});
+        g_assert_true(d.status == pw85::Status::success);
+        g_assert_cmpfloat(std::fabs(d.distance - s), <=, 64 * u * s);
+        g_assert_cmpfloat(std::fabs(d.normal[1] - n[0]), <=, 64 * u);
+        g_assert_cmpfloat(std::fabs(d.normal[2] - n[1]), <=, 64 * u);
+    }
+}
+
 /// A ball of radius 1 touches the plane x = 1 exactly.
 void test_touching()
 {
@@ -476,6 +502,7 @@ int main(int argc, char **argv)
     g_test_add_func("/solids/points", test_points);
     g_test_add_func("/solids/by_hand", test_by_hand);
     g_test_add_func("/solids/far_sets", test_far_sets);
+    g_test_add_func("/solids/long_segment", test_long_segment);
     g_test_add_func("/solids/touching", test_touching);
     g_test_add_func("/solids/rotations", test_rotations);
     return g_test_run();

@@ -51,7 +51,7 @@ test("circles", () => {
         assert.ok(Math.abs(point1[0] - 0.6 * scale) <= error * 5 * scale, String(point1));
         assert.ok(Math.abs(plane.contactGeometry2d(...apart, lambda).normal[1] - 0.8) <= error);
         assert.equal(plane.overlapArea2d(...apart), 0);
-        // Radii 1, centres 1 apart: 2 pi/3 - sqrt(3)/2. The sum of a sector and a triangle is a third of the terms' sizes.
+        // Radii 1, centres 1 apart: two sectors less two triangles, 2 pi/3 - sqrt(3)/2. The magnitudes of the terms add up to less than 4.
         const lens = plane.overlapArea2d([0, scale], circle(scale), circle(scale)) / scale ** 2;
         assert.ok(Math.abs(lens - (2 * Math.PI / 3 - Math.sqrt(3) / 2)) <= error * 4, String(lens));
     }

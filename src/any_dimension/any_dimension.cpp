@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The C API of two ellipsoids in n dimensions, by hand: api/declarations.py has no extents such as
-// n (n + 1)/2.
+// The C API of two ellipsoids in n dimensions, by hand: api/shims.py makes functions of arrays with
+// fixed sizes for each pair.
 #include <cstdint>
 
 #include <pw85.h>

@@ -4,11 +4,11 @@
 /// and trials of the volume work.
 ///
 /// 1. begin_session() makes the copy that of the caller's particles. commit() copies the particles
-///    that have moved since back to the caller, and roll_back() gives them up. Session does both at
-///    the ends of a block.
+///    that have moved since back to the caller, and roll_back() gives them up. A Session begins and
+///    commits.
 /// 2. A copy stays from one session to the next, until change(), add() or remove() give the caller
-///    other particles. Each new copy has another generation(): what was computed for
-///    an older one, like a Verlet list, does not count for it.
+///    other particles. Each new copy has another generation(): what was computed for an older one,
+///    like a Verlet list, does not count for it.
 #ifndef PW85_SIMULATION_PARTICLES_HPP_INCLUDED
 #define PW85_SIMULATION_PARTICLES_HPP_INCLUDED
 
@@ -139,8 +139,7 @@ class Particles {
     Array<std::uint8_t> is_moved_; ///< by places: whether a particle may differ from the caller's
     Sizes sizes_;
     std::uint64_t generation_ = 0;
-    bool is_copied_ =
-        false; ///< true if the copy is of the caller's particles, or follows from them
+    bool is_copied_ = false; ///< true if the copy is the caller's particles, or follows from them
 };
 
 } // namespace pw85::detail::simulation

@@ -90,10 +90,7 @@ contact_in_units(InputOf<N> const &in, Units const &units) noexcept
     return {m.mu2, units.swapped ? m.complement : m.lambda, StatusCode::success};
 }
 
-} // namespace pw85::detail::any_dimension
-
-namespace pw85::detail::any_dimension {
-
+/// Returns the contact function.
 template <class N> PW85_FUNCTION inline Contact<double> contact(InputOf<N> const &in) noexcept
 {
     StatusCode const status = status_of(in);

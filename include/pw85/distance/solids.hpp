@@ -53,6 +53,16 @@ template <class T> struct ShapeDistance {
 
 namespace pw85::detail {
 
+/// principal_axes() of a form in any unit.
+template <class T, int D>
+PW85_FUNCTION inline PrincipalAxes<T, D> axes_in_unit(SymmetricMatrix<T, D> const &q) noexcept
+{
+    int const exponent = half_exponent(largest_diagonal(q));
+    auto axes = principal_axes(times_power_of_two(q, -2 * exponent));
+    for (T &square : axes.squares) square = times_power_of_two(square, 2 * exponent);
+    return axes;
+}
+
 /// The first axis with g_i = 0.
 template <class T, int D>
 PW85_FUNCTION inline int axis_without_gap(AxisComponents<T, D> const &c) noexcept
@@ -143,7 +153,7 @@ template <class T> struct EdgeFrame {
         : e1(first), e2(second)
     {
         Vector<T, 3> const q1 = product(q, e1), q2 = product(q, e2);
-        axes = principal_axes(
+        axes = axes_in_unit(
             SymmetricMatrix<T, 2>{positive_form(q, e1, q1), dot(e1, q2), positive_form(q, e2, q2)});
     }
 
@@ -183,7 +193,7 @@ template <class T>
 PW85_FUNCTION inline void try_features(SlabSearch<T, Hull<T, 2>> &search) noexcept
 {
     auto const &[a, b] = search.set.points;
-    auto const axes = principal_axes(search.q);
+    auto const axes = axes_in_unit(search.q);
     try_vertex(search, axes, a);
     try_vertex(search, axes, b);
     try_edge(search, a, b);
@@ -212,7 +222,7 @@ template <class T>
 PW85_FUNCTION inline void try_features(SlabSearch<T, Hull<T, 3>> &search) noexcept
 {
     auto const &points = search.set.points;
-    auto const axes = principal_axes(search.q);
+    auto const axes = axes_in_unit(search.q);
     for (int k = 0; k < 3; ++k) {
         try_vertex(search, axes, points[k]);
         try_edge(search, points[k], points[(k + 1) % 3]);
@@ -234,7 +244,7 @@ PW85_FUNCTION constexpr Vector<T, 3> corner(SolidBox<T> const &box, int code) no
 template <class T>
 PW85_FUNCTION inline void try_features(SlabSearch<T, SolidBox<T>> &search) noexcept
 {
-    auto const axes = principal_axes(search.q);
+    auto const axes = axes_in_unit(search.q);
     for (int code = 0; code < 8; ++code) try_vertex(search, axes, corner(search.set, code));
     for (int i = 0; i < 3; ++i) {
         Vector<T, 3> unit[3]{}, n;
