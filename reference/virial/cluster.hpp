@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cstdint>
 
+#include <pw85/algebra/philox.hpp>
 #include <pw85/pw85.hpp>
 
-#include "../../src/base/random.hpp"
 #include "graphs.hpp"
 
 namespace virial {
