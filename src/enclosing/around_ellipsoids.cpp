@@ -100,7 +100,7 @@ void split(std::size_t d, Square<double> &factor, Square<double> &vectors) noexc
 
 } // namespace
 
-Status AroundEllipsoids::status_of_input() const noexcept
+[[gnu::cold, gnu::noinline]] Status AroundEllipsoids::status_of_input() const noexcept
 {
     Status first = Status::success;
     for (std::size_t i = 0; i < bodies_.m; ++i) {
@@ -115,7 +115,7 @@ Status AroundEllipsoids::status_of_input() const noexcept
 
 /// Chooses units of the coordinates, powers of two, in which the extent of all ellipsoids is in [1,
 /// 2).
-Status AroundEllipsoids::choose_units() noexcept
+[[gnu::cold, gnu::noinline]] Status AroundEllipsoids::choose_units() noexcept
 {
     int const n = bodies_.n;
     cloud_.n = n;
@@ -170,7 +170,7 @@ bool AroundEllipsoids::activate(std::size_t i) noexcept
 
 /// Activates the ellipsoids that reach farthest along the coordinates. The first frame is that of
 /// the covariance of uniform bodies of the same mass.
-bool AroundEllipsoids::begin() noexcept
+[[gnu::cold, gnu::noinline]] bool AroundEllipsoids::begin() noexcept
 {
     int const n = bodies_.n;
     for (int k = 0; k < 2 * n; ++k) {
@@ -212,7 +212,7 @@ bool AroundEllipsoids::update_frame() noexcept
 }
 
 /// Computes L of max_det.hpp in the frame: (A B, A (c_i - c); 0, 1).
-void AroundEllipsoids::find_map(std::size_t i, Wide *map) noexcept
+[[gnu::cold, gnu::noinline]] void AroundEllipsoids::find_map(std::size_t i, Wide *map) noexcept
 {
     int const n = bodies_.n, d = n + 1;
     Body const one = body(i);
@@ -230,7 +230,7 @@ void AroundEllipsoids::find_map(std::size_t i, Wide *map) noexcept
 
 /// Reads the outer ellipsoid from Z, which is in map_: its centre is -Z₁₁⁻¹ z₁₂ and its form ρ
 /// Z₁₁⁻¹ in the frame, with ρ = d - (z₂₂ - z₁₂ᵀ Z₁₁⁻¹ z₁₂). Returns ρ, or 0 if Z is not definite.
-Wide AroundEllipsoids::read_outer() noexcept
+[[gnu::cold, gnu::noinline]] Wide AroundEllipsoids::read_outer() noexcept
 {
     int const n = bodies_.n, d = n + 1;
     std::size_t const size = extent(n);

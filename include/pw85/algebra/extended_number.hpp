@@ -21,13 +21,39 @@ template <class T> static constexpr bool is_decidable = std::is_floating_point_v
                                                          std::numeric_limits<T>::digits == 64 ||
                                                          std::numeric_limits<T>::digits == 113);
 
+/// The sign of a number that is not finite.
+inline constexpr int undefined_sign = 2;
+
+/// Reads a native number x = sign·mantissa/2^(limb_bits·N)·2^exponent, exactly if it is finite, and
+/// returns the sign. For zero and for numbers that are not finite, the mantissa and the exponent
+/// become zero.
+///
+/// It is not inlined: formulas have many constants, and each would take 170 bytes.
+template <class Native, int N> [[gnu::noinline]] PW85_FUNCTION inline int
+read_digits(Native x, Digits<N> &mantissa, int &exponent) noexcept
+{
+    mantissa = {};
+    exponent = 0;
+    if (!(x * Native(0) == Native(0))) return undefined_sign;
+    if (x == Native(0)) return 0;
+    exponent = binary_exponent(absolute(x)) + 1;
+    Native fraction = pw85::detail::times_power_of_two(absolute(x), -exponent);
+    constexpr auto radix = Native(2) * static_cast<Native>(Limb{1} << (limb_bits - 1));
+    for (int i = N - 1; i >= 0 && fraction > Native(0); --i) {
+        fraction = fraction * radix;
+        mantissa.limbs[i] = static_cast<Limb>(fraction);
+        fraction = fraction - static_cast<Native>(mantissa.limbs[i]);
+    }
+    return x > Native(0) ? 1 : -1;
+}
+
 /// The number sign·m·2^exponent with m = mantissa/2^bits in [1/2, 1). The number is zero if the
 /// sign is zero, and NaN if the sign is `undefined`. There is no infinity. Results are truncated.
 /// The relative error of a sum or product is at most 2^(1-bits).
 template <class T> struct Extended {
     static constexpr int size = limbs_for(7 * std::numeric_limits<T>::digits);
     static constexpr int bits = size * limb_bits;
-    static constexpr int undefined = 2;
+    static constexpr int undefined = undefined_sign;
 
     Digits<size> mantissa;
     int exponent;
@@ -39,21 +65,9 @@ template <class T> struct Extended {
     /// than `T`.
     template <class Number>
     requires std::is_arithmetic_v<Number> PW85_MEMBER explicit Extended(Number number) noexcept
-        : mantissa{}, exponent(0), sign(0)
     {
         using Native = std::conditional_t<std::is_integral_v<Number>, double, Number>;
-        auto const x = static_cast<Native>(number);
-        bool const finite = x * Native(0) == Native(0);
-        sign = !finite ? undefined : x > 0 ? 1 : x < 0 ? -1 : 0;
-        if (sign != 1 && sign != -1) return;
-        exponent = binary_exponent(absolute(x)) + 1;
-        Native fraction = pw85::detail::times_power_of_two(absolute(x), -exponent);
-        constexpr auto radix = Native(2) * static_cast<Native>(Limb{1} << (limb_bits - 1));
-        for (int i = size - 1; i >= 0 && fraction > Native(0); --i) {
-            fraction = fraction * radix;
-            mantissa.limbs[i] = static_cast<Limb>(fraction);
-            fraction = fraction - static_cast<Native>(mantissa.limbs[i]);
-        }
+        sign = read_digits(static_cast<Native>(number), mantissa, exponent);
     }
 
     PW85_MEMBER bool is_defined() const noexcept { return sign != undefined; }

@@ -184,6 +184,21 @@ has_converged(Pair<T> const &pair, DualBoundSearch<T> const &search, T const &to
            (gap <= tolerance * mu2 || gap <= tolerance * condition_sum(pair, search.best));
 }
 
+/// The goal of a search for κ²: its value, or the side of 1 on which it is.
+enum class Goal { value, side_of_one };
+
+/// Returns whether a search is done. It is if κ² is far from 1, for the goal side_of_one, or if its
+/// bounds agree.
+template <class T> PW85_FUNCTION inline bool is_done(Pair<T> const &pair,
+                                                     DualBoundSearch<T> const &search, Goal goal,
+                                                     T const &tolerance) noexcept
+{
+    T const margin = T(0x1p-20);
+    return (goal == Goal::side_of_one &&
+            (search.bound < T(1) - margin || search.best.mu2 > T(1) + margin)) ||
+           has_converged(pair, search, tolerance);
+}
+
 /// Returns initial_nu() in n dimensions.
 template <class T>
 PW85_FUNCTION inline T initial_nu(Pair<T> const &pair, Evaluation<T> &at) noexcept
@@ -205,11 +220,10 @@ PW85_FUNCTION inline T initial_nu(Pair<T> const &pair, Evaluation<T> &at) noexce
     return maximum(sum, ball);
 }
 
-/// Searches until is_done(search), for search_gauge() steps. Returns false if the search ends
-/// otherwise.
-template <class T, class Done> [[gnu::noinline]] PW85_FUNCTION inline bool
-minimize_dual(Pair<T> const &pair, DualBoundSearch<T> &search, Evaluation<T> &at,
-              Done const &is_done) noexcept
+/// Searches until is_done(), for search_gauge() steps. Returns false if the search ends otherwise.
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline bool
+minimize_dual(Pair<T> const &pair, DualBoundSearch<T> &search, Evaluation<T> &at, Goal goal,
+              T const &tolerance) noexcept
 {
     T const largest = largest_number<T>();
     search.lower = T(0);
@@ -222,7 +236,7 @@ minimize_dual(Pair<T> const &pair, DualBoundSearch<T> &search, Evaluation<T> &at
     T nu = initial_nu(pair, at);
     for (int step = 0; step < max_dual_steps<T>(); ++step) {
         T next = evaluate_dual(pair, search, nu, at);
-        if (is_done(search)) return true;
+        if (is_done(pair, search, goal, tolerance)) return true;
         if (!(next > search.lower && next < search.upper)) next = next_in_bracket(search);
         if (!(next > search.lower && next < search.upper)) return false;
         nu = next;
@@ -292,11 +306,7 @@ decide_containment_in(Input const &in, int unit, Workspace<T> &work) noexcept
     }
     if (shows_inside(pair, T(0.5), at.factors)) return ContainmentDecision::inside;
     DualBoundSearch<T> search;
-    T const tolerance = T(4) * T(unit_roundoff<T>()), margin = T(0x1p-20);
-    minimize_dual(pair, search, at, [&](auto const &found) {
-        return found.bound < T(1) - margin || found.best.mu2 > T(1) + margin ||
-               has_converged(pair, found, tolerance);
-    });
+    minimize_dual(pair, search, at, Goal::side_of_one, T(T(4) * T(unit_roundoff<T>())));
     if (search.best.mu2 > T(1) && shows_outside(pair, search.best.s))
         return ContainmentDecision::outside;
     T const nu = search.nu + T(0.5) * (T(1) - search.bound); // g increases by less than ν does
@@ -351,9 +361,7 @@ template <class T> [[gnu::noinline]] PW85_FUNCTION inline bool find_dual(ReachWo
                                                                          double tolerance) noexcept
 {
     auto &work = memory.work;
-    return minimize_dual(work.pair, memory.search, work.at, [&](auto const &state) {
-        return has_converged(work.pair, state, T(tolerance));
-    });
+    return minimize_dual(work.pair, memory.search, work.at, Goal::value, T(tolerance));
 }
 
 /// Computes κ² and the point in the units of the pair, by numbers of type T. Returns false if the
