@@ -14,7 +14,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from ._ply import Element, Header, end_of, read_header
+from ._ply import Element, Header, Property, end_of, read_header, rows_of
 from ._typing import Floats
 
 Path = str | os.PathLike[str]
@@ -155,6 +155,7 @@ def _stl(path: str) -> Any:
         if size == _HEADER_OF_STL + _TRIANGLE_OF_STL * count and size > _HEADER_OF_STL:
             return meshio.stl.read(path)
         text = start + file.read()
+    text = text.removeprefix(b"\xef\xbb\xbf")  # a byte order mark
     if b"\0" in start or not text.lstrip()[:5].lower() == b"solid":
         raise ValueError(f"a binary STL file of {count} triangles must have {_HEADER_OF_STL + _TRIANGLE_OF_STL * count} bytes, not "
                          f"{size}: it is truncated, or not an STL file; write it again")  # fmt: skip
@@ -198,6 +199,10 @@ def _ply(path: str) -> Any:
     header = read_header(content)
     data, elements = _vertices_and_faces(content, header)
     faces = elements[-1]
+    if missing := {"x", "y", "z"} - {one.name for one in elements[0].properties}:
+        raise ValueError(f"the element vertex must have x, y and z, and has no {' '.join(sorted(missing))}: add it")
+    if not header.order:
+        elements, data = _ordered(content, header, elements, data)
     if header.order and faces.name == "face" and len(faces.properties) > 1:
         return _faces_with_properties(header.order, elements, data)
     plain = "\n".join(_plain_ply(header.order, elements)) + "\nend_header\n"
@@ -222,6 +227,19 @@ def _vertices_and_faces(content: bytes, header: Header) -> tuple[bytes, list[Ele
         places[element.name] = slice(place, end)
         place = end
     return b"".join(content[places[one.name]] for one in wanted), wanted
+
+
+def _ordered(content: bytes, header: Header, elements: list[Element], data: bytes) -> tuple[list[Element], bytes]:
+    """Text in which vertices have x, y and z alone: meshio takes them for coordinates only if they are the first properties, in this
+    order."""
+    vertices = elements[0]
+    if [one.name for one in vertices.properties][:3] == ["x", "y", "z"]:
+        return elements, data
+    rows = rows_of(content, header, "vertex")
+    lines = (" ".join(map(repr, row)) for row in np.stack([rows[axis] for axis in "xyz"], axis=1).tolist())
+    faces = data[end_of(data, header, vertices, 0) :]
+    plain = Element("vertex", vertices.number, [Property(axis, "f8") for axis in "xyz"])
+    return [plain, *elements[1:]], "".join(f"{line}\n" for line in lines).encode() + faces
 
 
 def _faces_with_properties(order: str, elements: list[Element], data: bytes) -> Any:

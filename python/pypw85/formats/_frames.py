@@ -179,7 +179,8 @@ class Frame:
     `sizes` are radii of spheres, for particles whose lengths are 0. `angles` in radians are those of ellipses, which have no quaternions;
     `directions` are those of the axes of revolution of spheroids, which must be the longest ones if `are_longest`.
     Positions and shapes of ellipses may have two columns. `tolerance` is how far the length of a quaternion may be from 1.
-    `dimensions` is None where the file does not say. `source` says what was taken of the file, `notes` what the user should know.
+    `dimensions` is None where the file does not say. `has_columns` says that options can name columns. `source` says what was taken of the
+    file, `notes` what the user should know.
     """
 
     path: Path
@@ -202,6 +203,7 @@ class Frame:
     are_longest: bool = False
     tolerance: float = _QUATERNION_TOLERANCE
     dimensions: int | None = None
+    has_columns: bool = False
     source: str = ""
     notes: list[str] = dataclasses.field(default_factory=list)
 
@@ -468,8 +470,9 @@ class Frame:
     def _check_quaternions(self, has_shape: NDArray[np.bool_]) -> None:
         if self.quaternions is None:
             assert self.shapes is not None
-            self._first((np.ptp(self.shapes, axis=1) > 0),
-                        "is not a sphere, and lacks an orientation: write quaternions, or the angles of ellipses")  # fmt: skip
+            named = ", or name columns (--quaternion-columns, --direction-columns, or --euler with --angle-columns)"
+            self._first((np.ptp(self.shapes, axis=1) > 0), "is not a sphere, and lacks an orientation: write quaternions, or the angles of "
+                        f"ellipses{named * self.has_columns}")  # fmt: skip
             self.quaternions = np.tile([1.0, 0, 0, 0] if self.order == "wxyz" else [0.0, 0, 0, 1], (len(self.shapes), 1))
         with np.errstate(over="ignore"):
             norms = np.linalg.norm(self.quaternions, axis=1)
