@@ -39,7 +39,8 @@ REFUSED = {
                     "Q_12", "r11", "rmin,rmax", "d_max", "ellipsoid", "unit", "spacing", "pixel_um", "resolution", "b_to_a", "c/a", "ba",
                     "ellipticity", "ecc", "triaxiality", "acylindricity", "extent_x", "std_x", "Rg_xx", "tensor_00", "dim_x", "flatness",
                     "ovality", "slenderness", "rotvec_x", "Breadth3d", "Max caliper", "Feret", "hx", "fwhm_x", "voxel_x", "dpi")},
-    "x,y,a,b,angle_deg,axis1,axis2": ({}, "0,0,2,1,0,4,2", "say what they are .--shape-columns, --quaternion-columns, --euler"),
+    "x,y,a,b,angle_deg,axis1,axis2": ({}, "0,0,2,1,0,4,2", "say what they are .--shape-columns, --angle-columns., or leave"),
+    "x,y,z,a,b,c,axis1,axis2": ({}, "0,0,0,2,1,1,4,2", "say what they are .--shape-columns, --quaternion-columns, --euler, --polar or"),
     "x,y,z,radius,rw,rx,ry,rz": ({}, f"0,0,0,1,{UP}", "the column rw could change the shapes or how they are turned"),
     "x,y,z,a,b,c,dx,dy,dz":
         ({}, "0,0,0,2,.5,.5,0,1,0", "the columns dx dy dz could change .*, and are not used: .* out .--ignore-columns dx,dy,dz."),
@@ -54,6 +55,10 @@ REFUSED = {
                                              "the bodies turn about y alone, so that height may be along y"),
     "x,y,a,b,theta": ({"angle": "radians"}, "0,0,2,1,0", "the columns may be those of sep, and others mean other lengths"),
     "x,y,z,a,b,c,quat[1],quat[2],quat[3],quat[4]": ({}, f"0,0,0,2,1,1,{UP}", r"quat\[1..4\] is x y z w for"),
+    "x,y,z,a,b,c,quat_1,quat_2,quat_3,quat_4": ({}, f"0,0,0,2,1,1,{UP}", "quat_1 quat_2 quat_3 quat_4 is x y z w for .* and w x y z for"),
+    "x,y,MA,ma,angle_deg": ({"shape_columns": ("MA", "ma")}, "0,0,1,4,0", "MA ma may be whole axes or semi-axes"),
+    "x,y,z,major,minor,ux,uy,uz": ({"shape_columns": ("major", "minor", "minor")}, "0,0,0,4,1,0,1,0", "major minor minor may be whole axes"),
+    "x,y,a,b,PA": ({}, "0,0,2,1,0", "PA could change .*: say what it is .--angle-columns., or leave it out"),
     "x,y,z,a,b,c,qw,qx,qy,qz": ({"quaternion": "xyzw"}, f"0,0,0,2,1,1,{UP}", "qw qx qy qz say which is which, and it is not"),
     "label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation":
         ({}, "1,0,0,4,1,90", "has the orientation 90, and this program writes radians up to 1.571: say the unit"),
@@ -169,6 +174,26 @@ def test_quoted_names(tmp_path):
     assert read(tmp_path / "a.csv").source == "lengths radius as radii, columns that are not used: name, long"
     (tmp_path / "a.csv").write_text('x,y,z,radius,5" disc\n0,0,0,1,2\n')  # a quotation mark that quotes nothing
     assert read(tmp_path / "a.csv").semi_axes.tolist() == [[1, 1, 1]]
+
+
+def test_names_with_commas(run, tmp_path):
+    """The option that a refusal advises works, whatever the names are."""
+    (tmp_path / "a.csv").write_text('x;y;z;radius;Length, mm;5" size\n0;0;0;1;2;3\n')
+    done = run("check", tmp_path / "a.csv")
+    assert done.status == 2
+    advised = done.err.partition("(--ignore-columns '")[2].rpartition("')")[0]
+    assert advised == '"Length, mm",5" size'
+    assert run("check", tmp_path / "a.csv", "--ignore-columns", advised).status == 0
+    done = run("check", tmp_path / "a.csv", "--ignore-columns", "Length\nmm")  # a line feed has no meaning in CSV here
+    assert done.status == 2 and "there is no column 'Length" in done.err
+
+
+def test_types_as_options(tmp_path):
+    """Names of types are quoted for the shell."""
+    (tmp_path / "a.csv").write_text("x,y,z,type\n0,0,0,my rod\n0,0,9,your rod\n")
+    with pytest.raises(pypw85.FileError, match=r"\(--shape 'my rod:A,B,C'\)"):
+        read(tmp_path / "a.csv", shape=(1, 1, 1))
+    assert len(read(tmp_path / "a.csv", shapes={"my rod": (1, 1, 1)}, points=["your rod"])) == 1
 
 
 def test_ids_and_types_by_other_names(tmp_path):

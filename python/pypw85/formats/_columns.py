@@ -53,7 +53,7 @@ _QUADRUPLE = ("[1]", "[2]", "[3]", "[4]")
 _QUATERNIONS: list[tuple[str, list[Names], str]] = [
     ("quat|q|quaternion|quaternions|quats|orientation|orient|ori|rotation|rot", _LETTERS, "wxyz"),
     ("orientation", [_QUADRUPLE], "xyzw"),
-    ("quat", [("1", "2", "3", "4")], "wxyz"),
+    ("quat", [("1", "2", "3", "4")], "wxyz"),  # of LIGGGHTS
     ("q", [("0", "1", "2", "3")], "wxyz"),
     ("quat|quats|quaternion|quaternions", [("0", "1", "2", "3"), _QUADRUPLE], _ASK),
     (r"c\w*orient\w*", [_QUADRUPLE], _ASK),
@@ -102,7 +102,8 @@ _SOUND_WHOLE = re.compile(r".*(diam|length|width|height|thick|breadth|feret|call
                           r"(?!aspherical)\w*shape(\[[1-3]\]|[1-3])|[fv]?d(max|mid|int|min|[xyz]|\d)|l[xyz]|[lwh]")
 _SOUND_HALF = re.compile(r".*(radi(us|i)|semi|half).*|[fv]?r(max|mid|int|min|[xyz]|\d)|r")
 # Names of lengths that say neither
-_SOUND_EITHER = re.compile(r"(?!.*(semi|half|radi|diam)).*(scal|sigma|std|rms|extent|dimension|span|ax[ei]s|principal|eigen).*")
+_SOUND_EITHER = re.compile(r"(?!.*(semi|half|radi|diam)).*(scal|sigma|std|rms|extent|dimension|span|ax[ei]s|principal|eigen|major|minor|"
+                           r"intermediate).*|maj|min|m[ai]|long|short")
 # Those of other things: stresses, velocities, contacts, positions, counts
 _OTHERS = re.compile(r"(bond|cluster|group|sample|batch|step|wave|track)\w*(length|size|width)|temperature\w*|charge\w*|mass\w*|density\w*|"
                      r"(stress|strain|virial|pressure|force|torque|velocity)\w*|c?stress\[\d\]|number\w*|.*neighbou?rs?|"
@@ -186,7 +187,7 @@ def take(columns: Sequence[str], options: Options, error: Error, lengths: str, o
     taken = (_by_names(columns, plain, options, error, lengths, order, is_flat) if convention is None else
              _by_convention(plain, options, convention))  # fmt: skip
     _check_brackets([*known, *taken.columns], error)
-    _check_unused(columns, taken, known, options, error, convention)
+    _check_unused(columns, taken, known, options, error, is_flat, convention)
     _check_options(taken, options, error)
     unused = " ".join(name for name in dict.fromkeys(columns) if name not in {"", *known, *taken.columns})
     return taken._replace(source=", ".join(filter(None, [taken.source, unused and f"columns that are not used: {unused}"])))
@@ -322,7 +323,7 @@ def _shape_or_spheroid(columns: Sequence[str], plain: dict[str, str], options: O
     return shape, lengths, "", (1.0, 1.0)
 
 
-def _check_unused(columns: Sequence[str], taken: Taken, known: Sequence[str], options: Options, error: Error,
+def _check_unused(columns: Sequence[str], taken: Taken, known: Sequence[str], options: Options, error: Error, is_flat: bool,
                   convention: Convention | None) -> None:  # fmt: skip
     """Refuses columns that could change bodies and are not used."""
     used = {*known, *taken.columns}
@@ -341,7 +342,8 @@ def _check_unused(columns: Sequence[str], taken: Taken, known: Sequence[str], op
             found[name] = is_size, is_turn
     if found:
         sizes, turns = map(any, zip(*found.values()))
-        how = ", ".join(["--shape-columns"] * sizes + ["--quaternion-columns, --euler, --polar or --direction-columns"] * turns)
+        how_turned = "--angle-columns" if is_flat else "--quaternion-columns, --euler, --polar or --direction-columns"
+        how = ", ".join(["--shape-columns"] * sizes + [how_turned] * turns)
         raise error((_UNUSED if len(found) == 1 else _SEVERAL_UNUSED).format(" ".join(found), how, for_option(found)))
 
 
@@ -424,7 +426,7 @@ def _spheroids(taken: Taken, table: Table) -> Floats:
 
 
 def is_liggghts(plain: dict[str, str]) -> bool:
-    return {"quat1", "quat2", "quat3", "quat4"} <= plain.keys() or "blockiness1" in plain
+    return {"shapex", "quat1", "quat2", "quat3", "quat4"} <= plain.keys() or "blockiness1" in plain
 
 
 def _shape(columns: Sequence[str], plain: dict[str, str], options: Options, error: Error, lengths: str) -> tuple[Names, str]:
@@ -462,6 +464,8 @@ def _quaternion(columns: Sequence[str], plain: dict[str, str], options: Options,
         # The letters of the names say the order; otherwise it is that of the option
         is_scalar_last = bool(found) and meaning == "wxyz" and given[-1:] + given[:-1] == found
         found, meaning = given, "xyzw" if is_scalar_last and not found[0].endswith("]") else order
+    if found and plain_name(found[0]) == "quat1" and not is_liggghts(plain):
+        meaning = _ASK
     if meaning == _ASK and found and options.quaternion is None:
         raise error(_TWO_ORDERS.format(_short(found)))
     if options.quaternion is not None and not given:  # of the columns as they stand in the file
