@@ -57,7 +57,8 @@ REFUSED = {
     "x,y,z,a,b,c,quat[1],quat[2],quat[3],quat[4]": ({}, f"0,0,0,2,1,1,{UP}", r"quat\[1..4\] is x y z w for"),
     "x,y,z,a,b,c,quat_1,quat_2,quat_3,quat_4": ({}, f"0,0,0,2,1,1,{UP}", "quat_1 quat_2 quat_3 quat_4 is x y z w for .* and w x y z for"),
     "x,y,MA,ma,angle_deg": ({"shape_columns": ("MA", "ma")}, "0,0,1,4,0", "MA ma may be whole axes or semi-axes"),
-    "x,y,z,major,minor,ux,uy,uz": ({"shape_columns": ("major", "minor", "minor")}, "0,0,0,4,1,0,1,0", "major minor minor may be whole axes"),
+    "x,y,z,major,minor,ux,uy,uz":
+        ({"shape_columns": ("major", "minor", "minor")}, "0,0,0,4,1,0,1,0", "major minor minor may be whole axes"),
     "x,y,a,b,PA": ({}, "0,0,2,1,0", "PA could change .*: say what it is .--angle-columns., or leave it out"),
     "x,y,z,a,b,c,qw,qx,qy,qz": ({"quaternion": "xyzw"}, f"0,0,0,2,1,1,{UP}", "qw qx qy qz say which is which, and it is not"),
     "label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation":
@@ -137,6 +138,16 @@ PAIRS = {
     "radians of ECSV": ("# %ECSV 1.0\n# ---\n# datatype:\n# - {name: orientation, unit: rad, datatype: float64}\n# schema: astropy-2.0\n"
                         "xcentroid ycentroid semimajor_sigma semiminor_sigma orientation\n5 5 1 .25 1.5707963267948966\n"
                         "5 6.5 1 .25 1.5707963267948966", {}, 0.375),
+    # With all other measures of the same body that these programs write
+    "MorphoLibJ": ("Label,Area,Circularity,Box.X.Min,Centroid.X,Ellipse.Center.X,Ellipse.Center.Y,Ellipse.Radius1,Ellipse.Radius2,"
+                   "Ellipse.Orientation,Ellipse.Elong,MaxFeretDiamAngle,OBox.Length,OBox.Width,OBox.Orientation,GeodesicDiameter,"
+                   "InscrDisc.Radius,AverageThickness\n1,3,.5,0,5,5,5,2,.5,90,4,90,4,1,90,4,.5,.7\n"
+                   "2,3,.5,0,5,5,6.5,2,.5,90,4,90,4,1,90,4,.5,.7", {}, 0.375),
+    "MorphoLibJ in space": ("Label,Volume,MeanBreadth,Sphericity,Elli.Center.X,Elli.Center.Y,Elli.Center.Z,Elli.R1,Elli.R2,Elli.R3,"
+                            "Elli.Azim,Elli.Elev,Elli.Roll,Elli.R1/R2,InscrBall.Radius\n1,3,1,1,5,5,5,2,.5,.5,90,0,0,4,.5\n"
+                            "2,3,1,1,5,6.5,5,2,.5,.5,90,0,0,4,.5", {}, 0.375),
+    "photutils": ("label,xcentroid,ycentroid,semimajor_sigma,semiminor_sigma,orientation,eccentricity,elongation,ellipticity,fwhm,gini\n"
+                  "1,5,5,1,.25,90,.9,4,.75,2,.5\n2,5,6.5,1,.25,90,.9,4,.75,2,.5", {}, 0.375),
     "a cell that is given": ("# Box = 9 9 9\nx,y,z,radius\n0,0,0,1\n0,8,0,1", {"cell": 9 * np.eye(3)}, 0.5),
 }  # fmt: skip
 
@@ -207,7 +218,8 @@ def test_ids_and_types_by_other_names(tmp_path):
 HARMLESS = ("rotational_energy", "Rotational Kinetic Energy", "rotational_velocity_x", "information", "misorientation", "psi6", "psi_4",
             "orientational_order", "track_length", "form_factor", "inertia_x", "moment_of_inertia_xx", "moment_inertia[2]",
             "c_orientorder[1]", "c_erotate", "f_inertia[1]", "c_cluster_size", "Cavity Radius", "deformation_gradient[1]", "label", "name",
-            "class", "b_to_a", "ellipticity", "Flatness", "Max caliper", "radius_of_gyration")  # fmt: skip
+            "class", "b_to_a", "ellipticity", "Flatness", "Max caliper", "radius_of_gyration",
+            "stress_tensor[1]", "removal", "fabric_tensor_xx")  # fmt: skip
 
 
 @pytest.mark.parametrize("name", HARMLESS)

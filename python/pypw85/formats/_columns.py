@@ -86,9 +86,10 @@ _RATIOS = ("aspectratio", "aspect", "elongation", "ar")
 # Names of what can change the size or the shape of a body, or its turn. What is not used of these is refused.
 _SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thick|axis|axes|shape|aspect|ratio(?!n)|elong|major|minor|"
                     r"block|expon|round|superquad|squareness|scale|scaling|stretch|sigma|size|eccentr|flatten|flatness|oblate|prolate|"
-                    r"spheric|cylindric|triaxial|oval|slender|breadth|caliper|calliper|feret|gyrat|fwhm|dpi|per(px|pixel|voxel)|tensor|"
+                    r"spheric|cylindric|triaxial|slender|breadth|caliper|calliper|feret|gyrat|fwhm|per(px|pixel|voxel)|"
                     r"(?<!in)form|matrix|covar|inertia|eigen|lambda|principal|ellip|spheroid).*|(shape)?anisotropy|kappa|ar|ecc|flat|"
-                    r"[abc](to|over)?[abc]|(dims?|extents?|span|std|stdev|stddev|rms|voxel|pixel)[xyz0-3]|(cov|rg)(xx|yy|zz|xy|xz|yz)|"
+                    r"oval(ity|ness)?|dpi|ba|ca|cb|[abc](to|over)[abc]|tensor[\w\[\]]*|(cov|rg)(xx|yy|zz|xy|xz|yz)|"
+                    r"(dims?|extents?|span|std|stdev|stddev|rms|voxel|pixel)[xyz0-3]|"
                     r"eps(ilon)?[12]|geom|geometry|primitive|kind|[xyz](2|end)|(end|tip|tail)[xyz]|[abcdhlrsw]|"
                     r"[abdhrsl][xyz0-3]|[fv]?[rd](max|mid|int|min)|rad|len|dia|(?!chi)[a-z]?(xx|yy|zz|xy|xz|yz)|"
                     r"(?![cfv]\d)[a-z]{1,2}(0[0-2]|[123][0-3])|[ub](iso|eq|equiv|aniso)|"
@@ -112,8 +113,8 @@ _OTHERS = re.compile(r"(bond|cluster|group|sample|batch|step|wave|track)\w*(leng
                      r"deformationgradient.*")  # fmt: skip
 # Measures of bodies whose lengths are all there
 _DERIVED = re.compile(r".*(aspect|ratio|elong|eccentr|ellipticity|flatten|flatness|oblate|prolate|round(?!ness\W?\d)|circular|spheric|"
-                      r"cylindric|triaxial|oval|slender|feret|caliper|calliper|gyrat|equivalent|bounding|bbox|inscr).*|"
-                      r"ecc|[abc](to|over)?[abc]|perim\w*|(shape)?anisotropy|ar|(form|shape)factor|"
+                      r"cylindric|triaxial|slender|feret|caliper|calliper|gyrat|equivalent|bounding|bbox|inscr).*|"
+                      r"ecc|oval(ity|ness)?|ba|ca|cb|[abc](to|over)[abc]|perim\w*|(shape)?anisotropy|ar|(form|shape)factor|"
                       r"(moments?(of)?)?inertia[\w\[\]]*")  # fmt: skip
 _UNUSED = ("the column {0} could change the shapes or how they are turned, and is not used: say what it is ({1}), or leave it out "
            "(--ignore-columns {2})")  # fmt: skip

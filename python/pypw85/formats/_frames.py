@@ -389,8 +389,9 @@ class Frame:
         if options.shape is not None or of_all is not None:
             types = np.unique(names[(self.shapes == 0).all(axis=1)]).tolist()
             if len(types) > 1 and of_all is None:
+                one = shlex.quote(f"{types[0]}:A,B,C")
                 raise self.error(f"particles of the types {' '.join(types)[:200]} have no shapes: say which of them has that of --shape "
-                                 f"(--shape {shlex.quote(f'{types[0]}:A,B,C')}), or that all have it (--shape '{ALL_TYPES}:A,B,C')")  # fmt: skip
+                                 f"(--shape {one}), or that all have it (--shape '{ALL_TYPES}:A,B,C')")  # fmt: skip
             self._give_shape(names == names, options.shape if of_all is None else of_all, "")
 
     def _give_shape(self, chosen: NDArray[np.bool_], lengths: Any, which: str) -> None:
