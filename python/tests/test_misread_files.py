@@ -581,6 +581,7 @@ def test_standard_output_by_another_name(tmp_path):
 @pytest.mark.parametrize("order", ["", "<", ">"])
 def test_order_of_coordinates_of_ply(names, order, tmp_path):
     """Of meshes, in text and in both orders of bytes. Columns are found by name, wherever they stand."""
+    pytest.importorskip("meshio")
     corners = {"x": [0, 2, 2, 0], "y": [0, 0, 1, 1], "z": [0, 0, 1, 1], "red": [9, 9, 9, 9]}
     rows = np.array([corners[name] for name in names.split()], np.float32).T
     kind = {"": "ascii", "<": "binary_little_endian", ">": "binary_big_endian"}[order]
@@ -594,6 +595,7 @@ def test_order_of_coordinates_of_ply(names, order, tmp_path):
 
 
 def test_missing_coordinate_of_ply(tmp_path):
+    pytest.importorskip("meshio")
     header = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float Y\nelement face 0\n"
     (tmp_path / "a.ply").write_text(header + "property list uchar int vertex_indices\nend_header\n0 0\n")
     with pytest.raises(ValueError, match=r"a\.ply: the element vertex must have x, y and z, and has no y z: add it"):
@@ -601,6 +603,32 @@ def test_missing_coordinate_of_ply(tmp_path):
 
 
 def test_byte_order_mark_of_stl(tmp_path):
+    pytest.importorskip("meshio")
     facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
     (tmp_path / "a.stl").write_text(f"\ufeffsolid a\n{facet}endsolid\n")
     assert len(pypw85.Mesh.read(tmp_path / "a.stl")) == 1
+
+
+def test_byte_order_mark_of_obj(tmp_path):
+    """The first vertex stands behind it. An old name of faces is fo."""
+    pytest.importorskip("meshio")
+    (tmp_path / "a.obj").write_text("\ufeffv 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3\nfo 1 3 4\n")
+    mesh = pypw85.Mesh.read(tmp_path / "a.obj")
+    assert mesh.vertices.tolist() == [[0, 0, 0], [2, 0, 0], [2, 1, 0], [0, 1, 0]] and mesh.triangles.tolist() == [[0, 1, 2], [0, 2, 3]]
+    (tmp_path / "a.obj").write_text("v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\ncall b.obj\n")
+    with pytest.raises(ValueError, match=r"a\.obj: line 5: the file includes another one"):
+        pypw85.Mesh.read(tmp_path / "a.obj")
+
+
+@pytest.mark.parametrize("properties, row, sentence", [
+    ("uchar red|list uchar int vertex_indices", "9 3 0 1 2", "the element face has 'red' before its vertices.*without 'red' before"),
+    ("list uchar int vertex_index|list uchar float uv", "3 0 1 2 2 0 0", "the element face has the list 'uv'.*without it"),
+])  # fmt: skip
+def test_properties_of_faces_of_ply(properties, row, sentence, tmp_path):
+    pytest.importorskip("meshio")
+    faces = "".join(f"property {one}\n" for one in properties.split("|"))
+    vertices = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+    text = f"ply\nformat ascii 1.0\n{vertices}element face 1\n{faces}end_header\n0 0 0\n1 0 0\n0 1 0\n{row}\n"
+    (tmp_path / "a.ply").write_text(text)
+    with pytest.raises(ValueError, match=sentence):
+        pypw85.Mesh.read(tmp_path / "a.ply")
