@@ -632,3 +632,15 @@ def test_properties_of_faces_of_ply(properties, row, sentence, tmp_path):
     (tmp_path / "a.ply").write_text(text)
     with pytest.raises(ValueError, match=sentence):
         pypw85.Mesh.read(tmp_path / "a.ply")
+
+
+@pytest.mark.parametrize("text", [
+    "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n-9 9\n-9 9\n-9 9\nITEM: ATOMS x y z radius\n0 0 0 1\n",
+    "1\nProperties=species:S:1:pos:R:3:radius:R:1\nA 0 0 0 1\n",
+    "x,y,z,radius\n0,0,0,1\n",
+    "# Region file format: DS9 version 4.1\nimage\ncircle(1,2,1)\n",
+    "Geometry: sphere\nRadius: 1\nPosition: (5, 5, 5)\n",
+])  # fmt: skip
+def test_byte_order_marks(text, tmp_path):
+    (tmp_path / "a").write_text("\ufeff" + text)
+    assert read(tmp_path / "a").semi_axes[0, :2].tolist() == [1, 1]

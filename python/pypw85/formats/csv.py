@@ -66,7 +66,7 @@ _USUAL = ("id", "ids", "particleid", "type", "types", "species")
 
 
 def recognise(start: bytes) -> bool:
-    lines = start.decode("utf-8", errors="replace").removeprefix("\ufeff").splitlines()
+    lines = start.decode("utf-8", errors="replace").splitlines()
     comments = list(itertools.takewhile(_may_precede, lines))
     first = next(iter(lines[len(comments) :]), "")
     is_named = any(possible({plain_name(name) for name in words}) for words in _rows_of(first))

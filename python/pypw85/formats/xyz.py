@@ -49,7 +49,7 @@ _ELEMENTS = frozenset(
 
 def recognise(start: bytes) -> bool:
     """A number, a comment, and either Properties in that, or particles: a name and a position."""
-    lines = start.removeprefix(b"\xef\xbb\xbf").lstrip().split(b"\n", 3)
+    lines = start.lstrip().split(b"\n", 3)
     if len(lines) < 2 or not re.fullmatch(rb"[0-9]+\s*", lines[0]):
         return False
     first = lines[2].split() if len(lines) > 2 else []
