@@ -14,7 +14,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from ._ply import Element, Header, end_of, read_header
+from ._ply import Element, Header, Property, end_of, read_header, rows_of
 from ._typing import Floats
 
 Path = str | os.PathLike[str]
@@ -114,7 +114,7 @@ def _obj(path: str) -> Any:
     """Only vertices and faces, without the numbers of textures and normals, which meshio takes for data of vertices."""
     import meshio
 
-    with open(path, encoding="utf-8", errors="replace") as file:
+    with open(path, encoding="utf-8-sig", errors="replace") as file:
         return meshio.read(io.StringIO("".join(_plain_obj(file))), file_format="obj")
 
 
@@ -129,8 +129,10 @@ def _plain_obj(file: io.TextIOWrapper) -> Iterator[str]:
         if words[:1] == ["v"]:
             vertices += 1
             yield f"v {' '.join(words[1:4])}\n"
-        elif words[:1] == ["f"]:
+        elif words[:1] in (["f"], ["fo"]):
             yield f"f {' '.join(map(str, _face(words[1:], vertices, number)))}\n"
+        elif words[:1] in (["call"], ["csh"]):
+            raise ValueError(f"line {number}: the file includes another one, which is not read: write both to one file")
         elif words[:1] in (["surf"], ["curv"]):
             raise ValueError(f"line {number}: free-form surfaces have no triangles: write polygons")
 
@@ -155,6 +157,7 @@ def _stl(path: str) -> Any:
         if size == _HEADER_OF_STL + _TRIANGLE_OF_STL * count and size > _HEADER_OF_STL:
             return meshio.stl.read(path)
         text = start + file.read()
+    text = text.removeprefix(b"\xef\xbb\xbf")  # a byte order mark
     if b"\0" in start or not text.lstrip()[:5].lower() == b"solid":
         raise ValueError(f"a binary STL file of {count} triangles must have {_HEADER_OF_STL + _TRIANGLE_OF_STL * count} bytes, not "
                          f"{size}: it is truncated, or not an STL file; write it again")  # fmt: skip
@@ -185,6 +188,8 @@ def _plain_stl(text: str) -> Iterator[str]:
     yield "endsolid\n"
 
 
+# Names of the list of the vertices of a face
+_VERTICES = ("vertex_indices", "vertex_index")
 # Names of types that meshio knows in text and in binary files
 _NAMES = {"i1": "int8", "u1": "uint8", "i2": "short", "u2": "uint16", "i4": "int32", "u4": "uint32", "f4": "float32", "f8": "double"}
 
@@ -198,6 +203,10 @@ def _ply(path: str) -> Any:
     header = read_header(content)
     data, elements = _vertices_and_faces(content, header)
     faces = elements[-1]
+    if missing := {"x", "y", "z"} - {one.name for one in elements[0].properties}:
+        raise ValueError(f"the element vertex must have x, y and z, and has no {' '.join(sorted(missing))}: add it")
+    if not header.order:
+        elements, data = _ordered(content, header, elements, data)
     if header.order and faces.name == "face" and len(faces.properties) > 1:
         return _faces_with_properties(header.order, elements, data)
     plain = "\n".join(_plain_ply(header.order, elements)) + "\nend_header\n"
@@ -224,6 +233,19 @@ def _vertices_and_faces(content: bytes, header: Header) -> tuple[bytes, list[Ele
     return b"".join(content[places[one.name]] for one in wanted), wanted
 
 
+def _ordered(content: bytes, header: Header, elements: list[Element], data: bytes) -> tuple[list[Element], bytes]:
+    """Text in which vertices have x, y and z alone: meshio takes them for coordinates only if they are the first properties, in this
+    order."""
+    vertices = elements[0]
+    if [one.name for one in vertices.properties][:3] == ["x", "y", "z"]:
+        return elements, data
+    rows = rows_of(content, header, "vertex")
+    lines = (" ".join(map(repr, row)) for row in np.stack([rows[axis] for axis in "xyz"], axis=1).tolist())
+    faces = data[end_of(data, header, vertices, 0) :]
+    plain = Element("vertex", vertices.number, [Property(axis, "f8") for axis in "xyz"])
+    return [plain, *elements[1:]], "".join(f"{line}\n" for line in lines).encode() + faces
+
+
 def _faces_with_properties(order: str, elements: list[Element], data: bytes) -> Any:
     """Faces with a color, for instance, behind their vertices, which meshio misreads: they must all have as many vertices."""
     import meshio
@@ -244,7 +266,7 @@ def _faces_with_properties(order: str, elements: list[Element], data: bytes) -> 
         if name.startswith("count ") and (rows[name] != rows[name][0]).any():
             raise ValueError("faces with properties in addition to lists of vertices must all have the same number of vertices: "
                              "write the file without these properties")  # fmt: skip
-    name = next(one for one in ("vertex_indices", "vertex_index") if one in (rows.dtype.names or ()))
+    name = next(one for one in _VERTICES if one in (rows.dtype.names or ()))
     corners = np.frombuffer(data, points, vertices.number)
     cells = rows[name].reshape(faces.number, -1)
     kind = {3: "triangle", 4: "quad"}.get(cells.shape[1], "polygon")
@@ -258,8 +280,10 @@ def _plain_ply(order: str, elements: list[Element]) -> Iterator[str]:
         yield f"element {element.name} {element.number}"
         for k, one in enumerate(element.properties):
             if one.length and (k or element.name == "vertex"):
-                raise ValueError(f"the element {element.name} has the list '{one.name}', and only the list of the vertices of a face is "
-                                 "read: write the file without it")  # fmt: skip
+                before = [other.name for other in element.properties[:k]] if one.name in _VERTICES else []
+                what = f"'{' '.join(before)}' before its vertices" if before else f"the list '{one.name}'"
+                raise ValueError(f"the element {element.name} has {what}, and only the list of the vertices of a face is read: write the "
+                                 f"file without {what if before else 'it'}")  # fmt: skip
             name = "vertex_indices" if one.length else one.name
             yield f"property {f'list {_NAMES[one.length]} ' if one.length else ''}{_NAMES[one.kind]} {name}"
 

@@ -36,7 +36,11 @@ REFUSED = {
     # What could be the shape beside a radius: eigenvalues, displacement parameters, elements of matrices, bounds, exponents, units
     **{f"x,y,z,radius,{name}": ({}, f"0,0,0,1{',1' * (1 + name.count(','))}", f"the columns? {name.replace(',', ' ')} could change")
        for name in ("eigenvalue1,eigenvalue2,eigenvalue3", "lambda_1", "principal_moment", "U11,U22,U33,U12,U13,U23", "B_iso", "m00",
-                    "Q_12", "r11", "rmin,rmax", "d_max", "ellipsoid", "unit", "spacing", "pixel_um", "resolution")},
+                    "Q_12", "r11", "rmin,rmax", "d_max", "ellipsoid", "unit", "spacing", "pixel_um", "resolution", "b_to_a", "c/a", "ba",
+                    "ellipticity", "ecc", "triaxiality", "acylindricity", "extent_x", "std_x", "Rg_xx", "tensor_00", "dim_x", "flatness",
+                    "ovality", "slenderness", "rotvec_x", "Breadth3d", "Max caliper", "Feret", "hx", "fwhm_x", "voxel_x", "dpi")},
+    "x,y,a,b,angle_deg,axis1,axis2": ({}, "0,0,2,1,0,4,2", "say what they are .--shape-columns, --angle-columns., or leave"),
+    "x,y,z,a,b,c,axis1,axis2": ({}, "0,0,0,2,1,1,4,2", "say what they are .--shape-columns, --quaternion-columns, --euler, --polar or"),
     "x,y,z,radius,rw,rx,ry,rz": ({}, f"0,0,0,1,{UP}", "the column rw could change the shapes or how they are turned"),
     "x,y,z,a,b,c,dx,dy,dz":
         ({}, "0,0,0,2,.5,.5,0,1,0", "the columns dx dy dz could change .*, and are not used: .* out .--ignore-columns dx,dy,dz."),
@@ -51,6 +55,11 @@ REFUSED = {
                                              "the bodies turn about y alone, so that height may be along y"),
     "x,y,a,b,theta": ({"angle": "radians"}, "0,0,2,1,0", "the columns may be those of sep, and others mean other lengths"),
     "x,y,z,a,b,c,quat[1],quat[2],quat[3],quat[4]": ({}, f"0,0,0,2,1,1,{UP}", r"quat\[1..4\] is x y z w for"),
+    "x,y,z,a,b,c,quat_1,quat_2,quat_3,quat_4": ({}, f"0,0,0,2,1,1,{UP}", "quat_1 quat_2 quat_3 quat_4 is x y z w for .* and w x y z for"),
+    "x,y,MA,ma,angle_deg": ({"shape_columns": ("MA", "ma")}, "0,0,1,4,0", "MA ma may be whole axes or semi-axes"),
+    "x,y,z,major,minor,ux,uy,uz":
+        ({"shape_columns": ("major", "minor", "minor")}, "0,0,0,4,1,0,1,0", "major minor minor may be whole axes"),
+    "x,y,a,b,PA": ({}, "0,0,2,1,0", "PA could change .*: say what it is .--angle-columns., or leave it out"),
     "x,y,z,a,b,c,qw,qx,qy,qz": ({"quaternion": "xyzw"}, f"0,0,0,2,1,1,{UP}", "qw qx qy qz say which is which, and it is not"),
     "label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation":
         ({}, "1,0,0,4,1,90", "has the orientation 90, and this program writes radians up to 1.571: say the unit"),
@@ -129,6 +138,16 @@ PAIRS = {
     "radians of ECSV": ("# %ECSV 1.0\n# ---\n# datatype:\n# - {name: orientation, unit: rad, datatype: float64}\n# schema: astropy-2.0\n"
                         "xcentroid ycentroid semimajor_sigma semiminor_sigma orientation\n5 5 1 .25 1.5707963267948966\n"
                         "5 6.5 1 .25 1.5707963267948966", {}, 0.375),
+    # With all other measures of the same body that these programs write
+    "MorphoLibJ": ("Label,Area,Circularity,Box.X.Min,Centroid.X,Ellipse.Center.X,Ellipse.Center.Y,Ellipse.Radius1,Ellipse.Radius2,"
+                   "Ellipse.Orientation,Ellipse.Elong,MaxFeretDiamAngle,OBox.Length,OBox.Width,OBox.Orientation,GeodesicDiameter,"
+                   "InscrDisc.Radius,AverageThickness\n1,3,.5,0,5,5,5,2,.5,90,4,90,4,1,90,4,.5,.7\n"
+                   "2,3,.5,0,5,5,6.5,2,.5,90,4,90,4,1,90,4,.5,.7", {}, 0.375),
+    "MorphoLibJ in space": ("Label,Volume,MeanBreadth,Sphericity,Elli.Center.X,Elli.Center.Y,Elli.Center.Z,Elli.R1,Elli.R2,Elli.R3,"
+                            "Elli.Azim,Elli.Elev,Elli.Roll,Elli.R1/R2,InscrBall.Radius\n1,3,1,1,5,5,5,2,.5,.5,90,0,0,4,.5\n"
+                            "2,3,1,1,5,6.5,5,2,.5,.5,90,0,0,4,.5", {}, 0.375),
+    "photutils": ("label,xcentroid,ycentroid,semimajor_sigma,semiminor_sigma,orientation,eccentricity,elongation,ellipticity,fwhm,gini\n"
+                  "1,5,5,1,.25,90,.9,4,.75,2,.5\n2,5,6.5,1,.25,90,.9,4,.75,2,.5", {}, 0.375),
     "a cell that is given": ("# Box = 9 9 9\nx,y,z,radius\n0,0,0,1\n0,8,0,1", {"cell": 9 * np.eye(3)}, 0.5),
 }  # fmt: skip
 
@@ -168,6 +187,26 @@ def test_quoted_names(tmp_path):
     assert read(tmp_path / "a.csv").semi_axes.tolist() == [[1, 1, 1]]
 
 
+def test_names_with_commas(run, tmp_path):
+    """The option that a refusal advises works, whatever the names are."""
+    (tmp_path / "a.csv").write_text('x;y;z;radius;Length, mm;5" size\n0;0;0;1;2;3\n')
+    done = run("check", tmp_path / "a.csv")
+    assert done.status == 2
+    advised = done.err.partition("(--ignore-columns '")[2].rpartition("')")[0]
+    assert advised == '"Length, mm",5" size'
+    assert run("check", tmp_path / "a.csv", "--ignore-columns", advised).status == 0
+    done = run("check", tmp_path / "a.csv", "--ignore-columns", "Length\nmm")  # a line feed has no meaning in CSV here
+    assert done.status == 2 and "there is no column 'Length" in done.err
+
+
+def test_types_as_options(tmp_path):
+    """Names of types are quoted for the shell."""
+    (tmp_path / "a.csv").write_text("x,y,z,type\n0,0,0,my rod\n0,0,9,your rod\n")
+    with pytest.raises(pypw85.FileError, match=r"\(--shape 'my rod:A,B,C'\)"):
+        read(tmp_path / "a.csv", shape=(1, 1, 1))
+    assert len(read(tmp_path / "a.csv", shapes={"my rod": (1, 1, 1)}, points=["your rod"])) == 1
+
+
 def test_ids_and_types_by_other_names(tmp_path):
     (tmp_path / "a.csv").write_text("index,class,x,y,z,radius\n7,sand,0,0,0,1\n")
     system = read(tmp_path / "a.csv")
@@ -179,7 +218,8 @@ def test_ids_and_types_by_other_names(tmp_path):
 HARMLESS = ("rotational_energy", "Rotational Kinetic Energy", "rotational_velocity_x", "information", "misorientation", "psi6", "psi_4",
             "orientational_order", "track_length", "form_factor", "inertia_x", "moment_of_inertia_xx", "moment_inertia[2]",
             "c_orientorder[1]", "c_erotate", "f_inertia[1]", "c_cluster_size", "Cavity Radius", "deformation_gradient[1]", "label", "name",
-            "class")  # fmt: skip
+            "class", "b_to_a", "ellipticity", "Flatness", "Max caliper", "radius_of_gyration",
+            "stress_tensor[1]", "removal", "fabric_tensor_xx")  # fmt: skip
 
 
 @pytest.mark.parametrize("name", HARMLESS)
@@ -197,7 +237,7 @@ def test_material_of_spheres(tmp_path):
 
 def test_inertia_of_what_may_be_turned(tmp_path):
     (tmp_path / "a.csv").write_text("x,y,z,a,b,c,inertia_xx,inertia_xy\n0,0,0,2,.5,.5,1,1\n")
-    with pytest.raises(pypw85.FileError, match="lacks an orientation"):
+    with pytest.raises(pypw85.FileError, match="lacks an orientation: .*, or name columns .--quaternion-columns, --direction-columns"):
         read(tmp_path / "a.csv")
 
 
@@ -292,6 +332,64 @@ def test_two_boxes_of_lammps(tmp_path):
             read(tmp_path / "a.data")
 
 
+# Rows of the section Atoms, and the sentence that refuses them: they may be those of other styles with seven columns
+STYLES = {
+    "1 1 1 0.5 0 0 0": "",
+    "1 1 0.5 1 0 0 0": "the third column must be the flag 0 or 1 of atom_style ellipsoid, not 0.5",  # sphere: diameter, density
+    "1 7 2 0.3 0 0 0": "the third column must be the flag 0 or 1 of atom_style ellipsoid, not 2",  # full: molecule, type, charge
+    "1 1 1 -0.3 0 0 0": "the fourth column must be the density > 0 of atom_style ellipsoid, not -0.3",  # charge, or LAMMPS refuses it
+    "1 1 1 nan 0 0 0": "the fourth column must be the density > 0",
+}
+
+
+@pytest.mark.parametrize("row", STYLES)
+def test_styles_of_lammps(row, tmp_path):
+    """Without a section Ellipsoids, when an option gives the shapes."""
+    bounds = "-9 9 xlo xhi\n-9 9 ylo yhi\n-9 9 zlo zhi\n"
+    (tmp_path / "a.data").write_text(f"of a test\n\n1 atoms\n9 atom types\n{bounds}\nAtoms\n\n{row}\n")
+    if not STYLES[row]:
+        assert read(tmp_path / "a.data", shape=(2, 2, 2)).semi_axes.tolist() == [[1, 1, 1]]
+        return
+    with pytest.raises(pypw85.FileError, match=f"line 11: {STYLES[row]}.*other styles have no shapes"):
+        read(tmp_path / "a.data", shape=(2, 2, 2))
+
+
+# Second lines of XYZ files, and the sentence that refuses them if an option gives the shapes
+COMMENTS = {
+    "properties=species:S:1:pos:R:3": "the key properties is spelled Properties in extended XYZ",
+    'lattice="9 0 0 0 9 0 0 0 9"': "the key lattice could be the cell",
+    'PBC="F F F"': "the key PBC could be the cell",
+    "cell 9 9 9": "the comment 'cell 9 9 9' could say the cell, and is not read: .*, or give the cell .--cell.",
+    "# Box: 9 9 9": "the comment '# Box: 9 9 9' could say the cell",
+    'Lattice="9 9 9" Properties=species:S:1:pos:R:3': "Lattice must be 9 numbers, not '9 9 9'",
+    'pbc=[T, T, T] Properties=species:S:1:pos:R:3': "pbc must be three of T and F",
+}
+
+
+@pytest.mark.parametrize("comment", COMMENTS)
+def test_second_lines_of_xyz(comment, tmp_path):
+    (tmp_path / "a.xyz").write_text(f"1\n{comment}\nA 0 0 0\n")
+    with pytest.raises(pypw85.FileError, match=f"line 2: {COMMENTS[comment]}"):
+        read(tmp_path / "a.xyz", shape=(1, 1, 1))
+
+
+@pytest.mark.parametrize("comment", ["a cell of 9 molecules", "Step 3 in the box", "", "cells"])
+def test_comments_of_xyz(comment, tmp_path):
+    (tmp_path / "a.xyz").write_text(f"1\n{comment}\nA 0 0 0\n")
+    assert len(read(tmp_path / "a.xyz", shape=(1, 1, 1))) == 1
+    (tmp_path / "a.xyz").write_text("1\ncell 9 9 9\nA 0 0 0\n")
+    assert read(tmp_path / "a.xyz", shape=(1, 1, 1), cell=9 * np.eye(3)).cell.tolist() == (9 * np.eye(3)).tolist()
+
+
+def test_shapes_that_an_option_names(tmp_path):
+    """shapex to shapez are diameters; shape[1] to shape[3] may be."""
+    (tmp_path / "a.xyz").write_text("1\nProperties=species:S:1:pos:R:3:shape:R:3:orientation:R:4\nA 0 0 0 4 1 1 0 0 0 1\n")
+    names = [f"shape[{k}]" for k in (1, 2, 3)]
+    with pytest.raises(pypw85.FileError, match=r"shape\[1..3\] may be whole axes or semi-axes: use --lengths diameters"):
+        read(tmp_path / "a.xyz", shape_columns=names)
+    assert read(tmp_path / "a.xyz", shape_columns=names, lengths="diameters").semi_axes.tolist() == [[2, 0.5, 0.5]]
+
+
 def gsd_file(path, **chunks):
     mode = "w" if hasattr(gsd.hoomd, "Frame") else "wb"  # before gsd 2.8
     with gsd.fl.open(str(path), mode, application="test", schema="hoomd", schema_version=(1, 4)) as file:
@@ -315,6 +413,42 @@ def test_gsd(tmp_path):
     gsd_file(tmp_path / "a.gsd", **state, **{"particles/type_shapes": shapes})
     with pytest.raises(pypw85.FileError, match="the shapes of particles/type_shapes are not those of state/hpmc"):
         read(tmp_path / "a.gsd")
+
+
+def test_polyhedra_of_gsd(tmp_path):
+    """A type that is no ellipsoid matters only if it has particles, and --points leaves these out."""
+    rod = '{"type": "Ellipsoid", "a": 2, "b": 0.5, "c": 0.5}'
+    hull = '{"type": "ConvexPolyhedron", "rounding_radius": 0.1, "vertices": [[1, 0, 0]]}'
+    width = max(map(len, (rod, hull))) + 1
+    texts = np.array([list(text.encode().ljust(width, b"\0")) for text in (rod, hull)], np.int8)
+    types = np.array([list(b"A\0"), list(b"B\0")], np.int8)
+    chunks = {"particles/N": np.array([2], np.uint32), "particles/position": np.zeros((2, 3), np.float32), "particles/types": types,
+              "particles/type_shapes": texts}  # fmt: skip
+    with gsd.fl.open(str(tmp_path / "a.gsd"), "w" if hasattr(gsd.hoomd, "Frame") else "wb", application="test", schema="hoomd",
+                     schema_version=(1, 4)) as file:  # fmt: skip
+        for typeid in ([0, 0], [0, 1], [1, 1]):
+            for name, values in {**chunks, "particles/typeid": np.array(typeid, np.uint32)}.items():
+                file.write_chunk(name, values)
+            file.end_frame()
+    assert len(read(tmp_path / "a.gsd")) == 2
+    with pytest.raises(pypw85.FileError, match="the type 1 is not an ellipsoid: .*: leave out its particles .--points B.$"):
+        read(tmp_path / "a.gsd", frame=1)
+    assert read(tmp_path / "a.gsd", frame=1, points=["B"]).semi_axes.tolist() == [[2, 0.5, 0.5]]
+    with pytest.raises(pypw85.FileError, match="the type 1 is not an ellipsoid: .*: only ellipsoids and spheres can be checked$"):
+        read(tmp_path / "a.gsd", frame=2)
+
+
+def test_edges_of_a_plane_in_h5md(tmp_path):
+    """Two numbers, as H5MD has them for a box of two dimensions. Long axes 2 along y, 1.5 apart by the image: μ = 0.375."""
+    with h5py.File(tmp_path / "a.h5", "w") as file:
+        group = file.create_group("particles/all")
+        group["position"], group["semi_axes"], group["angle"] = [[0, 9.5], [0, -9]], [[2, 0.5], [2, 0.5]], [90.0, 90.0]
+        group["angle"].attrs["unit"] = "deg"
+        group.create_group("box").attrs.update(dimension=2, boundary=[b"periodic"] * 2)
+        group["box/edges"] = [20.0, 20.0]
+    system = read(tmp_path / "a.h5")
+    assert system.dimensions == 2 and list(system.periodic) == [True, True, False]
+    np.testing.assert_allclose(system.check(below=9).smallest_mu, 0.375, rtol=8e-15)
 
 
 def h5md(path, steps, unit="", offset=None):
@@ -441,3 +575,72 @@ def test_standard_output_by_another_name(tmp_path):
     line = [sys.executable, "-m", "pypw85", "convert", tmp_path / "a.csv", "/dev/stdout", "--to", "csv"]
     done = subprocess.run(line, capture_output=True)
     assert done.returncode == 0 and done.stdout.startswith(b"id,type") and b"lengths radius as radii" in done.stderr
+
+
+@pytest.mark.parametrize("names", ["x y z", "z y x", "red x y z", "x y red z"])
+@pytest.mark.parametrize("order", ["", "<", ">"])
+def test_order_of_coordinates_of_ply(names, order, tmp_path):
+    """Of meshes, in text and in both orders of bytes. Columns are found by name, wherever they stand."""
+    pytest.importorskip("meshio")
+    corners = {"x": [0, 2, 2, 0], "y": [0, 0, 1, 1], "z": [0, 0, 1, 1], "red": [9, 9, 9, 9]}
+    rows = np.array([corners[name] for name in names.split()], np.float32).T
+    kind = {"": "ascii", "<": "binary_little_endian", ">": "binary_big_endian"}[order]
+    properties = "".join(f"property float {name}\n" for name in names.split())
+    header = f"ply\nformat {kind} 1.0\nelement vertex 4\n{properties}element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+    text = "".join(" ".join(f"{number:g}" for number in row) + "\n" for row in rows) + "4 0 1 2 3\n"
+    data = rows.astype(f"{order or '<'}f4").tobytes() + b"\4" + np.arange(4).astype(f"{order or '<'}i4").tobytes()
+    (tmp_path / "a.ply").write_bytes(header.encode() + (data if order else text.encode()))
+    mesh = pypw85.Mesh.read(tmp_path / "a.ply")
+    assert mesh.vertices.tolist() == np.array([corners[axis] for axis in "xyz"]).T.tolist() and len(mesh) == 2
+
+
+def test_missing_coordinate_of_ply(tmp_path):
+    pytest.importorskip("meshio")
+    header = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float Y\nelement face 0\n"
+    (tmp_path / "a.ply").write_text(header + "property list uchar int vertex_indices\nend_header\n0 0\n")
+    with pytest.raises(ValueError, match=r"a\.ply: the element vertex must have x, y and z, and has no y z: add it"):
+        pypw85.Mesh.read(tmp_path / "a.ply")
+
+
+def test_byte_order_mark_of_stl(tmp_path):
+    pytest.importorskip("meshio")
+    facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
+    (tmp_path / "a.stl").write_text(f"\ufeffsolid a\n{facet}endsolid\n")
+    assert len(pypw85.Mesh.read(tmp_path / "a.stl")) == 1
+
+
+def test_byte_order_mark_of_obj(tmp_path):
+    """The first vertex stands behind it. An old name of faces is fo."""
+    pytest.importorskip("meshio")
+    (tmp_path / "a.obj").write_text("\ufeffv 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3\nfo 1 3 4\n")
+    mesh = pypw85.Mesh.read(tmp_path / "a.obj")
+    assert mesh.vertices.tolist() == [[0, 0, 0], [2, 0, 0], [2, 1, 0], [0, 1, 0]] and mesh.triangles.tolist() == [[0, 1, 2], [0, 2, 3]]
+    (tmp_path / "a.obj").write_text("v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\ncall b.obj\n")
+    with pytest.raises(ValueError, match=r"a\.obj: line 5: the file includes another one"):
+        pypw85.Mesh.read(tmp_path / "a.obj")
+
+
+@pytest.mark.parametrize("properties, row, sentence", [
+    ("uchar red|list uchar int vertex_indices", "9 3 0 1 2", "the element face has 'red' before its vertices.*without 'red' before"),
+    ("list uchar int vertex_index|list uchar float uv", "3 0 1 2 2 0 0", "the element face has the list 'uv'.*without it"),
+])  # fmt: skip
+def test_properties_of_faces_of_ply(properties, row, sentence, tmp_path):
+    pytest.importorskip("meshio")
+    faces = "".join(f"property {one}\n" for one in properties.split("|"))
+    vertices = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+    text = f"ply\nformat ascii 1.0\n{vertices}element face 1\n{faces}end_header\n0 0 0\n1 0 0\n0 1 0\n{row}\n"
+    (tmp_path / "a.ply").write_text(text)
+    with pytest.raises(ValueError, match=sentence):
+        pypw85.Mesh.read(tmp_path / "a.ply")
+
+
+@pytest.mark.parametrize("text", [
+    "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n-9 9\n-9 9\n-9 9\nITEM: ATOMS x y z radius\n0 0 0 1\n",
+    "1\nProperties=species:S:1:pos:R:3:radius:R:1\nA 0 0 0 1\n",
+    "x,y,z,radius\n0,0,0,1\n",
+    "# Region file format: DS9 version 4.1\nimage\ncircle(1,2,1)\n",
+    "Geometry: sphere\nRadius: 1\nPosition: (5, 5, 5)\n",
+])  # fmt: skip
+def test_byte_order_marks(text, tmp_path):
+    (tmp_path / "a").write_text("\ufeff" + text)
+    assert read(tmp_path / "a").semi_axes[0, :2].tolist() == [1, 1]

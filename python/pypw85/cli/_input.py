@@ -27,6 +27,7 @@ from ..formats import (
     locate,
     no_frames,
 )
+from ..formats._errors import names_of_option
 from ..formats._frames import ANGLES, LENGTHS, ORDERS, SCALES
 from .._rotations import SEQUENCES, is_sequence
 from .._system import System
@@ -269,13 +270,13 @@ def _options(points: str | None, *, cell: Any, periodic: str | None, shape: Any,
         cell=cell, periodic=None if periodic is None else [periodic != "none" and name in periodic for name in "abc"],
         shape=next((lengths for kind, lengths in reversed(shape) if kind is None), None),
         shapes={kind: lengths for kind, lengths in shape if kind is not None} or None,
-        dimensions=None if dimensions is None else int(dimensions), points=points.split(",") if points else None,
+        dimensions=None if dimensions is None else int(dimensions), points=names_of_option(points) if points else None,
         spacing=spacing[0] if spacing is not None and len(spacing) == 1 else spacing, euler=euler,
         shape_columns=_names(shape_columns, 3, "--shape-columns"),
         quaternion_columns=_names(quaternion_columns, 4, "--quaternion-columns"),
         angle_columns=_names(angle_columns, len(euler or "z"), "--angle-columns"), polar=_names(polar, 2, "--polar"),
         direction_columns=_names(direction_columns, 3, "--direction-columns"),
-        ignore_columns=None if ignore_columns is None else ignore_columns.split(","), **others,
+        ignore_columns=None if ignore_columns is None else names_of_option(ignore_columns), **others,
     )  # fmt: skip
 
 
@@ -341,7 +342,7 @@ def one_frame(given: Input, stream: TextIO | None = None) -> System:
 
 
 def _names(text: str | None, count: int, option: str) -> list[str] | None:
-    names = None if text is None else text.split(",")
+    names = None if text is None else names_of_option(text)
     if names is not None and len(names) != count:
         raise click.UsageError(f"{option} must name {count} columns")
     return names

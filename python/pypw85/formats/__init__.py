@@ -141,7 +141,7 @@ def guess(path: Path) -> str:
     is_packed = is_compressed(path)
     try:
         with gzip.open(path) if is_packed else open(path, "rb") as file:
-            start = file.read(4096)
+            start = file.read(4096).removeprefix(b"\xef\xbb\xbf")  # a byte order mark
     except (EOFError, gzip.BadGzipFile, zlib.error) as error:
         raise FileError(path, f"what is compressed cannot be read ({error}): it is broken or truncated; write it again") from None
     if not start.strip():

@@ -16,6 +16,9 @@ from ._names import numbers_if_all_are, type_names
 _MARGIN = 2.0**-20
 # Rounding a corner, and adding an edge to it, may change the edge by this share. If it changes more, the corner is too far from 0.
 _ROUNDED = 2.0**-40
+# How a comment begins that may say the cell; its first group is the word for that
+SAYS_CELL = (r"((?:(?:simulation|periodic|unit)[ _-]?)?(?:cell|box|lattice)(?:[ _-]?(?:size|lengths?|vectors?|edges))?|"
+             r"pbc|periodic\w*|boundar(?:y|ies)|lattice)\s*(?:[:=(\[]|[-+]?\.?\d|[TFtf]\b)")  # fmt: skip
 
 
 def numbered_types(system: System) -> tuple[Any, bool]:

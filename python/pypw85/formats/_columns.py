@@ -53,7 +53,7 @@ _QUADRUPLE = ("[1]", "[2]", "[3]", "[4]")
 _QUATERNIONS: list[tuple[str, list[Names], str]] = [
     ("quat|q|quaternion|quaternions|quats|orientation|orient|ori|rotation|rot", _LETTERS, "wxyz"),
     ("orientation", [_QUADRUPLE], "xyzw"),
-    ("quat", [("1", "2", "3", "4")], "wxyz"),
+    ("quat", [("1", "2", "3", "4")], "wxyz"),  # of LIGGGHTS
     ("q", [("0", "1", "2", "3")], "wxyz"),
     ("quat|quats|quaternion|quaternions", [("0", "1", "2", "3"), _QUADRUPLE], _ASK),
     (r"c\w*orient\w*", [_QUADRUPLE], _ASK),
@@ -85,21 +85,26 @@ _SPHEROIDS: list[tuple[Names, Names, tuple[float, float]]] = [
 _RATIOS = ("aspectratio", "aspect", "elongation", "ar")
 # Names of what can change the size or the shape of a body, or its turn. What is not used of these is refused.
 _SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thick|axis|axes|shape|aspect|ratio(?!n)|elong|major|minor|"
-                    r"block|expon|round|superquad|squareness|scale|scaling|stretch|sigma|size|eccentr|flatten|oblate|prolate|spheric|"
-                    r"(?<!in)form|matrix|covar|inertia|eigen|lambda|principal|ellips|spheroid).*|(shape)?anisotropy|kappa|ar|"
+                    r"block|expon|round|superquad|squareness|scale|scaling|stretch|sigma|size|eccentr|flatten|flatness|oblate|prolate|"
+                    r"spheric|cylindric|triaxial|slender|breadth|caliper|calliper|feret|gyrat|fwhm|per(px|pixel|voxel)|"
+                    r"(?<!in)form|matrix|covar|inertia|eigen|lambda|principal|ellip|spheroid).*|(shape)?anisotropy|kappa|ar|ecc|flat|"
+                    r"oval(ity|ness)?|dpi|ba|ca|cb|[abc](to|over)[abc]|tensor[\w\[\]]*|(cov|rg)(xx|yy|zz|xy|xz|yz)|"
+                    r"(dims?|extents?|span|std|stdev|stddev|rms|voxel|pixel)[xyz0-3]|"
                     r"eps(ilon)?[12]|geom|geometry|primitive|kind|[xyz](2|end)|(end|tip|tail)[xyz]|[abcdhlrsw]|"
-                    r"[abdrsl][xyz0-3]|[fv]?[rd](max|mid|int|min)|rad|len|dia|(?!chi)[a-z]?(xx|yy|zz|xy|xz|yz)|"
+                    r"[abdhrsl][xyz0-3]|[fv]?[rd](max|mid|int|min)|rad|len|dia|(?!chi)[a-z]?(xx|yy|zz|xy|xz|yz)|"
                     r"(?![cfv]\d)[a-z]{1,2}(0[0-2]|[123][0-3])|[ub](iso|eq|equiv|aniso)|"
                     r"units?|spacing|resolution|magnification|calibration|pixel|voxel")
 _TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bearing|trend|plunge|strike|rake|tilt|inclin|"
                     r"(?<!mis)orient|rotat|quat|phi|theta|psi|direct|(?<!ab)normal|posang|rodrig|sequence).*|alpha|beta|gamma|"
-                    r"dip|dipdir\w*|rot|rot\w|rot.?\[\d\]|roll|pa|"
+                    r"dip|dipdir\w*|rot|rot\w|rotvec\w*|rot.?\[\d\]|roll|pa|"
                     r"rw|q(uat)?[wxyzijk0-4rs]?|qv\w*|[unde][xyz0-3]|dir[xyz]|ori[xyz]|e[1-3][xyz]|axis\w*")  # fmt: skip
 # Names of whole lengths, and of half ones
-_SOUND_WHOLE = re.compile(r".*(diam|length|width|height|thick|feret|size).*|[fv]?d(max|mid|int|min|[xyz]|\d)|l[xyz]|[lwh]")
+_SOUND_WHOLE = re.compile(r".*(diam|length|width|height|thick|breadth|feret|calliper|caliper|size).*|"
+                          r"(?!aspherical)\w*shape(\[[1-3]\]|[1-3])|[fv]?d(max|mid|int|min|[xyz]|\d)|l[xyz]|[lwh]")
 _SOUND_HALF = re.compile(r".*(radi(us|i)|semi|half).*|[fv]?r(max|mid|int|min|[xyz]|\d)|r")
 # Names of lengths that say neither
-_SOUND_EITHER = re.compile(r"(?!.*(semi|half|radi|diam)).*(scal|sigma|std|rms|extent|dimension|span|ax[ei]s|principal|eigen).*")
+_SOUND_EITHER = re.compile(r"(?!.*(semi|half|radi|diam)).*(scal|sigma|std|rms|extent|dimension|span|ax[ei]s|principal|eigen|major|minor|"
+                           r"intermediate).*|maj|min|m[ai]|long|short")
 # Those of other things: stresses, velocities, contacts, positions, counts
 _OTHERS = re.compile(r"(bond|cluster|group|sample|batch|step|wave|track)\w*(length|size|width)|temperature\w*|charge\w*|mass\w*|density\w*|"
                      r"(stress|strain|virial|pressure|force|torque|velocity)\w*|c?stress\[\d\]|number\w*|.*neighbou?rs?|"
@@ -107,8 +112,10 @@ _OTHERS = re.compile(r"(bond|cluster|group|sample|batch|step|wave|track)\w*(leng
                      r"orient(ational)?order(parameter)?(\[\d+\])?|psi[468]|erotate\w*|cavityradius|poisson('?s)?ratio|"
                      r"deformationgradient.*")  # fmt: skip
 # Measures of bodies whose lengths are all there
-_DERIVED = re.compile(r".*(aspect|ratio|elong|eccentr|flatten|oblate|prolate|round(?!ness\W?\d)|circular|spheric|feret|equivalent|bounding|"
-                      r"bbox|inscr).*|perim\w*|(shape)?anisotropy|ar|(form|shape)factor|(moments?(of)?)?inertia[\w\[\]]*")  # fmt: skip
+_DERIVED = re.compile(r".*(aspect|ratio|elong|eccentr|ellipticity|flatten|flatness|oblate|prolate|round(?!ness\W?\d)|circular|spheric|"
+                      r"cylindric|triaxial|slender|feret|caliper|calliper|gyrat|equivalent|bounding|bbox|inscr).*|"
+                      r"ecc|oval(ity|ness)?|ba|ca|cb|[abc](to|over)[abc]|perim\w*|(shape)?anisotropy|ar|(form|shape)factor|"
+                      r"(moments?(of)?)?inertia[\w\[\]]*")  # fmt: skip
 _UNUSED = ("the column {0} could change the shapes or how they are turned, and is not used: say what it is ({1}), or leave it out "
            "(--ignore-columns {2})")  # fmt: skip
 _SEVERAL_UNUSED = ("the columns {0} could change the shapes or how they are turned, and are not used: say what they are ({1}), or leave "
@@ -181,7 +188,7 @@ def take(columns: Sequence[str], options: Options, error: Error, lengths: str, o
     taken = (_by_names(columns, plain, options, error, lengths, order, is_flat) if convention is None else
              _by_convention(plain, options, convention))  # fmt: skip
     _check_brackets([*known, *taken.columns], error)
-    _check_unused(columns, taken, known, options, error, convention)
+    _check_unused(columns, taken, known, options, error, is_flat, convention)
     _check_options(taken, options, error)
     unused = " ".join(name for name in dict.fromkeys(columns) if name not in {"", *known, *taken.columns})
     return taken._replace(source=", ".join(filter(None, [taken.source, unused and f"columns that are not used: {unused}"])))
@@ -317,14 +324,14 @@ def _shape_or_spheroid(columns: Sequence[str], plain: dict[str, str], options: O
     return shape, lengths, "", (1.0, 1.0)
 
 
-def _check_unused(columns: Sequence[str], taken: Taken, known: Sequence[str], options: Options, error: Error,
+def _check_unused(columns: Sequence[str], taken: Taken, known: Sequence[str], options: Options, error: Error, is_flat: bool,
                   convention: Convention | None) -> None:  # fmt: skip
     """Refuses columns that could change bodies and are not used."""
     used = {*known, *taken.columns}
     has_all = len(taken.shape) > 1
     names_turns = options.quaternion_columns or options.angle_columns or options.polar or options.direction_columns
     says_sizes = options.shape_columns or (not taken.shape and (options.shape is not None or options.shapes))
-    found: dict[str, bool] = {}  # names, and whether these are of lengths alone
+    found: dict[str, tuple[bool, bool]] = {}  # names, and whether these are of lengths and of turns
     for name in columns:
         plain = plain_name(name)
         if name in used or _matches(_OTHERS, name) or (convention is not None and is_harmless(convention, plain)):
@@ -333,10 +340,11 @@ def _check_unused(columns: Sequence[str], taken: Taken, known: Sequence[str], op
             continue
         is_size, is_turn = _SIZES.fullmatch(plain) is not None, _TURNS.fullmatch(plain) is not None
         if (is_size and not says_sizes) or (is_turn and not names_turns):
-            found[name] = is_size and not is_turn
+            found[name] = is_size, is_turn
     if found:
-        how = "--shape-columns" if all(found.values()) else "--quaternion-columns, --euler, --polar or --direction-columns"
-        how = f"--shape-columns, {how}" if len(set(found.values())) > 1 else how
+        sizes, turns = map(any, zip(*found.values()))
+        how_turned = "--angle-columns" if is_flat else "--quaternion-columns, --euler, --polar or --direction-columns"
+        how = ", ".join(["--shape-columns"] * sizes + [how_turned] * turns)
         raise error((_UNUSED if len(found) == 1 else _SEVERAL_UNUSED).format(" ".join(found), how, for_option(found)))
 
 
@@ -355,7 +363,7 @@ def fill(frame: Frame, taken: Taken, table: Table) -> None:
         frame.quaternions = table.stack(taken.quaternion)
     if taken.sphere:
         frame.sizes = (0.5 if _SPHERES[plain_name(taken.sphere[0])] == "diameters" else 1.0) * table[taken.sphere[0]]
-    frame.lengths, frame.order, frame.source = taken.lengths, taken.order, taken.source
+    frame.lengths, frame.order, frame.source, frame.has_columns = taken.lengths, taken.order, taken.source, True
     frame.notes += taken.notes
     _turn(frame, taken.turn, table)
 
@@ -419,7 +427,7 @@ def _spheroids(taken: Taken, table: Table) -> Floats:
 
 
 def is_liggghts(plain: dict[str, str]) -> bool:
-    return {"quat1", "quat2", "quat3", "quat4"} <= plain.keys() or "blockiness1" in plain
+    return {"shapex", "quat1", "quat2", "quat3", "quat4"} <= plain.keys() or "blockiness1" in plain
 
 
 def _shape(columns: Sequence[str], plain: dict[str, str], options: Options, error: Error, lengths: str) -> tuple[Names, str]:
@@ -457,6 +465,8 @@ def _quaternion(columns: Sequence[str], plain: dict[str, str], options: Options,
         # The letters of the names say the order; otherwise it is that of the option
         is_scalar_last = bool(found) and meaning == "wxyz" and given[-1:] + given[:-1] == found
         found, meaning = given, "xyzw" if is_scalar_last and not found[0].endswith("]") else order
+    if found and plain_name(found[0]) == "quat1" and not is_liggghts(plain):
+        meaning = _ASK
     if meaning == _ASK and found and options.quaternion is None:
         raise error(_TWO_ORDERS.format(_short(found)))
     if options.quaternion is not None and not given:  # of the columns as they stand in the file

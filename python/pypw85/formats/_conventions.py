@@ -78,7 +78,8 @@ _IMAGEJ = r"ar|round|feret\w*|minferet|width|height|perim\w*|b[xy]"
 _SKIMAGE = r"equivalentdiameter(area)?|feretdiametermax|eccentricity|inertiatensor.*|moments.*|centroid(?!2)\w*"
 _SEXTRACTOR = r"(theta|err|cxx|cyy|cxy|x2|y2|xy|a|b|elongation|ellipticity|kron|flux|isoarea|fwhm|petro)\w*|"
 _SEXTRACTOR += r"\w*(world|sky|j2000|b1950|radius)"
-_MEASURES = r"elli.*|inscrball.*|eulernumber|.*(elongation|eccentricity|feret\w*|radius|diameter|ratio|roundness)"
+_MEASURES = r"elli.*|inscrball.*|obox.*|eulernumber|meanbreadth|averagethickness|"
+_MEASURES += r".*(elongation|eccentricity|feret\w*|radius|diameter|ratio|roundness)"
 _ELLI = [tuple(f"elli.{x}".replace(".", "") for x in names) for names in
          (("Center.X", "Center.Y", "Center.Z"), ("R1", "R2", "R3"), ("Radius1", "Radius2", "Radius3"), ("Azim", "Elev", "Roll"))]
 _MORPHOLIBJ = [tuple(name.lower() for name in names) for names in _ELLI]
@@ -142,7 +143,7 @@ CONVENTIONS: list[Convention] = [
         "photutils", "photutils 1.6, SourceCatalog", (("xcentroid", "ycentroid"),),
         (("semimajorsigma", "semiminorsigma"), ("semimajoraxis", "semiminoraxis")), "rms", (("orientation",),), first="0",
         marks=(("semimajorsigma", "semiminorsigma", "orientation"),),
-        harmless=r"covar\w*|cxx|cyy|cxy|elongation|ellipticity|eccentricity|kron\w*|equivalentradius",
+        harmless=r"covar\w*|cxx|cyy|cxy|elongation|ellipticity|eccentricity|fwhm|kron\w*|equivalentradius",
         run="photutils 1.6.0",
     ),
     Convention(

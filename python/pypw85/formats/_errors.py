@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import csv
 import functools
 import os
 import shlex
@@ -44,8 +45,16 @@ def printable(text: str) -> str:
 
 
 def for_option(names: Iterable[str]) -> str:
-    """Names of columns as the value of an option, which a shell takes as one word."""
-    return shlex.quote(",".join(names))
+    """Names of columns or types as the value of an option, which a shell takes as one word. `names_of_option` reads it."""
+    return shlex.quote(",".join('"' + name.replace('"', '""') + '"' if "," in name or name.startswith('"') else name for name in names))
+
+
+def names_of_option(text: str) -> list[str]:
+    """The names that an option lists. A name with a comma is in quotation marks, as in CSV."""
+    try:
+        return next(csv.reader([text]), []) or [""]
+    except csv.Error:  # of a line feed
+        return text.split(",")
 
 
 def guarded(function: Function) -> Function:

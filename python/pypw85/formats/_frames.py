@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import dataclasses
 import functools
+import shlex
 from typing import Any, NamedTuple
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
@@ -20,7 +21,7 @@ from .._system import System, is_planar, quaternions_about_z
 from .._typing import Floats
 from .._words import counted, shown
 from ._conventions import CONVENTION_NAMES, NONE
-from ._errors import FileError
+from ._errors import FileError, for_option
 from ._files import Path
 from ._names import LONGEST, numbers_if_all_are
 
@@ -179,7 +180,8 @@ class Frame:
     `sizes` are radii of spheres, for particles whose lengths are 0. `angles` in radians are those of ellipses, which have no quaternions;
     `directions` are those of the axes of revolution of spheroids, which must be the longest ones if `are_longest`.
     Positions and shapes of ellipses may have two columns. `tolerance` is how far the length of a quaternion may be from 1.
-    `dimensions` is None where the file does not say. `source` says what was taken of the file, `notes` what the user should know.
+    `dimensions` is None where the file does not say. `has_columns` says that options can name columns. `source` says what was taken of the
+    file, `notes` what the user should know.
     """
 
     path: Path
@@ -202,6 +204,7 @@ class Frame:
     are_longest: bool = False
     tolerance: float = _QUATERNION_TOLERANCE
     dimensions: int | None = None
+    has_columns: bool = False
     source: str = ""
     notes: list[str] = dataclasses.field(default_factory=list)
 
@@ -263,7 +266,7 @@ class Frame:
         names = [] if self.types is None else np.unique(np.asarray(self.types).astype(np.str_)).tolist()
         others = [name for name in names if name.lower() in _OTHER_BODIES and name not in (options.points or ())]
         if others:
-            raise self.error(f"particles of the type {others[0]} are not ellipsoids: leave them out (--points {','.join(others)}), or "
+            raise self.error(f"particles of the type {others[0]} are not ellipsoids: leave them out (--points {for_option(others)}), or "
                              "rename the type if it is only a name")  # fmt: skip
 
     def _leave_out(self, types: Sequence[str]) -> None:
@@ -386,8 +389,9 @@ class Frame:
         if options.shape is not None or of_all is not None:
             types = np.unique(names[(self.shapes == 0).all(axis=1)]).tolist()
             if len(types) > 1 and of_all is None:
+                one = shlex.quote(f"{types[0]}:A,B,C")
                 raise self.error(f"particles of the types {' '.join(types)[:200]} have no shapes: say which of them has that of --shape "
-                                 f"(--shape {types[0]}:A,B,C), or that all have it (--shape '{ALL_TYPES}:A,B,C')")  # fmt: skip
+                                 f"(--shape {one}), or that all have it (--shape '{ALL_TYPES}:A,B,C')")  # fmt: skip
             self._give_shape(names == names, options.shape if of_all is None else of_all, "")
 
     def _give_shape(self, chosen: NDArray[np.bool_], lengths: Any, which: str) -> None:
@@ -468,8 +472,9 @@ class Frame:
     def _check_quaternions(self, has_shape: NDArray[np.bool_]) -> None:
         if self.quaternions is None:
             assert self.shapes is not None
-            self._first((np.ptp(self.shapes, axis=1) > 0),
-                        "is not a sphere, and lacks an orientation: write quaternions, or the angles of ellipses")  # fmt: skip
+            named = ", or name columns (--quaternion-columns, --direction-columns, --euler, or --angle-columns of ellipses)"
+            self._first((np.ptp(self.shapes, axis=1) > 0), "is not a sphere, and lacks an orientation: write quaternions, or the angles of "
+                        f"ellipses{named * self.has_columns}")  # fmt: skip
             self.quaternions = np.tile([1.0, 0, 0, 0] if self.order == "wxyz" else [0.0, 0, 0, 1], (len(self.shapes), 1))
         with np.errstate(over="ignore"):
             norms = np.linalg.norm(self.quaternions, axis=1)

@@ -21,6 +21,7 @@ import numpy as np
 
 from .._system import System
 from .._typing import Floats
+from ._boxes import SAYS_CELL
 from ._columns import UNIT_AT_END, Taken, centers_of, convention_of, fill, plain_name, take
 from ._conventions import CONVENTIONS, Convention, named, possible, recognised
 from ._errors import for_option
@@ -33,8 +34,7 @@ _NUMBER = re.compile(r"[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?")
 _POSITION, _SHAPE, _QUATERNION = ["x", "y", "z"], ["a", "b", "c"], ["qw", "qx", "qy", "qz"]
 _KEYS = ("cell", "dimensions", "origin", "periodic", "step")
 # Comments that say the cell in another way
-_LIKE_KEYS = re.compile(r"[#%]\s*((?:(?:simulation|periodic|unit)[ _-]?)?(?:cell|box|lattice)(?:[ _-]?(?:size|lengths?|vectors?|edges))?|"
-                        r"pbc|periodic\w*|boundar(?:y|ies)|lattice)\s*(?:[:=(\[]|[-+]?\.?\d|[TFtf]\b)", re.IGNORECASE)  # fmt: skip
+_LIKE_KEYS = re.compile(rf"[#%]\s*{SAYS_CELL}", re.IGNORECASE)
 # A column of the header of ECSV (Astropy) that has a unit
 _UNIT_OF_ECSV = re.compile(r"#\s*- \{name: ([\w.]+), unit: ([\w.]+)")
 # The line that YADE writes before spheres (export.textExt)
@@ -66,7 +66,7 @@ _USUAL = ("id", "ids", "particleid", "type", "types", "species")
 
 
 def recognise(start: bytes) -> bool:
-    lines = start.decode("utf-8", errors="replace").removeprefix("\ufeff").splitlines()
+    lines = start.decode("utf-8", errors="replace").splitlines()
     comments = list(itertools.takewhile(_may_precede, lines))
     first = next(iter(lines[len(comments) :]), "")
     is_named = any(possible({plain_name(name) for name in words}) for words in _rows_of(first))

@@ -26,7 +26,7 @@ from .._system import System
 from .._typing import Floats
 from .._words import counted
 from ._boxes import box, lost_periodicity
-from ._errors import FileError, guarded
+from ._errors import FileError, for_option, guarded
 from ._files import check_input, locked, replacing
 from ._frames import Frame, Location, Options, check_lengths_of_names
 from ._names import Rule, checked_names, type_names
@@ -156,8 +156,9 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
     if wrong.any():
         raise frame.error(f"has the type {typeid[wrong][0]}, but there are {len(names)}: the file is broken", int(wrong.argmax()))
     frame.types = np.array(names)[typeid]
-    frame.shapes = _shapes(frame, shapes if any(map(_says, shapes)) else of_state, typeid)
-    if of_state and (frame.shapes != _shapes(frame, of_state, typeid)).any():
+    points = options.points or ()
+    frame.shapes = _shapes(frame, shapes if any(map(_says, shapes)) else of_state, typeid, points)
+    if of_state and (frame.shapes != _shapes(frame, of_state, typeid, points)).any():
         raise frame.error("the shapes of particles/type_shapes are not those of state/hpmc: write the file again")
     return frame.system(options)
 
@@ -187,8 +188,10 @@ def _shapes_of_state(chunks: _Chunks) -> list[str]:
     return [json.dumps(shape) for shape in shapes]
 
 
-def _shapes(frame: Frame, type_shapes: Sequence[str], typeid: Any) -> Floats:
-    """Semi-axes; 0 for the types that have no shape."""
+def _shapes(frame: Frame, type_shapes: Sequence[str], typeid: Any, points: Sequence[str]) -> Floats:
+    """Semi-axes; 0 for the types that have no shape. Those without particles, and those that are left out as points, may have any."""
+    types = np.asarray(frame.types)
+    read = np.unique(typeid[~np.isin(types, points)])
     shapes = np.zeros((max(len(type_shapes), int(typeid.max(initial=0)) + 1), 3))
     for k, text in enumerate(type_shapes):
         try:
@@ -197,7 +200,10 @@ def _shapes(frame: Frame, type_shapes: Sequence[str], typeid: Any) -> Floats:
                 shape["c"] = min(shape["a"], shape["b"])
             shapes[k] = np.asarray(_gsd_semi_axes(shape), dtype=np.float64) if shape else 0.0
         except (AttributeError, KeyError, OverflowError, RecursionError, TypeError, ValueError):
-            raise frame.error(f"the type {k} is not an ellipsoid: {text[:80]}: only ellipsoids and spheres can be checked") from None
+            if k not in read:
+                continue
+            cure = f": leave out its particles (--points {for_option([types[typeid == k][0]])})" if (typeid != k).any() else ""
+            raise frame.error(f"the type {k} is not an ellipsoid: {text[:80]}: only ellipsoids and spheres can be checked{cure}") from None
     selected: Floats = shapes[typeid]
     return selected
 

@@ -257,7 +257,8 @@ def _take_box(frame: Frame, source: _Source) -> None:
     if box is None:
         return
     inside = source._replace(group=box)
-    n = _width(inside, "edges")  # 2 for a plane
+    values, _ = _values(inside, "edges")
+    n = 2 if values is not None and values.shape[-1:] == (2,) else 3  # 2 for a plane
     frame.dimensions = frame.dimensions or (2 if n == 2 else None)
     edges = _floats(inside, "edges", *([n] if _dimensions(inside, "edges") == 1 else [n, n]))
     if edges is None:

@@ -158,6 +158,8 @@ def _take_shapes(frame: Frame, atoms: Table, ellipsoids: Table | None) -> None:
     ids = atoms.integers("id")
     known = ellipsoids.integers("id") if ellipsoids is not None else ids[:0]
     _check_ids(frame, atoms, ids)
+    if "ellipsoid" in atoms:
+        _check_style(frame, atoms)
     if ellipsoids is not None:
         _check_ids(frame, ellipsoids, known)
         strange = ~np.isin(known, ids)
@@ -197,6 +199,16 @@ def _check_lengths(frame: Frame, ellipsoids: Table) -> None:
                          "checked")  # fmt: skip
 
 
+def _check_style(frame: Frame, atoms: Table) -> None:
+    """Refuses rows of other styles with as many columns, such as full and sphere, by the flag and the density, which LAMMPS checks, too."""
+    for name, which, wrong in (("ellipsoid", "third column must be the flag 0 or 1", ~np.isin(atoms["ellipsoid"], (0, 1))),
+                               ("density", "fourth column must be the density > 0", ~(atoms["density"] > 0))):  # fmt: skip
+        if wrong.any():
+            raise _error(frame, atoms, int(wrong.argmax()), f"the {which} of atom_style ellipsoid, not {atoms[name][wrong][0]:g}: if these "
+                         "are atoms of a hybrid style, write 'Atoms # hybrid'; other styles have no shapes, so write the file with "
+                         "atom_style ellipsoid")  # fmt: skip
+
+
 def _check_flags(frame: Frame, atoms: Table, has_row: Any) -> None:
     """LAMMPS asks that a flag of 1 says which atoms have a row in the section Ellipsoids. In a hybrid style, any column may be it."""
     if "ellipsoid" not in atoms:
@@ -206,10 +218,6 @@ def _check_flags(frame: Frame, atoms: Table, has_row: Any) -> None:
                             "others, as LAMMPS demands: check whether rows are missing", 0, atoms.line)  # fmt: skip
         return
     flags = atoms["ellipsoid"]
-    wrong = (flags != 0) & (flags != 1)
-    if wrong.any():
-        raise _error(frame, atoms, int(wrong.argmax()), f"the third column must be the flag 0 or 1 of atom_style ellipsoid, not "
-                     f"{flags[wrong][0]:g}: if these are atoms of a hybrid style, write 'Atoms # hybrid'")  # fmt: skip
     wrong = (flags == 1) != has_row
     if wrong.any():
         row = int(wrong.argmax())

@@ -14,6 +14,7 @@ from .._system import System
 from .._typing import Floats
 from ._boxes import bounds, numbered_types
 from ._columns import UNIT_AT_END, Taken, fill, take
+from ._errors import for_option
 from ._frames import Frame, Location, Options, lost_dimensions
 from ._names import ONE_WORD, PRINTED, checked_names
 from ._table import Lines, coded, locate_frames, write_rows
@@ -107,7 +108,7 @@ def _warn_of_points(frame: Frame, options: Options) -> None:
             if count == 1:
                 which, taken = f"the only particle of the type {name} has", "is taken as a sphere"
             frame.notes.append(f"{which} the shape 1 1 1 and the quaternion 1 0 0 0, as LAMMPS writes points since 4 Feb 2025, and "
-                               f"{taken}: leave points out (--points {name})")  # fmt: skip
+                               f"{taken}: leave points out (--points {for_option([name])})")  # fmt: skip
 
 
 def _check_turned(header: _Header, taken: Taken, lines: Lines) -> None:

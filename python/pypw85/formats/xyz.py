@@ -16,6 +16,7 @@ import numpy as np
 
 from .._system import System
 from .._words import counted
+from ._boxes import SAYS_CELL
 from ._columns import fill, take
 from ._frames import Frame, Location, Options, said_dimensions
 from ._names import ONE_WORD, PRINTED, checked_names, type_names
@@ -33,6 +34,8 @@ _KEYS = ("Properties", "Lattice", "Origin", "pbc", "Dimensions", "Timestep")
 # Names of keys of others for what the keys above hold
 _OF_CELLS = re.compile(r"(?!.*(?:energy|volume)$)(?:lattice|origin|pbc|dimensions|((unit|simulation|virtual)?_?(cell|box))\w*|"
                        r"boundar(y|ies)|periodic\w*|virtual_lattice)", re.IGNORECASE)  # fmt: skip
+_HAS_KEYS = re.compile(r"\b(?:properties|lattice|pbc|cell|box)=", re.IGNORECASE)
+_COMMENT_ON_CELL = re.compile(rf"[#%]?\s*{SAYS_CELL}", re.IGNORECASE)
 _PROPERTIES = {"pos": 3, "asphericalshape": 3, "orientation": 4, "radius": 1, "species": 1, "type": 1, "id": 1}
 
 
@@ -46,7 +49,7 @@ _ELEMENTS = frozenset(
 
 def recognise(start: bytes) -> bool:
     """A number, a comment, and either Properties in that, or particles: a name and a position."""
-    lines = start.removeprefix(b"\xef\xbb\xbf").lstrip().split(b"\n", 3)
+    lines = start.lstrip().split(b"\n", 3)
     if len(lines) < 2 or not re.fullmatch(rb"[0-9]+\s*", lines[0]):
         return False
     first = lines[2].split() if len(lines) > 2 else []
@@ -77,7 +80,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         count = _count(lines)
         if count is None:
             raise lines.error("the file has become shorter")
-        keys = _keys(lines)
+        keys = _keys(lines, options)
         _check_keys(keys, options, lines)
         dimensions = lines.whole(keys["Dimensions"], "Dimensions") if "Dimensions" in keys else None
         if dimensions not in (None, 2, 3):
@@ -88,13 +91,13 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
             raise lines.error("the property pos is missing in 'Properties='")
         taken = take(columns, options, lines.error, "radii", "xyzw", ["id", *positions, *_TYPES],
                      len(positions) == 2 or dimensions == 2)  # fmt: skip
-        wanted = ["id", *_TYPES, *positions, *taken.columns]
-        table = lines.table(count, columns, text, wanted=wanted)
         cell = keys.get("Lattice")
         box = None if cell is None else np.reshape(lines.numbers(cell, 9, "Lattice"), (3, 3))
         origin = lines.numbers(keys.get("Origin", "0 0 0"), 3, "Origin")
         periodic = lines.flags(keys.get("pbc", "T T T"), "pbc")
         step = lines.whole(keys.get("Timestep", "0"), "Timestep", -(2**63))
+        wanted = ["id", *_TYPES, *positions, *taken.columns]
+        table = lines.table(count, columns, text, wanted=wanted)
     types = [name for name in _TYPES if name in columns]
     frame = Frame(
         path, location, table.stack(positions),
@@ -110,10 +113,13 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
     return frame.system(options)
 
 
-def _keys(lines: Lines) -> dict[str, str]:
-    """Keys and values of the second line. In a file without Properties that may be any text."""
+def _keys(lines: Lines, options: Options) -> dict[str, str]:
+    """Keys and values of the second line. In a file without Properties that may be any text, but one that could say the cell is refused."""
     comment = lines.expect("the line with Properties")
-    if not re.search(r"\b(?:Properties|Lattice)=", comment):
+    if not _HAS_KEYS.search(comment):
+        if options.cell is None and _COMMENT_ON_CELL.match(comment):
+            raise lines.error(f"the comment '{comment[:60]}' could say the cell, and is not read: extended XYZ has Lattice, Origin and pbc "
+                              "for it; write these, or give the cell (--cell)")  # fmt: skip
         return {}
     if len(comment) > _LONGEST_COMMENT:
         raise lines.error(f"the line has more than {_LONGEST_COMMENT} characters: it is broken")
@@ -125,8 +131,10 @@ def _keys(lines: Lines) -> dict[str, str]:
 
 
 def _check_keys(keys: dict[str, str], options: Options, lines: Lines) -> None:
-    """Refuses keys that say a cell by another name than extended XYZ has for it."""
+    """Refuses keys that extended XYZ has by another name: for a cell, and for the properties."""
     for name in keys:
+        if name != "Properties" and name.lower() == "properties":
+            raise lines.error(f"the key {name} is spelled Properties in extended XYZ, and is not read: rename it")
         if name not in _KEYS and _OF_CELLS.fullmatch(name) and options.cell is None:
             raise lines.error(f"the key {name[:40]} could be the cell, and is not used: extended XYZ has Lattice, Origin and pbc for it; "
                               "rename it, or give the cell (--cell)")  # fmt: skip
