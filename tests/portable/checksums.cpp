@@ -5,7 +5,7 @@
 // overlaps take a sixteenth of the pairs, and functions that have no rows take one in 128.
 //
 // Usage: checksums check TABLE PARTS    compares; PARTS, 1 to 4, is how many checksums of each line
-//        checksums record [FUNCTION]    prints the table, or one line of it
+//        checksums record [FUNCTION...] prints the table, or these lines of it
 //        checksums rows FUNCTION        prints the outputs for the first pairs, to compare two
 //                                       machines
 #include <cinttypes>
@@ -202,9 +202,17 @@ bool is_very_slow(std::string const &name)
            name.starts_with("pw85_overlap_area");
 }
 
-/// The functions that `only` selects, or all, for a chunk of pairs.
+/// Names of functions; none stand for all.
+using Names = std::vector<std::string>;
+
+bool selects(Names const &only, std::string const &name)
+{
+    return only.empty() || std::find(only.begin(), only.end(), name) != only.end();
+}
+
+/// The functions that `only` selects, for a chunk of pairs.
 void add_pairs(Checksums &sums, std::vector<ExactPair> const &pairs, Integers const &integers,
-               std::string const &only, bool is_first)
+               Names const &only, bool is_first)
 {
     constexpr std::size_t single_calls = 64;
     std::vector<ExactPair> const few(pairs.begin(),
@@ -216,7 +224,7 @@ void add_pairs(Checksums &sums, std::vector<ExactPair> const &pairs, Integers co
         std::string const name = function.name;
         if (!is_checked(function) || (!is_first && is_very_slow(name))) continue;
         if (!is_of_rows(function)) {
-            for (std::size_t i = 0; i < single_calls && (only.empty() || name == only); ++i) {
+            for (std::size_t i = 0; i < single_calls && selects(only, name); ++i) {
                 std::vector<ExactPair> const pair{pairs[i]};
                 Call call(function, pair);
                 vary(call, integers, {{known.mu2[i]}, {known.lambda[i]}, {known.lambda_2d[i]}});
@@ -238,14 +246,14 @@ void add_pairs(Checksums &sums, std::vector<ExactPair> const &pairs, Integers co
              "pw85_distance_solid_box_batch", "pw85_distance_capsule_batch"});
         Call call(function, slow ? few : pairs);
         vary(call, integers, known);
-        if (only.empty() || name == only) add_call(sums[name], call);
+        if (selects(only, name)) add_call(sums[name], call);
         if (!is_one_of(name,
                        {"pw85_contact_batch", "pw85_overlap_batch", "pw85_closest_approach_batch",
                         "pw85_contact_batch_2d", "pw85_overlap_batch_2d", "pw85_distance_batch"}))
             continue;
         std::string one = name;
         one.erase(one.find("_batch"), 6);
-        if (only.empty() || one == only)
+        if (selects(only, one))
             add_rows_one_by_one(sums[one + ", each"], find(one), call, pairs.size());
     }
 }
@@ -335,7 +343,7 @@ std::vector<ExactPair> next_pairs(Integers &integers, std::size_t count)
 }
 
 /// The checksums of the first part.
-Checksums first_part(std::string const &only)
+Checksums first_part(Names const &only)
 {
     Checksums sums;
     Integers integers(85);
@@ -345,7 +353,7 @@ Checksums first_part(std::string const &only)
 }
 
 /// Calls `visit(part, checksums)` after each part, up to so many.
-template <class Visit> void compute(int last_part, std::string const &only, Visit const &visit)
+template <class Visit> void compute(int last_part, Names const &only, Visit const &visit)
 {
     visit(0, first_part(only));
     Checksums sums;
@@ -363,7 +371,7 @@ template <class Visit> void compute(int last_part, std::string const &only, Visi
 
 using Table = std::map<std::string, std::vector<std::uint64_t>>;
 
-Table computed(int last_part, std::string const &only)
+Table computed(int last_part, Names const &only)
 {
     Table table;
     compute(last_part, only, [&](int, Checksums const &sums) {
@@ -372,9 +380,9 @@ Table computed(int last_part, std::string const &only)
     return table;
 }
 
-int record(char const *function)
+int record(Names const &only)
 {
-    for (auto const &[name, sums] : computed(parts, function)) {
+    for (auto const &[name, sums] : computed(parts, only)) {
         for (std::uint64_t const sum : sums) std::printf("%016" PRIx64 " ", sum);
         std::printf("%s\n", name.c_str());
     }
@@ -400,7 +408,7 @@ int check(char const *path, int last_part)
 {
     Table expected = read(path);
     bool right = true;
-    for (auto const &[name, sums] : computed(last_part, "")) {
+    for (auto const &[name, sums] : computed(last_part, {})) {
         auto const &known = expected[name];
         bool const same =
             known.size() == parts && std::equal(sums.begin(), sums.end(), known.begin());
@@ -417,7 +425,7 @@ int check(char const *path, int last_part)
 int print_rows(char const *function)
 {
     Checksum::prints = true;
-    compute(1, function, [](int, Checksums const &) {});
+    compute(1, {function}, [](int, Checksums const &) {});
     Checksum::prints = false;
     return 0;
 }
@@ -444,7 +452,7 @@ int main(int argc, char **argv)
     std::vector<double> const usual = contacts_of_first_pairs();
     bool switched = switch_to(1);
     int result = 2;
-    if (task == "record" && argc <= 3) result = record(argc == 3 ? argv[2] : "");
+    if (task == "record") result = record(Names(argv + 2, argv + argc));
     if (task == "check" && argc == 4) result = check(argv[2], std::atoi(argv[3]));
     if (task == "rows" && argc == 3) result = print_rows(argv[2]);
     switched = switch_to(0) && switched && are_same(contacts_of_first_pairs(), usual);
