@@ -2,14 +2,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # meshio reads a text PLY file without its z, if a property of the vertices stands between y and z.
 #
-# meshio (Debian 12, python3-meshio 7.0.0-3): x, y and z are coordinates in text files only if they are the first, second and third property.
-# The same vertices in a binary file are read by their names:
+# meshio (Debian 12, python3-meshio 7.0.0-3): in text files x, y and z are coordinates only if they are the first, second and third
+# property. The same vertices in a binary file are read by their names:
 #   x y z      text (4, 3), binary (4, 3)
 #   x y red z  text (4, 2), binary (4, 3)
 # A reader that pads points of two coordinates with 0, as those of plane meshes, flattens the mesh.
-# Needs python3 with meshio and numpy.
+# Needs python3 with NumPy and rich, apt-get and dpkg.
 set -eu
-python3 - <<'EOP'
+dir=$(mktemp -d)
+trap 'rm -rf "$dir"' EXIT
+cd "$dir"
+apt-get download -q python3-meshio=7.0.0-3 >/dev/null
+dpkg -x python3-meshio_*.deb .
+cat >check.py <<'EOF'
 import io
 
 import meshio
@@ -27,4 +32,5 @@ for names, wanted in (("x y z", 3), ("x y red z", 2)):
         shapes.append(meshio.read(io.BytesIO(header.encode() + data), file_format="ply").points.shape)
     print(f"{names:10} text {shapes[0]}, binary {shapes[1]}")
     assert shapes == [(4, wanted), (4, 3)], shapes
-EOP
+EOF
+PYTHONPATH="$dir/usr/lib/python3/dist-packages" /usr/bin/python3 check.py
