@@ -33,18 +33,18 @@ int Model::rebuild_list() noexcept
 // difference. All of this holds for ellipsoids that are enlarged by the reach of energies.
 double Model::skin() const noexcept
 {
-    auto const &[longest, anisotropy, spread] = particles.sizes();
+    Sizes const &sizes = particles.sizes();
     double const reach = hamiltonian.pairs.reach();
     auto const step_of = [&](double translation, double rotation) {
-        return translation + reach * std::min(2.0 * rotation * longest, anisotropy);
+        return translation + reach * std::min(2.0 * rotation * sizes.longest, sizes.anisotropy);
     };
     double step = step_of(parameters.translation, parameters.rotation);
     for (SpeciesSteps const &one : std::span(parameters.species.data(), parameters.species.size()))
         step = std::max(step, step_of(one.translation, one.rotation));
     double const many = std::max(1.0, static_cast<double>(particles.copy().size()) / few_particles);
-    double const usual = (relative_skin + growth_of_skin * std::log(many)) * longest;
-    return std::max(
-        {usual, 3.0 * step, parameters.fractions[exchange] > 0.0 ? 2.125 * spread * reach : 0.0});
+    double const usual = (relative_skin + growth_of_skin * std::log(many)) * sizes.longest;
+    return std::max({usual, 3.0 * step,
+                     parameters.fractions[exchange] > 0.0 ? 2.125 * sizes.spread * reach : 0.0});
 }
 
 } // namespace pw85::detail::simulation
