@@ -15,6 +15,8 @@ constexpr double relative_skin = 0.75, growth_of_skin = 0.12, few_particles = 1e
 
 } // namespace
 
+Model::~Model() = default;
+
 int Model::prepare() noexcept
 {
     if (int const status = particles.begin_session()) return status;

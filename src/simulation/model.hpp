@@ -23,6 +23,8 @@ struct Model {
     Hamiltonian hamiltonian;
     VerletList list;
 
+    ~Model(); // not inline, as that of RetiredArrays
+
     /// Makes the copy of the particles, and the list, those of the present particles. Returns a
     /// status.
     int prepare() noexcept;
