@@ -91,7 +91,7 @@ class Builder:
         return [program]
 
     def c(self):
-        return self.compiled(["cc", "-std=c11"], Path("rows.c"))
+        return self.compiled(["cc", "-std=c99", "-D_POSIX_C_SOURCE=200809L"], Path("rows.c"))
 
     def cpp(self):
         return self.compiled(["c++", "-std=c++20", "-ffp-contract=off", "-fno-math-errno"], Path("rows.cpp"))

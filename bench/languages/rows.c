@@ -81,7 +81,7 @@ static void check(int status)
 static double now(void)
 {
     struct timespec t;
-    timespec_get(&t, TIME_UTC);
+    clock_gettime(CLOCK_MONOTONIC, &t);
     return 1e9 * (double)t.tv_sec + (double)t.tv_nsec;
 }
 
@@ -116,14 +116,22 @@ static void run(struct function const *f, int rounds, FILE *file)
     printf("%s,%.17g,%.17g\n", f->name, call / PAIRS, row / (double)n);
 }
 
+static bool read_pairs(char const *path)
+{
+    FILE *const file = fopen(path, "rb");
+    if (!file) return false;
+    bool const complete = fread(r12, sizeof *r12, PAIRS, file) == PAIRS &&
+                          fread(q1, sizeof *q1, PAIRS, file) == PAIRS &&
+                          fread(q2, sizeof *q2, PAIRS, file) == PAIRS;
+    fclose(file);
+    return complete;
+}
+
 int main(int argc, char **argv)
 {
-    FILE *const given = argc == 4 ? fopen(argv[1], "rb") : NULL;
-    FILE *const file = argc == 4 ? fopen(argv[2], "wb") : NULL;
-    if (!given || !file || fread(r12, sizeof *r12, PAIRS, given) != PAIRS ||
-        fread(q1, sizeof *q1, PAIRS, given) != PAIRS ||
-        fread(q2, sizeof *q2, PAIRS, given) != PAIRS)
-        return 1;
+    if (argc != 4 || !read_pairs(argv[1])) return 1;
+    FILE *const file = fopen(argv[2], "wb");
+    if (!file) return 1;
     for (int k = 1; k < MOST_COPIES; ++k) {
         memcpy(r12 + k * PAIRS, r12, PAIRS * sizeof *r12);
         memcpy(q1 + k * PAIRS, q1, PAIRS * sizeof *q1);
