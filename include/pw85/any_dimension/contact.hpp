@@ -91,7 +91,7 @@ contact_in_units(InputOf<N> const &in, Units const &units) noexcept
 }
 
 /// Returns the contact function.
-template <class N> PW85_FUNCTION inline Contact<double> contact(InputOf<N> const &in) noexcept
+template <class N> PW85_FUNCTION inline Contact<double> find_contact(InputOf<N> const &in) noexcept
 {
     StatusCode const status = status_of(in);
     if (status != StatusCode::success) return all_nan<Contact<double>>(status);
@@ -111,7 +111,7 @@ namespace pw85 {
 PW85_FUNCTION inline Contact<double> nd_contact(int n, double const *r12, double const *q1,
                                                 double const *q2) noexcept
 {
-    return detail::any_dimension::contact(detail::any_dimension::Input{n, r12, q1, q2});
+    return detail::any_dimension::find_contact(detail::any_dimension::Input{n, r12, q1, q2});
 }
 
 /// Returns the contact function with the bits of nd_contact(N, ...). The number of dimensions is
@@ -121,7 +121,7 @@ nd_contact(double const *r12, double const *q1, double const *q2) noexcept
 {
     using namespace detail::any_dimension;
     static_assert(N >= 1 && N <= max_dimension);
-    return contact(InputOf<Dimension<N>>{{}, r12, q1, q2});
+    return find_contact(InputOf<Dimension<N>>{{}, r12, q1, q2});
 }
 
 } // namespace pw85
