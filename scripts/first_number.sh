@@ -16,6 +16,12 @@ follow() {
   done
 }
 
+# The packages after the first `apt-get install` of a README, whose line may end between them.
+named_by() {
+  # shellcheck disable=SC2016 # the marks of words
+  tr '\n' ' ' <"$1" | sed 's/.*run `apt-get install \([^`]*\)`.*/\1/'
+}
+
 by_pkg_config() {
   follow build pkg-config
 }
@@ -87,9 +93,9 @@ for way in "$@"; do
     cmake) packages='gcc g++ cmake make libboost-dev' ;;
     meson) packages='gcc g++ meson ninja-build libboost-dev' ;;
     pip) packages="gcc g++ $python_packages" ;;
-    r) packages="$build_packages r-base-core r-base-dev" ;;
-    octave) packages="$build_packages octave octave-dev" ;;
-    rust) packages="$build_packages rustc cargo" ;;
+    r) packages="$build_packages $(named_by r/README.md)" ;;
+    octave) packages="$build_packages $(named_by octave/README.md)" ;;
+    rust) packages="$build_packages $(named_by rust/pw85/README.md)" ;;
     *) echo "usage: $0 [pkg-config] [cmake] [meson] [pip] [r] [octave] [rust]" >&2 && exit 2 ;;
   esac
   work=$(mktemp -d)
@@ -100,7 +106,12 @@ for way in "$@"; do
   # shellcheck disable=SC2086 # a list of words
   install_packages $packages >"$work/log" 2>&1
   installed=$(date +%s)
-  "by_$(echo "$way" | tr - _)" >>"$work/log" 2>&1 || { cat "$work/log" && exit 1; }
+  # A subshell outside a condition, so that its first failing command ends it.
+  set +e
+  (set -e && "by_$(echo "$way" | tr - _)") >>"$work/log" 2>&1
+  failed=$?
+  set -e
+  [ $failed -eq 0 ] || { cat "$work/log" && exit 1; }
   ended=$(date +%s)
   tail -n 2 "$work/log"
   echo "$way: $((installed - began)) seconds for packages, then $((ended - installed)) seconds on $(nproc) processors."

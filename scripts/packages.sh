@@ -35,7 +35,7 @@ test_packages="$build_packages $python_packages $python_test_packages ccache pyt
 # Those of scripts/test_r.sh; devscripts has checkbashisms.
 r_packages='r-base-core r-base-dev r-cran-testthat r-cran-knitr r-cran-rmarkdown devscripts'
 # Those of scripts/test_octave.sh.
-octave_packages='octave octave-dev'
+octave_packages='octave octave-dev make'
 # Those of scripts/build_npm.sh, and of scripts/test_npm.sh, which installs npm, too, where nodejs comes without it.
 wasm_packages='clang lld llvm binaryen libc++-dev-wasm32 libclang-rt-dev-wasm32 libboost-dev meson ninja-build'
 npm_packages="$wasm_packages nodejs python3 chromium chromium-driver python3-selenium node-typescript"
