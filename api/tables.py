@@ -9,19 +9,14 @@ writes the rows of the table that tests/functions.cpp includes.
 import sys
 from pathlib import Path
 
-from declarations import HOST_HEADERS, OBJECTS, PACKED, flattened, functions, members, members_read, parameters
+from declarations import HOST_HEADERS, OBJECTS, PACKED, functions, members, members_read
 
-TYPES = {
-    "double": "real",
-    "size_t": "size",
-    "int": "integer",
-    "int32_t": "int32",
-    "int64_t": "int64",
-    "unsigned char": "byte",
-    "pw85_motion": "motion",
-    **dict.fromkeys(OBJECTS, "handle"),
-}
-RESULTS = {"void": "none", "int": "status", "double": "real"}  # results of other types are not used
+TYPES = {"double": "real", "size_t": "size", "int": "integer", "int32_t": "int32", "int64_t": "int64", "unsigned char": "byte",
+         "pw85_motion": "motion", **dict.fromkeys(OBJECTS, "handle")}  # fmt: skip
+# What a call gives to the tests, by the type of the result; results of other types are not used.
+BODIES = {"int": ("status", "return {{{call}, 0.0}};"), "double": ("real", "return {{0, {call}}};"),
+          "void": ("none", "{call}; return {{}};")}  # fmt: skip
+OTHERS = ("other", "static_cast<void>({call}); return {{}};")
 
 
 def extent(one, names):
@@ -30,47 +25,38 @@ def extent(one, names):
     return f"{{-1, {one}}}" if isinstance(one, int) else f"{{{names.index(one)}, 0}}"
 
 
-def row_of(parameter, names):
-    shape = ", ".join(extent(one, names) for one in parameter.shape)
-    flags = (parameter.pointer, parameter.is_output() or parameter.outer, parameter.nullable)
-    return f'{{"{parameter.name}", Type::{TYPES[parameter.type]}, {", ".join(str(flag).lower() for flag in flags)}, {{{shape}}}}}'
+def row_of(one, names):
+    shape = ", ".join(extent(size, names) for size in one.shape)
+    flags = ", ".join(str(flag).lower() for flag in (one.pointer, one.is_output() or one.outer, one.nullable))
+    return f'    {{"{one.name}", Type::{TYPES[one.type]}, {flags}, {{{shape}}}}},'
 
 
-def argument(index, parameter):
-    if not parameter.pointer:
-        return f"x[{index}].{TYPES[parameter.type]}"
-    pointer = f"{parameter.type}{' const' if parameter.const else ''} *{'*' if parameter.outer else ''}"
-    return f"static_cast<{pointer}>(x[{index}].pointer)"
+def argument(one, names):
+    if one.is_struct():
+        return f"&{one.name}"
+    place = f"x[{names.index(one.name)}]"
+    if not one.pointer:
+        return f"{place}.{TYPES[one.type]}"
+    return f"static_cast<{one.type}{' const' if one.const else ''} *{'*' if one.outer else ''}>({place}.pointer)"
 
 
 def struct_of(function, struct, names):
     """The definition of a struct argument. Members that the function does not read are null, and array members are filled with
     ones."""
     read = {member.name: member for member in members_read(function, struct)}
-    values = [argument(names.index(name), read[name]) if name in read else "nullptr" for name, _, _ in members(struct.type)]
+    values = [argument(read[name], names) if name in read else "nullptr" for name, _, _ in members(struct.type)]
     ones = ["{1, 1, 1}"] if struct.type == "pw85_system" else []
     return f"{struct.type} const {struct.name}{{{', '.join(values + ones)}}}; "
 
 
 def lines(function):
-    listed = flattened(function)
-    names = [parameter.name for parameter in listed]
-    structs = [parameter for parameter in parameters(function) if parameter.is_struct()]
-    arguments = ", ".join(
-        f"&{one.name}" if one.is_struct() else argument(names.index(one.name), one) for one in parameters(function)
-    )
-    defined = "".join(struct_of(function, struct, names) for struct in structs)
-    call, result = f"{function.name}({arguments})", RESULTS.get(function.type, "other")
-    body = {
-        "status": f"return {{{call}, 0.0}};",
-        "real": f"return {{0, {call}}};",
-        "none": f"{call}; return {{}};",
-        "other": f"static_cast<void>({call}); return {{}};",
-    }[result]
-    unused = "" if arguments else "[[maybe_unused]] "
+    names = [one.name for one in function.flattened]
+    defined = "".join(struct_of(function, one, names) for one in function.parameters if one.is_struct())
+    result, body = BODIES.get(function.type, OTHERS)
+    called = body.format(call=f"{function.name}({', '.join(argument(one, names) for one in function.parameters)})")
     yield f'{{"{function.name}", Result::{result}, {{'
-    yield from (f"    {row_of(parameter, names)}," for parameter in listed)
-    yield f"}}, []({unused}Argument const *x) -> Answer {{ {defined}{body} }}}},"
+    yield from (row_of(one, names) for one in function.flattened)
+    yield f"}}, []({'' if names else '[[maybe_unused]] '}Argument const *x) -> Answer {{ {defined}{called} }}}},"
 
 
 def main(output):

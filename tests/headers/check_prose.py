@@ -109,7 +109,7 @@ def made(folder):
     files["names of Python"] = "\n".join(line for lines in python.made_lines().values() for line in lines)
     for name in ("_functions", "legacy"):
         template = (folder / f"python/pypw85/{name}.in.py").read_text(encoding="utf-8")
-        files[f"{name}.py"] = python.module(template, is_legacy=name == "legacy")
+        files[f"{name}.py"] = python.module(template, legacy=name == "legacy")
     for cause in causes.CAUSES:
         files[f"cause: {cause.key}"] = "\n".join(one.name for one in causes.FUNCTIONS if causes.has_cause(one, cause))
     files["functions of the pages"] = "\n".join(f"{name}: {place}" for name, place in pages.places_in_python().items())
@@ -198,7 +198,7 @@ def complaints_of_spoiling(source, folder):
             yield f"pw85.h does not say {old}"
             continue
         header.write_text(text.replace(old, new, 1), encoding="utf-8")
-        program = "import declarations as d\nfor one in d.functions('pw85.h'): d.flattened(one)"
+        program = "import declarations as d\nfor one in d.functions('pw85.h'): one.flattened"
         done = subprocess.run([sys.executable, "-B", "-c", program], cwd=other / "api", capture_output=True, text=True)
         if done.returncode == 0 or said not in done.stderr or not re.search(r"pw85\.h:\d+: pw85_", done.stderr):
             yield f"{new}: {done.stderr or 'accepted'}"
