@@ -31,6 +31,9 @@ SHORT_NAMES = {
     "std::span<Vector<double, 2> const>": "FlatVectors",
     "std::span<SymmetricMatrix<double, 2> const>": "FlatForms",
 }
+STRUCT = re.compile(r"^(?:template <[^>]*> )?struct (\w+) \{\n(.*?)^\};", re.MULTILINE | re.DOTALL)
+DETAIL = re.compile(r"^namespace pw85::detail \{$.*?^\} // namespace pw85::detail$", re.MULTILINE | re.DOTALL)
+MEMBERS = re.compile(r"^    (?!static |using )[\w:, ]+? \**(\w+(?:, \w+)*);", re.MULTILINE)
 ENDS = {"Cell": ".front().coordinates", "Vector": ".coordinates", "SymmetricMatrix": ".entries"}
 
 
@@ -65,13 +68,13 @@ def names_in_cpp():
 
 @cache
 def structs():
-    """The members of the structs of the arguments and results, by the names of the structs."""
-    others = ("batch/values", "systems/values", "simulation/trials", "shapes/overlap_shapes")
-    paths = [*(FOLDER / f"{name}.hpp" for name in others), *TEMPLATES.values()]
-    text, found = "".join(path.read_text(encoding="utf-8") for path in paths), {}
-    for name, body in re.findall(r"^struct (\w+) \{\n(.*?)^\};", text, re.MULTILINE | re.DOTALL):
-        without = re.sub(r" = [^,;]*|///?.*|<[^;]*>", "", body)
-        found[name] = [one for line in re.findall(r" ([\w, *]+);", without) for one in re.findall(r"(\w+)(?:,|$)", line)]
+    """The members of the structs of the arguments and results, by the names of the structs; the status is the last one."""
+    found = {}
+    for path in [*sorted(FOLDER.glob("*/*.hpp")), *TEMPLATES.values()]:
+        text = DETAIL.sub("", re.sub(r"//.*", "", path.read_text(encoding="utf-8")))
+        for name, body in STRUCT.findall(text):
+            plain = re.sub(r"<[^;]*>|\[[^\]]*\]| = [^,;]*", "", body)
+            found[name] = [name for listed in MEMBERS.findall(plain) for name in listed.split(", ")]
     return found
 
 

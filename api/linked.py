@@ -7,32 +7,17 @@ description names. Of an overlap the library does not give out the tier, which i
 """
 
 import re
-from functools import cache
 
 import layout
+from cpp import structs
 from declarations import INCLUDE, SOURCE, c_functions, functions
 
 TEMPLATES = "pw85/pw85.hpp"
-STRUCT = re.compile(r"^(?:template <[^>]*> )?struct (\w+) \{\n(.*?)^\};", re.MULTILINE | re.DOTALL)
-DETAIL = re.compile(r"^namespace pw85::detail \{$.*?^\} // namespace pw85::detail$", re.MULTILINE | re.DOTALL)
-MEMBERS = re.compile(r"^    (?!static |using )[\w:<>, ]+? (\w+(?:, \w+)*);", re.MULTILINE)
 NOT_GIVEN_OUT = {"Overlap": ("tier",)}
 OTHERS = (
     "Calls with other numbers take the templates, and so do these functions with doubles, of which the C API leaves out a part of the "
     "result or which constant expressions call:"
 )
-
-
-@cache
-def members():
-    """The names of the members of each result, by its definition; the last one is the status."""
-    found = {}
-    for path in sorted((INCLUDE / "pw85").glob("*/*.hpp")):
-        text = DETAIL.sub("", re.sub(r"//.*", "", path.read_text(encoding="utf-8")))
-        for name, body in STRUCT.findall(text):
-            plain = re.sub(r"\[[^\]]*\]", "", body)
-            found[name] = [name for listed in MEMBERS.findall(plain) for name in listed.split(", ")]
-    return found
 
 
 def in_doubles(text, dimension):
@@ -52,7 +37,7 @@ def is_relative(template, function):
     if template.type.startswith("constexpr ") or fixed not in (set(), {str(function.dimension)}):
         return False
     name, outputs = result_of(template), function.outputs
-    needed = {*members()[name]} - {"status", *NOT_GIVEN_OUT.get(name, ())}
+    needed = {*structs()[name]} - {"status", *NOT_GIVEN_OUT.get(name, ())}
     same = len(function.inputs) == len(template.written) and {name for one in outputs for name in one.members()} == needed
     return same and all(len(one.members()) in (1, one.length) for one in outputs)
 
