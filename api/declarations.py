@@ -108,8 +108,8 @@ class Attributes:
 
     def merged(self, other):
         """These, and those of the parameter that this one is like."""
-        names = ("shape", "rows", "members", "without", "needs", "on_error", "unit")
-        return Attributes(**{name: getattr(self, name) or getattr(other, name) for name in names}, words=self.words | other.words)
+        own = {name: value for name, value in vars(self).items() if value}
+        return changed(other, **own | {"words": self.words | other.words})
 
 
 @dataclass

@@ -88,8 +88,8 @@ int status_of_call(Call const &call, int columns, Arrays... arrays) noexcept
 /// Records the cause of a status that has no ellipsoid, or one whose excess is too large.
 [[gnu::cold, gnu::noinline]] int refuse_result(int status, Call const &call) noexcept
 {
-    char const *const text = status == PW85_ECONVERGENCE ? "the excess is above the tolerance"
-                                                         : pw85_strerror(status);
+    char const *const text =
+        status == PW85_ECONVERGENCE ? "the excess is above the tolerance" : pw85_strerror(status);
     return call.refuse_all(status, nullptr, text);
 }
 
