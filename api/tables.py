@@ -11,12 +11,17 @@ from pathlib import Path
 
 from declarations import HOST_HEADERS, OBJECTS, PACKED, functions, members, members_read
 
-TYPES = {"double": "real", "size_t": "size", "int": "integer", "int32_t": "int32", "int64_t": "int64", "unsigned char": "byte",
-         "pw85_motion": "motion", **dict.fromkeys(OBJECTS, "handle")}  # fmt: skip
-# What a call gives to the tests, by the type of the result; results of other types are not used.
-BODIES = {"int": ("status", "return {{{call}, 0.0}};"), "double": ("real", "return {{0, {call}}};"),
-          "void": ("none", "{call}; return {{}};")}  # fmt: skip
-OTHERS = ("other", "static_cast<void>({call}); return {{}};")
+TYPES = {
+    "double": "real",
+    "size_t": "size",
+    "int": "integer",
+    "int32_t": "int32",
+    "int64_t": "int64",
+    "unsigned char": "byte",
+    "pw85_motion": "motion",
+    **dict.fromkeys(OBJECTS, "handle"),
+}
+RESULTS = {"void": "none", "int": "status", "double": "real"}  # results of other types are not used
 
 
 def extent(one, names):
@@ -25,10 +30,10 @@ def extent(one, names):
     return f"{{-1, {one}}}" if isinstance(one, int) else f"{{{names.index(one)}, 0}}"
 
 
-def row_of(one, names):
-    shape = ", ".join(extent(size, names) for size in one.shape)
-    flags = ", ".join(str(flag).lower() for flag in (one.pointer, one.is_output() or one.outer, one.nullable))
-    return f'    {{"{one.name}", Type::{TYPES[one.type]}, {flags}, {{{shape}}}}},'
+def row_of(parameter, names):
+    shape = ", ".join(extent(one, names) for one in parameter.shape)
+    flags = (parameter.pointer, parameter.is_output() or parameter.outer, parameter.nullable)
+    return f'{{"{parameter.name}", Type::{TYPES[parameter.type]}, {", ".join(str(flag).lower() for flag in flags)}, {{{shape}}}}}'
 
 
 def argument(one, names):
@@ -52,10 +57,15 @@ def struct_of(function, struct, names):
 def lines(function):
     names = [one.name for one in function.flattened]
     defined = "".join(struct_of(function, one, names) for one in function.parameters if one.is_struct())
-    result, body = BODIES.get(function.type, OTHERS)
-    called = body.format(call=f"{function.name}({', '.join(argument(one, names) for one in function.parameters)})")
+    call, result = f"{function.name}({', '.join(argument(one, names) for one in function.parameters)})", RESULTS.get(function.type, "other")
+    called = {
+        "status": f"return {{{call}, 0.0}};",
+        "real": f"return {{0, {call}}};",
+        "none": f"{call}; return {{}};",
+        "other": f"static_cast<void>({call}); return {{}};",
+    }[result]
     yield f'{{"{function.name}", Result::{result}, {{'
-    yield from (row_of(one, names) for one in function.flattened)
+    yield from (f"    {row_of(one, names)}," for one in function.flattened)
     yield f"}}, []({'' if names else '[[maybe_unused]] '}Argument const *x) -> Answer {{ {defined}{called} }}}},"
 
 
