@@ -97,7 +97,7 @@ def r_source():
 
 def help_text(text):
     """A text of the headers as it stands in a page of help, in ASCII."""
-    text = re.sub(r"Σ(?=_?\w* ?[|(])", "sum ", text.replace("μ²", "mu2"))
+    text = re.sub(r"Σ(?=_?\w* ?[|(])", "sum ", text)
     text = re.sub("[⁰¹²³⁴-⁹⁻]+", lambda match: "^" + unicodedata.normalize("NFKC", match[0]), text)
     text = unicodedata.normalize("NFKC", "".join(ASCII.get(letter, letter) for letter in text))
     text = re.sub(r"([{}%])", r"\\\1", with_named_statuses(text))

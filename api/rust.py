@@ -110,7 +110,7 @@ def camel(name):
 def in_markdown(text):
     """A text of the headers as it stands in a comment of Rust."""
     named = {code.removeprefix("PW85_"): camel(name) for code, (name, _) in statuses().items()}
-    text = re.sub(r"``Status\.(\w+)``", lambda match: f"`Status::{named[match[1]]}`", re.sub(r"\bfor n (\w+)", r"for many \1", text))
+    text = re.sub(r"``Status\.(\w+)``", lambda match: f"`Status::{named[match[1]]}`", text)
     links = {f"`{name}()`" for name in names_in_rust().values()}
     code = [f"[{one}](crate::{one[1:-3]})" if one in links else one for one in re.findall(r"`+[^`]+`+", text)]
     plain = [re.sub(r"([\[\]*|<>])", r"\\\1", part) for part in re.split(r"`+[^`]+`+", text)]

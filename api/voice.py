@@ -78,7 +78,7 @@ class Voice:
 
     def said(self, text, is_inherited=False):
         text = re.sub(r"\b(pw85\w+)\(\)", lambda match: self.reference(match, is_inherited), text)
-        text = re.sub(r"\bunit of (\w+)\b(?!·)", self.unit, text)
+        text = re.sub(r"\bunit of (\w+)\b(?!·)", self.unit, re.sub(r"\bfor n (?=[a-z])", "for many ", text))
         text = re.sub(r"#(PW85_\w+)", constant, re.sub(r"\blambda\b", "λ", text))
         if self.is_flat and is_inherited:
             text = text.replace("forms of the ellipsoids", "forms (xx, xy, yy) of the ellipses").replace("ellipsoid", "ellipse")
