@@ -94,7 +94,7 @@ def files():
         "names": [f"  public :: {function.name.lower()}" for header in HOST_HEADERS for function in functions(header)],
         "interfaces": [line for header in HOST_HEADERS for line in [*interfaces(header, template), ""]][:-1],
     }
-    return {MODULE: insert(template, "  !@", made)}
+    return {MODULE: insert(TEMPLATE, "  !@", made)}
 
 
 PROCEDURE = re.compile(

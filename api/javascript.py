@@ -142,7 +142,7 @@ def declaration(row):
 def types():
     made = {module: [line for row in asked_of(module) for line in [*declaration(row), ""]][:-1] for module in ASKED}
     made["mark"] = [f"// {MARK}"]
-    return insert((FOLDER / "pw85.in.d.ts").read_text(encoding="utf-8"), "//@", made)
+    return insert(FOLDER / "pw85.in.d.ts", "//@", made)
 
 
 def package():

@@ -36,8 +36,11 @@ def in_one_line_or_each(begin, listed, end, indent="", width=WIDTH):
 
 
 def insert(template, mark, made):
-    """A template with lines in the place of each line that has the mark and their name, indented as this is."""
-    for name, lines in made.items():
-        pattern = re.compile(rf"^( *){re.escape(mark)} {name}\n", re.MULTILINE)
-        template = pattern.sub(lambda match, lines=lines: "".join(f"{match[1]}{line}".rstrip() + "\n" for line in lines), template)
-    return template
+    """The text of a template, a path, with lines in the place of each line that has the mark and their name, indented as this is."""
+
+    def lines(match):
+        if match[2] not in made:
+            raise ValueError(f"{template.name}: {mark} {match[2]}: not understood")
+        return "".join(f"{match[1]}{line}".rstrip() + "\n" for line in made[match[2]])
+
+    return re.sub(rf"^( *){re.escape(mark)} (\w+)\n", lines, template.read_text(encoding="utf-8"), flags=re.MULTILINE)

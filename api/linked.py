@@ -86,5 +86,4 @@ def files():
     done = {template.name for template, _ in listed}
     rest = ", ".join(dict.fromkeys(f"{one.name}()" for one in functions(TEMPLATES) if one.name not in done))
     made = {"others": layout.wrapped(f"{OTHERS} {rest}.", first="/// "), "functions": [line for one in listed for line in definition(*one)]}
-    template = (SOURCE / "api/linked.hpp.in").read_text(encoding="utf-8")
-    return {INCLUDE / "pw85/linked.hpp": layout.insert(template, "//@", made)}
+    return {INCLUDE / "pw85/linked.hpp": layout.insert(SOURCE / "api/linked.hpp.in", "//@", made)}

@@ -44,29 +44,31 @@ def public_names(text):
     return sorted(name for name in names if not name.startswith("_"))
 
 
+def names_of(template):
+    """The public names of a module, by its template."""
+    return public_names(insert(template, "#@", made_lines() | {"all": []}))
+
+
 def with_names(template):
     """A template with what its marks stand for. The mark `all` stands for the public names of the text that the others make."""
-    text = insert(template, "#@", made_lines())
-    return insert(text, "#@", {"all": [f'"{name}",' for name in public_names(text)]}) if "#@ all" in text else text
+    return insert(template, "#@", made_lines() | {"all": [f'"{name}",' for name in names_of(template)]})
 
 
 def package_names():
     """The public names of the package."""
-    template = SOURCE / "python/pypw85/__init__.in.py"
-    return public_names(insert(template.read_text(encoding="utf-8"), "#@", made_lines()))
+    return names_of(SOURCE / "python/pypw85/__init__.in.py")
 
 
 def main(kind, *paths):
     *templates, output = map(Path, paths)
-    template = "".join(path.read_text(encoding="utf-8") for path in templates)
     if kind == "table":
         text = table(row_functions())
     elif kind == "objects":
         text = objects_table()
     elif kind == "names":
-        text = with_names(template)
+        text = with_names(*templates)
     else:
-        text = module(template, legacy="legacy" in templates[0].name)
+        text = module(*templates)
     output.write_text(text, encoding="utf-8")
 
 

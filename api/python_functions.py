@@ -130,11 +130,12 @@ def made(row, node=None):
     return f"{heads(row, signature)}\n{textwrap.indent(whole, INDENT)}\n"
 
 
-def module(template, legacy):
-    """The text of a module, from that of its template."""
-    rows = {python_name(row): row for row in row_functions() if is_legacy(row) == legacy}
-    lines, place, parts = template.splitlines(keepends=True), 0, []
-    for node in ast.parse(template).body:
+def module(template):
+    """The text of a module, from its template; that of the legacy functions has their word in its name."""
+    rows = {python_name(row): row for row in row_functions() if is_legacy(row) == ("legacy" in template.name)}
+    text, place, parts = template.read_text(encoding="utf-8"), 0, []
+    lines = text.splitlines(keepends=True)
+    for node in ast.parse(text).body:
         if [ast.unparse(one) for one in getattr(node, "decorator_list", [])] == ["declared"]:
             parts += ["".join(lines[place : node.decorator_list[0].lineno - 1]), made(rows.pop(node.name), node)]
             place = node.end_lineno
