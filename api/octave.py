@@ -119,10 +119,12 @@ def described_items(question):
         shapes = " or, in the plane, ".join(COLUMNS[dimension] for dimension in sorted(question.rows, reverse=True))
         yield item(", ".join(question.ellipsoids), f"Rows of matGeom, {shapes}: see pw85_from_matgeom.")
     yield "%"
-    for (one, columns), name in zip(operands(question, "outputs"), outputs(question), strict=True):
+    columns_of = {id(one): columns for one, columns in operands(question, "outputs")}
+    for one, *others in question.first.outputs_by_parameter():
+        names = ", ".join(other.name or question.name for other in (one, *others))
         matrix = f", a matrix of {one.shape[0]} x {one.shape[1]} row by row" if len(one.shape) == 2 else ""
-        text = f"{voice(question).described(one.parameter.name)} {columns}{matrix}."
-        yield item(name, "true or false." if question.first.is_truth() else text)
+        text = f"{voice(question).described(one.parameter.name)} {columns_of[id(one)]}{' each' if others else matrix}."
+        yield item(names, "true or false." if question.first.is_truth() else text)
 
 
 def page(name, question):

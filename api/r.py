@@ -118,14 +118,15 @@ def described(question):
 def value_of(question):
     """What the function returns."""
     row, dimension = question.first, max(question.rows)
-    texts = [(one.name, voice(question).described(one.parameter.name)) for one in row.outputs]
-    if len(texts) == 1:
+    groups = row.outputs_by_parameter()
+    texts = [(", ".join(f"\\code{{{one.name}}}" for one in group), voice(question).described(group[0].parameter.name)) for group in groups]
+    if len(row.outputs) == 1:
         kind = "logical vector" if row.is_truth() else "matrix" if row.outputs[0].shape else "numeric vector"
         text = f"A {kind} with {'a row' if kind == 'matrix' else 'an element'} for each row. {'' if row.is_truth() else texts[0][1]}"
         return [help_text(text)]
     text = ("A data frame with a row for each row of the arguments, and these columns; a vector has a column for each entry, as "
             f"`{columns(question, dimension)[-1]}`.")  # fmt: skip
-    items = (f"\\item{{\\code{{{name}}}}}{{{help_text(text)}}}" for name, text in texts)
+    items = (f"\\item{{{names}}}{{{help_text(text)}}}" for names, text in texts)
     return [help_text(text), "\\describe{", *items, "}"]
 
 

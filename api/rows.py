@@ -8,6 +8,7 @@ members of the result, as `out` with `mu2` and `lambda`, is as many results.
 
 from dataclasses import dataclass
 from functools import cache
+from itertools import groupby
 from math import prod
 
 from declarations import HOST_HEADERS, Function, Parameter, functions
@@ -92,6 +93,10 @@ class RowFunction:
         """Whether the relative for many rows has an array of doubles for each operand, or of bytes for truth values."""
         listed = self.many.parameters[1:] if self.many is not None else []
         return bool(listed) and all(one.pointer and (one.type == "double" or (self.is_truth() and one.is_output())) for one in listed)
+
+    def outputs_by_parameter(self):
+        """The outputs, those together that are numbers in one array of C, of which one sentence is said."""
+        return [list(group) for _, group in groupby(self.outputs, lambda one: id(one.parameter))]
 
     def signature(self):
         return "->".join(",".join(one.core() for one in operands) for operands in (self.inputs, self.outputs))

@@ -193,10 +193,11 @@ def many(row):
 def struct(name, rows):
     shared = ", ".join(f"`{names_in_rust()[one.function.name]}()`" for one in rows)
     yield from [*comment([f"Results of {shared}."]), f"#[derive(Clone, Copy, Debug, PartialEq)]\npub struct {name} {{"]
-    texts = [voice(rows[0]).described(one.parameter.name) for one in rows[0].outputs]
-    for one, text in zip(rows[0].outputs, texts, strict=True):
-        text = "Whether the ellipsoids overlap." if result_type(one) == "bool" else sentence(text)
-        yield from [*comment([text], "    "), f"    pub {one.name}: {result_type(one)},"]
+    for group in rows[0].outputs_by_parameter():
+        names = f"{', '.join(f'`{one.name}`' for one in group)}: " if len(group) > 1 else ""
+        for one in group:
+            text = "Whether the ellipsoids overlap." if result_type(one) == "bool" else voice(rows[0]).described(one.parameter.name)
+            yield from [*comment([f"{names}{text}"], "    "), f"    pub {one.name}: {result_type(one)},"]
     yield "}\n"
 
 
