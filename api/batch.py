@@ -14,15 +14,14 @@ declarations of functions that have none of one row are in the template as they 
 """
 
 import re
-import textwrap
 from dataclasses import dataclass
 from itertools import groupby
 
-from declarations import INCLUDE, LIMITS, ONE_ROW, SOURCE, functions, parameters
+import layout
+from declarations import INCLUDE, LIMITS, SOURCE, c_functions
 from rows import TRUTHS, name_of_many
 
 HEADER, TEMPLATE = INCLUDE / "pw85_batch.h", SOURCE / "api/pw85_batch.h.in"
-WIDTH = 100
 ROWS = re.compile(
     r"^@(?P<kind>rows|lanes) (?P<name>\w+)(?: (?P<rows>[\w -]+))?(?:: (?P<results>.*))?\n(?P<said>(?:    .*\n)*)", re.MULTILINE
 )
@@ -70,7 +69,7 @@ class Statement:
     """A line of the template."""
 
     def __init__(self, match):
-        self.function = next(one for header in ONE_ROW for one in functions(header) if one.name == match["name"])
+        self.function = c_functions()[match["name"]]
         self.has_lanes = match["kind"] == "lanes"
         self.rows = match["rows"] or "pairs"
         self.row = self.rows.split()[0].removesuffix("s")
@@ -81,9 +80,14 @@ class Statement:
         """The parameters of one row, each with those that stand for it in the function of many rows."""
         return [
             (one, [argument(self.function, one, name, shape, self.row, self.said) for name in names])
-            for one in parameters(self.function)
+            for one in self.function.parameters
             for names, shape in [names_and_shape(one)]
         ]
+
+    def head(self, begin, end):
+        """The declaration of the function of many rows."""
+        declared = ["size_t n", *(argument.declared() for _, many in self.arguments() for argument in many)]
+        return layout.arguments(f"{begin} {name_of_many(self.function.name)}(", declared, end)
 
 
 def sentences(listed):
@@ -105,24 +109,9 @@ def declaration(match):
         *sentences(listed),
         f"@return as for {name}(), of the first bad {row}",
     ]
-    lines = [line for part in text for line in textwrap.wrap(part, WIDTH - 4, break_on_hyphens=False) or [""]]
+    lines = [line for part in text for line in layout.wrapped(part, layout.WIDTH - 4) or [""]]
     comment = "\n".join(f" * {line}".rstrip() for line in lines)
-    written = wrapped(f"PW85_API int {name_of_many(name)}(", ["size_t n", *(one.declared() for one in listed)], ");")
-    return f"/**{comment[2:]} */\n{written}\n"
-
-
-def wrapped(begin, arguments, end):
-    """A list of arguments in lines that are aligned with its bracket, or begin on the next line where that is too far to the right."""
-    text = ", ".join(argument.replace(" ", "\0") for argument in arguments) + end.replace(" ", "\0")
-    beside, below = len(begin), len(begin) - len(begin.lstrip()) + 4
-    lines = filled(text, beside)
-    if all(len(line) <= WIDTH - beside for line in lines):
-        return begin + ("\n" + " " * beside).join(lines).replace("\0", " ")
-    return begin + "".join(f"\n{' ' * below}{line}" for line in filled(text, below)).replace("\0", " ")
-
-
-def filled(text, indent):
-    return textwrap.wrap(text, WIDTH - indent, break_long_words=False, break_on_hyphens=False)
+    return f"/**{comment[2:]} */\n{statement.head('PW85_API int', ');')}\n"
 
 
 def header():

@@ -8,7 +8,8 @@ docs/tests/check_causes.py provokes each cause in each function.
 import re
 from dataclasses import dataclass
 
-from declarations import PARTS, flattened, functions
+from declarations import PARTS, functions
+
 
 @dataclass(frozen=True)
 class Cause:
@@ -72,4 +73,4 @@ def can_have(cause, one):
 
 def has_cause(function, cause):
     """Whether a cause is among those that the contract of a function names."""
-    return any(can_have(cause, one) and is_named(cause, one) for one in flattened(function))
+    return any(can_have(cause, one) and is_named(cause, one) for one in function.flattened)

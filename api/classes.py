@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""C++ headers of classes that own objects of the library, and of functions on objects and systems, made of the templates api/*.hpp.in.
+"""C++ headers of functions on many rows, systems and objects, and of classes that own objects, made of the templates api/*.hpp.in.
 
 A line of a template becomes a function that calls that of C of its name (cpp_calls.py):
 
@@ -10,21 +10,25 @@ A line of a template becomes a function that calls that of C of its name (cpp_ca
 
 "as" gives another name, and "without direction" passes null. A function that "returns" a type has its outputs in it, and the status if
 it has such a member. Indented lines below give the C++ type of a parameter, with its default, or that of a struct that has several
-parameters as members. api/committed.py writes the headers or compares them.
+parameters as members. Some lines become many functions: "@rows pw85_batch.h" all that take n rows, "@pairs pw85_systems.h" all that
+take a list of pairs and a system, and have rows for each pair. Their outputs become the struct that has these members, if there is one
+in include/pw85/batch/values.hpp. api/committed.py writes the headers or compares them.
 """
 
 import re
 
+from cpp import CLASSES, FOLDER, TEMPLATES, is_of_list, is_of_rows, name_in_cpp, structs
 from cpp_calls import Call
-from cpp_texts import FOLDER, TEMPLATES
-from cpp_types import CLASSES
-from declarations import c_functions
+from declarations import c_functions, sections
+from layout import arguments
 
 MARK = re.compile(
     r"^(?P<indent> *)@(?P<kind>member|function) (?P<name>\w+)(?: as (?P<own>\w+))?(?: without (?P<without>\w+))?"
     r"(?: returns (?P<type>\w+))?\n(?P<said>(?: *\w+: .*\n)*)",
     re.MULTILINE,
 )
+MARK_OF_MANY = re.compile(r"^@(?P<kind>rows|pairs) (?P<header>\w+\.h)\n", re.MULTILINE)
+KINDS = {"rows": is_of_rows, "pairs": is_of_list}
 
 
 def definition(match, prefix, path):
@@ -32,12 +36,32 @@ def definition(match, prefix, path):
     place, c_name = f"{path.name}: @{match['kind']} {name}", f"pw85_{prefix * is_member}{name}"
     if c_name not in c_functions():
         raise ValueError(f"{place}: no function {c_name}()")
-    types = dict(line.strip().split(": ", 1) for line in match["said"].splitlines())
-    call = Call(c_functions()[c_name], types, is_member, match["without"], match["type"])
-    unknown = {*types, match["without"]} - {None, *(one.name for one in call.listed), *(own for _, own, _ in call.described)}
+    function, types = c_functions()[c_name], dict(line.strip().split(": ", 1) for line in match["said"].splitlines())
+    call = Call(function, types, is_member, match["without"], match["type"])
+    unknown = {*types, match["without"]} - {None, *function.parameter_names(), *(one.name for one in call.declared)}
     if unknown:
         raise ValueError(f"{place}: no such parameter: {', '.join(sorted(unknown))}")
-    return "".join(f"{line}\n" for line in call.lines(match["own"] or name, match["indent"]))
+    return call.text(match["own"] or name, match["indent"])
+
+
+def call_of_all(function, kind):
+    """A function that passes all arrays to detail::call_rows() or call_pairs(), which compare sizes."""
+    outputs = [one.name for one in function.outputs]
+    struct = next((name for name, members in structs().items() if members == outputs and name.endswith("Spans")), None)
+    call = Call(function, {"out": struct} if struct else {})
+    places = [call.place(one) for one in function.parameters if one.name != "n"]
+    body = arguments(f"    return detail::call_{kind}(", [function.name, *places], ");").removeprefix("    ").split("\n    ")
+    return call.text(name_in_cpp(function), body=body)
+
+
+def definitions(match):
+    """The functions of a kind, in the sections of a header of C."""
+    texts = []
+    for section in sections(match["header"]):
+        listed = [function for function in section.functions if KINDS[match["kind"]](function)]
+        if listed:
+            texts += [f"/// @name {section.title}\n/// @{{\n", *(call_of_all(one, match["kind"]) for one in listed), "/// @}\n"]
+    return "\n".join(texts)
 
 
 def header(path):
@@ -45,6 +69,7 @@ def header(path):
     owner = re.search(r"^class (\w+) \{", template, re.MULTILINE)
     prefixes = {kind: f"{c_name.removeprefix('pw85_')}_" for c_name, kind in CLASSES.items()}
     made = MARK.sub(lambda match: definition(match, prefixes[owner[1]] if owner else "", path), template)
+    made = MARK_OF_MANY.sub(definitions, made)
     if left := re.search(r"^ *@(?!\{|\}).*", made, re.MULTILINE):
         raise ValueError(f"{path.name}: {left[0].strip()}: not understood")
     return made

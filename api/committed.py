@@ -20,18 +20,17 @@ import r
 import rare
 import rust
 import shims
-import spans
 import symbols
 from declarations import SOURCE
+
+PROGRAMS = (fortran, shims, objects, symbols, linked, classes, rare, r, octave, javascript, rust)
 
 
 def files():
     """The texts of all of them by their paths, and the list of them for diffs and reviews."""
     header = batch.header()
     declarations.replace({"pw85_batch.h": header})  # from which the others follow
-    made = {batch.HEADER: header, fortran.MODULE: fortran.module()}
-    made |= shims.files() | objects.files() | symbols.files() | spans.headers() | linked.files() | r.files() | octave.files()
-    made |= classes.files() | javascript.files() | rust.files() | rare.file()
+    made = {batch.HEADER: header} | {path: text for program in PROGRAMS for path, text in program.files().items()}
     marks = (f"{path.relative_to(SOURCE)} linguist-generated\n" for path in sorted(made))
     return made | {SOURCE / ".gitattributes": "# Made by api/committed.py, as all files in this list.\n" + "".join(marks)}
 

@@ -3,28 +3,34 @@
 
 Counts are left out: arrays become spans, whose sizes are compared. Structs of C become those of C++, and the name is that of C without
 its prefix and without `_2d`, which the types say. Outputs that may be null, but the first, are empty by default. Several parameters can
-be members of one struct of C++, and outputs can be returned. api/spans.py and api/classes.py make headers of these functions.
+be members of one struct of C++, and outputs can be returned. api/classes.py makes headers of these functions.
 """
 
 import re
-import textwrap
 from dataclasses import dataclass, field
 from itertools import groupby
-from math import prod
+from typing import NamedTuple
 
-import batch
-from cpp_texts import brief, described, in_cpp, returned
-from cpp_types import CLASSES, NUMBERS, SHORT_NAMES, STRUCTS, address, row_of, structs
-from declarations import OBJECTS, members_read, parameters
+from cpp import CLASSES, NUMBERS, SHORT_NAMES, STRUCTS, address, brief, described, in_cpp, returned, row_type, structs
+from declarations import Parameter, Role, members_read
+from layout import arguments, wrapped
 
-WIDTH = 100
 NAMES = {"system": "particles"}  # of parameters in C++
 EXTENTS = {"num_pairs": "list.pairs", "num_particles": "particles.centers"}  # of members of structs
 VALUES = {"NaN": "detail::quiet_nan<double>()", "num_particles": "particles.centers.size()"}
+TEXTS = {
+    "list": "indices of particles, with or without images",
+    "particles": "centres, forms and cell; sizes must fit, and indices be those of particles",
+}
 
 
-def wrapped(begin, arguments, end):
-    yield from batch.wrapped(begin, arguments, end).split("\n")
+class Declared(NamedTuple):
+    """A parameter of C++."""
+
+    text: str
+    is_output: bool
+    name: str
+    parameter: Parameter  # that of C, or the first one of a struct of several
 
 
 @dataclass
@@ -37,40 +43,36 @@ class Call:
     without: str | None = None  # a parameter for which null is passed
     result: str | None = None  # the type that has the outputs; if there is none, the function returns what that of C returns
     declared: list = field(default_factory=list)
-    described: list = field(default_factory=list)  # of each declared parameter: whether it is an output, its name, that of C
     first: list = field(default_factory=list)
     marked: list = field(default_factory=list)  # if sizes are compared, which comes next
-    checked: list = field(default_factory=list)
+    checked: list = field(default_factory=list)  # pairs of arrays of as many rows
     before: list = field(default_factory=list)
     passed: list = field(default_factory=list)
     after: list = field(default_factory=list)
 
     def __post_init__(self):
-        self.listed, self.sizes = parameters(self.function), {}
-        own = {one.name for one in self.listed}
-        for one in self.listed:
-            for extent in one.shape[:1]:
-                if isinstance(extent, str):
-                    self.sizes.setdefault(extent, self.place(one) if extent in own else EXTENTS[extent])
-        for one in self.listed:
-            self.add(one)
+        self.sizes, own = {}, self.function.parameter_names()
+        for one in self.function.parameters:
+            if one.rows:
+                self.sizes.setdefault(one.rows, self.place(one) if one.rows in own else EXTENTS[one.rows])
+        add = {Role.OBJECT: self.object, Role.STRUCT: self.struct, Role.COUNT: self.count, Role.ROWS: self.rows, Role.ROW: self.row,
+               Role.NUMBER: self.number}  # fmt: skip
+        for one in self.function.parameters:
+            self.passed.append("nullptr" if one.name == self.without else add[one.role](one))
 
     def place(self, one):
         """Where a parameter is: a parameter of C++, or a member of one or of the result."""
         name = one.members()[0]
-        if one.is_output() and self.result and name in structs().get(self.result, ()):
+        if one.is_output() and name in structs().get(self.result, ()):
             return f"found.{name}"
-        for struct, kind in self.types.items():
-            if struct != one.name and name in structs().get(kind, ()):
-                return f"{struct}.{name}"
-        return NAMES.get(one.name, one.name)
+        owners = (struct for struct, kind in self.types.items() if struct != one.name and name in structs().get(kind, ()))
+        return next((f"{struct}.{name}" for struct in owners), NAMES.get(one.name, one.name))
 
     def declare(self, one, text):
         """Adds a parameter. A new object comes before other outputs."""
         name = re.search(r"(\w+)(?: = .*)?$", text)[1]
-        k = len(self.declared) - (one.outer and any(is_output for is_output, _, _ in self.described))
-        self.declared.insert(k, text)
-        self.described.insert(k, (one.is_output() or one.outer, name, one))
+        k = len(self.declared) - (one.outer and any(other.is_output for other in self.declared))
+        self.declared.insert(k, Declared(text, one.is_output() or one.outer, name, one))
 
     def declare_or_find(self, one, text):
         """Adds a parameter, or the struct that has it, and returns its place."""
@@ -78,25 +80,9 @@ class Call:
         owner = place.split(".")[0]
         if owner == place:
             self.declare(one, text)
-        elif owner not in ("found", *(name for _, name, _ in self.described)):
+        elif owner not in ("found", *(other.name for other in self.declared)):
             self.declare(one, f"{self.types[owner]} const &{owner}")
         return place
-
-    def add(self, one):
-        if one.name == self.without:
-            self.passed.append("nullptr")
-        elif one.name in self.sizes and not one.pointer:
-            self.passed.append(f"{self.sizes[one.name]}.size()")
-        elif one.type in OBJECTS:
-            self.passed.append(self.object(one))
-        elif one.is_struct():
-            self.passed.append(self.struct(one))
-        elif one.shape and isinstance(one.shape[0], str):
-            self.passed.append(self.rows(one))
-        elif one.pointer:
-            self.passed.append(self.row(one))
-        else:
-            self.passed.append(self.number(one))
 
     def object(self, one):
         kind = CLASSES[one.type]
@@ -115,34 +101,32 @@ class Call:
         name = NAMES.get(one.name, one.name)
         self.declare(one, f"{STRUCTS[one.type]} const &{name}")
         self.before.append(f"{one.type} const {name}_in_c = detail::in_c({name});")
-        read = {member.name for member in members_read(self.function, one)}
         if one.type == "pw85_pair_list":
-            self.checked.append(("list.pairs.size()", "detail::optional(list.images)"))
+            self.checked.append(("list.pairs", "detail::optional(list.images)"))
         elif one.type == "pw85_system":
+            read = {member.name for member in members_read(self.function, one)}
             first, second = ("centers", "q") if "centers" in read else ("q", "centers")
             other = f"{name}.{second}" if {"centers", "q"} <= read else f"detail::optional({name}.{second})"
-            self.checked.append((f"{name}.{first}.size()", other))
+            self.checked.append((f"{name}.{first}", other))
         return f"&{name}_in_c"
 
+    def count(self, one):
+        return f"{self.sizes[one.name]}.size()" if one.name in self.sizes else self.number(one)
+
     def rows(self, one):
-        written = f"std::span<{row_of(self.function, one, one.shape[1:])}{' const' if one.const else ''}>"
-        is_first = not any(is_output for is_output, _, _ in self.described)
-        default = " = {}" if one.nullable and not (one.is_output() and is_first) else ""
+        written = f"std::span<{row_type(self.function, one)}{' const' if one.const else ''}>"
+        is_first_output = one.is_output() and not any(other.is_output for other in self.declared)
+        default = " = {}" if one.nullable and not is_first_output else ""
         place = self.declare_or_find(one, f"{SHORT_NAMES.get(written, written)} {one.name}{default}")
-        size = self.sizes[one.shape[0]]
-        if place != size:
-            self.checked.append((f"{size}.size()", place))
+        if place != self.sizes[one.rows]:
+            self.checked.append((self.sizes[one.rows], place))
         return f"{place}.data()" if one.type in ("pw85_wall", "pw85_field") else f"detail::in_c({place})"
 
     def row(self, one):
         """A number or an array of one row, which is read or written."""
-        kind = self.types.get(one.name)
+        kind, row = self.types.get(one.name), row_type(self.function, one)
         if kind in structs():
-            self.declare(one, f"{kind} const &{one.name}")
-            self.before.append(f"auto const &[{', '.join(structs()[kind])}] = {one.name};")
-            self.before.append(f"double const {one.name}_in_c[] = {{{', '.join(structs()[kind])}}};")
-            return f"{one.name}_in_c"
-        row = row_of(self.function, one, one.shape)
+            return self.members_of(kind, one)
         if self.result and one.is_output() and self.place(one) == one.name:
             return self.returned(one)
         place = self.declare_or_find(one, f"{kind or row} {'' if one.is_output() else 'const '}&{one.name}")
@@ -156,84 +140,94 @@ class Call:
             return f"detail::in_c({place})"
         return address(row, place) if one.shape else f"&{place}"
 
+    def members_of(self, struct, one):
+        """An input whose numbers are the members of a struct of C++."""
+        listed = ", ".join(structs()[struct])
+        self.declare(one, f"{struct} const &{one.name}")
+        self.before += [f"auto const &[{listed}] = {one.name};", f"double const {one.name}_in_c[] = {{{listed}}};"]
+        return f"{one.name}_in_c"
+
     def mark(self, one):
         """The statement that marks an output before sizes are compared."""
         value = one.attributes.on_error or ("NaN" if one.type == "double" else "")
         if value:
-            value = VALUES.get(value, value)
-            values = ", ".join([value] * prod(one.shape))
-            self.marked.append(f"{one.name} = {{{values}}};" if one.shape else f"{one.name} = {value};")
+            values = ", ".join([VALUES.get(value, value)] * one.size)
+            self.marked.append(f"{one.name} = {{{values}}};" if one.shape else f"{one.name} = {values};")
 
     def returned(self, one):
         """The only output, which is returned."""
-        names = [f"{one.name}[{k}]" for k in range(prod(one.shape))] if one.shape else []
+        names = [f"{one.name}[{k}]" for k in range(one.size)] if one.shape else []
         self.before.append(f"{one.type} {one.name}{f'[{len(names)}]' if names else ''};")
         self.after.append(f"return {{{', '.join(names)}}};" if names else f"return {one.name};")
         return one.name if names else f"&{one.name}"
 
     def number(self, one):
         plain_type = NUMBERS.get(one.type, one.type)
-        kind, _, default = self.types.get(one.name, plain_type).partition(" = ")
-        place = self.declare_or_find(one, f"{kind} {one.name}{f' = {default}' if default else ''}")
+        kind, equals, default = self.types.get(one.name, plain_type).partition(" = ")
+        place = self.declare_or_find(one, f"{kind} {one.name}{equals}{default}")
         return place if kind == plain_type else f"static_cast<{one.type}>({place})"
 
     def check(self, indent):
         """The statement that compares the sizes of arrays."""
-        groups = {size: [place for other, place in self.checked if other == size] for size, _ in self.checked}
-        calls = [f"detail::have_rows({size}, {', '.join(places)})" for size, places in groups.items()]
+        groups = {}
+        for size, place in self.checked:
+            groups.setdefault(size, []).append(place)
+        calls = [f"detail::have_rows({size}.size(), {', '.join(places)})" for size, places in groups.items()]
         whole = f"!{calls[0]}" if len(calls) == 1 else f"!({' && '.join(calls)})"
-        lines = textwrap.wrap(f"if ({whole}) return\0StatusCode::invalid_argument;", WIDTH - len(indent), subsequent_indent=" " * 4)
+        lines = wrapped(f"if ({whole}) return\0StatusCode::invalid_argument;", 100 - len(indent), rest="    ")
         yield from (line.replace("\0", " ") for line in lines)
 
     def body(self, indent):
-        has_status = "status" in structs().get(self.result, ())
         yield from self.first
         if self.checked:
             yield from (*self.marked, *self.check(indent))
-        if any(self.place(one).startswith("found.") for one in self.listed):
+        if any(self.place(one).startswith("found.") for one in self.function.parameters):
             yield f"{self.result} found{{}};"
         yield from self.before
-        begin, end, last = "int const status = ", ";", ["return static_cast<StatusCode>(status);"]
-        if has_status:
-            begin, end, last = "found.status = static_cast<StatusCode>(", ");", ["return found;"]
-        elif self.result:
-            begin, end, last = "static_cast<void>(", ");", [] if self.after else ["return found;"]
-        elif self.function.type != "int":
-            begin, last = "return ", []
-        elif not self.after:
-            begin, end, last = "return static_cast<StatusCode>(", ");", []
-        yield from (line.removeprefix(indent) for line in wrapped(f"{indent}{begin}{self.function.name}(", self.passed, f"){end}"))
+        begin, end, last = self.frame()
+        yield from arguments(f"{indent}{begin}{self.function.name}(", self.passed, f"){end}").removeprefix(indent).split(f"\n{indent}")
         yield from (*self.after, *last)
+
+    def frame(self):
+        """What stands before and behind the call of the function of C, and at the end."""
+        if "status" in structs().get(self.result, ()):
+            return "found.status = static_cast<StatusCode>(", ");", ["return found;"]
+        if self.result:
+            return "static_cast<void>(", ");", [] if self.after else ["return found;"]
+        if self.function.type != "int":
+            return "return ", ";", []
+        if not self.after:
+            return "return static_cast<StatusCode>(", ");", []
+        return "int const status = ", ";", ["return static_cast<StatusCode>(status);"]
 
     def comment(self):
         yield brief(self.function)
         if self.is_member:
             return
         yield ""
-        texts = [(is_output, self.text_of(name, one), name) for is_output, name, one in self.described]
-        for (is_output, text), group in groupby(texts, lambda one: one[:2]):
-            yield f"@param{'[out]' if is_output else ''} {','.join(name for _, _, name in group)} {text}"
+        for (is_output, text), group in groupby(self.declared, lambda one: (one.is_output, self.text_of(one))):
+            yield f"@param{'[out]' if is_output else ''} {','.join(one.name for one in group)} {text}"
         yield f"@return {'the values, and ' if self.result else ''}{in_cpp(returned(self.function))}".strip()
 
-    def text_of(self, name, one):
-        """What is said of a parameter of C++; `one` is that of C, or the first one of a struct of several."""
+    def text_of(self, declared):
+        """What is said of a parameter of C++."""
+        _, _, name, one = declared
         if one.outer:
             return "empty on error"
-        if one.is_struct() and name in ("list", "particles"):
-            are_pairs = "indices of particles, with or without images"
-            return are_pairs if name == "list" else "centres, forms and cell; sizes must fit, and indices be those of particles"
+        if one.is_struct() and name in TEXTS:
+            return TEXTS[name]
         if name in self.types and name != one.name:
             return f"rows in all spans, or in some: see {self.function.name}()" if one.shape else f"see {self.types[name]}"
         return described(self.function, one)
 
-    def lines(self, name, indent="", body=None):
-        """The lines of the definition; `body` stands for the statements of the call."""
+    def text(self, name, indent="", body=None):
+        """The definition; `body` stands for the statements of the call."""
         kind = self.result or ("StatusCode" if self.function.type == "int" else NUMBERS[self.function.type])
         head, is_const = "static inline", ""
         if self.is_member:
-            head, is_const = "[[gnu::always_inline]]", " const" if self.listed[0].const else ""
-        for line in self.comment():
-            mark = f"{indent}/// "
-            yield from textwrap.wrap(line, WIDTH, initial_indent=mark, subsequent_indent=mark) or [mark.rstrip()]
-        yield from wrapped(f"{indent}{head} {kind} {name}(", self.declared, f"){is_const} noexcept")
-        yield from (f"{indent}{{", *(f"{indent}    {line}" for line in body or self.body(f"{indent}    ")), f"{indent}}}")
+            head, is_const = "[[gnu::always_inline]]", " const" if self.function.parameters[0].const else ""
+        mark, inner = f"{indent}/// ", f"{indent}    "
+        lines = [text for line in self.comment() for text in wrapped(line, first=mark) or [mark.rstrip()]]
+        declared = arguments(f"{indent}{head} {kind} {name}(", [one.text for one in self.declared], f"){is_const} noexcept")
+        statements = (f"{inner}{line}" for line in body or self.body(inner))
+        return "".join(f"{line}\n" for line in (*lines, declared, f"{indent}{{", *statements, f"{indent}}}"))

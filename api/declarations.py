@@ -32,6 +32,7 @@ docs/ (reference pages, checks of the comments), the other programs of this fold
 import re
 from dataclasses import dataclass, field
 from dataclasses import replace as changed
+from enum import Enum, auto
 from functools import cache, cached_property
 from math import prod
 from pathlib import Path
@@ -107,8 +108,8 @@ class Attributes:
 
     def merged(self, other):
         """These, and those of the parameter that this one is like."""
-        names = ("shape", "rows", "members", "without", "needs", "on_error", "unit")
-        return Attributes(**{name: getattr(self, name) or getattr(other, name) for name in names}, words=self.words | other.words)
+        own = {name: value for name, value in vars(self).items() if value}
+        return changed(other, **own | {"words": self.words | other.words})
 
 
 @dataclass
@@ -121,9 +122,21 @@ class Description:
     place: str  # file and line
 
 
+class Role(Enum):
+    """The kinds of parameters that programs treat in different ways."""
+
+    OBJECT = auto()  # what the library owns
+    ADDRESS = auto()  # a function or an address of the caller
+    STRUCT = auto()  # whose members are arguments
+    COUNT = auto()  # a number of rows, which arrays of other languages know
+    ROWS = auto()  # an array whose number of rows is an argument or a member
+    ROW = auto()  # a pointer to one number, array or element
+    NUMBER = auto()
+
+
 @dataclass
 class Parameter:
-    """A parameter of a C function."""
+    """A parameter of a C function, or a member of a struct argument."""
 
     name: str
     type: str  # type of the value, or of the elements of a pointer: "double", "size_t", "pw85_motion"
@@ -133,6 +146,7 @@ class Parameter:
     outer: bool  # whether it is a pointer to a pointer, by which the function returns a new handle
     text: str  # its sentence, or the sentence of the parameter that it is like
     attributes: Attributes
+    is_count: bool = False  # whether it is the number of rows of other parameters
 
     @property
     def shape(self):
@@ -143,8 +157,31 @@ class Parameter:
     def nullable(self):
         return bool({"optional", "optional if not needed"} & self.attributes.words)
 
+    @property
+    def rows(self):
+        """The name of the number of rows; empty where all extents are numbers."""
+        return next((extent for extent in self.shape[:1] if isinstance(extent, str) and extent != PACKED), "")
+
+    @property
+    def size(self):
+        """The number of numbers, in a row where there are rows."""
+        return prod(self.shape[bool(self.rows) :])
+
+    @property
+    def role(self):
+        """What it is for programs that pass or read it, whatever its direction."""
+        if self.type in OBJECTS:
+            return Role.OBJECT
+        if self.is_handle():
+            return Role.ADDRESS
+        if self.is_struct():
+            return Role.STRUCT
+        if self.pointer:
+            return Role.ROWS if self.rows else Role.ROW
+        return Role.COUNT if self.is_count else Role.NUMBER
+
     def is_handle(self):
-        """Whether it is a pointer to an object that the library owns."""
+        """Whether it is a pointer to an object that the library owns, or one that the library does not read."""
         return self.pointer and self.type in ("void", *OBJECTS, *CALLBACKS)
 
     def is_struct(self):
@@ -153,6 +190,10 @@ class Parameter:
 
     def is_output(self):
         return self.pointer and not self.const and not self.is_handle()
+
+    def is_returned(self):
+        """Whether the function gives one row of numbers or a new object by it."""
+        return self.outer or (self.is_output() and not any(isinstance(extent, str) for extent in self.shape))
 
     def members(self):
         """The members of the C++ result that it receives."""
@@ -163,13 +204,42 @@ class Parameter:
 class Function:
     name: str
     type: str
-    parameters: list  # as written, without defaults
+    written: list  # the parameters in the header, without defaults
     comment: str  # without its marks
     header: str
     line: int  # of the comment
 
+    @property
+    def plain(self):
+        """Its name without the prefix."""
+        return self.name.removeprefix("pw85_")
+
+    @property
+    def dimension(self):
+        return 2 if self.name.endswith("_2d") else 3
+
     def parameter_names(self):
-        return [re.search(r"(\w+)\)?(?:\[.*\])?$", parameter)[1] for parameter in self.parameters]
+        return [re.search(r"(\w+)\)?(?:\[.*\])?$", parameter)[1] for parameter in self.written]
+
+    @cached_property
+    def parameters(self):
+        """The parameters of a function of C."""
+        for name in self.descriptions.keys() - set(self.parameter_names()):
+            raise ValueError(f"{self.descriptions[name].place}: no such parameter: {name}")
+        return with_counts(parameter(self, written) for written in self.written)
+
+    @property
+    def inputs(self):
+        return [one for one in self.parameters if not one.is_output()]
+
+    @property
+    def outputs(self):
+        return [one for one in self.parameters if one.is_output()]
+
+    @cached_property
+    def flattened(self):
+        """The parameters. Each struct is replaced by the members that the function reads."""
+        return [one for own in self.parameters for one in (members_read(self, own) if own.is_struct() else [own])]
 
     def brief(self):
         """The first sentence of the comment."""
@@ -202,7 +272,7 @@ class Function:
 
     def is_of_object(self):
         """Whether it has a status and an object of the library, which it makes or on which it works."""
-        return self.type == "int" and any(one.type in OBJECTS for one in parameters(self))
+        return self.type == "int" and any(one.role == Role.OBJECT for one in self.parameters)
 
     def references(self):
         """The names of the functions to which the comment refers."""
@@ -238,7 +308,7 @@ replaced = {}  # texts of headers that are not yet those of the files
 def replace(texts):
     """Takes these texts for those of headers."""
     replaced.update(texts)
-    for cached in (sections, c_functions, described, parameters, flattened):
+    for cached in (sections, c_functions, described):
         cached.cache_clear()
 
 
@@ -358,14 +428,6 @@ def described(function, name):
     return Description(own.attributes.merged(other.attributes), text, own.is_output, own.place)
 
 
-@cache
-def parameters(function):
-    """The parameters of a function of C."""
-    for name in function.descriptions.keys() - set(function.parameter_names()):
-        raise ValueError(f"{function.descriptions[name].place}: no such parameter: {name}")
-    return [parameter(function, written) for written in function.parameters]
-
-
 def parameter(function, written):
     match = PARAMETER.fullmatch(written)
     said = described(function, match["name"])
@@ -406,7 +468,7 @@ def members(struct):
 
 def members_read(function, struct):
     """The members of a struct argument that a function reads, as parameters."""
-    said = described(function, struct.name).attributes
+    said, found = described(function, struct.name).attributes, []
     for name, declaration, comment in members(struct.type):
         match = re.fullmatch(r"(?:\[(?P<attributes>[^\]]*)\])?(?P<text>.*)", comment)
         attributes = attributes_of(match["attributes"], function, f"pw85_systems.h: {struct.type}, {name}")
@@ -414,13 +476,12 @@ def members_read(function, struct):
         if "near the cell" in words:
             words = words - ({"near the cell"} if "or far away" in said.words else set()) | said.words & {"or NaN"}
         if name not in said.without:
-            yield made_parameter(PARAMETER.fullmatch(declaration), None, match["text"].strip(), changed(attributes, words=words))
+            found.append(made_parameter(PARAMETER.fullmatch(declaration), None, match["text"].strip(), changed(attributes, words=words)))
+    return with_counts(found)
 
 
-@cache
-def flattened(function):
-    """The parameters of a function. Each struct is replaced by the members that the function reads."""
-    found = []
-    for one in parameters(function):
-        found += members_read(function, one) if one.is_struct() else [one]
-    return found
+def with_counts(listed):
+    """The parameters, with marks at those that count rows of others."""
+    listed = list(listed)
+    counts = {one.rows for one in listed}
+    return [changed(one, is_count=one.type == "size_t" and not one.pointer and one.name in counts) for one in listed]

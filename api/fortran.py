@@ -7,66 +7,45 @@ api/committed.py writes the module or compares it.
 """
 
 import re
-import textwrap
 from dataclasses import dataclass
+from itertools import groupby
 
-from declarations import CALLBACKS, HOST_HEADERS, PACKED, SOURCE, constants, functions, members, parameters, version
+from declarations import CALLBACKS, HOST_HEADERS, PACKED, SOURCE, STRUCTS, constants, functions, members, version
+from layout import WIDTH, insert, wrapped
 
 FORTRAN = SOURCE / "fortran"
 MODULE, TEMPLATE = FORTRAN / "pw85.f90", FORTRAN / "pw85.in.f90"
-WIDTH = 100
 
-TYPES = {
-    "double": "real(c_double)",
-    "int": "integer(c_int)",
-    "size_t": "integer(c_size_t)",
-    "int32_t": "integer(c_int32_t)",
-    "int64_t": "integer(c_int64_t)",
-    "unsigned char": "integer(c_int8_t)",
-    "pw85_motion": "type(pw85_motion)",
-    "pw85_pair_list": "type(pw85_pair_list)",
-    "pw85_system": "type(pw85_system)",
-    "pw85_law": "type(pw85_law)",
-    "pw85_wall": "type(pw85_wall)",
-    "pw85_field": "type(pw85_field)",
-}
+INTEGERS = {"int": "c_int", "size_t": "c_size_t", "int32_t": "c_int32_t", "int64_t": "c_int64_t", "unsigned char": "c_int8_t"}
+TYPES = {"double": "real(c_double)"} | {name: f"integer({kind})" for name, kind in INTEGERS.items()}
+TYPES |= {name: f"type({name})" for name in (*STRUCTS, "pw85_motion", "pw85_wall", "pw85_field")}
 
 
-def argument(parameter, owners):
+def argument(one, owners):
     """The attributes of an argument, and its name with its shape. Extents are in the order of Fortran, where rows of C are columns.
     An extent that is a member of a struct includes the name of the struct."""
     known = {name: f"{owner}%{name}" for name, owner in owners.items()} | {PACKED: "n*(n+1)/2"}
-    extents = [known.get(extent, str(extent)) for extent in reversed(parameter.shape)]
-    shape = ", ".join(extents)
-    name = f"{parameter.name}({shape})" if shape else parameter.name
-    if parameter.type in CALLBACKS:
-        return ("type(c_funptr)", "value"), name
-    if parameter.is_handle():
-        return ("type(c_ptr)", "intent(out)") if parameter.outer else ("type(c_ptr)", "value"), name
-    if not parameter.pointer:
-        return (TYPES[parameter.type], "value"), name
-    intent = "intent(out)" if parameter.is_output() else "intent(in)"
-    return (TYPES[parameter.type], intent, *(["optional"] if parameter.nullable else [])), name
+    shape = ", ".join(known.get(extent, str(extent)) for extent in reversed(one.shape))
+    name = f"{one.name}({shape})" if shape else one.name
+    if one.is_handle():
+        kind = "type(c_funptr)" if one.type in CALLBACKS else "type(c_ptr)"
+        return f"{kind}, {'intent(out)' if one.outer else 'value'}", name
+    if not one.pointer:
+        return f"{TYPES[one.type]}, value", name
+    return f"{TYPES[one.type]}, intent({'out' if one.is_output() else 'in'}){', optional' if one.nullable else ''}", name
 
 
 def continued(line):
     """Splits a statement into lines of the length that Fortran allows."""
     indent = re.match(" *", line)[0]
-    lines = textwrap.wrap(line, WIDTH - 2, initial_indent="", subsequent_indent=indent + "  ", break_long_words=False,
-                          drop_whitespace=True) if len(line) > WIDTH else [line.strip()]
-    lines[0] = indent + lines[0].lstrip()
+    lines = wrapped(line, WIDTH - 2, "", indent + "  ") if len(line) > WIDTH else [line]
     return [f"{one} &" for one in lines[:-1]] + lines[-1:]
 
 
 def declarations_of(arguments):
     """One declaration for consecutive arguments with the same attributes."""
-    grouped = []
-    for attributes, name in arguments:
-        if grouped and grouped[-1][0] == attributes:
-            grouped[-1][1].append(name)
-        else:
-            grouped.append((attributes, [name]))
-    return [f"{', '.join(attributes)} :: {', '.join(names)}" for attributes, names in grouped]
+    for attributes, group in groupby(arguments, lambda one: one[0]):
+        yield f"{attributes} :: {', '.join(name for _, name in group)}"
 
 
 def interface(function, template):
@@ -74,23 +53,21 @@ def interface(function, template):
     name = function.name.lower()
     own = re.search(rf"\b(?:function|subroutine) {name}\(", template) is not None
     bound = name.replace("pw85_", "c_", 1) if own else name
-    listed = parameters(function)
     kind, result, suffix = "subroutine", [], ""
     if function.type != "void":
         variable = "status" if function.type == "int" else "value"
         kind, suffix = "function", f" result({variable})"
         result = [f"{'type(c_ptr)' if '*' in function.type else TYPES[function.type]} :: {variable}"]
     if not own:
-        yield from textwrap.wrap(function.brief() + ".", WIDTH, initial_indent="    !> ", subsequent_indent="    !> ")
-    names = ", ".join(parameter.name for parameter in listed)
-    yield from continued(f"    {kind} {bound}({names}){suffix} bind(C, name='{function.name}')")
+        yield from wrapped(function.brief() + ".", first="    !> ")
+    yield from continued(f"    {kind} {bound}({', '.join(function.parameter_names())}){suffix} bind(C, name='{function.name}')")
     yield "      import"
-    owners = {name: one.name for one in listed if one.is_struct() for name, _, _ in members(one.type)}
-    for name in function.parameter_names():
-        owners.pop(name, None)
+    structs = {name: one.name for one in function.parameters if one.is_struct() for name, _, _ in members(one.type)}
+    owners = {name: owner for name, owner in structs.items() if name not in function.parameter_names()}
     # Extents come first, because shapes refer to them.
-    sizes_first = sorted(listed, key=lambda one: not (one.is_struct() or ((one.type == "size_t" or one.name == "n") and not one.pointer)))
-    for line in declarations_of(argument(one, owners) for one in sizes_first) + result:
+    extents = [one for one in function.parameters if one.is_struct() or (not one.pointer and (one.type == "size_t" or one.name == "n"))]
+    sizes_first = sorted(function.parameters, key=lambda one: one not in extents)
+    for line in [*declarations_of(argument(one, owners) for one in sizes_first), *result]:
         yield from continued("      " + line)
     yield from (f"    end {kind} {bound}", "")
 
@@ -107,19 +84,17 @@ def constant(name, value):
     return f"  {kind}, parameter, public :: {name.lower()} = {value if value.isdigit() else value + '_c_double'}"
 
 
-def module():
+def files():
+    """The text of the module by its path."""
     template = TEMPLATE.read_text(encoding="utf-8")
     numbers = dict(zip(("major", "minor", "patch"), version().split(".")))
     values = {f"PW85_VERSION_{part.upper()}": number for part, number in numbers.items()} | constants()
-    names = [function.name.lower() for header in HOST_HEADERS for function in functions(header)]
     made = {
         "constants": [constant(name, value) for name, value in values.items()],
-        "names": [f"  public :: {name}" for name in names],
+        "names": [f"  public :: {function.name.lower()}" for header in HOST_HEADERS for function in functions(header)],
         "interfaces": [line for header in HOST_HEADERS for line in [*interfaces(header, template), ""]][:-1],
     }
-    for name, lines in made.items():
-        template = template.replace(f"  !@ {name}\n", "\n".join(lines) + "\n")
-    return template
+    return {MODULE: insert(TEMPLATE, "  !@", made)}
 
 
 PROCEDURE = re.compile(

@@ -8,11 +8,10 @@ contactRows(). js/pw85.js reads arguments and writes results by the table. The n
 import json
 import re
 import sys
-import textwrap
 from functools import cache
-from math import prod
 
 from declarations import SOURCE, version
+from layout import insert, wrapped
 from rows import row_functions
 from voice import PlainVoice, with_named_statuses
 
@@ -25,6 +24,7 @@ ASKED = {
 OTHERS = ("pw85_last_error", "pw85_strerror")  # functions that js/pw85.js calls beside them
 ARRAYS = {"f64": "Float64Array", "i32": "Int32Array", "u8": "Uint8Array"}
 MARK = "Made by api/javascript.py from the headers of the C API."
+MOTION = " Velocity (3 numbers), angular velocity (3 numbers), growth of the semi-axes per unit of time."
 LICENCE = "// SPDX-License-Identifier: BSD-3-Clause"
 
 
@@ -63,9 +63,9 @@ def exports(module):
 def entry(row):
     """A row of the table."""
     assert row.takes_rows() or not row.is_split(), row.name
-    inputs = [{"name": camel(one.name), "cName": one.name, "size": prod(one.shape), "isNumber": not one.shape} for one in row.inputs]
+    inputs = [{"name": camel(one.name), "cName": one.name, "size": one.size, "isNumber": not one.shape} for one in row.inputs]
     outputs = [
-        {"name": camel(one.name or row.name), "size": prod(one.shape), "type": type_of(row, one), "isTruth": one.is_truth(),
+        {"name": camel(one.name or row.name), "size": one.size, "type": type_of(row, one), "isTruth": one.is_truth(),
          "shape": bool(one.shape)}
         for one in row.outputs
     ]  # fmt: skip
@@ -84,76 +84,65 @@ def plain(text):
     return with_named_statuses(text).replace("``", "`")
 
 
-class InJavaScript(PlainVoice):
+@cache
+def voice(row):
     """What the headers say, in the words of JavaScript."""
-
-    def __init__(self, row):
-        super().__init__(row, row, {one.function.name: camel(one.name) for one in asked()})
-        self.arguments = {one.name: camel(one.name) for one in row.inputs}
-
-    def of_argument(self, one):
-        """What an argument is, with its numbers."""
-        count = prod(one.shape)
-        motion = " Velocity (3 numbers), angular velocity (3 numbers), growth of the semi-axes per unit of time."
-        said = plain(self.described(one.name))
-        return f"{said}{motion if one.parameter.type == 'pw85_motion' else ''}{f' {count} numbers.' if one.shape else ''}"
+    return PlainVoice(row, {one.function.name: camel(one.name) for one in asked()}, {one.name: camel(one.name) for one in row.inputs})
 
 
-def comment(lines, indent="    "):
+def argument_text(row, one):
+    """What an argument is, with its numbers."""
+    said = plain(voice(row).described(one.name))
+    return f"{said}{MOTION if one.is_motion() else ''}{f' {one.size} numbers.' if one.shape else ''}"
+
+
+def comment(lines):
     """A comment of the lines, each of which may be wrapped."""
-    width = {"width": 110, "break_long_words": False, "break_on_hyphens": False}
-    wrapped = []
+    yield "/**"
     for line in lines:
-        rest = " *   " if line.startswith("@") else " * "
-        wrapped += textwrap.wrap(line, initial_indent=" * ", subsequent_indent=rest, **width)
-    return "\n".join(f"{indent}{line}".rstrip() for line in ["/**", *wrapped, " */"])
+        yield from wrapped(line, 110, " * ", " *   " if line.startswith("@") else " * ")
+    yield " */"
 
 
-def result(row, of_one):
-    """The type of the result, by the type of an output."""
-    types = {camel(one.name or row.name): of_one(one) for one in row.outputs}
-    return next(iter(types.values())) if len(types) == 1 else f"{{ {'; '.join(f'{name}: {kind}' for name, kind in types.items())} }}"
+def names_and(row, kind):
+    """The names of the outputs, each with what `kind` says of it."""
+    return {camel(one.name or row.name): kind(one) for one in row.outputs}
 
 
-def out_of(row):
-    """The type of the arrays that the caller gives for results."""
-    listed = {camel(one.name or row.name): type_of(row, one) for one in row.outputs}
-    arrays = {name: "Doubles" if kind == "f64" else ARRAYS[kind] for name, kind in listed.items()}
-    return next(iter(arrays.values())) if len(arrays) == 1 else f"{{ {'; '.join(f'{name}?: {kind}' for name, kind in arrays.items())} }}"
+def one_or_object(types, mark=":"):
+    """The type of the only output, or of an object that has them all."""
+    listed = [f"{name}{mark} {kind}" for name, kind in types.items()]
+    return next(iter(types.values())) if len(types) == 1 else f"{{ {'; '.join(listed)} }}"
 
 
-def parameters_of(row, kind):
-    optional = {"t_max"}
-    return ", ".join(f"{camel(one.name)}{'?' if one.name in optional else ''}: {kind(one)}" for one in row.inputs)
+def parameters_of(row, of_number, endless="tMax?: {}"):
+    """The parameters with their types; `endless` stands for the time that may be missing."""
+    kinds = [(camel(one.name), "Numbers" if one.shape else of_number) for one in row.inputs]
+    return ", ".join(endless.format(kind) if name == "tMax" else f"{name}: {kind}" for name, kind in kinds)
 
 
 def signature(row):
     """The function for one row with its types."""
-    one = result(row, lambda output: ARRAYS[type_of(row, output)] if output.shape else "boolean" if output.is_truth() else "number")
-    return f"{camel(row.name)}({parameters_of(row, lambda one: 'Numbers' if one.shape else 'number')}): {one}"
+    types = names_and(row, lambda one: ARRAYS[type_of(row, one)] if one.shape else "boolean" if one.is_truth() else "number")
+    return f"{camel(row.name)}({parameters_of(row, 'number')}): {one_or_object(types)}"
 
 
 def declaration(row):
-    """The types of a function and of that for many rows."""
-    voice, name = InJavaScript(row), camel(row.name)
-    rows = result(row, lambda output: ARRAYS[type_of(row, output)])
-    many = parameters_of(row, lambda one: "Numbers" if one.shape else "Numbers | number")
-    listed = [f"@param {camel(one.name)} {voice.of_argument(one)}" for one in row.inputs]
-    last = "tMax: Numbers | number | undefined" if "tMax?" in many else ""
-    with_out = re.sub(r"tMax\?: [^,]*$", last, many)
-    said = [plain(text) for text in [*voice.head(), *voice.notes()]]
-    return "\n".join([
-        comment([*said, *listed]), f"    {signature(row)};",
-        comment([f"{name}() of many rows: see {{@link Numbers}}."]), f"    {name}Rows({many}): {rows};",
-        f"    {name}Rows<Out extends {out_of(row)}>({with_out}, out: Out): Out;", "",
-    ])  # fmt: skip
+    """The types of a function and of that for many rows, whose caller may give arrays for the results."""
+    name, both = camel(row.name), "Numbers | number"
+    said = [plain(text) for text in [*voice(row).head(), *voice(row).notes()]]
+    yield from comment([*said, *(f"@param {camel(one.name)} {argument_text(row, one)}" for one in row.inputs)])
+    yield f"{signature(row)};"
+    yield from comment([f"{name}() of many rows: see {{@link Numbers}}."])
+    yield f"{name}Rows({parameters_of(row, both)}): {one_or_object(names_and(row, lambda one: ARRAYS[type_of(row, one)]))};"
+    out = one_or_object(names_and(row, lambda one: {"f64": "Doubles"}.get(kind := type_of(row, one), ARRAYS[kind])), "?:")
+    yield f"{name}Rows<Out extends {out}>({parameters_of(row, both, 'tMax: {} | undefined')}, out: Out): Out;"
 
 
 def types():
-    text = (FOLDER / "pw85.in.d.ts").read_text(encoding="utf-8")
-    for module in ASKED:
-        text = text.replace(f"    // @{module}@\n", "\n".join(map(declaration, asked_of(module))))
-    return text.replace("// @mark@", f"// {MARK}")
+    made = {module: [line for row in asked_of(module) for line in [*declaration(row), ""]][:-1] for module in ASKED}
+    made["mark"] = [f"// {MARK}"]
+    return insert(FOLDER / "pw85.in.d.ts", "//@", made)
 
 
 def package():

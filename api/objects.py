@@ -6,92 +6,90 @@ function of namespace pw85::detail of the same name, which is written by hand an
 references in the place of pointers to objects and structs that must not be null. Functions without status are written by hand.
 """
 
-from math import prod
+from declarations import SIMULATION, SOURCE, Role, functions, members_read
+from layout import arguments
+from shims import FOLDER, HEAD, limits
 
-import batch
-from declarations import OBJECTS, SIMULATION, SOURCE, functions, members_read, parameters
-from shims import limits
-
-FOLDER = SOURCE / "src/c_api"
 NAMES = {header: "objects_" + header.removeprefix("pw85_").removesuffix(".h") for header in ("pw85_systems.h", *SIMULATION)}
+INCLUDES = '#include "../base/checked_call.hpp"\n#include "../base/objects.hpp"'
 MARKS = {"NaN": "quiet_nan<double>()", "null": "nullptr"}
-BEGIN = """\
+HEADER = """\
 // SPDX-License-Identifier: BSD-3-Clause
-{what}
+/// @file
+/// The functions that work on objects, each called by the function of the C API of its name.
 //
-// Made from {headers} by api/committed.py.
+// Made from pw85_systems.h and the parts of pw85_simulation.h by api/committed.py.
 // clang-format off
+#ifndef PW85_BASE_OBJECTS_HPP_INCLUDED
+#define PW85_BASE_OBJECTS_HPP_INCLUDED
+
+#include <pw85_simulation.h>
+
+namespace pw85::detail {{
+
+{declarations}
+
+}} // namespace pw85::detail
+
+#endif
 """
 
 
 def is_reference(one):
-    return not one.nullable and (one.type in OBJECTS or one.is_struct())
-
-
-def declared(function, one, written):
-    """A parameter of the function that works."""
-    if not is_reference(one):
-        return written
-    return f"{one.type} {'const &' if one.const else '*&' if one.outer else '&'}{one.name}"
+    return not one.nullable and one.role in (Role.OBJECT, Role.STRUCT)
 
 
 def worker(function):
     """The declaration of the function that works."""
-    listed = [declared(function, one, text) for one, text in zip(parameters(function), function.parameters)]
-    return batch.wrapped(f"int {function.name.removeprefix('pw85_')}(", listed, ") noexcept;")
-
-
-def is_fixed(one):
-    return all(isinstance(extent, int) for extent in one.shape)
+    marks = [" const &" if one.const else " *&" if one.outer else " &" for one in function.parameters]
+    listed = [f"{one.type}{mark}{one.name}" if is_reference(one) else written
+              for one, mark, written in zip(function.parameters, marks, function.written)]  # fmt: skip
+    return arguments(f"int {function.plain}(", listed, ") noexcept;")
 
 
 def marked(one):
     """The statement that fills an output with what it is on error; none if it stays as it is."""
-    value = one.attributes.on_error or ("NaN" if one.type == "double" and is_fixed(one) else "")
-    if not value or not (one.is_output() or one.outer):
-        return []
-    return [f"    mark({one.name}, {' * '.join(map(str, one.shape)) or 1}, {MARKS.get(value, value)});"]
+    value = one.attributes.on_error or ("NaN" if one.type == "double" and one.is_returned() else "")
+    if value and (one.is_output() or one.outer):
+        yield f"    mark({one.name}, {' * '.join(map(str, one.shape)) or 1}, {MARKS.get(value, value)});"
 
 
 def checked(one, places):
     """An argument for the check; none where each value is allowed. `places` are those of members of structs."""
-    place, flags = places.get(one.name, one.name), [limits(one), "limit::optional" if one.nullable else ""]
-    end = "".join(f", {text}" for text in [" | ".join(filter(None, flags))] if text)
-    rows = "" if is_fixed(one) else places.get(one.shape[0], one.shape[0])
+    place, rows = places.get(one.name, one.name), places.get(one.rows, one.rows)
     if one.type != "double" or one.is_output():
-        if one.nullable or not one.pointer:
-            return []
-        return [f'Argument::array("{one.name}", {place}, {rows})' if rows else f'Argument("{one.name}", {place})']
-    if rows:
-        return [f'Argument::rows("{one.name}", {place}, {rows}, {prod(one.shape[1:])}{end})']
-    return [f'Argument("{one.name}", {place}{f", {prod(one.shape)}" if one.pointer else ""}{end})']
+        if one.pointer and not one.nullable:
+            yield f'Argument::array("{one.name}", {place}, {rows})' if rows else f'Argument("{one.name}", {place})'
+        return
+    count = [str(one.size)] if one.pointer else []
+    flags = " | ".join(filter(None, [limits(one), "limit::optional" if one.nullable else ""]))
+    listed = [f'"{one.name}"', place, *filter(None, [rows, *count, flags])]
+    yield f"Argument{'::rows' if rows else ''}({', '.join(listed)})"
 
 
-def arguments(function):
+def checked_arguments(function):
     """The arguments for the check, with the members of structs that must not be null. The functions check cells by themselves."""
     places = {}
-    for one in parameters(function):
+    for one in function.parameters:
         yield from checked(one, places)
         if one.is_struct() and is_reference(one):
             read = [member for member in members_read(function, one) if member.name != "cell"]
             places |= {member.name: f"{one.name}_given.{member.name}" for member in read}
-            for member in read:
-                yield from checked(member, places) if member.pointer else ()
+            for member in filter(lambda member: member.pointer, read):
+                yield from checked(member, places)
 
 
 def shim(function):
-    listed = parameters(function)
-    passed = [f"*{one.name}" if is_reference(one) else one.name for one in listed]
-    structs = [one.name for one in listed if one.is_struct() and is_reference(one)]
-    work = batch.wrapped(f"    auto const work = [&] {{ return {function.name.removeprefix('pw85_')}(", passed, "); };")
+    passed = [f"*{one.name}" if is_reference(one) else one.name for one in function.parameters]
+    structs = [one.name for one in function.parameters if one.is_struct() and is_reference(one)]
     lines = [
         "",
-        batch.wrapped(f"int {function.name}(", [*function.parameters], ")"),
+        arguments(f"int {function.name}(", function.written, ")"),
         "{",
-        *(line for one in listed for line in marked(one)),
+        *(line for one in function.parameters for line in marked(one)),
         *(f"    auto const {name}_given = value_or_empty({name});" for name in structs),
-        work,
-        batch.wrapped("    return checked_call(", [f'"{function.name}"', "work", *arguments(function)], ");"),
+        arguments(f"    auto const work = [&] {{ return {function.plain}(", passed, "); };"),
+        arguments("    return checked_call(", [f'"{function.name}"', "work", *checked_arguments(function)], ");"),
         "}",
     ]
     return "\n".join(lines) + "\n"
@@ -99,27 +97,11 @@ def shim(function):
 
 def files():
     """The texts of the files by their paths."""
-    made, declarations = {}, []
-    for header, name in NAMES.items():
-        listed = [function for function in functions(header) if function.is_of_object()]
-        text = BEGIN.format(what=f"// The C API of objects: the functions of {header}.", headers=header)
-        text += '#include "../base/checked_call.hpp"\n#include "../base/objects.hpp"\n\nusing namespace pw85::detail;\n'
-        made[FOLDER / f"{name}.cpp"] = text + "".join(map(shim, listed))
-        declarations += map(worker, listed)
-    what = "/// @file\n/// The functions that work on objects, each called by the function of the C API of its name."
-    lines = [
-        BEGIN.format(what=what, headers="pw85_systems.h and the parts of pw85_simulation.h").rstrip(),
-        "#ifndef PW85_BASE_OBJECTS_HPP_INCLUDED",
-        "#define PW85_BASE_OBJECTS_HPP_INCLUDED",
-        "",
-        "#include <pw85_simulation.h>",
-        "",
-        "namespace pw85::detail {",
-        "",
-        *declarations,
-        "",
-        "} // namespace pw85::detail",
-        "",
-        "#endif",
-    ]
-    return made | {SOURCE / "src/base/objects.hpp": "\n".join(lines) + "\n"}
+    listed = {header: [one for one in functions(header) if one.is_of_object()] for header in NAMES}
+    made = {}
+    for header, own in listed.items():
+        head = HEAD.format(what=f" of objects: the functions of {header}", sources=header, includes=INCLUDES,
+                           namespaces="using namespace pw85::detail;")  # fmt: skip
+        made[FOLDER / f"{NAMES[header]}.cpp"] = head + "".join(map(shim, own))
+    workers = "\n".join(worker(function) for own in listed.values() for function in own)
+    return made | {SOURCE / "src/base/objects.hpp": HEADER.format(declarations=workers)}

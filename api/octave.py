@@ -2,21 +2,22 @@
 """Makes what the package for Octave and MATLAB in octave/ has by the declarations of the C API: functions with their help and a test,
 and tables of what they call in C.
 
-pw85_contact() and pw85_contact_2d() are pw85_contact (r12, q1, q2), where each argument is a matrix with a row for each pair. A pair
-of rows of matGeom stands for these three: pw85_contact (x, y). octave/src/pw85_mex.c reads the arguments by the tables made here.
+A function asks a question (api/questions.py): pw85_contact() and pw85_contact_2d() are pw85_contact (r12, q1, q2), where each argument is
+a matrix with a row for each pair. A pair of rows of matGeom stands for these three: pw85_contact (x, y). octave/src/pw85_mex.c reads the
+arguments by the tables made here.
 """
 
 import re
-import textwrap
 from functools import cache
-from math import prod
+from itertools import zip_longest
 
-import declarations
-import r
-from declarations import SOURCE
+from declarations import HOST_HEADERS, SOURCE, sections, version
+from layout import filled
+from questions import MOTION, function_in_c, kind_of, questions, wrapped
+from voice import with_named_statuses
 
 FOLDER = SOURCE / "octave"
-MARK = r.MARK.replace("r.py", "octave.py")
+MARK = "made by api/octave.py from the headers of the C API"
 BY_HAND = {"pw85_from_matgeom": "Quadratic forms", "pw85_reproducible": "Version and errors", "pw85_version": "Version and errors",
            "pw85_enclosing_ellipsoid": "Enclosing ellipsoids", "pw85_enclosing_ellipsoid_of": "Enclosing ellipsoids"}  # fmt: skip
 MOST_COLUMNS = 128  # PW85_COLUMNS
@@ -34,7 +35,7 @@ COLUMNS = {2: "[xc yc a b theta]", 3: "[xc yc zc a b c phi theta psi]"}
 @cache
 def functions():
     """The questions by their names in Octave, which are those of the C API without `_2d`."""
-    return {f"pw85_{one.first.name.removesuffix('_2d')}": one for one in r.questions()}
+    return {f"pw85_{one.name}": one for one in questions()}
 
 
 @cache
@@ -43,25 +44,16 @@ def names_in_octave():
     return {row.function.name: name for name, one in functions().items() for row in one.rows.values()}
 
 
-def ellipsoids(question):
-    return [name for name in question.arguments() if name in r.ELLIPSOIDS]
-
-
-def num_ellipsoids(question):
-    return len(ellipsoids(question))
+def voice(question):
+    return question.voice(names_in_octave())
 
 
 def inputs(question):
     return [one.name for one in question.first.inputs]
 
 
-def is_endless(question):
-    return inputs(question)[-1] == "t_max"
-
-
 def outputs(question):
-    row = question.first
-    return [one.name or row.name.removesuffix("_2d") for one in row.outputs]
+    return [one.name or question.name for one in question.first.outputs]
 
 
 def result(question):
@@ -70,45 +62,32 @@ def result(question):
     return found[0] if len(found) == 1 else f"[{', '.join(found)}]"
 
 
-def table(name, question):
-    """The C code of a function, and its entry in the list of all."""
-    short, lines, entries = name.removeprefix("pw85_"), [], []
+def entry(question):
+    """The entry in the list of all questions in C."""
+    is_endless = str(inputs(question)[-1] == "t_max").lower()
+    yield f'    {{"{question.name}", {len(question.ellipsoids)}, {is_endless}, {{'
     for dimension, row in sorted(question.rows.items()):
-        head = f"static int {short}_{dimension}(size_t n, double const *const *in, void *const *out, size_t *row)"
-        lines += [r.wrapped(head, "") + ("\n{\n    (void)row;" if row.takes_rows() else "\n{")]
-        lines += [r.wrapped(line.strip(), " " * (4 + len(line) - len(line.lstrip()))) for line in r.call(row)] + ["}\n"]
-        given = ", ".join(f'{{"{one.name}", {r.KINDS.get(one.name, "PW85_VALUES")}, {prod(one.shape)}}}' for one in row.inputs)
-        sizes = [prod(one.shape) for one in row.outputs]
-        assert sum(sizes) + sum(prod(one.shape) for one in row.inputs) <= MOST_COLUMNS, name
-        text = f"[{dimension - 2}] = {{{short}_{dimension}, {str(row.is_truth()).lower()}, {len(row.inputs)}, {{{given}}}, "
-        entries.append(r.wrapped(f"{text}{len(sizes)}, {{{', '.join(map(str, sizes))}}}}},", " " * 8))
-    head = f'    {{"{short}", {num_ellipsoids(question)}, {str(is_endless(question)).lower()}, {{'
-    return "\n".join(lines), "\n".join([head, *entries, "    }},"])
+        given = ", ".join(f'{{"{one.name}", {kind_of(one)}, {one.size}}}' for one in row.inputs)
+        sizes = [one.size for one in row.outputs]
+        assert sum(sizes) + sum(one.size for one in row.inputs) <= MOST_COLUMNS, question.name
+        text = f"{question.name}_{dimension}, {str(row.is_truth()).lower()}, {len(row.inputs)}, {{{given}}}, "
+        yield wrapped(f"        [{dimension - 2}] = {{{text}{len(sizes)}, {{{', '.join(map(str, sizes))}}}}},")
+    yield "    }},"
 
 
 def c_source():
-    made = [table(name, one) for name, one in sorted(functions().items())]
+    listed = sorted(questions(), key=lambda one: one.name)
+    made = [function_in_c(f"{one.name}_{dimension}", row) for one in listed for dimension, row in sorted(one.rows.items())]
     head = f"/* SPDX-License-Identifier: BSD-3-Clause */\n/* The functions of ellipsoids: {MARK}. */\n/* clang-format off */"
     return "\n".join([
-        head, '#include "pw85_octave.h"', "", *(text for text, _ in made), "struct pw85_question const pw85_questions[] = {",
-        *(entry for _, entry in made), "};\n", "size_t const pw85_num_questions = sizeof pw85_questions / sizeof *pw85_questions;\n",
+        head, '#include "pw85_octave.h"', "", *made, "struct pw85_question const pw85_questions[] = {",
+        *(line for one in listed for line in entry(one)), "};\n",
+        "size_t const pw85_num_questions = sizeof pw85_questions / sizeof *pw85_questions;\n",
     ])  # fmt: skip
 
 
-class InOctave(r.InR):
-    """What the headers say, in the words of Octave."""
-
-    def __init__(self, question):
-        super().__init__(question, names_in_octave())
-
-
-def help_text(text):
-    return r.with_named_statuses(text).replace("`", "")
-
-
 def paragraph(text, indent="  ", first=None):
-    return textwrap.fill(help_text(text), 96, initial_indent=f"%{first or indent}", subsequent_indent=f"%{indent}",
-                         break_long_words=False, break_on_hyphens=False)  # fmt: skip
+    return filled(with_named_statuses(text).replace("`", ""), 96, f"%{first or indent}", f"%{indent}")
 
 
 def item(name, text):
@@ -117,63 +96,61 @@ def item(name, text):
 
 def usages(name, question):
     """The ways to call a function."""
-    given = [inputs(question), question.arguments()] if num_ellipsoids(question) else [inputs(question)]
+    given = [inputs(question), question.arguments] if question.ellipsoids else [inputs(question)]
     ways = [f"{result(question)} = {name} ({', '.join(listed)})" for listed in given]
     return [re.sub(", t_max", " [, t_max]", way) for way in ways]
 
 
-def size_of(one, other):
-    """What is said of the columns: those of ellipsoids, and of ellipses if they differ."""
-    sizes = dict.fromkeys(prod(operand.shape) for operand in (one, other) if operand is not None)
-    return f"{' or '.join(map(str, sizes))} column{'s' if max(sizes) > 1 else ''}"
-
-
 def operands(question, attribute):
-    """The inputs or outputs in the highest dimension, each beside that of ellipses."""
-    flat = getattr(question.rows[2], attribute) if len(question.rows) == 2 else [None] * 99
-    return zip(getattr(question.first, attribute), flat, strict=False)
+    """The inputs or outputs in the highest dimension, each with what is said of its columns: those of ellipsoids, and of ellipses if
+    they differ."""
+    flat = getattr(question.rows[2], attribute) if len(question.rows) == 2 else []
+    for one, other in zip_longest(getattr(question.first, attribute), flat):
+        sizes = dict.fromkeys(operand.size for operand in (one, other) if operand is not None)
+        yield one, f"{' or '.join(map(str, sizes))} column{'s' if max(sizes) > 1 else ''}"
 
 
-def described_items(question, voice):
-    for one, other in operands(question, "inputs"):
-        motion = f": {r.MOTION}" if one.parameter.type == "pw85_motion" else "."
+def described_items(question):
+    for one, columns in operands(question, "inputs"):
+        motion = f": {MOTION}" if one.is_motion() else "."
         absent = " Infinite if it is missing." if one.name == "t_max" else ""
-        yield item(one.name, f"{voice.described(one.parameter.name)} {size_of(one, other).capitalize()}{motion}{absent}")
-    if num_ellipsoids(question):
+        yield item(one.name, f"{voice(question).described(one.parameter.name)} {columns}{motion}{absent}")
+    if question.ellipsoids:
         shapes = " or, in the plane, ".join(COLUMNS[dimension] for dimension in sorted(question.rows, reverse=True))
-        yield item(", ".join(ellipsoids(question)), f"Rows of matGeom, {shapes}: see pw85_from_matgeom.")
+        yield item(", ".join(question.ellipsoids), f"Rows of matGeom, {shapes}: see pw85_from_matgeom.")
     yield "%"
-    for (one, other), name in zip(operands(question, "outputs"), outputs(question), strict=True):
+    columns_of = {id(one): columns for one, columns in operands(question, "outputs")}
+    for one, *others in question.first.outputs_by_parameter():
+        names = ", ".join(other.name or question.name for other in (one, *others))
         matrix = f", a matrix of {one.shape[0]} x {one.shape[1]} row by row" if len(one.shape) == 2 else ""
-        text = f"{voice.described(one.parameter.name)} {size_of(one, other).capitalize()}{matrix}."
-        yield item(name, "true or false." if question.first.is_truth() else text)
+        text = f"{voice(question).described(one.parameter.name)} {columns_of[id(one)]}{' each' if others else matrix}."
+        yield item(names, "true or false." if question.first.is_truth() else text)
 
 
 def page(name, question):
     """The file of a function: help, body and test."""
-    voice, head = InOctave(question), result(question)
-    brief, *rest = voice.head()
+    head, (brief, *rest) = result(question), voice(question).head()
     lines = [f"function {head} = {name} (varargin)", paragraph(brief, "  ", f"{name}  "), "%"]
     lines += [f"%   {way}" for way in usages(name, question)]
-    for text in (*rest, *voice.notes(), r.DIMENSIONS[tuple(sorted(question.rows))], ROWS_OF_ALL):
+    for text in (*rest, *voice(question).notes(), question.dimensions, ROWS_OF_ALL):
         lines += ["%", paragraph(text)]
-    lines += ["%", *described_items(question, voice), "%", f"%  The function of the C API is {question.first.function.name}().", ""]
+    lines += ["%", *described_items(question), "%", f"%  The function of the C API is {question.first.function.name}().", ""]
     lines += ["% SPDX-License-Identifier: BSD-3-Clause", f"% {MARK[0].upper()}{MARK[1:]}."]
-    lines += [f"  {head} = pw85_mex ('{name.removeprefix('pw85_')}', varargin{{:}});", "end", "", *test_of(name, question), ""]
+    lines += [f"  {head} = pw85_mex ('{question.name}', varargin{{:}});", "end", "", *test_of(name, question), ""]
     return "\n".join(lines)
 
 
 def test_of(name, question):
     """Rows of matGeom give what their centres and forms give, and each row alone what it gives among others."""
-    made, dimension = f"[a{{1:{len(outputs(question))}}}]", max(question.rows)
-    values = [VALUES.get(one.name) or ("[1 0 0]" if prod(one.shape) == 3 else "[1 0]") for one in question.others()]
-    if not num_ellipsoids(question):
+    made, count = f"[a{{1:{len(outputs(question))}}}]", len(question.ellipsoids)
+    values = [VALUES.get(one.name) or ("[1 0 0]" if one.size == 3 else "[1 0]") for one in question.others]
+    if not count:
         return ["%!test", f"%! q = {name} ({', '.join(values)});", "%! assert (all (q(:,[1 end])(:) > 0));"]
     left = iter(values)
     by_forms = ", ".join(FORMS.get(one.name) or next(left) for one in question.first.inputs)
-    by_rows, last = (", ".join([*given[2 - num_ellipsoids(question) :], *values]) for given in (("x", "y"), ("x", "y(end,:)")))
+    by_rows, last = (", ".join([*given[2 - count :], *values]) for given in (("x", "y"), ("x", "y(end,:)")))
     again = made.replace("a", "b")
-    return ["%!test", f"%! [x, y] = deal ({ROWS[dimension]});", "%! [r1, q1] = pw85_from_matgeom (x);",
+    return ["%!test", f"%! [x, y] = deal ({ROWS[max(question.rows)]});", "%! [r1, q1] = pw85_from_matgeom (x);",
             "%! [r2, q2] = pw85_from_matgeom (y);", f"%! {made} = {name} ({by_forms});", f"%! {again} = {name} ({by_rows});",
             "%! assert (b, a);", f"%! {again} = {name} ({last});",
             "%! assert (b, cellfun (@(m) m(end,:), a, 'UniformOutput', false));"]  # fmt: skip
@@ -181,34 +158,25 @@ def test_of(name, question):
 
 def index():
     """The list of all functions by the sections of the headers, and of pw85_enclosing.h."""
-    lines, listed = ["pw85 >> Ellipses and ellipsoids"], [*functions(), *BY_HAND]
-    for section in sections():
-        own = [name for name in listed if section == (BY_HAND.get(name) or section_of(functions()[name]))]
-        lines += [section, *(f"  {name}" for name in own)] if own else []
+    declared = [section for header in HOST_HEADERS for section in sections(header)]
+    titles = {name: next(section.title for section in declared if one.first.function in section.functions)
+              for name, one in functions().items()} | BY_HAND  # fmt: skip
+    lines = ["pw85 >> Ellipses and ellipsoids"]
+    for title in dict.fromkeys([*(section.title for section in declared), *BY_HAND.values()]):
+        own = [f"  {name}" for name, section in titles.items() if section == title]
+        lines += [title, *own] if title and own else []
     return "\n".join([*lines, ""])
-
-
-@cache
-def sections():
-    titles = [one.title for header in declarations.HOST_HEADERS for one in declarations.sections(header)]
-    return list(dict.fromkeys([*filter(None, titles), *BY_HAND.values()]))
-
-
-def section_of(question):
-    """The title of the section of the header that declares a function."""
-    header = question.first.function.header
-    return next(one.title for one in declarations.sections(header) if question.first.function in one.functions)
 
 
 def released():
     """The day of this version, which pkg wants to know."""
     text = (SOURCE / "CHANGELOG.md").read_text(encoding="utf-8")
-    return re.search(rf"^## \[{re.escape(declarations.version())}\] - (\S+)$", text, re.MULTILINE)[1]
+    return re.search(rf"^## \[{re.escape(version())}\] - (\S+)$", text, re.MULTILINE)[1]
 
 
 def files():
     """The texts of all made files by their paths."""
-    described = (FOLDER / "DESCRIPTION.in").read_text(encoding="utf-8").replace("@version@", declarations.version())
+    described = (FOLDER / "DESCRIPTION.in").read_text(encoding="utf-8").replace("@version@", version())
     made = {"DESCRIPTION": described.replace("@date@", released()), "INDEX": index(), "src/questions.c": c_source()}
     made |= {f"inst/{name}.m": page(name, one) for name, one in functions().items()}
     return {FOLDER / path: text for path, text in made.items()}

@@ -8,35 +8,28 @@ Usage: python.py table OUTPUT               the table that the compiled part inc
 """
 
 import ast
-import re
 import sys
 from pathlib import Path
 
 from declarations import SOURCE
+from layout import insert
+from python_functions import is_legacy, module, python_name, tuple_of
 from python_objects import stubs
 from python_objects import table as objects_table
-from python_functions import module, python_name
 from python_table import table
 from rows import row_functions
-
-def results():
-    """The shapes of the results of each function of the compiled part, by its name in order."""
-    return dict(sorted((row.name, [one.shape for one in row.outputs]) for row in row_functions()))
-
-
-def type_of(shapes):
-    types = ["Floats" if shape else "Any" for shape in shapes]
-    return types[0] if len(types) == 1 else f"tuple[{', '.join(types)}]"
 
 
 def made_lines():
     """Lines for each mark of a template."""
+    rows = sorted(row_functions(), key=lambda row: row.name)
+    results = {row.name: tuple_of(["Floats" if one.shape else "Any" for one in row.outputs]) for row in rows}
     return {
-        "functions": [f"{python_name(row)}," for row in row_functions() if not row.name.startswith("legacy_")],
-        "names": [f"{name}," for name in results()],
+        "functions": [f"{python_name(row)}," for row in row_functions() if not is_legacy(row)],
+        "names": [f"{name}," for name in results],
         "objects": list(stubs()),
-        "ufuncs": [f"{name}: np.ufunc" for name in results()],
-        "calls": [f"def call_{name}(*args: Any) -> {type_of(shapes)}: ..." for name, shapes in results().items()],
+        "ufuncs": [f"{name}: np.ufunc" for name in results],
+        "calls": [f"def call_{name}(*args: Any) -> {result}: ..." for name, result in results.items()],
     }
 
 
@@ -51,29 +44,23 @@ def public_names(text):
     return sorted(name for name in names if not name.startswith("_"))
 
 
-def filled(template, made):
-    """A template with lines in the place of its marks, indented like these."""
-    for mark, lines in made.items():
-        template = re.sub(
-            rf"^( *)#@ {mark}\n", lambda match, lines=lines: "".join(f"{match[1]}{line}\n" for line in lines), template, flags=re.MULTILINE
-        )
-    return template
+def names_of(template):
+    """The public names of a module, by its template."""
+    return public_names(insert(template, "#@", made_lines() | {"all": []}))
 
 
 def with_names(template):
     """A template with what its marks stand for. The mark `all` stands for the public names of the text that the others make."""
-    text = filled(template, made_lines())
-    return filled(text, {"all": [f'"{name}",' for name in public_names(text)]}) if "#@ all" in text else text
+    return insert(template, "#@", made_lines() | {"all": [f'"{name}",' for name in names_of(template)]})
 
 
 def package_names():
     """The public names of the package."""
-    template = SOURCE / "python/pypw85/__init__.in.py"
-    return public_names(filled(template.read_text(encoding="utf-8"), made_lines()))
+    return names_of(SOURCE / "python/pypw85/__init__.in.py")
 
 
 def main(kind, *paths):
-    templates = [Path(path).read_text(encoding="utf-8") for path in paths[:-1]]
+    *templates, output = map(Path, paths)
     if kind == "table":
         text = table(row_functions())
     elif kind == "objects":
@@ -81,8 +68,8 @@ def main(kind, *paths):
     elif kind == "names":
         text = with_names(*templates)
     else:
-        text = module(*templates, is_legacy="legacy" in Path(paths[0]).name)
-    Path(paths[-1]).write_text(text, encoding="utf-8")
+        text = module(*templates)
+    output.write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":

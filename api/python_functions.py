@@ -20,6 +20,7 @@ from dataclasses import dataclass
 
 from docstrings import INDENT, docstring
 from rows import row_functions
+from voice import Voice
 
 LINE = 120
 
@@ -39,16 +40,7 @@ class Argument:
 class Signature:
     inputs: list
     output: Argument
-
-
-@dataclass
-class Written:
-    """What a template has of a function."""
-
-    arguments: list
-    text: str = ""
-    body: str = ""
-    result: str = ""
+    result: str  # the type, if the template states it
 
 
 def python_name(row):
@@ -57,35 +49,29 @@ def python_name(row):
     return f"_{name}" if row.is_building_block() else name
 
 
+def is_legacy(row):
+    return row.name.startswith("legacy_")
+
+
 def python_names():
     """The names in Python of C functions, those of many rows included."""
-    names = {}
-    for row in filter(lambda row: not row.is_by_hand(), row_functions()):
-        name = f"legacy.{python_name(row)}" if row.name.startswith("legacy_") else python_name(row)
-        names |= {one.name: name for one in (row.function, row.many) if one is not None}
-    return names
+    rows = [row for row in row_functions() if not row.is_by_hand()]
+    names = {row: f"legacy.{python_name(row)}" if is_legacy(row) else python_name(row) for row in rows}
+    return {one.name: name for row, name in names.items() for one in (row.function, row.many) if one is not None}
 
 
-def written(node):
-    """What the definition of a function in a template says."""
-    listed = node.args.args
-    defaults = [None] * (len(listed) - len(node.args.defaults)) + [ast.unparse(one) for one in node.args.defaults]
-    statements = node.body[1:] if ast.get_docstring(node) is not None else node.body
-    body = "\n".join(ast.unparse(one) for one in statements if not isinstance(one, ast.Pass))
-    kinds = [ast.unparse(one.annotation) if one.annotation is not None else "" for one in listed]
-    return Written(
-        [Argument(one.arg, default, kind) for one, default, kind in zip(listed, defaults, kinds)],
-        inspect.cleandoc(ast.get_docstring(node) or ""),
-        body,
-        ast.unparse(node.returns) if node.returns is not None else "",
-    )
-
-
-def signature_of(row, own):
-    inputs = own.arguments[: len(row.inputs)] or [Argument(one.name.replace("lambda", "lambda_")) for one in row.inputs]
-    output = next(iter(own.arguments[len(row.inputs) :]), Argument("out"))
+def signature_of(row, node):
+    """The arguments that a definition in a template states, or those of C."""
+    stated = node.args.args if node else []
+    defaults = [None] * len(stated) + [ast.unparse(one) for one in (node.args.defaults if node else [])]
+    kinds = [ast.unparse(one.annotation) if one.annotation is not None else "" for one in stated]
+    listed = [Argument(one.arg, default, kind) for one, default, kind in zip(stated, defaults[-len(stated) :], kinds)]
+    count = len(row.inputs)
+    inputs, output = listed[:count] or [Argument(one.name.replace("lambda", "lambda_")) for one in row.inputs], Argument("out")
+    output = listed[count] if listed[count:] else output
     kind = output.kind or ("Any" if output.name == "out" else "Floats | None")
-    return Signature(inputs, Argument(output.name, kind=kind))
+    result = ast.unparse(node.returns) if node and node.returns is not None else ""
+    return Signature(inputs, Argument(output.name, "None", kind), result)
 
 
 def definition(name, arguments, result, end):
@@ -103,61 +89,55 @@ def tuple_of(types):
     return types[0] if len(types) == 1 else f"tuple[{', '.join(types)}]"
 
 
-def shapes_of(row, result):
-    """The shapes of what a function returns; none where the template says another type."""
-    return {"": [one.shape for one in row.outputs], "float": [()]}.get(result, [])
-
-
-def heads(row, signature, result):
+def heads(row, signature):
     """What a type checker is told, and the head of the function itself.
 
     The type of a result that is a number for one row depends on the first vector: see _typing.py.
     """
-    name = python_name(row)
+    name, (output, result), truth = python_name(row), (signature.output, signature.result), row.is_truth()
     general = [argument.written("ArrayLike") for argument in signature.inputs]
-    output = f"{signature.output.name}: {signature.output.kind} = None"
-    anything = [*general, output, "**kwargs: Any"]
-    shapes = shapes_of(row, result)
+    put = f"{output.name}: {output.kind} = None"
+    anything = [*general, put, "**kwargs: Any"]
+    shapes = {"": [one.shape for one in row.outputs], "float": [()]}.get(result, [])
 
     def returns(number):
         return tuple_of(["Floats" if shape else number for shape in shapes]) if shapes else result
 
+    last = f"@listed\n{definition(name, anything, returns('Any'), '')}"
     if all(shapes):
-        return f"@listed\n{definition(name, anything, returns('Any'), '')}"
+        return last
     first = next(k for k, one in enumerate(row.inputs) if one.shape)
     kinds = ["Row" if k == first else "One" if one.shape else "float" for k, one in enumerate(row.inputs)]
     of_row = [argument.written(kind) for argument, kind in zip(signature.inputs, kinds)]
-    of_rows = [*general[:first], signature.inputs[first].written("Rows"), *general[first + 1 :], output]
-    number, array = ("np.bool_", "NDArray[np.bool_]") if row.is_truth() else ("float", "Floats")
-    # With dtype=..., truth values are numbers.
-    of_rows += [] if row.is_truth() else ["**kwargs: Any"]
+    of_rows = [*general[:first], signature.inputs[first].written("Rows"), *general[first + 1 :], put]
+    number, array = ("np.bool_", "NDArray[np.bool_]") if truth else ("float", "Floats")
     overloads = [
-        definition(name, [*of_row, f"{signature.output.name}: Floats | None = None"], returns(number), " ..."),
-        definition(name, of_rows, returns(array), " ..."),
+        definition(name, [*of_row, f"{output.name}: Floats | None = None"], returns(number), " ..."),
+        definition(name, [*of_rows, *["**kwargs: Any"] * (not truth)], returns(array), " ..."),  # with dtype=..., truths are numbers
         definition(name, anything, returns("Any"), " ..."),
     ]
-    lines = [f"@overload\n{overload}" for overload in overloads]
-    return "\n".join([*lines, "@listed", definition(name, anything, returns("Any"), "")])
+    return "\n".join([*(f"@overload\n{overload}" for overload in overloads), last])
 
 
-def made(row, own, names):
-    """The whole text of a function."""
-    signature = signature_of(row, own)
-    arguments = ", ".join([*(argument.name for argument in signature.inputs), signature.output.name, "kwargs"])
-    body = own.body or f"return _core.call_{row.name}({arguments})"
-    text = f'"""{docstring(row, signature, own.text, names)}\n"""\n{body}'
-    return f"{heads(row, signature, own.result)}\n{textwrap.indent(text, INDENT)}\n"
+def made(row, node=None):
+    """The whole text of a function, of which a template may have a definition."""
+    signature, text = signature_of(row, node), node and ast.get_docstring(node)
+    statements = [one for one in node.body[text is not None :] if not isinstance(one, ast.Pass)] if node else []
+    arguments = [argument.name for argument in (*signature.inputs, signature.output)]
+    body = "\n".join(map(ast.unparse, statements)) or f"return _core.call_{row.name}({', '.join([*arguments, 'kwargs'])})"
+    voice = Voice(row, python_names(), dict(zip((one.name for one in row.inputs), arguments)))
+    whole = f'"""{docstring(row, signature, inspect.cleandoc(text or ""), voice)}\n"""\n{body}'
+    return f"{heads(row, signature)}\n{textwrap.indent(whole, INDENT)}\n"
 
 
-def module(template, is_legacy):
-    """The text of a module, from that of its template."""
-    rows = {python_name(row): row for row in row_functions() if row.name.startswith("legacy_") == is_legacy}
-    names, lines, place, parts = python_names(), template.splitlines(keepends=True), 0, []
-    for node in ast.parse(template).body:
-        decorators = [ast.unparse(one) for one in getattr(node, "decorator_list", [])]
-        if decorators == ["declared"]:
-            parts += ["".join(lines[place : node.decorator_list[0].lineno - 1]), made(rows.pop(node.name), written(node), names)]
+def module(template):
+    """The text of a module, from its template; that of the legacy functions has their word in its name."""
+    rows = {python_name(row): row for row in row_functions() if is_legacy(row) == ("legacy" in template.name)}
+    text, place, parts = template.read_text(encoding="utf-8"), 0, []
+    lines = text.splitlines(keepends=True)
+    for node in ast.parse(text).body:
+        if [ast.unparse(one) for one in getattr(node, "decorator_list", [])] == ["declared"]:
+            parts += ["".join(lines[place : node.decorator_list[0].lineno - 1]), made(rows.pop(node.name), node)]
             place = node.end_lineno
     parts.append("".join(lines[place:]))
-    parts += [f"\n\n{made(row, Written([]), names)}" for row in rows.values()]
-    return "".join(parts)
+    return "".join([*parts, *(f"\n\n{made(row)}" for row in rows.values())])

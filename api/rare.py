@@ -9,7 +9,6 @@ import re
 
 from declarations import INCLUDE, SOURCE
 
-FILE = SOURCE / "src/rare/shapes.cpp"
 TIER = re.compile(r"^PW85_RARE_TIER_IN_SPACE\((\w+)\)$", re.MULTILINE)
 TEXT = """\
 // SPDX-License-Identifier: BSD-3-Clause
@@ -26,17 +25,13 @@ namespace pw85::detail {{
 """
 
 
-def shapes():
-    """The headers of shapes, and the tiers of each."""
-    root = INCLUDE / "pw85"
+def files():
+    """The text of the file by its path."""
+    root, includes, definitions = INCLUDE / "pw85", "", ""
     for path in sorted(root.glob("*/*.hpp")):
         text = path.read_text(encoding="utf-8")
-        if path.parent.name == "shapes" or "#include <pw85/distance/solids.hpp>" in text:
-            yield path.relative_to(root).as_posix(), TIER.findall(text)
-
-
-def file():
-    found = [(header, tiers) for header, tiers in shapes() if tiers]
-    includes = "".join(f"#include <pw85/{header}>\n" for header, _ in found)
-    definitions = "".join(f"PW85_DEFINE_IN_SPACE({tier})\n" for _, tiers in found for tier in tiers)
-    return {FILE: TEXT.format(includes=includes, definitions=definitions)}
+        is_shape = path.parent.name == "shapes" or "#include <pw85/distance/solids.hpp>" in text
+        if is_shape and (tiers := TIER.findall(text)):
+            includes += f"#include <pw85/{path.relative_to(root).as_posix()}>\n"
+            definitions += "".join(f"PW85_DEFINE_IN_SPACE({tier})\n" for tier in tiers)
+    return {SOURCE / "src/rare/shapes.cpp": TEXT.format(includes=includes, definitions=definitions)}

@@ -7,8 +7,11 @@ members of the result, as `out` with `mu2` and `lambda`, is as many results.
 """
 
 from dataclasses import dataclass
+from functools import cache
+from itertools import groupby
+from math import prod
 
-from declarations import HOST_HEADERS, Function, Parameter, functions, parameters
+from declarations import HOST_HEADERS, Function, Parameter, functions
 
 # Python has one number of what this building block of 1.0's programs gives: f, by a function of python/src/function.cpp.
 ONE_OF_MANY = {"pw85__residual": "f"}
@@ -26,9 +29,17 @@ class Operand:
     shape: tuple  # empty for a number
     parameter: Parameter | None  # in the function of one row; none for what that returns
 
+    @property
+    def size(self):
+        """The number of its numbers."""
+        return prod(self.shape)
+
     def core(self):
         """Its shape as in the signature of a generalised ufunc."""
         return f"({','.join(map(str, self.shape))})"
+
+    def is_motion(self):
+        return self.parameter is not None and self.parameter.type == "pw85_motion"
 
     def is_integer(self):
         """Whether it is an integer of C."""
@@ -39,7 +50,7 @@ class Operand:
         return self.is_integer() and self.name in TRUTHS
 
 
-@dataclass
+@dataclass(eq=False)  # each is made once
 class RowFunction:
     """A function for one row, or for many where there is none for one."""
 
@@ -70,10 +81,8 @@ class RowFunction:
 
     def is_truth(self):
         """Whether the result is a truth value, which takes a byte where there are many rows."""
-        outputs = [one for one in parameters(self.many or self.function) if one.is_output()]
-        if self.many is None:
-            return len(outputs) == 1 and outputs[0].type == "int" and outputs[0].name in TRUTHS
-        return [one.type for one in outputs] == ["unsigned char"]
+        types = [one.type for one in (self.many or self.function).outputs]
+        return types == ["unsigned char"] if self.many is not None else types == ["int"] and self.outputs[0].is_truth()
 
     def is_split(self):
         """Whether results are numbers that the function writes into one array."""
@@ -82,27 +91,31 @@ class RowFunction:
 
     def takes_rows(self):
         """Whether the relative for many rows has an array of doubles for each operand, or of bytes for truth values."""
-        listed = parameters(self.many)[1:] if self.many is not None else []
+        listed = self.many.parameters[1:] if self.many is not None else []
         return bool(listed) and all(one.pointer and (one.type == "double" or (self.is_truth() and one.is_output())) for one in listed)
+
+    def outputs_by_parameter(self):
+        """The outputs, those together that are numbers in one array of C, of which one sentence is said."""
+        return [list(group) for _, group in groupby(self.outputs, lambda one: id(one.parameter))]
 
     def signature(self):
         return "->".join(",".join(one.core() for one in operands) for operands in (self.inputs, self.outputs))
 
 
-def is_of_one_row(function, listed):
+def is_of_one_row(function):
     def is_known(one):
         if one.is_output():
             return one.type in ("double", "int")
         return one.type == "pw85_motion" or (one.type == "double" and (not one.pointer or one.length is not None))
 
-    has_result = function.type == "double" or any(one.is_output() for one in listed)
-    has_input = not all(one.is_output() for one in listed)
-    return function.type in ("int", "double", "void") and has_input and has_result and all(map(is_known, listed))
+    has_result = function.type == "double" or bool(function.outputs)
+    return function.type in ("int", "double", "void") and bool(function.inputs) and has_result and all(map(is_known, function.parameters))
 
 
-def is_of_many_rows(listed):
+def is_of_many_rows(function):
     """Whether all arrays have `n` rows of numbers."""
-    return listed[0].name == "n" and all(one.type == "double" and one.shape[:1] == ("n",) for one in listed[1:])
+    first, *others = function.parameters
+    return first.name == "n" and all(one.type == "double" and one.rows == "n" for one in others)
 
 
 def name_of_many(name):
@@ -115,35 +128,34 @@ def operand(one):
     return Operand(one.name, tuple(extent for extent in one.shape if extent != "n"), one)
 
 
-def results(function, listed):
-    if function.name in ONE_OF_MANY:
+def results(function):
+    outputs = function.outputs
+    if function.name in ONE_OF_MANY or (function.type == "double" and not outputs):
         return [Operand("", (), None)]
-    outputs = [one for one in listed if one.is_output()]
     if len(outputs) == 1 and outputs[0].length == len(outputs[0].members()) > 1:
         return [Operand(name, (), outputs[0]) for name in outputs[0].members()]
-    if function.type == "double" and outputs:  # the function returns the first of the numbers that it writes
-        return [Operand(outputs[0].name, (), outputs[0]) for _ in range(outputs[0].shape[0])]
-    return [Operand("", (), None)] if function.type == "double" else [operand(one) for one in outputs]
+    if function.type == "double":  # the function returns the first of the numbers that it writes
+        return [Operand(outputs[0].name, (), outputs[0])] * outputs[0].shape[0]
+    return [operand(one) for one in outputs]
 
 
+def row_function(function, many):
+    """The function with its operands; `many` is the function itself if it has an array of rows for each."""
+    inputs = [operand(one) for one in function.inputs[function is many :]]
+    return RowFunction(function, many, inputs, results(function))
+
+
+@cache
 def row_functions():
     """All of them, in the order of the headers."""
     known = {function.name: function for header in HOST_HEADERS for function in functions(header)}
-    found, relatives = [], set()
+    found, relatives = [], {name_of_many(name) for name in BY_HAND}
     for name, function in known.items():
-        listed = parameters(function)
-        if name in BY_HAND:
+        if name in {*BY_HAND, *relatives} or not function.parameters:
+            continue
+        if is_of_one_row(function):
+            found.append(row_function(function, known.get(name_of_many(name))))
             relatives.add(name_of_many(name))
-            continue
-        if name in relatives or not listed:
-            continue
-        if is_of_one_row(function, listed):
-            many = known.get(name_of_many(name))
-            relatives.add(name_of_many(name))
-        elif is_of_many_rows(listed):
-            many, listed = function, listed[1:]
-        else:
-            continue
-        inputs = [operand(one) for one in listed if not one.is_output()]
-        found.append(RowFunction(function, many, inputs, results(function, listed)))
+        elif is_of_many_rows(function):
+            found.append(row_function(function, function))
     return found

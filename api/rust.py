@@ -5,12 +5,13 @@ A function of one row takes arrays and returns a number, an array or a struct; o
 """
 
 import re
-import textwrap
 from functools import cache
 
-from declarations import ONE_ROW, SOURCE, c_functions, functions, parameters, statuses, version
+from declarations import ONE_ROW, SOURCE, c_functions, functions, statuses, version
 from examples import example_value
-from rows import BY_HAND, TRUTHS, RowFunction, name_of_many, operand, results, row_functions
+from layout import in_one_line_or_each as listing
+from layout import wrapped
+from rows import BY_HAND, TRUTHS, name_of_many, row_function, row_functions
 from voice import PlainVoice, sentence
 
 FOLDER = SOURCE / "rust"
@@ -26,11 +27,6 @@ def asked():
     """The functions of one row, and those of many rows that have no relative for one."""
     listed = [*row_functions(), *(row_function(c_functions()[name], c_functions()[name_of_many(name)]) for name in BY_HAND)]
     return [row for row in listed if row.function.header in HEADERS and not row.is_building_block() and not row.is_by_hand()]
-
-
-def row_function(function, many):
-    listed = parameters(function)[function is many :]
-    return RowFunction(function, many, [operand(one) for one in listed if not one.is_output()], results(function, listed))
 
 
 @cache
@@ -93,20 +89,18 @@ def result_of(row):
     return values()[0].get(row.function.name) or result_type(row.outputs[0])
 
 
-class InRust(PlainVoice):
+@cache
+def voice(row):
     """What the headers say, in the words of Rust."""
+    return PlainVoice(row, names_in_rust())
 
-    def __init__(self, row):
-        super().__init__(row, row, names_in_rust())
 
-    def told(self, listed):
-        """Texts, and arguments."""
-        texts = [(one.name, self.described(one.name), f"Unit: {one.attributes.unit}." * bool(one.attributes.unit)) for one in listed]
-        arguments = "\n".join(f"- `{name}`: {' '.join(filter(None, words))}" for name, *words in texts if any(words))
-        return [*self.head(), *self.notes(), *filter(None, ["# Arguments" * bool(arguments), arguments])]
-
-    def errors(self):
-        return sentence(re.sub(r"^For a single (row|value): | Rows of arrays become NaN\.$", "", self.raises())).strip()
+def told(row, listed):
+    """Texts, and arguments."""
+    said = voice(row)
+    texts = [(one.name, said.described(one.name), f"Unit: {one.attributes.unit}." * bool(one.attributes.unit)) for one in listed]
+    arguments = "\n".join(f"- `{name}`: {' '.join(filter(None, words))}" for name, *words in texts if any(words))
+    return [*said.head(), *said.notes(), *["# Arguments", arguments] * bool(arguments)]
 
 
 def camel(name):
@@ -116,7 +110,7 @@ def camel(name):
 def in_markdown(text):
     """A text of the headers as it stands in a comment of Rust."""
     named = {code.removeprefix("PW85_"): camel(name) for code, (name, _) in statuses().items()}
-    text = re.sub(r"``Status\.(\w+)``", lambda match: f"`Status::{named[match[1]]}`", re.sub(r"\bfor n (\w+)", r"for many \1", text))
+    text = re.sub(r"``Status\.(\w+)``", lambda match: f"`Status::{named[match[1]]}`", text)
     links = {f"`{name}()`" for name in names_in_rust().values()}
     code = [f"[{one}](crate::{one[1:-3]})" if one in links else one for one in re.findall(r"`+[^`]+`+", text)]
     plain = [re.sub(r"([\[\]*|<>])", r"\\\1", part) for part in re.split(r"`+[^`]+`+", text)]
@@ -125,20 +119,13 @@ def in_markdown(text):
 
 def comment(paragraphs, indent="", example=()):
     """Paragraphs, and a program, as the comment of an item."""
+    mark = f"{indent}/// "
     for k, paragraph in enumerate(paragraphs):
-        yield from [f"{indent}///"] if k else []
+        yield from [f"{indent}///"] * (k > 0)
         for line in paragraph.split("\n"):
-            lines = textwrap.wrap(in_markdown(line), 94 - len(indent), break_long_words=False, break_on_hyphens=False,
-                                  subsequent_indent="  " if line.startswith("- ") else "")  # fmt: skip
-            yield from (f"{indent}/// {text}" for text in lines)
+            yield from wrapped(in_markdown(line), 98, mark, f"{mark}  " if line.startswith("- ") else mark)
     if example:
         yield from ["///\n/// # Examples\n///\n/// ```", *(f"/// {line}" for line in example), "/// # Ok::<(), pw85::Error>(())\n/// ```"]
-
-
-def listing(head, listed, tail, indent=""):
-    """Code with a list, in one line or with a line for each element."""
-    line = f"{indent}{head}{', '.join(listed)}{tail}"
-    return [line] if len(line) <= 100 else [indent + head, *(f"{indent}    {one}," for one in listed), indent + tail]
 
 
 def literal(function, one):
@@ -162,18 +149,20 @@ def passed(one):
 
 def single(row):
     """The function of one row."""
-    name, listed, voice = names_in_rust()[row.function.name], parameters(row.function), InRust(row)
-    inputs, outputs = ([one for one in listed if one.is_output() is kind] for kind in (False, True))
+    name, inputs, outputs = names_in_rust()[row.function.name], row.function.inputs, row.function.outputs
+    errors = sentence(re.sub(r"^For a single (row|value): | Rows of arrays become NaN\.$", "", voice(row).raises())).strip()
     given = [f"{'&' * (argument_type(one)[0] == '&')}{literal(row.function, one)}" for one in inputs]
     shown = [*listing(f"let found = pw85::{name}(", given, ")?;"), 'println!("{found:?}");']
-    yield from [*comment([*voice.told(inputs), "# Errors", voice.errors()], example=shown), "#[inline]"]
+    yield from [*comment([*told(row, inputs), "# Errors", errors], example=shown), "#[inline]"]
     struct, first = values()[0].get(row.function.name), outputs[0].name
     arguments, result = [f"{one.name}: {argument_type(one)}" for one in inputs], f"Result<{result_of(row)}, Error>"
     yield from listing(f"pub fn {name}(", arguments, f") -> {result} {{")
     yield from (f"    let mut {one.name} = {zero(one)};" for one in outputs)
-    is_void, call = row.function.type == "void", f"unsafe {{ sys::{row.function.name}("
-    yield from listing(call if is_void else f"check({call}", [*map(passed, listed)], ") };" if is_void else ") })?;", "    ")
-    yield from [f"    check_number({first}[0])?;"] if is_void else []
+    call, listed = f"unsafe {{ sys::{row.function.name}(", [*map(passed, row.function.parameters)]
+    if row.function.type == "void":
+        yield from [*listing(call, listed, ") };", "    "), f"    check_number({first}[0])?;"]
+    else:
+        yield from listing(f"check({call}", listed, ") })?;", "    ")
     found = [f"{first}[{k}]" for k in range(len(row.outputs))] if row.is_split() else [
         {"bool": f"{one.name} == 1", "Ordering": f"{one.name}.cmp(&0)"}.get(result_type(one), one.name) for one in row.outputs]  # fmt: skip
     fields = [one.name if one.name == text else f"{one.name}: {text}" for one, text in zip(row.outputs, found)]
@@ -182,18 +171,18 @@ def single(row):
 
 def many(row):
     """The function of many rows."""
-    name, listed = names_in_rust()[row.many.name], parameters(row.many)[1:]
-    inputs, outputs = ([one for one in listed if one.is_output() is kind] for kind in (False, True))
+    name, (_, *listed), outputs = names_in_rust()[row.many.name], row.many.parameters, row.many.outputs
+    inputs = [one for one in listed if not one.is_output()]
     first, *others = [one for one in listed if is_of_rows(one)]
     optional = " An output that is `None` is not written." * any(one.nullable for one in outputs)
-    told = [*InRust(row_function(row.many, row.many)).told(listed), f"Row i of each slice belongs to row i of `{first.name}`.{optional}",
+    text = [*told(row_function(row.many, row.many), listed), f"Row i of each slice belongs to row i of `{first.name}`.{optional}",
             "# Errors", f"A slice has not as many rows as `{first.name}`, or a row is refused. The outputs of such rows are NaN, 255 for "
             "truth values, 2 for signs; other rows are computed."]  # fmt: skip
     lines = [f"let {one.name} = {'[' * is_of_rows(one)}{literal(row.many, one)}{'; 2]' * is_of_rows(one)};" for one in inputs]
     lines += [f"let mut {one.name} = [{zero(one)}; 2];" for one in outputs]
     given = [f"Some(&mut {one.name})" if one.nullable else "&" * is_of_rows(one) + "mut " * one.is_output() + one.name for one in listed]
     lines += [*listing(f"pw85::{name}(", given, ")?;"), f"assert_eq!({outputs[-1].name}[0], {outputs[-1].name}[1]);"]
-    yield from comment(told, example=lines)
+    yield from comment(text, example=lines)
     yield from listing(f"pub fn {name}(", [f"{one.name}: {argument_type(one)}" for one in listed], ") -> Result<(), Error> {")
     counts = [f'("{one.name}", {f"rows_of(&{one.name}, n)" if one.nullable else f"{one.name}.len()"})' for one in others]
     yield from [f"    let n = {first.name}.len();", *listing("let counts = [", counts, "];", "    ")]
@@ -204,10 +193,11 @@ def many(row):
 def struct(name, rows):
     shared = ", ".join(f"`{names_in_rust()[one.function.name]}()`" for one in rows)
     yield from [*comment([f"Results of {shared}."]), f"#[derive(Clone, Copy, Debug, PartialEq)]\npub struct {name} {{"]
-    texts = [InRust(rows[0]).described(one.parameter.name) for one in rows[0].outputs]
-    for one, text in zip(rows[0].outputs, texts, strict=True):
-        text = "Whether the ellipsoids overlap." if result_type(one) == "bool" else sentence(text)
-        yield from [*comment([text], "    "), f"    pub {one.name}: {result_type(one)},"]
+    for group in rows[0].outputs_by_parameter():
+        names = f"{', '.join(f'`{one.name}`' for one in group)}: " if len(group) > 1 else ""
+        for one in group:
+            text = "Whether the ellipsoids overlap." if result_type(one) == "bool" else voice(rows[0]).described(one.parameter.name)
+            yield from [*comment([f"{names}{text}"], "    "), f"    pub {one.name}: {result_type(one)},"]
     yield "}\n"
 
 
@@ -228,7 +218,7 @@ def questions():
 def raw(function):
     """The declaration in pw85-sys."""
     result = {"void": "", "char const *": " -> *const c_char"}.get(function.type, f" -> {TYPES.get(function.type)}")
-    kinds = ((one, TYPES.get(one.type, one.type)) for one in parameters(function))
+    kinds = ((one, TYPES.get(one.type, one.type)) for one in function.parameters)
     listed = [f"{one.name}: {'*const ' if one.const else '*mut ' if one.pointer else ''}{kind}" for one, kind in kinds]
     return [*comment([f"{function.brief()}."], "    "), *listing(f"pub fn {function.name}(", listed, f"){result};", "    ")]
 

@@ -11,10 +11,10 @@ A function that a file of src/pair/ or src/brent/ defines is not made.
 """
 
 import re
-from math import prod
 
 import batch
-from declarations import ONE_ROW, SOURCE, parameters, sections
+from declarations import ONE_ROW, SOURCE, sections
+from layout import arguments
 from rows import name_of_many
 
 FOLDER = SOURCE / "src/c_api"
@@ -54,46 +54,47 @@ BY_HAND = ("src/pair/*.cpp", "src/brent/*.cpp")
 DEFINITION = re.compile(r"^(?:int|void|double|char const \*) ?(pw85\w+)\(", re.MULTILINE)
 # Those that are compiled per instruction set: the list of src/simd/one_pair.hpp.
 DISPATCHED = re.compile(r"^ +X\((\w+)\)", re.MULTILINE)
-BEGIN = """\
+HEAD = """\
 // SPDX-License-Identifier: BSD-3-Clause
-// {what}
+// The C API{what}.
 //
-// Made from pw85.h, pw85_grains.h and pw85_shapes.h by api/committed.py.
+// Made from {sources} by api/committed.py.
+// clang-format off
+{includes}
+
+{namespaces}
 """
+SOURCES_OF_ONE, SOURCES_OF_MANY = "pw85.h, pw85_grains.h and pw85_shapes.h", "pw85.h, pw85_grains.h, pw85_shapes.h and api/pw85_batch.h.in"
+
 
 def dispatched():
     names = DISPATCHED.findall((SOURCE / "src/simd/one_pair.hpp").read_text(encoding="utf-8"))
     return {f"pw85_{name}" for name in names}
 
 
-def is_answer(one):
-    return one.is_output() and one.type == "int"
+def by_hand():
+    """The functions that are written by hand."""
+    texts = (path.read_text(encoding="utf-8") for pattern in BY_HAND for path in SOURCE.glob(pattern))
+    return {name for text in texts for name in DEFINITION.findall(text)}
 
 
 def loaded(function, one):
     """An input as an argument of the template."""
     if not one.pointer:
         return one.name
-    dimension = 2 if function.name.endswith("_2d") else 3
     if one.type == "pw85_motion":
         return f"load_motion(*{one.name})"
     if re.fullmatch(r"q\d?|second_moments", one.name):
-        return f"load_matrix<{dimension}>({one.name})"
+        return f"load_matrix<{function.dimension}>({one.name})"
     return f"load_factor<3>({one.name})" if one.length == 9 else f"load_vector<{one.length}>({one.name})"
 
 
 def stored(one):
     """An output as arguments of put(): the members of the result that it receives, each with a pointer."""
-    width = prod(one.shape) // len(one.members())
+    width = one.size // len(one.members())
     for i, member in enumerate(one.members()):
         place = f"part({one.name}, {i * width})" if one.nullable else f"{one.name} + {i * width}"
         yield from (f"result.{member}", place if i else one.name)
-
-
-def by_hand():
-    """The functions that are written by hand."""
-    texts = (path.read_text(encoding="utf-8") for pattern in BY_HAND for path in SOURCE.glob(pattern))
-    return {name for text in texts for name in DEFINITION.findall(text)}
 
 
 # The names of src/base/last_error.hpp for the attributes that limit a parameter.
@@ -113,78 +114,68 @@ def limits(one):
 
 def described(one):
     """An input or an output that must not be null, for the record of a refusal."""
-    count = "" if one.is_output() or not one.pointer else "7" if one.type == "pw85_motion" else str(prod(one.shape))
-    limited = "" if one.is_output() else limits(one)
-    return f"Argument({', '.join(filter(None, [chr(34) + one.name + chr(34), one.name, count, limited]))})"
+    if one.is_output():
+        return f'Argument("{one.name}", {one.name})'
+    count = "" if not one.pointer else "7" if one.type == "pw85_motion" else str(one.size)
+    return f"Argument({', '.join(filter(None, [chr(34) + one.name + chr(34), one.name, count, limits(one)]))})"
 
 
 def refused(function):
     """The function that records the cause, and the statement that defines refused(status), which calls it. It is not inlined, so that
     calls that succeed do not make room for what it needs."""
-    kept = [one for one in parameters(function) if not one.is_output() or not one.nullable]
-    plain = function.name.removeprefix("pw85_")
-    written = [text for text, one in zip(function.parameters, parameters(function)) if one in kept]
-    begin = batch.wrapped(f"[[gnu::cold, gnu::noinline]] static int refuse_{plain}(", ["int status", *written], ") noexcept")
-    call = batch.wrapped("    return refuse_call(", ["status", f'"{function.name}"', *map(described, kept)], ");")
-    called = batch.wrapped(f"        return refuse_{plain}(", ["status", *(one.name for one in kept)], ");")
+    kept = {one.name: one for one in function.parameters if not one.is_output() or not one.nullable}
+    written = [text for text, one in zip(function.written, function.parameters) if one.name in kept]
+    begin = arguments(f"[[gnu::cold, gnu::noinline]] static int refuse_{function.plain}(", ["int status", *written], ") noexcept")
+    call = arguments("    return refuse_call(", ["status", f'"{function.name}"', *map(described, kept.values())], ");")
+    called = arguments(f"        return refuse_{function.plain}(", ["status", *kept], ");")
     statement = f"    auto const refused = [&](int status) PW85_IN_COLD_PATH {{\n{called}\n    }};"
     return f"\n{begin}\n{{\n{call}\n}}\n", statement
 
 
-def checks(listed):
+def checks(function):
     """Statements that refuse null pointers. Answers and numbers are marked before anything else can fail."""
-    answers = [one for one in listed if is_answer(one)]
-    numbers = [one for one in listed if one.is_output() and not is_answer(one)]
-    needed = [one.name for one in listed if one.pointer and not is_answer(one) and (not one.is_output() or not one.nullable)]
-    if not answers:
-        condition = f"    if (any_null({', '.join(needed)}))"
-        marked = ", ".join(f"{one.name}, {one.length or 1}" for one in numbers)
-        line = f"{condition} return refused(null_pointer({marked}));"
-        below = batch.wrapped("        return refused(null_pointer(", marked.split(", "), "));")
-        return [line] if len(line) <= batch.WIDTH else [condition, below]
-    lines = [f"    store_nan({one.name}, {one.length or 1});" for one in numbers]
-    for one in answers:
-        lines += [f"    if (any_null({one.name})) return refused(PW85_EINVAL);", f"    *{one.name} = {one.attributes.on_error};"]
-    return [*lines, f"    if (any_null({', '.join(needed)})) return refused(PW85_EINVAL);"]
+    answers = [one for one in function.outputs if one.type == "int"]
+    numbers = [one for one in function.outputs if one.type != "int"]
+    needed = [one.name for one in function.parameters if one.pointer and one not in answers and not (one.is_output() and one.nullable)]
+    condition = f"    if (any_null({', '.join(needed)}))"
+    if answers:
+        yield from (f"    store_nan({one.name}, {one.length or 1});" for one in numbers)
+        for one in answers:
+            yield from (f"    if (any_null({one.name})) return refused(PW85_EINVAL);", f"    *{one.name} = {one.attributes.on_error};")
+        yield f"{condition} return refused(PW85_EINVAL);"
+        return
+    marked = [f"{one.name}, {one.length or 1}" for one in numbers]
+    line = f"{condition} return refused(null_pointer({', '.join(marked)}));"
+    below = arguments("        return refused(null_pointer(", marked, "));")
+    yield from [line] if len(line) <= 100 else [condition, below]
 
 
 def body(function, of_kernels):
-    listed = parameters(function)
-    plain = re.sub("^pw85_|_2d$", "", function.name)
+    name = function.plain.removesuffix("_2d")
     if function.name in of_kernels:
-        arguments = [f"PW85_OF_PAIR(kernels::chosen(), {plain})", *(one.name for one in listed)]
-        return batch.wrapped("    return checked(in_default_environment(", arguments, "), refused);")
-    inputs = [loaded(function, one) for one in listed if not one.is_output()]
-    called = batch.wrapped(f"        auto const result = pw85::{plain}(", inputs, ");")
-    outputs = [name for one in listed if one.is_output() for name in stored(one)]
-    put = batch.wrapped("        return put(", ["result.status", *outputs], ");")
+        passed = [f"PW85_OF_PAIR(kernels::chosen(), {name})", *function.parameter_names()]
+        return arguments("    return checked(in_default_environment(", passed, "), refused);")
+    called = arguments(f"        auto const result = pw85::{name}(", [loaded(function, one) for one in function.inputs], ");")
+    outputs = [text for one in function.outputs for text in stored(one)]
+    put = arguments("        return put(", ["result.status", *outputs], ");")
     return f"    int const status = in_default_environment([&] {{\n{called}\n{put}\n    }});\n    return checked(status, refused);"
 
 
 def of_one_row(function, of_kernels):
-    begin = batch.wrapped(f"int {function.name}(", [*function.parameters], ")")
     recorder, statement = refused(function)
-    return recorder + "\n".join(["", begin, "{", statement, *checks(parameters(function)), body(function, of_kernels), "}", ""])
+    begin = arguments(f"int {function.name}(", function.written, ")")
+    return recorder + "\n".join(["", begin, "{", statement, *checks(function), body(function, of_kernels), "}", ""])
 
 
 def one_row_file(title, headers, listed):
     of_kernels = dispatched()
     own = ["../base/c_arrays.hpp", "../base/floating_point_environment.hpp", "../base/last_error.hpp"]
     own += ["../simd/one_pair.hpp"] if any(one.name in of_kernels for one in listed) else []
-    lines = [
-        *BEGIN.format(what=f"The C API: {title[0].lower()}{title[1:]}.").splitlines(),
-        "// clang-format off",
-        "#include <pw85.h>",
-        "",
-        *(f"#include <pw85/{header}.hpp>" for header in headers),
-        *([""] if headers else []),
-        *(f'#include "{header}"' for header in own),
-        "",
-        "using namespace pw85::detail;",
-        "using namespace pw85::detail::c_api;",
-        "",
-    ]
-    return "\n".join(lines) + "".join(of_one_row(function, of_kernels) for function in listed)
+    includes = ["#include <pw85.h>\n", *(f"#include <pw85/{header}.hpp>" for header in headers), *[""] * bool(headers)]
+    includes = "\n".join([*includes, *(f'#include "{header}"' for header in own)])
+    namespaces = "using namespace pw85::detail;\nusing namespace pw85::detail::c_api;"
+    head = HEAD.format(what=f": {title[0].lower()}{title[1:]}", sources=SOURCES_OF_ONE, includes=includes, namespaces=namespaces)
+    return head + "".join(of_one_row(function, of_kernels) for function in listed)
 
 
 def row_argument(one, many):
@@ -198,33 +189,30 @@ def row_argument(one, many):
         return f"Bytes{{{names}}}"
     if not one.pointer:
         return f"Numbers{{{names}}}"
-    columns = prod(batch.names_and_shape(one)[1])
     if first.nullable:
-        return f"OptionalRowsOf<{columns}>{{{names}}}"
+        return f"OptionalRowsOf<{one.size}>{{{names}}}"
     element = first.type if first.is_output else f"{first.type} const"
-    return f"RowsOf<{columns}{'' if element == 'double const' else f', {element}'}>{{{names}}}"
+    return f"RowsOf<{one.size}{'' if element == 'double const' else f', {element}'}>{{{names}}}"
 
 
 def of_many_rows(statement):
     name, listed = statement.function.name, statement.arguments()
-    declared = ["size_t n", *(argument.declared() for _, many in listed for argument in many)]
     names = [name_of_many(name), *(many[0].name for _, many in listed)]
-    table = batch.wrapped("    static constexpr char const *names[] = {", [f'"{one}"' for one in names], "};")
-    arguments = ["names", "n", name, *(row_argument(one, many) for one, many in listed)]
-    begin = batch.wrapped(f"int {name_of_many(name)}(", declared, ")")
-    return f"\n{begin}\n{{\n{table}\n{batch.wrapped('    return each_row(', arguments, ');')}\n}}\n"
+    table = arguments("    static constexpr char const *names[] = {", [f'"{one}"' for one in names], "};")
+    call = arguments("    return each_row(", ["names", "n", name, *(row_argument(one, many) for one, many in listed)], ");")
+    return f"\n{statement.head('int', ')')}\n{{\n{table}\n{call}\n}}\n"
 
 
 def many_rows_file(title, listed):
-    head = BEGIN.format(what=f"The C API, many rows without lanes: {title[0].lower()}{title[1:]}.")
-    head = head.replace("pw85.h, pw85_grains.h and pw85_shapes.h", "pw85.h, pw85_grains.h, pw85_shapes.h and api/pw85_batch.h.in")
-    head += '// clang-format off\n#include <pw85_batch.h>\n\n#include "../rows/each_row.hpp"\n\nusing namespace pw85::detail::kernels;\n'
+    what = f", many rows without lanes: {title[0].lower()}{title[1:]}"
+    head = HEAD.format(what=what, sources=SOURCES_OF_MANY, includes='#include <pw85_batch.h>\n\n#include "../rows/each_row.hpp"',
+                       namespaces="using namespace pw85::detail::kernels;")  # fmt: skip
     return head + "".join(map(of_many_rows, listed))
 
 
 def file_of(function, section):
     """The file that has the function. What two-dimensional functions instantiate stands in one file."""
-    if function.name.endswith("_2d"):
+    if function.dimension == 2:
         return "two_dimensions"
     if function.name.endswith("_factored"):
         return "factored"

@@ -9,7 +9,7 @@ writes the rows of the table that tests/functions.cpp includes.
 import sys
 from pathlib import Path
 
-from declarations import HOST_HEADERS, OBJECTS, PACKED, flattened, functions, members, members_read, parameters
+from declarations import HOST_HEADERS, OBJECTS, PACKED, functions, members, members_read
 
 TYPES = {
     "double": "real",
@@ -36,41 +36,37 @@ def row_of(parameter, names):
     return f'{{"{parameter.name}", Type::{TYPES[parameter.type]}, {", ".join(str(flag).lower() for flag in flags)}, {{{shape}}}}}'
 
 
-def argument(index, parameter):
-    if not parameter.pointer:
-        return f"x[{index}].{TYPES[parameter.type]}"
-    pointer = f"{parameter.type}{' const' if parameter.const else ''} *{'*' if parameter.outer else ''}"
-    return f"static_cast<{pointer}>(x[{index}].pointer)"
+def argument(one, names):
+    if one.is_struct():
+        return f"&{one.name}"
+    place = f"x[{names.index(one.name)}]"
+    if not one.pointer:
+        return f"{place}.{TYPES[one.type]}"
+    return f"static_cast<{one.type}{' const' if one.const else ''} *{'*' if one.outer else ''}>({place}.pointer)"
 
 
 def struct_of(function, struct, names):
     """The definition of a struct argument. Members that the function does not read are null, and array members are filled with
     ones."""
     read = {member.name: member for member in members_read(function, struct)}
-    values = [argument(names.index(name), read[name]) if name in read else "nullptr" for name, _, _ in members(struct.type)]
+    values = [argument(read[name], names) if name in read else "nullptr" for name, _, _ in members(struct.type)]
     ones = ["{1, 1, 1}"] if struct.type == "pw85_system" else []
     return f"{struct.type} const {struct.name}{{{', '.join(values + ones)}}}; "
 
 
 def lines(function):
-    listed = flattened(function)
-    names = [parameter.name for parameter in listed]
-    structs = [parameter for parameter in parameters(function) if parameter.is_struct()]
-    arguments = ", ".join(
-        f"&{one.name}" if one.is_struct() else argument(names.index(one.name), one) for one in parameters(function)
-    )
-    defined = "".join(struct_of(function, struct, names) for struct in structs)
-    call, result = f"{function.name}({arguments})", RESULTS.get(function.type, "other")
-    body = {
+    names = [one.name for one in function.flattened]
+    defined = "".join(struct_of(function, one, names) for one in function.parameters if one.is_struct())
+    call, result = f"{function.name}({', '.join(argument(one, names) for one in function.parameters)})", RESULTS.get(function.type, "other")
+    called = {
         "status": f"return {{{call}, 0.0}};",
         "real": f"return {{0, {call}}};",
         "none": f"{call}; return {{}};",
         "other": f"static_cast<void>({call}); return {{}};",
     }[result]
-    unused = "" if arguments else "[[maybe_unused]] "
     yield f'{{"{function.name}", Result::{result}, {{'
-    yield from (f"    {row_of(parameter, names)}," for parameter in listed)
-    yield f"}}, []({unused}Argument const *x) -> Answer {{ {defined}{body} }}}},"
+    yield from (f"    {row_of(one, names)}," for one in function.flattened)
+    yield f"}}, []({'' if names else '[[maybe_unused]] '}Argument const *x) -> Answer {{ {defined}{called} }}}},"
 
 
 def main(output):

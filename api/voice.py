@@ -59,12 +59,12 @@ def with_named_statuses(text):
 class Voice:
     """How texts of the C headers are said in Python, of one function."""
 
-    def __init__(self, row, signature, names):
+    def __init__(self, row, names, arguments=None):
         self.row = row
-        self.names = names  # C functions that Python has, with the names that they have there
-        self.arguments = {one.name: argument.name for one, argument in zip(row.inputs, signature.inputs)}
+        self.names = names  # C functions that the language has, with the names that they have there
+        self.arguments = {one.name: one.name for one in row.inputs} | (arguments or {})  # the names of arguments, by those in C
         has_flat_forms = any(one.name in ("q", "q1", "q2") and one.shape == (3,) for one in row.inputs)
-        self.is_flat = row.function.name.endswith("_2d") or has_flat_forms
+        self.is_flat = row.function.dimension == 2 or has_flat_forms
 
     def reference(self, match, is_inherited):
         """A function in the words of Python: in what a function of ellipses inherits, that of ellipses."""
@@ -78,7 +78,7 @@ class Voice:
 
     def said(self, text, is_inherited=False):
         text = re.sub(r"\b(pw85\w+)\(\)", lambda match: self.reference(match, is_inherited), text)
-        text = re.sub(r"\bunit of (\w+)\b(?!·)", self.unit, text)
+        text = re.sub(r"\bunit of (\w+)\b(?!·)", self.unit, re.sub(r"\bfor n (?=[a-z])", "for many ", text))
         text = re.sub(r"#(PW85_\w+)", constant, re.sub(r"\blambda\b", "λ", text))
         if self.is_flat and is_inherited:
             text = text.replace("forms of the ellipsoids", "forms (xx, xy, yy) of the ellipses").replace("ellipsoid", "ellipse")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// @mark@
+//@ mark
 
 /**
  * Numbers of one row or of many, row behind row: an array of numbers or a typed array, of any length that
@@ -64,10 +64,10 @@ export interface Memory {
  * `out` names. Arrays `out` must not share memory with arguments.
  */
 export interface Pw85 extends Memory {
-    // @pw85@
+    //@ pw85
 }
 
 /** The functions of ellipses: see {@link Pw85}. */
 export interface Plane extends Memory {
-    // @plane@
+    //@ plane
 }

@@ -33,6 +33,9 @@ echo '+ cargo test'
 cargo test -q >"$work/test.log" 2>&1 || { cat "$work/test.log" && exit 1; }
 grep '^test result' "$work/test.log"
 
+echo '+ the flags of Meson'
+/usr/bin/python3 -B "$root/tests/install/check_vendored.py" "$root/build-rust"
+
 echo '+ the bits of C'
 # shellcheck disable=SC2046 # a list of words
 cc -std=c99 ../r/data-raw/pairs.c -o "$work/pairs" $(pkg-config --cflags --libs pw85)

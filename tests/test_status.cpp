@@ -546,7 +546,7 @@ void test_cause_of_clouds()
     expect_cause(one, "points",
                  "must have an extent between 2^-480 and 2^480 along each coordinate", 0, 0);
     g_assert_cmpint(around(2, 3, line, 1.0), ==, PW85_ENOTPD);
-    expect_cause(one, nullptr, "the points are in a hyperplane, or too close to one", 0, 0);
+    expect_cause(one, "points", "must not be in a hyperplane, or too close to one", 0, 0);
     g_assert_cmpint(around_ellipsoids(0, points, forms, 1.0), ==, PW85_EINVAL);
     expect_cause(other, "m", "must be at least 1", 0, 0, 0);
     g_assert_cmpint(around_ellipsoids(4, points, forms, 1.0), ==, PW85_EINVAL);

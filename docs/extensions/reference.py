@@ -110,7 +110,7 @@ class CppFunctions(FromHeader):
         yield from (section.title, "~" * len(section.title), "")
         names = [function.name for header in declarations.CPP_HEADERS for function in declarations.functions(header)]
         for function in section.functions:
-            signature = f"({', '.join(function.parameters)})" if names.count(function.name) > 1 else ""
+            signature = f"({', '.join(function.written)})" if names.count(function.name) > 1 else ""
             yield from (f".. doxygenfunction:: pw85::{function.name}{signature}", "   :project: cpp", "")
 
 
@@ -163,11 +163,11 @@ class RFunctions(FromHeader):
 
     def entry(self, question):
         row, dimension = question.first, max(question.rows)
-        names = r.columns(row, dimension)
+        names = r.columns(question, dimension)
         shown = ", ".join(f"``{name}``" for name in names) if len(names) < 12 else f"``{names[0]}``, ..., ``{names[-1]}``"
-        said = " ".join(r.InR(question, r.names_in_r()).head())
-        yield from (f"``{question.usage()}``", f"   {as_text(said)}", "")
-        yield from (f"   Result: {shown}. {r.DIMENSIONS[tuple(sorted(question.rows))]} See :c:func:`{row.function.name}`.", "")
+        said = " ".join(r.voice(question).head())
+        yield from (f"``{r.usage(question)}``", f"   {as_text(said)}", "")
+        yield from (f"   Result: {shown}. {question.dimensions} See :c:func:`{row.function.name}`.", "")
 
 
 class OctaveFunctions(FromHeader):
@@ -177,8 +177,8 @@ class OctaveFunctions(FromHeader):
             yield from (section.title, "~" * len(section.title), "")
         for name, question in listed.items():
             usages = " or ".join(f"``{usage}``" for usage in octave.usages(name, question))
-            yield from (usages, f"   {as_text(' '.join(octave.InOctave(question).head()))}", "")
-            yield from (f"   {r.DIMENSIONS[tuple(sorted(question.rows))]} See :c:func:`{question.first.function.name}`.", "")
+            yield from (usages, f"   {as_text(' '.join(octave.voice(question).head()))}", "")
+            yield from (f"   {question.dimensions} See :c:func:`{question.first.function.name}`.", "")
 
 
 class JavaScriptFunctions(FromHeader):
@@ -190,7 +190,7 @@ class JavaScriptFunctions(FromHeader):
             yield from self.entry(row)
 
     def entry(self, row):
-        signature, said = javascript.signature(row), " ".join(javascript.InJavaScript(row).head())
+        signature, said = javascript.signature(row), " ".join(javascript.voice(row).head())
         yield from (f"``{signature}``", f"   {as_text(said)} See :c:func:`{row.function.name}`.", "")
 
 
@@ -204,11 +204,11 @@ class RustFunctions(FromHeader):
 
     def entry(self, row, names):
         result = "()" if row.is_of_many() else rust.result_of(row)
-        arguments = [one.name for one in declarations.parameters(row.function) if one.name != "n" or not row.is_of_many()]
+        arguments = [one.name for one in row.function.parameters if one.name != "n" or not row.is_of_many()]
         taken = arguments if row.is_of_many() else [one.name for one in row.inputs]
         many = f"Many rows: ``{names[row.many.name]}()``. " if row.many and not row.is_of_many() else ""
         yield from (f"``{names[row.function.name]}({', '.join(taken)}) -> Result<{result}, Error>``",
-                    f"   {as_text(' '.join(rust.InRust(row).head()))}", "", f"   {many}See :c:func:`{row.function.name}`.", "")
+                    f"   {as_text(' '.join(rust.voice(row).head()))}", "", f"   {many}See :c:func:`{row.function.name}`.", "")
 
 
 class PythonFunctions(FromHeader):

@@ -13,8 +13,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "api"))
 from causes import CAUSES, FUNCTIONS, can_have, is_named
-from declarations import OBJECTS, ONE_ROW, flattened, members
-from declarations import parameters as declared
+from declarations import OBJECTS, ONE_ROW, members
 from statuses import status_codes
 
 STATUSES = {name: int(value) for name, _, value, _ in status_codes()}
@@ -211,7 +210,7 @@ class Caller:
             value = values[p.name] = changes.get(p.name, self.objects[p.object].value if p.object else p.valid())
             numbers[p.name] = p.type(value.ctypes.data if isinstance(value, np.ndarray) else value)
         arguments = []
-        for one in declared(function):
+        for one in function.parameters:
             if not one.is_struct():
                 arguments.append(numbers[one.name])
             elif changes.get(one.name, one) is None:
@@ -226,7 +225,7 @@ class Caller:
 
 
 def parameters(function):
-    return [Parameter(one, function.name) for one in flattened(function)]
+    return [Parameter(one, function.name) for one in function.flattened]
 
 
 def changes(cause, p):
@@ -248,7 +247,7 @@ def shown(value):
 
 def has_record(function):
     """Whether the function records its refusals."""
-    is_of_list = function.header == "pw85_systems.h" and not any(one.is_handle() for one in declared(function))
+    is_of_list = function.header == "pw85_systems.h" and not any(one.is_handle() for one in function.parameters)
     return (function.header in (*ONE_ROW, "pw85_batch.h", "pw85_enclosing.h") or is_of_list) and function.name not in SILENT
 
 
@@ -275,7 +274,7 @@ def wrong_cause(caller, function, cause, p, change, status):
 def complaints(caller, function):
     if caller.status(function, {}) != 0:
         yield f"{function.name} returns {caller.status(function, {})} for valid arguments"
-    for struct in (one.name for one in declared(function) if one.is_struct()):
+    for struct in (one.name for one in function.parameters if one.is_struct()):
         if caller.status(function, {struct: None}) != STATUSES["PW85_EINVAL"]:
             yield f"{function.name}: {caller.status(function, {struct: None})} where {struct} is null"
     for cause in CAUSES:

@@ -12,7 +12,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "api"))
 from check_causes import Caller
 from check_causes import parameters as prepared
-from declarations import ONE_ROW, functions, parameters
+from declarations import ONE_ROW, functions
 
 EXPONENTS = {"length": 6, "time": -3}
 POWERS = {"": 1, "²": 2, "³": 3}
@@ -52,7 +52,7 @@ def inputs(function, nearness):
     values = BODIES | POSITIONS | (FLAT if function.name.endswith("_2d") else {})
     values |= {"r12": nearness * np.array(POSITIONS["r12"])[: 2 if function.name.endswith("_2d") else 3], "offset": nearness * 5.3}
     found = {}
-    for one, p in zip(parameters(function), prepared(function)):
+    for one, p in zip(function.parameters, prepared(function)):
         if p.is_input and p.is_real:
             value = values.get(one.name, p.valid())
             found[one.name] = np.array(value, dtype=float) if one.pointer else float(value)
@@ -61,7 +61,7 @@ def inputs(function, nearness):
 
 def results(caller, function, given):
     """The status, and the outputs by their names."""
-    outputs = {one.name: np.zeros(128) for one in parameters(function) if one.is_output()}
+    outputs = {one.name: np.zeros(128) for one in function.parameters if one.is_output()}
     status = caller.status(function, given | outputs)
     return status, outputs
 
@@ -73,7 +73,7 @@ def in_other_units(value, factor):
 
 
 def complaints(caller, function, nearness):
-    listed = parameters(function)
+    listed = function.parameters
     given = inputs(function, nearness)
     scaled = {one.name: in_other_units(given[one.name], factors(one)) for one in listed if one.name in given}
     (status, found), (other_status, others) = results(caller, function, given), results(caller, function, scaled)
@@ -90,7 +90,7 @@ def complaints(caller, function, nearness):
 
 def main():
     caller = Caller(sys.argv[1])
-    listed = [one for header in ONE_ROW for one in functions(header) if one.type == "int" and len(parameters(one)) > 1]
+    listed = [one for header in ONE_ROW for one in functions(header) if one.type == "int" and len(one.parameters) > 1]
     found = [text for nearness in (1.0, 0.4) for one in listed for text in complaints(caller, one, nearness)]
     print("\n".join(found))
     print(f"{len(listed)} functions, {len(found)} complaints")

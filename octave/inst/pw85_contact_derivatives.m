@@ -1,6 +1,6 @@
 function [mu2, lambda, point, normal, d_r12, d_rot1, d_rot2] = pw85_contact_derivatives (varargin)
 %pw85_contact_derivatives  pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and
-%  pw85_contact_torque() for n pairs.
+%  pw85_contact_torque() for many pairs.
 %
 %   [mu2, lambda, point, normal, d_r12, d_rot1, d_rot2] = pw85_contact_derivatives (r12, q1, q2)
 %   [mu2, lambda, point, normal, d_r12, d_rot1, d_rot2] = pw85_contact_derivatives (x, y)

@@ -21,8 +21,7 @@ function [mu2, lambda] = pw85_contact_function (varargin)
 %  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.
 %
-%  mu2         μ², and the maximiser λ of f in [0, 1]. 1 column.
-%  lambda      μ², and the maximiser λ of f in [0, 1]. 1 column.
+%  mu2, lambda  μ², and the maximiser λ of f in [0, 1]. 1 column each.
 %
 %  The function of the C API is pw85_contact_function().
 

@@ -191,7 +191,7 @@ def _cause(tolerance: float, m: int, what: str, inputs: dict[str, Floats]) -> st
         return ""
     function, argument, requirement, row, entry, value = cause
     if argument is None:
-        return requirement.replace("points", what)
+        return requirement
     if argument == "m":
         return f"{what}: m {requirement}, not {m}"
     if argument == "points":

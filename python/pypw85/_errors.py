@@ -130,8 +130,8 @@ def last_cause(rows: str = "row", /, **arguments: Any) -> str:
 def describe(cause: tuple[str, str | None, str, int, int, float], rows: str = "row", /, **arguments: Any) -> str:
     """Says the cause of a refusal, with the value among the arguments of the call.
 
-    Lists and arrays of two dimensions, except a cell, have a value for each row, which `rows` names: "particle". The rows of a list of
-    named tuples can be refused by a member. A tuple of texts has the names of the entries of an array.
+    Lists and arrays of two dimensions, except a cell, have a value for each row, which `rows` names: "particle"; rows are not told if it
+    is empty. The rows of a list of named tuples can be refused by a member. A tuple of texts has the names of the entries of an array.
     """
     _, name, requirement, row, entry, value = cause
     if name is None:
@@ -139,20 +139,24 @@ def describe(cause: tuple[str, str | None, str, int, int, float], rows: str = "r
     given = arguments.get(name)
     for one in arguments.values():
         if isinstance(one, list) and row < len(one) and name in getattr(one[row], "_fields", ()):
-            return f"{rows} {row}: {name} {requirement}, not {getattr(one[row], name)}"
+            return f"{_place(rows, row, ': ')}{name} {requirement}, not {getattr(one[row], name)}"
     if given is None:
         return f"{name} {requirement}"
     if isinstance(given, tuple) and given and isinstance(given[0], str):
         return f"{given[entry]} {requirement}, not {value}"
     if isinstance(given, list) and isinstance(given[row], tuple):
-        return f"{rows} {row} {requirement}, not {given[row]}"
+        return f"{_place(rows, row, ' ')}{requirement}, not {given[row]}"
     if np.ndim(given) == 2 and name != "cell":
         row += entry // np.shape(given)[1]  # of an array that is the same for all rows of the call
     if isinstance(given, list) or (np.ndim(given) == 2 and name != "cell"):
-        return f"{rows} {row}: {name} {requirement}, not {_shown(given[row])}"
+        return f"{_place(rows, row, ': ')}{name} {requirement}, not {_shown(given[row])}"
     if np.size(given) > _MOST_SHOWN:
         return f"{name} {requirement}, not {value} (entry {entry})"
     return f"{name} {requirement}, not {_shown(given)}"
+
+
+def _place(rows: str, row: int, end: str) -> str:
+    return f"{rows} {row}{end}" if rows else ""
 
 
 # Longer arrays are not shown as a whole.

@@ -7,12 +7,11 @@ import re
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from . import _core
 from ._arrays import plain
 from ._documentation import cores_of_inputs, names_of_inputs
-from ._errors import PW85Error
+from ._errors import PW85Error, bad_rows
 
 _FORM = re.compile(r"q\d?$")
 
@@ -68,24 +67,17 @@ def explain_values(name: str, arguments: tuple[Any, ...]) -> str:
     arrays = [np.asarray(plain(x), dtype=np.float64) for x in arguments]
     rows = np.broadcast_shapes(*(x.shape[: x.ndim - len(core)] for x, core in zip(arrays, cores)))
     flat = [np.broadcast_to(x, rows + core).reshape(-1, *core) for x, core in zip(arrays, cores)]
-    for k in _marked_rows(name, flat):
+    function = getattr(_core, name)
+    codes = {"dtype": np.uint8} if function.types[0].endswith("?") else {}  # truth values do not mark rows
+    with np.errstate(all="ignore"):
+        results = function(*flat, **codes)
+    first = results[0] if isinstance(results, tuple) else results
+    for k in bad_rows(results, first.ndim - 1):
         try:
             getattr(_core, f"call_{name}")(*(x[k] for x in flat), None, {})
         except PW85Error as error:
             return (f"row {tuple(map(int, np.unravel_index(k, rows)))}: " if rows else "") + str(error).partition(": ")[2]
     return ""
-
-
-def _marked_rows(name: str, flat: list[NDArray[np.float64]]) -> NDArray[np.intp]:
-    """The rows whose results are NaN, or 255 for truth values."""
-    function = getattr(_core, name)
-    with np.errstate(all="ignore"):
-        results = function(*flat)
-        first = results[0] if isinstance(results, tuple) else results
-        if first.dtype == np.bool_:
-            first = function(*flat, dtype=np.uint8)
-    bad = first == 255 if first.dtype == np.uint8 else np.isnan(first)
-    return np.flatnonzero(np.asarray(bad.any(axis=tuple(range(1, bad.ndim)))))
 
 
 def _last_cause(name: str, arguments: tuple[Any, ...]) -> str:

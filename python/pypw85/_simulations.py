@@ -221,16 +221,16 @@ class HardEllipsoids:
         """
         self._set_walls(walls, range(len(self)))
 
-    def _set_walls(self, walls: Iterable[Wall], ids: Sequence[int]) -> None:
-        """As `set_walls`. The message about a particle that a wall cuts names it by its id."""
+    def _set_walls(self, walls: Iterable[Wall], ids: Sequence[int], rows: str = "wall") -> None:
+        """As `set_walls`. The message about a particle that a wall cuts names it by its id; walls have no numbers if `rows` is empty."""
         name = "HardEllipsoids.set_walls: walls"
         given = [checked_wall(wall, f"{name}[{k}]") for k, wall in enumerate(instances(walls, Wall, name))]
         with self._lock:
             status, (particle, cutting) = _core.hard_ellipsoids_set_walls(self._simulation, _records(given, _WALL))
         if status:
             is_cut = particle >= 0
-            where = f"wall {cutting}, {given[cutting]}, particle {ids[particle]}: " if is_cut else ""
-            self._fail(status, "set_walls", where + (last_cause() if is_cut else last_cause("wall", walls=given)))
+            where = (f"{rows} {cutting}, {given[cutting]}, " if rows else "") + f"particle {ids[particle]}: " if is_cut else ""
+            self._fail(status, "set_walls", where + (last_cause() if is_cut else last_cause(rows, walls=given)))
 
     def set_mesh(self, mesh: Mesh | None) -> None:
         """Sets the hard mesh, in place of the one that there is: triangles that no particle meets, beside the walls.
@@ -296,11 +296,15 @@ class HardEllipsoids:
         >>> bool(simulation.energy() == (simulation.centers**2).sum() / 2)
         True
         """
+        self._set_fields(fields)
+
+    def _set_fields(self, fields: Iterable[Field], rows: str = "field") -> None:
+        """As `set_fields`. In messages fields have no numbers if `rows` is empty."""
         name = "HardEllipsoids.set_fields: fields"
         given = [checked_field(field, f"{name}[{k}]") for k, field in enumerate(instances(fields, Field, name))]
         with self._lock:
             status = _core.hard_ellipsoids_set_fields(self._simulation, _records(given, _FIELD))
-        self._check(status, "set_fields", "field", fields=given)
+        self._check(status, "set_fields", rows, fields=given)
 
     def set_law(self, law: Law | None) -> None:
         """Sets an energy of pairs beside the hard cores, or none: a law of μ², with βU in the place of U.

@@ -46,32 +46,25 @@ int status_of(double value, double const *lambda, double const *r12, double cons
     return status != PW85_SUCCESS ? status : PW85_EINVAL;
 }
 
-/// Returns the status of a function that keeps no record. If it is refused, other() calls a
-/// function that refuses the same arguments, and records why.
-template <class Other> int recorded(int status, Other const &other) noexcept
+/// Returns the status of a function that keeps no record. If it is refused, the other function
+/// refuses the same inputs, and records why; it writes at most two numbers.
+template <class Other, class... In> int recorded(int status, Other const &other, In... in) noexcept
 {
-    if (status != PW85_SUCCESS) other();
+    double ignored[2];
+    if (status != PW85_SUCCESS) static_cast<void>(other(in..., ignored));
     return status;
 }
 
 /// The numbers that a function has written into one array, as outputs.
-template <std::size_t size> int split(int status, double const (&row)[size], Outputs out) noexcept
+template <std::size_t size> void split(double const (&row)[size], Outputs out) noexcept
 {
     for (std::size_t i = 0; i < size; ++i) *out[i] = row[i];
-    return status;
 }
 
 /// An integer as an output.
 void number(int status, int integer, double *out) noexcept
 {
     *out = status == PW85_SUCCESS ? integer : nan;
-}
-
-/// An answer as an output.
-int truth(int status, int const &answer, Outputs out) noexcept
-{
-    number(status, answer, out[0]);
-    return status;
 }
 
 pw85_motion const *motion(double const *numbers) noexcept

@@ -45,7 +45,7 @@ def test_what_double_precision_does_not_allow_is_said():
 @pytest.mark.parametrize("points, tolerance, words", [
     ([[0, 0], [1, 1], [0, np.nan]], 1e-6, r"row 2: points must be finite, not \[0.0, nan\]"),
     ([[0, 0], [1, 0]], 1e-6, r"points: m must be at least n \+ 1, not 2"),
-    ([[0, 0], [1, 1], [3, 3]], 1e-6, "the points are in a hyperplane, or too close to one"),
+    ([[0, 0], [1, 1], [3, 3]], 1e-6, "points must not be in a hyperplane, or too close to one"),
     ([[0, 0], [1, 1], [0, 1]], 0, "tolerance must be > 0, not 0"),
 ])  # fmt: skip
 def test_bad_points(points, tolerance, words):
@@ -76,7 +76,7 @@ def test_share_of_samples():
 @pytest.mark.parametrize("samples, words", [
     (np.zeros((0, 3)), r"samples: m must be at least n \+ 1, not 0"),
     (np.eye(3), r"samples: m must be at least n \+ 1, not 3"),
-    ([[0, 0], [1, 1], [2, 2], [3, 3]], "the samples are in a hyperplane, or too close to one"),
+    ([[0, 0], [1, 1], [2, 2], [3, 3]], "credible_ellipsoid: samples must not be in a hyperplane, or too close to one"),
     ([[0, 0], [1, 1e200], [2, 0], [3, 1]], r"credible_ellipsoid: samples must have an extent between 2\^-480 and 2\^480 along each coord"),
 ])  # fmt: skip
 def test_bad_samples(samples, words):

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //! Compiles the library from its sources: those of the crate, or else those of the folder of pw85.
-//! The flags are those of CMakeLists.txt, which says why, without those of hardening and threads.
+//! The flags are those of Meson, which says why, without those of hardening and threads: tests/install/check_vendored.py compares them.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -201,56 +201,64 @@ fn write_headers(root: &Path, out: &Path, targets: &[Target]) {
     written.unwrap_or_else(|error| refuse(&format!("{}: {error}", folder.display())));
 }
 
-/// The units by src/sources.txt. Kernels are compiled for each instruction set.
+/// The units by src/sources.txt.
 fn units(compiler: &Compiler, root: &Path, out: &Path, targets: &[Target]) -> Vec<Unit> {
-    let list = fs::read_to_string(root.join("src/sources.txt"))
-        .unwrap_or_else(|_| refuse(&format!("{} has not the sources of pw85", root.display())));
     let known: Known = [FLAGS_FOR_ONE_PAIR, UNLIMITED, FRUGAL, UNPROTECTED]
         .into_iter()
         .map(|flags| (flags, compiler.known(flags)))
         .collect();
     let mut found = Vec::new();
-    let mut add = |source: &str, target: &str, flags: Vec<String>| {
-        let object = format!("{target}-{}.o", source.replace('/', "-"));
-        let source = root.join("src").join(source);
-        found.push(Unit {
-            source,
-            object: out.join(object),
-            flags,
-        });
-    };
-    let once = |source: &str| {
-        let is_compact = source.starts_with("any_dimension/") || source.starts_with("enclosing/");
-        let flags = strings("-DPW85_BUILDING -DPW85_SHARED_WITH=baseline");
-        let level = if is_compact {
-            vec!["-O2".into()]
-        } else {
-            vec![]
-        };
-        [flags, known[FRUGAL].clone(), level].concat()
-    };
-    for line in list.lines().chain(["contact brent/brent_boost.cpp"]) {
-        let (part, source) = line.split_once(' ').unwrap_or_default();
-        if !PARTS.contains(&part) {
-            continue;
-        }
-        match source
-            .strip_prefix("simd/")
-            .filter(|name| *name != "dispatch.cpp")
-        {
-            None => add(source, "once", once(source)),
-            Some(kernel) => {
-                let kind = kernel.split('_').next().unwrap_or_default();
-                for target in targets
-                    .iter()
-                    .filter(|one| kind == "lanes" || is_for_one_pair(one))
-                {
-                    add(source, target.name, flags_of_kernel(kind, target, &known));
-                }
-            }
+    for source in sources(root) {
+        for (target, flags) in ways(&source, targets, &known) {
+            found.push(Unit {
+                source: root.join("src").join(&source),
+                object: out.join(format!("{target}-{}.o", source.replace('/', "-"))),
+                flags,
+            });
         }
     }
     found
+}
+
+/// The sources of the parts that the crate declares.
+fn sources(root: &Path) -> Vec<String> {
+    let list = fs::read_to_string(root.join("src/sources.txt"))
+        .unwrap_or_else(|_| refuse(&format!("{} has not the sources of pw85", root.display())));
+    list.lines()
+        .chain(["contact brent/brent_boost.cpp"])
+        .filter_map(|line| line.split_once(' '))
+        .filter(|(part, _)| PARTS.contains(part))
+        .map(|(_, source)| source.into())
+        .collect()
+}
+
+/// How a source is compiled: for each instruction set if it is a kernel, or else once. Each time has
+/// a name and flags.
+fn ways(source: &str, targets: &[Target], known: &Known) -> Vec<(&'static str, Vec<String>)> {
+    let kernel = source.strip_prefix("simd/");
+    let Some(kernel) = kernel.filter(|name| *name != "dispatch.cpp") else {
+        return vec![("once", flags_of_other(source, known))];
+    };
+    let kind = kernel.split('_').next().unwrap_or_default();
+    targets
+        .iter()
+        .filter(|target| kind == "lanes" || is_for_one_pair(target))
+        .map(|target| (target.name, flags_of_kernel(kind, target, known)))
+        .collect()
+}
+
+/// The flags of a source that is compiled once.
+fn flags_of_other(source: &str, known: &Known) -> Vec<String> {
+    let is_in = |folder: &str| source.starts_with(folder);
+    let mut flags = strings("-DPW85_SHARED_WITH=baseline");
+    flags.extend(known[FRUGAL].clone());
+    if !is_in("rare/") {
+        flags.push("-DPW85_BUILDING".into());
+    }
+    if is_in("any_dimension/") || is_in("enclosing/") {
+        flags.push("-O2".into());
+    }
+    flags
 }
 
 /// The flags of a kernel, which is of a kind: lanes, or functions for one pair or one set.

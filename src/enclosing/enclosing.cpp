@@ -86,12 +86,10 @@ int status_of_call(Call const &call, int columns, Arrays... arrays) noexcept
 }
 
 /// Records the cause of a status that has no ellipsoid, or one whose excess is too large.
-[[gnu::cold, gnu::noinline]] int refuse_result(int status, Call const &call,
-                                               char const *why_flat) noexcept
+[[gnu::cold, gnu::noinline]] int refuse_result(int status, Call const &call) noexcept
 {
-    char const *const text = status == PW85_ENOTPD         ? why_flat
-                             : status == PW85_ECONVERGENCE ? "the excess is above the tolerance"
-                                                           : pw85_strerror(status);
+    char const *const text =
+        status == PW85_ECONVERGENCE ? "the excess is above the tolerance" : pw85_strerror(status);
     return call.refuse_all(status, nullptr, text);
 }
 
@@ -139,7 +137,8 @@ int pw85_enclosing_ellipsoid(int n, size_t m, double const *points, double toler
         return refuse_rows(call, rows, rows);
     }
     return checked(status, [&](int bad) PW85_IN_COLD_PATH {
-        return refuse_result(bad, call, "the points are in a hyperplane, or too close to one");
+        if (bad != PW85_ENOTPD) return refuse_result(bad, call);
+        return call.refuse_all(bad, "points", "must not be in a hyperplane, or too close to one");
     });
 }
 
@@ -166,6 +165,7 @@ int pw85_enclosing_ellipsoid_of(int n, size_t m, double const *centers, double c
             return refuse(status, {0, call.function, "forms", "must be positive definite", i, 0,
                                    quiet_nan<double>()});
     return checked(status, [&](int bad) PW85_IN_COLD_PATH {
-        return refuse_result(bad, call, "the ellipsoid is too flat to be certified");
+        if (bad != PW85_ENOTPD) return refuse_result(bad, call);
+        return call.refuse_all(bad, nullptr, "the ellipsoid is too flat to be certified");
     });
 }

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import re
 import warnings
 from typing import Any, NamedTuple
 from collections.abc import Callable, Iterable
@@ -133,14 +132,13 @@ def set_law(path: str, simulation: HardEllipsoids, law: Surrounding) -> None:
 def surround(path: str, ids: Any, simulation: HardEllipsoids, walls: Iterable[Surrounding], fields: Iterable[Surrounding]) -> None:
     """Sets walls and fields. Raises FileError with the first one that the simulation of a file cannot have."""
     both: list[tuple[str, Iterable[Surrounding], Callable[..., None]]] = [
-        ("--wall", walls, lambda walls: simulation._set_walls(walls, ids)),
-        ("--field", fields, simulation.set_fields),
+        ("--wall", walls, lambda walls: simulation._set_walls(walls, ids, rows="")),
+        ("--field", fields, lambda fields: simulation._set_fields(fields, rows="")),
     ]
     for option, given, set_all in both:
         for one in given:  # alone, to name it
             try:
                 set_all([one.made])
             except PW85Error as error:
-                reason = re.sub(r"^(wall|field) 0(: |, Wall\(.*size=\S+\), )", "", error.detail)
-                raise FileError(path, f"{option} {one.text}: {reason}") from None
+                raise FileError(path, f"{option} {one.text}: {error.detail}") from None
         set_all([one.made for one in given])

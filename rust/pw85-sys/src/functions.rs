@@ -741,7 +741,7 @@ extern "C" {
         q: *const f64,
         overlap: *mut c_int,
     ) -> c_int;
-    /// pw85_contact() for many pairs.
+    /// pw85_contact() for n pairs.
     pub fn pw85_contact_batch(
         n: usize,
         r12: *const f64,
@@ -750,7 +750,7 @@ extern "C" {
         mu2: *mut f64,
         lambda: *mut f64,
     ) -> c_int;
-    /// pw85_overlap() for many pairs.
+    /// pw85_overlap() for n pairs.
     pub fn pw85_overlap_batch(
         n: usize,
         r12: *const f64,
@@ -758,7 +758,7 @@ extern "C" {
         q2: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_contact_rounded() for many pairs.
+    /// pw85_contact_rounded() for n pairs.
     pub fn pw85_contact_rounded_batch(
         n: usize,
         r12: *const f64,
@@ -767,7 +767,7 @@ extern "C" {
         mu2: *mut f64,
         lambda: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_factored() for many pairs.
+    /// pw85_overlap_factored() for n pairs.
     pub fn pw85_overlap_factored_batch(
         n: usize,
         r12: *const f64,
@@ -775,7 +775,7 @@ extern "C" {
         s2: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_compare() for many pairs.
+    /// pw85_compare() for n pairs.
     pub fn pw85_compare_batch(
         n: usize,
         r12: *const f64,
@@ -784,7 +784,7 @@ extern "C" {
         mu2: *const f64,
         sign: *mut c_int,
     ) -> c_int;
-    /// pw85_overlap_witness() for many pairs.
+    /// pw85_overlap_witness() for n pairs.
     pub fn pw85_overlap_witness_batch(
         n: usize,
         r12: *const f64,
@@ -794,7 +794,7 @@ extern "C" {
         lambda: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_contains() for many pairs.
+    /// pw85_contains() for n pairs.
     pub fn pw85_contains_batch(
         n: usize,
         r12: *const f64,
@@ -802,7 +802,7 @@ extern "C" {
         q2: *const f64,
         contains: *mut u8,
     ) -> c_int;
-    /// pw85_containment() for many pairs.
+    /// pw85_containment() for n pairs.
     pub fn pw85_containment_batch(
         n: usize,
         r12: *const f64,
@@ -811,7 +811,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_closest_passage() for many pairs.
+    /// pw85_closest_passage() for n pairs.
     pub fn pw85_closest_passage_batch(
         n: usize,
         r12: *const f64,
@@ -822,7 +822,7 @@ extern "C" {
         mu2: *mut f64,
         t: *mut f64,
     ) -> c_int;
-    /// pw85_free_path() for many pairs.
+    /// pw85_free_path() for n pairs.
     pub fn pw85_free_path_batch(
         n: usize,
         r12: *const f64,
@@ -832,7 +832,7 @@ extern "C" {
         t_max: *const f64,
         t: *mut f64,
     ) -> c_int;
-    /// pw85_closest_approach() for many pairs.
+    /// pw85_closest_approach() for n pairs.
     pub fn pw85_closest_approach_batch(
         n: usize,
         directions: *const f64,
@@ -840,9 +840,9 @@ extern "C" {
         q2: *const f64,
         distance: *mut f64,
     ) -> c_int;
-    /// pw85_volume() for many ellipsoids.
+    /// pw85_volume() for n ellipsoids.
     pub fn pw85_volume_batch(n: usize, q: *const f64, volume: *mut f64) -> c_int;
-    /// pw85_overlap_volume() for many pairs.
+    /// pw85_overlap_volume() for n pairs.
     pub fn pw85_overlap_volume_batch(
         n: usize,
         r12: *const f64,
@@ -850,7 +850,7 @@ extern "C" {
         q2: *const f64,
         volume: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_volume_gradient() for many pairs.
+    /// pw85_overlap_volume_gradient() for n pairs.
     pub fn pw85_overlap_volume_gradient_batch(
         n: usize,
         r12: *const f64,
@@ -860,7 +860,7 @@ extern "C" {
         d_q1: *mut f64,
         d_q2: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_volume_torque() for many pairs.
+    /// pw85_overlap_volume_torque() for n pairs.
     pub fn pw85_overlap_volume_torque_batch(
         n: usize,
         r12: *const f64,
@@ -869,7 +869,7 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_volume_plane() for many ellipsoids and half-spaces.
+    /// pw85_overlap_volume_plane() for n ellipsoids and half-spaces.
     pub fn pw85_overlap_volume_plane_batch(
         n: usize,
         normals: *const f64,
@@ -877,9 +877,9 @@ extern "C" {
         q: *const f64,
         volume: *mut f64,
     ) -> c_int;
-    /// pw85_area_2d() for many ellipses.
+    /// pw85_area_2d() for n ellipses.
     pub fn pw85_area_batch_2d(n: usize, q: *const f64, area: *mut f64) -> c_int;
-    /// pw85_overlap_area_2d() for many pairs.
+    /// pw85_overlap_area_2d() for n pairs.
     pub fn pw85_overlap_area_batch_2d(
         n: usize,
         r12: *const f64,
@@ -887,7 +887,7 @@ extern "C" {
         q2: *const f64,
         area: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_area_gradient_2d() for many pairs.
+    /// pw85_overlap_area_gradient_2d() for n pairs.
     pub fn pw85_overlap_area_gradient_batch_2d(
         n: usize,
         r12: *const f64,
@@ -897,7 +897,7 @@ extern "C" {
         d_q1: *mut f64,
         d_q2: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_area_torque_2d() for many pairs.
+    /// pw85_overlap_area_torque_2d() for n pairs.
     pub fn pw85_overlap_area_torque_batch_2d(
         n: usize,
         r12: *const f64,
@@ -906,25 +906,25 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// pw85_surface_area() for many ellipsoids.
+    /// pw85_surface_area() for n ellipsoids.
     pub fn pw85_surface_area_batch(n: usize, q: *const f64, area: *mut f64) -> c_int;
-    /// pw85_second_moments() for many ellipsoids.
+    /// pw85_second_moments() for n ellipsoids.
     pub fn pw85_second_moments_batch(n: usize, q: *const f64, moments: *mut f64) -> c_int;
-    /// pw85_from_moments() for many ellipsoids.
+    /// pw85_from_moments() for n ellipsoids.
     pub fn pw85_from_moments_batch(n: usize, second_moments: *const f64, q: *mut f64) -> c_int;
-    /// pw85_shell_moments() for many ellipsoids.
+    /// pw85_shell_moments() for n ellipsoids.
     pub fn pw85_shell_moments_batch(n: usize, q: *const f64, moments: *mut f64) -> c_int;
-    /// pw85_inertia() for many ellipsoids.
+    /// pw85_inertia() for n ellipsoids.
     pub fn pw85_inertia_batch(n: usize, q: *const f64, shell: c_int, inertia: *mut f64) -> c_int;
-    /// pw85_perimeter_2d() for many ellipses.
+    /// pw85_perimeter_2d() for n ellipses.
     pub fn pw85_perimeter_batch_2d(n: usize, q: *const f64, perimeter: *mut f64) -> c_int;
-    /// pw85_second_moments_2d() for many ellipses.
+    /// pw85_second_moments_2d() for n ellipses.
     pub fn pw85_second_moments_batch_2d(n: usize, q: *const f64, moments: *mut f64) -> c_int;
-    /// pw85_from_moments_2d() for many ellipses.
+    /// pw85_from_moments_2d() for n ellipses.
     pub fn pw85_from_moments_batch_2d(n: usize, second_moments: *const f64, q: *mut f64) -> c_int;
-    /// pw85_shell_moments_2d() for many ellipses.
+    /// pw85_shell_moments_2d() for n ellipses.
     pub fn pw85_shell_moments_batch_2d(n: usize, q: *const f64, moments: *mut f64) -> c_int;
-    /// pw85_contact_factored() for many pairs.
+    /// pw85_contact_factored() for n pairs.
     pub fn pw85_contact_factored_batch(
         n: usize,
         r12: *const f64,
@@ -933,7 +933,7 @@ extern "C" {
         mu2: *mut f64,
         lambda: *mut f64,
     ) -> c_int;
-    /// pw85_condition() for many pairs.
+    /// pw85_condition() for n pairs.
     pub fn pw85_condition_batch(
         n: usize,
         r12: *const f64,
@@ -942,7 +942,7 @@ extern "C" {
         lambda: *const f64,
         cond: *mut f64,
     ) -> c_int;
-    /// pw85_contact_function() for many pairs.
+    /// pw85_contact_function() for n pairs.
     pub fn pw85_contact_function_batch(
         n: usize,
         r12: *const f64,
@@ -951,7 +951,7 @@ extern "C" {
         mu2: *mut f64,
         lambda: *mut f64,
     ) -> c_int;
-    /// pw85_contact_geometry() for many pairs.
+    /// pw85_contact_geometry() for n pairs.
     pub fn pw85_contact_geometry_batch(
         n: usize,
         r12: *const f64,
@@ -961,7 +961,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_contact_gradient() for many pairs.
+    /// pw85_contact_gradient() for n pairs.
     pub fn pw85_contact_gradient_batch(
         n: usize,
         r12: *const f64,
@@ -972,7 +972,7 @@ extern "C" {
         d_q1: *mut f64,
         d_q2: *mut f64,
     ) -> c_int;
-    /// pw85_contact_geometry_factored() for many pairs.
+    /// pw85_contact_geometry_factored() for n pairs.
     pub fn pw85_contact_geometry_factored_batch(
         n: usize,
         r12: *const f64,
@@ -982,7 +982,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_contact_gradient_factored() for many pairs.
+    /// pw85_contact_gradient_factored() for n pairs.
     pub fn pw85_contact_gradient_factored_batch(
         n: usize,
         r12: *const f64,
@@ -993,7 +993,7 @@ extern "C" {
         d_s1: *mut f64,
         d_s2: *mut f64,
     ) -> c_int;
-    /// pw85_contact_torque() for many pairs.
+    /// pw85_contact_torque() for n pairs.
     pub fn pw85_contact_torque_batch(
         n: usize,
         r12: *const f64,
@@ -1003,7 +1003,7 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// pw85_contact_hessian() for many pairs.
+    /// pw85_contact_hessian() for n pairs.
     pub fn pw85_contact_hessian_batch(
         n: usize,
         r12: *const f64,
@@ -1012,7 +1012,7 @@ extern "C" {
         lambda: *const f64,
         hessian: *mut f64,
     ) -> c_int;
-    /// pw85_contact_2d() for many pairs.
+    /// pw85_contact_2d() for n pairs.
     pub fn pw85_contact_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1021,7 +1021,7 @@ extern "C" {
         mu2: *mut f64,
         lambda: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_2d() for many pairs.
+    /// pw85_overlap_2d() for n pairs.
     pub fn pw85_overlap_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1029,7 +1029,7 @@ extern "C" {
         q2: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_contact_geometry_2d() for many pairs.
+    /// pw85_contact_geometry_2d() for n pairs.
     pub fn pw85_contact_geometry_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1039,7 +1039,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_contact_gradient_2d() for many pairs.
+    /// pw85_contact_gradient_2d() for n pairs.
     pub fn pw85_contact_gradient_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1050,7 +1050,7 @@ extern "C" {
         d_q1: *mut f64,
         d_q2: *mut f64,
     ) -> c_int;
-    /// pw85_contact_torque_2d() for many pairs.
+    /// pw85_contact_torque_2d() for n pairs.
     pub fn pw85_contact_torque_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1060,7 +1060,7 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// pw85_contact_hessian_2d() for many pairs.
+    /// pw85_contact_hessian_2d() for n pairs.
     pub fn pw85_contact_hessian_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1069,7 +1069,7 @@ extern "C" {
         lambda: *const f64,
         hessian: *mut f64,
     ) -> c_int;
-    /// pw85_closest_approach_2d() for many pairs.
+    /// pw85_closest_approach_2d() for n pairs.
     pub fn pw85_closest_approach_batch_2d(
         n: usize,
         directions: *const f64,
@@ -1078,7 +1078,7 @@ extern "C" {
         distance: *mut f64,
     ) -> c_int;
     /// pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and pw85_contact_torque()
-    /// for many pairs.
+    /// for n pairs.
     pub fn pw85_contact_derivatives_batch(
         n: usize,
         r12: *const f64,
@@ -1092,7 +1092,7 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// pw85_distance() for many pairs.
+    /// pw85_distance() for n pairs.
     pub fn pw85_distance_batch(
         n: usize,
         r12: *const f64,
@@ -1102,7 +1102,7 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
-    /// pw85_distance_derivatives() for many pairs.
+    /// pw85_distance_derivatives() for n pairs.
     pub fn pw85_distance_derivatives_batch(
         n: usize,
         r12: *const f64,
@@ -1113,7 +1113,7 @@ extern "C" {
         d_rot2: *mut f64,
         hessian: *mut f64,
     ) -> c_int;
-    /// pw85_distance_2d() for many pairs.
+    /// pw85_distance_2d() for n pairs.
     pub fn pw85_distance_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1123,7 +1123,7 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
-    /// pw85_penetration_2d() for many pairs.
+    /// pw85_penetration_2d() for n pairs.
     pub fn pw85_penetration_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1132,7 +1132,7 @@ extern "C" {
         depth: *mut f64,
         direction: *mut f64,
     ) -> c_int;
-    /// pw85_signed_distance_2d() for many pairs.
+    /// pw85_signed_distance_2d() for n pairs.
     pub fn pw85_signed_distance_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1142,7 +1142,7 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
-    /// pw85_penetration() for many pairs.
+    /// pw85_penetration() for n pairs.
     pub fn pw85_penetration_batch(
         n: usize,
         r12: *const f64,
@@ -1151,7 +1151,7 @@ extern "C" {
         depth: *mut f64,
         direction: *mut f64,
     ) -> c_int;
-    /// pw85_signed_distance() for many pairs.
+    /// pw85_signed_distance() for n pairs.
     pub fn pw85_signed_distance_batch(
         n: usize,
         r12: *const f64,
@@ -1161,7 +1161,7 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
-    /// pw85_signed_distance_derivatives() for many pairs.
+    /// pw85_signed_distance_derivatives() for n pairs.
     pub fn pw85_signed_distance_derivatives_batch(
         n: usize,
         r12: *const f64,
@@ -1172,7 +1172,7 @@ extern "C" {
         d_rot2: *mut f64,
         hessian: *mut f64,
     ) -> c_int;
-    /// pw85_gap_inside() for many pairs.
+    /// pw85_gap_inside() for n pairs.
     pub fn pw85_gap_inside_batch(
         n: usize,
         r12: *const f64,
@@ -1183,7 +1183,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_gap_inside_2d() for many pairs.
+    /// pw85_gap_inside_2d() for n pairs.
     pub fn pw85_gap_inside_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1194,7 +1194,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_curvature() for many ellipsoids.
+    /// pw85_curvature() for n ellipsoids.
     pub fn pw85_curvature_batch(
         n: usize,
         normals: *const f64,
@@ -1202,14 +1202,14 @@ extern "C" {
         curvatures: *mut f64,
         directions: *mut f64,
     ) -> c_int;
-    /// pw85_hertz() for many contacts.
+    /// pw85_hertz() for n contacts.
     pub fn pw85_hertz_batch(
         n: usize,
         curvatures: *const f64,
         radius: *mut f64,
         ellipse: *mut f64,
     ) -> c_int;
-    /// pw85_hertz_contact() for many pairs.
+    /// pw85_hertz_contact() for n pairs.
     pub fn pw85_hertz_contact_batch(
         n: usize,
         r12: *const f64,
@@ -1223,7 +1223,7 @@ extern "C" {
         radius: *mut f64,
         ellipse: *mut f64,
     ) -> c_int;
-    /// pw85_grain_contact() for many pairs.
+    /// pw85_grain_contact() for n pairs.
     pub fn pw85_grain_contact_batch(
         n: usize,
         r12: *const f64,
@@ -1236,7 +1236,7 @@ extern "C" {
         curvatures: *mut f64,
         radius: *mut f64,
     ) -> c_int;
-    /// pw85_grain_radius_gradient() for many pairs.
+    /// pw85_grain_radius_gradient() for n pairs.
     pub fn pw85_grain_radius_gradient_batch(
         n: usize,
         r12: *const f64,
@@ -1247,7 +1247,7 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// pw85_grain_contact_wall() for many ellipsoids and walls.
+    /// pw85_grain_contact_wall() for n ellipsoids and walls.
     pub fn pw85_grain_contact_wall_batch(
         n: usize,
         normals: *const f64,
@@ -1260,7 +1260,7 @@ extern "C" {
         curvatures: *mut f64,
         radius: *mut f64,
     ) -> c_int;
-    /// pw85_distance_plane() for many ellipsoids and half-spaces.
+    /// pw85_distance_plane() for n ellipsoids and half-spaces.
     pub fn pw85_distance_plane_batch(
         n: usize,
         normals: *const f64,
@@ -1269,7 +1269,7 @@ extern "C" {
         distance: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_distance_plane_derivatives() for many ellipsoids and half-spaces.
+    /// pw85_distance_plane_derivatives() for n ellipsoids and half-spaces.
     pub fn pw85_distance_plane_derivatives_batch(
         n: usize,
         normals: *const f64,
@@ -1277,7 +1277,7 @@ extern "C" {
         d_center: *mut f64,
         d_rot: *mut f64,
     ) -> c_int;
-    /// pw85_contact_plane() for many ellipsoids and half-spaces.
+    /// pw85_contact_plane() for n ellipsoids and half-spaces.
     pub fn pw85_contact_plane_batch(
         n: usize,
         normals: *const f64,
@@ -1286,7 +1286,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_contact_plane_derivatives() for many ellipsoids and half-spaces.
+    /// pw85_contact_plane_derivatives() for n ellipsoids and half-spaces.
     pub fn pw85_contact_plane_derivatives_batch(
         n: usize,
         normals: *const f64,
@@ -1295,7 +1295,7 @@ extern "C" {
         d_center: *mut f64,
         d_rot: *mut f64,
     ) -> c_int;
-    /// pw85_distance_box() for many ellipsoids and boxes.
+    /// pw85_distance_box() for n ellipsoids and boxes.
     pub fn pw85_distance_box_batch(
         n: usize,
         lower: *const f64,
@@ -1305,7 +1305,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_distance_cylinder() for many ellipsoids and cylinders.
+    /// pw85_distance_cylinder() for n ellipsoids and cylinders.
     pub fn pw85_distance_cylinder_batch(
         n: usize,
         axis: *const f64,
@@ -1316,7 +1316,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_distance_point() for many points and ellipsoids.
+    /// pw85_distance_point() for n points and ellipsoids.
     pub fn pw85_distance_point_batch(
         n: usize,
         r: *const f64,
@@ -1325,7 +1325,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_distance_segment() for many ellipsoids and segments.
+    /// pw85_distance_segment() for n ellipsoids and segments.
     pub fn pw85_distance_segment_batch(
         n: usize,
         end1: *const f64,
@@ -1336,7 +1336,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_distance_triangle() for many ellipsoids and triangles.
+    /// pw85_distance_triangle() for n ellipsoids and triangles.
     pub fn pw85_distance_triangle_batch(
         n: usize,
         vertex1: *const f64,
@@ -1348,7 +1348,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_distance_solid_box() for many ellipsoids and boxes.
+    /// pw85_distance_solid_box() for n ellipsoids and boxes.
     pub fn pw85_distance_solid_box_batch(
         n: usize,
         lower: *const f64,
@@ -1359,7 +1359,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_intersect_line() for many lines and ellipsoids.
+    /// pw85_intersect_line() for n lines and ellipsoids.
     pub fn pw85_intersect_line_batch(
         n: usize,
         origin: *const f64,
@@ -1368,7 +1368,7 @@ extern "C" {
         enter: *mut f64,
         leave: *mut f64,
     ) -> c_int;
-    /// pw85_contact_segment() for many ellipsoids and segments.
+    /// pw85_contact_segment() for n ellipsoids and segments.
     pub fn pw85_contact_segment_batch(
         n: usize,
         end1: *const f64,
@@ -1377,7 +1377,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_contact_triangle() for many ellipsoids and triangles.
+    /// pw85_contact_triangle() for n ellipsoids and triangles.
     pub fn pw85_contact_triangle_batch(
         n: usize,
         vertex1: *const f64,
@@ -1387,7 +1387,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_contact_box() for many ellipsoids and boxes.
+    /// pw85_contact_box() for n ellipsoids and boxes.
     pub fn pw85_contact_box_batch(
         n: usize,
         lower: *const f64,
@@ -1396,7 +1396,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_segment() for many ellipsoids and segments.
+    /// pw85_overlap_segment() for n ellipsoids and segments.
     pub fn pw85_overlap_segment_batch(
         n: usize,
         end1: *const f64,
@@ -1404,7 +1404,7 @@ extern "C" {
         q: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_overlap_triangle() for many ellipsoids and triangles.
+    /// pw85_overlap_triangle() for n ellipsoids and triangles.
     pub fn pw85_overlap_triangle_batch(
         n: usize,
         vertex1: *const f64,
@@ -1413,7 +1413,7 @@ extern "C" {
         q: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_overlap_box() for many ellipsoids and boxes.
+    /// pw85_overlap_box() for n ellipsoids and boxes.
     pub fn pw85_overlap_box_batch(
         n: usize,
         lower: *const f64,
@@ -1421,7 +1421,7 @@ extern "C" {
         q: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_contact_capsule() for many ellipsoids and capsules.
+    /// pw85_contact_capsule() for n ellipsoids and capsules.
     pub fn pw85_contact_capsule_batch(
         n: usize,
         end1: *const f64,
@@ -1431,7 +1431,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_capsule() for many ellipsoids and capsules.
+    /// pw85_overlap_capsule() for n ellipsoids and capsules.
     pub fn pw85_overlap_capsule_batch(
         n: usize,
         end1: *const f64,
@@ -1440,7 +1440,7 @@ extern "C" {
         q: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_distance_capsule() for many ellipsoids and capsules.
+    /// pw85_distance_capsule() for n ellipsoids and capsules.
     pub fn pw85_distance_capsule_batch(
         n: usize,
         end1: *const f64,
@@ -1452,7 +1452,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_distance_point_2d() for many points and ellipses.
+    /// pw85_distance_point_2d() for n points and ellipses.
     pub fn pw85_distance_point_batch_2d(
         n: usize,
         r: *const f64,
@@ -1461,7 +1461,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_contact_segment_2d() for many ellipses and segments.
+    /// pw85_contact_segment_2d() for n ellipses and segments.
     pub fn pw85_contact_segment_batch_2d(
         n: usize,
         end1: *const f64,
@@ -1470,7 +1470,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_contact_box_2d() for many ellipses and boxes.
+    /// pw85_contact_box_2d() for n ellipses and boxes.
     pub fn pw85_contact_box_batch_2d(
         n: usize,
         lower: *const f64,
@@ -1479,7 +1479,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_segment_2d() for many ellipses and segments.
+    /// pw85_overlap_segment_2d() for n ellipses and segments.
     pub fn pw85_overlap_segment_batch_2d(
         n: usize,
         end1: *const f64,
@@ -1487,7 +1487,7 @@ extern "C" {
         q: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_overlap_box_2d() for many ellipses and boxes.
+    /// pw85_overlap_box_2d() for n ellipses and boxes.
     pub fn pw85_overlap_box_batch_2d(
         n: usize,
         lower: *const f64,
@@ -1518,7 +1518,7 @@ extern "C" {
         offsets: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_first_contact() for many pairs.
+    /// pw85_first_contact() for n pairs.
     pub fn pw85_first_contact_batch(
         n: usize,
         r12: *const f64,
@@ -1537,14 +1537,14 @@ extern "C" {
         q2: *const f64,
         any: *mut c_int,
     ) -> c_int;
-    /// pw85_ellipsoid_factor() for many ellipsoids.
+    /// pw85_ellipsoid_factor() for n ellipsoids.
     pub fn pw85_ellipsoid_factor_batch(
         n: usize,
         semi_axes: *const f64,
         quaternions: *const f64,
         s: *mut f64,
     ) -> c_int;
-    /// pw85_ellipsoid_quaternion() for many ellipsoids.
+    /// pw85_ellipsoid_quaternion() for n ellipsoids.
     pub fn pw85_ellipsoid_quaternion_batch(
         n: usize,
         semi_axes: *const f64,

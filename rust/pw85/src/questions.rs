@@ -44,9 +44,9 @@ pub(crate) const STATUSES: [Status; 7] = [
 /// [`contact_function()`](crate::contact_function), [`contact_2d()`](crate::contact_2d).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
-    /// μ², and the maximiser λ of f in \[0, 1\].
+    /// `mu2`, `lambda`: μ², and the maximiser λ of f in \[0, 1\].
     pub mu2: f64,
-    /// μ², and the maximiser λ of f in \[0, 1\].
+    /// `mu2`, `lambda`: μ², and the maximiser λ of f in \[0, 1\].
     pub lambda: f64,
 }
 
@@ -458,9 +458,9 @@ pub struct DistancePoint {
 /// Results of [`intersect_line()`](crate::intersect_line).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Chord {
-    /// NaN if the line misses the ellipsoid.
+    /// `enter`, `leave`: NaN if the line misses the ellipsoid.
     pub enter: f64,
-    /// NaN if the line misses the ellipsoid.
+    /// `enter`, `leave`: NaN if the line misses the ellipsoid.
     pub leave: f64,
 }
 

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Names, types and texts in C++ of functions of C and their parameters."""
+
+import re
+from functools import cache
+from math import prod
+
+from declarations import CPP_HEADERS, INCLUDE, SOURCE, Role, c_functions, functions, referenced, statuses
+from voice import limits_of
+
+FOLDER = INCLUDE / "pw85"
+# The headers that api/classes.py makes, of these templates.
+TEMPLATES = {name: SOURCE / f"api/{name.split('/')[1]}.hpp.in" for name in (
+    "batch/rows", "systems/lists", "systems/neighbors", "systems/meshes", "systems/sums", "systems/periodic",
+    "simulation/hard_ellipsoids")}  # fmt: skip
+CLASSES = {"pw85_neighbors": "Neighbors", "pw85_mesh": "Mesh", "pw85_hard_ellipsoids": "HardEllipsoids"}
+STRUCTS = {"pw85_pair_list": "PairList", "pw85_system": "Particles", "pw85_law": "Law"}
+NUMBERS = {"size_t": "std::size_t", "int32_t": "std::int32_t", "int64_t": "std::int64_t"}
+# What the rows of an array of double are, by their extents: in space, and in the plane.
+ELEMENTS = {
+    3: {(): "double", (3,): "Vector<double, 3>", (6,): "SymmetricMatrix<double, 3>", (4,): "Vector<double, 4>",
+        (3, 3): "Factor<double, 3>"},
+    2: {(): "double", (2,): "Vector<double, 2>", (3,): "SymmetricMatrix<double, 2>"},
+}  # fmt: skip
+ELEMENTS_OF_OTHERS = {
+    ("int32_t", 2): "IndexPair", ("pw85_motion", 1): "Motion<double, 3>", ("pw85_wall", 1): "Wall", ("pw85_field", 1): "Field",
+}  # fmt: skip
+SHORT_NAMES = {
+    "std::span<Vector<double, 3> const>": "Vectors",
+    "std::span<SymmetricMatrix<double, 3> const>": "Forms",
+    "std::span<Vector<double, 2> const>": "FlatVectors",
+    "std::span<SymmetricMatrix<double, 2> const>": "FlatForms",
+}
+STRUCT = re.compile(r"^(?:template <[^>]*> )?struct (\w+) \{\n(.*?)^\};", re.MULTILINE | re.DOTALL)
+DETAIL = re.compile(r"^namespace pw85::detail \{$.*?^\} // namespace pw85::detail$", re.MULTILINE | re.DOTALL)
+MEMBERS = re.compile(r"^    (?!static |using )[\w:, ]+? \**(\w+(?:, \w+)*);", re.MULTILINE)
+ENDS = {"Cell": ".front().coordinates", "Vector": ".coordinates", "SymmetricMatrix": ".entries"}
+
+
+def has_rows(listed, extent):
+    """Whether all arrays have as many rows."""
+    return all(one.rows == extent if one.pointer else one.type in ("double", "int") for one in listed)
+
+
+def is_of_rows(function):
+    return function.parameter_names()[:1] == ["n"] and has_rows(function.parameters[1:], "n")
+
+
+def is_of_list(function):
+    listed = function.parameters
+    return [one.type for one in listed[:2]] == ["pw85_pair_list", "pw85_system"] and has_rows(listed[2:], "num_pairs")
+
+
+def name_in_cpp(function):
+    return function.plain.removesuffix("_2d")
+
+
+@cache
+def names_in_cpp():
+    """The functions of C that C++ has, too, and their names there."""
+    by_hand = [header for header in CPP_HEADERS if header not in [f"pw85/{name}.hpp" for name in TEMPLATES]]
+    known = {function.name for header in by_hand for function in functions(header)}
+    templates = "".join(path.read_text(encoding="utf-8") for path in TEMPLATES.values())
+    known |= set(re.findall(r"^(?:@function |static inline [\w:]+ )(\w+)", templates, re.MULTILINE))
+    found = {name: (name_in_cpp(function), function) for name, function in c_functions().items()}
+    return {name: own for name, (own, function) in found.items() if own in known or is_of_rows(function) or is_of_list(function)}
+
+
+@cache
+def structs():
+    """The members of the structs of the arguments and results, by the names of the structs; the status is the last one."""
+    found = {}
+    for path in [*sorted(FOLDER.glob("*/*.hpp")), *TEMPLATES.values()]:
+        text = DETAIL.sub("", re.sub(r"//.*", "", path.read_text(encoding="utf-8")))
+        for name, body in STRUCT.findall(text):
+            plain = re.sub(r"<[^;]*>|\[[^\]]*\]| = [^,;]*", "", body)
+            found[name] = [name for listed in MEMBERS.findall(plain) for name in listed.split(", ")]
+    return found
+
+
+def row_type(function, one):
+    """The type of a row, or of an array of one row."""
+    extents = one.shape[bool(one.rows) :]
+    if one.type == "double":
+        cell = {(3, 3): "Cell"} if function.header == "pw85_systems.h" else {}
+        return (ELEMENTS[function.dimension] | cell).get(extents) or f"std::array<double, {prod(extents)}>"
+    name = NUMBERS.get(one.type, one.type)
+    return ELEMENTS_OF_OTHERS.get((one.type, prod(extents))) or (f"std::array<{name}, {prod(extents)}>" if extents else name)
+
+
+def address(kind, name):
+    """The pointer to the numbers of one row."""
+    return name + ENDS.get(kind.split("<")[0], ".data()")
+
+
+def in_cpp(text):
+    """A sentence about C, with the names of C++."""
+    text = re.sub(r"\b(pw85_\w+)\(\)", lambda match: f"{names_in_cpp().get(match[1], match[1])}()", text)
+    return re.sub(r"#(PW85_\w+)", lambda match: f"Status::{statuses()[match[1]][0]}", text)
+
+
+def returned(function):
+    """What the comment of a function, or of one to which it refers, says of its status."""
+    comments = (" ".join(other.comment.split()) for other in referenced(function, c_functions()))
+    return next((found[1] for text in comments if (found := re.search(r"@return (.*?)(?= @|$)", text))), "the status")
+
+
+def brief(function):
+    text = re.sub(r"\bn (?=[a-z])", "many ", function.brief())
+    if function.dimension == 2:
+        text = text.replace("pairs", "pairs of ellipses")
+    verb = "Computes " if re.match(r"\w+\(\)", text) else ""
+    return f"{verb}{in_cpp(text)}: see {function.name}()."
+
+
+def described(function, one):
+    """What is said of a parameter, and what it has a row for."""
+    text = "; ".join(filter(None, [in_cpp(one.text), *limits_of(one)]))
+    if one.role != Role.ROWS:
+        return text
+    counts = next(other for other in function.flattened if other.name == one.rows)
+    of_row = counts.attributes.rows.replace("vertices", "vertex").removesuffix("s")
+    row = f"one for each {of_row}{', or empty' if one.nullable else ''}"
+    return f"{row}{': ' if one.text else '; '}{text}" if text else row

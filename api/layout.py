@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Text in lines of limited length, and templates: what all programs that print files need."""
+
+import re
+import textwrap
+
+WIDTH = 100  # of C, C++, Fortran and Rust
+
+
+def wrapped(text, width=WIDTH, first="", rest=None):
+    """The lines of a text. The first begins with `first`, the others with `rest`, or with `first`, too. No word is broken."""
+    return textwrap.wrap(text, width, initial_indent=first, subsequent_indent=first if rest is None else rest,
+                         break_long_words=False, break_on_hyphens=False)  # fmt: skip
+
+
+def filled(text, width=WIDTH, first="", rest=None):
+    return "\n".join(wrapped(text, width, first, rest))
+
+
+def arguments(begin, listed, end):
+    """A list of arguments in lines that are aligned with its bracket, or begin on the next line where that is too far to the right."""
+    text = ", ".join(argument.replace(" ", "\0") for argument in listed) + end.replace(" ", "\0")
+    beside, below = " " * len(begin), " " * (len(begin) - len(begin.lstrip()) + 4)
+    lines = wrapped(text, first=beside)
+    if all(len(line) <= WIDTH for line in lines):
+        text = begin + "\n".join(lines).removeprefix(beside)
+    else:
+        text = "\n".join([begin, *wrapped(text, first=below)])
+    return text.replace("\0", " ")
+
+
+def in_one_line_or_each(begin, listed, end, indent="", width=WIDTH):
+    """The lines of a list: one if that fits, or one for each element."""
+    line = f"{indent}{begin}{', '.join(listed)}{end}"
+    return [line] if len(line) <= width else [indent + begin.rstrip(), *(f"{indent}    {one}," for one in listed), indent + end.lstrip()]
+
+
+def insert(template, mark, made):
+    """The text of a template, a path, with lines in the place of each line that has the mark and their name, indented as this is."""
+
+    def lines(match):
+        if match[2] not in made:
+            raise ValueError(f"{template.name}: {mark} {match[2]}: not understood")
+        return "".join(f"{match[1]}{line}".rstrip() + "\n" for line in made[match[2]])
+
+    return re.sub(rf"^( *){re.escape(mark)} (\w+)\n", lines, template.read_text(encoding="utf-8"), flags=re.MULTILINE)

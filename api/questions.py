@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Questions about ellipsoids, as R and Octave ask them: one function for two and three dimensions, on columns of numbers.
+
+What they call in C is made here, too: a function for each dimension that answers n rows, whose inputs and outputs are arrays. The
+sources r/src/rows.c and octave/src/pw85_mex.c read the columns and call these functions by tables.
+"""
+
+from dataclasses import dataclass
+from functools import cache
+
+from declarations import ONE_ROW
+from layout import filled
+from rows import row_functions
+from voice import PlainVoice
+
+CONSTRUCTORS = ("ellipse", "ellipsoid", "ellipsoid_quaternion")
+KINDS = {"r12": "PW85_SEPARATION", "q": "PW85_FORM1", "q1": "PW85_FORM1", "q2": "PW85_FORM2"}
+DIMENSIONS = {(2, 3): "For ellipses and ellipsoids.", (2,): "For ellipses.", (3,): "For ellipsoids in three dimensions."}
+MOTION = ("the velocity (3 numbers), the angular velocity in radians per unit of time (3 numbers), and growth: at time t the semi-axes "
+          "are 1 + growth t times those at time 0.")  # fmt: skip
+
+
+@dataclass
+class Question:
+    """The functions of C in two and three dimensions, of which one may be missing."""
+
+    name: str  # in C, without `_2d`
+    rows: dict  # by the dimension, of which the highest comes first
+
+    @property
+    def first(self):
+        """The function whose comment is the text."""
+        return self.rows[max(self.rows)]
+
+    @property
+    def others(self):
+        """The operands that are not ellipsoids."""
+        return [one for one in self.first.inputs if one.name not in KINDS]
+
+    @property
+    def ellipsoids(self):
+        """The names of arguments that stand for centres and forms."""
+        names = {one.name for one in self.first.inputs}
+        return [name for name, forms in (("x", {"q", "q1"}), ("y", {"q2"})) if names & forms]
+
+    @property
+    def arguments(self):
+        return [*self.ellipsoids, *(one.name for one in self.others)]
+
+    @property
+    def dimensions(self):
+        """For which dimensions it is, in words."""
+        return DIMENSIONS[tuple(sorted(self.rows))]
+
+    def is_constructor(self):
+        return self.name in CONSTRUCTORS
+
+    def voice(self, names):
+        """What the headers say, where functions of C have these names."""
+        return PlainVoice(self.first, names)
+
+
+def is_asked(row):
+    names = [one.name for one in row.inputs]
+    if row.is_building_block() or row.function.header not in (*ONE_ROW, "pw85_batch.h"):
+        return False
+    return names == ["q"] or names[1:3] == ["q1", "q2"] or row.name in CONSTRUCTORS
+
+
+@cache
+def questions():
+    found = {}
+    for row in filter(is_asked, row_functions()):
+        dimension = 2 if row.name == "ellipse" else row.function.dimension
+        found.setdefault(row.name.removesuffix("_2d"), {})[dimension] = row
+    return [Question(name, rows) for name, rows in found.items()]
+
+
+def call(row):
+    """The lines of C that compute n rows."""
+    if row.takes_rows():
+        passed = [f"in[{k}]" for k in range(len(row.inputs))] + [f"out[{k}]" for k in range(len(row.outputs))]
+        return ["    (void)row;", f"    return {row.many.name}({', '.join(['n', *passed])});"]
+    assert not row.is_split(), row.name
+    passed, integers, stored = [], [], []
+    for k, one in enumerate(row.inputs):
+        text = f"in[{k}] + {one.size} * i" if one.shape else f"in[{k}][i]"
+        passed.append(f"(pw85_motion const *)({text})" if one.is_motion() else text)
+    kind = "unsigned char" if row.is_truth() else "double"
+    for k, one in enumerate(row.outputs):
+        passed.append(f"&integer{k}" if one.is_integer() else f"(double *)out[{k}] + {one.size} * i")
+        integers += [f"        int integer{k};"] * one.is_integer()
+        stored += [f"        (({kind} *)out[{k}])[i] = ({kind})integer{k};"] * one.is_integer()
+    return ["    for (*row = 0; *row < n; ++*row) {", "        size_t const i = *row;", *integers,
+            f"        int const status = {row.function.name}({', '.join(passed)});", "        if (status != 0) return status;",
+            *stored, "    }", "    return 0;"]  # fmt: skip
+
+
+def wrapped(line):
+    """A line of C in as many as it needs."""
+    indent = " " * (len(line) - len(line.lstrip()))
+    return filled(line.strip(), first=indent, rest=indent + "    ")
+
+
+def function_in_c(name, row):
+    """The function that answers n rows."""
+    head = wrapped(f"static int {name}(size_t n, double const *const *in, void *const *out, size_t *row)")
+    return "\n".join([head, "{", *map(wrapped, call(row)), "}\n"])
+
+
+def kind_of(one):
+    """What an input is: a part of an ellipsoid, or values."""
+    return KINDS.get(one.name, "PW85_VALUES")
