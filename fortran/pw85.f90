@@ -400,14 +400,15 @@ module pw85
       integer(c_int) :: status
     end function pw85_set_reproducible
 
-    !> State of the reproducible mode.
+    !> Returns whether the reproducible mode of pw85_set_reproducible() is on.
     function pw85_is_reproducible(on) result(status) bind(C, name='pw85_is_reproducible')
       import
       integer(c_int), intent(out) :: on
       integer(c_int) :: status
     end function pw85_is_reproducible
 
-    !> Quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ.
+    !> Computes the quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ with the unit vector n
+    !> along the axis.
     subroutine pw85_spheroid(a, c, n, q) bind(C, name='pw85_spheroid')
       import
       real(c_double), value :: a, c
@@ -422,7 +423,7 @@ module pw85
       integer(c_int) :: status
     end function c_ellipsoid
 
-    !> Quadratic form of a general ellipsoid whose orientation is a quaternion.
+    !> Computes the quadratic form of an ellipsoid whose orientation is a quaternion.
     function pw85_ellipsoid_quaternion(semi_axes, quaternion, q) result(status) bind(C, &
       name='pw85_ellipsoid_quaternion')
       import
@@ -431,7 +432,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_ellipsoid_quaternion
 
-    !> Factor S of the quadratic form of a general ellipsoid, Q = S Sᵀ.
+    !> Computes a factor S of the quadratic form of an ellipsoid, Q = S Sᵀ.
     function pw85_ellipsoid_factor(semi_axes, quaternion, s) result(status) bind(C, &
       name='pw85_ellipsoid_factor')
       import
@@ -440,7 +441,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_ellipsoid_factor
 
-    !> Quadratic form (xx, xy, yy) of an ellipse.
+    !> Computes the quadratic form (xx, xy, yy) of an ellipse.
     function pw85_ellipse(a, b, angle, q) result(status) bind(C, name='pw85_ellipse')
       import
       real(c_double), value :: a, b, angle
@@ -448,7 +449,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_ellipse
 
-    !> Contact function of two ellipsoids, by a third-order iteration on log(λ/(1-λ)).
+    !> Computes the contact function of two ellipsoids.
     function pw85_contact(r12, q1, q2, out) result(status) bind(C, name='pw85_contact')
       import
       real(c_double), intent(in) :: r12(3), q1(6), q2(6)
@@ -456,7 +457,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact
 
-    !> Contact function of two ellipsoids, with μ² correctly rounded.
+    !> Computes the contact function of two ellipsoids, with μ² correctly rounded.
     function pw85_contact_rounded(r12, q1, q2, out) result(status) bind(C, &
       name='pw85_contact_rounded')
       import
@@ -465,8 +466,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_rounded
 
-    !> Contact function of two ellipsoids that are given by factors of their forms, Q1 = S1 S1ᵀ and
-    !> Q2 = S2 S2ᵀ.
+    !> Computes the contact function of two ellipsoids that are given by factors of their forms, Q1
+    !> = S1 S1ᵀ and Q2 = S2 S2ᵀ.
     function pw85_contact_factored(r12, s1, s2, out) result(status) bind(C, &
       name='pw85_contact_factored')
       import
@@ -475,7 +476,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_factored
 
-    !> Condition number of the contact function.
+    !> Computes the condition number of the contact function, entry by entry.
     function pw85_condition(r12, q1, q2, lambda, cond) result(status) bind(C, name='pw85_condition')
       import
       real(c_double), intent(in) :: r12(3), q1(6), q2(6)
@@ -484,8 +485,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_condition
 
-    !> Contact function of two ellipsoids, by Brent's method on f, refined by Halley's method, with
-    !> the arguments of pw85 1.0, which used Newton's.
+    !> Computes the contact function of two ellipsoids as pw85 1.0 did, by Brent's method.
     function pw85_contact_function(r12, q1, q2, out) result(status) bind(C, &
       name='pw85_contact_function')
       import
@@ -494,7 +494,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_function
 
-    !> Point at which the ellipsoids, scaled by μ, touch, and their common normal.
+    !> Computes the point at which the ellipsoids, scaled by μ, touch, and their common normal
+    !> there.
     function pw85_contact_geometry(r12, q1, q2, lambda, point, normal) result(status) bind(C, &
       name='pw85_contact_geometry')
       import
@@ -504,7 +505,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_geometry
 
-    !> pw85_contact_geometry() of ellipsoids that are given by factors of their forms.
+    !> Computes the point and the normal of pw85_contact_geometry() for ellipsoids that are given by
+    !> factors of their forms.
     function pw85_contact_geometry_factored(r12, s1, s2, lambda, point, normal) result(status) &
       bind(C, name='pw85_contact_geometry_factored')
       import
@@ -514,7 +516,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_geometry_factored
 
-    !> Derivatives of μ².
+    !> Computes the derivatives of μ² with respect to r12 and the forms.
     function pw85_contact_gradient(r12, q1, q2, lambda, d_r12, d_q1, d_q2) result(status) bind(C, &
       name='pw85_contact_gradient')
       import
@@ -524,7 +526,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_gradient
 
-    !> Derivatives of μ² of ellipsoids that are given by factors of their forms.
+    !> Computes the derivatives of μ² for ellipsoids that are given by factors of their forms.
     function pw85_contact_gradient_factored(r12, s1, s2, lambda, d_r12, d_s1, d_s2) result(status) &
       bind(C, name='pw85_contact_gradient_factored')
       import
@@ -534,7 +536,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_gradient_factored
 
-    !> Derivatives of μ² with respect to rotations.
+    !> Computes the derivatives of μ² with respect to rotations of the ellipsoids.
     function pw85_contact_torque(r12, q1, q2, lambda, d_rot1, d_rot2) result(status) bind(C, &
       name='pw85_contact_torque')
       import
@@ -544,7 +546,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_torque
 
-    !> Second derivatives of μ².
+    !> Computes the second derivatives of μ² with respect to r12 and rotations of the ellipsoids.
     function pw85_contact_hessian(r12, q1, q2, lambda, hessian) result(status) bind(C, &
       name='pw85_contact_hessian')
       import
@@ -572,7 +574,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_factored
 
-    !> Sign of μ² - mu2, for any number mu2 >= 0.
+    !> Compares μ² with a number mu2 >= 0, and returns the sign of μ² - mu2.
     function pw85_compare(r12, q1, q2, mu2, sign) result(status) bind(C, name='pw85_compare')
       import
       real(c_double), intent(in) :: r12(3), q1(6), q2(6)
@@ -581,7 +583,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_compare
 
-    !> Tests whether two ellipsoids overlap, as pw85_overlap() does, and gives a number or a point
+    !> Tests whether two ellipsoids overlap, as pw85_overlap() does, and returns a number or a point
     !> that proves the answer.
     function pw85_overlap_witness(r12, q1, q2, overlap, lambda, point) result(status) bind(C, &
       name='pw85_overlap_witness')
@@ -600,8 +602,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contains
 
-    !> Factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2, and the
-    !> point where the ellipsoids then touch.
+    !> Computes the least factor by which ellipsoid 1, scaled about its centre, contains ellipsoid
+    !> 2, and a point where they then touch.
     function pw85_containment(r12, q1, q2, mu2, point) result(status) bind(C, &
       name='pw85_containment')
       import
@@ -610,7 +612,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_containment
 
-    !> Distance of closest approach.
+    !> Computes the distance of closest approach of two ellipsoids of fixed orientation, for one
+    !> direction.
     function pw85_closest_approach(direction, q1, q2, distance) result(status) bind(C, &
       name='pw85_closest_approach')
       import
@@ -619,7 +622,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_closest_approach
 
-    !> Volume of an ellipsoid, (4/3)π √det q.
+    !> Computes the volume of an ellipsoid, (4/3)π √det q.
     function pw85_volume(q, volume) result(status) bind(C, name='pw85_volume')
       import
       real(c_double), intent(in) :: q(6)
@@ -627,7 +630,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_volume
 
-    !> Volume of the common part of two ellipsoids.
+    !> Computes the volume V of the intersection of two ellipsoids.
     function pw85_overlap_volume(r12, q1, q2, volume) result(status) bind(C, &
       name='pw85_overlap_volume')
       import
@@ -636,7 +639,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume
 
-    !> Derivatives of the volume of the common part.
+    !> Computes the derivatives of the volume V of the intersection of two ellipsoids.
     function pw85_overlap_volume_gradient(r12, q1, q2, d_r12, d_q1, d_q2) result(status) bind(C, &
       name='pw85_overlap_volume_gradient')
       import
@@ -645,7 +648,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_gradient
 
-    !> Derivatives of the volume of the common part with respect to rotations.
+    !> Computes the derivatives of the volume V of the intersection with respect to rotations of the
+    !> ellipsoids.
     function pw85_overlap_volume_torque(r12, q1, q2, d_rot1, d_rot2) result(status) bind(C, &
       name='pw85_overlap_volume_torque')
       import
@@ -654,7 +658,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_torque
 
-    !> Area of an ellipse, π √det q.
+    !> Computes the area of an ellipse, π √det q.
     function pw85_area_2d(q, area) result(status) bind(C, name='pw85_area_2d')
       import
       real(c_double), intent(in) :: q(3)
@@ -662,7 +666,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_area_2d
 
-    !> Area of the common part of two ellipses.
+    !> Computes the area of the intersection of two ellipses.
     function pw85_overlap_area_2d(r12, q1, q2, area) result(status) bind(C, &
       name='pw85_overlap_area_2d')
       import
@@ -671,7 +675,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_area_2d
 
-    !> Derivatives of the area of the common part.
+    !> Computes the derivatives of the area of the intersection of two ellipses.
     function pw85_overlap_area_gradient_2d(r12, q1, q2, d_r12, d_q1, d_q2) result(status) bind(C, &
       name='pw85_overlap_area_gradient_2d')
       import
@@ -680,8 +684,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_area_gradient_2d
 
-    !> Derivatives of the area of the common part with respect to the angles of both ellipses,
-    !> counter-clockwise.
+    !> Computes the derivatives of the area of the intersection with respect to the angles of both
+    !> ellipses.
     function pw85_overlap_area_torque_2d(r12, q1, q2, d_rot1, d_rot2) result(status) bind(C, &
       name='pw85_overlap_area_torque_2d')
       import
@@ -690,7 +694,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_area_torque_2d
 
-    !> Contact function of two ellipses.
+    !> Computes the contact function of two ellipses.
     function pw85_contact_2d(r12, q1, q2, out) result(status) bind(C, name='pw85_contact_2d')
       import
       real(c_double), intent(in) :: r12(2), q1(3), q2(3)
@@ -698,7 +702,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_2d
 
-    !> Point at which the ellipses, scaled by μ, touch, and their common normal.
+    !> Computes the point at which the ellipses, scaled by μ, touch, and their common normal there.
     function pw85_contact_geometry_2d(r12, q1, q2, lambda, point, normal) result(status) bind(C, &
       name='pw85_contact_geometry_2d')
       import
@@ -708,7 +712,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_geometry_2d
 
-    !> Derivatives of μ² of two ellipses.
+    !> Computes the derivatives of μ² of two ellipses.
     function pw85_contact_gradient_2d(r12, q1, q2, lambda, d_r12, d_q1, d_q2) result(status) &
       bind(C, name='pw85_contact_gradient_2d')
       import
@@ -718,7 +722,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_gradient_2d
 
-    !> Derivatives of μ² with respect to the angles of two ellipses, counter-clockwise.
+    !> Computes the derivatives of μ² with respect to the angles of two ellipses.
     function pw85_contact_torque_2d(r12, q1, q2, lambda, d_rot1, d_rot2) result(status) bind(C, &
       name='pw85_contact_torque_2d')
       import
@@ -728,7 +732,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_torque_2d
 
-    !> Second derivatives of μ² of two ellipses.
+    !> Computes the second derivatives of μ² of two ellipses.
     function pw85_contact_hessian_2d(r12, q1, q2, lambda, hessian) result(status) bind(C, &
       name='pw85_contact_hessian_2d')
       import
@@ -754,7 +758,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contains_2d
 
-    !> Factor by which ellipse 1 must be scaled to contain ellipse 2.
+    !> Computes the least factor by which ellipse 1 contains ellipse 2.
     function pw85_containment_2d(r12, q1, q2, mu2, point) result(status) bind(C, &
       name='pw85_containment_2d')
       import
@@ -763,7 +767,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_containment_2d
 
-    !> Distance of closest approach of two ellipses.
+    !> Computes the distance of closest approach of two ellipses.
     function pw85_closest_approach_2d(direction, q1, q2, distance) result(status) bind(C, &
       name='pw85_closest_approach_2d')
       import
@@ -772,7 +776,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_closest_approach_2d
 
-    !> Distance of the surfaces of two ellipsoids, and the points where they are closest.
+    !> Computes the distance of the surfaces of two ellipsoids, and the points where they are
+    !> closest.
     function pw85_distance(r12, q1, q2, distance, point1, point2) result(status) bind(C, &
       name='pw85_distance')
       import
@@ -781,7 +786,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance
 
-    !> Derivatives of the distance of two ellipsoids that are apart.
+    !> Computes the derivatives of the distance of two ellipsoids.
     function pw85_distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) result(status) &
       bind(C, name='pw85_distance_derivatives')
       import
@@ -790,7 +795,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_derivatives
 
-    !> Depth of an overlap.
+    !> Computes the penetration depth of two ellipsoids that overlap, and its direction.
     function pw85_penetration(r12, q1, q2, depth, direction) result(status) bind(C, &
       name='pw85_penetration')
       import
@@ -799,7 +804,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_penetration
 
-    !> Signed distance of two ellipsoids.
+    !> Computes the signed distance of two ellipsoids, and the points where it is reached.
     function pw85_signed_distance(r12, q1, q2, distance, point1, point2) result(status) bind(C, &
       name='pw85_signed_distance')
       import
@@ -808,7 +813,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_signed_distance
 
-    !> Derivatives of the signed distance of two ellipsoids.
+    !> Computes the derivatives of the signed distance of two ellipsoids.
     function pw85_signed_distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) &
       result(status) bind(C, name='pw85_signed_distance_derivatives')
       import
@@ -817,7 +822,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_signed_distance_derivatives
 
-    !> Least gap between the surface of an ellipsoid and that of an ellipsoid that contains it.
+    !> Computes the least gap between the surfaces of ellipsoid 1 and of ellipsoid 2 inside it.
     function pw85_gap_inside(r12, q1, q2, gap, point1, point2, normal) result(status) bind(C, &
       name='pw85_gap_inside')
       import
@@ -826,7 +831,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_gap_inside
 
-    !> Distance of two ellipses.
+    !> Computes the distance of two ellipses.
     function pw85_distance_2d(r12, q1, q2, distance, point1, point2) result(status) bind(C, &
       name='pw85_distance_2d')
       import
@@ -835,7 +840,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_2d
 
-    !> Depth of an overlap of two ellipses.
+    !> Computes the penetration depth of two ellipses.
     function pw85_penetration_2d(r12, q1, q2, depth, direction) result(status) bind(C, &
       name='pw85_penetration_2d')
       import
@@ -844,7 +849,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_penetration_2d
 
-    !> Signed distance of two ellipses.
+    !> Computes the signed distance of two ellipses.
     function pw85_signed_distance_2d(r12, q1, q2, distance, point1, point2) result(status) bind(C, &
       name='pw85_signed_distance_2d')
       import
@@ -853,7 +858,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_signed_distance_2d
 
-    !> Least gap between an ellipse and an ellipse that contains it.
+    !> Computes the least gap of ellipse 2 inside ellipse 1.
     function pw85_gap_inside_2d(r12, q1, q2, gap, point1, point2, normal) result(status) bind(C, &
       name='pw85_gap_inside_2d')
       import
@@ -862,7 +867,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_gap_inside_2d
 
-    !> Time of the first contact of two moving ellipsoids.
+    !> Computes the time of the first contact of two moving ellipsoids.
     function pw85_first_contact(r12, q1, q2, motion1, motion2, t_max, t) result(status) bind(C, &
       name='pw85_first_contact')
       import
@@ -873,7 +878,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_first_contact
 
-    !> Least μ² while ellipsoid 2 passes ellipsoid 1 on a straight path.
+    !> Computes the least μ² while ellipsoid 2 passes ellipsoid 1 on a straight path, and its time.
     function pw85_closest_passage(r12, q1, q2, velocity, t_max, mu2, t) result(status) bind(C, &
       name='pw85_closest_passage')
       import
@@ -883,7 +888,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_closest_passage
 
-    !> Free path of ellipsoid 1 along a direction.
+    !> Computes the free path of ellipsoid 1 along a direction.
     function pw85_free_path(r12, q1, q2, direction, t_max, t) result(status) bind(C, &
       name='pw85_free_path')
       import
@@ -893,21 +898,21 @@ module pw85
       integer(c_int) :: status
     end function pw85_free_path
 
-    !> Cholesky factorisation A = L Lᵀ.
+    !> Computes the Cholesky factorisation A = L Lᵀ.
     subroutine pw85__cholesky_decomp(a, l) bind(C, name='pw85__cholesky_decomp')
       import
       real(c_double), intent(in) :: a(6)
       real(c_double), intent(out) :: l(6)
     end subroutine pw85__cholesky_decomp
 
-    !> Solution of L Lᵀ x = b.
+    !> Solves L Lᵀ x = b.
     subroutine pw85__cholesky_solve(l, b, x) bind(C, name='pw85__cholesky_solve')
       import
       real(c_double), intent(in) :: l(6), b(3)
       real(c_double), intent(out) :: x(3)
     end subroutine pw85__cholesky_solve
 
-    !> Residual g(λ) = μ2² - μ1² = -f'(λ), whose root is the maximiser of f.
+    !> Computes f, the residual g = μ2² - μ1² = -f', whose root is the maximiser of f, and g'.
     subroutine pw85__residual(lambda, r12, q1, q2, out) bind(C, name='pw85__residual')
       import
       real(c_double), value :: lambda
@@ -915,7 +920,7 @@ module pw85
       real(c_double), intent(out) :: out(3)
     end subroutine pw85__residual
 
-    !> -f(λ), with parameters in one block, as minimisers pass them.
+    !> Computes -f(λ), with the parameters in one array, as minimisers pass them.
     function pw85_f_neg(lambda, params) result(value) bind(C, name='pw85_f_neg')
       import
       real(c_double), value :: lambda

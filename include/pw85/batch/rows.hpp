@@ -116,7 +116,7 @@ static inline StatusCode containment_batch(Vectors r12, Forms q1, Forms q2, std:
 /// Computes closest_passage() for many pairs: see pw85_closest_passage_batch().
 ///
 /// @param r12,q1,q2,velocity one for each pair
-/// @param t_max the end of the time; for all rows; >= 0; may be infinite
+/// @param t_max the end of the path; for all rows; >= 0; may be infinite
 /// @param[out] mu2 one for each pair
 /// @param[out] t one for each pair, or empty
 /// @return as for closest_passage(), of the first bad pair
@@ -1151,7 +1151,7 @@ static inline StatusCode overlap_box_batch(FlatVectors lower, FlatVectors upper,
 /// Computes first_contact() for many pairs: see pw85_first_contact_batch().
 ///
 /// @param r12,q1,q2,motion1,motion2 one for each pair
-/// @param t_max the time up to which contacts count; for all rows; >= 0; may be infinite
+/// @param t_max the last time at which a contact counts; for all rows; >= 0; may be infinite
 /// @param[out] t one for each pair
 /// @return as for first_contact(), of the first bad pair
 static inline StatusCode first_contact_batch(Vectors r12, Forms q1, Forms q2,

@@ -21,7 +21,7 @@ namespace pw85 {
 /// @param list indices of particles, with or without images
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
 /// @param motions one for each particle
-/// @param t_max the time up to which contacts count; for all pairs; >= 0; may be infinite
+/// @param t_max the last time at which a contact counts; for all pairs; >= 0; may be infinite
 /// @param[out] out rows in all spans, or in some: see pw85_first_contact_pairs()
 /// @return as for contact_pairs(); Status::no_convergence, too. Bad pairs are not events.
 static inline StatusCode first_contact_pairs(PairList const &list, Particles const &particles,

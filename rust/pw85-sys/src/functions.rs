@@ -4,50 +4,51 @@
 use crate::{c_char, c_int, pw85_motion};
 
 extern "C" {
-    /// Version of the library that is linked.
+    /// Returns the version of the library that is linked.
     pub fn pw85_version() -> *const c_char;
-    /// Meaning of a status, as a short text without a full stop.
+    /// Returns the meaning of a status, as a short text without a full stop.
     pub fn pw85_strerror(status: c_int) -> *const c_char;
     /// Switches the reproducible mode on or off, for all threads of the process.
     pub fn pw85_set_reproducible(on: c_int) -> c_int;
-    /// State of the reproducible mode.
+    /// Returns whether the reproducible mode of pw85_set_reproducible() is on.
     pub fn pw85_is_reproducible(on: *mut c_int) -> c_int;
-    /// Quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ.
+    /// Computes the quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ with the unit vector
+    /// n along the axis.
     pub fn pw85_spheroid(a: f64, c: f64, n: *const f64, q: *mut f64);
-    /// Quadratic form of a general ellipsoid, Q = R diag(semi_axes²) Rᵀ.
+    /// Computes the quadratic form of an ellipsoid, Q = R diag(semi_axes²) Rᵀ.
     pub fn pw85_ellipsoid(semi_axes: *const f64, rotation: *const f64, q: *mut f64) -> c_int;
-    /// Quadratic form of a general ellipsoid whose orientation is a quaternion.
+    /// Computes the quadratic form of an ellipsoid whose orientation is a quaternion.
     pub fn pw85_ellipsoid_quaternion(
         semi_axes: *const f64,
         quaternion: *const f64,
         q: *mut f64,
     ) -> c_int;
-    /// Factor S of the quadratic form of a general ellipsoid, Q = S Sᵀ.
+    /// Computes a factor S of the quadratic form of an ellipsoid, Q = S Sᵀ.
     pub fn pw85_ellipsoid_factor(
         semi_axes: *const f64,
         quaternion: *const f64,
         s: *mut f64,
     ) -> c_int;
-    /// Quadratic form (xx, xy, yy) of an ellipse.
+    /// Computes the quadratic form (xx, xy, yy) of an ellipse.
     pub fn pw85_ellipse(a: f64, b: f64, angle: f64, q: *mut f64) -> c_int;
-    /// Contact function of two ellipsoids, by a third-order iteration on log(λ/(1-λ)).
+    /// Computes the contact function of two ellipsoids.
     pub fn pw85_contact(r12: *const f64, q1: *const f64, q2: *const f64, out: *mut f64) -> c_int;
-    /// Contact function of two ellipsoids, with μ² correctly rounded.
+    /// Computes the contact function of two ellipsoids, with μ² correctly rounded.
     pub fn pw85_contact_rounded(
         r12: *const f64,
         q1: *const f64,
         q2: *const f64,
         out: *mut f64,
     ) -> c_int;
-    /// Contact function of two ellipsoids that are given by factors of their forms, Q1 = S1 S1ᵀ
-    /// and Q2 = S2 S2ᵀ.
+    /// Computes the contact function of two ellipsoids that are given by factors of their forms,
+    /// Q1 = S1 S1ᵀ and Q2 = S2 S2ᵀ.
     pub fn pw85_contact_factored(
         r12: *const f64,
         s1: *const f64,
         s2: *const f64,
         out: *mut f64,
     ) -> c_int;
-    /// Condition number of the contact function.
+    /// Computes the condition number of the contact function, entry by entry.
     pub fn pw85_condition(
         r12: *const f64,
         q1: *const f64,
@@ -55,15 +56,15 @@ extern "C" {
         lambda: f64,
         cond: *mut f64,
     ) -> c_int;
-    /// Contact function of two ellipsoids, by Brent's method on f, refined by Halley's method,
-    /// with the arguments of pw85 1.0, which used Newton's.
+    /// Computes the contact function of two ellipsoids as pw85 1.0 did, by Brent's method.
     pub fn pw85_contact_function(
         r12: *const f64,
         q1: *const f64,
         q2: *const f64,
         out: *mut f64,
     ) -> c_int;
-    /// Point at which the ellipsoids, scaled by μ, touch, and their common normal.
+    /// Computes the point at which the ellipsoids, scaled by μ, touch, and their common normal
+    /// there.
     pub fn pw85_contact_geometry(
         r12: *const f64,
         q1: *const f64,
@@ -72,7 +73,8 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_contact_geometry() of ellipsoids that are given by factors of their forms.
+    /// Computes the point and the normal of pw85_contact_geometry() for ellipsoids that are given
+    /// by factors of their forms.
     pub fn pw85_contact_geometry_factored(
         r12: *const f64,
         s1: *const f64,
@@ -81,7 +83,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Derivatives of μ².
+    /// Computes the derivatives of μ² with respect to r12 and the forms.
     pub fn pw85_contact_gradient(
         r12: *const f64,
         q1: *const f64,
@@ -91,7 +93,7 @@ extern "C" {
         d_q1: *mut f64,
         d_q2: *mut f64,
     ) -> c_int;
-    /// Derivatives of μ² of ellipsoids that are given by factors of their forms.
+    /// Computes the derivatives of μ² for ellipsoids that are given by factors of their forms.
     pub fn pw85_contact_gradient_factored(
         r12: *const f64,
         s1: *const f64,
@@ -101,7 +103,7 @@ extern "C" {
         d_s1: *mut f64,
         d_s2: *mut f64,
     ) -> c_int;
-    /// Derivatives of μ² with respect to rotations.
+    /// Computes the derivatives of μ² with respect to rotations of the ellipsoids.
     pub fn pw85_contact_torque(
         r12: *const f64,
         q1: *const f64,
@@ -110,7 +112,7 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// Second derivatives of μ².
+    /// Computes the second derivatives of μ² with respect to r12 and rotations of the ellipsoids.
     pub fn pw85_contact_hessian(
         r12: *const f64,
         q1: *const f64,
@@ -133,7 +135,7 @@ extern "C" {
         s2: *const f64,
         overlap: *mut c_int,
     ) -> c_int;
-    /// Sign of μ² - mu2, for any number mu2 \>= 0.
+    /// Compares μ² with a number mu2 \>= 0, and returns the sign of μ² - mu2.
     pub fn pw85_compare(
         r12: *const f64,
         q1: *const f64,
@@ -141,7 +143,7 @@ extern "C" {
         mu2: f64,
         sign: *mut c_int,
     ) -> c_int;
-    /// Tests whether two ellipsoids overlap, as pw85_overlap() does, and gives a number or a
+    /// Tests whether two ellipsoids overlap, as pw85_overlap() does, and returns a number or a
     /// point that proves the answer.
     pub fn pw85_overlap_witness(
         r12: *const f64,
@@ -158,8 +160,8 @@ extern "C" {
         q2: *const f64,
         contains: *mut c_int,
     ) -> c_int;
-    /// Factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2, and
-    /// the point where the ellipsoids then touch.
+    /// Computes the least factor by which ellipsoid 1, scaled about its centre, contains
+    /// ellipsoid 2, and a point where they then touch.
     pub fn pw85_containment(
         r12: *const f64,
         q1: *const f64,
@@ -167,23 +169,24 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// Distance of closest approach.
+    /// Computes the distance of closest approach of two ellipsoids of fixed orientation, for one
+    /// direction.
     pub fn pw85_closest_approach(
         direction: *const f64,
         q1: *const f64,
         q2: *const f64,
         distance: *mut f64,
     ) -> c_int;
-    /// Volume of an ellipsoid, (4/3)π √det q.
+    /// Computes the volume of an ellipsoid, (4/3)π √det q.
     pub fn pw85_volume(q: *const f64, volume: *mut f64) -> c_int;
-    /// Volume of the common part of two ellipsoids.
+    /// Computes the volume V of the intersection of two ellipsoids.
     pub fn pw85_overlap_volume(
         r12: *const f64,
         q1: *const f64,
         q2: *const f64,
         volume: *mut f64,
     ) -> c_int;
-    /// Derivatives of the volume of the common part.
+    /// Computes the derivatives of the volume V of the intersection of two ellipsoids.
     pub fn pw85_overlap_volume_gradient(
         r12: *const f64,
         q1: *const f64,
@@ -192,7 +195,8 @@ extern "C" {
         d_q1: *mut f64,
         d_q2: *mut f64,
     ) -> c_int;
-    /// Derivatives of the volume of the common part with respect to rotations.
+    /// Computes the derivatives of the volume V of the intersection with respect to rotations of
+    /// the ellipsoids.
     pub fn pw85_overlap_volume_torque(
         r12: *const f64,
         q1: *const f64,
@@ -200,16 +204,16 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// Area of an ellipse, π √det q.
+    /// Computes the area of an ellipse, π √det q.
     pub fn pw85_area_2d(q: *const f64, area: *mut f64) -> c_int;
-    /// Area of the common part of two ellipses.
+    /// Computes the area of the intersection of two ellipses.
     pub fn pw85_overlap_area_2d(
         r12: *const f64,
         q1: *const f64,
         q2: *const f64,
         area: *mut f64,
     ) -> c_int;
-    /// Derivatives of the area of the common part.
+    /// Computes the derivatives of the area of the intersection of two ellipses.
     pub fn pw85_overlap_area_gradient_2d(
         r12: *const f64,
         q1: *const f64,
@@ -218,8 +222,8 @@ extern "C" {
         d_q1: *mut f64,
         d_q2: *mut f64,
     ) -> c_int;
-    /// Derivatives of the area of the common part with respect to the angles of both ellipses,
-    /// counter-clockwise.
+    /// Computes the derivatives of the area of the intersection with respect to the angles of
+    /// both ellipses.
     pub fn pw85_overlap_area_torque_2d(
         r12: *const f64,
         q1: *const f64,
@@ -227,9 +231,10 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// Contact function of two ellipses.
+    /// Computes the contact function of two ellipses.
     pub fn pw85_contact_2d(r12: *const f64, q1: *const f64, q2: *const f64, out: *mut f64) -> c_int;
-    /// Point at which the ellipses, scaled by μ, touch, and their common normal.
+    /// Computes the point at which the ellipses, scaled by μ, touch, and their common normal
+    /// there.
     pub fn pw85_contact_geometry_2d(
         r12: *const f64,
         q1: *const f64,
@@ -238,7 +243,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Derivatives of μ² of two ellipses.
+    /// Computes the derivatives of μ² of two ellipses.
     pub fn pw85_contact_gradient_2d(
         r12: *const f64,
         q1: *const f64,
@@ -248,7 +253,7 @@ extern "C" {
         d_q1: *mut f64,
         d_q2: *mut f64,
     ) -> c_int;
-    /// Derivatives of μ² with respect to the angles of two ellipses, counter-clockwise.
+    /// Computes the derivatives of μ² with respect to the angles of two ellipses.
     pub fn pw85_contact_torque_2d(
         r12: *const f64,
         q1: *const f64,
@@ -257,7 +262,7 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// Second derivatives of μ² of two ellipses.
+    /// Computes the second derivatives of μ² of two ellipses.
     pub fn pw85_contact_hessian_2d(
         r12: *const f64,
         q1: *const f64,
@@ -279,7 +284,7 @@ extern "C" {
         q2: *const f64,
         contains: *mut c_int,
     ) -> c_int;
-    /// Factor by which ellipse 1 must be scaled to contain ellipse 2.
+    /// Computes the least factor by which ellipse 1 contains ellipse 2.
     pub fn pw85_containment_2d(
         r12: *const f64,
         q1: *const f64,
@@ -287,14 +292,15 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// Distance of closest approach of two ellipses.
+    /// Computes the distance of closest approach of two ellipses.
     pub fn pw85_closest_approach_2d(
         direction: *const f64,
         q1: *const f64,
         q2: *const f64,
         distance: *mut f64,
     ) -> c_int;
-    /// Distance of the surfaces of two ellipsoids, and the points where they are closest.
+    /// Computes the distance of the surfaces of two ellipsoids, and the points where they are
+    /// closest.
     pub fn pw85_distance(
         r12: *const f64,
         q1: *const f64,
@@ -303,7 +309,7 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
-    /// Derivatives of the distance of two ellipsoids that are apart.
+    /// Computes the derivatives of the distance of two ellipsoids.
     pub fn pw85_distance_derivatives(
         r12: *const f64,
         q1: *const f64,
@@ -313,7 +319,7 @@ extern "C" {
         d_rot2: *mut f64,
         hessian: *mut f64,
     ) -> c_int;
-    /// Depth of an overlap.
+    /// Computes the penetration depth of two ellipsoids that overlap, and its direction.
     pub fn pw85_penetration(
         r12: *const f64,
         q1: *const f64,
@@ -321,7 +327,7 @@ extern "C" {
         depth: *mut f64,
         direction: *mut f64,
     ) -> c_int;
-    /// Signed distance of two ellipsoids.
+    /// Computes the signed distance of two ellipsoids, and the points where it is reached.
     pub fn pw85_signed_distance(
         r12: *const f64,
         q1: *const f64,
@@ -330,7 +336,7 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
-    /// Derivatives of the signed distance of two ellipsoids.
+    /// Computes the derivatives of the signed distance of two ellipsoids.
     pub fn pw85_signed_distance_derivatives(
         r12: *const f64,
         q1: *const f64,
@@ -340,7 +346,7 @@ extern "C" {
         d_rot2: *mut f64,
         hessian: *mut f64,
     ) -> c_int;
-    /// Least gap between the surface of an ellipsoid and that of an ellipsoid that contains it.
+    /// Computes the least gap between the surfaces of ellipsoid 1 and of ellipsoid 2 inside it.
     pub fn pw85_gap_inside(
         r12: *const f64,
         q1: *const f64,
@@ -350,7 +356,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Distance of two ellipses.
+    /// Computes the distance of two ellipses.
     pub fn pw85_distance_2d(
         r12: *const f64,
         q1: *const f64,
@@ -359,7 +365,7 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
-    /// Depth of an overlap of two ellipses.
+    /// Computes the penetration depth of two ellipses.
     pub fn pw85_penetration_2d(
         r12: *const f64,
         q1: *const f64,
@@ -367,7 +373,7 @@ extern "C" {
         depth: *mut f64,
         direction: *mut f64,
     ) -> c_int;
-    /// Signed distance of two ellipses.
+    /// Computes the signed distance of two ellipses.
     pub fn pw85_signed_distance_2d(
         r12: *const f64,
         q1: *const f64,
@@ -376,7 +382,7 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
-    /// Least gap between an ellipse and an ellipse that contains it.
+    /// Computes the least gap of ellipse 2 inside ellipse 1.
     pub fn pw85_gap_inside_2d(
         r12: *const f64,
         q1: *const f64,
@@ -386,7 +392,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Time of the first contact of two moving ellipsoids.
+    /// Computes the time of the first contact of two moving ellipsoids.
     pub fn pw85_first_contact(
         r12: *const f64,
         q1: *const f64,
@@ -396,7 +402,8 @@ extern "C" {
         t_max: f64,
         t: *mut f64,
     ) -> c_int;
-    /// Least μ² while ellipsoid 2 passes ellipsoid 1 on a straight path.
+    /// Computes the least μ² while ellipsoid 2 passes ellipsoid 1 on a straight path, and its
+    /// time.
     pub fn pw85_closest_passage(
         r12: *const f64,
         q1: *const f64,
@@ -406,7 +413,7 @@ extern "C" {
         mu2: *mut f64,
         t: *mut f64,
     ) -> c_int;
-    /// Free path of ellipsoid 1 along a direction.
+    /// Computes the free path of ellipsoid 1 along a direction.
     pub fn pw85_free_path(
         r12: *const f64,
         q1: *const f64,
@@ -415,11 +422,11 @@ extern "C" {
         t_max: f64,
         t: *mut f64,
     ) -> c_int;
-    /// Cholesky factorisation A = L Lᵀ.
+    /// Computes the Cholesky factorisation A = L Lᵀ.
     pub fn pw85__cholesky_decomp(a: *const f64, l: *mut f64);
-    /// Solution of L Lᵀ x = b.
+    /// Solves L Lᵀ x = b.
     pub fn pw85__cholesky_solve(l: *const f64, b: *const f64, x: *mut f64);
-    /// Residual g(λ) = μ2² - μ1² = -f'(λ), whose root is the maximiser of f.
+    /// Computes f, the residual g = μ2² - μ1² = -f', whose root is the maximiser of f, and g'.
     pub fn pw85__residual(
         lambda: f64,
         r12: *const f64,
@@ -427,7 +434,7 @@ extern "C" {
         q2: *const f64,
         out: *mut f64,
     );
-    /// -f(λ), with parameters in one block, as minimisers pass them.
+    /// Computes -f(λ), with the parameters in one array, as minimisers pass them.
     pub fn pw85_f_neg(lambda: f64, params: *const f64) -> f64;
     /// Principal curvatures of an ellipsoid's surface at the point with a given normal, and their
     /// directions.

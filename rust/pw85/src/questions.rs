@@ -54,7 +54,7 @@ pub struct Contact {
 /// [`contact_geometry_factored()`](crate::contact_geometry_factored).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactGeometry {
-    /// Relative to the centre of ellipsoid 1.
+    /// The point, relative to the centre of ellipsoid 1.
     pub point: [f64; 3],
     /// Unit vector, outward from ellipsoid 1 and into ellipsoid 2.
     pub normal: [f64; 3],
@@ -65,11 +65,11 @@ pub struct ContactGeometry {
 pub struct ContactGradient {
     /// ∂μ²/∂r12; its negative is the derivative with respect to the centre of ellipsoid 1.
     pub d_r12: [f64; 3],
-    /// Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands
-    /// for two entries of the matrix).
+    /// Derivatives with respect to the stored entries of q1 and q2 (a stored off-diagonal entry
+    /// is two entries of the matrix).
     pub d_q1: [f64; 6],
-    /// Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands
-    /// for two entries of the matrix).
+    /// Derivatives with respect to the stored entries of q1 and q2 (a stored off-diagonal entry
+    /// is two entries of the matrix).
     pub d_q2: [f64; 6],
 }
 
@@ -87,9 +87,9 @@ pub struct FactorGradient {
 /// Results of [`contact_torque()`](crate::contact_torque).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactTorque {
-    /// Per radian, for ellipsoids 1 and 2.
+    /// Derivatives for ellipsoids 1 and 2, per radian.
     pub d_rot1: [f64; 3],
-    /// Per radian, for ellipsoids 1 and 2.
+    /// Derivatives for ellipsoids 1 and 2, per radian.
     pub d_rot2: [f64; 3],
 }
 
@@ -110,10 +110,11 @@ pub struct OverlapWitness {
 pub struct ContainmentScale {
     /// Square of the factor.
     pub mu2: f64,
-    /// The point on the surface of ellipsoid 2, relative to the centre of ellipsoid 1. If the
-    /// ellipsoids touch at several points, the result is one of them. They touch at several
-    /// points for r12 = 0, and where r12 is short and has no component along the longest
-    /// semi-axis that ellipsoid 2 has after the linear map that makes ellipsoid 1 a unit ball.
+    /// A point of contact on the surface of ellipsoid 2, relative to the centre of ellipsoid 1.
+    /// There are several such points if r12 = 0, and the result is one of them. There can also be
+    /// several if r12 is short: take the linear map that makes ellipsoid 1 a unit ball, and the
+    /// longest semi-axis that ellipsoid 2 has after it. The mapped r12 then has no component
+    /// along this semi-axis.
     pub point: [f64; 3],
 }
 
@@ -122,20 +123,20 @@ pub struct ContainmentScale {
 pub struct OverlapVolumeGradient {
     /// ∂V/∂r12; its negative is the derivative with respect to the centre of ellipsoid 1.
     pub d_r12: [f64; 3],
-    /// Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands
-    /// for two entries of the matrix).
+    /// Derivatives with respect to the stored entries of q1 and q2 (a stored off-diagonal entry
+    /// is two entries of the matrix).
     pub d_q1: [f64; 6],
-    /// Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands
-    /// for two entries of the matrix).
+    /// Derivatives with respect to the stored entries of q1 and q2 (a stored off-diagonal entry
+    /// is two entries of the matrix).
     pub d_q2: [f64; 6],
 }
 
 /// Results of [`overlap_volume_torque()`](crate::overlap_volume_torque).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OverlapVolumeTorque {
-    /// Per radian, for ellipsoids 1 and 2.
+    /// Derivatives for ellipsoids 1 and 2, per radian.
     pub d_rot1: [f64; 3],
-    /// Per radian, for ellipsoids 1 and 2.
+    /// Derivatives for ellipsoids 1 and 2, per radian.
     pub d_rot2: [f64; 3],
 }
 
@@ -144,11 +145,11 @@ pub struct OverlapVolumeTorque {
 pub struct OverlapAreaGradient {
     /// ∂V/∂r12; its negative is the derivative with respect to the centre of ellipse 1.
     pub d_r12: [f64; 2],
-    /// Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands
-    /// for two entries of the matrix).
+    /// Derivatives with respect to the stored entries of q1 and q2 (a stored off-diagonal entry
+    /// is two entries of the matrix).
     pub d_q1: [f64; 3],
-    /// Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands
-    /// for two entries of the matrix).
+    /// Derivatives with respect to the stored entries of q1 and q2 (a stored off-diagonal entry
+    /// is two entries of the matrix).
     pub d_q2: [f64; 3],
 }
 
@@ -164,7 +165,7 @@ pub struct OverlapAreaTorque {
 /// Results of [`contact_geometry_2d()`](crate::contact_geometry_2d).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactGeometry2d {
-    /// Relative to the centre of ellipse 1.
+    /// The point, relative to the centre of ellipse 1.
     pub point: [f64; 2],
     /// Unit vector, outward from ellipse 1 and into ellipse 2.
     pub normal: [f64; 2],
@@ -175,11 +176,11 @@ pub struct ContactGeometry2d {
 pub struct ContactGradient2d {
     /// ∂μ²/∂r12; its negative is the derivative with respect to the centre of ellipse 1.
     pub d_r12: [f64; 2],
-    /// Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands
-    /// for two entries of the matrix).
+    /// Derivatives with respect to the stored entries of q1 and q2 (a stored off-diagonal entry
+    /// is two entries of the matrix).
     pub d_q1: [f64; 3],
-    /// Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands
-    /// for two entries of the matrix).
+    /// Derivatives with respect to the stored entries of q1 and q2 (a stored off-diagonal entry
+    /// is two entries of the matrix).
     pub d_q2: [f64; 3],
 }
 
@@ -197,10 +198,11 @@ pub struct ContactTorque2d {
 pub struct ContainmentScale2d {
     /// Square of the factor.
     pub mu2: f64,
-    /// The point on the surface of ellipse 2, relative to the centre of ellipse 1. If the
-    /// ellipses touch at several points, the result is one of them. They touch at several points
-    /// for r12 = 0, and where r12 is short and has no component along the longest semi-axis that
-    /// ellipse 2 has after the linear map that makes ellipse 1 a unit ball.
+    /// A point of contact on the surface of ellipse 2, relative to the centre of ellipse 1. There
+    /// are several such points if r12 = 0, and the result is one of them. There can also be
+    /// several if r12 is short: take the linear map that makes ellipse 1 a unit ball, and the
+    /// longest semi-axis that ellipse 2 has after it. The mapped r12 then has no component along
+    /// this semi-axis.
     pub point: [f64; 2],
 }
 
@@ -222,14 +224,14 @@ pub struct Distance {
 /// [`signed_distance_derivatives()`](crate::signed_distance_derivatives).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DistanceDerivatives {
-    /// The unit normal at the closest points, into ellipsoid 2.
+    /// Derivative with respect to r12: the unit normal at the closest points, into ellipsoid 2.
     pub d_r12: [f64; 3],
-    /// With respect to rotations, as for [`contact_torque()`](crate::contact_torque).
+    /// Derivatives with respect to rotations, as for [`contact_torque()`](crate::contact_torque).
     pub d_rot1: [f64; 3],
-    /// With respect to rotations, as for [`contact_torque()`](crate::contact_torque).
+    /// Derivatives with respect to rotations, as for [`contact_torque()`](crate::contact_torque).
     pub d_rot2: [f64; 3],
-    /// Symmetric: second derivatives with respect to r12, rotation 1 and rotation 2, where the
-    /// vector ω stands for the rotation by \|ω\| about ω.
+    /// Symmetric matrix of second derivatives with respect to r12, rotation 1 and rotation 2, as
+    /// for [`contact_hessian()`](crate::contact_hessian).
     pub hessian: [[f64; 9]; 9],
 }
 
@@ -249,11 +251,11 @@ pub struct GapInside {
     /// The gap, in the unit of `r12`; zero if the ellipsoids touch, or if ellipsoid 2 is not
     /// inside ellipsoid 1, as [`contains()`](crate::contains) decides.
     pub gap: f64,
-    /// The points of the surfaces of ellipsoids 1 and 2 where they are closest, both relative to
-    /// the centre of ellipsoid 1; NaN if ellipsoid 2 is not inside.
+    /// The closest points of the surfaces of ellipsoids 1 and 2, both relative to the centre of
+    /// ellipsoid 1; NaN if ellipsoid 2 is not inside.
     pub point1: [f64; 3],
-    /// The points of the surfaces of ellipsoids 1 and 2 where they are closest, both relative to
-    /// the centre of ellipsoid 1; NaN if ellipsoid 2 is not inside.
+    /// The closest points of the surfaces of ellipsoids 1 and 2, both relative to the centre of
+    /// ellipsoid 1; NaN if ellipsoid 2 is not inside.
     pub point2: [f64; 3],
     /// Unit vector out of both ellipsoids at these points, from point2 to point1: minus the
     /// derivative of the gap with respect to r12; NaN if ellipsoid 2 is not inside.
@@ -291,11 +293,11 @@ pub struct GapInside2d {
     /// The gap, in the unit of `r12`; zero if the ellipses touch, or if ellipse 2 is not inside
     /// ellipse 1, as [`contains()`](crate::contains) decides.
     pub gap: f64,
-    /// The points of the surfaces of ellipses 1 and 2 where they are closest, both relative to
-    /// the centre of ellipse 1; NaN if ellipse 2 is not inside.
+    /// The closest points of the surfaces of ellipses 1 and 2, both relative to the centre of
+    /// ellipse 1; NaN if ellipse 2 is not inside.
     pub point1: [f64; 2],
-    /// The points of the surfaces of ellipses 1 and 2 where they are closest, both relative to
-    /// the centre of ellipse 1; NaN if ellipse 2 is not inside.
+    /// The closest points of the surfaces of ellipses 1 and 2, both relative to the centre of
+    /// ellipse 1; NaN if ellipse 2 is not inside.
     pub point2: [f64; 2],
     /// Unit vector out of both ellipses at these points, from point2 to point1: minus the
     /// derivative of the gap with respect to r12; NaN if ellipse 2 is not inside.
@@ -307,7 +309,7 @@ pub struct GapInside2d {
 pub struct ClosestPassage {
     /// The least μ²; 0 if ellipsoid 2 passes the centre of ellipsoid 1.
     pub mu2: f64,
-    /// The time, in \[0, t_max\]; 0 for a zero velocity or r12 = 0.
+    /// The time of the least μ², in \[0, t_max\]; 0 for a zero velocity or r12 = 0.
     pub t: f64,
 }
 
@@ -513,7 +515,8 @@ pub struct ShapeContact2d {
     pub point: [f64; 2],
 }
 
-/// Quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ.
+/// Computes the quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ with the unit vector n
+/// along the axis.
 ///
 /// # Arguments
 ///
@@ -540,15 +543,15 @@ pub fn spheroid(a: f64, c: f64, n: &[f64; 3]) -> Result<[f64; 6], Error> {
     Ok(q)
 }
 
-/// Quadratic form of a general ellipsoid, Q = R diag(semi_axes²) Rᵀ.
+/// Computes the quadratic form of an ellipsoid, Q = R diag(semi_axes²) Rᵀ.
 ///
 /// # Arguments
 ///
 /// - `semi_axes`: Lengths of the principal semi-axes (not diameters), whose squares are in the
 ///   range of double; \> 0. Unit: length.
-/// - `rotation`: Matrix R in row-major order. Its columns are the principal directions: R takes
-///   the body frame to the space frame. RᵀR may differ from I by at most 1e-6 in any entry
-///   (single precision is accepted); reflections are accepted.
+/// - `rotation`: Row-major matrix R, which takes the body frame to the space frame; its columns
+///   are the principal directions. An entry of RᵀR - I may be at most 1e-6 in magnitude: single
+///   precision is enough. R may be a reflection.
 ///
 /// # Errors
 ///
@@ -575,14 +578,14 @@ pub fn ellipsoid(semi_axes: &[f64; 3], rotation: &[[f64; 3]; 3]) -> Result<[f64;
     Ok(q)
 }
 
-/// Quadratic form of a general ellipsoid whose orientation is a quaternion.
+/// Computes the quadratic form of an ellipsoid whose orientation is a quaternion.
 ///
 /// # Arguments
 ///
 /// - `semi_axes`: Lengths of the principal semi-axes (not diameters), whose squares are in the
 ///   range of double; \> 0. Unit: length.
-/// - `quaternion`: (w, x, y, z), scalar first, of any length; the function normalises it. It
-///   takes the body frame to the space frame; not zero.
+/// - `quaternion`: (w, x, y, z), scalar first, which takes the body frame to the space frame; of
+///   any length, because the function normalises it; not zero.
 ///
 /// # Errors
 ///
@@ -651,16 +654,17 @@ pub fn ellipsoid_quaternion_batch(
     ) })
 }
 
-/// Factor S of the quadratic form of a general ellipsoid, Q = S Sᵀ.
+/// Computes a factor S of the quadratic form of an ellipsoid, Q = S Sᵀ.
 ///
-/// The factor keeps the digits that squares of lengths lose: see
+/// The factor keeps digits that the form loses: see
 /// [`contact_factored()`](crate::contact_factored).
 ///
 /// # Arguments
 ///
 /// - `semi_axes`: Lengths of the principal semi-axes (not diameters), whose squares are in the
 ///   range of double; \> 0. Unit: length.
-/// - `quaternion`: (w, x, y, z), scalar first, of any length; not zero.
+/// - `quaternion`: (w, x, y, z), scalar first, which takes the body frame to the space frame; not
+///   zero.
 ///
 /// # Errors
 ///
@@ -728,7 +732,7 @@ pub fn ellipsoid_factor_batch(
     ) })
 }
 
-/// Quadratic form (xx, xy, yy) of an ellipse.
+/// Computes the quadratic form (xx, xy, yy) of an ellipse.
 ///
 /// # Arguments
 ///
@@ -754,16 +758,17 @@ pub fn ellipse(a: f64, b: f64, angle: f64) -> Result<[f64; 3], Error> {
     Ok(q)
 }
 
-/// Contact function of two ellipsoids, by a third-order iteration on log(λ/(1-λ)).
+/// Computes the contact function of two ellipsoids.
 ///
-/// The relative error of μ² is below 4 u cond, with u = 2⁻⁵³ and the entrywise condition number
-/// of [`condition()`](crate::condition), also for forms that are singular to working precision.
-/// The function evaluates f at most 157 times.
+/// The method is a third-order iteration on log(λ/(1-λ)), which evaluates f at most 157 times.
+/// The relative error of μ² is below 4 u cond, with u = 2⁻⁵³ and the condition number cond of
+/// [`condition()`](crate::condition). The bound also holds for forms that are singular to working
+/// precision.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid: μ² = 0, λ =
-///   1/2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; it may be zero: then μ²
+///   = 0 and λ = 1/2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
@@ -845,19 +850,20 @@ pub fn contact_batch(
     ) })
 }
 
-/// Contact function of two ellipsoids, with μ² correctly rounded.
+/// Computes the contact function of two ellipsoids, with μ² correctly rounded.
 ///
-/// It is the double nearest to the exact value for the numbers given.
+/// μ² is the double nearest to the exact value for the numbers given. If two doubles are equally
+/// near, it is the one whose last bit is 0. Overflow and underflow follow this rule: an exact
+/// value of 2¹⁰²⁴ - 2⁹⁷⁰ or more becomes infinity, with success. λ errs by less than one unit in
+/// the last place.
 ///
-/// If two doubles are equally near, μ² is the one whose last bit is 0. Underflow and overflow
-/// follow the same rule: a μ² that is at least 2¹⁰²⁴ - 2⁹⁷⁰ becomes infinity, with success. λ
-/// errs by less than one unit in the last place. Every processor and every instruction set
-/// therefore gives the same μ². An exchange of the two ellipsoids does not change μ². Other units
-/// that are powers of two do not change it if μ² stays in the range of normal doubles.
+/// Every processor and every instruction set therefore gives the same μ². Exchanging the two
+/// ellipsoids does not change it. Multiplying the unit of length by a power of two does not
+/// change it if the data stay in the range of normal doubles.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
@@ -941,24 +947,26 @@ pub fn contact_rounded_batch(
     ) })
 }
 
-/// Contact function of two ellipsoids that are given by factors of their forms, Q1 = S1 S1ᵀ and
-/// Q2 = S2 S2ᵀ.
+/// Computes the contact function of two ellipsoids that are given by factors of their forms, Q1 =
+/// S1 S1ᵀ and Q2 = S2 S2ᵀ.
 ///
-/// Rounding a form to doubles changes μ² by some 1e-12 at aspect ratio 100, 1e-8 at 10⁴ and 1e-4
-/// at 10⁶: an entry of the form adds the squares of long and of short semi-axes, and rounding it
-/// to double loses digits of the short ones. Rounding a factor changes μ² by less than 1e-14,
-/// 1e-12 and 1e-12. The relative error of the result is below 4 u c. Here c is the relative
-/// change of μ², to first order, for relative changes of one in the entries of s1, s2 and r12.
+/// Use it for slender ellipsoids. An entry of a form is a sum of squares of long and short
+/// semi-axes, so rounding it loses digits of the short ones. At aspect ratios 100, 10⁴ and 10⁶,
+/// rounding the forms changes μ² by some 1e-12, 1e-8 and 1e-4, and rounding the factors changes
+/// it by less than 1e-14, 1e-12 and 1e-12.
+///
+/// The relative error of μ² is below 4 u c. Here u = 2⁻⁵³, and c is the relative change of μ², to
+/// first order, for relative changes of one in the entries of s1, s2 and r12.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
-/// - `s1`: Row-major, as [`ellipsoid_factor()`](crate::ellipsoid_factor) makes them. Any matrix S
-///   counts as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if
-///   the lengths of its columns differ by less than a factor of 2¹²⁷. Unit: length.
-/// - `s2`: Row-major, as [`ellipsoid_factor()`](crate::ellipsoid_factor) makes them. Any matrix S
-///   counts as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if
-///   the lengths of its columns differ by less than a factor of 2¹²⁷. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `s1`: Row-major factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix
+///   S is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
+///   lengths of its columns differ by a factor below 2¹²⁷. Unit: length.
+/// - `s2`: Row-major factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix
+///   S is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
+///   lengths of its columns differ by a factor below 2¹²⁷. Unit: length.
 ///
 /// # Errors
 ///
@@ -1043,22 +1051,21 @@ pub fn contact_factored_batch(
     ) })
 }
 
-/// Condition number of the contact function.
+/// Computes the condition number of the contact function, entry by entry.
 ///
-/// If each entry of r12, q1 and q2 changes by a fraction ε of itself, μ² changes by a fraction of
-/// at most ε cond, to first order in ε.
-///
-/// Data that are known to d digits give μ² to d - log10(cond) digits. The condition number is of
-/// the order of one for ordinary pairs, and of the order of the squared aspect ratio for slender
-/// ones. It is \[λ(1-λ) Σ \|n_i\| ((1-λ) \|q1_ij\| + λ \|q2_ij\|) \|n_j\| + 2 λ(1-λ) Σ \|r12_i
-/// n_i\|\]/μ² with n = \[(1-λ) q1 + λ q2\]⁻¹ r12, the sums over all i and j.
+/// If each entry of r12, q1 and q2 changes by at most a fraction ε of itself, μ² changes by at
+/// most a fraction ε cond, to first order in ε. If the data are known to d digits, μ² is known to
+/// d - log10(cond) digits. The condition number is of the order of one for ordinary pairs, and of
+/// the order of the squared aspect ratio for slender ones. It is \[λ(1-λ) Σ \|n_i\| ((1-λ)
+/// \|q1_ij\| + λ \|q2_ij\|) \|n_j\| + 2 λ(1-λ) Σ \|r12_i n_i\|\]/μ² with n = \[(1-λ) q1 + λ
+/// q2\]⁻¹ r12, summed over all i and j.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `lambda`: From [`contact()`](crate::contact).
+/// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact).
 ///
 /// # Errors
 ///
@@ -1141,25 +1148,25 @@ pub fn condition_batch(
     ) })
 }
 
-/// Contact function of two ellipsoids, by Brent's method on f, refined by Halley's method, with
-/// the arguments of pw85 1.0, which used Newton's.
+/// Computes the contact function of two ellipsoids as pw85 1.0 did, by Brent's method.
 ///
-/// For the contract see [`contact()`](crate::contact), which is several times faster.
+/// The arguments are those of pw85 1.0.
 ///
-/// The relative error of μ² is below 4 u cond, too. Brent's method works on a problem in which
-/// both ellipsoids have been scaled to similar size. ``lambda_atol`` therefore has the same
-/// meaning for ellipsoids of all sizes.
+/// [`contact()`](crate::contact) is several times faster, with the same bound on the error.
+/// Brent's method maximises f, for ellipsoids that are scaled to similar size: ``lambda_atol``
+/// has the same meaning for ellipsoids of all sizes. Halley's method then refines the result.
+/// pw85 1.0 refined it by Newton's method.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
-/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the bound
-/// on the error cannot be proved; this has never been seen.
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: as for
+/// [`contact()`](crate::contact).
 ///
 /// # Examples
 ///
@@ -1236,16 +1243,16 @@ pub fn contact_function_batch(
     ) })
 }
 
-/// Point at which the ellipsoids, scaled by μ, touch, and their common normal.
+/// Computes the point at which the ellipsoids, scaled by μ, touch, and their common normal there.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; not zero. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; not zero. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `lambda`: From [`contact()`](crate::contact). Any other value in (0, 1) gives the point
-///   x0(λ) of the chapter on theory: it is on both ellipsoids when they are scaled by the factors
-///   μ1 and μ2 for which f(λ) = λ μ1² + (1-λ) μ2².
+/// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact). For another λ in \[0,
+///   1\] the point is x0(λ) of the chapter on theory: it is on the surfaces of ellipsoid 1 scaled
+///   by μ1 and of ellipsoid 2 scaled by μ2, where f(λ) = λ μ1² + (1-λ) μ2².
 ///
 /// # Errors
 ///
@@ -1341,23 +1348,23 @@ pub fn contact_geometry_batch(
     ) })
 }
 
-/// [`contact_geometry()`](crate::contact_geometry) of ellipsoids that are given by factors of
-/// their forms.
+/// Computes the point and the normal of [`contact_geometry()`](crate::contact_geometry) for
+/// ellipsoids that are given by factors of their forms.
 ///
-/// The errors are below 4 u times the change that follows if each entry of a factor changes by
-/// the largest entry of its column, and each coordinate of r12 by itself. This holds for the λ
-/// given.
+/// Errors are below 4 u C for the λ given. Here u = 2⁻⁵³. C is the change of the result, to first
+/// order, if each entry of s1 and s2 changes by the largest magnitude in its column, and each
+/// coordinate of r12 by its own magnitude.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; not zero. Unit: length.
-/// - `s1`: Row-major, as [`ellipsoid_factor()`](crate::ellipsoid_factor) makes them. Any matrix S
-///   counts as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if
-///   the lengths of its columns differ by less than a factor of 2¹²⁷. Unit: length.
-/// - `s2`: Row-major, as [`ellipsoid_factor()`](crate::ellipsoid_factor) makes them. Any matrix S
-///   counts as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if
-///   the lengths of its columns differ by less than a factor of 2¹²⁷. Unit: length.
-/// - `lambda`: From [`contact_factored()`](crate::contact_factored).
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; not zero. Unit: length.
+/// - `s1`: Row-major factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix
+///   S is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
+///   lengths of its columns differ by a factor below 2¹²⁷. Unit: length.
+/// - `s2`: Row-major factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix
+///   S is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
+///   lengths of its columns differ by a factor below 2¹²⁷. Unit: length.
+/// - `lambda`: The maximiser λ of f, from [`contact_factored()`](crate::contact_factored).
 ///
 /// # Errors
 ///
@@ -1460,14 +1467,14 @@ pub fn contact_geometry_factored_batch(
     ) })
 }
 
-/// Derivatives of μ².
+/// Computes the derivatives of μ² with respect to r12 and the forms.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `lambda`: From [`contact()`](crate::contact).
+/// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact).
 ///
 /// # Errors
 ///
@@ -1578,22 +1585,22 @@ pub fn contact_gradient_batch(
     ) })
 }
 
-/// Derivatives of μ² of ellipsoids that are given by factors of their forms.
+/// Computes the derivatives of μ² for ellipsoids that are given by factors of their forms.
 ///
-/// The derivative with respect to a factor S is 2 (∂μ²/∂Q) S, with the symmetric matrix ∂μ²/∂Q. A
-/// change dS of the factor changes μ² by Σ d_s_ij dS_ij. The errors are those of
+/// The derivative with respect to a factor S is 2 (∂μ²/∂Q) S, where ∂μ²/∂Q is a symmetric matrix.
+/// A change dS of the factor changes μ² by Σ d_s_ij dS_ij. The errors have the bound of
 /// [`contact_geometry_factored()`](crate::contact_geometry_factored).
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
-/// - `s1`: Row-major, as [`ellipsoid_factor()`](crate::ellipsoid_factor) makes them. Any matrix S
-///   counts as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if
-///   the lengths of its columns differ by less than a factor of 2¹²⁷. Unit: length.
-/// - `s2`: Row-major, as [`ellipsoid_factor()`](crate::ellipsoid_factor) makes them. Any matrix S
-///   counts as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if
-///   the lengths of its columns differ by less than a factor of 2¹²⁷. Unit: length.
-/// - `lambda`: From [`contact_factored()`](crate::contact_factored).
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `s1`: Row-major factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix
+///   S is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
+///   lengths of its columns differ by a factor below 2¹²⁷. Unit: length.
+/// - `s2`: Row-major factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix
+///   S is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
+///   lengths of its columns differ by a factor below 2¹²⁷. Unit: length.
+/// - `lambda`: The maximiser λ of f, from [`contact_factored()`](crate::contact_factored).
 ///
 /// # Errors
 ///
@@ -1705,17 +1712,17 @@ pub fn contact_gradient_factored_batch(
     ) })
 }
 
-/// Derivatives of μ² with respect to rotations.
+/// Computes the derivatives of μ² with respect to rotations of the ellipsoids.
 ///
-/// For a rotation of an ellipsoid about its own centre by the small vector ω, dμ² = d_rot·ω. The
-/// torque of an energy U(μ²) is -U'(μ²) d_rot.
+/// If an ellipsoid rotates about its own centre by a small rotation vector ω, μ² changes by
+/// d_rot·ω. An energy U(μ²) exerts the torque -U'(μ²) d_rot on the ellipsoid.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `lambda`: From [`contact()`](crate::contact).
+/// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact).
 ///
 /// # Errors
 ///
@@ -1809,18 +1816,19 @@ pub fn contact_torque_batch(
     ) })
 }
 
-/// Second derivatives of μ².
+/// Computes the second derivatives of μ² with respect to r12 and rotations of the ellipsoids.
 ///
-/// The relative error of the derivatives is a few times that of λ and 1-λ. The relative error of
-/// λ from [`contact()`](crate::contact) is some u times the squared aspect ratio. If ellipsoid 1
-/// is much larger than ellipsoid 2, the relative error of 1-λ is u/(1-λ).
+/// Their relative error is a few times the relative errors of λ and of 1-λ. λ from
+/// [`contact()`](crate::contact) has a relative error of some u times the squared aspect ratio,
+/// with u = 2⁻⁵³. If ellipsoid 1 is much larger than ellipsoid 2, the relative error of 1-λ is
+/// u/(1-λ).
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; not zero. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; not zero. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `lambda`: From [`contact()`](crate::contact).
+/// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact).
 ///
 /// # Errors
 ///
@@ -1915,12 +1923,12 @@ pub fn contact_hessian_batch(
 /// Tangent ellipsoids (μ² = 1) do not overlap.
 ///
 /// The answer is exact for the numbers given. Bounds that account for rounding decide almost all
-/// pairs; exact arithmetic decides the others.
+/// pairs, and exact arithmetic decides the others.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; zero is an overlap. Unit:
-///   length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; zero is an overlap.
+///   Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
@@ -1994,27 +2002,28 @@ pub fn overlap_batch(
 /// Tests whether two ellipsoids overlap that are given by factors of their forms, Q1 = S1 S1ᵀ and
 /// Q2 = S2 S2ᵀ.
 ///
-/// The answer is exact for the exact products of the factors given. It may differ from the answer
-/// of [`overlap()`](crate::overlap) for the rounded products. Separating planes and common
-/// points, with bounds that account for rounding, decide almost all pairs. Integers decide the
-/// others, if their digits fit: the entries of s1 and s2, and r12, must be multiples of a power
-/// of two and smaller than 2¹⁵⁰⁰ times that power.
+/// The answer is exact for the exact products of the factors given. [`overlap()`](crate::overlap)
+/// may give another answer for the rounded products. Separating planes and common points, with
+/// bounds that account for rounding, decide almost all pairs. Integer arithmetic decides the
+/// others if r12 and the entries of s1 and s2 are multiples of one power of two and smaller than
+/// 2¹⁵⁰⁰ times this power.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; zero is an overlap. Unit:
-///   length.
-/// - `s1`: Row-major, as [`ellipsoid_factor()`](crate::ellipsoid_factor) makes them. Any matrix S
-///   counts as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if
-///   the lengths of its columns differ by less than a factor of 2¹²⁷. Unit: length.
-/// - `s2`: Row-major, as [`ellipsoid_factor()`](crate::ellipsoid_factor) makes them. Any matrix S
-///   counts as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if
-///   the lengths of its columns differ by less than a factor of 2¹²⁷. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; zero is an overlap.
+///   Unit: length.
+/// - `s1`: Row-major factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix
+///   S is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
+///   lengths of its columns differ by a factor below 2¹²⁷. Unit: length.
+/// - `s2`: Row-major factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix
+///   S is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
+///   lengths of its columns differ by a factor below 2¹²⁷. Unit: length.
 ///
 /// # Errors
 ///
-/// A number is not finite. `Status::NoConvergence`: the pair is so near contact that only
-/// integers can decide, and their digits do not fit.
+/// A number is not finite. `Status::NoConvergence`: only integers can decide, because the
+/// ellipsoids nearly touch, and r12 and the entries of the factors differ by more than a factor
+/// of 2¹⁵⁰⁰.
 ///
 /// # Examples
 ///
@@ -2088,14 +2097,14 @@ pub fn overlap_factored_batch(
     ) })
 }
 
-/// Sign of μ² - mu2, for any number mu2 \>= 0.
+/// Compares μ² with a number mu2 \>= 0, and returns the sign of μ² - mu2.
 ///
-/// The sign is exact for the numbers given; [`overlap()`](crate::overlap) is the case mu2 = 1. A
-/// bound on the error of μ² decides almost all pairs; exact arithmetic decides the others.
+/// The sign is exact for the numbers given. [`overlap()`](crate::overlap) is the case mu2 = 1. A
+/// bound on the error of μ² decides almost all pairs, and exact arithmetic decides the others.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `mu2`: The number to compare with; \>= 0; may be infinite.
@@ -2173,26 +2182,26 @@ pub fn compare_batch(
     ) })
 }
 
-/// Tests whether two ellipsoids overlap, as [`overlap()`](crate::overlap) does, and gives a
+/// Tests whether two ellipsoids overlap, as [`overlap()`](crate::overlap) does, and returns a
 /// number or a point that proves the answer.
 ///
-/// The proof holds in exact arithmetic for the numbers given, and rational arithmetic can check
-/// it. Tangent ellipsoids do not overlap, and have no such proof: `λ` and `point` are NaN, and
-/// the status is success. The function finds a λ that proves that ellipsoids are apart, if there
-/// is one among the doubles. It searches for a common point near the point where the ellipsoids,
-/// scaled by μ, touch. If 1 - μ² is below 1e-13, it may find none.
+/// If the ellipsoids are apart, the proof is a double λ with f(λ) \> 1. The function finds one
+/// whenever one exists. If they overlap, the proof is a point inside both. The function searches
+/// for it near the point at which the ellipsoids, scaled by μ, touch. It may find none if 1 - μ²
+/// is below 1e-13. Tangent ellipsoids have no proof: `λ` and `point` are then NaN, with success.
+/// Rational arithmetic can check a proof, which holds exactly for the numbers given.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
-/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: no proof
-/// among the doubles was found; seen only where μ² differs from one by less than 1e-13, at aspect
-/// ratios up to 10⁸.
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the
+/// function finds no proof among the doubles; seen only where μ² differs from one by less than
+/// 1e-13, at aspect ratios up to 10⁸.
 ///
 /// # Examples
 ///
@@ -2286,13 +2295,13 @@ pub fn overlap_witness_batch(
 
 /// Tests whether ellipsoid 2 is inside ellipsoid 1.
 ///
-/// It may touch the surface of ellipsoid 1 from inside.
+/// It may touch the surface from inside.
 ///
 /// The answer is exact for the numbers given. Every ellipsoid is inside itself.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
@@ -2363,18 +2372,21 @@ pub fn contains_batch(
     ) })
 }
 
-/// Factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2, and the
-/// point where the ellipsoids then touch.
+/// Computes the least factor by which ellipsoid 1, scaled about its centre, contains ellipsoid 2,
+/// and a point where they then touch.
 ///
-/// The square of the factor is the largest value of xᵀ q1⁻¹ x over the points x of ellipsoid 2.
-/// It is at most 1 if ellipsoid 2 is inside ellipsoid 1; [`contains()`](crate::contains) decides
-/// this without rounding errors. The relative error is below 16 u c, with u = 2⁻⁵³, where u c is
-/// the fraction by which the square can change if each entry of r12, q1 and q2 changes by a
-/// fraction u of itself. The search proves the result by bounds from both sides.
+/// The square of the factor is the largest value of xᵀ q1⁻¹ x over the points x of ellipsoid 2,
+/// relative to the centre of ellipsoid 1. It is at most 1 if ellipsoid 2 is inside ellipsoid 1;
+/// [`contains()`](crate::contains) decides this exactly.
+///
+/// The relative error of the square is below 16 u c, with u = 2⁻⁵³. The number c is the relative
+/// change of the square, to first order, for relative changes of one in the entries of r12, q1
+/// and q2. Bounds from both sides prove the result.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; it may be zero. Unit:
+///   length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
@@ -2465,10 +2477,11 @@ pub fn containment_batch(
     ) })
 }
 
-/// Distance of closest approach.
+/// Computes the distance of closest approach of two ellipsoids of fixed orientation, for one
+/// direction.
 ///
-/// The distance of the centres at which two ellipsoids of fixed orientation touch from outside,
-/// when their centres are on a line of given direction d. It is \|d\|/μ(d).
+/// It is the distance of the centres at which the ellipsoids touch from outside, if the centres
+/// are on a line along the vector d = `direction`. It is \|d\|/μ(d), where μ(d) is μ for r12 = d.
 ///
 /// # Arguments
 ///
@@ -2552,7 +2565,7 @@ pub fn closest_approach_batch(
     ) })
 }
 
-/// Volume of an ellipsoid, (4/3)π √det q.
+/// Computes the volume of an ellipsoid, (4/3)π √det q.
 ///
 /// The relative error is below 2⁻⁵² if the semi-axes differ by a factor below 10⁷. For a larger
 /// factor k it is below 2⁻⁵² k²/10¹⁴.
@@ -2609,29 +2622,31 @@ pub fn volume_batch(q: &[[f64; 6]], volume: &mut [f64]) -> Result<(), Error> {
     check_rows(unsafe { sys::pw85_volume_batch(n, q.as_ptr().cast(), volume.as_mut_ptr()) })
 }
 
-/// Volume of the common part of two ellipsoids.
+/// Computes the volume V of the intersection of two ellipsoids.
 ///
-/// The volume is 0 exactly if [`overlap()`](crate::overlap) says that the ellipsoids do not
-/// overlap. It is [`volume()`](crate::volume) of the smaller ellipsoid exactly if
-/// [`contains()`](crate::contains) says that this one is inside the other one. Otherwise the
-/// error is below u (64 v + 16 s), with u = 2⁻⁵³, the volume v of the smaller one, and s =
-/// Σ\|r12_i ∂V/∂r12_i\| + Σ √(q1_ii q1_jj) \|∂V/∂q1_ij\| + the same sum for q2, over the entries
-/// and derivatives of [`overlap_volume_gradient()`](crate::overlap_volume_gradient). If the
-/// common part, or what remains of the smaller ellipsoid, is as thin as rounding errors, it may
-/// count as empty: the volume is then 0, or that of the smaller ellipsoid.
+/// V is 0 if the ellipsoids do not overlap, as [`overlap()`](crate::overlap) decides. V is
+/// [`volume()`](crate::volume) of the smaller ellipsoid if it is inside the other one, as
+/// [`contains()`](crate::contains) decides. Otherwise the error is below u (64 v + 16 s). Here u
+/// = 2⁻⁵³, v is the volume of the smaller ellipsoid, and s = Σ\|r12_i ∂V/∂r12_i\| + Σ √(q1_ii
+/// q1_jj) \|∂V/∂q1_ij\| + Σ √(q2_ii q2_jj) \|∂V/∂q2_ij\|, summed over the coordinates and the
+/// stored entries. [`overlap_volume_gradient()`](crate::overlap_volume_gradient) gives the
+/// derivatives. If the intersection is as thin as rounding errors, V may be 0. If the part of the
+/// smaller ellipsoid outside of the other one is as thin, V may be the volume of the smaller
+/// ellipsoid.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; it may be zero. Unit:
+///   length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
-/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: by the
-/// linear map that takes the smaller ellipsoid to a unit ball, the other one becomes a disc that
-/// is thinner than 2⁻²¹; the integral does not converge; or 32 digits are not enough for the
-/// bound, which is seen at aspect ratios above 10⁵.
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the linear
+/// map that makes the smaller ellipsoid a unit ball makes the other one a disc thinner than 2⁻²¹;
+/// the integral does not converge; or 32 digits are not enough for the bound on the error, which
+/// is seen at aspect ratios above 10⁵.
 ///
 /// # Examples
 ///
@@ -2701,26 +2716,28 @@ pub fn overlap_volume_batch(
     ) })
 }
 
-/// Derivatives of the volume of the common part.
+/// Computes the derivatives of the volume V of the intersection of two ellipsoids.
 ///
 /// The derivatives are 0 if the ellipsoids do not overlap. If one ellipsoid is inside the other
-/// one, only the derivatives of its own volume are not 0. If the surfaces touch from inside at a
-/// point, except for some 10⁻¹⁷ of their size, and cross elsewhere, 32 digits may not be enough
-/// (`Status::NoConvergence`). The error of the derivative with respect to a number p is below u
-/// (256 m + 64 s), with u = 2⁻⁵³ and s = Σ\|r12_i ∂²V/∂r12_i∂p\| + Σ √(q1_ii q1_jj)
-/// \|∂²V/∂q1_ij∂p\| + the same for q2. With the volume v of the smaller ellipsoid, the inverse P
-/// of its form, and the inverse P' of the form to which p belongs, m is v √P_ii for r12_i, v
-/// √(P_ii P'_ii) for a diagonal entry, and v (√(P_ii P'_jj) + √(P_jj P'_ii)) for another entry.
+/// one, only the derivatives of its own volume are not 0.
+///
+/// The error of the derivative with respect to a number p is below u (256 m + 64 s), with u =
+/// 2⁻⁵³. The term s is that of [`overlap_volume()`](crate::overlap_volume) with ∂V/∂p in the
+/// place of V. The term m depends on the volume v of the smaller ellipsoid, the inverse P of its
+/// form, and the inverse P' of the form to which p belongs: v √P_ii for p = r12_i, v √(P_ii
+/// P'_ii) for a diagonal entry p of a form, v (√(P_ii P'_jj) + √(P_jj P'_ii)) for another entry.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
-/// A number is not finite or a form is not positive definite.
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the causes
+/// of [`overlap_volume()`](crate::overlap_volume); or the surfaces touch from inside at one
+/// point, up to some 10⁻¹⁷ of their size, and cross elsewhere.
 ///
 /// # Examples
 ///
@@ -2820,24 +2837,28 @@ pub fn overlap_volume_gradient_batch(
     ) })
 }
 
-/// Derivatives of the volume of the common part with respect to rotations.
+/// Computes the derivatives of the volume V of the intersection with respect to rotations of the
+/// ellipsoids.
 ///
-/// For a rotation of an ellipsoid about its own centre by the small vector ω, dV = d_rot·ω. The
-/// torque of an energy U(V) is -U'(V) d_rot. With ∂V/∂r12 from
+/// If an ellipsoid rotates about its own centre by a small rotation vector ω, V changes by
+/// d_rot·ω. An energy U(V) exerts the torque -U'(V) d_rot on the ellipsoid. With ∂V/∂r12 from
 /// [`overlap_volume_gradient()`](crate::overlap_volume_gradient), d_rot1 + d_rot2 + r12 × ∂V/∂r12
-/// = 0. The derivatives are the axial vectors of 2 q1 G1 and 2 q2 G2 with the matrices G of
-/// ∂V/∂q, and their errors follow from those of G: each is below twice the sum of \|q_ij\| times
-/// the bound for G_jk over the products that the vector is made of.
+/// = 0.
+///
+/// The derivatives are the axial vectors of 2 q1 G1 and 2 q2 G2, where the matrix G has the
+/// derivatives ∂V/∂q. Each component is a sum of products 2 q_ij G_jk. Its error is below the sum
+/// of 2 \|q_ij\| times the bound on the error of G_jk.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
-/// A number is not finite or a form is not positive definite.
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: as for
+/// [`overlap_volume_gradient()`](crate::overlap_volume_gradient).
 ///
 /// # Examples
 ///
@@ -2923,7 +2944,9 @@ pub fn overlap_volume_torque_batch(
     ) })
 }
 
-/// Area of an ellipse, π √det q; see [`volume()`](crate::volume).
+/// Computes the area of an ellipse, π √det q.
+///
+/// The error has the bound of [`volume()`](crate::volume).
 ///
 /// # Arguments
 ///
@@ -2977,22 +3000,24 @@ pub fn area_batch_2d(q: &[[f64; 3]], area: &mut [f64]) -> Result<(), Error> {
     check_rows(unsafe { sys::pw85_area_batch_2d(n, q.as_ptr().cast(), area.as_mut_ptr()) })
 }
 
-/// Area of the common part of two ellipses; see [`overlap_volume()`](crate::overlap_volume).
+/// Computes the area of the intersection of two ellipses; see
+/// [`overlap_volume()`](crate::overlap_volume).
 ///
-/// The bound on the error is the same, with areas.
+/// The error has the bound of that function, with areas for volumes.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2; zero is valid. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2; it may be zero. Unit:
+///   length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
-/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: by the
-/// linear map that takes the smaller ellipsoid to a unit ball, the other one becomes a disc that
-/// is thinner than 2⁻²¹; the integral does not converge; or 32 digits are not enough for the
-/// bound, which is seen at aspect ratios above 10⁵.
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the linear
+/// map that makes the smaller ellipsoid a unit ball makes the other one a disc thinner than 2⁻²¹;
+/// the integral does not converge; or 32 digits are not enough for the bound on the error, which
+/// is seen at aspect ratios above 10⁵.
 ///
 /// # Examples
 ///
@@ -3053,20 +3078,22 @@ pub fn overlap_area_batch_2d(
     ) })
 }
 
-/// Derivatives of the area of the common part; see
+/// Computes the derivatives of the area of the intersection of two ellipses; see
 /// [`overlap_volume_gradient()`](crate::overlap_volume_gradient).
 ///
-/// The bounds on the errors are the same, with areas.
+/// The errors have the bounds of that function, with areas for volumes.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
-/// A number is not finite or a form is not positive definite.
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the causes
+/// of [`overlap_volume()`](crate::overlap_volume); or the surfaces touch from inside at one
+/// point, up to some 10⁻¹⁷ of their size, and cross elsewhere.
 ///
 /// # Examples
 ///
@@ -3162,20 +3189,21 @@ pub fn overlap_area_gradient_batch_2d(
     ) })
 }
 
-/// Derivatives of the area of the common part with respect to the angles of both ellipses,
-/// counter-clockwise.
+/// Computes the derivatives of the area of the intersection with respect to the angles of both
+/// ellipses.
 ///
-/// See [`overlap_volume_torque()`](crate::overlap_volume_torque).
+/// See [`overlap_volume_torque()`](crate::overlap_volume_torque). Angles are counter-clockwise.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
-/// A number is not finite or a form is not positive definite.
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: as for
+/// [`overlap_volume_gradient()`](crate::overlap_volume_gradient).
 ///
 /// # Examples
 ///
@@ -3257,12 +3285,12 @@ pub fn overlap_area_torque_batch_2d(
     ) })
 }
 
-/// Contact function of two ellipses; see [`contact()`](crate::contact).
+/// Computes the contact function of two ellipses; see [`contact()`](crate::contact).
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2; zero is valid: μ² = 0, λ = 1/2.
-///   Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2; it may be zero: then μ² = 0
+///   and λ = 1/2. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 ///
@@ -3343,17 +3371,18 @@ pub fn contact_batch_2d(
     ) })
 }
 
-/// Point at which the ellipses, scaled by μ, touch, and their common normal; see
-/// [`contact_geometry()`](crate::contact_geometry).
+/// Computes the point at which the ellipses, scaled by μ, touch, and their common normal there.
+///
+/// See [`contact_geometry()`](crate::contact_geometry).
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2; not zero. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2; not zero. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `lambda`: From [`contact()`](crate::contact). Any other value in (0, 1) gives the point
-///   x0(λ) of the chapter on theory: it is on both ellipses when they are scaled by the factors
-///   μ1 and μ2 for which f(λ) = λ μ1² + (1-λ) μ2².
+/// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact). For another λ in \[0,
+///   1\] the point is x0(λ) of the chapter on theory: it is on the surfaces of ellipse 1 scaled
+///   by μ1 and of ellipse 2 scaled by μ2, where f(λ) = λ μ1² + (1-λ) μ2².
 ///
 /// # Errors
 ///
@@ -3444,14 +3473,15 @@ pub fn contact_geometry_batch_2d(
     ) })
 }
 
-/// Derivatives of μ² of two ellipses; see [`contact_gradient()`](crate::contact_gradient).
+/// Computes the derivatives of μ² of two ellipses; see
+/// [`contact_gradient()`](crate::contact_gradient).
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `lambda`: From [`contact()`](crate::contact).
+/// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact).
 ///
 /// # Errors
 ///
@@ -3557,15 +3587,17 @@ pub fn contact_gradient_batch_2d(
     ) })
 }
 
-/// Derivatives of μ² with respect to the angles of two ellipses, counter-clockwise; see
+/// Computes the derivatives of μ² with respect to the angles of two ellipses; see
 /// [`contact_torque()`](crate::contact_torque).
+///
+/// Angles are counter-clockwise.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `lambda`: From [`contact()`](crate::contact).
+/// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact).
 ///
 /// # Errors
 ///
@@ -3654,14 +3686,15 @@ pub fn contact_torque_batch_2d(
     ) })
 }
 
-/// Second derivatives of μ² of two ellipses; see [`contact_hessian()`](crate::contact_hessian).
+/// Computes the second derivatives of μ² of two ellipses; see
+/// [`contact_hessian()`](crate::contact_hessian).
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2; not zero. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2; not zero. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `lambda`: From [`contact()`](crate::contact).
+/// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact).
 ///
 /// # Errors
 ///
@@ -3750,7 +3783,8 @@ pub fn contact_hessian_batch_2d(
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2; zero is an overlap. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2; zero is an overlap. Unit:
+///   length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 ///
@@ -3822,7 +3856,7 @@ pub fn overlap_batch_2d(
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 ///
@@ -3844,12 +3878,13 @@ pub fn contains_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<bool,
     Ok(contains == 1)
 }
 
-/// Factor by which ellipse 1 must be scaled to contain ellipse 2; see
+/// Computes the least factor by which ellipse 1 contains ellipse 2; see
 /// [`containment()`](crate::containment).
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2; zero is valid. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2; it may be zero. Unit:
+///   length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 ///
@@ -3883,7 +3918,7 @@ pub fn containment_2d(
     Ok(ContainmentScale2d { mu2, point })
 }
 
-/// Distance of closest approach of two ellipses; see
+/// Computes the distance of closest approach of two ellipses; see
 /// [`closest_approach()`](crate::closest_approach).
 ///
 /// # Arguments
@@ -3965,26 +4000,29 @@ pub fn closest_approach_batch_2d(
     ) })
 }
 
-/// Distance of the surfaces of two ellipsoids, and the points where they are closest.
+/// Computes the distance of the surfaces of two ellipsoids, and the points where they are
+/// closest.
 ///
-/// The error of the distance is below 8 u Σ, with u = 2⁻⁵³ and Σ = Σ\|n_i r12_i\| + Σ\|n_i q1_ij
-/// n_j\|/(2α) + Σ\|n_i q2_ij n_j\|/(2β), the sums over all i and j. Rounding the data entry by
-/// entry can change the distance by u Σ. Here n is the unit normal, and α and β are the
-/// half-widths of the ellipsoids along it. The answer can be checked independently: any unit
-/// vector n gives a lower bound n·r12 - α - β of the distance, and any two points of the
-/// ellipsoids give an upper bound. `distance` is the lower bound for the normal that
-/// [`distance_derivatives()`](crate::distance_derivatives) returns, and \|point2 - point1\| is an
-/// upper bound.
+/// The distance is the largest value of n·r12 - α - β over unit vectors n, with the half-widths α
+/// and β of the ellipsoids along n. Its error is below 8 u Σ, with u = 2⁻⁵³ and Σ = Σ\|n_i
+/// r12_i\| + Σ\|n_i q1_ij n_j\|/(2α) + Σ\|n_i q2_ij n_j\|/(2β), summed over all i and j, for the
+/// normal n at the closest points. Rounding the data entry by entry can change the distance by u
+/// Σ.
 ///
-/// The vector point2 - point1 differs from `distance` times n by less than 2¹⁸ u (\|r12\| +
-/// \|point1\| + \|r12 - point2\|), and \|point2 - point1\| differs from `distance` by no more
-/// than that. The points are the closest points of a pair whose r12 differs by no more than that.
-/// The distance of each point from the surface is below 2¹⁸ u times the longest semi-axis of its
-/// ellipsoid, plus the rounding error u \|point2\| of its coordinates.
+/// A program can check the result. For any unit vector n, n·r12 - α - β is a lower bound of the
+/// distance; `distance` is this bound for the normal of
+/// [`distance_derivatives()`](crate::distance_derivatives). For any two points of the ellipsoids,
+/// their distance is an upper bound; one is \|point2 - point1\|.
+///
+/// Let ε = 2¹⁸ u (\|r12\| + \|point1\| + \|r12 - point2\|). The vector point2 - point1 differs
+/// from `distance` times n by less than ε, and its length from `distance` by at most ε. The
+/// points are the exact closest points for a pair whose r12 differs by at most ε. Each point is
+/// off its surface by less than 2¹⁸ u times the longest semi-axis of its ellipsoid, plus the
+/// rounding error u \|point2\| of the coordinates.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
@@ -4081,11 +4119,13 @@ pub fn distance_batch(
     ) })
 }
 
-/// Derivatives of the distance of two ellipsoids that are apart; NaN if they overlap.
+/// Computes the derivatives of the distance of two ellipsoids.
+///
+/// They are NaN if the ellipsoids overlap.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
@@ -4198,22 +4238,27 @@ pub fn distance_derivatives_batch(
     ) })
 }
 
-/// Depth of an overlap: the length of the shortest translation of ellipsoid 2 that separates two
-/// ellipsoids.
+/// Computes the penetration depth of two ellipsoids that overlap, and its direction.
+///
+/// The depth is the length of the shortest translation of ellipsoid 2 that separates them.
 ///
 /// The depth is the smallest value of α + β - n·r12 over unit vectors n, with the half-widths α
 /// and β of the ellipsoids along n. This function of n may have several local minima; the result
-/// is proved to be the global one. `depth` is the value for the returned direction, with an error
-/// below 8 u Σ, with Σ as for [`distance()`](crate::distance). No other direction has a value
-/// that is smaller by more than 32 u Σ, where Σ is the larger one of the two directions. If
-/// several directions are equally good, the result is one of them. The time is 3 to 8 times that
-/// of [`contact()`](crate::contact) for more than nine in ten random pairs, whose minimum has a
-/// certificate, 10 to 60 times that for the others, and about a thousand times that if the best
-/// direction is not isolated.
+/// is proved to be the global one. If several directions are equally good, the result is one of
+/// them.
+///
+/// `depth` is the value for the returned direction, with an error below 8 u Σ, with u = 2⁻⁵³ and
+/// Σ as for [`distance()`](crate::distance). No other direction has a value that is smaller by
+/// more than 32 u Σ, with the larger Σ of the two directions.
+///
+/// The time is 3 to 8 times that of [`contact()`](crate::contact) for more than nine of ten
+/// random pairs, whose minimum a certificate proves. It is 10 to 60 times that of
+/// [`contact()`](crate::contact) for the others, and about 1000 times if the best direction is
+/// not isolated.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
@@ -4300,26 +4345,28 @@ pub fn penetration_batch(
     ) })
 }
 
-/// Signed distance of two ellipsoids.
+/// Computes the signed distance of two ellipsoids, and the points where it is reached.
 ///
-/// Their distance if they are apart, minus the depth of their overlap otherwise.
+/// It is the distance if they are apart, and minus the penetration depth if they overlap.
 ///
-/// The signed distance is the largest value of n·r12 - α - β over unit vectors n, with the
-/// half-widths α and β of the ellipsoids along n, whether they overlap or not. It is a convex
-/// function of r12 with slope 1, and is continuous at contact. It is positive only if the
-/// ellipsoids are apart and negative only if they overlap, as [`overlap()`](crate::overlap)
-/// decides. Its error is that of [`distance()`](crate::distance) if they are apart, and that of
-/// [`penetration()`](crate::penetration) if they overlap. [`penetration()`](crate::penetration)
-/// also states the time that overlaps take.
+/// In both cases it is the largest value of n·r12 - α - β over unit vectors n, with the
+/// half-widths α and β of the ellipsoids along n. It is a continuous, convex function of r12,
+/// whose gradient is a unit vector. It is positive only if the ellipsoids are apart, and negative
+/// only if they overlap, as [`overlap()`](crate::overlap) decides.
 ///
-/// If they overlap, moving ellipsoid 2 by point1 - point2 separates them by the shortest way. If
-/// several directions are equally good, the result belongs to one of them. For a direction that
-/// is isolated, and aspect ratios up to 10³, point2 - point1 differs from `distance` times the
-/// unit normal by less than 2¹⁸ u (\|r12\| + \|point1\| + \|r12 - point2\|), with u = 2⁻⁵³.
+/// If the ellipsoids overlap, moving ellipsoid 2 by point1 - point2 is the shortest translation
+/// that separates them. If several directions are equally good, the result belongs to one of
+/// them.
+///
+/// Errors and times are as for [`distance()`](crate::distance) if the ellipsoids are apart, and
+/// as for [`penetration()`](crate::penetration) if they overlap. In an overlap, point2 - point1
+/// differs from `distance` times the unit normal by less than 2¹⁸ u (\|r12\| + \|point1\| + \|r12
+/// - point2\|), with u = 2⁻⁵³. This holds for a direction that is isolated and aspect ratios up
+/// to 10³.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
@@ -4421,15 +4468,16 @@ pub fn signed_distance_batch(
     ) })
 }
 
-/// Derivatives of the signed distance of two ellipsoids.
+/// Computes the derivatives of the signed distance of two ellipsoids.
 ///
-/// At contact they are the limits from both sides. The derivatives of the distance with respect
-/// to the entries of the forms are -n_i n_j/(2α) and -n_i n_j/(2β), twice that for entries off
-/// the diagonal, with the normal n = d_r12.
+/// At contact they are the limits from both sides. For the entries of the forms, which have no
+/// output, the derivatives are -n_i n_j/(2α) for q1 and -n_i n_j/(2β) for q2, and twice that for
+/// entries off the diagonal. Here n = d_r12, and α and β are the half-widths of the ellipsoids
+/// along n.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
@@ -4543,25 +4591,26 @@ pub fn signed_distance_derivatives_batch(
     ) })
 }
 
-/// Least gap between the surface of an ellipsoid and that of an ellipsoid that contains it.
+/// Computes the least gap between the surfaces of ellipsoid 1 and of ellipsoid 2 inside it.
 ///
-/// Ellipsoid 2 is inside ellipsoid 1, as for [`contains()`](crate::contains). The gap is the
-/// least distance of the surfaces, by which ellipsoid 2 can move in any direction without leaving
-/// ellipsoid 1. It is the smallest value of α - β - n·r12 over unit vectors n, with the
-/// half-widths α and β of ellipsoids 1 and 2 along n. This function of n may have several local
-/// minima. The result is proved to be the global one.
+/// Ellipsoid 2 can move by the gap in any direction without leaving ellipsoid 1. The gap is the
+/// smallest value of α - β - n·r12 over unit vectors n, with the half-widths α and β of
+/// ellipsoids 1 and 2 along n. This function of n may have several local minima; the result is
+/// proved to be the global one. If several directions are equally good, the result is one of
+/// them.
 ///
-/// `gap` is the value for the returned normal to a few roundings. No other direction has a value
-/// that is smaller by more than 128 u α (1 + α/β), with u = 2⁻⁵³ and the α and β of the normal.
-/// Where minima are not isolated, for example on circles of spheroids with a common axis, the
-/// proof is coarser: in three dimensions another direction may have a value that is smaller by up
-/// to 2⁻²⁰ of the gap (in two, 2⁻⁴⁰). If several directions are equally good, the result is one
-/// of them. The time is 50 to 300 times that of [`contact()`](crate::contact) for isolated
-/// minima, and up to some tenths of a second otherwise.
+/// `gap` is the value for the returned normal, up to a few roundings. If minima are isolated, no
+/// other direction has a value that is smaller by more than 128 u α (1 + α/β), with u = 2⁻⁵³ and
+/// the α and β of the normal. If minima are not isolated, as on circles of spheroids with a
+/// common axis, another direction may have a value that is smaller by up to 2⁻²⁰ of the gap, in
+/// two dimensions 2⁻⁴⁰.
+///
+/// The time is 50 to 300 times that of [`contact()`](crate::contact) for isolated minima, and up
+/// to some tenths of a second otherwise.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
@@ -4670,11 +4719,11 @@ pub fn gap_inside_batch(
     ) })
 }
 
-/// Distance of two ellipses; see [`distance()`](crate::distance).
+/// Computes the distance of two ellipses; see [`distance()`](crate::distance).
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 ///
@@ -4765,11 +4814,11 @@ pub fn distance_batch_2d(
     ) })
 }
 
-/// Depth of an overlap of two ellipses; see [`penetration()`](crate::penetration).
+/// Computes the penetration depth of two ellipses; see [`penetration()`](crate::penetration).
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 ///
@@ -4856,11 +4905,12 @@ pub fn penetration_batch_2d(
     ) })
 }
 
-/// Signed distance of two ellipses; see [`signed_distance()`](crate::signed_distance).
+/// Computes the signed distance of two ellipses; see
+/// [`signed_distance()`](crate::signed_distance).
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 ///
@@ -4962,12 +5012,11 @@ pub fn signed_distance_batch_2d(
     ) })
 }
 
-/// Least gap between an ellipse and an ellipse that contains it; see
-/// [`gap_inside()`](crate::gap_inside).
+/// Computes the least gap of ellipse 2 inside ellipse 1; see [`gap_inside()`](crate::gap_inside).
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 ///
@@ -5072,28 +5121,29 @@ pub fn gap_inside_batch_2d(
     ) })
 }
 
-/// Time of the first contact of two moving ellipsoids.
+/// Computes the time of the first contact of two moving ellipsoids.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; at time 0. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; at time 0. Unit:
+///   length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`; at time 0. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`; at time 0. Unit: length².
-/// - `motion1`: Motions of the ellipsoids, whose semi-axes must be \> 0 until t_max. Unit: mixed
+/// - `motion1`: Motions of the ellipsoids; their semi-axes must be \> 0 until t_max. Unit: mixed
 ///   units.
-/// - `motion2`: Motions of the ellipsoids, whose semi-axes must be \> 0 until t_max. Unit: mixed
+/// - `motion2`: Motions of the ellipsoids; their semi-axes must be \> 0 until t_max. Unit: mixed
 ///   units.
-/// - `t_max`: The time up to which contacts count; \>= 0; may be infinite. Unit: time.
+/// - `t_max`: The last time at which a contact counts; \>= 0; may be infinite. Unit: time.
 ///
 /// # Errors
 ///
 /// A number is not finite (`t_max` may be infinite), a form is not positive definite, `t_max` is
-/// negative or an ellipsoid shrinks to nothing before `t_max`. `Status::NoConvergence`: the
-/// search ends after 100,000 steps: the ellipsoids turn by more than 50,000 radians near each
-/// other without contact, or by more than 10,000 if their aspect ratio is 1000; sizes, the
-/// relative velocity or the time leave the range of double; one turns by more than 2⁴³ radians,
-/// and its orientation is unknown, or its aspect ratio is above 10⁷, and rounding leaves no digit
-/// of its form.
+/// negative or an ellipsoid shrinks to nothing before `t_max`. `Status::NoConvergence`: one of
+/// three: the search ends after 100,000 steps, because the ellipsoids turn near each other,
+/// without contact, by more than 50,000 radians, or by more than 10,000 at aspect ratio 1000;
+/// sizes, the relative velocity or the time leave the range of double; rounding errors leave no
+/// digit of an orientation or a form, after more than 2⁴³ radians or at an aspect ratio above
+/// 10⁷.
 ///
 /// # Examples
 ///
@@ -5140,8 +5190,8 @@ pub fn first_contact(
 /// - `q2`: Unit: length².
 /// - `motion1`: Unit: mixed units.
 /// - `motion2`: Unit: mixed units.
-/// - `t_max`: The time up to which contacts count; for all rows; \>= 0; may be infinite. Unit:
-///   time.
+/// - `t_max`: The last time at which a contact counts; for all rows; \>= 0; may be infinite.
+///   Unit: time.
 /// - `t`: Unit: time.
 ///
 /// Row i of each slice belongs to row i of `r12`.
@@ -5195,25 +5245,26 @@ pub fn first_contact_batch(
     ) })
 }
 
-/// Least μ² while ellipsoid 2 passes ellipsoid 1 on a straight path.
+/// Computes the least μ² while ellipsoid 2 passes ellipsoid 1 on a straight path, and its time.
 ///
-/// The minimum of the contact function for the separations r12 + t velocity, 0 \<= t \<= t_max.
+/// It is the minimum of the contact function for the separations r12 + t velocity, 0 \<= t \<=
+/// t_max. μ² is a convex function of t, so the minimum is unique unless the velocity is zero.
+/// Ellipsoids that only translate overlap on this path if and only if the exact minimum is below
+/// 1.
 ///
-/// μ² is a convex function of the time. The time of the minimum is therefore unique unless the
-/// velocity is zero. The error of μ² is below 8 u S. Here S is the change of μ² for relative
-/// errors of one in the given numbers: S = μ² cond + 2 λ(1-λ) Σ\|n_i\| (\|r12_i\| + t
-/// \|velocity_i\|), with cond, λ and n of the pair at time t as in
-/// [`condition()`](crate::condition). Ellipsoids that only translate overlap on this path if and
-/// only if μ² \< 1.
+/// The error of μ² is below 8 u S, with u = 2⁻⁵³. S = μ² cond + 2 λ(1-λ) Σ\|n_i\| (\|r12_i\| + t
+/// \|velocity_i\|) is the change of μ², to first order, for relative changes of one in the given
+/// numbers, with cond, λ and n of [`condition()`](crate::condition) for the pair at time t.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; at time 0. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; at time 0. Unit:
+///   length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`; at time 0. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`; at time 0. Unit: length².
 /// - `velocity`: Velocity of ellipsoid 2 relative to ellipsoid 1; it may be zero. Unit:
 ///   length/time.
-/// - `t_max`: The end of the time; \>= 0; may be infinite. Unit: time.
+/// - `t_max`: The end of the path; \>= 0; may be infinite. Unit: time.
 ///
 /// # Errors
 ///
@@ -5266,7 +5317,7 @@ pub fn closest_passage(
 /// - `q1`: Unit: length².
 /// - `q2`: Unit: length².
 /// - `velocity`: Unit: length/time.
-/// - `t_max`: The end of the time; for all rows; \>= 0; may be infinite. Unit: time.
+/// - `t_max`: The end of the path; for all rows; \>= 0; may be infinite. Unit: time.
 /// - `t`: Unit: time.
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
@@ -5320,24 +5371,26 @@ pub fn closest_passage_batch(
     ) })
 }
 
-/// Free path of ellipsoid 1 along a direction: how far it may move before it touches ellipsoid 2.
+/// Computes the free path of ellipsoid 1 along a direction: how far it may move until it touches
+/// ellipsoid 2.
 ///
-/// Ellipsoid 1 moves by t times `direction`, and the separation is then r12 - t direction.
+/// Ellipsoid 1 moves by t times `direction`, and the separation is then r12 - t direction. If the
+/// ellipsoids do not overlap at t = 0, they do not overlap at the returned t or before: rounding
+/// errors make t smaller, never larger. At the returned t the ellipsoids touch up to rounding: μ²
+/// \<= 1 + 80 u S, with u = 2⁻⁵³ and S as for [`first_contact()`](crate::first_contact).
 ///
-/// If the ellipsoids do not overlap at t = 0, they certainly do not overlap at the returned t or
-/// before: rounding errors make t smaller, never larger. At the returned t the ellipsoids are in
-/// contact up to rounding: μ² \<= 1 + 80 u S, with S as for
-/// [`first_contact()`](crate::first_contact). t is 0 if the ellipsoids overlap at t = 0 by more
-/// than rounding, or touch and approach.
+/// t is 0 if the ellipsoids overlap at t = 0, or touch and do not separate. There is one
+/// exception: if they separate, an overlap of at most 128 times the bound on the rounding error
+/// of μ² does not count.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `direction`: Of any length; not zero.
-/// - `t_max`: The end of the path, in units of the length of `direction`: a length if that is a
-///   unit vector; \>= 0; may be infinite. Unit: length.
+/// - `t_max`: The end of the path, in units of the length of `direction`: a length if `direction`
+///   is a unit vector; \>= 0; may be infinite. Unit: length.
 ///
 /// # Errors
 ///
@@ -5618,7 +5671,7 @@ pub fn hertz_batch(
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `normal`: Out of ellipsoid 1 and into ellipsoid 2, of any length; not zero.
@@ -5774,7 +5827,7 @@ pub fn hertz_contact_batch(
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `start`: A direction near the normal, out of ellipsoid 1 and into ellipsoid 2, of any
@@ -5915,7 +5968,7 @@ pub fn grain_contact_batch(
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `normal`: That of [`grain_contact()`](crate::grain_contact), of any length; not zero.
