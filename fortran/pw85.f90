@@ -933,8 +933,8 @@ module pw85
   ! pw85_grains.h
   interface
 
-    !> Principal curvatures of an ellipsoid's surface at the point with a given normal, and their
-    !> directions.
+    !> Computes the principal curvatures of the surface of an ellipsoid, and their directions, at
+    !> the point with a given normal.
     function pw85_curvature(normal, q, curvatures, directions) result(status) bind(C, &
       name='pw85_curvature')
       import
@@ -943,7 +943,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_curvature
 
-    !> Hertz's theory of the contact of two elastic bodies.
+    !> Computes the numbers of Hertz's theory that give the force and the contact ellipse of two
+    !> elastic bodies as functions of the depth.
     function pw85_hertz(curvatures, radius, ellipse) result(status) bind(C, name='pw85_hertz')
       import
       real(c_double), intent(in) :: curvatures(2)
@@ -951,7 +952,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hertz
 
-    !> Geometry of the contact of two grains along a common normal.
+    !> Computes the geometry of the contact of two grains along a given normal, for laws of contact
+    !> such as Hertz's.
     function pw85_hertz_contact(r12, q1, q2, normal, depth, point, curvatures, directions, radius, &
       ellipse) result(status) bind(C, name='pw85_hertz_contact')
       import
@@ -961,7 +963,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hertz_contact
 
-    !> The contact of two grains along their common normal.
+    !> Computes the contact of two grains along their common normal, which it finds by Newton's
+    !> method.
     function pw85_grain_contact(r12, q1, q2, start, normal, depth, point, curvatures, radius) &
       result(status) bind(C, name='pw85_grain_contact')
       import
@@ -970,7 +973,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_grain_contact
 
-    !> Derivatives of the radius of pw85_grain_contact(), whose normal follows each motion.
+    !> Computes the derivatives of the radius of pw85_grain_contact(), whose normal follows each
+    !> motion.
     function pw85_grain_radius_gradient(r12, q1, q2, normal, d_r12, d_rot1, d_rot2) result(status) &
       bind(C, name='pw85_grain_radius_gradient')
       import
@@ -979,8 +983,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_grain_radius_gradient
 
-    !> The contact of a grain with its centre at 0 and a wall that touches the plane normal·x =
-    !> offset and is curved along one direction, as a plane, a cylinder or the edge of one is.
+    !> Computes the contact of a grain with its centre at 0 and a wall.
     function pw85_grain_contact_wall(normal, offset, direction, curvature, q, depth, point, &
       curvatures, radius) result(status) bind(C, name='pw85_grain_contact_wall')
       import
@@ -993,7 +996,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_grain_contact_wall
 
-    !> Area of the surface of an ellipsoid.
+    !> Computes the surface area of an ellipsoid, 4π abc R_G(1/a², 1/b², 1/c²), with Carlson's
+    !> integral R_G.
     function pw85_surface_area(q, area) result(status) bind(C, name='pw85_surface_area')
       import
       real(c_double), intent(in) :: q(6)
@@ -1001,7 +1005,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_surface_area
 
-    !> Mean of x xᵀ over a uniform solid ellipsoid, about its centre.
+    !> Computes the mean of x xᵀ over a uniform solid ellipsoid, about its centre.
     function pw85_second_moments(q, moments) result(status) bind(C, name='pw85_second_moments')
       import
       real(c_double), intent(in) :: q(6)
@@ -1009,7 +1013,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_second_moments
 
-    !> Form of the uniform solid ellipsoid that has given second moments.
+    !> Computes the form of the uniform solid ellipsoid with given second moments.
     function pw85_from_moments(second_moments, q) result(status) bind(C, name='pw85_from_moments')
       import
       real(c_double), intent(in) :: second_moments(6)
@@ -1017,7 +1021,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_from_moments
 
-    !> Mean of x xᵀ over the surface of an ellipsoid, about its centre.
+    !> Computes the mean of x xᵀ over the surface of an ellipsoid, about its centre.
     function pw85_shell_moments(q, moments) result(status) bind(C, name='pw85_shell_moments')
       import
       real(c_double), intent(in) :: q(6)
@@ -1025,7 +1029,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_shell_moments
 
-    !> Tensor of inertia of a body or of a shell of unit density, about its centre.
+    !> Computes the inertia tensor of a solid body or of a shell of unit density, about its centre.
     function pw85_inertia(q, shell, inertia) result(status) bind(C, name='pw85_inertia')
       import
       real(c_double), intent(in) :: q(6)
@@ -1034,7 +1038,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_inertia
 
-    !> Perimeter of an ellipse.
+    !> Computes the perimeter of an ellipse, 8 R_G(0, a², b²), with Carlson's integral R_G.
     function pw85_perimeter_2d(q, perimeter) result(status) bind(C, name='pw85_perimeter_2d')
       import
       real(c_double), intent(in) :: q(3)
@@ -1042,7 +1046,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_perimeter_2d
 
-    !> Mean of x xᵀ over a uniform ellipse, about its centre.
+    !> Computes the mean of x xᵀ over a uniform ellipse, about its centre.
     function pw85_second_moments_2d(q, moments) result(status) bind(C, &
       name='pw85_second_moments_2d')
       import
@@ -1051,7 +1055,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_second_moments_2d
 
-    !> Form of the uniform ellipse that has given second moments.
+    !> Computes the form of the uniform ellipse with given second moments.
     function pw85_from_moments_2d(second_moments, q) result(status) bind(C, &
       name='pw85_from_moments_2d')
       import
@@ -1060,7 +1064,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_from_moments_2d
 
-    !> Mean of x xᵀ over the perimeter of an ellipse, about its centre.
+    !> Computes the mean of x xᵀ over the perimeter of an ellipse, about its centre.
     function pw85_shell_moments_2d(q, moments) result(status) bind(C, name='pw85_shell_moments_2d')
       import
       real(c_double), intent(in) :: q(3)
@@ -1073,7 +1077,8 @@ module pw85
   ! pw85_shapes.h
   interface
 
-    !> Distance from an ellipsoid with its centre at 0 to the half-space normal·x >= offset.
+    !> Computes the distance from an ellipsoid with its centre at 0 to the half-space normal·x >=
+    !> offset.
     function pw85_distance_plane(normal, offset, q, distance, point) result(status) bind(C, &
       name='pw85_distance_plane')
       import
@@ -1084,7 +1089,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_plane
 
-    !> Derivatives of the distance to a half-space, which do not depend on its offset.
+    !> Computes the derivatives of the distance to a half-space, which do not depend on its offset.
     function pw85_distance_plane_derivatives(normal, q, d_center, d_rot) result(status) bind(C, &
       name='pw85_distance_plane_derivatives')
       import
@@ -1093,7 +1098,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_plane_derivatives
 
-    !> Contact function of an ellipsoid with its centre at 0 and the half-space normal·x >= offset.
+    !> Computes the contact function of an ellipsoid with its centre at 0 and the half-space
+    !> normal·x >= offset.
     function pw85_contact_plane(normal, offset, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_plane')
       import
@@ -1104,7 +1110,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_plane
 
-    !> Derivatives of μ² of pw85_contact_plane().
+    !> Computes the derivatives of μ² of pw85_contact_plane().
     function pw85_contact_plane_derivatives(normal, offset, q, d_center, d_rot) result(status) &
       bind(C, name='pw85_contact_plane_derivatives')
       import
@@ -1115,8 +1121,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_plane_derivatives
 
-    !> Distance from an ellipsoid with its centre at 0 to the nearest face of a box around it, a
-    !> container.
+    !> Computes the distance from an ellipsoid with its centre at 0 to the nearest face of a box
+    !> around it, a container.
     function pw85_distance_box(lower, upper, q, distance, point, normal) result(status) bind(C, &
       name='pw85_distance_box')
       import
@@ -1125,7 +1131,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_box
 
-    !> Distance from an ellipsoid to the wall of a cylinder of infinite length around it.
+    !> Computes the distance from an ellipsoid to the wall of a cylinder of infinite length around
+    !> it.
     function pw85_distance_cylinder(axis, radius, center, q, distance, point, normal) &
       result(status) bind(C, name='pw85_distance_cylinder')
       import
@@ -1136,7 +1143,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_cylinder
 
-    !> Distance from a point to the surface of an ellipsoid.
+    !> Computes the distance from a point to the surface of an ellipsoid.
     function pw85_distance_point(r, q, distance, point, normal) result(status) bind(C, &
       name='pw85_distance_point')
       import
@@ -1145,7 +1152,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_point
 
-    !> The part t[0] <= t <= t[1] of the line origin + t·direction that is in an ellipsoid.
+    !> Computes the part t[0] <= t <= t[1] of the line origin + t·direction that is in an ellipsoid.
     function pw85_intersect_line(origin, direction, q, t) result(status) bind(C, &
       name='pw85_intersect_line')
       import
@@ -1154,8 +1161,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_intersect_line
 
-    !> Volume of the part of an ellipsoid that is in the half-space of the points x with normal·x <=
-    !> offset, relative to the centre of the ellipsoid.
+    !> Computes the volume of the part of an ellipsoid that is in the half-space normal·x <= offset.
     function pw85_overlap_volume_plane(normal, offset, q, volume) result(status) bind(C, &
       name='pw85_overlap_volume_plane')
       import
@@ -1166,7 +1172,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_plane
 
-    !> Contact function of an ellipsoid and a segment.
+    !> Computes the contact function of an ellipsoid and a segment.
     function pw85_contact_segment(end1, end2, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_segment')
       import
@@ -1175,7 +1181,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_segment
 
-    !> Contact function of an ellipsoid and a triangle.
+    !> Computes the contact function of an ellipsoid and a triangle.
     function pw85_contact_triangle(vertex1, vertex2, vertex3, q, mu2, point) result(status) &
       bind(C, name='pw85_contact_triangle')
       import
@@ -1184,7 +1190,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_triangle
 
-    !> Contact function of an ellipsoid and a solid box with sides along the axes.
+    !> Computes the contact function of an ellipsoid and a solid box with sides along the axes.
     function pw85_contact_box(lower, upper, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_box')
       import
@@ -1193,7 +1199,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_box
 
-    !> Contact function of an ellipsoid and a polytope, the intersection of half-spaces.
+    !> Computes the contact function of an ellipsoid and a polytope.
     function pw85_contact_polytope(n, normals, offsets, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_polytope')
       import
@@ -1240,7 +1246,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_polytope
 
-    !> Signed distance of an ellipsoid and a segment, and the points where it is reached.
+    !> Computes the signed distance of an ellipsoid and a segment, and the points where it is
+    !> reached.
     function pw85_distance_segment(end1, end2, q, distance, point1, point2, normal) result(status) &
       bind(C, name='pw85_distance_segment')
       import
@@ -1249,7 +1256,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_segment
 
-    !> Signed distance of an ellipsoid and a triangle, which is a surface.
+    !> Computes the signed distance of an ellipsoid and a triangle, and the points where it is
+    !> reached.
     function pw85_distance_triangle(vertex1, vertex2, vertex3, q, distance, point1, point2, &
       normal) result(status) bind(C, name='pw85_distance_triangle')
       import
@@ -1258,7 +1266,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_triangle
 
-    !> Signed distance of an ellipsoid and a solid box with sides along the axes.
+    !> Computes the signed distance of an ellipsoid and a solid box with sides along the axes, and
+    !> the points where it is reached.
     function pw85_distance_solid_box(lower, upper, q, distance, point1, point2, normal) &
       result(status) bind(C, name='pw85_distance_solid_box')
       import
@@ -1267,7 +1276,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_solid_box
 
-    !> Contact function of an ellipsoid and a capsule.
+    !> Computes the contact function of an ellipsoid and a capsule.
     function pw85_contact_capsule(end1, end2, radius, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_capsule')
       import
@@ -1289,7 +1298,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_capsule
 
-    !> Signed distance of an ellipsoid and a capsule, and the points where it is reached.
+    !> Computes the signed distance of an ellipsoid and a capsule, and the points where it is
+    !> reached.
     function pw85_distance_capsule(end1, end2, radius, q, distance, point1, point2, normal) &
       result(status) bind(C, name='pw85_distance_capsule')
       import
@@ -1300,7 +1310,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_capsule
 
-    !> Distance from a point to an ellipse, the curve.
+    !> Computes the distance from a point to the perimeter of an ellipse.
     function pw85_distance_point_2d(r, q, distance, point, normal) result(status) bind(C, &
       name='pw85_distance_point_2d')
       import
@@ -1309,7 +1319,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_point_2d
 
-    !> Contact function of an ellipse and a segment.
+    !> Computes the contact function of an ellipse and a segment.
     function pw85_contact_segment_2d(end1, end2, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_segment_2d')
       import
@@ -1318,7 +1328,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_segment_2d
 
-    !> Contact function of an ellipse and a solid rectangle with sides along the axes.
+    !> Computes the contact function of an ellipse and a solid rectangle with sides along the axes.
     function pw85_contact_box_2d(lower, upper, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_box_2d')
       import
@@ -1327,7 +1337,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_box_2d
 
-    !> Tests whether an ellipse and a segment overlap, μ² < 1.
+    !> Tests whether an ellipse and a segment overlap.
     function pw85_overlap_segment_2d(end1, end2, q, overlap) result(status) bind(C, &
       name='pw85_overlap_segment_2d')
       import
@@ -1336,7 +1346,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_segment_2d
 
-    !> Tests whether an ellipse and a solid rectangle with sides along the axes overlap, μ² < 1.
+    !> Tests whether an ellipse and a solid rectangle with sides along the axes overlap.
     function pw85_overlap_box_2d(lower, upper, q, overlap) result(status) bind(C, &
       name='pw85_overlap_box_2d')
       import

@@ -436,17 +436,19 @@ extern "C" {
     );
     /// Computes -f(λ), with the parameters in one array, as minimisers pass them.
     pub fn pw85_f_neg(lambda: f64, params: *const f64) -> f64;
-    /// Principal curvatures of an ellipsoid's surface at the point with a given normal, and their
-    /// directions.
+    /// Computes the principal curvatures of the surface of an ellipsoid, and their directions, at
+    /// the point with a given normal.
     pub fn pw85_curvature(
         normal: *const f64,
         q: *const f64,
         curvatures: *mut f64,
         directions: *mut f64,
     ) -> c_int;
-    /// Hertz's theory of the contact of two elastic bodies.
+    /// Computes the numbers of Hertz's theory that give the force and the contact ellipse of two
+    /// elastic bodies as functions of the depth.
     pub fn pw85_hertz(curvatures: *const f64, radius: *mut f64, ellipse: *mut f64) -> c_int;
-    /// Geometry of the contact of two grains along a common normal.
+    /// Computes the geometry of the contact of two grains along a given normal, for laws of
+    /// contact such as Hertz's.
     pub fn pw85_hertz_contact(
         r12: *const f64,
         q1: *const f64,
@@ -459,7 +461,8 @@ extern "C" {
         radius: *mut f64,
         ellipse: *mut f64,
     ) -> c_int;
-    /// The contact of two grains along their common normal.
+    /// Computes the contact of two grains along their common normal, which it finds by Newton's
+    /// method.
     pub fn pw85_grain_contact(
         r12: *const f64,
         q1: *const f64,
@@ -471,7 +474,8 @@ extern "C" {
         curvatures: *mut f64,
         radius: *mut f64,
     ) -> c_int;
-    /// Derivatives of the radius of pw85_grain_contact(), whose normal follows each motion.
+    /// Computes the derivatives of the radius of pw85_grain_contact(), whose normal follows each
+    /// motion.
     pub fn pw85_grain_radius_gradient(
         r12: *const f64,
         q1: *const f64,
@@ -481,8 +485,7 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// The contact of a grain with its centre at 0 and a wall that touches the plane normal·x =
-    /// offset and is curved along one direction, as a plane, a cylinder or the edge of one is.
+    /// Computes the contact of a grain with its centre at 0 and a wall.
     pub fn pw85_grain_contact_wall(
         normal: *const f64,
         offset: f64,
@@ -494,25 +497,28 @@ extern "C" {
         curvatures: *mut f64,
         radius: *mut f64,
     ) -> c_int;
-    /// Area of the surface of an ellipsoid.
+    /// Computes the surface area of an ellipsoid, 4π abc R_G(1/a², 1/b², 1/c²), with Carlson's
+    /// integral R_G.
     pub fn pw85_surface_area(q: *const f64, area: *mut f64) -> c_int;
-    /// Mean of x xᵀ over a uniform solid ellipsoid, about its centre.
+    /// Computes the mean of x xᵀ over a uniform solid ellipsoid, about its centre.
     pub fn pw85_second_moments(q: *const f64, moments: *mut f64) -> c_int;
-    /// Form of the uniform solid ellipsoid that has given second moments.
+    /// Computes the form of the uniform solid ellipsoid with given second moments.
     pub fn pw85_from_moments(second_moments: *const f64, q: *mut f64) -> c_int;
-    /// Mean of x xᵀ over the surface of an ellipsoid, about its centre.
+    /// Computes the mean of x xᵀ over the surface of an ellipsoid, about its centre.
     pub fn pw85_shell_moments(q: *const f64, moments: *mut f64) -> c_int;
-    /// Tensor of inertia of a body or of a shell of unit density, about its centre.
+    /// Computes the inertia tensor of a solid body or of a shell of unit density, about its
+    /// centre.
     pub fn pw85_inertia(q: *const f64, shell: c_int, inertia: *mut f64) -> c_int;
-    /// Perimeter of an ellipse.
+    /// Computes the perimeter of an ellipse, 8 R_G(0, a², b²), with Carlson's integral R_G.
     pub fn pw85_perimeter_2d(q: *const f64, perimeter: *mut f64) -> c_int;
-    /// Mean of x xᵀ over a uniform ellipse, about its centre.
+    /// Computes the mean of x xᵀ over a uniform ellipse, about its centre.
     pub fn pw85_second_moments_2d(q: *const f64, moments: *mut f64) -> c_int;
-    /// Form of the uniform ellipse that has given second moments.
+    /// Computes the form of the uniform ellipse with given second moments.
     pub fn pw85_from_moments_2d(second_moments: *const f64, q: *mut f64) -> c_int;
-    /// Mean of x xᵀ over the perimeter of an ellipse, about its centre.
+    /// Computes the mean of x xᵀ over the perimeter of an ellipse, about its centre.
     pub fn pw85_shell_moments_2d(q: *const f64, moments: *mut f64) -> c_int;
-    /// Distance from an ellipsoid with its centre at 0 to the half-space normal·x \>= offset.
+    /// Computes the distance from an ellipsoid with its centre at 0 to the half-space normal·x
+    /// \>= offset.
     pub fn pw85_distance_plane(
         normal: *const f64,
         offset: f64,
@@ -520,15 +526,16 @@ extern "C" {
         distance: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// Derivatives of the distance to a half-space, which do not depend on its offset.
+    /// Computes the derivatives of the distance to a half-space, which do not depend on its
+    /// offset.
     pub fn pw85_distance_plane_derivatives(
         normal: *const f64,
         q: *const f64,
         d_center: *mut f64,
         d_rot: *mut f64,
     ) -> c_int;
-    /// Contact function of an ellipsoid with its centre at 0 and the half-space normal·x \>=
-    /// offset.
+    /// Computes the contact function of an ellipsoid with its centre at 0 and the half-space
+    /// normal·x \>= offset.
     pub fn pw85_contact_plane(
         normal: *const f64,
         offset: f64,
@@ -536,7 +543,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// Derivatives of μ² of pw85_contact_plane().
+    /// Computes the derivatives of μ² of pw85_contact_plane().
     pub fn pw85_contact_plane_derivatives(
         normal: *const f64,
         offset: f64,
@@ -544,8 +551,8 @@ extern "C" {
         d_center: *mut f64,
         d_rot: *mut f64,
     ) -> c_int;
-    /// Distance from an ellipsoid with its centre at 0 to the nearest face of a box around it, a
-    /// container.
+    /// Computes the distance from an ellipsoid with its centre at 0 to the nearest face of a box
+    /// around it, a container.
     pub fn pw85_distance_box(
         lower: *const f64,
         upper: *const f64,
@@ -554,7 +561,8 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Distance from an ellipsoid to the wall of a cylinder of infinite length around it.
+    /// Computes the distance from an ellipsoid to the wall of a cylinder of infinite length
+    /// around it.
     pub fn pw85_distance_cylinder(
         axis: *const f64,
         radius: f64,
@@ -564,7 +572,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Distance from a point to the surface of an ellipsoid.
+    /// Computes the distance from a point to the surface of an ellipsoid.
     pub fn pw85_distance_point(
         r: *const f64,
         q: *const f64,
@@ -572,22 +580,23 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// The part t\[0\] \<= t \<= t\[1\] of the line origin + t·direction that is in an ellipsoid.
+    /// Computes the part t\[0\] \<= t \<= t\[1\] of the line origin + t·direction that is in an
+    /// ellipsoid.
     pub fn pw85_intersect_line(
         origin: *const f64,
         direction: *const f64,
         q: *const f64,
         t: *mut f64,
     ) -> c_int;
-    /// Volume of the part of an ellipsoid that is in the half-space of the points x with normal·x
-    /// \<= offset, relative to the centre of the ellipsoid.
+    /// Computes the volume of the part of an ellipsoid that is in the half-space normal·x \<=
+    /// offset.
     pub fn pw85_overlap_volume_plane(
         normal: *const f64,
         offset: f64,
         q: *const f64,
         volume: *mut f64,
     ) -> c_int;
-    /// Contact function of an ellipsoid and a segment.
+    /// Computes the contact function of an ellipsoid and a segment.
     pub fn pw85_contact_segment(
         end1: *const f64,
         end2: *const f64,
@@ -595,7 +604,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// Contact function of an ellipsoid and a triangle.
+    /// Computes the contact function of an ellipsoid and a triangle.
     pub fn pw85_contact_triangle(
         vertex1: *const f64,
         vertex2: *const f64,
@@ -604,7 +613,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// Contact function of an ellipsoid and a solid box with sides along the axes.
+    /// Computes the contact function of an ellipsoid and a solid box with sides along the axes.
     pub fn pw85_contact_box(
         lower: *const f64,
         upper: *const f64,
@@ -612,7 +621,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// Contact function of an ellipsoid and a polytope, the intersection of half-spaces.
+    /// Computes the contact function of an ellipsoid and a polytope.
     pub fn pw85_contact_polytope(
         n: usize,
         normals: *const f64,
@@ -651,7 +660,8 @@ extern "C" {
         q: *const f64,
         overlap: *mut c_int,
     ) -> c_int;
-    /// Signed distance of an ellipsoid and a segment, and the points where it is reached.
+    /// Computes the signed distance of an ellipsoid and a segment, and the points where it is
+    /// reached.
     pub fn pw85_distance_segment(
         end1: *const f64,
         end2: *const f64,
@@ -661,7 +671,8 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Signed distance of an ellipsoid and a triangle, which is a surface.
+    /// Computes the signed distance of an ellipsoid and a triangle, and the points where it is
+    /// reached.
     pub fn pw85_distance_triangle(
         vertex1: *const f64,
         vertex2: *const f64,
@@ -672,7 +683,8 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Signed distance of an ellipsoid and a solid box with sides along the axes.
+    /// Computes the signed distance of an ellipsoid and a solid box with sides along the axes,
+    /// and the points where it is reached.
     pub fn pw85_distance_solid_box(
         lower: *const f64,
         upper: *const f64,
@@ -682,7 +694,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Contact function of an ellipsoid and a capsule.
+    /// Computes the contact function of an ellipsoid and a capsule.
     pub fn pw85_contact_capsule(
         end1: *const f64,
         end2: *const f64,
@@ -699,7 +711,8 @@ extern "C" {
         q: *const f64,
         overlap: *mut c_int,
     ) -> c_int;
-    /// Signed distance of an ellipsoid and a capsule, and the points where it is reached.
+    /// Computes the signed distance of an ellipsoid and a capsule, and the points where it is
+    /// reached.
     pub fn pw85_distance_capsule(
         end1: *const f64,
         end2: *const f64,
@@ -710,7 +723,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Distance from a point to an ellipse, the curve.
+    /// Computes the distance from a point to the perimeter of an ellipse.
     pub fn pw85_distance_point_2d(
         r: *const f64,
         q: *const f64,
@@ -718,7 +731,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Contact function of an ellipse and a segment.
+    /// Computes the contact function of an ellipse and a segment.
     pub fn pw85_contact_segment_2d(
         end1: *const f64,
         end2: *const f64,
@@ -726,7 +739,8 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// Contact function of an ellipse and a solid rectangle with sides along the axes.
+    /// Computes the contact function of an ellipse and a solid rectangle with sides along the
+    /// axes.
     pub fn pw85_contact_box_2d(
         lower: *const f64,
         upper: *const f64,
@@ -734,14 +748,14 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// Tests whether an ellipse and a segment overlap, μ² \< 1.
+    /// Tests whether an ellipse and a segment overlap.
     pub fn pw85_overlap_segment_2d(
         end1: *const f64,
         end2: *const f64,
         q: *const f64,
         overlap: *mut c_int,
     ) -> c_int;
-    /// Tests whether an ellipse and a solid rectangle with sides along the axes overlap, μ² \< 1.
+    /// Tests whether an ellipse and a solid rectangle with sides along the axes overlap.
     pub fn pw85_overlap_box_2d(
         lower: *const f64,
         upper: *const f64,

@@ -316,68 +316,69 @@ pub struct ClosestPassage {
 /// Results of [`curvature()`](crate::curvature).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Curvature {
-    /// Reciprocal radii of curvature, \> 0, the smaller one first.
+    /// Reciprocals of the radii of curvature, \> 0, the smaller one first.
     pub curvatures: [f64; 2],
     /// Unit vectors along which the surface has these curvatures. Their cross product is the unit
-    /// normal. If both curvatures are equal, they are any such vectors.
+    /// normal. If both curvatures are equal, the result is any such pair of vectors.
     pub directions: [[f64; 3]; 2],
 }
 
 /// Results of [`hertz()`](crate::hertz).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HertzEllipse {
-    /// The effective radius. For spheres it is R1 R2/(R1 + R2).
+    /// The effective radius, for spheres R1 R2/(R1 + R2).
     pub radius: f64,
-    /// Squares of the semi-axes over the depth, along the direction of each curvature.
+    /// Squares of the semi-axes of the contact ellipse over the depth, along the direction of
+    /// each curvature.
     pub ellipse: [f64; 2],
 }
 
 /// Results of [`hertz_contact()`](crate::hertz_contact).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HertzContact {
-    /// In the unit of `r12`; negative if a slab separates them.
+    /// The depth, in the unit of `r12`; negative if a slab across the normal separates the
+    /// ellipsoids.
     pub depth: f64,
-    /// Where the forces of contact act: the middle of the points of both surfaces that have the
-    /// normals n and -n, relative to the centre of ellipsoid 1.
+    /// The point at which contact forces act, relative to the centre of ellipsoid 1: the midpoint
+    /// of the two points of the surfaces with the normals n and -n.
     pub point: [f64; 3],
     /// Of the gap between both surfaces, \> 0, the smaller one first: eigenvalues of the sum of
     /// their second fundamental forms, as [`hertz()`](crate::hertz) takes them.
     pub curvatures: [f64; 2],
     /// Of these curvatures and of the contact ellipse.
     pub directions: [[f64; 3]; 2],
-    /// The effective radius. For spheres it is R1 R2/(R1 + R2).
+    /// The effective radius, for spheres R1 R2/(R1 + R2).
     pub radius: f64,
-    /// Squares of the semi-axes over the depth, along the direction of each curvature.
+    /// Squares of the semi-axes of the contact ellipse over the depth, along the direction of
+    /// each curvature.
     pub ellipse: [f64; 2],
 }
 
 /// Results of [`grain_contact()`](crate::grain_contact).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GrainContact {
-    /// Unit vector.
+    /// Unit vector n.
     pub normal: [f64; 3],
-    /// δ, in the unit of `r12`; negative if a slab separates the ellipsoids.
+    /// δ, in the unit of `r12`; negative if a slab across the normal separates the ellipsoids.
     pub depth: f64,
-    /// The middle of the points of both surfaces that have the normals n and -n, which are δ n
+    /// The midpoint of the two points of the surfaces with the normals n and -n, which are δ n
     /// apart, relative to the centre of ellipsoid 1.
     pub point: [f64; 3],
     /// Of the gap between both surfaces, \> 0, the smaller one first: eigenvalues of the sum of
     /// their second fundamental forms, as [`hertz()`](crate::hertz) takes them.
     pub curvatures: [f64; 2],
-    /// The effective radius. For spheres it is R1 R2/(R1 + R2).
+    /// The effective radius, for spheres R1 R2/(R1 + R2).
     pub radius: f64,
 }
 
 /// Results of [`grain_radius_gradient()`](crate::grain_radius_gradient).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GrainRadiusGradient {
-    /// With respect to r12.
+    /// Derivative with respect to r12.
     pub d_r12: [f64; 3],
-    /// With respect to small rotation vectors of either ellipsoid about its own centre, per
-    /// radian.
+    /// Derivatives with respect to rotations, as for [`contact_torque()`](crate::contact_torque).
     pub d_rot1: [f64; 3],
-    /// With respect to small rotation vectors of either ellipsoid about its own centre, per
-    /// radian.
+    /// Derivatives with respect to rotations, as for [`contact_torque()`](crate::contact_torque).
     pub d_rot2: [f64; 3],
 }
 
@@ -386,21 +387,21 @@ pub struct GrainRadiusGradient {
 pub struct GrainWallContact {
     /// Minus the distance of [`distance_plane()`](crate::distance_plane).
     pub depth: f64,
-    /// Of the ellipsoid, the deepest one in the wall.
+    /// The point of the ellipsoid that is deepest in the wall.
     pub point: [f64; 3],
-    /// Of the gap, the smaller one first. It is raised to 2⁻²⁰ times the larger one if it is
-    /// less: surfaces that touch along a line have no finite radius.
+    /// Of the gap, the smaller one first. If the smaller one is below 2⁻²⁰ times the larger one,
+    /// it is raised to this value: surfaces that touch along a line have no finite radius.
     pub curvatures: [f64; 2],
-    /// The effective radius. For spheres it is R1 R2/(R1 + R2).
+    /// The effective radius, for spheres R1 R2/(R1 + R2).
     pub radius: f64,
 }
 
 /// Results of [`distance_plane()`](crate::distance_plane).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceDistance {
-    /// In the unit of the semi-axes; negative if the two overlap: minus the depth.
+    /// The distance, in the unit of the semi-axes; minus the depth if the two overlap.
     pub distance: f64,
-    /// Of the ellipsoid, nearest to the half-space or deepest in it.
+    /// The point of the ellipsoid that is nearest to the half-space, or deepest in it.
     pub point: [f64; 3],
 }
 
@@ -408,9 +409,9 @@ pub struct SurfaceDistance {
 /// [`contact_plane_derivatives()`](crate::contact_plane_derivatives).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlaneDerivatives {
-    /// With respect to the position of the centre.
+    /// Derivative with respect to the position of the centre.
     pub d_center: [f64; 3],
-    /// With respect to small rotation vectors about the centre, per radian.
+    /// Derivative with respect to a small rotation vector about the centre, per radian.
     pub d_rot: [f64; 3],
 }
 
@@ -420,16 +421,16 @@ pub struct PlaneContact {
     /// Square of the factor by which the ellipsoid must be scaled to touch; 0 if the centre is in
     /// the half-space.
     pub mu2: f64,
-    /// Where the scaled ellipsoid touches.
+    /// The point at which the scaled ellipsoid touches.
     pub point: [f64; 3],
 }
 
 /// Results of [`distance_box()`](crate::distance_box).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DistanceBox {
-    /// Negative if the ellipsoid is not inside of the box.
+    /// The distance; negative if the ellipsoid is not inside the box.
     pub distance: f64,
-    /// Of the ellipsoid, nearest to that face or farthest beyond it.
+    /// The point of the ellipsoid that is nearest to that face, or farthest beyond it.
     pub point: [f64; 3],
     /// Outward unit normal of that face.
     pub normal: [f64; 3],
@@ -438,9 +439,10 @@ pub struct DistanceBox {
 /// Results of [`distance_cylinder()`](crate::distance_cylinder).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DistanceCylinder {
-    /// Negative if the ellipsoid is not inside of the cylinder.
+    /// The distance; negative if the ellipsoid is not inside the cylinder.
     pub distance: f64,
-    /// Of the ellipsoid, farthest from the axis, relative to its centre.
+    /// The point of the ellipsoid that is farthest from the axis, relative to the centre of the
+    /// ellipsoid.
     pub point: [f64; 3],
     /// Outward unit normal of the wall there.
     pub normal: [f64; 3],
@@ -449,11 +451,13 @@ pub struct DistanceCylinder {
 /// Results of [`distance_point()`](crate::distance_point).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DistancePoint {
-    /// Negative if the point is inside.
+    /// The distance; negative if the point is inside the ellipsoid.
     pub distance: f64,
-    /// Of the surface, nearest to r, relative to the centre; one of them if there are several.
+    /// The point of the surface that is nearest to r, relative to the centre; one of them if
+    /// there are several.
     pub point: [f64; 3],
-    /// Unit vector out of the ellipsoid at this point, the derivative of the distance.
+    /// Unit vector out of the ellipsoid at this point: the derivative of the distance with
+    /// respect to r.
     pub normal: [f64; 3],
 }
 
@@ -473,7 +477,7 @@ pub struct Chord {
 pub struct ShapeContact {
     /// Square of the factor by which the ellipsoid must be scaled to touch.
     pub mu2: f64,
-    /// Of the segment, where the scaled ellipsoid touches.
+    /// The point of the segment at which the scaled ellipsoid touches.
     pub point: [f64; 3],
 }
 
@@ -483,12 +487,12 @@ pub struct ShapeContact {
 /// [`distance_capsule()`](crate::distance_capsule).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShapeDistance {
-    /// Negative if they overlap: minus the depth.
+    /// The signed distance; minus the depth if the two overlap.
     pub distance: f64,
-    /// Of the ellipsoid: nearest to the segment, or deepest.
+    /// The point of the ellipsoid that is nearest to the segment, or deepest.
     pub point1: [f64; 3],
-    /// Of the segment: nearest to the ellipsoid, or deepest; relative to the centre of the
-    /// ellipsoid.
+    /// The point of the segment that is nearest to the ellipsoid, or deepest; relative to its
+    /// centre.
     pub point2: [f64; 3],
     /// Unit vector out of the ellipsoid at point1; point2 - point1 is `distance` times it.
     pub normal: [f64; 3],
@@ -497,11 +501,13 @@ pub struct ShapeDistance {
 /// Results of [`distance_point_2d()`](crate::distance_point_2d).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceDistance2d {
-    /// Negative if the point is inside.
+    /// The distance; negative if the point is inside the ellipse.
     pub distance: f64,
-    /// Of the surface, nearest to r, relative to the centre; one of them if there are several.
+    /// The point of the surface that is nearest to r, relative to the centre; one of them if
+    /// there are several.
     pub point: [f64; 2],
-    /// Unit vector out of the ellipse at this point, the derivative of the distance.
+    /// Unit vector out of the ellipse at this point: the derivative of the distance with respect
+    /// to r.
     pub normal: [f64; 2],
 }
 
@@ -511,7 +517,7 @@ pub struct SurfaceDistance2d {
 pub struct ShapeContact2d {
     /// Square of the factor by which the ellipse must be scaled to touch.
     pub mu2: f64,
-    /// Of the segment, where the scaled ellipse touches.
+    /// The point of the segment at which the scaled ellipse touches.
     pub point: [f64; 2],
 }
 
@@ -5490,11 +5496,11 @@ pub fn free_path_batch(
     ) })
 }
 
-/// Principal curvatures of an ellipsoid's surface at the point with a given normal, and their
-/// directions.
+/// Computes the principal curvatures of the surface of an ellipsoid, and their directions, at the
+/// point with a given normal.
 ///
 /// The relative error of each curvature is below 1e-12 for the numbers as given, up to aspect
-/// ratio 10⁶. From aspect ratio 10 or so on the function computes with twice the digits, which
+/// ratio 10⁶. From an aspect ratio of about 10 the function computes with twice the digits, which
 /// takes some eight times as long.
 ///
 /// # Arguments
@@ -5574,23 +5580,24 @@ pub fn curvature_batch(
     ) })
 }
 
-/// Hertz's theory of the contact of two elastic bodies.
+/// Computes the numbers of Hertz's theory that give the force and the contact ellipse of two
+/// elastic bodies as functions of the depth.
 ///
-/// The force and the contact ellipse as functions of the depth.
+/// For a depth δ the force is (4/3) E\* √(radius δ³), a repulsion, and the energy is (8/15) E\*
+/// √(radius δ⁵). Here 1/E\* = (1 - ν1²)/E1 + (1 - ν2²)/E2, with Young's moduli E and Poisson's
+/// ratios ν. The contact area is an ellipse with semi-axes √(ellipse\[0\] δ) and √(ellipse\[1\]
+/// δ). The square of their arithmetic-geometric mean is radius δ. The results include the
+/// complete elliptic integrals of the theory.
 ///
-/// The gap between the undeformed surfaces is half of the sum of curvature times squared length
-/// along two perpendicular directions. For a depth δ the bodies repel each other by the force
-/// (4/3) E\* √(radius δ³), with 1/E\* = (1 - ν1²)/E1 + (1 - ν2²)/E2, Young's moduli E and
-/// Poisson's ratios ν. The energy is (8/15) E\* √(radius δ⁵). The contact area is an ellipse with
-/// the semi-axes √(ellipse\[0\] δ) and √(ellipse\[1\] δ), the square of whose
-/// arithmetic-geometric mean is radius δ. Complete elliptic integrals are included. The relative
-/// errors are below 256 u, with u = 2⁻⁵³, for curvatures whose ratio is at most 10¹⁸.
+/// The relative errors are below 256 u, with u = 2⁻⁵³, if the ratio of the curvatures is at most
+/// 10¹⁸.
 ///
 /// # Arguments
 ///
-/// - `curvatures`: Along both directions, the sums of those of both bodies: those of
-///   [`hertz_contact()`](crate::hertz_contact) for two ellipsoids, of
-///   [`curvature()`](crate::curvature) for one on a plane; \> 0. Unit: 1/length.
+/// - `curvatures`: Of the gap between the undeformed surfaces, along two perpendicular
+///   directions: the gap is half of the sum of curvature times squared length. They are those of
+///   [`hertz_contact()`](crate::hertz_contact) for two ellipsoids, and those of
+///   [`curvature()`](crate::curvature) for an ellipsoid on a plane; \> 0. Unit: 1/length.
 ///
 /// # Errors
 ///
@@ -5652,22 +5659,24 @@ pub fn hertz_batch(
     ) })
 }
 
-/// Geometry of the contact of two grains along a common normal: what laws of contact such as
-/// Hertz's need.
+/// Computes the geometry of the contact of two grains along a given normal, for laws of contact
+/// such as Hertz's.
 ///
-/// For the normal n of [`contact_geometry()`](crate::contact_geometry) the depth is α + β - n·r12
-/// = (1/μ - 1) n·r12, with the half-widths α and β of the ellipsoids along n. This is the usual
-/// choice: it is a smooth function of positions and orientations for μ \> 0. The depth of
-/// [`penetration()`](crate::penetration) is smaller by a part of second order in the depth; its
-/// direction, as `normal`, gives it here, too. For every normal a negative depth proves that the
-/// ellipsoids are apart, by at least minus the depth, and the depth is at least that of
-/// [`penetration()`](crate::penetration) if they overlap.
+/// Let n be the unit normal, and α and β the half-widths of the ellipsoids along n. The depth is
+/// α + β - n·r12. A negative depth proves that the ellipsoids are apart by at least its
+/// magnitude. If they overlap, the depth is at least that of
+/// [`penetration()`](crate::penetration), with equality for the direction of
+/// [`penetration()`](crate::penetration). The usual choice is the normal of
+/// [`contact_geometry()`](crate::contact_geometry). The depth is then (1/μ - 1) n·r12, a smooth
+/// function of positions and orientations for μ \> 0. It exceeds that of
+/// [`penetration()`](crate::penetration) by a term of second order in the depth.
 ///
-/// The error of the depth is below 8 u Σ, with Σ as for [`distance()`](crate::distance) with this
-/// normal. Up to aspect ratio 10⁶, and for the normal as given, the relative errors of
-/// curvatures, radius and ellipse are below 1e-12. The point is half the sum of r12 and of one
-/// vector of each ellipsoid; its error is below 1e-12 times the sum of their lengths. The
-/// directions err by less than 1e-12/(1 - k1/k2) radians, with the curvatures k1 \< k2.
+/// The error of the depth is below 8 u Σ, with u = 2⁻⁵³ and Σ as for
+/// [`distance()`](crate::distance) with this normal. The other bounds hold up to aspect ratio 10⁶
+/// for the normal as given. The relative errors of curvatures, radius and ellipse are below
+/// 1e-12. The point is half the sum of r12 and of one vector of each ellipsoid; its error is
+/// below 1e-12 times the sum of their lengths. The directions err by less than 1e-12/(1 - k1/k2)
+/// radians, with the curvatures k1 \< k2.
 ///
 /// # Arguments
 ///
@@ -5809,21 +5818,19 @@ pub fn hertz_contact_batch(
     ) })
 }
 
-/// The contact of two grains along their common normal.
+/// Computes the contact of two grains along their common normal, which it finds by Newton's
+/// method.
 ///
-/// The least overlap δ(n) = α + β - n·r12 near a given direction, with the half-widths α and β of
-/// the ellipsoids along the unit vector n.
-///
-/// δ is stationary there, so the force U'(δ) n at the point conserves an energy U(δ).
-/// [`hertz_contact()`](crate::hertz_contact) takes the normal from the caller; this function
-/// finds it by Newton's method. Start from the normal of
-/// [`contact_geometry()`](crate::contact_geometry), or from that of the time step before. Then it
-/// takes one or two steps.
+/// Let α and β be the half-widths of the ellipsoids along the unit vector n. The normal is the n
+/// at which the overlap δ(n) = α + β - n·r12 has a local minimum near a given direction. Since δ
+/// is stationary there, a force U'(δ) n at the point conserves an energy U(δ). Start from the
+/// normal of [`contact_geometry()`](crate::contact_geometry), or from that of the previous time
+/// step. The search then takes one or two steps.
 ///
 /// There is a minimum if the overlap is small: below the least sum of radii of curvature. The
-/// search ends after a step below 2⁻²² radians. The normal, and points and radius in units of the
-/// semi-axes, then err by less than 100·2⁻⁴⁴ at aspect ratios up to 4; the depth errs by the
-/// square of that and by rounding.
+/// search ends after a step below 2⁻²² radians. At aspect ratios up to 4, the normal errs by less
+/// than 100·2⁻⁴⁴, and so do the point and the radius in units of the semi-axes. The depth errs by
+/// the square of that, and by rounding.
 ///
 /// # Arguments
 ///
@@ -5836,6 +5843,7 @@ pub fn hertz_contact_batch(
 /// # Errors
 ///
 /// A number is not finite, a form is not positive definite or `start` is zero.
+/// `Status::NoConvergence`: the search finds no minimum.
 ///
 /// # Examples
 ///
@@ -5961,8 +5969,8 @@ pub fn grain_contact_batch(
     ) })
 }
 
-/// Derivatives of the radius of [`grain_contact()`](crate::grain_contact), whose normal follows
-/// each motion.
+/// Computes the derivatives of the radius of [`grain_contact()`](crate::grain_contact), whose
+/// normal follows each motion.
 ///
 /// A force that depends on the radius needs them to conserve the energy.
 ///
@@ -5976,6 +5984,7 @@ pub fn grain_contact_batch(
 /// # Errors
 ///
 /// A number is not finite, a form is not positive definite or `normal` is zero.
+/// `Status::NoConvergence`: the overlap has no minimum there.
 ///
 /// # Examples
 ///
@@ -6083,22 +6092,26 @@ pub fn grain_radius_gradient_batch(
     ) })
 }
 
-/// The contact of a grain with its centre at 0 and a wall that touches the plane normal·x =
-/// offset and is curved along one direction, as a plane, a cylinder or the edge of one is.
+/// Computes the contact of a grain with its centre at 0 and a wall.
 ///
-/// Up to aspect ratio 10⁶ the relative errors of both curvatures and of the radius are below
-/// 1e-12 for the numbers as given, also where the curvatures nearly cancel. From aspect ratio 10
-/// or so on, and for concave walls (curvature \< 0) that make the product of both curvatures of
-/// the gap less than half of that of the ellipsoid, the function computes with twice the digits.
+/// The wall touches the plane normal·x = offset and is curved along at most one direction: a
+/// plane, a cylinder, or the edge of one.
+///
+/// The relative errors of both curvatures and of the radius are below 1e-12 for the numbers as
+/// given, up to aspect ratio 10⁶, also where the curvatures nearly cancel. The function computes
+/// with twice the digits in two cases: from an aspect ratio of about 10; and for a concave wall
+/// (curvature \< 0), if the product of both curvatures of the gap is less than half of the
+/// product of those of the ellipsoid.
 ///
 /// # Arguments
 ///
 /// - `normal`: Into the half-space, of any length; not zero.
 /// - `offset`: In the unit of normal·x, which scales with `normal`: for a unit normal it is the
-///   distance of the plane from 0. Unit: length.
+///   distance of the plane from 0. It is negative if the centre is in the half-space. Unit:
+///   length.
 /// - `direction`: Across the normal, of any length, along which the wall is curved; not zero.
-/// - `curvature`: Of the wall along `direction`: positive for a wall that is convex, 0 for a
-///   plane. Unit: 1/length.
+/// - `curvature`: Of the wall along `direction`: positive if the wall is convex, 0 for a plane.
+///   Unit: 1/length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
 /// # Errors
@@ -6230,7 +6243,8 @@ pub fn grain_contact_wall_batch(
     ) })
 }
 
-/// Area of the surface of an ellipsoid: 4π abc R_G(1/a², 1/b², 1/c²), with Carlson's integral.
+/// Computes the surface area of an ellipsoid, 4π abc R_G(1/a², 1/b², 1/c²), with Carlson's
+/// integral R_G.
 ///
 /// # Arguments
 ///
@@ -6284,9 +6298,9 @@ pub fn surface_area_batch(q: &[[f64; 6]], area: &mut [f64]) -> Result<(), Error>
     check_rows(unsafe { sys::pw85_surface_area_batch(n, q.as_ptr().cast(), area.as_mut_ptr()) })
 }
 
-/// Mean of x xᵀ over a uniform solid ellipsoid, about its centre: q/5.
+/// Computes the mean of x xᵀ over a uniform solid ellipsoid, about its centre: q/5.
 ///
-/// The error of each entry is below u times the entry.
+/// The error of each entry is below u times the entry, with u = 2⁻⁵³.
 ///
 /// # Arguments
 ///
@@ -6344,8 +6358,8 @@ pub fn second_moments_batch(q: &[[f64; 6]], moments: &mut [[f64; 6]]) -> Result<
     ) })
 }
 
-/// Mean of x xᵀ over the surface of an ellipsoid, about its centre: the second moments of a
-/// shell.
+/// Computes the mean of x xᵀ over the surface of an ellipsoid, about its centre: the second
+/// moments of a shell.
 ///
 /// # Arguments
 ///
@@ -6403,7 +6417,7 @@ pub fn shell_moments_batch(q: &[[f64; 6]], moments: &mut [[f64; 6]]) -> Result<(
     ) })
 }
 
-/// Perimeter of an ellipse: 8 R_G(0, a², b²), with Carlson's integral.
+/// Computes the perimeter of an ellipse, 8 R_G(0, a², b²), with Carlson's integral R_G.
 ///
 /// # Arguments
 ///
@@ -6461,9 +6475,9 @@ pub fn perimeter_batch_2d(q: &[[f64; 3]], perimeter: &mut [f64]) -> Result<(), E
     ) })
 }
 
-/// Mean of x xᵀ over a uniform ellipse, about its centre: q/4.
+/// Computes the mean of x xᵀ over a uniform ellipse, about its centre: q/4.
 ///
-/// The trace is the moment of inertia about the axis across the plane, for the mass 1.
+/// Its trace is the moment of inertia about the axis across the plane, for the mass 1.
 ///
 /// # Arguments
 ///
@@ -6521,7 +6535,8 @@ pub fn second_moments_batch_2d(q: &[[f64; 3]], moments: &mut [[f64; 3]]) -> Resu
     ) })
 }
 
-/// Mean of x xᵀ over the perimeter of an ellipse, about its centre: the second moments of a wire.
+/// Computes the mean of x xᵀ over the perimeter of an ellipse, about its centre: the second
+/// moments of a wire.
 ///
 /// # Arguments
 ///
@@ -6579,14 +6594,17 @@ pub fn shell_moments_batch_2d(q: &[[f64; 3]], moments: &mut [[f64; 3]]) -> Resul
     ) })
 }
 
-/// Distance from an ellipsoid with its centre at 0 to the half-space normal·x \>= offset: (offset
-/// - α)/\|normal\|.
+/// Computes the distance from an ellipsoid with its centre at 0 to the half-space normal·x \>=
+/// offset.
+///
+/// The distance is (offset - α)/\|normal\| with α = √(normalᵀ q normal).
 ///
 /// # Arguments
 ///
 /// - `normal`: Into the half-space, of any length; not zero.
 /// - `offset`: In the unit of normal·x, which scales with `normal`: for a unit normal it is the
-///   distance of the plane from 0; negative if the centre is in the half-space. Unit: length.
+///   distance of the plane from 0. It is negative if the centre is in the half-space. Unit:
+///   length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
 /// # Errors
@@ -6673,9 +6691,10 @@ pub fn distance_plane_batch(
     ) })
 }
 
-/// Derivatives of the distance to a half-space, which do not depend on its offset.
+/// Computes the derivatives of the distance to a half-space, which do not depend on its offset.
 ///
-/// -n and n × point, with n the unit normal.
+/// They are -n and n × point, with the unit normal n and the point of
+/// [`distance_plane()`](crate::distance_plane).
 ///
 /// # Arguments
 ///
@@ -6758,13 +6777,15 @@ pub fn distance_plane_derivatives_batch(
     ) })
 }
 
-/// Contact function of an ellipsoid with its centre at 0 and the half-space normal·x \>= offset.
+/// Computes the contact function of an ellipsoid with its centre at 0 and the half-space normal·x
+/// \>= offset.
 ///
 /// # Arguments
 ///
 /// - `normal`: Into the half-space, of any length; not zero.
 /// - `offset`: In the unit of normal·x, which scales with `normal`: for a unit normal it is the
-///   distance of the plane from 0. Unit: length.
+///   distance of the plane from 0. It is negative if the centre is in the half-space. Unit:
+///   length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
 /// # Errors
@@ -6846,16 +6867,18 @@ pub fn contact_plane_batch(
     ) })
 }
 
-/// Derivatives of μ² of [`contact_plane()`](crate::contact_plane).
+/// Computes the derivatives of μ² of [`contact_plane()`](crate::contact_plane).
 ///
-/// -2μ n/α and 2μ² (n × p)/α, with p the point of the ellipsoid that is nearest to the
-/// half-space, n the normal as given and α = n·p; zero if the centre is in the half-space.
+/// They are -2μ n/α and 2μ² (n × p)/α, with the normal n as given, the point p of the ellipsoid
+/// that is nearest to the half-space, and α = n·p. They are zero if the centre is in the
+/// half-space.
 ///
 /// # Arguments
 ///
 /// - `normal`: Into the half-space, of any length; not zero.
 /// - `offset`: In the unit of normal·x, which scales with `normal`: for a unit normal it is the
-///   distance of the plane from 0. Unit: length.
+///   distance of the plane from 0. It is negative if the centre is in the half-space. Unit:
+///   length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
 /// # Errors
@@ -6951,11 +6974,10 @@ pub fn contact_plane_derivatives_batch(
     ) })
 }
 
-/// Distance from an ellipsoid with its centre at 0 to the nearest face of a box around it, a
-/// container.
+/// Computes the distance from an ellipsoid with its centre at 0 to the nearest face of a box
+/// around it, a container.
 ///
-/// The distance to a solid box, an obstacle, is
-/// [`distance_solid_box()`](crate::distance_solid_box).
+/// For a solid box, an obstacle, see [`distance_solid_box()`](crate::distance_solid_box).
 ///
 /// # Arguments
 ///
@@ -7065,11 +7087,13 @@ pub fn distance_box_batch(
     ) })
 }
 
-/// Distance from an ellipsoid to the wall of a cylinder of infinite length around it.
+/// Computes the distance from an ellipsoid to the wall of a cylinder of infinite length around
+/// it.
 ///
 /// # Arguments
 ///
-/// - `axis`: Direction of the axis, which goes through 0; of any length; not zero.
+/// - `axis`: Direction of the axis of the cylinder, which goes through 0; of any length; not
+///   zero.
 /// - `radius`: Of the cylinder; \> 0. Unit: length.
 /// - `center`: Of the ellipsoid. Unit: length.
 /// - `q`: Form of the ellipsoid. Unit: length².
@@ -7185,7 +7209,7 @@ pub fn distance_cylinder_batch(
     ) })
 }
 
-/// Distance from a point to the surface of an ellipsoid.
+/// Computes the distance from a point to the surface of an ellipsoid.
 ///
 /// # Arguments
 ///
@@ -7272,14 +7296,13 @@ pub fn distance_point_batch(
     ) })
 }
 
-/// The part t\[0\] \<= t \<= t\[1\] of the line origin + t·direction that is in an ellipsoid.
+/// Computes the part t\[0\] \<= t \<= t\[1\] of the line origin + t·direction that is in an
+/// ellipsoid.
 ///
-/// A ray from the origin has t \>= 0, the segment from the origin to origin + direction 0 \<= t
-/// \<= 1.
-///
-/// Rounding errors decide about lines that are nearly tangent.
-/// [`overlap_segment()`](crate::overlap_segment) says exactly whether a segment has inner points
-/// of the ellipsoid.
+/// A ray from the origin has t \>= 0. The segment from origin to origin + direction has 0 \<= t
+/// \<= 1. If the line is nearly tangent, rounding errors decide whether it misses the ellipsoid.
+/// [`overlap_segment()`](crate::overlap_segment) decides exactly whether a segment has points
+/// inside the ellipsoid.
 ///
 /// # Arguments
 ///
@@ -7373,8 +7396,9 @@ pub fn intersect_line_batch(
     ) })
 }
 
-/// Volume of the part of an ellipsoid that is in the half-space of the points x with normal·x \<=
-/// offset, relative to the centre of the ellipsoid.
+/// Computes the volume of the part of an ellipsoid that is in the half-space normal·x \<= offset.
+///
+/// The points x are relative to the centre of the ellipsoid.
 ///
 /// # Arguments
 ///
@@ -7451,7 +7475,7 @@ pub fn overlap_volume_plane_batch(
     ) })
 }
 
-/// Contact function of an ellipsoid and a segment.
+/// Computes the contact function of an ellipsoid and a segment.
 ///
 /// # Arguments
 ///
@@ -7549,16 +7573,16 @@ pub fn contact_segment_batch(
     ) })
 }
 
-/// Contact function of an ellipsoid and a triangle.
+/// Computes the contact function of an ellipsoid and a triangle.
 ///
 /// # Arguments
 ///
 /// - `vertex1`: Of the triangle, relative to the centre of the ellipsoid; a triangle without area
-///   is the segment or the point that has all three vertices. Unit: length.
+///   is a segment or a point. Unit: length.
 /// - `vertex2`: Of the triangle, relative to the centre of the ellipsoid; a triangle without area
-///   is the segment or the point that has all three vertices. Unit: length.
+///   is a segment or a point. Unit: length.
 /// - `vertex3`: Of the triangle, relative to the centre of the ellipsoid; a triangle without area
-///   is the segment or the point that has all three vertices. Unit: length.
+///   is a segment or a point. Unit: length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
 /// # Errors
@@ -7657,7 +7681,7 @@ pub fn contact_triangle_batch(
     ) })
 }
 
-/// Contact function of an ellipsoid and a solid box with sides along the axes.
+/// Computes the contact function of an ellipsoid and a solid box with sides along the axes.
 ///
 /// # Arguments
 ///
@@ -7757,8 +7781,7 @@ pub fn contact_box_batch(
 
 /// Tests whether an ellipsoid and a segment overlap, μ² \< 1.
 ///
-/// If they only touch, they do not. The answer is that of exact arithmetic for the numbers given,
-/// as that of [`overlap()`](crate::overlap).
+/// If they only touch, they do not overlap. The answer is exact for the numbers given.
 ///
 /// # Arguments
 ///
@@ -7841,8 +7864,7 @@ pub fn overlap_segment_batch(
 
 /// Tests whether an ellipsoid and a triangle overlap, μ² \< 1.
 ///
-/// If they only touch, they do not. The answer is that of exact arithmetic for the numbers given,
-/// as that of [`overlap()`](crate::overlap).
+/// If they only touch, they do not overlap. The answer is exact for the numbers given.
 ///
 /// # Arguments
 ///
@@ -7942,8 +7964,7 @@ pub fn overlap_triangle_batch(
 
 /// Tests whether an ellipsoid and a solid box with sides along the axes overlap, μ² \< 1.
 ///
-/// If they only touch, they do not. The answer is that of exact arithmetic for the numbers given,
-/// as that of [`overlap()`](crate::overlap).
+/// If they only touch, they do not overlap. The answer is exact for the numbers given.
 ///
 /// # Arguments
 ///
@@ -8025,7 +8046,8 @@ pub fn overlap_box_batch(
     ) })
 }
 
-/// Signed distance of an ellipsoid and a segment, and the points where it is reached.
+/// Computes the signed distance of an ellipsoid and a segment, and the points where it is
+/// reached.
 ///
 /// # Arguments
 ///
@@ -8142,9 +8164,10 @@ pub fn distance_segment_batch(
     ) })
 }
 
-/// Signed distance of an ellipsoid and a triangle, which is a surface.
+/// Computes the signed distance of an ellipsoid and a triangle, and the points where it is
+/// reached.
 ///
-/// An overlap is undone by a translation to either side.
+/// The triangle is a surface: a translation to either side undoes an overlap.
 ///
 /// # Arguments
 ///
@@ -8271,7 +8294,8 @@ pub fn distance_triangle_batch(
     ) })
 }
 
-/// Signed distance of an ellipsoid and a solid box with sides along the axes.
+/// Computes the signed distance of an ellipsoid and a solid box with sides along the axes, and
+/// the points where it is reached.
 ///
 /// For a box around the ellipsoid, a container, see [`distance_box()`](crate::distance_box).
 ///
@@ -8392,7 +8416,7 @@ pub fn distance_solid_box_batch(
     ) })
 }
 
-/// Contact function of an ellipsoid and a capsule.
+/// Computes the contact function of an ellipsoid and a capsule.
 ///
 /// # Arguments
 ///
@@ -8500,8 +8524,10 @@ pub fn contact_capsule_batch(
 
 /// Tests whether an ellipsoid and a capsule overlap, μ² \< 1.
 ///
-/// If they only touch, they do not. The answer is that of exact arithmetic unless 1 - μ² is
-/// positive and below 2⁻³⁶⁰ (S + 2 radius \|s\|): such an overlap counts as touching.
+/// If they only touch, they do not overlap.
+///
+/// The answer is exact for the numbers given, with one exception: if 1 - μ² is positive and below
+/// 2⁻³⁶⁰ (S + 2 radius \|s\|), the two count as touching.
 ///
 /// # Arguments
 ///
@@ -8599,7 +8625,8 @@ pub fn overlap_capsule_batch(
     ) })
 }
 
-/// Signed distance of an ellipsoid and a capsule, and the points where it is reached.
+/// Computes the signed distance of an ellipsoid and a capsule, and the points where it is
+/// reached.
 ///
 /// # Arguments
 ///
@@ -8726,7 +8753,7 @@ pub fn distance_capsule_batch(
     ) })
 }
 
-/// Distance from a point to an ellipse, the curve; see
+/// Computes the distance from a point to the perimeter of an ellipse; see
 /// [`distance_point()`](crate::distance_point).
 ///
 /// # Arguments
@@ -8814,7 +8841,7 @@ pub fn distance_point_batch_2d(
     ) })
 }
 
-/// Contact function of an ellipse and a segment; see
+/// Computes the contact function of an ellipse and a segment; see
 /// [`contact_segment()`](crate::contact_segment).
 ///
 /// # Arguments
@@ -8908,8 +8935,9 @@ pub fn contact_segment_batch_2d(
     ) })
 }
 
-/// Contact function of an ellipse and a solid rectangle with sides along the axes; see
-/// [`contact_box()`](crate::contact_box).
+/// Computes the contact function of an ellipse and a solid rectangle with sides along the axes.
+///
+/// See [`contact_box()`](crate::contact_box).
 ///
 /// # Arguments
 ///
@@ -9002,7 +9030,7 @@ pub fn contact_box_batch_2d(
     ) })
 }
 
-/// Tests whether an ellipse and a segment overlap, μ² \< 1; see
+/// Tests whether an ellipse and a segment overlap; see
 /// [`overlap_segment()`](crate::overlap_segment).
 ///
 /// # Arguments
@@ -9082,7 +9110,7 @@ pub fn overlap_segment_batch_2d(
     ) })
 }
 
-/// Tests whether an ellipse and a solid rectangle with sides along the axes overlap, μ² \< 1; see
+/// Tests whether an ellipse and a solid rectangle with sides along the axes overlap; see
 /// [`overlap_box()`](crate::overlap_box).
 ///
 /// # Arguments
@@ -9289,11 +9317,13 @@ pub fn bounding_boxes(q: &[[f64; 6]], half_widths: &mut [[f64; 3]]) -> Result<()
     ) })
 }
 
-/// Form of the uniform solid ellipsoid that has given second moments.
+/// Computes the form of the uniform solid ellipsoid with given second moments.
 ///
-/// 5 times these, the inverse of [`second_moments()`](crate::second_moments). Other bodies get
-/// the ellipsoid with their second moments, which has another volume. The error of each entry is
-/// below u times the entry.
+/// 5 times the moments, the inverse of [`second_moments()`](crate::second_moments).
+///
+/// For a body of another shape, the result is the ellipsoid with the second moments of the body.
+/// Its volume differs from that of the body. The error of each entry is below u times the entry,
+/// with u = 2⁻⁵³.
 ///
 /// # Arguments
 ///
@@ -9351,7 +9381,7 @@ pub fn from_moments_batch(second_moments: &[[f64; 6]], q: &mut [[f64; 6]]) -> Re
     ) })
 }
 
-/// Form of the uniform ellipse that has given second moments: 4 times these; see
+/// Computes the form of the uniform ellipse with given second moments: 4 times the moments; see
 /// [`from_moments()`](crate::from_moments).
 ///
 /// # Arguments
