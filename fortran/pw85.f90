@@ -2360,7 +2360,8 @@ module pw85
   ! pw85_systems.h
   interface
 
-    !> pw85_overlap_any() for other particles of a system, by their indices.
+    !> Tests whether an ellipsoid overlaps any of n particles of a system, which are given by their
+    !> indices.
     function pw85_overlap_any_indices(center, q1, system, n, indices, images, any) result(status) &
       bind(C, name='pw85_overlap_any_indices')
       import
@@ -2373,7 +2374,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_any_indices
 
-    !> pw85_contact() for the pairs of a list.
+    !> Computes the contact function of the pairs of a list.
     function pw85_contact_pairs(list, system, mu2, lambda) result(status) bind(C, &
       name='pw85_contact_pairs')
       import
@@ -2384,7 +2385,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_pairs
 
-    !> pw85_overlap() for the pairs of a list.
+    !> Tests whether the pairs of a list overlap.
     function pw85_overlap_pairs(list, system, overlap) result(status) bind(C, &
       name='pw85_overlap_pairs')
       import
@@ -2394,7 +2395,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_pairs
 
-    !> pw85_overlap_volume() for the pairs of a list.
+    !> Computes the volumes of the intersections of the pairs of a list.
     function pw85_overlap_volume_pairs(list, system, volume) result(status) bind(C, &
       name='pw85_overlap_volume_pairs')
       import
@@ -2404,7 +2405,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_pairs
 
-    !> The derivatives for the pairs of a list.
+    !> Computes μ², its derivatives, points and normals for the pairs of a list.
     function pw85_contact_derivatives_pairs(list, system, mu2, lambda, point, normal, d_r12, &
       d_rot1, d_rot2) result(status) bind(C, name='pw85_contact_derivatives_pairs')
       import
@@ -2416,7 +2417,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_derivatives_pairs
 
-    !> Sums of the forces, torques and virial of an energy U(μ²) of pairs.
+    !> Computes the sums of the forces, torques and virial of an energy U(μ²) of pairs.
     function pw85_contact_forces_pairs(list, system, d_u, d_r12, d_rot1, d_rot2, forces, torques, &
       virial) result(status) bind(C, name='pw85_contact_forces_pairs')
       import
@@ -2430,8 +2431,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_forces_pairs
 
-    !> Sums of the energies, forces, torques and virial of the pairs of a list, whose energy is a
-    !> law of μ².
+    !> Computes the sums of the energies, forces, torques and virial of the pairs of a list.
     function pw85_law_forces_pairs(list, system, law, energy, forces, torques, virial) &
       result(status) bind(C, name='pw85_law_forces_pairs')
       import
@@ -2443,7 +2443,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_law_forces_pairs
 
-    !> pw85_first_contact() for the pairs of a list, and the next event of each particle.
+    !> Computes the times of the first contacts of the pairs of a list, and the next event of each
+    !> particle, which event-driven simulations schedule.
     function pw85_first_contact_pairs(list, system, motions, t_max, t, next, next_pair) &
       result(status) bind(C, name='pw85_first_contact_pairs')
       import
@@ -2457,7 +2458,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_first_contact_pairs
 
-    !> A reduced cell of the same lattice.
+    !> Computes a reduced cell of the same lattice.
     function pw85_cell_reduce(cell, reduced) result(status) bind(C, name='pw85_cell_reduce')
       import
       real(c_double), intent(in) :: cell(3, 3)
@@ -2465,7 +2466,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_cell_reduce
 
-    !> The nearest images, which the functions of pair lists use without `images`.
+    !> Computes the nearest images that the functions of pair lists use without `images`.
     function pw85_nearest_images(num_pairs, pairs, system, r12, images) result(status) bind(C, &
       name='pw85_nearest_images')
       import
@@ -2477,7 +2478,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_nearest_images
 
-    !> The limit of μ² below which only nearest images count.
+    !> Computes the limit of μ² below which only nearest images count.
     function pw85_nearest_image_limit(system, mu2) result(status) bind(C, &
       name='pw85_nearest_image_limit')
       import
@@ -2486,8 +2487,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_nearest_image_limit
 
-    !> Lists the pairs (i, j, image) whose bounding boxes are no farther apart than `skin` along any
-    !> axis, the ellipsoids scaled by `scale`.
+    !> Makes a list of the pairs (i, j, image) whose bounding boxes are no farther apart than `skin`
+    !> along any axis, for ellipsoids scaled by `scale`.
     function pw85_neighbors_create(system, scale, skin, list) result(status) bind(C, &
       name='pw85_neighbors_create')
       import
@@ -2497,7 +2498,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_neighbors_create
 
-    !> The particle because of which a list cannot be made.
+    !> Finds the particle because of which pw85_neighbors_create() cannot make a list.
     function pw85_neighbors_check(system, scale, skin, particle) result(status) bind(C, &
       name='pw85_neighbors_check')
       import
@@ -2507,8 +2508,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_neighbors_check
 
-    !> Tests whether a list still has all pairs whose boxes intersect (without skin) after the
-    !> particles have moved and turned, and the cell has changed.
+    !> Tests whether a list still has all pairs whose boxes intersect (without skin), after
+    !> particles have moved and turned and the cell has changed.
     function pw85_neighbors_holds(list, system, holds) result(status) bind(C, &
       name='pw85_neighbors_holds')
       import
@@ -2518,7 +2519,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_neighbors_holds
 
-    !> The pairs of a list, with their images if it has a cell.
+    !> Returns the pairs of a list, with their images if it has a cell.
     function pw85_neighbors_list(list) result(value) bind(C, name='pw85_neighbors_list')
       import
       type(c_ptr), value :: list
@@ -2542,7 +2543,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_mesh_create
 
-    !> Contact function of an ellipsoid and a mesh.
+    !> Computes the contact function of an ellipsoid and a mesh.
     function pw85_mesh_contact(mesh, center, q, mu2, point, triangle) result(status) bind(C, &
       name='pw85_mesh_contact')
       import
@@ -2563,7 +2564,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_mesh_overlap
 
-    !> Signed distance of an ellipsoid and a mesh.
+    !> Computes the signed distance of an ellipsoid and a mesh.
     function pw85_mesh_distance(mesh, center, q, distance, point1, point2, normal, triangle, &
       inside) result(status) bind(C, name='pw85_mesh_distance')
       import
@@ -2574,7 +2575,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_mesh_distance
 
-    !> pw85_mesh_contact() for n ellipsoids and one mesh.
+    !> Computes pw85_mesh_contact() for n ellipsoids and one mesh, with the same bits.
     function pw85_mesh_contact_batch(mesh, n, centers, q, mu2, point, triangle) result(status) &
       bind(C, name='pw85_mesh_contact_batch')
       import
@@ -2586,7 +2587,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_mesh_contact_batch
 
-    !> pw85_mesh_overlap() for n ellipsoids and one mesh.
+    !> Computes pw85_mesh_overlap() for n ellipsoids and one mesh.
     function pw85_mesh_overlap_batch(mesh, n, centers, q, overlap) result(status) bind(C, &
       name='pw85_mesh_overlap_batch')
       import
@@ -2597,7 +2598,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_mesh_overlap_batch
 
-    !> pw85_mesh_distance() for n ellipsoids and one mesh.
+    !> Computes pw85_mesh_distance() for n ellipsoids and one mesh, with the same bits.
     function pw85_mesh_distance_batch(mesh, n, centers, q, distance, point1, point2, normal, &
       triangle, inside) result(status) bind(C, name='pw85_mesh_distance_batch')
       import
