@@ -2320,7 +2320,7 @@ module pw85
   ! pw85_enclosing.h
   interface
 
-    !> The ellipsoid of least volume around points, up to a tolerance, with a proof.
+    !> Computes the ellipsoid of least volume around points, up to a tolerance, with a proof.
     function pw85_enclosing_ellipsoid(n, m, points, tolerance, center, q, excess) result(status) &
       bind(C, name='pw85_enclosing_ellipsoid')
       import
@@ -2332,7 +2332,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_enclosing_ellipsoid
 
-    !> The ellipsoid of least volume around ellipsoids, up to a tolerance, with a proof.
+    !> Computes the ellipsoid of least volume around ellipsoids, up to a tolerance, with a proof.
     function pw85_enclosing_ellipsoid_of(n, m, centers, forms, tolerance, center, q, excess) &
       result(status) bind(C, name='pw85_enclosing_ellipsoid_of')
       import
@@ -2344,7 +2344,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_enclosing_ellipsoid_of
 
-    !> Random points of an ellipsoid with its centre at 0, uniform in its volume or on its surface.
+    !> Makes random points of an ellipsoid with its centre at 0, uniform in its volume or on its
+    !> surface.
     function pw85_random_points(q, surface, seed, num_points, points) result(status) bind(C, &
       name='pw85_random_points')
       import
@@ -2634,7 +2635,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_create
 
-    !> Makes a simulation one of hard ellipses in a plane z = const, or again one of ellipsoids.
+    !> Turns a simulation into one of hard ellipses in a plane z = const, or back into one of
+    !> ellipsoids.
     function pw85_hard_ellipsoids_set_dimensions(simulation, dimensions) result(status) bind(C, &
       name='pw85_hard_ellipsoids_set_dimensions')
       import
@@ -2643,7 +2645,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_dimensions
 
-    !> The number of dimensions of a simulation.
+    !> Returns the number of dimensions of a simulation.
     function pw85_hard_ellipsoids_dimensions(simulation, dimensions) result(status) bind(C, &
       name='pw85_hard_ellipsoids_dimensions')
       import
@@ -2658,7 +2660,7 @@ module pw85
       type(c_ptr), value :: simulation
     end subroutine pw85_hard_ellipsoids_destroy
 
-    !> Particles and cell.
+    !> Returns the particles and the cell.
     function pw85_hard_ellipsoids_system(simulation) result(value) bind(C, &
       name='pw85_hard_ellipsoids_system')
       import
@@ -2666,7 +2668,7 @@ module pw85
       type(pw85_system) :: value
     end function pw85_hard_ellipsoids_system
 
-    !> The orientations, num_particles×4, as pw85_hard_ellipsoids_system() gives the rest.
+    !> Returns the orientations, num_particles×4.
     function pw85_hard_ellipsoids_quaternions(simulation) result(value) bind(C, &
       name='pw85_hard_ellipsoids_quaternions')
       import
@@ -2674,7 +2676,7 @@ module pw85
       type(c_ptr) :: value
     end function pw85_hard_ellipsoids_quaternions
 
-    !> The semi-axes, num_particles×3, as pw85_hard_ellipsoids_system() gives the rest.
+    !> Returns the semi-axes, num_particles×3.
     function pw85_hard_ellipsoids_semi_axes(simulation) result(value) bind(C, &
       name='pw85_hard_ellipsoids_semi_axes')
       import
@@ -2682,7 +2684,7 @@ module pw85
       type(c_ptr) :: value
     end function pw85_hard_ellipsoids_semi_axes
 
-    !> The number of bytes that pw85_hard_ellipsoids_save() writes.
+    !> Returns the number of bytes that pw85_hard_ellipsoids_save() writes.
     function pw85_hard_ellipsoids_num_bytes(simulation) result(value) bind(C, &
       name='pw85_hard_ellipsoids_num_bytes')
       import
@@ -2700,7 +2702,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_save
 
-    !> Makes a simulation from the bytes of another, which it continues bit by bit.
+    !> Makes a simulation from the bytes of another one, which it continues bit by bit.
     function pw85_hard_ellipsoids_restore(num_bytes, bytes, simulation) result(status) bind(C, &
       name='pw85_hard_ellipsoids_restore')
       import
@@ -2748,7 +2750,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_fields
 
-    !> Sets the potential of a simulation, beside its fields, or none.
+    !> Sets the potential of a simulation, in addition to its fields, or removes it.
     function pw85_hard_ellipsoids_set_potential(simulation, potential, context) result(status) &
       bind(C, name='pw85_hard_ellipsoids_set_potential')
       import
@@ -2758,7 +2760,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_potential
 
-    !> Sets an energy of pairs beside the hard cores, or none.
+    !> Sets an energy of pairs beside the hard cores, or removes it.
     function pw85_hard_ellipsoids_set_law(simulation, law) result(status) bind(C, &
       name='pw85_hard_ellipsoids_set_law')
       import
@@ -2793,7 +2795,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_chain
 
-    !> Tries changes of the cell and of all centres with it, at constant pressure.
+    !> Tries changes of the cell, and of all centres with it, at constant pressure.
     function pw85_hard_ellipsoids_volume_moves(simulation, num_moves, pressure, change) &
       result(status) bind(C, name='pw85_hard_ellipsoids_volume_moves')
       import
@@ -2804,7 +2806,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_volume_moves
 
-    !> Makes sweeps, and changes the steps after each of them towards an acceptance.
+    !> Makes sweeps, and changes the steps after each of them towards an acceptance ratio.
     function pw85_hard_ellipsoids_tune(simulation, num_sweeps, acceptance, pressure, change) &
       result(status) bind(C, name='pw85_hard_ellipsoids_tune')
       import
@@ -2834,7 +2836,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_steps
 
-    !> The largest changes of a trial.
+    !> Returns the largest changes of a trial.
     function pw85_hard_ellipsoids_steps(simulation, steps) result(status) bind(C, &
       name='pw85_hard_ellipsoids_steps')
       import
@@ -2843,8 +2845,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_steps
 
-    !> Sets the largest translations and rotations of some species, which are particles with the
-    !> same semi-axes, in place of all such steps that there are.
+    !> Sets the largest translations and rotations of some species, in place of all steps of species
+    !> set before.
     function pw85_hard_ellipsoids_set_kind_steps(simulation, num_kinds, semi_axes, steps) &
       result(status) bind(C, name='pw85_hard_ellipsoids_set_kind_steps')
       import
@@ -2854,8 +2856,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_kind_steps
 
-    !> The largest translations and rotations of some species, which are particles with the same
-    !> semi-axes.
+    !> Returns the largest translations and rotations of some species, which are particles with the
+    !> same semi-axes.
     function pw85_hard_ellipsoids_kind_steps(simulation, num_kinds, semi_axes, steps) &
       result(status) bind(C, name='pw85_hard_ellipsoids_kind_steps')
       import
@@ -2866,7 +2868,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_kind_steps
 
-    !> The numbers of trials since the simulation was made or tuned.
+    !> Returns the numbers of trials since the simulation was made or tuned.
     function pw85_hard_ellipsoids_counts(simulation, trials, accepted) result(status) bind(C, &
       name='pw85_hard_ellipsoids_counts')
       import
@@ -2880,8 +2882,8 @@ module pw85
   ! pw85_simulation_insertions.h
   interface
 
-    !> Tests whether a particle would be free of overlaps at another place, by the exact test, and
-    !> moves it there, if wanted.
+    !> Tests whether a particle would be free of overlaps at another position, and moves it there if
+    !> wanted.
     function pw85_hard_ellipsoids_try(simulation, particle, center, quaternion, take, is_free) &
       result(status) bind(C, name='pw85_hard_ellipsoids_try')
       import
@@ -2893,8 +2895,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_try
 
-    !> Tests whether a new particle would be free of overlaps, by the exact test, and inserts it as
-    !> the last one, if wanted.
+    !> Tests whether a new particle would be free of overlaps, and inserts it as the last one if
+    !> wanted.
     function pw85_hard_ellipsoids_insert(simulation, center, quaternion, semi_axes, take, is_free) &
       result(status) bind(C, name='pw85_hard_ellipsoids_insert')
       import
@@ -2914,7 +2916,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_remove
 
-    !> The mean of e^(-βU) of a particle that is inserted at random, 0 where it is not free.
+    !> Computes the mean of e^(-βU) of a particle that is inserted at random, where a position that
+    !> is not free counts as 0.
     function pw85_hard_ellipsoids_insertion_weight(simulation, num_trials, semi_axes, weight) &
       result(status) bind(C, name='pw85_hard_ellipsoids_insertion_weight')
       import
@@ -2941,8 +2944,8 @@ module pw85
   ! pw85_simulation_observations.h
   interface
 
-    !> The energy of all particles in the fields, the potential and the law of pairs, in the unit of
-    !> k_B T.
+    !> Computes the energy of all particles in the fields, the potential and the law of pairs, in
+    !> the unit of k_B T.
     function pw85_hard_ellipsoids_energy(simulation, energy) result(status) bind(C, &
       name='pw85_hard_ellipsoids_energy')
       import
@@ -2951,7 +2954,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_energy
 
-    !> The virial of the law of pairs, W = -2 Σ μ² dβU/dμ², which the pressure has beside that of
+    !> Computes the virial of the law of pairs, W = -2 Σ μ² dβU/dμ², which adds to the pressure of
     !> the hard cores.
     function pw85_hard_ellipsoids_law_virial(simulation, virial) result(status) bind(C, &
       name='pw85_hard_ellipsoids_law_virial')
@@ -2961,8 +2964,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_law_virial
 
-    !> The images of particles whose bounding boxes meet that of one particle, ordered by their
-    !> indices, then by their images.
+    !> Lists the images of particles whose bounding boxes meet that of a given particle.
     function pw85_hard_ellipsoids_neighbors(simulation, particle, capacity, count, particles, &
       images, separations) result(status) bind(C, name='pw85_hard_ellipsoids_neighbors')
       import
@@ -2983,7 +2985,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_check
 
-    !> Finds how far cell and centres can be compressed before particles touch.
+    !> Finds how far cell and centres can be compressed before particles touch, and compresses them
+    !> if wanted.
     function pw85_hard_ellipsoids_compress(simulation, take, factor) result(status) bind(C, &
       name='pw85_hard_ellipsoids_compress')
       import

@@ -1574,7 +1574,7 @@ extern "C" {
     ) -> c_int;
     /// Tight boxes, with sides along the axes, around n ellipsoids.
     pub fn pw85_bounding_boxes(n: usize, q: *const f64, half_widths: *mut f64) -> c_int;
-    /// The ellipsoid of least volume around points, up to a tolerance, with a proof.
+    /// Computes the ellipsoid of least volume around points, up to a tolerance, with a proof.
     pub fn pw85_enclosing_ellipsoid(
         n: c_int,
         m: usize,
@@ -1584,7 +1584,7 @@ extern "C" {
         q: *mut f64,
         excess: *mut f64,
     ) -> c_int;
-    /// The ellipsoid of least volume around ellipsoids, up to a tolerance, with a proof.
+    /// Computes the ellipsoid of least volume around ellipsoids, up to a tolerance, with a proof.
     pub fn pw85_enclosing_ellipsoid_of(
         n: c_int,
         m: usize,
@@ -1595,7 +1595,7 @@ extern "C" {
         q: *mut f64,
         excess: *mut f64,
     ) -> c_int;
-    /// Random points of an ellipsoid with its centre at 0, uniform in its volume or on its
+    /// Makes random points of an ellipsoid with its centre at 0, uniform in its volume or on its
     /// surface.
     pub fn pw85_random_points(
         q: *const f64,
