@@ -1360,7 +1360,7 @@ module pw85
   ! pw85_batch.h
   interface
 
-    !> pw85_contact() for n pairs.
+    !> Computes pw85_contact() for n pairs.
     function pw85_contact_batch(n, r12, q1, q2, mu2, lambda) result(status) bind(C, &
       name='pw85_contact_batch')
       import
@@ -1371,7 +1371,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_batch
 
-    !> pw85_overlap() for n pairs.
+    !> Computes pw85_overlap() for n pairs, with the same answers.
     function pw85_overlap_batch(n, r12, q1, q2, overlap) result(status) bind(C, &
       name='pw85_overlap_batch')
       import
@@ -1381,7 +1381,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_batch
 
-    !> pw85_contact_rounded() for n pairs.
+    !> Computes pw85_contact_rounded() for n pairs, with the same bits.
     function pw85_contact_rounded_batch(n, r12, q1, q2, mu2, lambda) result(status) bind(C, &
       name='pw85_contact_rounded_batch')
       import
@@ -1391,7 +1391,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_rounded_batch
 
-    !> pw85_overlap_factored() for n pairs.
+    !> Computes pw85_overlap_factored() for n pairs, with the same answers.
     function pw85_overlap_factored_batch(n, r12, s1, s2, overlap) result(status) bind(C, &
       name='pw85_overlap_factored_batch')
       import
@@ -1401,7 +1401,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_factored_batch
 
-    !> pw85_compare() for n pairs.
+    !> Computes pw85_compare() for n pairs, with the same signs.
     function pw85_compare_batch(n, r12, q1, q2, mu2, sign) result(status) bind(C, &
       name='pw85_compare_batch')
       import
@@ -1411,7 +1411,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_compare_batch
 
-    !> pw85_overlap_witness() for n pairs.
+    !> Computes pw85_overlap_witness() for n pairs, with the same results.
     function pw85_overlap_witness_batch(n, r12, q1, q2, overlap, lambda, point) result(status) &
       bind(C, name='pw85_overlap_witness_batch')
       import
@@ -1422,7 +1422,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_witness_batch
 
-    !> pw85_contains() for n pairs.
+    !> Computes pw85_contains() for n pairs, with the same answers.
     function pw85_contains_batch(n, r12, q1, q2, contains) result(status) bind(C, &
       name='pw85_contains_batch')
       import
@@ -1432,7 +1432,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contains_batch
 
-    !> pw85_containment() for n pairs.
+    !> Computes pw85_containment() for n pairs, with the same bits.
     function pw85_containment_batch(n, r12, q1, q2, mu2, point) result(status) bind(C, &
       name='pw85_containment_batch')
       import
@@ -1442,7 +1442,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_containment_batch
 
-    !> pw85_closest_passage() for n pairs.
+    !> Computes pw85_closest_passage() for n pairs.
     function pw85_closest_passage_batch(n, r12, q1, q2, velocity, t_max, mu2, t) result(status) &
       bind(C, name='pw85_closest_passage_batch')
       import
@@ -1454,7 +1454,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_closest_passage_batch
 
-    !> pw85_free_path() for n pairs.
+    !> Computes pw85_free_path() for n pairs, with the same bits.
     function pw85_free_path_batch(n, r12, q1, q2, directions, t_max, t) result(status) bind(C, &
       name='pw85_free_path_batch')
       import
@@ -1464,7 +1464,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_free_path_batch
 
-    !> pw85_closest_approach() for n pairs.
+    !> Computes pw85_closest_approach() for n pairs.
     function pw85_closest_approach_batch(n, directions, q1, q2, distance) result(status) bind(C, &
       name='pw85_closest_approach_batch')
       import
@@ -1474,7 +1474,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_closest_approach_batch
 
-    !> pw85_volume() for n ellipsoids.
+    !> Computes pw85_volume() for n ellipsoids, with the same bits.
     function pw85_volume_batch(n, q, volume) result(status) bind(C, name='pw85_volume_batch')
       import
       integer(c_size_t), value :: n
@@ -1483,7 +1483,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_volume_batch
 
-    !> pw85_overlap_volume() for n pairs.
+    !> Computes pw85_overlap_volume() for n pairs, with the same bits.
     function pw85_overlap_volume_batch(n, r12, q1, q2, volume) result(status) bind(C, &
       name='pw85_overlap_volume_batch')
       import
@@ -1493,7 +1493,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_batch
 
-    !> pw85_overlap_volume_gradient() for n pairs.
+    !> Computes pw85_overlap_volume_gradient() for n pairs, with the same bits.
     function pw85_overlap_volume_gradient_batch(n, r12, q1, q2, d_r12, d_q1, d_q2) result(status) &
       bind(C, name='pw85_overlap_volume_gradient_batch')
       import
@@ -1503,7 +1503,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_gradient_batch
 
-    !> pw85_overlap_volume_torque() for n pairs.
+    !> Computes pw85_overlap_volume_torque() for n pairs, with the same bits.
     function pw85_overlap_volume_torque_batch(n, r12, q1, q2, d_rot1, d_rot2) result(status) &
       bind(C, name='pw85_overlap_volume_torque_batch')
       import
@@ -1513,7 +1513,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_torque_batch
 
-    !> pw85_overlap_volume_plane() for n ellipsoids and half-spaces.
+    !> Computes pw85_overlap_volume_plane() for n ellipsoids and half-spaces, with the same bits.
     function pw85_overlap_volume_plane_batch(n, normals, offsets, q, volume) result(status) &
       bind(C, name='pw85_overlap_volume_plane_batch')
       import
@@ -1523,7 +1523,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_plane_batch
 
-    !> pw85_area_2d() for n ellipses.
+    !> Computes pw85_area_2d() for n ellipses, with the same bits.
     function pw85_area_batch_2d(n, q, area) result(status) bind(C, name='pw85_area_batch_2d')
       import
       integer(c_size_t), value :: n
@@ -1532,7 +1532,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_area_batch_2d
 
-    !> pw85_overlap_area_2d() for n pairs.
+    !> Computes pw85_overlap_area_2d() for n pairs, with the same bits.
     function pw85_overlap_area_batch_2d(n, r12, q1, q2, area) result(status) bind(C, &
       name='pw85_overlap_area_batch_2d')
       import
@@ -1542,7 +1542,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_area_batch_2d
 
-    !> pw85_overlap_area_gradient_2d() for n pairs.
+    !> Computes pw85_overlap_area_gradient_2d() for n pairs, with the same bits.
     function pw85_overlap_area_gradient_batch_2d(n, r12, q1, q2, d_r12, d_q1, d_q2) result(status) &
       bind(C, name='pw85_overlap_area_gradient_batch_2d')
       import
@@ -1552,7 +1552,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_area_gradient_batch_2d
 
-    !> pw85_overlap_area_torque_2d() for n pairs.
+    !> Computes pw85_overlap_area_torque_2d() for n pairs, with the same bits.
     function pw85_overlap_area_torque_batch_2d(n, r12, q1, q2, d_rot1, d_rot2) result(status) &
       bind(C, name='pw85_overlap_area_torque_batch_2d')
       import
@@ -1562,7 +1562,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_area_torque_batch_2d
 
-    !> pw85_surface_area() for n ellipsoids.
+    !> Computes pw85_surface_area() for n ellipsoids, with the same bits.
     function pw85_surface_area_batch(n, q, area) result(status) bind(C, &
       name='pw85_surface_area_batch')
       import
@@ -1572,7 +1572,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_surface_area_batch
 
-    !> pw85_second_moments() for n ellipsoids.
+    !> Computes pw85_second_moments() for n ellipsoids, with the same bits.
     function pw85_second_moments_batch(n, q, moments) result(status) bind(C, &
       name='pw85_second_moments_batch')
       import
@@ -1582,7 +1582,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_second_moments_batch
 
-    !> pw85_from_moments() for n ellipsoids.
+    !> Computes pw85_from_moments() for n ellipsoids, with the same bits.
     function pw85_from_moments_batch(n, second_moments, q) result(status) bind(C, &
       name='pw85_from_moments_batch')
       import
@@ -1592,7 +1592,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_from_moments_batch
 
-    !> pw85_shell_moments() for n ellipsoids.
+    !> Computes pw85_shell_moments() for n ellipsoids, with the same bits.
     function pw85_shell_moments_batch(n, q, moments) result(status) bind(C, &
       name='pw85_shell_moments_batch')
       import
@@ -1602,7 +1602,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_shell_moments_batch
 
-    !> pw85_inertia() for n ellipsoids.
+    !> Computes pw85_inertia() for n ellipsoids, with the same bits.
     function pw85_inertia_batch(n, q, shell, inertia) result(status) bind(C, &
       name='pw85_inertia_batch')
       import
@@ -1613,7 +1613,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_inertia_batch
 
-    !> pw85_perimeter_2d() for n ellipses.
+    !> Computes pw85_perimeter_2d() for n ellipses, with the same bits.
     function pw85_perimeter_batch_2d(n, q, perimeter) result(status) bind(C, &
       name='pw85_perimeter_batch_2d')
       import
@@ -1623,7 +1623,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_perimeter_batch_2d
 
-    !> pw85_second_moments_2d() for n ellipses.
+    !> Computes pw85_second_moments_2d() for n ellipses, with the same bits.
     function pw85_second_moments_batch_2d(n, q, moments) result(status) bind(C, &
       name='pw85_second_moments_batch_2d')
       import
@@ -1633,7 +1633,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_second_moments_batch_2d
 
-    !> pw85_from_moments_2d() for n ellipses.
+    !> Computes pw85_from_moments_2d() for n ellipses, with the same bits.
     function pw85_from_moments_batch_2d(n, second_moments, q) result(status) bind(C, &
       name='pw85_from_moments_batch_2d')
       import
@@ -1643,7 +1643,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_from_moments_batch_2d
 
-    !> pw85_shell_moments_2d() for n ellipses.
+    !> Computes pw85_shell_moments_2d() for n ellipses, with the same bits.
     function pw85_shell_moments_batch_2d(n, q, moments) result(status) bind(C, &
       name='pw85_shell_moments_batch_2d')
       import
@@ -1653,7 +1653,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_shell_moments_batch_2d
 
-    !> pw85_contact_factored() for n pairs.
+    !> Computes pw85_contact_factored() for n pairs, with the same bits.
     function pw85_contact_factored_batch(n, r12, s1, s2, mu2, lambda) result(status) bind(C, &
       name='pw85_contact_factored_batch')
       import
@@ -1663,7 +1663,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_factored_batch
 
-    !> pw85_condition() for n pairs.
+    !> Computes pw85_condition() for n pairs, with the same bits.
     function pw85_condition_batch(n, r12, q1, q2, lambda, cond) result(status) bind(C, &
       name='pw85_condition_batch')
       import
@@ -1673,7 +1673,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_condition_batch
 
-    !> pw85_contact_function() for n pairs.
+    !> Computes pw85_contact_function() for n pairs, with the same bits.
     function pw85_contact_function_batch(n, r12, q1, q2, mu2, lambda) result(status) bind(C, &
       name='pw85_contact_function_batch')
       import
@@ -1683,7 +1683,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_function_batch
 
-    !> pw85_contact_geometry() for n pairs.
+    !> Computes pw85_contact_geometry() for n pairs, with the same bits.
     function pw85_contact_geometry_batch(n, r12, q1, q2, lambda, point, normal) result(status) &
       bind(C, name='pw85_contact_geometry_batch')
       import
@@ -1693,7 +1693,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_geometry_batch
 
-    !> pw85_contact_gradient() for n pairs.
+    !> Computes pw85_contact_gradient() for n pairs, with the same bits.
     function pw85_contact_gradient_batch(n, r12, q1, q2, lambda, d_r12, d_q1, d_q2) result(status) &
       bind(C, name='pw85_contact_gradient_batch')
       import
@@ -1703,7 +1703,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_gradient_batch
 
-    !> pw85_contact_geometry_factored() for n pairs.
+    !> Computes pw85_contact_geometry_factored() for n pairs, with the same bits.
     function pw85_contact_geometry_factored_batch(n, r12, s1, s2, lambda, point, normal) &
       result(status) bind(C, name='pw85_contact_geometry_factored_batch')
       import
@@ -1713,7 +1713,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_geometry_factored_batch
 
-    !> pw85_contact_gradient_factored() for n pairs.
+    !> Computes pw85_contact_gradient_factored() for n pairs, with the same bits.
     function pw85_contact_gradient_factored_batch(n, r12, s1, s2, lambda, d_r12, d_s1, d_s2) &
       result(status) bind(C, name='pw85_contact_gradient_factored_batch')
       import
@@ -1723,7 +1723,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_gradient_factored_batch
 
-    !> pw85_contact_torque() for n pairs.
+    !> Computes pw85_contact_torque() for n pairs, with the same bits.
     function pw85_contact_torque_batch(n, r12, q1, q2, lambda, d_rot1, d_rot2) result(status) &
       bind(C, name='pw85_contact_torque_batch')
       import
@@ -1733,7 +1733,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_torque_batch
 
-    !> pw85_contact_hessian() for n pairs.
+    !> Computes pw85_contact_hessian() for n pairs, with the same bits.
     function pw85_contact_hessian_batch(n, r12, q1, q2, lambda, hessian) result(status) bind(C, &
       name='pw85_contact_hessian_batch')
       import
@@ -1743,7 +1743,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_hessian_batch
 
-    !> pw85_contact_2d() for n pairs.
+    !> Computes pw85_contact_2d() for n pairs.
     function pw85_contact_batch_2d(n, r12, q1, q2, mu2, lambda) result(status) bind(C, &
       name='pw85_contact_batch_2d')
       import
@@ -1754,7 +1754,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_batch_2d
 
-    !> pw85_overlap_2d() for n pairs.
+    !> Computes pw85_overlap_2d() for n pairs.
     function pw85_overlap_batch_2d(n, r12, q1, q2, overlap) result(status) bind(C, &
       name='pw85_overlap_batch_2d')
       import
@@ -1764,7 +1764,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_batch_2d
 
-    !> pw85_contact_geometry_2d() for n pairs.
+    !> Computes pw85_contact_geometry_2d() for n pairs, with the same bits.
     function pw85_contact_geometry_batch_2d(n, r12, q1, q2, lambda, point, normal) result(status) &
       bind(C, name='pw85_contact_geometry_batch_2d')
       import
@@ -1774,7 +1774,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_geometry_batch_2d
 
-    !> pw85_contact_gradient_2d() for n pairs.
+    !> Computes pw85_contact_gradient_2d() for n pairs, with the same bits.
     function pw85_contact_gradient_batch_2d(n, r12, q1, q2, lambda, d_r12, d_q1, d_q2) &
       result(status) bind(C, name='pw85_contact_gradient_batch_2d')
       import
@@ -1784,7 +1784,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_gradient_batch_2d
 
-    !> pw85_contact_torque_2d() for n pairs.
+    !> Computes pw85_contact_torque_2d() for n pairs, with the same bits.
     function pw85_contact_torque_batch_2d(n, r12, q1, q2, lambda, d_rot1, d_rot2) result(status) &
       bind(C, name='pw85_contact_torque_batch_2d')
       import
@@ -1794,7 +1794,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_torque_batch_2d
 
-    !> pw85_contact_hessian_2d() for n pairs.
+    !> Computes pw85_contact_hessian_2d() for n pairs, with the same bits.
     function pw85_contact_hessian_batch_2d(n, r12, q1, q2, lambda, hessian) result(status) bind(C, &
       name='pw85_contact_hessian_batch_2d')
       import
@@ -1804,7 +1804,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_hessian_batch_2d
 
-    !> pw85_closest_approach_2d() for n pairs.
+    !> Computes pw85_closest_approach_2d() for n pairs, with the same bits.
     function pw85_closest_approach_batch_2d(n, directions, q1, q2, distance) result(status) &
       bind(C, name='pw85_closest_approach_batch_2d')
       import
@@ -1814,8 +1814,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_closest_approach_batch_2d
 
-    !> pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and pw85_contact_torque()
-    !> for n pairs.
+    !> Computes all that the forces and torques of an energy U(μ²) need, for n pairs.
     function pw85_contact_derivatives_batch(n, r12, q1, q2, mu2, lambda, point, normal, d_r12, &
       d_rot1, d_rot2) result(status) bind(C, name='pw85_contact_derivatives_batch')
       import
@@ -1826,7 +1825,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_derivatives_batch
 
-    !> pw85_distance() for n pairs.
+    !> Computes pw85_distance() for n pairs.
     function pw85_distance_batch(n, r12, q1, q2, distance, point1, point2) result(status) bind(C, &
       name='pw85_distance_batch')
       import
@@ -1836,7 +1835,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_batch
 
-    !> pw85_distance_derivatives() for n pairs.
+    !> Computes pw85_distance_derivatives() for n pairs, with the same bits.
     function pw85_distance_derivatives_batch(n, r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) &
       result(status) bind(C, name='pw85_distance_derivatives_batch')
       import
@@ -1847,7 +1846,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_derivatives_batch
 
-    !> pw85_distance_2d() for n pairs.
+    !> Computes pw85_distance_2d() for n pairs, with the same bits.
     function pw85_distance_batch_2d(n, r12, q1, q2, distance, point1, point2) result(status) &
       bind(C, name='pw85_distance_batch_2d')
       import
@@ -1857,7 +1856,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_batch_2d
 
-    !> pw85_penetration_2d() for n pairs.
+    !> Computes pw85_penetration_2d() for n pairs, with the same bits.
     function pw85_penetration_batch_2d(n, r12, q1, q2, depth, direction) result(status) bind(C, &
       name='pw85_penetration_batch_2d')
       import
@@ -1867,7 +1866,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_penetration_batch_2d
 
-    !> pw85_signed_distance_2d() for n pairs.
+    !> Computes pw85_signed_distance_2d() for n pairs, with the same bits.
     function pw85_signed_distance_batch_2d(n, r12, q1, q2, distance, point1, point2) &
       result(status) bind(C, name='pw85_signed_distance_batch_2d')
       import
@@ -1877,7 +1876,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_signed_distance_batch_2d
 
-    !> pw85_penetration() for n pairs.
+    !> Computes pw85_penetration() for n pairs, with the same bits.
     function pw85_penetration_batch(n, r12, q1, q2, depth, direction) result(status) bind(C, &
       name='pw85_penetration_batch')
       import
@@ -1887,7 +1886,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_penetration_batch
 
-    !> pw85_signed_distance() for n pairs.
+    !> Computes pw85_signed_distance() for n pairs, with the same bits.
     function pw85_signed_distance_batch(n, r12, q1, q2, distance, point1, point2) result(status) &
       bind(C, name='pw85_signed_distance_batch')
       import
@@ -1897,7 +1896,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_signed_distance_batch
 
-    !> pw85_signed_distance_derivatives() for n pairs.
+    !> Computes pw85_signed_distance_derivatives() for n pairs, with the same bits.
     function pw85_signed_distance_derivatives_batch(n, r12, q1, q2, d_r12, d_rot1, d_rot2, &
       hessian) result(status) bind(C, name='pw85_signed_distance_derivatives_batch')
       import
@@ -1908,7 +1907,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_signed_distance_derivatives_batch
 
-    !> pw85_gap_inside() for n pairs.
+    !> Computes pw85_gap_inside() for n pairs, with the same bits.
     function pw85_gap_inside_batch(n, r12, q1, q2, gap, point1, point2, normal) result(status) &
       bind(C, name='pw85_gap_inside_batch')
       import
@@ -1918,7 +1917,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_gap_inside_batch
 
-    !> pw85_gap_inside_2d() for n pairs.
+    !> Computes pw85_gap_inside_2d() for n pairs, with the same bits.
     function pw85_gap_inside_batch_2d(n, r12, q1, q2, gap, point1, point2, normal) result(status) &
       bind(C, name='pw85_gap_inside_batch_2d')
       import
@@ -1928,7 +1927,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_gap_inside_batch_2d
 
-    !> pw85_curvature() for n ellipsoids.
+    !> Computes pw85_curvature() for n ellipsoids, with the same bits.
     function pw85_curvature_batch(n, normals, q, curvatures, directions) result(status) bind(C, &
       name='pw85_curvature_batch')
       import
@@ -1938,7 +1937,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_curvature_batch
 
-    !> pw85_hertz() for n contacts.
+    !> Computes pw85_hertz() for n contacts, with the same bits.
     function pw85_hertz_batch(n, curvatures, radius, ellipse) result(status) bind(C, &
       name='pw85_hertz_batch')
       import
@@ -1948,7 +1947,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hertz_batch
 
-    !> pw85_hertz_contact() for n pairs.
+    !> Computes pw85_hertz_contact() for n pairs, with the same bits.
     function pw85_hertz_contact_batch(n, r12, q1, q2, normals, depth, point, curvatures, &
       directions, radius, ellipse) result(status) bind(C, name='pw85_hertz_contact_batch')
       import
@@ -1959,7 +1958,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hertz_contact_batch
 
-    !> pw85_grain_contact() for n pairs.
+    !> Computes pw85_grain_contact() for n pairs.
     function pw85_grain_contact_batch(n, r12, q1, q2, starts, normal, depth, point, curvatures, &
       radius) result(status) bind(C, name='pw85_grain_contact_batch')
       import
@@ -1970,7 +1969,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_grain_contact_batch
 
-    !> pw85_grain_radius_gradient() for n pairs.
+    !> Computes pw85_grain_radius_gradient() for n pairs, with the same bits.
     function pw85_grain_radius_gradient_batch(n, r12, q1, q2, normals, d_r12, d_rot1, d_rot2) &
       result(status) bind(C, name='pw85_grain_radius_gradient_batch')
       import
@@ -1980,7 +1979,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_grain_radius_gradient_batch
 
-    !> pw85_grain_contact_wall() for n ellipsoids and walls.
+    !> Computes pw85_grain_contact_wall() for n ellipsoids and walls, with the same bits.
     function pw85_grain_contact_wall_batch(n, normals, offsets, directions, curvature, q, depth, &
       point, curvatures, radius) result(status) bind(C, name='pw85_grain_contact_wall_batch')
       import
@@ -1991,7 +1990,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_grain_contact_wall_batch
 
-    !> pw85_distance_plane() for n ellipsoids and half-spaces.
+    !> Computes pw85_distance_plane() for n ellipsoids and half-spaces, with the same bits.
     function pw85_distance_plane_batch(n, normals, offsets, q, distance, point) result(status) &
       bind(C, name='pw85_distance_plane_batch')
       import
@@ -2001,7 +2000,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_plane_batch
 
-    !> pw85_distance_plane_derivatives() for n ellipsoids and half-spaces.
+    !> Computes pw85_distance_plane_derivatives() for n ellipsoids and half-spaces, with the same
+    !> bits.
     function pw85_distance_plane_derivatives_batch(n, normals, q, d_center, d_rot) result(status) &
       bind(C, name='pw85_distance_plane_derivatives_batch')
       import
@@ -2011,7 +2011,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_plane_derivatives_batch
 
-    !> pw85_contact_plane() for n ellipsoids and half-spaces.
+    !> Computes pw85_contact_plane() for n ellipsoids and half-spaces, with the same bits.
     function pw85_contact_plane_batch(n, normals, offsets, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_plane_batch')
       import
@@ -2021,7 +2021,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_plane_batch
 
-    !> pw85_contact_plane_derivatives() for n ellipsoids and half-spaces.
+    !> Computes pw85_contact_plane_derivatives() for n ellipsoids and half-spaces, with the same
+    !> bits.
     function pw85_contact_plane_derivatives_batch(n, normals, offsets, q, d_center, d_rot) &
       result(status) bind(C, name='pw85_contact_plane_derivatives_batch')
       import
@@ -2031,7 +2032,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_plane_derivatives_batch
 
-    !> pw85_distance_box() for n ellipsoids and boxes.
+    !> Computes pw85_distance_box() for n ellipsoids and boxes, with the same bits.
     function pw85_distance_box_batch(n, lower, upper, q, distance, point, normal) result(status) &
       bind(C, name='pw85_distance_box_batch')
       import
@@ -2041,7 +2042,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_box_batch
 
-    !> pw85_distance_cylinder() for n ellipsoids and cylinders.
+    !> Computes pw85_distance_cylinder() for n ellipsoids and cylinders, with the same bits.
     function pw85_distance_cylinder_batch(n, axis, radius, center, q, distance, point, normal) &
       result(status) bind(C, name='pw85_distance_cylinder_batch')
       import
@@ -2051,7 +2052,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_cylinder_batch
 
-    !> pw85_distance_point() for n points and ellipsoids.
+    !> Computes pw85_distance_point() for n points and ellipsoids, with the same bits.
     function pw85_distance_point_batch(n, r, q, distance, point, normal) result(status) bind(C, &
       name='pw85_distance_point_batch')
       import
@@ -2061,7 +2062,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_point_batch
 
-    !> pw85_distance_segment() for n ellipsoids and segments.
+    !> Computes pw85_distance_segment() for n ellipsoids and segments, with the same bits.
     function pw85_distance_segment_batch(n, end1, end2, q, distance, point1, point2, normal) &
       result(status) bind(C, name='pw85_distance_segment_batch')
       import
@@ -2071,7 +2072,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_segment_batch
 
-    !> pw85_distance_triangle() for n ellipsoids and triangles.
+    !> Computes pw85_distance_triangle() for n ellipsoids and triangles, with the same bits.
     function pw85_distance_triangle_batch(n, vertex1, vertex2, vertex3, q, distance, point1, &
       point2, normal) result(status) bind(C, name='pw85_distance_triangle_batch')
       import
@@ -2081,7 +2082,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_triangle_batch
 
-    !> pw85_distance_solid_box() for n ellipsoids and boxes.
+    !> Computes pw85_distance_solid_box() for n ellipsoids and boxes, with the same bits.
     function pw85_distance_solid_box_batch(n, lower, upper, q, distance, point1, point2, normal) &
       result(status) bind(C, name='pw85_distance_solid_box_batch')
       import
@@ -2091,7 +2092,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_solid_box_batch
 
-    !> pw85_intersect_line() for n lines and ellipsoids.
+    !> Computes pw85_intersect_line() for n lines and ellipsoids, with the same bits.
     function pw85_intersect_line_batch(n, origin, directions, q, enter, leave) result(status) &
       bind(C, name='pw85_intersect_line_batch')
       import
@@ -2101,7 +2102,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_intersect_line_batch
 
-    !> pw85_contact_segment() for n ellipsoids and segments.
+    !> Computes pw85_contact_segment() for n ellipsoids and segments.
     function pw85_contact_segment_batch(n, end1, end2, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_segment_batch')
       import
@@ -2111,7 +2112,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_segment_batch
 
-    !> pw85_contact_triangle() for n ellipsoids and triangles.
+    !> Computes pw85_contact_triangle() for n ellipsoids and triangles.
     function pw85_contact_triangle_batch(n, vertex1, vertex2, vertex3, q, mu2, point) &
       result(status) bind(C, name='pw85_contact_triangle_batch')
       import
@@ -2121,7 +2122,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_triangle_batch
 
-    !> pw85_contact_box() for n ellipsoids and boxes.
+    !> Computes pw85_contact_box() for n ellipsoids and boxes.
     function pw85_contact_box_batch(n, lower, upper, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_box_batch')
       import
@@ -2131,7 +2132,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_box_batch
 
-    !> pw85_overlap_segment() for n ellipsoids and segments.
+    !> Computes pw85_overlap_segment() for n ellipsoids and segments, with the same answers.
     function pw85_overlap_segment_batch(n, end1, end2, q, overlap) result(status) bind(C, &
       name='pw85_overlap_segment_batch')
       import
@@ -2141,7 +2142,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_segment_batch
 
-    !> pw85_overlap_triangle() for n ellipsoids and triangles.
+    !> Computes pw85_overlap_triangle() for n ellipsoids and triangles, with the same answers.
     function pw85_overlap_triangle_batch(n, vertex1, vertex2, vertex3, q, overlap) result(status) &
       bind(C, name='pw85_overlap_triangle_batch')
       import
@@ -2151,7 +2152,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_triangle_batch
 
-    !> pw85_overlap_box() for n ellipsoids and boxes.
+    !> Computes pw85_overlap_box() for n ellipsoids and boxes, with the same answers.
     function pw85_overlap_box_batch(n, lower, upper, q, overlap) result(status) bind(C, &
       name='pw85_overlap_box_batch')
       import
@@ -2161,7 +2162,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_box_batch
 
-    !> pw85_contact_capsule() for n ellipsoids and capsules.
+    !> Computes pw85_contact_capsule() for n ellipsoids and capsules, with the same bits.
     function pw85_contact_capsule_batch(n, end1, end2, radius, q, mu2, point) result(status) &
       bind(C, name='pw85_contact_capsule_batch')
       import
@@ -2171,7 +2172,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_capsule_batch
 
-    !> pw85_overlap_capsule() for n ellipsoids and capsules.
+    !> Computes pw85_overlap_capsule() for n ellipsoids and capsules, with the same answers.
     function pw85_overlap_capsule_batch(n, end1, end2, radius, q, overlap) result(status) bind(C, &
       name='pw85_overlap_capsule_batch')
       import
@@ -2181,7 +2182,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_capsule_batch
 
-    !> pw85_distance_capsule() for n ellipsoids and capsules.
+    !> Computes pw85_distance_capsule() for n ellipsoids and capsules, with the same bits.
     function pw85_distance_capsule_batch(n, end1, end2, radius, q, distance, point1, point2, &
       normal) result(status) bind(C, name='pw85_distance_capsule_batch')
       import
@@ -2191,7 +2192,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_capsule_batch
 
-    !> pw85_distance_point_2d() for n points and ellipses.
+    !> Computes pw85_distance_point_2d() for n points and ellipses, with the same bits.
     function pw85_distance_point_batch_2d(n, r, q, distance, point, normal) result(status) bind(C, &
       name='pw85_distance_point_batch_2d')
       import
@@ -2201,7 +2202,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_point_batch_2d
 
-    !> pw85_contact_segment_2d() for n ellipses and segments.
+    !> Computes pw85_contact_segment_2d() for n ellipses and segments, with the same bits.
     function pw85_contact_segment_batch_2d(n, end1, end2, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_segment_batch_2d')
       import
@@ -2211,7 +2212,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_segment_batch_2d
 
-    !> pw85_contact_box_2d() for n ellipses and boxes.
+    !> Computes pw85_contact_box_2d() for n ellipses and boxes, with the same bits.
     function pw85_contact_box_batch_2d(n, lower, upper, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_box_batch_2d')
       import
@@ -2221,7 +2222,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_box_batch_2d
 
-    !> pw85_overlap_segment_2d() for n ellipses and segments.
+    !> Computes pw85_overlap_segment_2d() for n ellipses and segments, with the same answers.
     function pw85_overlap_segment_batch_2d(n, end1, end2, q, overlap) result(status) bind(C, &
       name='pw85_overlap_segment_batch_2d')
       import
@@ -2231,7 +2232,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_segment_batch_2d
 
-    !> pw85_overlap_box_2d() for n ellipses and boxes.
+    !> Computes pw85_overlap_box_2d() for n ellipses and boxes, with the same answers.
     function pw85_overlap_box_batch_2d(n, lower, upper, q, overlap) result(status) bind(C, &
       name='pw85_overlap_box_batch_2d')
       import
@@ -2241,8 +2242,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_box_batch_2d
 
-    !> pw85_contact_polytope() for many ellipsoids and one polytope, which need not be at their
-    !> centres.
+    !> Computes pw85_contact_polytope() for many ellipsoids and one polytope.
     function pw85_contact_polytope_batch(num_ellipsoids, centers, q, num_planes, normals, offsets, &
       mu2, point) result(status) bind(C, name='pw85_contact_polytope_batch')
       import
@@ -2253,7 +2253,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_polytope_batch
 
-    !> pw85_overlap_polytope() for many ellipsoids and one polytope, as which of them a camera sees.
+    !> Tests whether many ellipsoids overlap one polytope, for example which of them a camera sees.
     function pw85_overlap_polytope_batch(num_ellipsoids, centers, q, num_planes, normals, offsets, &
       overlap) result(status) bind(C, name='pw85_overlap_polytope_batch')
       import
@@ -2264,7 +2264,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_polytope_batch
 
-    !> pw85_first_contact() for n pairs.
+    !> Computes pw85_first_contact() for n pairs, with the same bits.
     function pw85_first_contact_batch(n, r12, q1, q2, motion1, motion2, t_max, t) result(status) &
       bind(C, name='pw85_first_contact_batch')
       import
@@ -2285,7 +2285,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_any
 
-    !> pw85_ellipsoid_factor() for n ellipsoids.
+    !> Computes pw85_ellipsoid_factor() for n ellipsoids, with the same bits.
     function pw85_ellipsoid_factor_batch(n, semi_axes, quaternions, s) result(status) bind(C, &
       name='pw85_ellipsoid_factor_batch')
       import
@@ -2295,7 +2295,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_ellipsoid_factor_batch
 
-    !> pw85_ellipsoid_quaternion() for n ellipsoids.
+    !> Computes pw85_ellipsoid_quaternion() for n ellipsoids, with the same bits.
     function pw85_ellipsoid_quaternion_batch(n, semi_axes, quaternions, q) result(status) bind(C, &
       name='pw85_ellipsoid_quaternion_batch')
       import
@@ -2305,7 +2305,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_ellipsoid_quaternion_batch
 
-    !> Tight boxes, with sides along the axes, around n ellipsoids.
+    !> Computes the smallest boxes, with sides along the axes, around n ellipsoids.
     function pw85_bounding_boxes(n, q, half_widths) result(status) bind(C, &
       name='pw85_bounding_boxes')
       import
@@ -3001,21 +3001,21 @@ module pw85
   ! pw85_legacy.h
   interface
 
-    !> Determinant of a symmetric matrix.
+    !> Computes the determinant of a symmetric matrix.
     function pw85_legacy__det_sym(a) result(value) bind(C, name='pw85_legacy__det_sym')
       import
       real(c_double), intent(in) :: a(6)
       real(c_double) :: value
     end function pw85_legacy__det_sym
 
-    !> Quadratic form of the adjugate (the transpose of the matrix of cofactors).
+    !> Computes the quadratic form of the adjugate (the transpose of the matrix of cofactors).
     function pw85_legacy__xt_adja_x(x, a) result(value) bind(C, name='pw85_legacy__xT_adjA_x')
       import
       real(c_double), intent(in) :: x(3), a(6)
       real(c_double) :: value
     end function pw85_legacy__xt_adja_x
 
-    !> Coefficients of det[(1-λ) Q1 + λ Q2] in increasing powers of λ.
+    !> Computes the coefficients of det[(1-λ) Q1 + λ Q2] in increasing powers of λ.
     subroutine pw85_legacy__detq_as_poly(q1, q2, q3, q4, b) bind(C, &
       name='pw85_legacy__detQ_as_poly')
       import
@@ -3023,7 +3023,7 @@ module pw85
       real(c_double), intent(out) :: b(4)
     end subroutine pw85_legacy__detq_as_poly
 
-    !> Coefficients of rᵀ adj[(1-λ) Q1 + λ Q2] r in increasing powers of λ.
+    !> Computes the coefficients of rᵀ adj[(1-λ) Q1 + λ Q2] r in increasing powers of λ.
     subroutine pw85_legacy__rt_adjq_r_as_poly(r, q1, q2, q3, a) bind(C, &
       name='pw85_legacy__rT_adjQ_r_as_poly')
       import
@@ -3031,7 +3031,7 @@ module pw85
       real(c_double), intent(out) :: a(3)
     end subroutine pw85_legacy__rt_adjq_r_as_poly
 
-    !> f(λ), by factorisation.
+    !> Computes f(λ) and its derivatives by factorisation.
     function pw85_legacy_f1(lambda, r12, q1, q2, out) result(value) bind(C, name='pw85_legacy_f1')
       import
       real(c_double), value :: lambda
@@ -3040,7 +3040,7 @@ module pw85
       real(c_double) :: value
     end function pw85_legacy_f1
 
-    !> f(λ), as a rational function of λ.
+    !> Computes f(λ) as a rational function of λ.
     function pw85_legacy_f2(lambda, r12, q1, q2, out) result(value) bind(C, name='pw85_legacy_f2')
       import
       real(c_double), value :: lambda
@@ -3049,7 +3049,7 @@ module pw85
       real(c_double) :: value
     end function pw85_legacy_f2
 
-    !> f(λ) and its derivatives, as a rational function of λ.
+    !> Computes f(λ) and its derivatives as a rational function of λ.
     subroutine pw85_legacy_f2_derivatives(lambda, r12, q1, q2, out) bind(C, &
       name='pw85_legacy_f2_derivatives')
       import
@@ -3058,7 +3058,8 @@ module pw85
       real(c_double), intent(out) :: out(3)
     end subroutine pw85_legacy_f2_derivatives
 
-    !> Contact function by plain Newton-Raphson iterations on f' from λ = 1/2, which often fail.
+    !> Computes the contact function by plain Newton-Raphson iterations on f' from λ = 1/2, which
+    !> often fail.
     function pw85_legacy_contact_function1(r12, q1, q2, out) result(status) bind(C, &
       name='pw85_legacy_contact_function1')
       import
@@ -3067,7 +3068,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_legacy_contact_function1
 
-    !> Contact function by bisection on the numerator of f' in rational form.
+    !> Computes the contact function by bisection on the numerator of f' in rational form.
     function pw85_legacy_contact_function2(r12, q1, q2, out) result(status) bind(C, &
       name='pw85_legacy_contact_function2')
       import
@@ -3081,7 +3082,8 @@ module pw85
   ! pw85_zheng.h
   interface
 
-    !> Distance of closest approach of two ellipses, in closed form (the root of a quartic).
+    !> Computes the distance of closest approach of two ellipses, in closed form (the root of a
+    !> quartic).
     function pw85_zheng_ellipses(direction, q1, q2, distance) result(status) bind(C, &
       name='pw85_zheng_ellipses')
       import
@@ -3090,7 +3092,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_zheng_ellipses
 
-    !> Distance of closest approach of two ellipsoids.
+    !> Computes the distance of closest approach of two ellipsoids.
     function pw85_zheng_ellipsoids(direction, q1, q2, distance) result(status) bind(C, &
       name='pw85_zheng_ellipsoids')
       import

@@ -762,7 +762,7 @@ extern "C" {
         q: *const f64,
         overlap: *mut c_int,
     ) -> c_int;
-    /// pw85_contact() for many pairs.
+    /// Computes pw85_contact() for many pairs.
     pub fn pw85_contact_batch(
         n: usize,
         r12: *const f64,
@@ -771,7 +771,7 @@ extern "C" {
         mu2: *mut f64,
         lambda: *mut f64,
     ) -> c_int;
-    /// pw85_overlap() for many pairs.
+    /// Computes pw85_overlap() for many pairs, with the same answers.
     pub fn pw85_overlap_batch(
         n: usize,
         r12: *const f64,
@@ -779,7 +779,7 @@ extern "C" {
         q2: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_contact_rounded() for many pairs.
+    /// Computes pw85_contact_rounded() for many pairs, with the same bits.
     pub fn pw85_contact_rounded_batch(
         n: usize,
         r12: *const f64,
@@ -788,7 +788,7 @@ extern "C" {
         mu2: *mut f64,
         lambda: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_factored() for many pairs.
+    /// Computes pw85_overlap_factored() for many pairs, with the same answers.
     pub fn pw85_overlap_factored_batch(
         n: usize,
         r12: *const f64,
@@ -796,7 +796,7 @@ extern "C" {
         s2: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_compare() for many pairs.
+    /// Computes pw85_compare() for many pairs, with the same signs.
     pub fn pw85_compare_batch(
         n: usize,
         r12: *const f64,
@@ -805,7 +805,7 @@ extern "C" {
         mu2: *const f64,
         sign: *mut c_int,
     ) -> c_int;
-    /// pw85_overlap_witness() for many pairs.
+    /// Computes pw85_overlap_witness() for many pairs, with the same results.
     pub fn pw85_overlap_witness_batch(
         n: usize,
         r12: *const f64,
@@ -815,7 +815,7 @@ extern "C" {
         lambda: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_contains() for many pairs.
+    /// Computes pw85_contains() for many pairs, with the same answers.
     pub fn pw85_contains_batch(
         n: usize,
         r12: *const f64,
@@ -823,7 +823,7 @@ extern "C" {
         q2: *const f64,
         contains: *mut u8,
     ) -> c_int;
-    /// pw85_containment() for many pairs.
+    /// Computes pw85_containment() for many pairs, with the same bits.
     pub fn pw85_containment_batch(
         n: usize,
         r12: *const f64,
@@ -832,7 +832,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_closest_passage() for many pairs.
+    /// Computes pw85_closest_passage() for many pairs.
     pub fn pw85_closest_passage_batch(
         n: usize,
         r12: *const f64,
@@ -843,7 +843,7 @@ extern "C" {
         mu2: *mut f64,
         t: *mut f64,
     ) -> c_int;
-    /// pw85_free_path() for many pairs.
+    /// Computes pw85_free_path() for many pairs, with the same bits.
     pub fn pw85_free_path_batch(
         n: usize,
         r12: *const f64,
@@ -853,7 +853,7 @@ extern "C" {
         t_max: *const f64,
         t: *mut f64,
     ) -> c_int;
-    /// pw85_closest_approach() for many pairs.
+    /// Computes pw85_closest_approach() for many pairs.
     pub fn pw85_closest_approach_batch(
         n: usize,
         directions: *const f64,
@@ -861,9 +861,9 @@ extern "C" {
         q2: *const f64,
         distance: *mut f64,
     ) -> c_int;
-    /// pw85_volume() for many ellipsoids.
+    /// Computes pw85_volume() for many ellipsoids, with the same bits.
     pub fn pw85_volume_batch(n: usize, q: *const f64, volume: *mut f64) -> c_int;
-    /// pw85_overlap_volume() for many pairs.
+    /// Computes pw85_overlap_volume() for many pairs, with the same bits.
     pub fn pw85_overlap_volume_batch(
         n: usize,
         r12: *const f64,
@@ -871,7 +871,7 @@ extern "C" {
         q2: *const f64,
         volume: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_volume_gradient() for many pairs.
+    /// Computes pw85_overlap_volume_gradient() for many pairs, with the same bits.
     pub fn pw85_overlap_volume_gradient_batch(
         n: usize,
         r12: *const f64,
@@ -881,7 +881,7 @@ extern "C" {
         d_q1: *mut f64,
         d_q2: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_volume_torque() for many pairs.
+    /// Computes pw85_overlap_volume_torque() for many pairs, with the same bits.
     pub fn pw85_overlap_volume_torque_batch(
         n: usize,
         r12: *const f64,
@@ -890,7 +890,8 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_volume_plane() for many ellipsoids and half-spaces.
+    /// Computes pw85_overlap_volume_plane() for many ellipsoids and half-spaces, with the same
+    /// bits.
     pub fn pw85_overlap_volume_plane_batch(
         n: usize,
         normals: *const f64,
@@ -898,9 +899,9 @@ extern "C" {
         q: *const f64,
         volume: *mut f64,
     ) -> c_int;
-    /// pw85_area_2d() for many ellipses.
+    /// Computes pw85_area_2d() for many ellipses, with the same bits.
     pub fn pw85_area_batch_2d(n: usize, q: *const f64, area: *mut f64) -> c_int;
-    /// pw85_overlap_area_2d() for many pairs.
+    /// Computes pw85_overlap_area_2d() for many pairs, with the same bits.
     pub fn pw85_overlap_area_batch_2d(
         n: usize,
         r12: *const f64,
@@ -908,7 +909,7 @@ extern "C" {
         q2: *const f64,
         area: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_area_gradient_2d() for many pairs.
+    /// Computes pw85_overlap_area_gradient_2d() for many pairs, with the same bits.
     pub fn pw85_overlap_area_gradient_batch_2d(
         n: usize,
         r12: *const f64,
@@ -918,7 +919,7 @@ extern "C" {
         d_q1: *mut f64,
         d_q2: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_area_torque_2d() for many pairs.
+    /// Computes pw85_overlap_area_torque_2d() for many pairs, with the same bits.
     pub fn pw85_overlap_area_torque_batch_2d(
         n: usize,
         r12: *const f64,
@@ -927,25 +928,25 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// pw85_surface_area() for many ellipsoids.
+    /// Computes pw85_surface_area() for many ellipsoids, with the same bits.
     pub fn pw85_surface_area_batch(n: usize, q: *const f64, area: *mut f64) -> c_int;
-    /// pw85_second_moments() for many ellipsoids.
+    /// Computes pw85_second_moments() for many ellipsoids, with the same bits.
     pub fn pw85_second_moments_batch(n: usize, q: *const f64, moments: *mut f64) -> c_int;
-    /// pw85_from_moments() for many ellipsoids.
+    /// Computes pw85_from_moments() for many ellipsoids, with the same bits.
     pub fn pw85_from_moments_batch(n: usize, second_moments: *const f64, q: *mut f64) -> c_int;
-    /// pw85_shell_moments() for many ellipsoids.
+    /// Computes pw85_shell_moments() for many ellipsoids, with the same bits.
     pub fn pw85_shell_moments_batch(n: usize, q: *const f64, moments: *mut f64) -> c_int;
-    /// pw85_inertia() for many ellipsoids.
+    /// Computes pw85_inertia() for many ellipsoids, with the same bits.
     pub fn pw85_inertia_batch(n: usize, q: *const f64, shell: c_int, inertia: *mut f64) -> c_int;
-    /// pw85_perimeter_2d() for many ellipses.
+    /// Computes pw85_perimeter_2d() for many ellipses, with the same bits.
     pub fn pw85_perimeter_batch_2d(n: usize, q: *const f64, perimeter: *mut f64) -> c_int;
-    /// pw85_second_moments_2d() for many ellipses.
+    /// Computes pw85_second_moments_2d() for many ellipses, with the same bits.
     pub fn pw85_second_moments_batch_2d(n: usize, q: *const f64, moments: *mut f64) -> c_int;
-    /// pw85_from_moments_2d() for many ellipses.
+    /// Computes pw85_from_moments_2d() for many ellipses, with the same bits.
     pub fn pw85_from_moments_batch_2d(n: usize, second_moments: *const f64, q: *mut f64) -> c_int;
-    /// pw85_shell_moments_2d() for many ellipses.
+    /// Computes pw85_shell_moments_2d() for many ellipses, with the same bits.
     pub fn pw85_shell_moments_batch_2d(n: usize, q: *const f64, moments: *mut f64) -> c_int;
-    /// pw85_contact_factored() for many pairs.
+    /// Computes pw85_contact_factored() for many pairs, with the same bits.
     pub fn pw85_contact_factored_batch(
         n: usize,
         r12: *const f64,
@@ -954,7 +955,7 @@ extern "C" {
         mu2: *mut f64,
         lambda: *mut f64,
     ) -> c_int;
-    /// pw85_condition() for many pairs.
+    /// Computes pw85_condition() for many pairs, with the same bits.
     pub fn pw85_condition_batch(
         n: usize,
         r12: *const f64,
@@ -963,7 +964,7 @@ extern "C" {
         lambda: *const f64,
         cond: *mut f64,
     ) -> c_int;
-    /// pw85_contact_function() for many pairs.
+    /// Computes pw85_contact_function() for many pairs, with the same bits.
     pub fn pw85_contact_function_batch(
         n: usize,
         r12: *const f64,
@@ -972,7 +973,7 @@ extern "C" {
         mu2: *mut f64,
         lambda: *mut f64,
     ) -> c_int;
-    /// pw85_contact_geometry() for many pairs.
+    /// Computes pw85_contact_geometry() for many pairs, with the same bits.
     pub fn pw85_contact_geometry_batch(
         n: usize,
         r12: *const f64,
@@ -982,7 +983,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_contact_gradient() for many pairs.
+    /// Computes pw85_contact_gradient() for many pairs, with the same bits.
     pub fn pw85_contact_gradient_batch(
         n: usize,
         r12: *const f64,
@@ -993,7 +994,7 @@ extern "C" {
         d_q1: *mut f64,
         d_q2: *mut f64,
     ) -> c_int;
-    /// pw85_contact_geometry_factored() for many pairs.
+    /// Computes pw85_contact_geometry_factored() for many pairs, with the same bits.
     pub fn pw85_contact_geometry_factored_batch(
         n: usize,
         r12: *const f64,
@@ -1003,7 +1004,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_contact_gradient_factored() for many pairs.
+    /// Computes pw85_contact_gradient_factored() for many pairs, with the same bits.
     pub fn pw85_contact_gradient_factored_batch(
         n: usize,
         r12: *const f64,
@@ -1014,7 +1015,7 @@ extern "C" {
         d_s1: *mut f64,
         d_s2: *mut f64,
     ) -> c_int;
-    /// pw85_contact_torque() for many pairs.
+    /// Computes pw85_contact_torque() for many pairs, with the same bits.
     pub fn pw85_contact_torque_batch(
         n: usize,
         r12: *const f64,
@@ -1024,7 +1025,7 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// pw85_contact_hessian() for many pairs.
+    /// Computes pw85_contact_hessian() for many pairs, with the same bits.
     pub fn pw85_contact_hessian_batch(
         n: usize,
         r12: *const f64,
@@ -1033,7 +1034,7 @@ extern "C" {
         lambda: *const f64,
         hessian: *mut f64,
     ) -> c_int;
-    /// pw85_contact_2d() for many pairs.
+    /// Computes pw85_contact_2d() for many pairs.
     pub fn pw85_contact_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1042,7 +1043,7 @@ extern "C" {
         mu2: *mut f64,
         lambda: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_2d() for many pairs.
+    /// Computes pw85_overlap_2d() for many pairs.
     pub fn pw85_overlap_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1050,7 +1051,7 @@ extern "C" {
         q2: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_contact_geometry_2d() for many pairs.
+    /// Computes pw85_contact_geometry_2d() for many pairs, with the same bits.
     pub fn pw85_contact_geometry_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1060,7 +1061,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_contact_gradient_2d() for many pairs.
+    /// Computes pw85_contact_gradient_2d() for many pairs, with the same bits.
     pub fn pw85_contact_gradient_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1071,7 +1072,7 @@ extern "C" {
         d_q1: *mut f64,
         d_q2: *mut f64,
     ) -> c_int;
-    /// pw85_contact_torque_2d() for many pairs.
+    /// Computes pw85_contact_torque_2d() for many pairs, with the same bits.
     pub fn pw85_contact_torque_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1081,7 +1082,7 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// pw85_contact_hessian_2d() for many pairs.
+    /// Computes pw85_contact_hessian_2d() for many pairs, with the same bits.
     pub fn pw85_contact_hessian_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1090,7 +1091,7 @@ extern "C" {
         lambda: *const f64,
         hessian: *mut f64,
     ) -> c_int;
-    /// pw85_closest_approach_2d() for many pairs.
+    /// Computes pw85_closest_approach_2d() for many pairs, with the same bits.
     pub fn pw85_closest_approach_batch_2d(
         n: usize,
         directions: *const f64,
@@ -1098,8 +1099,7 @@ extern "C" {
         q2: *const f64,
         distance: *mut f64,
     ) -> c_int;
-    /// pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and pw85_contact_torque()
-    /// for many pairs.
+    /// Computes all that the forces and torques of an energy U(μ²) need, for many pairs.
     pub fn pw85_contact_derivatives_batch(
         n: usize,
         r12: *const f64,
@@ -1113,7 +1113,7 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// pw85_distance() for many pairs.
+    /// Computes pw85_distance() for many pairs.
     pub fn pw85_distance_batch(
         n: usize,
         r12: *const f64,
@@ -1123,7 +1123,7 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
-    /// pw85_distance_derivatives() for many pairs.
+    /// Computes pw85_distance_derivatives() for many pairs, with the same bits.
     pub fn pw85_distance_derivatives_batch(
         n: usize,
         r12: *const f64,
@@ -1134,7 +1134,7 @@ extern "C" {
         d_rot2: *mut f64,
         hessian: *mut f64,
     ) -> c_int;
-    /// pw85_distance_2d() for many pairs.
+    /// Computes pw85_distance_2d() for many pairs, with the same bits.
     pub fn pw85_distance_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1144,7 +1144,7 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
-    /// pw85_penetration_2d() for many pairs.
+    /// Computes pw85_penetration_2d() for many pairs, with the same bits.
     pub fn pw85_penetration_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1153,7 +1153,7 @@ extern "C" {
         depth: *mut f64,
         direction: *mut f64,
     ) -> c_int;
-    /// pw85_signed_distance_2d() for many pairs.
+    /// Computes pw85_signed_distance_2d() for many pairs, with the same bits.
     pub fn pw85_signed_distance_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1163,7 +1163,7 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
-    /// pw85_penetration() for many pairs.
+    /// Computes pw85_penetration() for many pairs, with the same bits.
     pub fn pw85_penetration_batch(
         n: usize,
         r12: *const f64,
@@ -1172,7 +1172,7 @@ extern "C" {
         depth: *mut f64,
         direction: *mut f64,
     ) -> c_int;
-    /// pw85_signed_distance() for many pairs.
+    /// Computes pw85_signed_distance() for many pairs, with the same bits.
     pub fn pw85_signed_distance_batch(
         n: usize,
         r12: *const f64,
@@ -1182,7 +1182,7 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
-    /// pw85_signed_distance_derivatives() for many pairs.
+    /// Computes pw85_signed_distance_derivatives() for many pairs, with the same bits.
     pub fn pw85_signed_distance_derivatives_batch(
         n: usize,
         r12: *const f64,
@@ -1193,7 +1193,7 @@ extern "C" {
         d_rot2: *mut f64,
         hessian: *mut f64,
     ) -> c_int;
-    /// pw85_gap_inside() for many pairs.
+    /// Computes pw85_gap_inside() for many pairs, with the same bits.
     pub fn pw85_gap_inside_batch(
         n: usize,
         r12: *const f64,
@@ -1204,7 +1204,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_gap_inside_2d() for many pairs.
+    /// Computes pw85_gap_inside_2d() for many pairs, with the same bits.
     pub fn pw85_gap_inside_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1215,7 +1215,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_curvature() for many ellipsoids.
+    /// Computes pw85_curvature() for many ellipsoids, with the same bits.
     pub fn pw85_curvature_batch(
         n: usize,
         normals: *const f64,
@@ -1223,14 +1223,14 @@ extern "C" {
         curvatures: *mut f64,
         directions: *mut f64,
     ) -> c_int;
-    /// pw85_hertz() for many contacts.
+    /// Computes pw85_hertz() for many contacts, with the same bits.
     pub fn pw85_hertz_batch(
         n: usize,
         curvatures: *const f64,
         radius: *mut f64,
         ellipse: *mut f64,
     ) -> c_int;
-    /// pw85_hertz_contact() for many pairs.
+    /// Computes pw85_hertz_contact() for many pairs, with the same bits.
     pub fn pw85_hertz_contact_batch(
         n: usize,
         r12: *const f64,
@@ -1244,7 +1244,7 @@ extern "C" {
         radius: *mut f64,
         ellipse: *mut f64,
     ) -> c_int;
-    /// pw85_grain_contact() for many pairs.
+    /// Computes pw85_grain_contact() for many pairs.
     pub fn pw85_grain_contact_batch(
         n: usize,
         r12: *const f64,
@@ -1257,7 +1257,7 @@ extern "C" {
         curvatures: *mut f64,
         radius: *mut f64,
     ) -> c_int;
-    /// pw85_grain_radius_gradient() for many pairs.
+    /// Computes pw85_grain_radius_gradient() for many pairs, with the same bits.
     pub fn pw85_grain_radius_gradient_batch(
         n: usize,
         r12: *const f64,
@@ -1268,7 +1268,7 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// pw85_grain_contact_wall() for many ellipsoids and walls.
+    /// Computes pw85_grain_contact_wall() for many ellipsoids and walls, with the same bits.
     pub fn pw85_grain_contact_wall_batch(
         n: usize,
         normals: *const f64,
@@ -1281,7 +1281,7 @@ extern "C" {
         curvatures: *mut f64,
         radius: *mut f64,
     ) -> c_int;
-    /// pw85_distance_plane() for many ellipsoids and half-spaces.
+    /// Computes pw85_distance_plane() for many ellipsoids and half-spaces, with the same bits.
     pub fn pw85_distance_plane_batch(
         n: usize,
         normals: *const f64,
@@ -1290,7 +1290,8 @@ extern "C" {
         distance: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_distance_plane_derivatives() for many ellipsoids and half-spaces.
+    /// Computes pw85_distance_plane_derivatives() for many ellipsoids and half-spaces, with the
+    /// same bits.
     pub fn pw85_distance_plane_derivatives_batch(
         n: usize,
         normals: *const f64,
@@ -1298,7 +1299,7 @@ extern "C" {
         d_center: *mut f64,
         d_rot: *mut f64,
     ) -> c_int;
-    /// pw85_contact_plane() for many ellipsoids and half-spaces.
+    /// Computes pw85_contact_plane() for many ellipsoids and half-spaces, with the same bits.
     pub fn pw85_contact_plane_batch(
         n: usize,
         normals: *const f64,
@@ -1307,7 +1308,8 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_contact_plane_derivatives() for many ellipsoids and half-spaces.
+    /// Computes pw85_contact_plane_derivatives() for many ellipsoids and half-spaces, with the
+    /// same bits.
     pub fn pw85_contact_plane_derivatives_batch(
         n: usize,
         normals: *const f64,
@@ -1316,7 +1318,7 @@ extern "C" {
         d_center: *mut f64,
         d_rot: *mut f64,
     ) -> c_int;
-    /// pw85_distance_box() for many ellipsoids and boxes.
+    /// Computes pw85_distance_box() for many ellipsoids and boxes, with the same bits.
     pub fn pw85_distance_box_batch(
         n: usize,
         lower: *const f64,
@@ -1326,7 +1328,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_distance_cylinder() for many ellipsoids and cylinders.
+    /// Computes pw85_distance_cylinder() for many ellipsoids and cylinders, with the same bits.
     pub fn pw85_distance_cylinder_batch(
         n: usize,
         axis: *const f64,
@@ -1337,7 +1339,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_distance_point() for many points and ellipsoids.
+    /// Computes pw85_distance_point() for many points and ellipsoids, with the same bits.
     pub fn pw85_distance_point_batch(
         n: usize,
         r: *const f64,
@@ -1346,7 +1348,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_distance_segment() for many ellipsoids and segments.
+    /// Computes pw85_distance_segment() for many ellipsoids and segments, with the same bits.
     pub fn pw85_distance_segment_batch(
         n: usize,
         end1: *const f64,
@@ -1357,7 +1359,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_distance_triangle() for many ellipsoids and triangles.
+    /// Computes pw85_distance_triangle() for many ellipsoids and triangles, with the same bits.
     pub fn pw85_distance_triangle_batch(
         n: usize,
         vertex1: *const f64,
@@ -1369,7 +1371,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_distance_solid_box() for many ellipsoids and boxes.
+    /// Computes pw85_distance_solid_box() for many ellipsoids and boxes, with the same bits.
     pub fn pw85_distance_solid_box_batch(
         n: usize,
         lower: *const f64,
@@ -1380,7 +1382,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_intersect_line() for many lines and ellipsoids.
+    /// Computes pw85_intersect_line() for many lines and ellipsoids, with the same bits.
     pub fn pw85_intersect_line_batch(
         n: usize,
         origin: *const f64,
@@ -1389,7 +1391,7 @@ extern "C" {
         enter: *mut f64,
         leave: *mut f64,
     ) -> c_int;
-    /// pw85_contact_segment() for many ellipsoids and segments.
+    /// Computes pw85_contact_segment() for many ellipsoids and segments.
     pub fn pw85_contact_segment_batch(
         n: usize,
         end1: *const f64,
@@ -1398,7 +1400,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_contact_triangle() for many ellipsoids and triangles.
+    /// Computes pw85_contact_triangle() for many ellipsoids and triangles.
     pub fn pw85_contact_triangle_batch(
         n: usize,
         vertex1: *const f64,
@@ -1408,7 +1410,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_contact_box() for many ellipsoids and boxes.
+    /// Computes pw85_contact_box() for many ellipsoids and boxes.
     pub fn pw85_contact_box_batch(
         n: usize,
         lower: *const f64,
@@ -1417,7 +1419,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_segment() for many ellipsoids and segments.
+    /// Computes pw85_overlap_segment() for many ellipsoids and segments, with the same answers.
     pub fn pw85_overlap_segment_batch(
         n: usize,
         end1: *const f64,
@@ -1425,7 +1427,7 @@ extern "C" {
         q: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_overlap_triangle() for many ellipsoids and triangles.
+    /// Computes pw85_overlap_triangle() for many ellipsoids and triangles, with the same answers.
     pub fn pw85_overlap_triangle_batch(
         n: usize,
         vertex1: *const f64,
@@ -1434,7 +1436,7 @@ extern "C" {
         q: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_overlap_box() for many ellipsoids and boxes.
+    /// Computes pw85_overlap_box() for many ellipsoids and boxes, with the same answers.
     pub fn pw85_overlap_box_batch(
         n: usize,
         lower: *const f64,
@@ -1442,7 +1444,7 @@ extern "C" {
         q: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_contact_capsule() for many ellipsoids and capsules.
+    /// Computes pw85_contact_capsule() for many ellipsoids and capsules, with the same bits.
     pub fn pw85_contact_capsule_batch(
         n: usize,
         end1: *const f64,
@@ -1452,7 +1454,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_capsule() for many ellipsoids and capsules.
+    /// Computes pw85_overlap_capsule() for many ellipsoids and capsules, with the same answers.
     pub fn pw85_overlap_capsule_batch(
         n: usize,
         end1: *const f64,
@@ -1461,7 +1463,7 @@ extern "C" {
         q: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_distance_capsule() for many ellipsoids and capsules.
+    /// Computes pw85_distance_capsule() for many ellipsoids and capsules, with the same bits.
     pub fn pw85_distance_capsule_batch(
         n: usize,
         end1: *const f64,
@@ -1473,7 +1475,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_distance_point_2d() for many points and ellipses.
+    /// Computes pw85_distance_point_2d() for many points and ellipses, with the same bits.
     pub fn pw85_distance_point_batch_2d(
         n: usize,
         r: *const f64,
@@ -1482,7 +1484,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_contact_segment_2d() for many ellipses and segments.
+    /// Computes pw85_contact_segment_2d() for many ellipses and segments, with the same bits.
     pub fn pw85_contact_segment_batch_2d(
         n: usize,
         end1: *const f64,
@@ -1491,7 +1493,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_contact_box_2d() for many ellipses and boxes.
+    /// Computes pw85_contact_box_2d() for many ellipses and boxes, with the same bits.
     pub fn pw85_contact_box_batch_2d(
         n: usize,
         lower: *const f64,
@@ -1500,7 +1502,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_segment_2d() for many ellipses and segments.
+    /// Computes pw85_overlap_segment_2d() for many ellipses and segments, with the same answers.
     pub fn pw85_overlap_segment_batch_2d(
         n: usize,
         end1: *const f64,
@@ -1508,7 +1510,7 @@ extern "C" {
         q: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_overlap_box_2d() for many ellipses and boxes.
+    /// Computes pw85_overlap_box_2d() for many ellipses and boxes, with the same answers.
     pub fn pw85_overlap_box_batch_2d(
         n: usize,
         lower: *const f64,
@@ -1516,8 +1518,7 @@ extern "C" {
         q: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_contact_polytope() for many ellipsoids and one polytope, which need not be at their
-    /// centres.
+    /// Computes pw85_contact_polytope() for many ellipsoids and one polytope.
     pub fn pw85_contact_polytope_batch(
         num_ellipsoids: usize,
         centers: *const f64,
@@ -1528,7 +1529,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_polytope() for many ellipsoids and one polytope, as which of them a camera
+    /// Tests whether many ellipsoids overlap one polytope, for example which of them a camera
     /// sees.
     pub fn pw85_overlap_polytope_batch(
         num_ellipsoids: usize,
@@ -1539,7 +1540,7 @@ extern "C" {
         offsets: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_first_contact() for many pairs.
+    /// Computes pw85_first_contact() for many pairs, with the same bits.
     pub fn pw85_first_contact_batch(
         n: usize,
         r12: *const f64,
@@ -1558,21 +1559,21 @@ extern "C" {
         q2: *const f64,
         any: *mut c_int,
     ) -> c_int;
-    /// pw85_ellipsoid_factor() for many ellipsoids.
+    /// Computes pw85_ellipsoid_factor() for many ellipsoids, with the same bits.
     pub fn pw85_ellipsoid_factor_batch(
         n: usize,
         semi_axes: *const f64,
         quaternions: *const f64,
         s: *mut f64,
     ) -> c_int;
-    /// pw85_ellipsoid_quaternion() for many ellipsoids.
+    /// Computes pw85_ellipsoid_quaternion() for many ellipsoids, with the same bits.
     pub fn pw85_ellipsoid_quaternion_batch(
         n: usize,
         semi_axes: *const f64,
         quaternions: *const f64,
         q: *mut f64,
     ) -> c_int;
-    /// Tight boxes, with sides along the axes, around n ellipsoids.
+    /// Computes the smallest boxes, with sides along the axes, around n ellipsoids.
     pub fn pw85_bounding_boxes(n: usize, q: *const f64, half_widths: *mut f64) -> c_int;
     /// Computes the ellipsoid of least volume around points, up to a tolerance, with a proof.
     pub fn pw85_enclosing_ellipsoid(

@@ -618,8 +618,8 @@ pub fn ellipsoid_quaternion(
     Ok(q)
 }
 
-/// [`ellipsoid_quaternion()`](crate::ellipsoid_quaternion) for many ellipsoids; the bits are the
-/// same.
+/// Computes [`ellipsoid_quaternion()`](crate::ellipsoid_quaternion) for many ellipsoids, with the
+/// same bits.
 ///
 /// # Arguments
 ///
@@ -697,7 +697,8 @@ pub fn ellipsoid_factor(
     Ok(s)
 }
 
-/// [`ellipsoid_factor()`](crate::ellipsoid_factor) for many ellipsoids; the bits are the same.
+/// Computes [`ellipsoid_factor()`](crate::ellipsoid_factor) for many ellipsoids, with the same
+/// bits.
 ///
 /// # Arguments
 ///
@@ -801,10 +802,10 @@ pub fn contact(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<Contact, 
     Ok(Contact { mu2: out[0], lambda: out[1] })
 }
 
-/// [`contact()`](crate::contact) for many pairs.
+/// Computes [`contact()`](crate::contact) for many pairs.
 ///
-/// The relative error of μ² is below 4 u cond, too; the last bits may differ from those of
-/// [`contact()`](crate::contact).
+/// The relative error of μ² is below 4 u cond as for one pair. The last bits may differ from
+/// those of [`contact()`](crate::contact).
 ///
 /// # Arguments
 ///
@@ -901,7 +902,7 @@ pub fn contact_rounded(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<C
     Ok(Contact { mu2: out[0], lambda: out[1] })
 }
 
-/// [`contact_rounded()`](crate::contact_rounded) for many pairs; the bits are the same.
+/// Computes [`contact_rounded()`](crate::contact_rounded) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -1005,7 +1006,7 @@ pub fn contact_factored(
     Ok(Contact { mu2: out[0], lambda: out[1] })
 }
 
-/// [`contact_factored()`](crate::contact_factored) for many pairs; the bits are the same.
+/// Computes [`contact_factored()`](crate::contact_factored) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -1102,7 +1103,7 @@ pub fn condition(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6], lambda: f64) -> R
     Ok(cond)
 }
 
-/// [`condition()`](crate::condition) for many pairs; the bits are the same.
+/// Computes [`condition()`](crate::condition) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -1197,7 +1198,7 @@ pub fn contact_function(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<
     Ok(Contact { mu2: out[0], lambda: out[1] })
 }
 
-/// [`contact_function()`](crate::contact_function) for many pairs; the bits are the same.
+/// Computes [`contact_function()`](crate::contact_function) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -1297,7 +1298,7 @@ pub fn contact_geometry(
     Ok(ContactGeometry { point, normal })
 }
 
-/// [`contact_geometry()`](crate::contact_geometry) for many pairs; the bits are the same.
+/// Computes [`contact_geometry()`](crate::contact_geometry) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -1408,8 +1409,8 @@ pub fn contact_geometry_factored(
     Ok(ContactGeometry { point, normal })
 }
 
-/// [`contact_geometry_factored()`](crate::contact_geometry_factored) for many pairs; the bits are
-/// the same.
+/// Computes [`contact_geometry_factored()`](crate::contact_geometry_factored) for many pairs,
+/// with the same bits.
 ///
 /// # Arguments
 ///
@@ -1520,7 +1521,7 @@ pub fn contact_gradient(
     Ok(ContactGradient { d_r12, d_q1, d_q2 })
 }
 
-/// [`contact_gradient()`](crate::contact_gradient) for many pairs; the bits are the same.
+/// Computes [`contact_gradient()`](crate::contact_gradient) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -1646,8 +1647,8 @@ pub fn contact_gradient_factored(
     Ok(FactorGradient { d_r12, d_s1, d_s2 })
 }
 
-/// [`contact_gradient_factored()`](crate::contact_gradient_factored) for many pairs; the bits are
-/// the same.
+/// Computes [`contact_gradient_factored()`](crate::contact_gradient_factored) for many pairs,
+/// with the same bits.
 ///
 /// # Arguments
 ///
@@ -1766,7 +1767,7 @@ pub fn contact_torque(
     Ok(ContactTorque { d_rot1, d_rot2 })
 }
 
-/// [`contact_torque()`](crate::contact_torque) for many pairs; the bits are the same.
+/// Computes [`contact_torque()`](crate::contact_torque) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -1871,7 +1872,7 @@ pub fn contact_hessian(
     Ok(hessian)
 }
 
-/// [`contact_hessian()`](crate::contact_hessian) for many pairs; the bits are the same.
+/// Computes [`contact_hessian()`](crate::contact_hessian) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -1960,7 +1961,7 @@ pub fn overlap(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<bool, Err
     Ok(overlap == 1)
 }
 
-/// [`overlap()`](crate::overlap) for many pairs; the answers are the same.
+/// Computes [`overlap()`](crate::overlap) for many pairs, with the same answers.
 ///
 /// # Arguments
 ///
@@ -2058,7 +2059,8 @@ pub fn overlap_factored(
     Ok(overlap == 1)
 }
 
-/// [`overlap_factored()`](crate::overlap_factored) for many pairs; the answers are the same.
+/// Computes [`overlap_factored()`](crate::overlap_factored) for many pairs, with the same
+/// answers.
 ///
 /// # Arguments
 ///
@@ -2139,7 +2141,7 @@ pub fn compare(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6], mu2: f64) -> Result
     Ok(sign.cmp(&0))
 }
 
-/// [`compare()`](crate::compare) for many pairs; the signs are the same.
+/// Computes [`compare()`](crate::compare) for many pairs, with the same signs.
 ///
 /// # Arguments
 ///
@@ -2240,7 +2242,7 @@ pub fn overlap_witness(
     Ok(OverlapWitness { overlap: overlap == 1, lambda, point })
 }
 
-/// [`overlap_witness()`](crate::overlap_witness) for many pairs; the results are the same.
+/// Computes [`overlap_witness()`](crate::overlap_witness) for many pairs, with the same results.
 ///
 /// # Arguments
 ///
@@ -2333,7 +2335,7 @@ pub fn contains(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<bool, Er
     Ok(contains == 1)
 }
 
-/// [`contains()`](crate::contains) for many pairs; the answers are the same.
+/// Computes [`contains()`](crate::contains) for many pairs, with the same answers.
 ///
 /// # Arguments
 ///
@@ -2430,7 +2432,7 @@ pub fn containment(
     Ok(ContainmentScale { mu2, point })
 }
 
-/// [`containment()`](crate::containment) for many pairs; the bits are the same.
+/// Computes [`containment()`](crate::containment) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -2523,9 +2525,9 @@ pub fn closest_approach(direction: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> R
     Ok(distance)
 }
 
-/// [`closest_approach()`](crate::closest_approach) for many pairs.
+/// Computes [`closest_approach()`](crate::closest_approach) for many pairs.
 ///
-/// The relative error is below 2 u cond + 4 u; the last bits may differ from those of
+/// The relative error is below 2 u cond + 4 u. The last bits may differ from those of
 /// [`closest_approach()`](crate::closest_approach).
 ///
 /// # Arguments
@@ -2598,7 +2600,7 @@ pub fn volume(q: &[f64; 6]) -> Result<f64, Error> {
     Ok(volume)
 }
 
-/// [`volume()`](crate::volume) for many ellipsoids; the bits are the same.
+/// Computes [`volume()`](crate::volume) for many ellipsoids, with the same bits.
 ///
 /// # Arguments
 ///
@@ -2677,7 +2679,7 @@ pub fn overlap_volume(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<f6
     Ok(volume)
 }
 
-/// [`overlap_volume()`](crate::overlap_volume) for many pairs; the bits are the same.
+/// Computes [`overlap_volume()`](crate::overlap_volume) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -2776,8 +2778,8 @@ pub fn overlap_volume_gradient(
     Ok(OverlapVolumeGradient { d_r12, d_q1, d_q2 })
 }
 
-/// [`overlap_volume_gradient()`](crate::overlap_volume_gradient) for many pairs; the bits are the
-/// same.
+/// Computes [`overlap_volume_gradient()`](crate::overlap_volume_gradient) for many pairs, with
+/// the same bits.
 ///
 /// # Arguments
 ///
@@ -2895,8 +2897,8 @@ pub fn overlap_volume_torque(
     Ok(OverlapVolumeTorque { d_rot1, d_rot2 })
 }
 
-/// [`overlap_volume_torque()`](crate::overlap_volume_torque) for many pairs; the bits are the
-/// same.
+/// Computes [`overlap_volume_torque()`](crate::overlap_volume_torque) for many pairs, with the
+/// same bits.
 ///
 /// # Arguments
 ///
@@ -2976,7 +2978,7 @@ pub fn area_2d(q: &[f64; 3]) -> Result<f64, Error> {
     Ok(area)
 }
 
-/// [`area_2d()`](crate::area_2d) for many ellipses; the bits are the same.
+/// Computes [`area_2d()`](crate::area_2d) for many ellipses, with the same bits.
 ///
 /// # Arguments
 ///
@@ -3039,7 +3041,7 @@ pub fn overlap_area_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<f
     Ok(area)
 }
 
-/// [`overlap_area_2d()`](crate::overlap_area_2d) for many pairs; the bits are the same.
+/// Computes [`overlap_area_2d()`](crate::overlap_area_2d) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -3128,8 +3130,8 @@ pub fn overlap_area_gradient_2d(
     Ok(OverlapAreaGradient { d_r12, d_q1, d_q2 })
 }
 
-/// [`overlap_area_gradient_2d()`](crate::overlap_area_gradient_2d) for many pairs; the bits are
-/// the same.
+/// Computes [`overlap_area_gradient_2d()`](crate::overlap_area_gradient_2d) for many pairs, with
+/// the same bits.
 ///
 /// # Arguments
 ///
@@ -3236,8 +3238,8 @@ pub fn overlap_area_torque_2d(
     Ok(OverlapAreaTorque { d_rot1, d_rot2 })
 }
 
-/// [`overlap_area_torque_2d()`](crate::overlap_area_torque_2d) for many pairs; the bits are the
-/// same.
+/// Computes [`overlap_area_torque_2d()`](crate::overlap_area_torque_2d) for many pairs, with the
+/// same bits.
 ///
 /// # Arguments
 ///
@@ -3324,7 +3326,7 @@ pub fn contact_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<Contac
     Ok(Contact { mu2: out[0], lambda: out[1] })
 }
 
-/// [`contact_2d()`](crate::contact_2d) for many pairs; see
+/// Computes [`contact_2d()`](crate::contact_2d) for many pairs; see
 /// [`contact_batch()`](crate::contact_batch).
 ///
 /// # Arguments
@@ -3422,7 +3424,8 @@ pub fn contact_geometry_2d(
     Ok(ContactGeometry2d { point, normal })
 }
 
-/// [`contact_geometry_2d()`](crate::contact_geometry_2d) for many pairs; the bits are the same.
+/// Computes [`contact_geometry_2d()`](crate::contact_geometry_2d) for many pairs, with the same
+/// bits.
 ///
 /// # Arguments
 ///
@@ -3522,7 +3525,8 @@ pub fn contact_gradient_2d(
     Ok(ContactGradient2d { d_r12, d_q1, d_q2 })
 }
 
-/// [`contact_gradient_2d()`](crate::contact_gradient_2d) for many pairs; the bits are the same.
+/// Computes [`contact_gradient_2d()`](crate::contact_gradient_2d) for many pairs, with the same
+/// bits.
 ///
 /// # Arguments
 ///
@@ -3636,7 +3640,7 @@ pub fn contact_torque_2d(
     Ok(ContactTorque2d { d_rot1, d_rot2 })
 }
 
-/// [`contact_torque_2d()`](crate::contact_torque_2d) for many pairs; the bits are the same.
+/// Computes [`contact_torque_2d()`](crate::contact_torque_2d) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -3732,7 +3736,8 @@ pub fn contact_hessian_2d(
     Ok(hessian)
 }
 
-/// [`contact_hessian_2d()`](crate::contact_hessian_2d) for many pairs; the bits are the same.
+/// Computes [`contact_hessian_2d()`](crate::contact_hessian_2d) for many pairs, with the same
+/// bits.
 ///
 /// # Arguments
 ///
@@ -3812,7 +3817,7 @@ pub fn overlap_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<bool, 
     Ok(overlap == 1)
 }
 
-/// [`overlap_2d()`](crate::overlap_2d) for many pairs; see
+/// Computes [`overlap_2d()`](crate::overlap_2d) for many pairs; see
 /// [`overlap_batch()`](crate::overlap_batch).
 ///
 /// # Arguments
@@ -3961,7 +3966,8 @@ pub fn closest_approach_2d(
     Ok(distance)
 }
 
-/// [`closest_approach_2d()`](crate::closest_approach_2d) for many pairs; the bits are the same.
+/// Computes [`closest_approach_2d()`](crate::closest_approach_2d) for many pairs, with the same
+/// bits.
 ///
 /// # Arguments
 ///
@@ -4064,7 +4070,7 @@ pub fn distance(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<Distance
     Ok(Distance { distance, point1, point2 })
 }
 
-/// [`distance()`](crate::distance) for many pairs.
+/// Computes [`distance()`](crate::distance) for many pairs.
 ///
 /// Points of pairs that overlap are NaN.
 ///
@@ -4173,7 +4179,8 @@ pub fn distance_derivatives(
     Ok(DistanceDerivatives { d_r12, d_rot1, d_rot2, hessian })
 }
 
-/// [`distance_derivatives()`](crate::distance_derivatives) for many pairs; the bits are the same.
+/// Computes [`distance_derivatives()`](crate::distance_derivatives) for many pairs, with the same
+/// bits.
 ///
 /// # Arguments
 ///
@@ -4298,7 +4305,7 @@ pub fn penetration(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<Penet
     Ok(Penetration { depth, direction })
 }
 
-/// [`penetration()`](crate::penetration) for many pairs; the bits are the same.
+/// Computes [`penetration()`](crate::penetration) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -4408,7 +4415,7 @@ pub fn signed_distance(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<D
     Ok(Distance { distance, point1, point2 })
 }
 
-/// [`signed_distance()`](crate::signed_distance) for many pairs; the bits are the same.
+/// Computes [`signed_distance()`](crate::signed_distance) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -4525,8 +4532,8 @@ pub fn signed_distance_derivatives(
     Ok(DistanceDerivatives { d_r12, d_rot1, d_rot2, hessian })
 }
 
-/// [`signed_distance_derivatives()`](crate::signed_distance_derivatives) for many pairs; the bits
-/// are the same.
+/// Computes [`signed_distance_derivatives()`](crate::signed_distance_derivatives) for many pairs,
+/// with the same bits.
 ///
 /// # Arguments
 ///
@@ -4654,7 +4661,7 @@ pub fn gap_inside(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<GapIns
     Ok(GapInside { gap, point1, point2, normal })
 }
 
-/// [`gap_inside()`](crate::gap_inside) for many pairs; the bits are the same.
+/// Computes [`gap_inside()`](crate::gap_inside) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -4761,7 +4768,7 @@ pub fn distance_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<Dista
     Ok(Distance2d { distance, point1, point2 })
 }
 
-/// [`distance_2d()`](crate::distance_2d) for many pairs; the bits are the same.
+/// Computes [`distance_2d()`](crate::distance_2d) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -4858,7 +4865,7 @@ pub fn penetration_2d(
     Ok(Penetration2d { depth, direction })
 }
 
-/// [`penetration_2d()`](crate::penetration_2d) for many pairs; the bits are the same.
+/// Computes [`penetration_2d()`](crate::penetration_2d) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -4952,7 +4959,8 @@ pub fn signed_distance_2d(
     Ok(Distance2d { distance, point1, point2 })
 }
 
-/// [`signed_distance_2d()`](crate::signed_distance_2d) for many pairs; the bits are the same.
+/// Computes [`signed_distance_2d()`](crate::signed_distance_2d) for many pairs, with the same
+/// bits.
 ///
 /// # Arguments
 ///
@@ -5056,7 +5064,7 @@ pub fn gap_inside_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<Gap
     Ok(GapInside2d { gap, point1, point2, normal })
 }
 
-/// [`gap_inside_2d()`](crate::gap_inside_2d) for many pairs; the bits are the same.
+/// Computes [`gap_inside_2d()`](crate::gap_inside_2d) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -5187,7 +5195,7 @@ pub fn first_contact(
     Ok(t)
 }
 
-/// [`first_contact()`](crate::first_contact) for many pairs; the bits are the same.
+/// Computes [`first_contact()`](crate::first_contact) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -5312,9 +5320,9 @@ pub fn closest_passage(
     Ok(ClosestPassage { mu2, t })
 }
 
-/// [`closest_passage()`](crate::closest_passage) for many pairs.
+/// Computes [`closest_passage()`](crate::closest_passage) for many pairs.
 ///
-/// The error of μ² is below 8 u S, too; the last bits may differ from those of
+/// The error of μ² is below 8 u S as for one pair. The last bits may differ from those of
 /// [`closest_passage()`](crate::closest_passage).
 ///
 /// # Arguments
@@ -5437,7 +5445,7 @@ pub fn free_path(
     Ok(t)
 }
 
-/// [`free_path()`](crate::free_path) for many pairs; the bits are the same.
+/// Computes [`free_path()`](crate::free_path) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -5532,7 +5540,7 @@ pub fn curvature(normal: &[f64; 3], q: &[f64; 6]) -> Result<Curvature, Error> {
     Ok(Curvature { curvatures, directions })
 }
 
-/// [`curvature()`](crate::curvature) for many ellipsoids; the bits are the same.
+/// Computes [`curvature()`](crate::curvature) for many ellipsoids, with the same bits.
 ///
 /// # Arguments
 ///
@@ -5618,7 +5626,7 @@ pub fn hertz(curvatures: &[f64; 2]) -> Result<HertzEllipse, Error> {
     Ok(HertzEllipse { radius, ellipse })
 }
 
-/// [`hertz()`](crate::hertz) for many contacts; the bits are the same.
+/// Computes [`hertz()`](crate::hertz) for many contacts, with the same bits.
 ///
 /// # Arguments
 ///
@@ -5729,7 +5737,7 @@ pub fn hertz_contact(
     Ok(HertzContact { depth, point, curvatures, directions, radius, ellipse })
 }
 
-/// [`hertz_contact()`](crate::hertz_contact) for many pairs; the bits are the same.
+/// Computes [`hertz_contact()`](crate::hertz_contact) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -5883,9 +5891,9 @@ pub fn grain_contact(
     Ok(GrainContact { normal, depth, point, curvatures, radius })
 }
 
-/// [`grain_contact()`](crate::grain_contact) for many pairs.
+/// Computes [`grain_contact()`](crate::grain_contact) for many pairs.
 ///
-/// The bounds of the errors are the same; the last bits may differ from those of
+/// The errors have the same bounds. The last bits may differ from those of
 /// [`grain_contact()`](crate::grain_contact).
 ///
 /// # Arguments
@@ -6020,8 +6028,8 @@ pub fn grain_radius_gradient(
     Ok(GrainRadiusGradient { d_r12, d_rot1, d_rot2 })
 }
 
-/// [`grain_radius_gradient()`](crate::grain_radius_gradient) for many pairs; the bits are the
-/// same.
+/// Computes [`grain_radius_gradient()`](crate::grain_radius_gradient) for many pairs, with the
+/// same bits.
 ///
 /// # Arguments
 ///
@@ -6158,8 +6166,8 @@ pub fn grain_contact_wall(
     Ok(GrainWallContact { depth, point, curvatures, radius })
 }
 
-/// [`grain_contact_wall()`](crate::grain_contact_wall) for many ellipsoids and walls; the bits
-/// are the same.
+/// Computes [`grain_contact_wall()`](crate::grain_contact_wall) for many ellipsoids and walls,
+/// with the same bits.
 ///
 /// # Arguments
 ///
@@ -6268,7 +6276,7 @@ pub fn surface_area(q: &[f64; 6]) -> Result<f64, Error> {
     Ok(area)
 }
 
-/// [`surface_area()`](crate::surface_area) for many ellipsoids; the bits are the same.
+/// Computes [`surface_area()`](crate::surface_area) for many ellipsoids, with the same bits.
 ///
 /// # Arguments
 ///
@@ -6324,7 +6332,7 @@ pub fn second_moments(q: &[f64; 6]) -> Result<[f64; 6], Error> {
     Ok(moments)
 }
 
-/// [`second_moments()`](crate::second_moments) for many ellipsoids; the bits are the same.
+/// Computes [`second_moments()`](crate::second_moments) for many ellipsoids, with the same bits.
 ///
 /// # Arguments
 ///
@@ -6383,7 +6391,7 @@ pub fn shell_moments(q: &[f64; 6]) -> Result<[f64; 6], Error> {
     Ok(moments)
 }
 
-/// [`shell_moments()`](crate::shell_moments) for many ellipsoids; the bits are the same.
+/// Computes [`shell_moments()`](crate::shell_moments) for many ellipsoids, with the same bits.
 ///
 /// # Arguments
 ///
@@ -6441,7 +6449,7 @@ pub fn perimeter_2d(q: &[f64; 3]) -> Result<f64, Error> {
     Ok(perimeter)
 }
 
-/// [`perimeter_2d()`](crate::perimeter_2d) for many ellipses; the bits are the same.
+/// Computes [`perimeter_2d()`](crate::perimeter_2d) for many ellipses, with the same bits.
 ///
 /// # Arguments
 ///
@@ -6501,7 +6509,8 @@ pub fn second_moments_2d(q: &[f64; 3]) -> Result<[f64; 3], Error> {
     Ok(moments)
 }
 
-/// [`second_moments_2d()`](crate::second_moments_2d) for many ellipses; the bits are the same.
+/// Computes [`second_moments_2d()`](crate::second_moments_2d) for many ellipses, with the same
+/// bits.
 ///
 /// # Arguments
 ///
@@ -6560,7 +6569,8 @@ pub fn shell_moments_2d(q: &[f64; 3]) -> Result<[f64; 3], Error> {
     Ok(moments)
 }
 
-/// [`shell_moments_2d()`](crate::shell_moments_2d) for many ellipses; the bits are the same.
+/// Computes [`shell_moments_2d()`](crate::shell_moments_2d) for many ellipses, with the same
+/// bits.
 ///
 /// # Arguments
 ///
@@ -6636,8 +6646,8 @@ pub fn distance_plane(
     Ok(SurfaceDistance { distance, point })
 }
 
-/// [`distance_plane()`](crate::distance_plane) for many ellipsoids and half-spaces; the bits are
-/// the same.
+/// Computes [`distance_plane()`](crate::distance_plane) for many ellipsoids and half-spaces, with
+/// the same bits.
 ///
 /// # Arguments
 ///
@@ -6728,8 +6738,8 @@ pub fn distance_plane_derivatives(
     Ok(PlaneDerivatives { d_center, d_rot })
 }
 
-/// [`distance_plane_derivatives()`](crate::distance_plane_derivatives) for many ellipsoids and
-/// half-spaces; the bits are the same.
+/// Computes [`distance_plane_derivatives()`](crate::distance_plane_derivatives) for many
+/// ellipsoids and half-spaces, with the same bits.
 ///
 /// # Arguments
 ///
@@ -6813,8 +6823,8 @@ pub fn contact_plane(normal: &[f64; 3], offset: f64, q: &[f64; 6]) -> Result<Pla
     Ok(PlaneContact { mu2, point })
 }
 
-/// [`contact_plane()`](crate::contact_plane) for many ellipsoids and half-spaces; the bits are
-/// the same.
+/// Computes [`contact_plane()`](crate::contact_plane) for many ellipsoids and half-spaces, with
+/// the same bits.
 ///
 /// # Arguments
 ///
@@ -6914,8 +6924,8 @@ pub fn contact_plane_derivatives(
     Ok(PlaneDerivatives { d_center, d_rot })
 }
 
-/// [`contact_plane_derivatives()`](crate::contact_plane_derivatives) for many ellipsoids and
-/// half-spaces; the bits are the same.
+/// Computes [`contact_plane_derivatives()`](crate::contact_plane_derivatives) for many ellipsoids
+/// and half-spaces, with the same bits.
 ///
 /// # Arguments
 ///
@@ -7022,7 +7032,8 @@ pub fn distance_box(
     Ok(DistanceBox { distance, point, normal })
 }
 
-/// [`distance_box()`](crate::distance_box) for many ellipsoids and boxes; the bits are the same.
+/// Computes [`distance_box()`](crate::distance_box) for many ellipsoids and boxes, with the same
+/// bits.
 ///
 /// # Arguments
 ///
@@ -7137,8 +7148,8 @@ pub fn distance_cylinder(
     Ok(DistanceCylinder { distance, point, normal })
 }
 
-/// [`distance_cylinder()`](crate::distance_cylinder) for many ellipsoids and cylinders; the bits
-/// are the same.
+/// Computes [`distance_cylinder()`](crate::distance_cylinder) for many ellipsoids and cylinders,
+/// with the same bits.
 ///
 /// # Arguments
 ///
@@ -7242,8 +7253,8 @@ pub fn distance_point(r: &[f64; 3], q: &[f64; 6]) -> Result<DistancePoint, Error
     Ok(DistancePoint { distance, point, normal })
 }
 
-/// [`distance_point()`](crate::distance_point) for many points and ellipsoids; the bits are the
-/// same.
+/// Computes [`distance_point()`](crate::distance_point) for many points and ellipsoids, with the
+/// same bits.
 ///
 /// # Arguments
 ///
@@ -7341,8 +7352,8 @@ pub fn intersect_line(
     Ok(Chord { enter: t[0], leave: t[1] })
 }
 
-/// [`intersect_line()`](crate::intersect_line) for many lines and ellipsoids; the bits are the
-/// same.
+/// Computes [`intersect_line()`](crate::intersect_line) for many lines and ellipsoids, with the
+/// same bits.
 ///
 /// # Arguments
 ///
@@ -7429,8 +7440,8 @@ pub fn overlap_volume_plane(normal: &[f64; 3], offset: f64, q: &[f64; 6]) -> Res
     Ok(volume)
 }
 
-/// [`overlap_volume_plane()`](crate::overlap_volume_plane) for many ellipsoids and half-spaces;
-/// the bits are the same.
+/// Computes [`overlap_volume_plane()`](crate::overlap_volume_plane) for many ellipsoids and
+/// half-spaces, with the same bits.
 ///
 /// # Arguments
 ///
@@ -7518,9 +7529,9 @@ pub fn contact_segment(
     Ok(ShapeContact { mu2, point })
 }
 
-/// [`contact_segment()`](crate::contact_segment) for many ellipsoids and segments.
+/// Computes [`contact_segment()`](crate::contact_segment) for many ellipsoids and segments.
 ///
-/// The bound of the error is the same; the last bits may differ.
+/// The error has the same bound. The last bits may differ.
 ///
 /// # Arguments
 ///
@@ -7621,9 +7632,9 @@ pub fn contact_triangle(
     Ok(ShapeContact { mu2, point })
 }
 
-/// [`contact_triangle()`](crate::contact_triangle) for many ellipsoids and triangles.
+/// Computes [`contact_triangle()`](crate::contact_triangle) for many ellipsoids and triangles.
 ///
-/// The bound of the error is the same; the last bits may differ.
+/// The error has the same bound. The last bits may differ.
 ///
 /// # Arguments
 ///
@@ -7724,9 +7735,9 @@ pub fn contact_box(
     Ok(ShapeContact { mu2, point })
 }
 
-/// [`contact_box()`](crate::contact_box) for many ellipsoids and boxes.
+/// Computes [`contact_box()`](crate::contact_box) for many ellipsoids and boxes.
 ///
-/// The bound of the error is the same; the last bits may differ.
+/// The error has the same bound. The last bits may differ.
 ///
 /// # Arguments
 ///
@@ -7816,8 +7827,8 @@ pub fn overlap_segment(end1: &[f64; 3], end2: &[f64; 3], q: &[f64; 6]) -> Result
     Ok(overlap == 1)
 }
 
-/// [`overlap_segment()`](crate::overlap_segment) for many ellipsoids and segments; the answers
-/// are the same.
+/// Computes [`overlap_segment()`](crate::overlap_segment) for many ellipsoids and segments, with
+/// the same answers.
 ///
 /// # Arguments
 ///
@@ -7907,8 +7918,8 @@ pub fn overlap_triangle(
     Ok(overlap == 1)
 }
 
-/// [`overlap_triangle()`](crate::overlap_triangle) for many ellipsoids and triangles; the answers
-/// are the same.
+/// Computes [`overlap_triangle()`](crate::overlap_triangle) for many ellipsoids and triangles,
+/// with the same answers.
 ///
 /// # Arguments
 ///
@@ -8001,7 +8012,8 @@ pub fn overlap_box(lower: &[f64; 3], upper: &[f64; 3], q: &[f64; 6]) -> Result<b
     Ok(overlap == 1)
 }
 
-/// [`overlap_box()`](crate::overlap_box) for many ellipsoids and boxes; the answers are the same.
+/// Computes [`overlap_box()`](crate::overlap_box) for many ellipsoids and boxes, with the same
+/// answers.
 ///
 /// # Arguments
 ///
@@ -8092,8 +8104,8 @@ pub fn distance_segment(
     Ok(ShapeDistance { distance, point1, point2, normal })
 }
 
-/// [`distance_segment()`](crate::distance_segment) for many ellipsoids and segments; the bits are
-/// the same.
+/// Computes [`distance_segment()`](crate::distance_segment) for many ellipsoids and segments,
+/// with the same bits.
 ///
 /// # Arguments
 ///
@@ -8216,8 +8228,8 @@ pub fn distance_triangle(
     Ok(ShapeDistance { distance, point1, point2, normal })
 }
 
-/// [`distance_triangle()`](crate::distance_triangle) for many ellipsoids and triangles; the bits
-/// are the same.
+/// Computes [`distance_triangle()`](crate::distance_triangle) for many ellipsoids and triangles,
+/// with the same bits.
 ///
 /// # Arguments
 ///
@@ -8344,8 +8356,8 @@ pub fn distance_solid_box(
     Ok(ShapeDistance { distance, point1, point2, normal })
 }
 
-/// [`distance_solid_box()`](crate::distance_solid_box) for many ellipsoids and boxes; the bits
-/// are the same.
+/// Computes [`distance_solid_box()`](crate::distance_solid_box) for many ellipsoids and boxes,
+/// with the same bits.
 ///
 /// # Arguments
 ///
@@ -8463,8 +8475,8 @@ pub fn contact_capsule(
     Ok(ShapeContact { mu2, point })
 }
 
-/// [`contact_capsule()`](crate::contact_capsule) for many ellipsoids and capsules; the bits are
-/// the same.
+/// Computes [`contact_capsule()`](crate::contact_capsule) for many ellipsoids and capsules, with
+/// the same bits.
 ///
 /// # Arguments
 ///
@@ -8570,8 +8582,8 @@ pub fn overlap_capsule(
     Ok(overlap == 1)
 }
 
-/// [`overlap_capsule()`](crate::overlap_capsule) for many ellipsoids and capsules; the answers
-/// are the same.
+/// Computes [`overlap_capsule()`](crate::overlap_capsule) for many ellipsoids and capsules, with
+/// the same answers.
 ///
 /// # Arguments
 ///
@@ -8675,8 +8687,8 @@ pub fn distance_capsule(
     Ok(ShapeDistance { distance, point1, point2, normal })
 }
 
-/// [`distance_capsule()`](crate::distance_capsule) for many ellipsoids and capsules; the bits are
-/// the same.
+/// Computes [`distance_capsule()`](crate::distance_capsule) for many ellipsoids and capsules,
+/// with the same bits.
 ///
 /// # Arguments
 ///
@@ -8787,8 +8799,8 @@ pub fn distance_point_2d(r: &[f64; 2], q: &[f64; 3]) -> Result<SurfaceDistance2d
     Ok(SurfaceDistance2d { distance, point, normal })
 }
 
-/// [`distance_point_2d()`](crate::distance_point_2d) for many points and ellipses; the bits are
-/// the same.
+/// Computes [`distance_point_2d()`](crate::distance_point_2d) for many points and ellipses, with
+/// the same bits.
 ///
 /// # Arguments
 ///
@@ -8881,8 +8893,8 @@ pub fn contact_segment_2d(
     Ok(ShapeContact2d { mu2, point })
 }
 
-/// [`contact_segment_2d()`](crate::contact_segment_2d) for many ellipses and segments; the bits
-/// are the same.
+/// Computes [`contact_segment_2d()`](crate::contact_segment_2d) for many ellipses and segments,
+/// with the same bits.
 ///
 /// # Arguments
 ///
@@ -8976,8 +8988,8 @@ pub fn contact_box_2d(
     Ok(ShapeContact2d { mu2, point })
 }
 
-/// [`contact_box_2d()`](crate::contact_box_2d) for many ellipses and boxes; the bits are the
-/// same.
+/// Computes [`contact_box_2d()`](crate::contact_box_2d) for many ellipses and boxes, with the
+/// same bits.
 ///
 /// # Arguments
 ///
@@ -9064,8 +9076,8 @@ pub fn overlap_segment_2d(end1: &[f64; 2], end2: &[f64; 2], q: &[f64; 3]) -> Res
     Ok(overlap == 1)
 }
 
-/// [`overlap_segment_2d()`](crate::overlap_segment_2d) for many ellipses and segments; the
-/// answers are the same.
+/// Computes [`overlap_segment_2d()`](crate::overlap_segment_2d) for many ellipses and segments,
+/// with the same answers.
 ///
 /// # Arguments
 ///
@@ -9144,8 +9156,8 @@ pub fn overlap_box_2d(lower: &[f64; 2], upper: &[f64; 2], q: &[f64; 3]) -> Resul
     Ok(overlap == 1)
 }
 
-/// [`overlap_box_2d()`](crate::overlap_box_2d) for many ellipses and boxes; the answers are the
-/// same.
+/// Computes [`overlap_box_2d()`](crate::overlap_box_2d) for many ellipses and boxes, with the
+/// same answers.
 ///
 /// # Arguments
 ///
@@ -9190,12 +9202,12 @@ pub fn overlap_box_batch_2d(
     ) })
 }
 
-/// [`contact()`](crate::contact), [`contact_geometry()`](crate::contact_geometry),
-/// [`contact_gradient()`](crate::contact_gradient) and
-/// [`contact_torque()`](crate::contact_torque) for many pairs.
+/// Computes all that the forces and torques of an energy U(μ²) need, for many pairs.
 ///
-/// All that the forces and torques of an energy U(μ²) need. A pair with r12 = 0 is valid: its
-/// derivatives are zero, its point and normal NaN.
+/// The results of [`contact()`](crate::contact), [`contact_geometry()`](crate::contact_geometry),
+/// [`contact_gradient()`](crate::contact_gradient) and
+/// [`contact_torque()`](crate::contact_torque). A pair with r12 = 0 is valid: its derivatives are
+/// zero, its point and normal NaN.
 ///
 /// # Arguments
 ///
@@ -9205,8 +9217,10 @@ pub fn overlap_box_batch_2d(
 /// - `point`: Contact points relative to the centres of the first ellipsoids. Unit: length.
 /// - `normal`: Unit normals.
 /// - `d_r12`: ∂μ²/∂r12. Unit: 1/length.
-/// - `d_rot1`: ∂μ²/∂(rotation vector) of either ellipsoid about its own centre, per radian.
-/// - `d_rot2`: ∂μ²/∂(rotation vector) of either ellipsoid about its own centre, per radian.
+/// - `d_rot1`: Derivatives with respect to rotations, as for
+///   [`contact_torque()`](crate::contact_torque).
+/// - `d_rot2`: Derivatives with respect to rotations, as for
+///   [`contact_torque()`](crate::contact_torque).
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
 ///
@@ -9283,7 +9297,7 @@ pub fn contact_derivatives_batch(
     ) })
 }
 
-/// Tight boxes, with sides along the axes, around n ellipsoids.
+/// Computes the smallest boxes, with sides along the axes, around n ellipsoids.
 ///
 /// # Arguments
 ///
@@ -9347,7 +9361,7 @@ pub fn from_moments(second_moments: &[f64; 6]) -> Result<[f64; 6], Error> {
     Ok(q)
 }
 
-/// [`from_moments()`](crate::from_moments) for many ellipsoids; the bits are the same.
+/// Computes [`from_moments()`](crate::from_moments) for many ellipsoids, with the same bits.
 ///
 /// # Arguments
 ///
@@ -9406,7 +9420,7 @@ pub fn from_moments_2d(second_moments: &[f64; 3]) -> Result<[f64; 3], Error> {
     Ok(q)
 }
 
-/// [`from_moments_2d()`](crate::from_moments_2d) for many ellipses; the bits are the same.
+/// Computes [`from_moments_2d()`](crate::from_moments_2d) for many ellipses, with the same bits.
 ///
 /// # Arguments
 ///
