@@ -885,10 +885,10 @@ typedef struct pw85_motion {
  * @param t_max [time; >= 0; or infinite] the last time at which a contact counts
  * @param[out] t [time; member time] the time of the first contact, or infinity if there is none
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (one of three: the search
- *        ends after 100,000 steps, because the ellipsoids turn near each other, without contact, by
- *        more than 50,000 radians, or by more than 10,000 at aspect ratio 1000; sizes, the relative
- *        velocity or the time leave the range of double; rounding errors leave no digit of an
- *        orientation or a form, after more than 2⁴³ radians or at an aspect ratio above 10⁷) */
+ *        ends after 100,000 steps, because the ellipsoids rotate near each other, without contact,
+ *        by more than 50,000 radians, or by more than 10,000 at aspect ratio 1000; sizes, the
+ *        relative velocity or the time leave the range of double; rounding errors leave no digit of
+ *        an orientation or a form, after more than 2⁴³ radians or at an aspect ratio above 10⁷) */
 PW85_API int pw85_first_contact(double const r12[3], double const q1[6], double const q2[6],
                                 pw85_motion const *motion1, pw85_motion const *motion2,
                                 double t_max, double *t);

@@ -5153,7 +5153,7 @@ pub fn gap_inside_batch_2d(
 ///
 /// A number is not finite (`t_max` may be infinite), a form is not positive definite, `t_max` is
 /// negative or an ellipsoid shrinks to nothing before `t_max`. `Status::NoConvergence`: one of
-/// three: the search ends after 100,000 steps, because the ellipsoids turn near each other,
+/// three: the search ends after 100,000 steps, because the ellipsoids rotate near each other,
 /// without contact, by more than 50,000 radians, or by more than 10,000 at aspect ratio 1000;
 /// sizes, the relative velocity or the time leave the range of double; rounding errors leave no
 /// digit of an orientation or a form, after more than 2⁴³ radians or at an aspect ratio above
