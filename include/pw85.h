@@ -288,8 +288,8 @@ PW85_API int pw85_contact_function(double const r12[3], double const q1[6], doub
  * @param r12 [as pw85_contact(); != 0]
  * @param q1,q2 [as pw85_contact()]
  * @param lambda [0..1] the maximiser λ of f, from pw85_contact(). For another λ in [0, 1] the point
- *        is x0(λ) of the chapter on theory: it is on the surfaces of ellipsoid 1 scaled by μ1 and
- *        of ellipsoid 2 scaled by μ2, where f(λ) = λ μ1² + (1-λ) μ2².
+ *        is x0(λ) of the chapter on theory. It is on the surface of ellipsoid 1 scaled by μ1, and
+ *        on that of ellipsoid 2 scaled by μ2, where f(λ) = λ μ1² + (1-λ) μ2².
  * @param[out] point [length; optional] the point, relative to the centre of ellipsoid 1
  * @param[out] normal [optional] unit vector, outward from ellipsoid 1 and into ellipsoid 2
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
@@ -394,8 +394,8 @@ PW85_API int pw85_overlap(double const r12[3], double const q1[6], double const 
  * @param s1,s2 [as pw85_contact_factored()]
  * @param[out] overlap [-1 on error] 1 or 0
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD (a factor is singular, or nearly),
- *        #PW85_ECONVERGENCE (only integers can decide, because the ellipsoids nearly touch, and r12
- *        and the entries of the factors differ by more than a factor of 2¹⁵⁰⁰) */
+ *        #PW85_ECONVERGENCE (only integers can decide, because the ellipsoids nearly touch, and the
+ *        numbers do not meet this condition) */
 PW85_API int pw85_overlap_factored(double const r12[3], double const s1[9], double const s2[9],
                                    int *overlap);
 
@@ -497,11 +497,12 @@ PW85_API int pw85_volume(double const q[6], double *volume);
  *
  * V is 0 if the ellipsoids do not overlap, as pw85_overlap() decides. V is pw85_volume() of the
  * smaller ellipsoid if it is inside the other one, as pw85_contains() decides. Otherwise the error
- * is below u (64 v + 16 s). Here u = 2⁻⁵³, v is the volume of the smaller ellipsoid, and s =
- * Σ|r12_i ∂V/∂r12_i| + Σ √(q1_ii q1_jj) |∂V/∂q1_ij| + Σ √(q2_ii q2_jj) |∂V/∂q2_ij|, summed over the
- * coordinates and the stored entries. pw85_overlap_volume_gradient() gives the derivatives. If the
- * intersection is as thin as rounding errors, V may be 0. If the part of the smaller ellipsoid
- * outside of the other one is as thin, V may be the volume of the smaller ellipsoid.
+ * is below u (64 v + 16 s), with u = 2⁻⁵³ and the volume v of the smaller ellipsoid. The term s is
+ * Σ|r12_i ∂V/∂r12_i| + Σ √(q1_ii q1_jj) |∂V/∂q1_ij| + Σ √(q2_ii q2_jj) |∂V/∂q2_ij|, summed over
+ * coordinates and stored entries, with the derivatives of pw85_overlap_volume_gradient().
+ *
+ * If the intersection is as thin as rounding errors, V may be 0. If the part of the smaller
+ * ellipsoid outside of the other one is as thin, V may be the volume of the smaller ellipsoid.
  *
  * @param r12 [as pw85_contact()] it may be zero
  * @param q1,q2 [as pw85_contact()]
@@ -521,8 +522,8 @@ PW85_API int pw85_overlap_volume(double const r12[3], double const q1[6], double
  * The error of the derivative with respect to a number p is below u (256 m + 64 s), with u = 2⁻⁵³.
  * The term s is that of pw85_overlap_volume() with ∂V/∂p in the place of V. The term m depends on
  * the volume v of the smaller ellipsoid, the inverse P of its form, and the inverse P' of the form
- * to which p belongs: v √P_ii for p = r12_i, v √(P_ii P'_ii) for a diagonal entry p of a form, v
- * (√(P_ii P'_jj) + √(P_jj P'_ii)) for another entry.
+ * to which p belongs. It is v √P_ii for p = r12_i, v √(P_ii P'_ii) for a diagonal entry p of a
+ * form, and v (√(P_ii P'_jj) + √(P_jj P'_ii)) for another entry.
  *
  * @param r12,q1,q2 [as pw85_overlap_volume()]
  * @param[out] d_r12 [length²; optional; member r12] ∂V/∂r12; its negative is the derivative with
@@ -667,8 +668,8 @@ PW85_API int pw85_closest_approach_2d(double const direction[2], double const q1
 /** Computes the distance of the surfaces of two ellipsoids, and the points where they are closest.
  *
  * The distance is the largest value of n·r12 - α - β over unit vectors n, with the half-widths α
- * and β of the ellipsoids along n. Its error is below 8 u Σ, with u = 2⁻⁵³ and Σ = Σ|n_i r12_i| +
- * Σ|n_i q1_ij n_j|/(2α) + Σ|n_i q2_ij n_j|/(2β), summed over all i and j, for the normal n at the
+ * and β of the ellipsoids along n. Its error is below 8 u Σ, with u = 2⁻⁵³. Here Σ = Σ|n_i r12_i| +
+ * Σ|n_i q1_ij n_j|/(2α) + Σ|n_i q2_ij n_j|/(2β), summed over all i and j, with n, α and β at the
  * closest points. Rounding the data entry by entry can change the distance by u Σ.
  *
  * A program can check the result. For any unit vector n, n·r12 - α - β is a lower bound of the
@@ -750,8 +751,8 @@ PW85_API int pw85_penetration(double const r12[3], double const q1[6], double co
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] distance [length; optional] the signed distance, in the unit of r12
  * @param[out] point1,point2 [length; optional] the closest points of ellipsoids 1 and 2 if they are
- *        apart, or the deepest points if they overlap, both relative to the centre of ellipsoid 1;
- *        there the outward normals are opposite and along point2 - point1
+ *        apart, or the deepest points if they overlap, both relative to the centre of ellipsoid 1.
+ *        The outward normals there are opposite, and along point2 - point1.
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_distance() and
  *        pw85_penetration() */
 PW85_API int pw85_signed_distance(double const r12[3], double const q1[6], double const q2[6],
@@ -788,10 +789,9 @@ PW85_API int pw85_signed_distance_derivatives(double const r12[3], double const 
  * global one. If several directions are equally good, the result is one of them.
  *
  * `gap` is the value for the returned normal, up to a few roundings. If minima are isolated, no
- * other direction has a value that is smaller by more than 128 u α (1 + α/β), with u = 2⁻⁵³ and the
- * α and β of the normal. If minima are not isolated, as on circles of spheroids with a common axis,
- * another direction may have a value that is smaller by up to 2⁻²⁰ of the gap, in two dimensions
- * 2⁻⁴⁰.
+ * other direction has a value smaller by more than 128 u α (1 + α/β), with u = 2⁻⁵³. If they are
+ * not, as on circles of spheroids with a common axis, another direction may have a value smaller by
+ * up to 2⁻²⁰ of the gap (2⁻⁴⁰ in two dimensions).
  *
  * The time is 50 to 300 times that of pw85_contact() for isolated minima, and up to some tenths of
  * a second otherwise.
@@ -860,10 +860,10 @@ PW85_API int pw85_gap_inside_2d(double const r12[2], double const q1[3], double 
  * times. The error of t is therefore at most 80 u S/|dμ²/dt| + 2 u t, unless dμ²/dt = 0 (a grazing
  * contact). A pair that misses by no more than 80 u S counts as touching.
  *
- * A pair that overlaps at time 0 has its first contact at time 0. There is one exception, which
- * serves pairs that have just collided: if the ellipsoids separate at time 0, and touch, or overlap
- * by at most 128 times the bound on the rounding error of μ², t is the time of their next contact.
- * The bound on μ² at earlier times then holds from the time at which they are apart.
+ * A pair that overlaps at time 0 has its first contact at time 0. There is one exception, for pairs
+ * that have just collided. If the ellipsoids separate at time 0, and touch, or overlap by at most
+ * 128 times the bound on the rounding error of μ², t is the time of their next contact. The bound
+ * on μ² at earlier times then holds from the time at which they are apart.
  * @{ */
 
 /** Motion of an ellipsoid. */
@@ -899,9 +899,9 @@ PW85_API int pw85_first_contact(double const r12[3], double const q1[6], double 
  * μ² is a convex function of t, so the minimum is unique unless the velocity is zero. Ellipsoids
  * that only translate overlap on this path if and only if the exact minimum is below 1.
  *
- * The error of μ² is below 8 u S, with u = 2⁻⁵³. S = μ² cond + 2 λ(1-λ) Σ|n_i| (|r12_i| + t
- * |velocity_i|) is the change of μ², to first order, for relative changes of one in the given
- * numbers, with cond, λ and n of pw85_condition() for the pair at time t.
+ * The error of μ² is below 8 u S, with u = 2⁻⁵³. Here S = μ² cond + 2 λ(1-λ) Σ|n_i| (|r12_i| + t
+ * |velocity_i|), with cond, λ and n of pw85_condition() for the pair at time t. S is the change of
+ * μ², to first order, for relative changes of one in the given numbers.
  *
  * @param r12,q1,q2 [as pw85_contact()] at time 0
  * @param velocity [length/time] velocity of ellipsoid 2 relative to ellipsoid 1; it may be zero

@@ -23,10 +23,10 @@ extern "C" {
  * is at most the tolerance.
  *
  * Rounding the centre and the form to double limits the excess. The form adds about n u κ, with u =
- * 2⁻⁵³ and the condition number κ of the form in those units of the coordinates that make it least:
- * 1 for axes along the coordinates, the square of the aspect ratio for general axes. The centre
- * adds about n u D/a, with the distance D of the points from 0 and the shortest semi-axis a: move
- * points that are far from 0 first.
+ * 2⁻⁵³. Here κ is the condition number of the form in those units of the coordinates that make it
+ * least: 1 for axes along the coordinates, the square of the aspect ratio for general axes. The
+ * centre adds about n u D/a, with the distance D of the points from 0 and the shortest semi-axis a:
+ * move points that are far from 0 first.
  *
  * The time for 10⁶ random points is that of 5 to 10 passes over them. The function allocates 16
  * bytes for each point, and at most 2 MiB that do not depend on m.

@@ -34,8 +34,8 @@ PW85_API int pw85_gpu_count(int *count);
  *
  * The status only says that the work was queued. The results of a bad pair, also of one with an
  * index out of range, are NaN, or 255 for overlaps, as on the host. Overlaps are the same as on the
- * host: the stream sends bad pairs, and the few pairs that the arithmetic of the device cannot
- * decide, to the host. pw85_overlap_batch() decides them there in a thread of the driver, and the
+ * host: the stream sends bad pairs to the host, and also the few pairs that the arithmetic of the
+ * device cannot decide. pw85_overlap_batch() decides them there in a thread of the driver, and the
  * stream sends the answers back.
  *
  * A device has no more digits than double. If it cannot prove μ² or λ, which happens beyond aspect

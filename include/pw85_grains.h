@@ -218,9 +218,9 @@ PW85_API int pw85_shell_moments(double const q[6], double moments[6]);
  * area of the shell. Multiply it by the mass per volume or per area. For the tensor of a body of
  * mass 1, divide it by pw85_volume() or pw85_surface_area().
  *
- * The error of each entry is below 4 u + 2⁻⁹⁸ κ times the entry for bodies, with u = 2⁻⁵³ and κ,
- * the squared aspect ratio, or 1 if the axes are along the coordinates. For shells it is below 4 u
- * times the entry plus 2⁻⁹⁸ κ times the largest entry.
+ * The error of each entry is below 4 u + 2⁻⁹⁸ κ times the entry for bodies, with u = 2⁻⁵³. Here κ
+ * is the squared aspect ratio, or 1 if the axes are along the coordinates. For shells it is below 4
+ * u times the entry plus 2⁻⁹⁸ κ times the largest entry.
  *
  * @param q [length²; definite] form of the ellipsoid
  * @param shell 0 for a solid body, any other number for a shell

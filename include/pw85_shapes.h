@@ -18,8 +18,8 @@ extern "C" {
  *
  * These functions are for one ellipsoid. The error of a distance is below 8 u Σ, with u = 2⁻⁵³. Let
  * n be the unit normal at the nearest points, and α = √(nᵀqn) the half-width of the ellipsoid along
- * n. Σ is the sum of the magnitudes of the terms of n·x for the given point, corner or centre x, of
- * |offset|/|normal| or the radius, and of Σ|n_i q_ij n_j|/(2α).
+ * n. Σ is the sum of: the magnitudes of the terms of n·x, for a given point, corner or centre x;
+ * |offset|/|normal| or the radius; Σ|n_i q_ij n_j|/(2α).
  *
  * Derivatives of a distance, with respect to the position of the centre and to small rotations
  * about it, follow from the point and the normal: see pw85_distance_plane_derivatives().

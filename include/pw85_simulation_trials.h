@@ -147,10 +147,10 @@ PW85_API int pw85_hard_ellipsoids_set_fractions(pw85_hard_ellipsoids *simulation
  * third power. In a cell that becomes smaller, translations are shortened to its longest vector.
  *
  * @param simulation a simulation
- * @param steps [> 0] three numbers: the length of a translation, which is at most that of the
- *        longest cell vector in a cell that is periodic along its three vectors, or in two
- *        dimensions along the first two; the tangent of half of the angle of a rotation, at most 1;
- *        the relative change of a length of the cell or the shear, at most 1
+ * @param steps [> 0] three numbers: the length of a translation; the tangent of half of the angle
+ *        of a rotation, at most 1; the relative change of a length of the cell or the shear, at
+ *        most 1. In a cell that is periodic along its three vectors, or in two dimensions along the
+ *        first two, a translation is at most as long as the longest vector.
  * @return #PW85_SUCCESS, #PW85_EINVAL */
 PW85_API int pw85_hard_ellipsoids_set_steps(pw85_hard_ellipsoids *simulation,
                                             double const steps[3]);

@@ -116,8 +116,8 @@ export interface Pw85 extends Memory {
      * @param q1 Forms of the ellipsoids, in the square of the unit of `r12`. 6 numbers.
      * @param q2 Forms of the ellipsoids, in the square of the unit of `r12`. 6 numbers.
      * @param lambda The maximiser λ of f, from `contact()`. For another λ in [0, 1] the point is x0(λ) of the
-     *   chapter on theory: it is on the surfaces of ellipsoid 1 scaled by μ1 and of ellipsoid 2 scaled by μ2,
-     *   where f(λ) = λ μ1² + (1-λ) μ2².
+     *   chapter on theory. It is on the surface of ellipsoid 1 scaled by μ1, and on that of ellipsoid 2 scaled by
+     *   μ2, where f(λ) = λ μ1² + (1-λ) μ2².
      */
     contactGeometry(r12: Numbers, q1: Numbers, q2: Numbers, lambda: number): { point: Float64Array; normal: Float64Array };
     /**
@@ -146,11 +146,11 @@ export interface Pw85 extends Memory {
      * Computes the volume V of the intersection of two ellipsoids.
      * V is 0 if the ellipsoids do not overlap, as `overlap()` decides. V is `pw85_volume()` of the C API of the
      * smaller ellipsoid if it is inside the other one, as `pw85_contains()` of the C API decides. Otherwise the
-     * error is below u (64 v + 16 s). Here u = 2⁻⁵³, v is the volume of the smaller ellipsoid, and s = Σ|r12_i
-     * ∂V/∂r12_i| + Σ √(q1_ii q1_jj) |∂V/∂q1_ij| + Σ √(q2_ii q2_jj) |∂V/∂q2_ij|, summed over the coordinates and
-     * the stored entries. `pw85_overlap_volume_gradient()` of the C API gives the derivatives. If the
-     * intersection is as thin as rounding errors, V may be 0. If the part of the smaller ellipsoid outside of the
-     * other one is as thin, V may be the volume of the smaller ellipsoid.
+     * error is below u (64 v + 16 s), with u = 2⁻⁵³ and the volume v of the smaller ellipsoid. The term s is
+     * Σ|r12_i ∂V/∂r12_i| + Σ √(q1_ii q1_jj) |∂V/∂q1_ij| + Σ √(q2_ii q2_jj) |∂V/∂q2_ij|, summed over coordinates
+     * and stored entries, with the derivatives of `pw85_overlap_volume_gradient()` of the C API.
+     * If the intersection is as thin as rounding errors, V may be 0. If the part of the smaller ellipsoid outside
+     * of the other one is as thin, V may be the volume of the smaller ellipsoid.
      * @param r12 Vector from the centre of ellipsoid 1 to that of ellipsoid 2; it may be zero. 3 numbers.
      * @param q1 Forms of the ellipsoids, in the square of the unit of `r12`. 6 numbers.
      * @param q2 Forms of the ellipsoids, in the square of the unit of `r12`. 6 numbers.
@@ -165,8 +165,8 @@ export interface Pw85 extends Memory {
     /**
      * Computes the distance of the surfaces of two ellipsoids, and the points where they are closest.
      * The distance is the largest value of n·r12 - α - β over unit vectors n, with the half-widths α and β of the
-     * ellipsoids along n. Its error is below 8 u Σ, with u = 2⁻⁵³ and Σ = Σ|n_i r12_i| + Σ|n_i q1_ij n_j|/(2α) +
-     * Σ|n_i q2_ij n_j|/(2β), summed over all i and j, for the normal n at the closest points. Rounding the data
+     * ellipsoids along n. Its error is below 8 u Σ, with u = 2⁻⁵³. Here Σ = Σ|n_i r12_i| + Σ|n_i q1_ij n_j|/(2α)
+     * + Σ|n_i q2_ij n_j|/(2β), summed over all i and j, with n, α and β at the closest points. Rounding the data
      * entry by entry can change the distance by u Σ.
      * A program can check the result. For any unit vector n, n·r12 - α - β is a lower bound of the distance;
      * `distance` is this bound for the normal of `pw85_distance_derivatives()` of the C API. For any two points
@@ -255,8 +255,8 @@ export interface Plane extends Memory {
      * @param q1 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
      * @param q2 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
      * @param lambda The maximiser λ of f, from `contact()`. For another λ in [0, 1] the point is x0(λ) of the
-     *   chapter on theory: it is on the surfaces of ellipse 1 scaled by μ1 and of ellipse 2 scaled by μ2, where
-     *   f(λ) = λ μ1² + (1-λ) μ2².
+     *   chapter on theory. It is on the surface of ellipse 1 scaled by μ1, and on that of ellipse 2 scaled by μ2,
+     *   where f(λ) = λ μ1² + (1-λ) μ2².
      */
     contactGeometry2d(r12: Numbers, q1: Numbers, q2: Numbers, lambda: number): { point: Float64Array; normal: Float64Array };
     /**

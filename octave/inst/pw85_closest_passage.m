@@ -10,9 +10,9 @@ function [mu2, t] = pw85_closest_passage (varargin)
 %  Ellipsoids that only translate overlap on this path if and only if the exact minimum is below
 %  1.
 %
-%  The error of μ² is below 8 u S, with u = 2⁻⁵³. S = μ² cond + 2 λ(1-λ) Σ|n_i| (|r12_i| + t
-%  |velocity_i|) is the change of μ², to first order, for relative changes of one in the given
-%  numbers, with cond, λ and n of pw85_condition() for the pair at time t.
+%  The error of μ² is below 8 u S, with u = 2⁻⁵³. Here S = μ² cond + 2 λ(1-λ) Σ|n_i| (|r12_i| +
+%  t |velocity_i|), with cond, λ and n of pw85_condition() for the pair at time t. S is the
+%  change of μ², to first order, for relative changes of one in the given numbers.
 %
 %  For ellipsoids in three dimensions.
 %

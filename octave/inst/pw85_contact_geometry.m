@@ -15,8 +15,9 @@ function [point, normal] = pw85_contact_geometry (varargin)
 %  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
 %  lambda      The maximiser λ of f, from pw85_contact(). For another λ in [0, 1] the point is
-%              x0(λ) of the chapter on theory: it is on the surfaces of ellipsoid 1 scaled by μ1
-%              and of ellipsoid 2 scaled by μ2, where f(λ) = λ μ1² + (1-λ) μ2². 1 column.
+%              x0(λ) of the chapter on theory. It is on the surface of ellipsoid 1 scaled by μ1,
+%              and on that of ellipsoid 2 scaled by μ2, where f(λ) = λ μ1² + (1-λ) μ2². 1
+%              column.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi] or, in the plane, [xc yc a b
 %              theta]: see pw85_from_matgeom.
 %

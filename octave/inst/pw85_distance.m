@@ -6,10 +6,9 @@ function [distance, point1, point2] = pw85_distance (varargin)
 %   [distance, point1, point2] = pw85_distance (x, y)
 %
 %  The distance is the largest value of n·r12 - α - β over unit vectors n, with the half-widths
-%  α and β of the ellipsoids along n. Its error is below 8 u Σ, with u = 2⁻⁵³ and Σ = Σ|n_i
-%  r12_i| + Σ|n_i q1_ij n_j|/(2α) + Σ|n_i q2_ij n_j|/(2β), summed over all i and j, for the
-%  normal n at the closest points. Rounding the data entry by entry can change the distance by u
-%  Σ.
+%  α and β of the ellipsoids along n. Its error is below 8 u Σ, with u = 2⁻⁵³. Here Σ = Σ|n_i
+%  r12_i| + Σ|n_i q1_ij n_j|/(2α) + Σ|n_i q2_ij n_j|/(2β), summed over all i and j, with n, α
+%  and β at the closest points. Rounding the data entry by entry can change the distance by u Σ.
 %
 %  A program can check the result. For any unit vector n, n·r12 - α - β is a lower bound of the
 %  distance; distance is this bound for the normal of pw85_distance_derivatives(). For any two

@@ -6,12 +6,13 @@ function volume = pw85_overlap_volume (varargin)
 %
 %  V is 0 if the ellipsoids do not overlap, as pw85_overlap() decides. V is pw85_volume() of the
 %  smaller ellipsoid if it is inside the other one, as pw85_contains() decides. Otherwise the
-%  error is below u (64 v + 16 s). Here u = 2⁻⁵³, v is the volume of the smaller ellipsoid, and
-%  s = Σ|r12_i ∂V/∂r12_i| + Σ √(q1_ii q1_jj) |∂V/∂q1_ij| + Σ √(q2_ii q2_jj) |∂V/∂q2_ij|, summed
-%  over the coordinates and the stored entries. pw85_overlap_volume_gradient() gives the
-%  derivatives. If the intersection is as thin as rounding errors, V may be 0. If the part of
-%  the smaller ellipsoid outside of the other one is as thin, V may be the volume of the smaller
-%  ellipsoid.
+%  error is below u (64 v + 16 s), with u = 2⁻⁵³ and the volume v of the smaller ellipsoid. The
+%  term s is Σ|r12_i ∂V/∂r12_i| + Σ √(q1_ii q1_jj) |∂V/∂q1_ij| + Σ √(q2_ii q2_jj) |∂V/∂q2_ij|,
+%  summed over coordinates and stored entries, with the derivatives of
+%  pw85_overlap_volume_gradient().
+%
+%  If the intersection is as thin as rounding errors, V may be 0. If the part of the smaller
+%  ellipsoid outside of the other one is as thin, V may be the volume of the smaller ellipsoid.
 %
 %  For ellipsoids in three dimensions.
 %

@@ -11,8 +11,8 @@ function [d_r12, d_q1, d_q2] = pw85_overlap_volume_gradient (varargin)
 %  The error of the derivative with respect to a number p is below u (256 m + 64 s), with u =
 %  2⁻⁵³. The term s is that of pw85_overlap_volume() with ∂V/∂p in the place of V. The term m
 %  depends on the volume v of the smaller ellipsoid, the inverse P of its form, and the inverse
-%  P' of the form to which p belongs: v √P_ii for p = r12_i, v √(P_ii P'_ii) for a diagonal
-%  entry p of a form, v (√(P_ii P'_jj) + √(P_jj P'_ii)) for another entry.
+%  P' of the form to which p belongs. It is v √P_ii for p = r12_i, v √(P_ii P'_ii) for a
+%  diagonal entry p of a form, and v (√(P_ii P'_jj) + √(P_jj P'_ii)) for another entry.
 %
 %  For ellipsoids in three dimensions.
 %

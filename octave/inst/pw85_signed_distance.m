@@ -34,11 +34,11 @@ function [distance, point1, point2] = pw85_signed_distance (varargin)
 %
 %  distance    The signed distance, in the unit of r12. 1 column.
 %  point1      The closest points of ellipsoids 1 and 2 if they are apart, or the deepest points
-%              if they overlap, both relative to the centre of ellipsoid 1; there the outward
-%              normals are opposite and along point2 - point1. 3 or 2 columns.
+%              if they overlap, both relative to the centre of ellipsoid 1. The outward normals
+%              there are opposite, and along point2 - point1. 3 or 2 columns.
 %  point2      The closest points of ellipsoids 1 and 2 if they are apart, or the deepest points
-%              if they overlap, both relative to the centre of ellipsoid 1; there the outward
-%              normals are opposite and along point2 - point1. 3 or 2 columns.
+%              if they overlap, both relative to the centre of ellipsoid 1. The outward normals
+%              there are opposite, and along point2 - point1. 3 or 2 columns.
 %
 %  The function of the C API is pw85_signed_distance().
 

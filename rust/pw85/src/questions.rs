@@ -1258,8 +1258,8 @@ pub fn contact_function_batch(
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact). For another λ in \[0,
-///   1\] the point is x0(λ) of the chapter on theory: it is on the surfaces of ellipsoid 1 scaled
-///   by μ1 and of ellipsoid 2 scaled by μ2, where f(λ) = λ μ1² + (1-λ) μ2².
+///   1\] the point is x0(λ) of the chapter on theory. It is on the surface of ellipsoid 1 scaled
+///   by μ1, and on that of ellipsoid 2 scaled by μ2, where f(λ) = λ μ1² + (1-λ) μ2².
 ///
 /// # Errors
 ///
@@ -2029,8 +2029,7 @@ pub fn overlap_batch(
 /// # Errors
 ///
 /// A number is not finite. `Status::NoConvergence`: only integers can decide, because the
-/// ellipsoids nearly touch, and r12 and the entries of the factors differ by more than a factor
-/// of 2¹⁵⁰⁰.
+/// ellipsoids nearly touch, and the numbers do not meet this condition.
 ///
 /// # Examples
 ///
@@ -2634,13 +2633,14 @@ pub fn volume_batch(q: &[[f64; 6]], volume: &mut [f64]) -> Result<(), Error> {
 ///
 /// V is 0 if the ellipsoids do not overlap, as [`overlap()`](crate::overlap) decides. V is
 /// [`volume()`](crate::volume) of the smaller ellipsoid if it is inside the other one, as
-/// [`contains()`](crate::contains) decides. Otherwise the error is below u (64 v + 16 s). Here u
-/// = 2⁻⁵³, v is the volume of the smaller ellipsoid, and s = Σ\|r12_i ∂V/∂r12_i\| + Σ √(q1_ii
-/// q1_jj) \|∂V/∂q1_ij\| + Σ √(q2_ii q2_jj) \|∂V/∂q2_ij\|, summed over the coordinates and the
-/// stored entries. [`overlap_volume_gradient()`](crate::overlap_volume_gradient) gives the
-/// derivatives. If the intersection is as thin as rounding errors, V may be 0. If the part of the
-/// smaller ellipsoid outside of the other one is as thin, V may be the volume of the smaller
-/// ellipsoid.
+/// [`contains()`](crate::contains) decides. Otherwise the error is below u (64 v + 16 s), with u
+/// = 2⁻⁵³ and the volume v of the smaller ellipsoid. The term s is Σ\|r12_i ∂V/∂r12_i\| + Σ
+/// √(q1_ii q1_jj) \|∂V/∂q1_ij\| + Σ √(q2_ii q2_jj) \|∂V/∂q2_ij\|, summed over coordinates and
+/// stored entries, with the derivatives of
+/// [`overlap_volume_gradient()`](crate::overlap_volume_gradient).
+///
+/// If the intersection is as thin as rounding errors, V may be 0. If the part of the smaller
+/// ellipsoid outside of the other one is as thin, V may be the volume of the smaller ellipsoid.
 ///
 /// # Arguments
 ///
@@ -2732,8 +2732,9 @@ pub fn overlap_volume_batch(
 /// The error of the derivative with respect to a number p is below u (256 m + 64 s), with u =
 /// 2⁻⁵³. The term s is that of [`overlap_volume()`](crate::overlap_volume) with ∂V/∂p in the
 /// place of V. The term m depends on the volume v of the smaller ellipsoid, the inverse P of its
-/// form, and the inverse P' of the form to which p belongs: v √P_ii for p = r12_i, v √(P_ii
-/// P'_ii) for a diagonal entry p of a form, v (√(P_ii P'_jj) + √(P_jj P'_ii)) for another entry.
+/// form, and the inverse P' of the form to which p belongs. It is v √P_ii for p = r12_i, v √(P_ii
+/// P'_ii) for a diagonal entry p of a form, and v (√(P_ii P'_jj) + √(P_jj P'_ii)) for another
+/// entry.
 ///
 /// # Arguments
 ///
@@ -3389,8 +3390,8 @@ pub fn contact_batch_2d(
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact). For another λ in \[0,
-///   1\] the point is x0(λ) of the chapter on theory: it is on the surfaces of ellipse 1 scaled
-///   by μ1 and of ellipse 2 scaled by μ2, where f(λ) = λ μ1² + (1-λ) μ2².
+///   1\] the point is x0(λ) of the chapter on theory. It is on the surface of ellipse 1 scaled by
+///   μ1, and on that of ellipse 2 scaled by μ2, where f(λ) = λ μ1² + (1-λ) μ2².
 ///
 /// # Errors
 ///
@@ -4016,9 +4017,9 @@ pub fn closest_approach_batch_2d(
 /// closest.
 ///
 /// The distance is the largest value of n·r12 - α - β over unit vectors n, with the half-widths α
-/// and β of the ellipsoids along n. Its error is below 8 u Σ, with u = 2⁻⁵³ and Σ = Σ\|n_i
-/// r12_i\| + Σ\|n_i q1_ij n_j\|/(2α) + Σ\|n_i q2_ij n_j\|/(2β), summed over all i and j, for the
-/// normal n at the closest points. Rounding the data entry by entry can change the distance by u
+/// and β of the ellipsoids along n. Its error is below 8 u Σ, with u = 2⁻⁵³. Here Σ = Σ\|n_i
+/// r12_i\| + Σ\|n_i q1_ij n_j\|/(2α) + Σ\|n_i q2_ij n_j\|/(2β), summed over all i and j, with n,
+/// α and β at the closest points. Rounding the data entry by entry can change the distance by u
 /// Σ.
 ///
 /// A program can check the result. For any unit vector n, n·r12 - α - β is a lower bound of the
@@ -4613,10 +4614,9 @@ pub fn signed_distance_derivatives_batch(
 /// them.
 ///
 /// `gap` is the value for the returned normal, up to a few roundings. If minima are isolated, no
-/// other direction has a value that is smaller by more than 128 u α (1 + α/β), with u = 2⁻⁵³ and
-/// the α and β of the normal. If minima are not isolated, as on circles of spheroids with a
-/// common axis, another direction may have a value that is smaller by up to 2⁻²⁰ of the gap, in
-/// two dimensions 2⁻⁴⁰.
+/// other direction has a value smaller by more than 128 u α (1 + α/β), with u = 2⁻⁵³. If they are
+/// not, as on circles of spheroids with a common axis, another direction may have a value smaller
+/// by up to 2⁻²⁰ of the gap (2⁻⁴⁰ in two dimensions).
 ///
 /// The time is 50 to 300 times that of [`contact()`](crate::contact) for isolated minima, and up
 /// to some tenths of a second otherwise.
@@ -5266,9 +5266,10 @@ pub fn first_contact_batch(
 /// Ellipsoids that only translate overlap on this path if and only if the exact minimum is below
 /// 1.
 ///
-/// The error of μ² is below 8 u S, with u = 2⁻⁵³. S = μ² cond + 2 λ(1-λ) Σ\|n_i\| (\|r12_i\| + t
-/// \|velocity_i\|) is the change of μ², to first order, for relative changes of one in the given
-/// numbers, with cond, λ and n of [`condition()`](crate::condition) for the pair at time t.
+/// The error of μ² is below 8 u S, with u = 2⁻⁵³. Here S = μ² cond + 2 λ(1-λ) Σ\|n_i\| (\|r12_i\|
+/// + t \|velocity_i\|), with cond, λ and n of [`condition()`](crate::condition) for the pair at
+/// time t. S is the change of μ², to first order, for relative changes of one in the given
+/// numbers.
 ///
 /// # Arguments
 ///
