@@ -458,9 +458,9 @@ PW85_API int pw85_contains(double const r12[3], double const q1[6], double const
  * @param[out] mu2 [optional] square of the factor
  * @param[out] point [length; optional] a point of contact on the surface of ellipsoid 2, relative
  *        to the centre of ellipsoid 1. There are several such points if r12 = 0, and the result is
- *        one of them. There can also be several if r12 is short: take the linear map that makes
- *        ellipsoid 1 a unit ball, and the longest semi-axis that ellipsoid 2 has after it. The
- *        mapped r12 then has no component along this semi-axis.
+ *        one of them. There can also be several if r12 is short and, after the linear map that
+ *        makes ellipsoid 1 a unit ball, has no component along the longest semi-axis of ellipsoid
+ *        2.
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the bounds cannot be made
  *        to agree; this has never been seen) */
 PW85_API int pw85_containment(double const r12[3], double const q1[6], double const q2[6],
@@ -789,9 +789,9 @@ PW85_API int pw85_signed_distance_derivatives(double const r12[3], double const 
  * global one. If several directions are equally good, the result is one of them.
  *
  * `gap` is the value for the returned normal, up to a few roundings. If minima are isolated, no
- * other direction has a value smaller by more than 128 u α (1 + α/β), with u = 2⁻⁵³. If they are
- * not, as on circles of spheroids with a common axis, another direction may have a value smaller by
- * up to 2⁻²⁰ of the gap (2⁻⁴⁰ in two dimensions).
+ * other direction has a value smaller by more than 128 u α (1 + α/β), with u = 2⁻⁵³ and the α and β
+ * of the returned normal. If they are not, as on circles of spheroids with a common axis, another
+ * direction may have a value smaller by up to 2⁻²⁰ of the gap (2⁻⁴⁰ in two dimensions).
  *
  * The time is 50 to 300 times that of pw85_contact() for isolated minima, and up to some tenths of
  * a second otherwise.

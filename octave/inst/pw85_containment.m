@@ -28,9 +28,9 @@ function [mu2, point] = pw85_containment (varargin)
 %  mu2         Square of the factor. 1 column.
 %  point       A point of contact on the surface of ellipsoid 2, relative to the centre of
 %              ellipsoid 1. There are several such points if r12 = 0, and the result is one of
-%              them. There can also be several if r12 is short: take the linear map that makes
-%              ellipsoid 1 a unit ball, and the longest semi-axis that ellipsoid 2 has after it.
-%              The mapped r12 then has no component along this semi-axis. 3 or 2 columns.
+%              them. There can also be several if r12 is short and, after the linear map that
+%              makes ellipsoid 1 a unit ball, has no component along the longest semi-axis of
+%              ellipsoid 2. 3 or 2 columns.
 %
 %  The function of the C API is pw85_containment().
 

@@ -12,9 +12,9 @@ function [gap, point1, point2, normal] = pw85_gap_inside (varargin)
 %  them.
 %
 %  gap is the value for the returned normal, up to a few roundings. If minima are isolated, no
-%  other direction has a value smaller by more than 128 u α (1 + α/β), with u = 2⁻⁵³. If they
-%  are not, as on circles of spheroids with a common axis, another direction may have a value
-%  smaller by up to 2⁻²⁰ of the gap (2⁻⁴⁰ in two dimensions).
+%  other direction has a value smaller by more than 128 u α (1 + α/β), with u = 2⁻⁵³ and the α
+%  and β of the returned normal. If they are not, as on circles of spheroids with a common axis,
+%  another direction may have a value smaller by up to 2⁻²⁰ of the gap (2⁻⁴⁰ in two dimensions).
 %
 %  The time is 50 to 300 times that of pw85_contact() for isolated minima, and up to some tenths
 %  of a second otherwise.

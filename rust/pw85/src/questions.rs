@@ -112,9 +112,8 @@ pub struct ContainmentScale {
     pub mu2: f64,
     /// A point of contact on the surface of ellipsoid 2, relative to the centre of ellipsoid 1.
     /// There are several such points if r12 = 0, and the result is one of them. There can also be
-    /// several if r12 is short: take the linear map that makes ellipsoid 1 a unit ball, and the
-    /// longest semi-axis that ellipsoid 2 has after it. The mapped r12 then has no component
-    /// along this semi-axis.
+    /// several if r12 is short and, after the linear map that makes ellipsoid 1 a unit ball, has
+    /// no component along the longest semi-axis of ellipsoid 2.
     pub point: [f64; 3],
 }
 
@@ -200,9 +199,8 @@ pub struct ContainmentScale2d {
     pub mu2: f64,
     /// A point of contact on the surface of ellipse 2, relative to the centre of ellipse 1. There
     /// are several such points if r12 = 0, and the result is one of them. There can also be
-    /// several if r12 is short: take the linear map that makes ellipse 1 a unit ball, and the
-    /// longest semi-axis that ellipse 2 has after it. The mapped r12 then has no component along
-    /// this semi-axis.
+    /// several if r12 is short and, after the linear map that makes ellipse 1 a unit ball, has no
+    /// component along the longest semi-axis of ellipse 2.
     pub point: [f64; 2],
 }
 
@@ -4614,9 +4612,9 @@ pub fn signed_distance_derivatives_batch(
 /// them.
 ///
 /// `gap` is the value for the returned normal, up to a few roundings. If minima are isolated, no
-/// other direction has a value smaller by more than 128 u α (1 + α/β), with u = 2⁻⁵³. If they are
-/// not, as on circles of spheroids with a common axis, another direction may have a value smaller
-/// by up to 2⁻²⁰ of the gap (2⁻⁴⁰ in two dimensions).
+/// other direction has a value smaller by more than 128 u α (1 + α/β), with u = 2⁻⁵³ and the α
+/// and β of the returned normal. If they are not, as on circles of spheroids with a common axis,
+/// another direction may have a value smaller by up to 2⁻²⁰ of the gap (2⁻⁴⁰ in two dimensions).
 ///
 /// The time is 50 to 300 times that of [`contact()`](crate::contact) for isolated minima, and up
 /// to some tenths of a second otherwise.
