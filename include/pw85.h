@@ -872,8 +872,8 @@ typedef struct pw85_motion {
     double velocity[3];
     /** angular velocity about the centre, in radians per unit of time. */
     double angular_velocity[3];
-    /** rate of growth, per unit of time: at time t the semi-axes are 1 + growth·t times those at
-     * time 0. */
+    /** rate of growth, per unit of time: at time t the semi-axes are 1 + growth·t times
+     * those at time 0. */
     double growth;
 } pw85_motion;
 

@@ -116,7 +116,8 @@ PW85_API int pw85_hard_ellipsoids_set_mesh(pw85_hard_ellipsoids *simulation, siz
 
 /** A field that acts on each particle of a simulation: see pw85_hard_ellipsoids_set_fields(). */
 typedef struct pw85_field {
-    /** #PW85_FIELD_LINEAR, #PW85_FIELD_WEIGHT, #PW85_FIELD_HARMONIC or #PW85_FIELD_ALIGNING. */
+    /** #PW85_FIELD_LINEAR, #PW85_FIELD_WEIGHT, #PW85_FIELD_HARMONIC or
+     * #PW85_FIELD_ALIGNING. */
     int kind;
     /** principal axis, from 0 to 2; it matters for an aligning field only. */
     int axis;
