@@ -407,8 +407,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_is_reproducible
 
-    !> Computes the quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ with the unit vector n
-    !> along the axis.
+    !> Computes the quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ with |n| = 1.
     subroutine pw85_spheroid(a, c, n, q) bind(C, name='pw85_spheroid')
       import
       real(c_double), value :: a, c
@@ -612,8 +611,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_containment
 
-    !> Computes the distance of closest approach of two ellipsoids of fixed orientation, for one
-    !> direction.
+    !> Computes the distance of closest approach of two ellipsoids along a direction.
     function pw85_closest_approach(direction, q1, q2, distance) result(status) bind(C, &
       name='pw85_closest_approach')
       import
@@ -888,7 +886,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_closest_passage
 
-    !> Computes the free path of ellipsoid 1 along a direction.
+    !> Computes the free path of ellipsoid 1.
     function pw85_free_path(r12, q1, q2, direction, t_max, t) result(status) bind(C, &
       name='pw85_free_path')
       import

@@ -3,8 +3,8 @@
  * @brief The contact function of Perram and Wertheim for two ellipsoids: one pair, in C.
  *
  * This header includes pw85_shapes.h (an ellipsoid and a wall, a point, a line or another shape)
- * and pw85_grains.h (curvatures and contacts of grains). Other headers have functions of arrays of
- * pairs (pw85_batch.h), systems of particles (pw85_systems.h) and Monte Carlo simulations
+ * and pw85_grains.h (curvatures and contacts of grains). Other headers are for arrays of pairs
+ * (pw85_batch.h), systems of particles (pw85_systems.h) and Monte Carlo simulations
  * (pw85_simulation.h).
  *
  * The ellipsoid with centre c and quadratic form Q is the set of the points m for which (m-c)ᵀ Q⁻¹
@@ -23,19 +23,16 @@
  * - Vectors are `double[3]`. Symmetric matrices are `double[6]`: the upper triangle in row-major
  *   order, (xx, xy, xz, yy, yz, zz). In two dimensions they are `double[2]` and `double[3]` (xx,
  *   xy, yy).
- * - All lengths are in one unit, which the caller chooses. Forms are in its square. μ² and λ have
- *   no unit.
+ * - Lengths are in one unit, which the caller chooses, forms in its square. μ² and λ have none.
  * - The caller owns all arrays, and the library does not use them after the call. Arrays need no
  *   alignment beyond that of double. Outputs may not overlap inputs.
  * - The brackets after the name of a parameter state the extents of an array, as n×3, the unit, as
  *   length², and the allowed values, as > 0. An `optional` pointer may be null, and an input `or
  *   infinite` may be infinite. A `definite` form must be positive definite. An `index` is at least
  *   0 and below the number of particles or vertices. `as pw85_contact()` means: as the parameter of
- *   the same name of that function. `member` names the member of the C++ result that receives an
- *   output.
+ *   the same name there. `member` names the member of the C++ result that receives an output.
  * - A function whose name ends in `_2d` does for ellipses what the function without `_2d` does for
- *   ellipsoids. Everything that its contract does not say, and the statuses, are as for that
- *   function.
+ *   ellipsoids. The statuses and all that its contract does not say are as there.
  * - A function that returns `int` returns a status, which is zero for success. If the status is not
  *   zero, all outputs are NaN, except those whose brackets state another value, as "-1 on error".
  *   The function does not write an output whose pointer is null.
@@ -122,9 +119,8 @@ PW85_API char const *pw85_strerror(int status);
  * In this mode all functions give the same bits on every processor and with every number of
  * threads. Processors are x86-64 with any instruction set, 32-bit x86 with SSE2, 64-bit ARM and
  * z/Architecture, of either byte order. The functions use no fused multiplication and addition, and
- * registers of at most two doubles. Functions of many pairs are therefore slower.
- * pw85_contact_function() returns the numbers of pw85_contact(), because Brent's method comes from
- * another library.
+ * registers of at most two doubles: those of many pairs are slower. pw85_contact_function() returns
+ * the numbers of pw85_contact(), because Brent's method is that of another library.
  *
  * The mode does not apply to the functions of pw85_gpu.h and pw85_zheng.h, nor to the templates of
  * the C++ headers.
@@ -147,8 +143,7 @@ PW85_API int pw85_is_reproducible(int *on);
  * @name Quadratic forms
  * @{ */
 
-/** Computes the quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ with the unit vector n
- * along the axis.
+/** Computes the quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ with |n| = 1.
  *
  * @param a [length; > 0] equatorial radius
  * @param c [length; > 0] polar radius
@@ -217,9 +212,8 @@ PW85_API int pw85_contact(double const r12[3], double const q1[6], double const 
 /** Computes the contact function of two ellipsoids, with μ² correctly rounded.
  *
  * μ² is the double nearest to the exact value for the numbers given. If two doubles are equally
- * near, it is the one whose last bit is 0. Overflow and underflow follow this rule: an exact value
- * of 2¹⁰²⁴ - 2⁹⁷⁰ or more becomes infinity, with success. λ errs by less than one unit in the last
- * place.
+ * near, it is the one whose last bit is 0. This rule includes underflow and overflow: a value of
+ * 2¹⁰²⁴ - 2⁹⁷⁰ or more becomes infinity. λ errs by less than one unit in the last place.
  *
  * Every processor and every instruction set therefore gives the same μ². Exchanging the two
  * ellipsoids does not change it. Multiplying the unit of length by a power of two does not change
@@ -259,8 +253,8 @@ PW85_API int pw85_contact_factored(double const r12[3], double const s1[9], doub
  * a fraction ε cond, to first order in ε. If the data are known to d digits, μ² is known to d -
  * log10(cond) digits. The condition number is of the order of one for ordinary pairs, and of the
  * order of the squared aspect ratio for slender ones. It is [λ(1-λ) Σ |n_i| ((1-λ) |q1_ij| + λ
- * |q2_ij|) |n_j| + 2 λ(1-λ) Σ |r12_i n_i|]/μ² with n = [(1-λ) q1 + λ q2]⁻¹ r12, summed over all i
- * and j.
+ * |q2_ij|) |n_j| + 2 λ(1-λ) Σ |r12_i n_i|]/μ² with n = [(1-λ) q1 + λ q2]⁻¹ r12, summed over i and
+ * j.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param lambda [0..1] the maximiser λ of f, from pw85_contact()
@@ -269,13 +263,12 @@ PW85_API int pw85_contact_factored(double const r12[3], double const s1[9], doub
 PW85_API int pw85_condition(double const r12[3], double const q1[6], double const q2[6],
                             double lambda, double *cond);
 
-/** Computes the contact function of two ellipsoids as pw85 1.0 did, by Brent's method. The
- * arguments are those of pw85 1.0.
+/** Computes the contact function of two ellipsoids as pw85 1.0 did, by Brent's method.
  *
  * pw85_contact() is several times faster, with the same bound on the error. Brent's method
  * maximises f, for ellipsoids that are scaled to similar size: #PW85_LAMBDA_ATOL has the same
- * meaning for ellipsoids of all sizes. Halley's method then refines the result. pw85 1.0 refined it
- * by Newton's method.
+ * meaning for ellipsoids of all sizes. Halley's method then refines the result (in pw85 1.0,
+ * Newton's method).
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] out [as pw85_contact()]
@@ -364,8 +357,7 @@ PW85_API int pw85_contact_torque(double const r12[3], double const q1[6], double
  * @param lambda [0..1] the maximiser λ of f, from pw85_contact()
  * @param[out] hessian [9×9; mixed units; member entries] symmetric matrix of second derivatives
  *        with respect to r12, rotation 1 and rotation 2. A rotation vector ω is the rotation by the
- *        angle |ω| about the direction of ω. λ is not held fixed: it maximises f for each changed
- *        pair.
+ *        angle |ω| about the direction of ω. λ is not held fixed: it maximises f for each pair.
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_contact_hessian(double const r12[3], double const q1[6], double const q2[6],
                                   double lambda, double hessian[81]);
@@ -466,11 +458,11 @@ PW85_API int pw85_contains(double const r12[3], double const q1[6], double const
 PW85_API int pw85_containment(double const r12[3], double const q1[6], double const q2[6],
                               double *mu2, double point[3]);
 
-/** Computes the distance of closest approach of two ellipsoids of fixed orientation, for one
- * direction.
+/** Computes the distance of closest approach of two ellipsoids along a direction.
  *
- * It is the distance of the centres at which the ellipsoids touch from outside, if the centres are
- * on a line along the vector d = `direction`. It is |d|/μ(d), where μ(d) is μ for r12 = d.
+ * It is the distance of the centres at which the ellipsoids touch from outside, in fixed
+ * orientation and with the centres on a line along d = `direction`. It is |d|/μ(d), where μ(d) is μ
+ * for r12 = d.
  *
  * @param direction [!= 0] from centre 1 to centre 2, of any length
  * @param q1,q2 [length²; definite] forms of the ellipsoids
@@ -572,8 +564,7 @@ PW85_API int pw85_overlap_area_2d(double const r12[2], double const q1[3], doubl
                                   double *area);
 
 /** Computes the derivatives of the area of the intersection of two ellipses; see
- * pw85_overlap_volume_gradient(). The errors have the bounds of that function, with areas for
- * volumes.
+ * pw85_overlap_volume_gradient(). The errors have its bounds, with areas for volumes.
  *
  * @param r12,q1,q2 [as pw85_overlap_volume_gradient()]
  * @param[out] d_r12 [as pw85_overlap_volume_gradient(); length]
@@ -762,13 +753,12 @@ PW85_API int pw85_signed_distance(double const r12[3], double const q1[6], doubl
  *
  * At contact they are the limits from both sides. For the entries of the forms, which have no
  * output, the derivatives are -n_i n_j/(2α) for q1 and -n_i n_j/(2β) for q2, and twice that for
- * entries off the diagonal. Here n = d_r12, and α and β are the half-widths of the ellipsoids along
- * n.
+ * entries off the diagonal. Here n = d_r12, with the half-widths α and β along n.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] d_r12 [optional; member r12] derivative with respect to r12: the unit normal to both
  *        surfaces at the points of pw85_signed_distance(), out of ellipsoid 1. If several
- *        directions are equally good, the derivative does not exist, and the result is one of the
+ *        directions are equally good, the derivative does not exist: the result is one of the
  *        subgradients
  * @param[out] d_rot1,d_rot2 [length; optional; member rotation1, rotation2] derivatives with
  *        respect to rotations, as for pw85_contact_torque()
@@ -793,8 +783,8 @@ PW85_API int pw85_signed_distance_derivatives(double const r12[3], double const 
  * of the returned normal. If they are not, as on circles of spheroids with a common axis, another
  * direction may have a value smaller by up to 2⁻²⁰ of the gap (2⁻⁴⁰ in two dimensions).
  *
- * The time is 50 to 300 times that of pw85_contact() for isolated minima, and up to some tenths of
- * a second otherwise.
+ * The time is 50 to 300 times that of pw85_contact() for isolated minima, otherwise up to some
+ * tenths of a second.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] gap [length; optional] the gap, in the unit of r12; zero if the ellipsoids touch, or
@@ -847,8 +837,8 @@ PW85_API int pw85_gap_inside_2d(double const r12[2], double const q1[3], double 
  * are proved free of contact. It ends at a time at which the contact function shows contact. A
  * larger t_max does not change a bit of a finite result.
  *
- * Let S be the change of μ², to first order, for relative changes of one in the given numbers. At
- * time t
+ * S is the change of μ², to first order, for relative changes of one in the given numbers. At time
+ * t
  *
  *     S = cond + Σ_i |∂μ²/∂r_i| (|r12_i| + t |v1_i| + t |v2_i|)
  *             + Σ_k (1 + t |ω_k| + t |g_k|) max|Q_k| Σ_ij |∂μ²/∂Q_k,ij|
@@ -872,8 +862,8 @@ typedef struct pw85_motion {
     double velocity[3];
     /** angular velocity about the centre, in radians per unit of time. */
     double angular_velocity[3];
-    /** rate of growth, per unit of time: at time t the semi-axes are 1 + growth·t times
-     * those at time 0. */
+    /** rate of growth: at time t the semi-axes are 1 + growth·t times those at time
+     * 0. */
     double growth;
 } pw85_motion;
 
@@ -913,17 +903,15 @@ PW85_API int pw85_first_contact(double const r12[3], double const q1[6], double 
 PW85_API int pw85_closest_passage(double const r12[3], double const q1[6], double const q2[6],
                                   double const velocity[3], double t_max, double *mu2, double *t);
 
-/** Computes the free path of ellipsoid 1 along a direction: how far it may move until it touches
- * ellipsoid 2.
+/** Computes the free path of ellipsoid 1: how far it may move until it touches ellipsoid 2.
  *
  * Ellipsoid 1 moves by t times `direction`, and the separation is then r12 - t direction. If the
  * ellipsoids do not overlap at t = 0, they do not overlap at the returned t or before: rounding
  * errors make t smaller, never larger. At the returned t the ellipsoids touch up to rounding: μ² <=
  * 1 + 80 u S, with u = 2⁻⁵³ and S as for pw85_first_contact().
  *
- * t is 0 if the ellipsoids overlap at t = 0, or touch and do not separate. There is one exception:
- * if they separate, an overlap of at most 128 times the bound on the rounding error of μ² does not
- * count.
+ * t is 0 if the ellipsoids overlap at t = 0, or touch and do not separate. If they separate, an
+ * overlap of at most 128 times the bound on the rounding error of μ² does not count.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param direction [!= 0] of any length
@@ -939,8 +927,7 @@ PW85_API int pw85_free_path(double const r12[3], double const q1[6], double cons
 /** @}
  * @name Building blocks
  *
- * These functions are public for tests and studies. Names with two underscores may change between
- * minor versions.
+ * Public for tests and studies. Names with two underscores may change between minor versions.
  * @{ */
 
 /** Computes the Cholesky factorisation A = L Lᵀ.

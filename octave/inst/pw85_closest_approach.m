@@ -1,12 +1,13 @@
 function distance = pw85_closest_approach (varargin)
-%pw85_closest_approach  Computes the distance of closest approach of two ellipsoids of fixed
-%  orientation, for one direction.
+%pw85_closest_approach  Computes the distance of closest approach of two ellipsoids along a
+%  direction.
 %
 %   distance = pw85_closest_approach (direction, q1, q2)
 %   distance = pw85_closest_approach (x, y, direction)
 %
-%  It is the distance of the centres at which the ellipsoids touch from outside, if the centres
-%  are on a line along the vector d = direction. It is |d|/μ(d), where μ(d) is μ for r12 = d.
+%  It is the distance of the centres at which the ellipsoids touch from outside, in fixed
+%  orientation and with the centres on a line along d = direction. It is |d|/μ(d), where μ(d) is
+%  μ for r12 = d.
 %
 %  For ellipses and ellipsoids.
 %

@@ -9,7 +9,7 @@ function cond = pw85_condition (varargin)
 %  to d - log10(cond) digits. The condition number is of the order of one for ordinary pairs,
 %  and of the order of the squared aspect ratio for slender ones. It is [λ(1-λ) Σ |n_i| ((1-λ)
 %  |q1_ij| + λ |q2_ij|) |n_j| + 2 λ(1-λ) Σ |r12_i n_i|]/μ² with n = [(1-λ) q1 + λ q2]⁻¹ r12,
-%  summed over all i and j.
+%  summed over i and j.
 %
 %  For ellipsoids in three dimensions.
 %

@@ -5,12 +5,10 @@ function [mu2, lambda] = pw85_contact_function (varargin)
 %   [mu2, lambda] = pw85_contact_function (r12, q1, q2)
 %   [mu2, lambda] = pw85_contact_function (x, y)
 %
-%  The arguments are those of pw85 1.0.
-%
 %  pw85_contact() is several times faster, with the same bound on the error. Brent's method
 %  maximises f, for ellipsoids that are scaled to similar size: lambda_atol has the same meaning
-%  for ellipsoids of all sizes. Halley's method then refines the result. pw85 1.0 refined it by
-%  Newton's method.
+%  for ellipsoids of all sizes. Halley's method then refines the result (in pw85 1.0, Newton's
+%  method).
 %
 %  For ellipsoids in three dimensions.
 %

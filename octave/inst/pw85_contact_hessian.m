@@ -24,8 +24,8 @@ function hessian = pw85_contact_hessian (varargin)
 %
 %  hessian     Symmetric matrix of second derivatives with respect to r12, rotation 1 and
 %              rotation 2. A rotation vector ω is the rotation by the angle |ω| about the
-%              direction of ω. λ is not held fixed: it maximises f for each changed pair. 81 or
-%              16 columns, a matrix of 9 x 9 row by row.
+%              direction of ω. λ is not held fixed: it maximises f for each pair. 81 or 16
+%              columns, a matrix of 9 x 9 row by row.
 %
 %  The function of the C API is pw85_contact_hessian().
 

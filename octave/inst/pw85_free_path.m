@@ -1,6 +1,6 @@
 function t = pw85_free_path (varargin)
-%pw85_free_path  Computes the free path of ellipsoid 1 along a direction: how far it may move
-%  until it touches ellipsoid 2.
+%pw85_free_path  Computes the free path of ellipsoid 1: how far it may move until it touches
+%  ellipsoid 2.
 %
 %   t = pw85_free_path (r12, q1, q2, direction [, t_max])
 %   t = pw85_free_path (x, y, direction [, t_max])
@@ -10,9 +10,8 @@ function t = pw85_free_path (varargin)
 %  errors make t smaller, never larger. At the returned t the ellipsoids touch up to rounding:
 %  μ² <= 1 + 80 u S, with u = 2⁻⁵³ and S as for pw85_first_contact().
 %
-%  t is 0 if the ellipsoids overlap at t = 0, or touch and do not separate. There is one
-%  exception: if they separate, an overlap of at most 128 times the bound on the rounding error
-%  of μ² does not count.
+%  t is 0 if the ellipsoids overlap at t = 0, or touch and do not separate. If they separate, an
+%  overlap of at most 128 times the bound on the rounding error of μ² does not count.
 %
 %  For ellipsoids in three dimensions.
 %

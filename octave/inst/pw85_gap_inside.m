@@ -16,8 +16,8 @@ function [gap, point1, point2, normal] = pw85_gap_inside (varargin)
 %  and β of the returned normal. If they are not, as on circles of spheroids with a common axis,
 %  another direction may have a value smaller by up to 2⁻²⁰ of the gap (2⁻⁴⁰ in two dimensions).
 %
-%  The time is 50 to 300 times that of pw85_contact() for isolated minima, and up to some tenths
-%  of a second otherwise.
+%  The time is 50 to 300 times that of pw85_contact() for isolated minima, otherwise up to some
+%  tenths of a second.
 %
 %  For ellipses and ellipsoids.
 %

@@ -7,8 +7,7 @@ function [d_r12, d_rot1, d_rot2, hessian] = pw85_signed_distance_derivatives (va
 %
 %  At contact they are the limits from both sides. For the entries of the forms, which have no
 %  output, the derivatives are -n_i n_j/(2α) for q1 and -n_i n_j/(2β) for q2, and twice that for
-%  entries off the diagonal. Here n = d_r12, and α and β are the half-widths of the ellipsoids
-%  along n.
+%  entries off the diagonal. Here n = d_r12, with the half-widths α and β along n.
 %
 %  For ellipsoids in three dimensions.
 %
@@ -22,7 +21,7 @@ function [d_r12, d_rot1, d_rot2, hessian] = pw85_signed_distance_derivatives (va
 %
 %  d_r12       Derivative with respect to r12: the unit normal to both surfaces at the points of
 %              pw85_signed_distance(), out of ellipsoid 1. If several directions are equally
-%              good, the derivative does not exist, and the result is one of the subgradients. 3
+%              good, the derivative does not exist: the result is one of the subgradients. 3
 %              columns.
 %  d_rot1      Derivatives with respect to rotations, as for pw85_contact_torque(). 3 columns.
 %  d_rot2      Derivatives with respect to rotations, as for pw85_contact_torque(). 3 columns.

@@ -12,8 +12,7 @@ extern "C" {
     pub fn pw85_set_reproducible(on: c_int) -> c_int;
     /// Returns whether the reproducible mode of pw85_set_reproducible() is on.
     pub fn pw85_is_reproducible(on: *mut c_int) -> c_int;
-    /// Computes the quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ with the unit vector
-    /// n along the axis.
+    /// Computes the quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ with \|n\| = 1.
     pub fn pw85_spheroid(a: f64, c: f64, n: *const f64, q: *mut f64);
     /// Computes the quadratic form of an ellipsoid, Q = R diag(semi_axes²) Rᵀ.
     pub fn pw85_ellipsoid(semi_axes: *const f64, rotation: *const f64, q: *mut f64) -> c_int;
@@ -169,8 +168,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// Computes the distance of closest approach of two ellipsoids of fixed orientation, for one
-    /// direction.
+    /// Computes the distance of closest approach of two ellipsoids along a direction.
     pub fn pw85_closest_approach(
         direction: *const f64,
         q1: *const f64,
@@ -413,7 +411,7 @@ extern "C" {
         mu2: *mut f64,
         t: *mut f64,
     ) -> c_int;
-    /// Computes the free path of ellipsoid 1 along a direction.
+    /// Computes the free path of ellipsoid 1.
     pub fn pw85_free_path(
         r12: *const f64,
         q1: *const f64,

@@ -519,8 +519,7 @@ pub struct ShapeContact2d {
     pub point: [f64; 2],
 }
 
-/// Computes the quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ with the unit vector n
-/// along the axis.
+/// Computes the quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ with \|n\| = 1.
 ///
 /// # Arguments
 ///
@@ -858,9 +857,8 @@ pub fn contact_batch(
 /// Computes the contact function of two ellipsoids, with μ² correctly rounded.
 ///
 /// μ² is the double nearest to the exact value for the numbers given. If two doubles are equally
-/// near, it is the one whose last bit is 0. Overflow and underflow follow this rule: an exact
-/// value of 2¹⁰²⁴ - 2⁹⁷⁰ or more becomes infinity, with success. λ errs by less than one unit in
-/// the last place.
+/// near, it is the one whose last bit is 0. This rule includes underflow and overflow: a value of
+/// 2¹⁰²⁴ - 2⁹⁷⁰ or more becomes infinity. λ errs by less than one unit in the last place.
 ///
 /// Every processor and every instruction set therefore gives the same μ². Exchanging the two
 /// ellipsoids does not change it. Multiplying the unit of length by a power of two does not
@@ -1063,7 +1061,7 @@ pub fn contact_factored_batch(
 /// d - log10(cond) digits. The condition number is of the order of one for ordinary pairs, and of
 /// the order of the squared aspect ratio for slender ones. It is \[λ(1-λ) Σ \|n_i\| ((1-λ)
 /// \|q1_ij\| + λ \|q2_ij\|) \|n_j\| + 2 λ(1-λ) Σ \|r12_i n_i\|\]/μ² with n = \[(1-λ) q1 + λ
-/// q2\]⁻¹ r12, summed over all i and j.
+/// q2\]⁻¹ r12, summed over i and j.
 ///
 /// # Arguments
 ///
@@ -1155,12 +1153,10 @@ pub fn condition_batch(
 
 /// Computes the contact function of two ellipsoids as pw85 1.0 did, by Brent's method.
 ///
-/// The arguments are those of pw85 1.0.
-///
 /// [`contact()`](crate::contact) is several times faster, with the same bound on the error.
 /// Brent's method maximises f, for ellipsoids that are scaled to similar size: ``lambda_atol``
-/// has the same meaning for ellipsoids of all sizes. Halley's method then refines the result.
-/// pw85 1.0 refined it by Newton's method.
+/// has the same meaning for ellipsoids of all sizes. Halley's method then refines the result (in
+/// pw85 1.0, Newton's method).
 ///
 /// # Arguments
 ///
@@ -2482,11 +2478,11 @@ pub fn containment_batch(
     ) })
 }
 
-/// Computes the distance of closest approach of two ellipsoids of fixed orientation, for one
-/// direction.
+/// Computes the distance of closest approach of two ellipsoids along a direction.
 ///
-/// It is the distance of the centres at which the ellipsoids touch from outside, if the centres
-/// are on a line along the vector d = `direction`. It is \|d\|/μ(d), where μ(d) is μ for r12 = d.
+/// It is the distance of the centres at which the ellipsoids touch from outside, in fixed
+/// orientation and with the centres on a line along d = `direction`. It is \|d\|/μ(d), where μ(d)
+/// is μ for r12 = d.
 ///
 /// # Arguments
 ///
@@ -3088,7 +3084,7 @@ pub fn overlap_area_batch_2d(
 /// Computes the derivatives of the area of the intersection of two ellipses; see
 /// [`overlap_volume_gradient()`](crate::overlap_volume_gradient).
 ///
-/// The errors have the bounds of that function, with areas for volumes.
+/// The errors have its bounds, with areas for volumes.
 ///
 /// # Arguments
 ///
@@ -4484,8 +4480,7 @@ pub fn signed_distance_batch(
 ///
 /// At contact they are the limits from both sides. For the entries of the forms, which have no
 /// output, the derivatives are -n_i n_j/(2α) for q1 and -n_i n_j/(2β) for q2, and twice that for
-/// entries off the diagonal. Here n = d_r12, and α and β are the half-widths of the ellipsoids
-/// along n.
+/// entries off the diagonal. Here n = d_r12, with the half-widths α and β along n.
 ///
 /// # Arguments
 ///
@@ -4616,8 +4611,8 @@ pub fn signed_distance_derivatives_batch(
 /// and β of the returned normal. If they are not, as on circles of spheroids with a common axis,
 /// another direction may have a value smaller by up to 2⁻²⁰ of the gap (2⁻⁴⁰ in two dimensions).
 ///
-/// The time is 50 to 300 times that of [`contact()`](crate::contact) for isolated minima, and up
-/// to some tenths of a second otherwise.
+/// The time is 50 to 300 times that of [`contact()`](crate::contact) for isolated minima,
+/// otherwise up to some tenths of a second.
 ///
 /// # Arguments
 ///
@@ -5384,17 +5379,15 @@ pub fn closest_passage_batch(
     ) })
 }
 
-/// Computes the free path of ellipsoid 1 along a direction: how far it may move until it touches
-/// ellipsoid 2.
+/// Computes the free path of ellipsoid 1: how far it may move until it touches ellipsoid 2.
 ///
 /// Ellipsoid 1 moves by t times `direction`, and the separation is then r12 - t direction. If the
 /// ellipsoids do not overlap at t = 0, they do not overlap at the returned t or before: rounding
 /// errors make t smaller, never larger. At the returned t the ellipsoids touch up to rounding: μ²
 /// \<= 1 + 80 u S, with u = 2⁻⁵³ and S as for [`first_contact()`](crate::first_contact).
 ///
-/// t is 0 if the ellipsoids overlap at t = 0, or touch and do not separate. There is one
-/// exception: if they separate, an overlap of at most 128 times the bound on the rounding error
-/// of μ² does not count.
+/// t is 0 if the ellipsoids overlap at t = 0, or touch and do not separate. If they separate, an
+/// overlap of at most 128 times the bound on the rounding error of μ² does not count.
 ///
 /// # Arguments
 ///
