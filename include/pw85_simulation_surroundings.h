@@ -193,7 +193,7 @@ PW85_API int pw85_hard_ellipsoids_set_potential(pw85_hard_ellipsoids *simulation
  * @return #PW85_SUCCESS; #PW85_EINVAL, also for a law that pw85_law_forces_pairs() does not allow;
  *        for a soft repulsion, which ends where the hard cores begin; for energies of pairs above
  *        2²⁰ k_B T, by a simple bound; for a cutoff of μ² that is not above 1, where hard cores
- *        touch, or not below 10⁶; #PW85_ENOMEM. Nothing changes on error */
+ *        touch, or that is above 10⁶; #PW85_ENOMEM. Nothing changes on error */
 PW85_API int pw85_hard_ellipsoids_set_law(pw85_hard_ellipsoids *simulation, pw85_law const *law);
 
 /** @} */
