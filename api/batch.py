@@ -101,9 +101,10 @@ def declaration(match):
     statement = Statement(match)
     listed = [one for _, many in statement.arguments() for one in many]
     name, row = statement.function.name, statement.row
-    results = statement.results or f"the {'answers' if any(one.type == 'unsigned char' for one in listed) else 'bits'} are the same."
+    results = statement.results or f"with the same {'answers' if any(one.type == 'unsigned char' for one in listed) else 'bits'}."
+    mark = "." if results[0].isupper() else "," if results.startswith("with ") else ";"
     text = [
-        f"{name}() for n {statement.rows}{'.' if results[0].isupper() else ';'} {results}",
+        f"Computes {name}() for n {statement.rows}{mark} {results}",
         "",
         f"@param n [number of {row}s]",
         *sentences(listed),

@@ -400,14 +400,14 @@ module pw85
       integer(c_int) :: status
     end function pw85_set_reproducible
 
-    !> State of the reproducible mode.
+    !> Returns whether the reproducible mode of pw85_set_reproducible() is on.
     function pw85_is_reproducible(on) result(status) bind(C, name='pw85_is_reproducible')
       import
       integer(c_int), intent(out) :: on
       integer(c_int) :: status
     end function pw85_is_reproducible
 
-    !> Quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ.
+    !> Computes the quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ with |n| = 1.
     subroutine pw85_spheroid(a, c, n, q) bind(C, name='pw85_spheroid')
       import
       real(c_double), value :: a, c
@@ -422,7 +422,7 @@ module pw85
       integer(c_int) :: status
     end function c_ellipsoid
 
-    !> Quadratic form of a general ellipsoid whose orientation is a quaternion.
+    !> Computes the quadratic form of an ellipsoid whose orientation is a quaternion.
     function pw85_ellipsoid_quaternion(semi_axes, quaternion, q) result(status) bind(C, &
       name='pw85_ellipsoid_quaternion')
       import
@@ -431,7 +431,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_ellipsoid_quaternion
 
-    !> Factor S of the quadratic form of a general ellipsoid, Q = S Sᵀ.
+    !> Computes a factor S of the quadratic form of an ellipsoid, Q = S Sᵀ.
     function pw85_ellipsoid_factor(semi_axes, quaternion, s) result(status) bind(C, &
       name='pw85_ellipsoid_factor')
       import
@@ -440,7 +440,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_ellipsoid_factor
 
-    !> Quadratic form (xx, xy, yy) of an ellipse.
+    !> Computes the quadratic form (xx, xy, yy) of an ellipse.
     function pw85_ellipse(a, b, angle, q) result(status) bind(C, name='pw85_ellipse')
       import
       real(c_double), value :: a, b, angle
@@ -448,7 +448,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_ellipse
 
-    !> Contact function of two ellipsoids, by a third-order iteration on log(λ/(1-λ)).
+    !> Computes the contact function of two ellipsoids.
     function pw85_contact(r12, q1, q2, out) result(status) bind(C, name='pw85_contact')
       import
       real(c_double), intent(in) :: r12(3), q1(6), q2(6)
@@ -456,7 +456,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact
 
-    !> Contact function of two ellipsoids, with μ² correctly rounded.
+    !> Computes the contact function of two ellipsoids, with μ² correctly rounded.
     function pw85_contact_rounded(r12, q1, q2, out) result(status) bind(C, &
       name='pw85_contact_rounded')
       import
@@ -465,8 +465,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_rounded
 
-    !> Contact function of two ellipsoids that are given by factors of their forms, Q1 = S1 S1ᵀ and
-    !> Q2 = S2 S2ᵀ.
+    !> Computes the contact function of two ellipsoids that are given by factors of their forms, Q1
+    !> = S1 S1ᵀ and Q2 = S2 S2ᵀ.
     function pw85_contact_factored(r12, s1, s2, out) result(status) bind(C, &
       name='pw85_contact_factored')
       import
@@ -475,7 +475,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_factored
 
-    !> Condition number of the contact function.
+    !> Computes the condition number of the contact function, entry by entry.
     function pw85_condition(r12, q1, q2, lambda, cond) result(status) bind(C, name='pw85_condition')
       import
       real(c_double), intent(in) :: r12(3), q1(6), q2(6)
@@ -484,8 +484,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_condition
 
-    !> Contact function of two ellipsoids, by Brent's method on f, refined by Halley's method, with
-    !> the arguments of pw85 1.0, which used Newton's.
+    !> Computes the contact function of two ellipsoids as pw85 1.0 did, by Brent's method.
     function pw85_contact_function(r12, q1, q2, out) result(status) bind(C, &
       name='pw85_contact_function')
       import
@@ -494,7 +493,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_function
 
-    !> Point at which the ellipsoids, scaled by μ, touch, and their common normal.
+    !> Computes the point at which the ellipsoids, scaled by μ, touch, and their common normal
+    !> there.
     function pw85_contact_geometry(r12, q1, q2, lambda, point, normal) result(status) bind(C, &
       name='pw85_contact_geometry')
       import
@@ -504,7 +504,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_geometry
 
-    !> pw85_contact_geometry() of ellipsoids that are given by factors of their forms.
+    !> Computes the point and the normal of pw85_contact_geometry() for ellipsoids that are given by
+    !> factors of their forms.
     function pw85_contact_geometry_factored(r12, s1, s2, lambda, point, normal) result(status) &
       bind(C, name='pw85_contact_geometry_factored')
       import
@@ -514,7 +515,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_geometry_factored
 
-    !> Derivatives of μ².
+    !> Computes the derivatives of μ² with respect to r12 and the forms.
     function pw85_contact_gradient(r12, q1, q2, lambda, d_r12, d_q1, d_q2) result(status) bind(C, &
       name='pw85_contact_gradient')
       import
@@ -524,7 +525,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_gradient
 
-    !> Derivatives of μ² of ellipsoids that are given by factors of their forms.
+    !> Computes the derivatives of μ² for ellipsoids that are given by factors of their forms.
     function pw85_contact_gradient_factored(r12, s1, s2, lambda, d_r12, d_s1, d_s2) result(status) &
       bind(C, name='pw85_contact_gradient_factored')
       import
@@ -534,7 +535,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_gradient_factored
 
-    !> Derivatives of μ² with respect to rotations.
+    !> Computes the derivatives of μ² with respect to rotations of the ellipsoids.
     function pw85_contact_torque(r12, q1, q2, lambda, d_rot1, d_rot2) result(status) bind(C, &
       name='pw85_contact_torque')
       import
@@ -544,7 +545,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_torque
 
-    !> Second derivatives of μ².
+    !> Computes the second derivatives of μ² with respect to r12 and rotations of the ellipsoids.
     function pw85_contact_hessian(r12, q1, q2, lambda, hessian) result(status) bind(C, &
       name='pw85_contact_hessian')
       import
@@ -572,7 +573,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_factored
 
-    !> Sign of μ² - mu2, for any number mu2 >= 0.
+    !> Compares μ² with a number mu2 >= 0, and returns the sign of μ² - mu2.
     function pw85_compare(r12, q1, q2, mu2, sign) result(status) bind(C, name='pw85_compare')
       import
       real(c_double), intent(in) :: r12(3), q1(6), q2(6)
@@ -581,7 +582,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_compare
 
-    !> Tests whether two ellipsoids overlap, as pw85_overlap() does, and gives a number or a point
+    !> Tests whether two ellipsoids overlap, as pw85_overlap() does, and returns a number or a point
     !> that proves the answer.
     function pw85_overlap_witness(r12, q1, q2, overlap, lambda, point) result(status) bind(C, &
       name='pw85_overlap_witness')
@@ -600,8 +601,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contains
 
-    !> Factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2, and the
-    !> point where the ellipsoids then touch.
+    !> Computes the least factor by which ellipsoid 1, scaled about its centre, contains ellipsoid
+    !> 2, and a point where they then touch.
     function pw85_containment(r12, q1, q2, mu2, point) result(status) bind(C, &
       name='pw85_containment')
       import
@@ -610,7 +611,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_containment
 
-    !> Distance of closest approach.
+    !> Computes the distance of closest approach of two ellipsoids along a direction.
     function pw85_closest_approach(direction, q1, q2, distance) result(status) bind(C, &
       name='pw85_closest_approach')
       import
@@ -619,7 +620,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_closest_approach
 
-    !> Volume of an ellipsoid, (4/3)π √det q.
+    !> Computes the volume of an ellipsoid, (4/3)π √det q.
     function pw85_volume(q, volume) result(status) bind(C, name='pw85_volume')
       import
       real(c_double), intent(in) :: q(6)
@@ -627,7 +628,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_volume
 
-    !> Volume of the common part of two ellipsoids.
+    !> Computes the volume V of the intersection of two ellipsoids.
     function pw85_overlap_volume(r12, q1, q2, volume) result(status) bind(C, &
       name='pw85_overlap_volume')
       import
@@ -636,7 +637,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume
 
-    !> Derivatives of the volume of the common part.
+    !> Computes the derivatives of the volume V of the intersection of two ellipsoids.
     function pw85_overlap_volume_gradient(r12, q1, q2, d_r12, d_q1, d_q2) result(status) bind(C, &
       name='pw85_overlap_volume_gradient')
       import
@@ -645,7 +646,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_gradient
 
-    !> Derivatives of the volume of the common part with respect to rotations.
+    !> Computes the derivatives of the volume V of the intersection with respect to rotations of the
+    !> ellipsoids.
     function pw85_overlap_volume_torque(r12, q1, q2, d_rot1, d_rot2) result(status) bind(C, &
       name='pw85_overlap_volume_torque')
       import
@@ -654,7 +656,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_torque
 
-    !> Area of an ellipse, π √det q.
+    !> Computes the area of an ellipse, π √det q.
     function pw85_area_2d(q, area) result(status) bind(C, name='pw85_area_2d')
       import
       real(c_double), intent(in) :: q(3)
@@ -662,7 +664,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_area_2d
 
-    !> Area of the common part of two ellipses.
+    !> Computes the area of the intersection of two ellipses.
     function pw85_overlap_area_2d(r12, q1, q2, area) result(status) bind(C, &
       name='pw85_overlap_area_2d')
       import
@@ -671,7 +673,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_area_2d
 
-    !> Derivatives of the area of the common part.
+    !> Computes the derivatives of the area of the intersection of two ellipses.
     function pw85_overlap_area_gradient_2d(r12, q1, q2, d_r12, d_q1, d_q2) result(status) bind(C, &
       name='pw85_overlap_area_gradient_2d')
       import
@@ -680,8 +682,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_area_gradient_2d
 
-    !> Derivatives of the area of the common part with respect to the angles of both ellipses,
-    !> counter-clockwise.
+    !> Computes the derivatives of the area of the intersection with respect to the angles of both
+    !> ellipses.
     function pw85_overlap_area_torque_2d(r12, q1, q2, d_rot1, d_rot2) result(status) bind(C, &
       name='pw85_overlap_area_torque_2d')
       import
@@ -690,7 +692,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_area_torque_2d
 
-    !> Contact function of two ellipses.
+    !> Computes the contact function of two ellipses.
     function pw85_contact_2d(r12, q1, q2, out) result(status) bind(C, name='pw85_contact_2d')
       import
       real(c_double), intent(in) :: r12(2), q1(3), q2(3)
@@ -698,7 +700,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_2d
 
-    !> Point at which the ellipses, scaled by μ, touch, and their common normal.
+    !> Computes the point at which the ellipses, scaled by μ, touch, and their common normal there.
     function pw85_contact_geometry_2d(r12, q1, q2, lambda, point, normal) result(status) bind(C, &
       name='pw85_contact_geometry_2d')
       import
@@ -708,7 +710,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_geometry_2d
 
-    !> Derivatives of μ² of two ellipses.
+    !> Computes the derivatives of μ² of two ellipses.
     function pw85_contact_gradient_2d(r12, q1, q2, lambda, d_r12, d_q1, d_q2) result(status) &
       bind(C, name='pw85_contact_gradient_2d')
       import
@@ -718,7 +720,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_gradient_2d
 
-    !> Derivatives of μ² with respect to the angles of two ellipses, counter-clockwise.
+    !> Computes the derivatives of μ² with respect to the angles of two ellipses.
     function pw85_contact_torque_2d(r12, q1, q2, lambda, d_rot1, d_rot2) result(status) bind(C, &
       name='pw85_contact_torque_2d')
       import
@@ -728,7 +730,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_torque_2d
 
-    !> Second derivatives of μ² of two ellipses.
+    !> Computes the second derivatives of μ² of two ellipses.
     function pw85_contact_hessian_2d(r12, q1, q2, lambda, hessian) result(status) bind(C, &
       name='pw85_contact_hessian_2d')
       import
@@ -754,7 +756,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contains_2d
 
-    !> Factor by which ellipse 1 must be scaled to contain ellipse 2.
+    !> Computes the least factor by which ellipse 1 contains ellipse 2.
     function pw85_containment_2d(r12, q1, q2, mu2, point) result(status) bind(C, &
       name='pw85_containment_2d')
       import
@@ -763,7 +765,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_containment_2d
 
-    !> Distance of closest approach of two ellipses.
+    !> Computes the distance of closest approach of two ellipses.
     function pw85_closest_approach_2d(direction, q1, q2, distance) result(status) bind(C, &
       name='pw85_closest_approach_2d')
       import
@@ -772,7 +774,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_closest_approach_2d
 
-    !> Distance of the surfaces of two ellipsoids, and the points where they are closest.
+    !> Computes the distance of the surfaces of two ellipsoids, and the points where they are
+    !> closest.
     function pw85_distance(r12, q1, q2, distance, point1, point2) result(status) bind(C, &
       name='pw85_distance')
       import
@@ -781,7 +784,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance
 
-    !> Derivatives of the distance of two ellipsoids that are apart.
+    !> Computes the derivatives of the distance of two ellipsoids.
     function pw85_distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) result(status) &
       bind(C, name='pw85_distance_derivatives')
       import
@@ -790,7 +793,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_derivatives
 
-    !> Depth of an overlap.
+    !> Computes the penetration depth of two ellipsoids that overlap, and its direction.
     function pw85_penetration(r12, q1, q2, depth, direction) result(status) bind(C, &
       name='pw85_penetration')
       import
@@ -799,7 +802,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_penetration
 
-    !> Signed distance of two ellipsoids.
+    !> Computes the signed distance of two ellipsoids, and the points where it is reached.
     function pw85_signed_distance(r12, q1, q2, distance, point1, point2) result(status) bind(C, &
       name='pw85_signed_distance')
       import
@@ -808,7 +811,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_signed_distance
 
-    !> Derivatives of the signed distance of two ellipsoids.
+    !> Computes the derivatives of the signed distance of two ellipsoids.
     function pw85_signed_distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) &
       result(status) bind(C, name='pw85_signed_distance_derivatives')
       import
@@ -817,7 +820,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_signed_distance_derivatives
 
-    !> Least gap between the surface of an ellipsoid and that of an ellipsoid that contains it.
+    !> Computes the least gap between the surfaces of ellipsoid 1 and of ellipsoid 2 inside it.
     function pw85_gap_inside(r12, q1, q2, gap, point1, point2, normal) result(status) bind(C, &
       name='pw85_gap_inside')
       import
@@ -826,7 +829,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_gap_inside
 
-    !> Distance of two ellipses.
+    !> Computes the distance of two ellipses.
     function pw85_distance_2d(r12, q1, q2, distance, point1, point2) result(status) bind(C, &
       name='pw85_distance_2d')
       import
@@ -835,7 +838,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_2d
 
-    !> Depth of an overlap of two ellipses.
+    !> Computes the penetration depth of two ellipses.
     function pw85_penetration_2d(r12, q1, q2, depth, direction) result(status) bind(C, &
       name='pw85_penetration_2d')
       import
@@ -844,7 +847,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_penetration_2d
 
-    !> Signed distance of two ellipses.
+    !> Computes the signed distance of two ellipses.
     function pw85_signed_distance_2d(r12, q1, q2, distance, point1, point2) result(status) bind(C, &
       name='pw85_signed_distance_2d')
       import
@@ -853,7 +856,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_signed_distance_2d
 
-    !> Least gap between an ellipse and an ellipse that contains it.
+    !> Computes the least gap of ellipse 2 inside ellipse 1.
     function pw85_gap_inside_2d(r12, q1, q2, gap, point1, point2, normal) result(status) bind(C, &
       name='pw85_gap_inside_2d')
       import
@@ -862,7 +865,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_gap_inside_2d
 
-    !> Time of the first contact of two moving ellipsoids.
+    !> Computes the time of the first contact of two moving ellipsoids.
     function pw85_first_contact(r12, q1, q2, motion1, motion2, t_max, t) result(status) bind(C, &
       name='pw85_first_contact')
       import
@@ -873,7 +876,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_first_contact
 
-    !> Least μ² while ellipsoid 2 passes ellipsoid 1 on a straight path.
+    !> Computes the least μ² while ellipsoid 2 passes ellipsoid 1 on a straight path, and its time.
     function pw85_closest_passage(r12, q1, q2, velocity, t_max, mu2, t) result(status) bind(C, &
       name='pw85_closest_passage')
       import
@@ -883,7 +886,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_closest_passage
 
-    !> Free path of ellipsoid 1 along a direction.
+    !> Computes the free path of ellipsoid 1.
     function pw85_free_path(r12, q1, q2, direction, t_max, t) result(status) bind(C, &
       name='pw85_free_path')
       import
@@ -893,21 +896,21 @@ module pw85
       integer(c_int) :: status
     end function pw85_free_path
 
-    !> Cholesky factorisation A = L Lᵀ.
+    !> Computes the Cholesky factorisation A = L Lᵀ.
     subroutine pw85__cholesky_decomp(a, l) bind(C, name='pw85__cholesky_decomp')
       import
       real(c_double), intent(in) :: a(6)
       real(c_double), intent(out) :: l(6)
     end subroutine pw85__cholesky_decomp
 
-    !> Solution of L Lᵀ x = b.
+    !> Solves L Lᵀ x = b.
     subroutine pw85__cholesky_solve(l, b, x) bind(C, name='pw85__cholesky_solve')
       import
       real(c_double), intent(in) :: l(6), b(3)
       real(c_double), intent(out) :: x(3)
     end subroutine pw85__cholesky_solve
 
-    !> Residual g(λ) = μ2² - μ1² = -f'(λ), whose root is the maximiser of f.
+    !> Computes f, the residual g = μ2² - μ1² = -f', whose root is the maximiser of f, and g'.
     subroutine pw85__residual(lambda, r12, q1, q2, out) bind(C, name='pw85__residual')
       import
       real(c_double), value :: lambda
@@ -915,7 +918,7 @@ module pw85
       real(c_double), intent(out) :: out(3)
     end subroutine pw85__residual
 
-    !> -f(λ), with parameters in one block, as minimisers pass them.
+    !> Computes -f(λ), with the parameters in one array, as minimisers pass them.
     function pw85_f_neg(lambda, params) result(value) bind(C, name='pw85_f_neg')
       import
       real(c_double), value :: lambda
@@ -928,8 +931,8 @@ module pw85
   ! pw85_grains.h
   interface
 
-    !> Principal curvatures of an ellipsoid's surface at the point with a given normal, and their
-    !> directions.
+    !> Computes the principal curvatures of the surface of an ellipsoid, and their directions, at
+    !> the point with a given normal.
     function pw85_curvature(normal, q, curvatures, directions) result(status) bind(C, &
       name='pw85_curvature')
       import
@@ -938,7 +941,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_curvature
 
-    !> Hertz's theory of the contact of two elastic bodies.
+    !> Computes the numbers of Hertz's theory that give the force and the contact ellipse of two
+    !> elastic bodies as functions of the depth.
     function pw85_hertz(curvatures, radius, ellipse) result(status) bind(C, name='pw85_hertz')
       import
       real(c_double), intent(in) :: curvatures(2)
@@ -946,7 +950,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hertz
 
-    !> Geometry of the contact of two grains along a common normal.
+    !> Computes the geometry of the contact of two grains along a given normal, for laws of contact
+    !> such as Hertz's.
     function pw85_hertz_contact(r12, q1, q2, normal, depth, point, curvatures, directions, radius, &
       ellipse) result(status) bind(C, name='pw85_hertz_contact')
       import
@@ -956,7 +961,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hertz_contact
 
-    !> The contact of two grains along their common normal.
+    !> Computes the contact of two grains along their common normal, which it finds by Newton's
+    !> method.
     function pw85_grain_contact(r12, q1, q2, start, normal, depth, point, curvatures, radius) &
       result(status) bind(C, name='pw85_grain_contact')
       import
@@ -965,7 +971,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_grain_contact
 
-    !> Derivatives of the radius of pw85_grain_contact(), whose normal follows each motion.
+    !> Computes the derivatives of the radius of pw85_grain_contact(), whose normal follows each
+    !> motion.
     function pw85_grain_radius_gradient(r12, q1, q2, normal, d_r12, d_rot1, d_rot2) result(status) &
       bind(C, name='pw85_grain_radius_gradient')
       import
@@ -974,8 +981,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_grain_radius_gradient
 
-    !> The contact of a grain with its centre at 0 and a wall that touches the plane normal·x =
-    !> offset and is curved along one direction, as a plane, a cylinder or the edge of one is.
+    !> Computes the contact of a grain with its centre at 0 and a wall.
     function pw85_grain_contact_wall(normal, offset, direction, curvature, q, depth, point, &
       curvatures, radius) result(status) bind(C, name='pw85_grain_contact_wall')
       import
@@ -988,7 +994,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_grain_contact_wall
 
-    !> Area of the surface of an ellipsoid.
+    !> Computes the surface area of an ellipsoid, 4π abc R_G(1/a², 1/b², 1/c²), with Carlson's
+    !> integral R_G.
     function pw85_surface_area(q, area) result(status) bind(C, name='pw85_surface_area')
       import
       real(c_double), intent(in) :: q(6)
@@ -996,7 +1003,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_surface_area
 
-    !> Mean of x xᵀ over a uniform solid ellipsoid, about its centre.
+    !> Computes the mean of x xᵀ over a uniform solid ellipsoid, about its centre.
     function pw85_second_moments(q, moments) result(status) bind(C, name='pw85_second_moments')
       import
       real(c_double), intent(in) :: q(6)
@@ -1004,7 +1011,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_second_moments
 
-    !> Form of the uniform solid ellipsoid that has given second moments.
+    !> Computes the form of the uniform solid ellipsoid with given second moments.
     function pw85_from_moments(second_moments, q) result(status) bind(C, name='pw85_from_moments')
       import
       real(c_double), intent(in) :: second_moments(6)
@@ -1012,7 +1019,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_from_moments
 
-    !> Mean of x xᵀ over the surface of an ellipsoid, about its centre.
+    !> Computes the mean of x xᵀ over the surface of an ellipsoid, about its centre.
     function pw85_shell_moments(q, moments) result(status) bind(C, name='pw85_shell_moments')
       import
       real(c_double), intent(in) :: q(6)
@@ -1020,7 +1027,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_shell_moments
 
-    !> Tensor of inertia of a body or of a shell of unit density, about its centre.
+    !> Computes the inertia tensor of a solid body or of a shell of unit density, about its centre.
     function pw85_inertia(q, shell, inertia) result(status) bind(C, name='pw85_inertia')
       import
       real(c_double), intent(in) :: q(6)
@@ -1029,7 +1036,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_inertia
 
-    !> Perimeter of an ellipse.
+    !> Computes the perimeter of an ellipse, 8 R_G(0, a², b²), with Carlson's integral R_G.
     function pw85_perimeter_2d(q, perimeter) result(status) bind(C, name='pw85_perimeter_2d')
       import
       real(c_double), intent(in) :: q(3)
@@ -1037,7 +1044,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_perimeter_2d
 
-    !> Mean of x xᵀ over a uniform ellipse, about its centre.
+    !> Computes the mean of x xᵀ over a uniform ellipse, about its centre.
     function pw85_second_moments_2d(q, moments) result(status) bind(C, &
       name='pw85_second_moments_2d')
       import
@@ -1046,7 +1053,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_second_moments_2d
 
-    !> Form of the uniform ellipse that has given second moments.
+    !> Computes the form of the uniform ellipse with given second moments.
     function pw85_from_moments_2d(second_moments, q) result(status) bind(C, &
       name='pw85_from_moments_2d')
       import
@@ -1055,7 +1062,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_from_moments_2d
 
-    !> Mean of x xᵀ over the perimeter of an ellipse, about its centre.
+    !> Computes the mean of x xᵀ over the perimeter of an ellipse, about its centre.
     function pw85_shell_moments_2d(q, moments) result(status) bind(C, name='pw85_shell_moments_2d')
       import
       real(c_double), intent(in) :: q(3)
@@ -1068,7 +1075,8 @@ module pw85
   ! pw85_shapes.h
   interface
 
-    !> Distance from an ellipsoid with its centre at 0 to the half-space normal·x >= offset.
+    !> Computes the distance from an ellipsoid with its centre at 0 to the half-space normal·x >=
+    !> offset.
     function pw85_distance_plane(normal, offset, q, distance, point) result(status) bind(C, &
       name='pw85_distance_plane')
       import
@@ -1079,7 +1087,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_plane
 
-    !> Derivatives of the distance to a half-space, which do not depend on its offset.
+    !> Computes the derivatives of the distance to a half-space, which do not depend on its offset.
     function pw85_distance_plane_derivatives(normal, q, d_center, d_rot) result(status) bind(C, &
       name='pw85_distance_plane_derivatives')
       import
@@ -1088,7 +1096,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_plane_derivatives
 
-    !> Contact function of an ellipsoid with its centre at 0 and the half-space normal·x >= offset.
+    !> Computes the contact function of an ellipsoid with its centre at 0 and the half-space
+    !> normal·x >= offset.
     function pw85_contact_plane(normal, offset, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_plane')
       import
@@ -1099,7 +1108,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_plane
 
-    !> Derivatives of μ² of pw85_contact_plane().
+    !> Computes the derivatives of μ² of pw85_contact_plane().
     function pw85_contact_plane_derivatives(normal, offset, q, d_center, d_rot) result(status) &
       bind(C, name='pw85_contact_plane_derivatives')
       import
@@ -1110,8 +1119,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_plane_derivatives
 
-    !> Distance from an ellipsoid with its centre at 0 to the nearest face of a box around it, a
-    !> container.
+    !> Computes the distance from an ellipsoid with its centre at 0 to the nearest face of a box
+    !> around it, a container.
     function pw85_distance_box(lower, upper, q, distance, point, normal) result(status) bind(C, &
       name='pw85_distance_box')
       import
@@ -1120,7 +1129,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_box
 
-    !> Distance from an ellipsoid to the wall of a cylinder of infinite length around it.
+    !> Computes the distance from an ellipsoid to the wall of a cylinder of infinite length around
+    !> it.
     function pw85_distance_cylinder(axis, radius, center, q, distance, point, normal) &
       result(status) bind(C, name='pw85_distance_cylinder')
       import
@@ -1131,7 +1141,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_cylinder
 
-    !> Distance from a point to the surface of an ellipsoid.
+    !> Computes the distance from a point to the surface of an ellipsoid.
     function pw85_distance_point(r, q, distance, point, normal) result(status) bind(C, &
       name='pw85_distance_point')
       import
@@ -1140,7 +1150,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_point
 
-    !> The part t[0] <= t <= t[1] of the line origin + t·direction that is in an ellipsoid.
+    !> Computes the part t[0] <= t <= t[1] of the line origin + t·direction that is in an ellipsoid.
     function pw85_intersect_line(origin, direction, q, t) result(status) bind(C, &
       name='pw85_intersect_line')
       import
@@ -1149,8 +1159,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_intersect_line
 
-    !> Volume of the part of an ellipsoid that is in the half-space of the points x with normal·x <=
-    !> offset, relative to the centre of the ellipsoid.
+    !> Computes the volume of the part of an ellipsoid that is in the half-space normal·x <= offset.
     function pw85_overlap_volume_plane(normal, offset, q, volume) result(status) bind(C, &
       name='pw85_overlap_volume_plane')
       import
@@ -1161,7 +1170,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_plane
 
-    !> Contact function of an ellipsoid and a segment.
+    !> Computes the contact function of an ellipsoid and a segment.
     function pw85_contact_segment(end1, end2, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_segment')
       import
@@ -1170,7 +1179,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_segment
 
-    !> Contact function of an ellipsoid and a triangle.
+    !> Computes the contact function of an ellipsoid and a triangle.
     function pw85_contact_triangle(vertex1, vertex2, vertex3, q, mu2, point) result(status) &
       bind(C, name='pw85_contact_triangle')
       import
@@ -1179,7 +1188,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_triangle
 
-    !> Contact function of an ellipsoid and a solid box with sides along the axes.
+    !> Computes the contact function of an ellipsoid and a solid box with sides along the axes.
     function pw85_contact_box(lower, upper, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_box')
       import
@@ -1188,7 +1197,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_box
 
-    !> Contact function of an ellipsoid and a polytope, the intersection of half-spaces.
+    !> Computes the contact function of an ellipsoid and a polytope.
     function pw85_contact_polytope(n, normals, offsets, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_polytope')
       import
@@ -1235,7 +1244,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_polytope
 
-    !> Signed distance of an ellipsoid and a segment, and the points where it is reached.
+    !> Computes the signed distance of an ellipsoid and a segment, and the points where it is
+    !> reached.
     function pw85_distance_segment(end1, end2, q, distance, point1, point2, normal) result(status) &
       bind(C, name='pw85_distance_segment')
       import
@@ -1244,7 +1254,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_segment
 
-    !> Signed distance of an ellipsoid and a triangle, which is a surface.
+    !> Computes the signed distance of an ellipsoid and a triangle, and the points where it is
+    !> reached.
     function pw85_distance_triangle(vertex1, vertex2, vertex3, q, distance, point1, point2, &
       normal) result(status) bind(C, name='pw85_distance_triangle')
       import
@@ -1253,7 +1264,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_triangle
 
-    !> Signed distance of an ellipsoid and a solid box with sides along the axes.
+    !> Computes the signed distance of an ellipsoid and a solid box with sides along the axes, and
+    !> the points where it is reached.
     function pw85_distance_solid_box(lower, upper, q, distance, point1, point2, normal) &
       result(status) bind(C, name='pw85_distance_solid_box')
       import
@@ -1262,7 +1274,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_solid_box
 
-    !> Contact function of an ellipsoid and a capsule.
+    !> Computes the contact function of an ellipsoid and a capsule.
     function pw85_contact_capsule(end1, end2, radius, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_capsule')
       import
@@ -1284,7 +1296,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_capsule
 
-    !> Signed distance of an ellipsoid and a capsule, and the points where it is reached.
+    !> Computes the signed distance of an ellipsoid and a capsule, and the points where it is
+    !> reached.
     function pw85_distance_capsule(end1, end2, radius, q, distance, point1, point2, normal) &
       result(status) bind(C, name='pw85_distance_capsule')
       import
@@ -1295,7 +1308,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_capsule
 
-    !> Distance from a point to an ellipse, the curve.
+    !> Computes the distance from a point to the perimeter of an ellipse.
     function pw85_distance_point_2d(r, q, distance, point, normal) result(status) bind(C, &
       name='pw85_distance_point_2d')
       import
@@ -1304,7 +1317,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_point_2d
 
-    !> Contact function of an ellipse and a segment.
+    !> Computes the contact function of an ellipse and a segment.
     function pw85_contact_segment_2d(end1, end2, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_segment_2d')
       import
@@ -1313,7 +1326,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_segment_2d
 
-    !> Contact function of an ellipse and a solid rectangle with sides along the axes.
+    !> Computes the contact function of an ellipse and a solid rectangle with sides along the axes.
     function pw85_contact_box_2d(lower, upper, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_box_2d')
       import
@@ -1322,7 +1335,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_box_2d
 
-    !> Tests whether an ellipse and a segment overlap, μ² < 1.
+    !> Tests whether an ellipse and a segment overlap.
     function pw85_overlap_segment_2d(end1, end2, q, overlap) result(status) bind(C, &
       name='pw85_overlap_segment_2d')
       import
@@ -1331,7 +1344,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_segment_2d
 
-    !> Tests whether an ellipse and a solid rectangle with sides along the axes overlap, μ² < 1.
+    !> Tests whether an ellipse and a solid rectangle with sides along the axes overlap.
     function pw85_overlap_box_2d(lower, upper, q, overlap) result(status) bind(C, &
       name='pw85_overlap_box_2d')
       import
@@ -1345,7 +1358,7 @@ module pw85
   ! pw85_batch.h
   interface
 
-    !> pw85_contact() for n pairs.
+    !> Computes pw85_contact() for n pairs.
     function pw85_contact_batch(n, r12, q1, q2, mu2, lambda) result(status) bind(C, &
       name='pw85_contact_batch')
       import
@@ -1356,7 +1369,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_batch
 
-    !> pw85_overlap() for n pairs.
+    !> Computes pw85_overlap() for n pairs, with the same answers.
     function pw85_overlap_batch(n, r12, q1, q2, overlap) result(status) bind(C, &
       name='pw85_overlap_batch')
       import
@@ -1366,7 +1379,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_batch
 
-    !> pw85_contact_rounded() for n pairs.
+    !> Computes pw85_contact_rounded() for n pairs, with the same bits.
     function pw85_contact_rounded_batch(n, r12, q1, q2, mu2, lambda) result(status) bind(C, &
       name='pw85_contact_rounded_batch')
       import
@@ -1376,7 +1389,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_rounded_batch
 
-    !> pw85_overlap_factored() for n pairs.
+    !> Computes pw85_overlap_factored() for n pairs, with the same answers.
     function pw85_overlap_factored_batch(n, r12, s1, s2, overlap) result(status) bind(C, &
       name='pw85_overlap_factored_batch')
       import
@@ -1386,7 +1399,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_factored_batch
 
-    !> pw85_compare() for n pairs.
+    !> Computes pw85_compare() for n pairs, with the same signs.
     function pw85_compare_batch(n, r12, q1, q2, mu2, sign) result(status) bind(C, &
       name='pw85_compare_batch')
       import
@@ -1396,7 +1409,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_compare_batch
 
-    !> pw85_overlap_witness() for n pairs.
+    !> Computes pw85_overlap_witness() for n pairs, with the same results.
     function pw85_overlap_witness_batch(n, r12, q1, q2, overlap, lambda, point) result(status) &
       bind(C, name='pw85_overlap_witness_batch')
       import
@@ -1407,7 +1420,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_witness_batch
 
-    !> pw85_contains() for n pairs.
+    !> Computes pw85_contains() for n pairs, with the same answers.
     function pw85_contains_batch(n, r12, q1, q2, contains) result(status) bind(C, &
       name='pw85_contains_batch')
       import
@@ -1417,7 +1430,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contains_batch
 
-    !> pw85_containment() for n pairs.
+    !> Computes pw85_containment() for n pairs, with the same bits.
     function pw85_containment_batch(n, r12, q1, q2, mu2, point) result(status) bind(C, &
       name='pw85_containment_batch')
       import
@@ -1427,7 +1440,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_containment_batch
 
-    !> pw85_closest_passage() for n pairs.
+    !> Computes pw85_closest_passage() for n pairs.
     function pw85_closest_passage_batch(n, r12, q1, q2, velocity, t_max, mu2, t) result(status) &
       bind(C, name='pw85_closest_passage_batch')
       import
@@ -1439,7 +1452,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_closest_passage_batch
 
-    !> pw85_free_path() for n pairs.
+    !> Computes pw85_free_path() for n pairs, with the same bits.
     function pw85_free_path_batch(n, r12, q1, q2, directions, t_max, t) result(status) bind(C, &
       name='pw85_free_path_batch')
       import
@@ -1449,7 +1462,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_free_path_batch
 
-    !> pw85_closest_approach() for n pairs.
+    !> Computes pw85_closest_approach() for n pairs.
     function pw85_closest_approach_batch(n, directions, q1, q2, distance) result(status) bind(C, &
       name='pw85_closest_approach_batch')
       import
@@ -1459,7 +1472,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_closest_approach_batch
 
-    !> pw85_volume() for n ellipsoids.
+    !> Computes pw85_volume() for n ellipsoids, with the same bits.
     function pw85_volume_batch(n, q, volume) result(status) bind(C, name='pw85_volume_batch')
       import
       integer(c_size_t), value :: n
@@ -1468,7 +1481,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_volume_batch
 
-    !> pw85_overlap_volume() for n pairs.
+    !> Computes pw85_overlap_volume() for n pairs, with the same bits.
     function pw85_overlap_volume_batch(n, r12, q1, q2, volume) result(status) bind(C, &
       name='pw85_overlap_volume_batch')
       import
@@ -1478,7 +1491,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_batch
 
-    !> pw85_overlap_volume_gradient() for n pairs.
+    !> Computes pw85_overlap_volume_gradient() for n pairs, with the same bits.
     function pw85_overlap_volume_gradient_batch(n, r12, q1, q2, d_r12, d_q1, d_q2) result(status) &
       bind(C, name='pw85_overlap_volume_gradient_batch')
       import
@@ -1488,7 +1501,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_gradient_batch
 
-    !> pw85_overlap_volume_torque() for n pairs.
+    !> Computes pw85_overlap_volume_torque() for n pairs, with the same bits.
     function pw85_overlap_volume_torque_batch(n, r12, q1, q2, d_rot1, d_rot2) result(status) &
       bind(C, name='pw85_overlap_volume_torque_batch')
       import
@@ -1498,7 +1511,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_torque_batch
 
-    !> pw85_overlap_volume_plane() for n ellipsoids and half-spaces.
+    !> Computes pw85_overlap_volume_plane() for n ellipsoids and half-spaces, with the same bits.
     function pw85_overlap_volume_plane_batch(n, normals, offsets, q, volume) result(status) &
       bind(C, name='pw85_overlap_volume_plane_batch')
       import
@@ -1508,7 +1521,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_plane_batch
 
-    !> pw85_area_2d() for n ellipses.
+    !> Computes pw85_area_2d() for n ellipses, with the same bits.
     function pw85_area_batch_2d(n, q, area) result(status) bind(C, name='pw85_area_batch_2d')
       import
       integer(c_size_t), value :: n
@@ -1517,7 +1530,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_area_batch_2d
 
-    !> pw85_overlap_area_2d() for n pairs.
+    !> Computes pw85_overlap_area_2d() for n pairs, with the same bits.
     function pw85_overlap_area_batch_2d(n, r12, q1, q2, area) result(status) bind(C, &
       name='pw85_overlap_area_batch_2d')
       import
@@ -1527,7 +1540,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_area_batch_2d
 
-    !> pw85_overlap_area_gradient_2d() for n pairs.
+    !> Computes pw85_overlap_area_gradient_2d() for n pairs, with the same bits.
     function pw85_overlap_area_gradient_batch_2d(n, r12, q1, q2, d_r12, d_q1, d_q2) result(status) &
       bind(C, name='pw85_overlap_area_gradient_batch_2d')
       import
@@ -1537,7 +1550,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_area_gradient_batch_2d
 
-    !> pw85_overlap_area_torque_2d() for n pairs.
+    !> Computes pw85_overlap_area_torque_2d() for n pairs, with the same bits.
     function pw85_overlap_area_torque_batch_2d(n, r12, q1, q2, d_rot1, d_rot2) result(status) &
       bind(C, name='pw85_overlap_area_torque_batch_2d')
       import
@@ -1547,7 +1560,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_area_torque_batch_2d
 
-    !> pw85_surface_area() for n ellipsoids.
+    !> Computes pw85_surface_area() for n ellipsoids, with the same bits.
     function pw85_surface_area_batch(n, q, area) result(status) bind(C, &
       name='pw85_surface_area_batch')
       import
@@ -1557,7 +1570,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_surface_area_batch
 
-    !> pw85_second_moments() for n ellipsoids.
+    !> Computes pw85_second_moments() for n ellipsoids, with the same bits.
     function pw85_second_moments_batch(n, q, moments) result(status) bind(C, &
       name='pw85_second_moments_batch')
       import
@@ -1567,7 +1580,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_second_moments_batch
 
-    !> pw85_from_moments() for n ellipsoids.
+    !> Computes pw85_from_moments() for n ellipsoids, with the same bits.
     function pw85_from_moments_batch(n, second_moments, q) result(status) bind(C, &
       name='pw85_from_moments_batch')
       import
@@ -1577,7 +1590,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_from_moments_batch
 
-    !> pw85_shell_moments() for n ellipsoids.
+    !> Computes pw85_shell_moments() for n ellipsoids, with the same bits.
     function pw85_shell_moments_batch(n, q, moments) result(status) bind(C, &
       name='pw85_shell_moments_batch')
       import
@@ -1587,7 +1600,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_shell_moments_batch
 
-    !> pw85_inertia() for n ellipsoids.
+    !> Computes pw85_inertia() for n ellipsoids, with the same bits.
     function pw85_inertia_batch(n, q, shell, inertia) result(status) bind(C, &
       name='pw85_inertia_batch')
       import
@@ -1598,7 +1611,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_inertia_batch
 
-    !> pw85_perimeter_2d() for n ellipses.
+    !> Computes pw85_perimeter_2d() for n ellipses, with the same bits.
     function pw85_perimeter_batch_2d(n, q, perimeter) result(status) bind(C, &
       name='pw85_perimeter_batch_2d')
       import
@@ -1608,7 +1621,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_perimeter_batch_2d
 
-    !> pw85_second_moments_2d() for n ellipses.
+    !> Computes pw85_second_moments_2d() for n ellipses, with the same bits.
     function pw85_second_moments_batch_2d(n, q, moments) result(status) bind(C, &
       name='pw85_second_moments_batch_2d')
       import
@@ -1618,7 +1631,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_second_moments_batch_2d
 
-    !> pw85_from_moments_2d() for n ellipses.
+    !> Computes pw85_from_moments_2d() for n ellipses, with the same bits.
     function pw85_from_moments_batch_2d(n, second_moments, q) result(status) bind(C, &
       name='pw85_from_moments_batch_2d')
       import
@@ -1628,7 +1641,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_from_moments_batch_2d
 
-    !> pw85_shell_moments_2d() for n ellipses.
+    !> Computes pw85_shell_moments_2d() for n ellipses, with the same bits.
     function pw85_shell_moments_batch_2d(n, q, moments) result(status) bind(C, &
       name='pw85_shell_moments_batch_2d')
       import
@@ -1638,7 +1651,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_shell_moments_batch_2d
 
-    !> pw85_contact_factored() for n pairs.
+    !> Computes pw85_contact_factored() for n pairs, with the same bits.
     function pw85_contact_factored_batch(n, r12, s1, s2, mu2, lambda) result(status) bind(C, &
       name='pw85_contact_factored_batch')
       import
@@ -1648,7 +1661,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_factored_batch
 
-    !> pw85_condition() for n pairs.
+    !> Computes pw85_condition() for n pairs, with the same bits.
     function pw85_condition_batch(n, r12, q1, q2, lambda, cond) result(status) bind(C, &
       name='pw85_condition_batch')
       import
@@ -1658,7 +1671,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_condition_batch
 
-    !> pw85_contact_function() for n pairs.
+    !> Computes pw85_contact_function() for n pairs, with the same bits.
     function pw85_contact_function_batch(n, r12, q1, q2, mu2, lambda) result(status) bind(C, &
       name='pw85_contact_function_batch')
       import
@@ -1668,7 +1681,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_function_batch
 
-    !> pw85_contact_geometry() for n pairs.
+    !> Computes pw85_contact_geometry() for n pairs, with the same bits.
     function pw85_contact_geometry_batch(n, r12, q1, q2, lambda, point, normal) result(status) &
       bind(C, name='pw85_contact_geometry_batch')
       import
@@ -1678,7 +1691,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_geometry_batch
 
-    !> pw85_contact_gradient() for n pairs.
+    !> Computes pw85_contact_gradient() for n pairs, with the same bits.
     function pw85_contact_gradient_batch(n, r12, q1, q2, lambda, d_r12, d_q1, d_q2) result(status) &
       bind(C, name='pw85_contact_gradient_batch')
       import
@@ -1688,7 +1701,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_gradient_batch
 
-    !> pw85_contact_geometry_factored() for n pairs.
+    !> Computes pw85_contact_geometry_factored() for n pairs, with the same bits.
     function pw85_contact_geometry_factored_batch(n, r12, s1, s2, lambda, point, normal) &
       result(status) bind(C, name='pw85_contact_geometry_factored_batch')
       import
@@ -1698,7 +1711,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_geometry_factored_batch
 
-    !> pw85_contact_gradient_factored() for n pairs.
+    !> Computes pw85_contact_gradient_factored() for n pairs, with the same bits.
     function pw85_contact_gradient_factored_batch(n, r12, s1, s2, lambda, d_r12, d_s1, d_s2) &
       result(status) bind(C, name='pw85_contact_gradient_factored_batch')
       import
@@ -1708,7 +1721,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_gradient_factored_batch
 
-    !> pw85_contact_torque() for n pairs.
+    !> Computes pw85_contact_torque() for n pairs, with the same bits.
     function pw85_contact_torque_batch(n, r12, q1, q2, lambda, d_rot1, d_rot2) result(status) &
       bind(C, name='pw85_contact_torque_batch')
       import
@@ -1718,7 +1731,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_torque_batch
 
-    !> pw85_contact_hessian() for n pairs.
+    !> Computes pw85_contact_hessian() for n pairs, with the same bits.
     function pw85_contact_hessian_batch(n, r12, q1, q2, lambda, hessian) result(status) bind(C, &
       name='pw85_contact_hessian_batch')
       import
@@ -1728,7 +1741,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_hessian_batch
 
-    !> pw85_contact_2d() for n pairs.
+    !> Computes pw85_contact_2d() for n pairs.
     function pw85_contact_batch_2d(n, r12, q1, q2, mu2, lambda) result(status) bind(C, &
       name='pw85_contact_batch_2d')
       import
@@ -1739,7 +1752,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_batch_2d
 
-    !> pw85_overlap_2d() for n pairs.
+    !> Computes pw85_overlap_2d() for n pairs.
     function pw85_overlap_batch_2d(n, r12, q1, q2, overlap) result(status) bind(C, &
       name='pw85_overlap_batch_2d')
       import
@@ -1749,7 +1762,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_batch_2d
 
-    !> pw85_contact_geometry_2d() for n pairs.
+    !> Computes pw85_contact_geometry_2d() for n pairs, with the same bits.
     function pw85_contact_geometry_batch_2d(n, r12, q1, q2, lambda, point, normal) result(status) &
       bind(C, name='pw85_contact_geometry_batch_2d')
       import
@@ -1759,7 +1772,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_geometry_batch_2d
 
-    !> pw85_contact_gradient_2d() for n pairs.
+    !> Computes pw85_contact_gradient_2d() for n pairs, with the same bits.
     function pw85_contact_gradient_batch_2d(n, r12, q1, q2, lambda, d_r12, d_q1, d_q2) &
       result(status) bind(C, name='pw85_contact_gradient_batch_2d')
       import
@@ -1769,7 +1782,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_gradient_batch_2d
 
-    !> pw85_contact_torque_2d() for n pairs.
+    !> Computes pw85_contact_torque_2d() for n pairs, with the same bits.
     function pw85_contact_torque_batch_2d(n, r12, q1, q2, lambda, d_rot1, d_rot2) result(status) &
       bind(C, name='pw85_contact_torque_batch_2d')
       import
@@ -1779,7 +1792,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_torque_batch_2d
 
-    !> pw85_contact_hessian_2d() for n pairs.
+    !> Computes pw85_contact_hessian_2d() for n pairs, with the same bits.
     function pw85_contact_hessian_batch_2d(n, r12, q1, q2, lambda, hessian) result(status) bind(C, &
       name='pw85_contact_hessian_batch_2d')
       import
@@ -1789,7 +1802,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_hessian_batch_2d
 
-    !> pw85_closest_approach_2d() for n pairs.
+    !> Computes pw85_closest_approach_2d() for n pairs, with the same bits.
     function pw85_closest_approach_batch_2d(n, directions, q1, q2, distance) result(status) &
       bind(C, name='pw85_closest_approach_batch_2d')
       import
@@ -1799,8 +1812,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_closest_approach_batch_2d
 
-    !> pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and pw85_contact_torque()
-    !> for n pairs.
+    !> Computes all that the forces and torques of an energy U(μ²) need, for n pairs.
     function pw85_contact_derivatives_batch(n, r12, q1, q2, mu2, lambda, point, normal, d_r12, &
       d_rot1, d_rot2) result(status) bind(C, name='pw85_contact_derivatives_batch')
       import
@@ -1811,7 +1823,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_derivatives_batch
 
-    !> pw85_distance() for n pairs.
+    !> Computes pw85_distance() for n pairs.
     function pw85_distance_batch(n, r12, q1, q2, distance, point1, point2) result(status) bind(C, &
       name='pw85_distance_batch')
       import
@@ -1821,7 +1833,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_batch
 
-    !> pw85_distance_derivatives() for n pairs.
+    !> Computes pw85_distance_derivatives() for n pairs, with the same bits.
     function pw85_distance_derivatives_batch(n, r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) &
       result(status) bind(C, name='pw85_distance_derivatives_batch')
       import
@@ -1832,7 +1844,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_derivatives_batch
 
-    !> pw85_distance_2d() for n pairs.
+    !> Computes pw85_distance_2d() for n pairs, with the same bits.
     function pw85_distance_batch_2d(n, r12, q1, q2, distance, point1, point2) result(status) &
       bind(C, name='pw85_distance_batch_2d')
       import
@@ -1842,7 +1854,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_batch_2d
 
-    !> pw85_penetration_2d() for n pairs.
+    !> Computes pw85_penetration_2d() for n pairs, with the same bits.
     function pw85_penetration_batch_2d(n, r12, q1, q2, depth, direction) result(status) bind(C, &
       name='pw85_penetration_batch_2d')
       import
@@ -1852,7 +1864,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_penetration_batch_2d
 
-    !> pw85_signed_distance_2d() for n pairs.
+    !> Computes pw85_signed_distance_2d() for n pairs, with the same bits.
     function pw85_signed_distance_batch_2d(n, r12, q1, q2, distance, point1, point2) &
       result(status) bind(C, name='pw85_signed_distance_batch_2d')
       import
@@ -1862,7 +1874,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_signed_distance_batch_2d
 
-    !> pw85_penetration() for n pairs.
+    !> Computes pw85_penetration() for n pairs, with the same bits.
     function pw85_penetration_batch(n, r12, q1, q2, depth, direction) result(status) bind(C, &
       name='pw85_penetration_batch')
       import
@@ -1872,7 +1884,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_penetration_batch
 
-    !> pw85_signed_distance() for n pairs.
+    !> Computes pw85_signed_distance() for n pairs, with the same bits.
     function pw85_signed_distance_batch(n, r12, q1, q2, distance, point1, point2) result(status) &
       bind(C, name='pw85_signed_distance_batch')
       import
@@ -1882,7 +1894,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_signed_distance_batch
 
-    !> pw85_signed_distance_derivatives() for n pairs.
+    !> Computes pw85_signed_distance_derivatives() for n pairs, with the same bits.
     function pw85_signed_distance_derivatives_batch(n, r12, q1, q2, d_r12, d_rot1, d_rot2, &
       hessian) result(status) bind(C, name='pw85_signed_distance_derivatives_batch')
       import
@@ -1893,7 +1905,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_signed_distance_derivatives_batch
 
-    !> pw85_gap_inside() for n pairs.
+    !> Computes pw85_gap_inside() for n pairs, with the same bits.
     function pw85_gap_inside_batch(n, r12, q1, q2, gap, point1, point2, normal) result(status) &
       bind(C, name='pw85_gap_inside_batch')
       import
@@ -1903,7 +1915,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_gap_inside_batch
 
-    !> pw85_gap_inside_2d() for n pairs.
+    !> Computes pw85_gap_inside_2d() for n pairs, with the same bits.
     function pw85_gap_inside_batch_2d(n, r12, q1, q2, gap, point1, point2, normal) result(status) &
       bind(C, name='pw85_gap_inside_batch_2d')
       import
@@ -1913,7 +1925,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_gap_inside_batch_2d
 
-    !> pw85_curvature() for n ellipsoids.
+    !> Computes pw85_curvature() for n ellipsoids, with the same bits.
     function pw85_curvature_batch(n, normals, q, curvatures, directions) result(status) bind(C, &
       name='pw85_curvature_batch')
       import
@@ -1923,7 +1935,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_curvature_batch
 
-    !> pw85_hertz() for n contacts.
+    !> Computes pw85_hertz() for n contacts, with the same bits.
     function pw85_hertz_batch(n, curvatures, radius, ellipse) result(status) bind(C, &
       name='pw85_hertz_batch')
       import
@@ -1933,7 +1945,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hertz_batch
 
-    !> pw85_hertz_contact() for n pairs.
+    !> Computes pw85_hertz_contact() for n pairs, with the same bits.
     function pw85_hertz_contact_batch(n, r12, q1, q2, normals, depth, point, curvatures, &
       directions, radius, ellipse) result(status) bind(C, name='pw85_hertz_contact_batch')
       import
@@ -1944,7 +1956,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hertz_contact_batch
 
-    !> pw85_grain_contact() for n pairs.
+    !> Computes pw85_grain_contact() for n pairs.
     function pw85_grain_contact_batch(n, r12, q1, q2, starts, normal, depth, point, curvatures, &
       radius) result(status) bind(C, name='pw85_grain_contact_batch')
       import
@@ -1955,7 +1967,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_grain_contact_batch
 
-    !> pw85_grain_radius_gradient() for n pairs.
+    !> Computes pw85_grain_radius_gradient() for n pairs, with the same bits.
     function pw85_grain_radius_gradient_batch(n, r12, q1, q2, normals, d_r12, d_rot1, d_rot2) &
       result(status) bind(C, name='pw85_grain_radius_gradient_batch')
       import
@@ -1965,7 +1977,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_grain_radius_gradient_batch
 
-    !> pw85_grain_contact_wall() for n ellipsoids and walls.
+    !> Computes pw85_grain_contact_wall() for n ellipsoids and walls, with the same bits.
     function pw85_grain_contact_wall_batch(n, normals, offsets, directions, curvature, q, depth, &
       point, curvatures, radius) result(status) bind(C, name='pw85_grain_contact_wall_batch')
       import
@@ -1976,7 +1988,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_grain_contact_wall_batch
 
-    !> pw85_distance_plane() for n ellipsoids and half-spaces.
+    !> Computes pw85_distance_plane() for n ellipsoids and half-spaces, with the same bits.
     function pw85_distance_plane_batch(n, normals, offsets, q, distance, point) result(status) &
       bind(C, name='pw85_distance_plane_batch')
       import
@@ -1986,7 +1998,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_plane_batch
 
-    !> pw85_distance_plane_derivatives() for n ellipsoids and half-spaces.
+    !> Computes pw85_distance_plane_derivatives() for n ellipsoids and half-spaces, with the same
+    !> bits.
     function pw85_distance_plane_derivatives_batch(n, normals, q, d_center, d_rot) result(status) &
       bind(C, name='pw85_distance_plane_derivatives_batch')
       import
@@ -1996,7 +2009,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_plane_derivatives_batch
 
-    !> pw85_contact_plane() for n ellipsoids and half-spaces.
+    !> Computes pw85_contact_plane() for n ellipsoids and half-spaces, with the same bits.
     function pw85_contact_plane_batch(n, normals, offsets, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_plane_batch')
       import
@@ -2006,7 +2019,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_plane_batch
 
-    !> pw85_contact_plane_derivatives() for n ellipsoids and half-spaces.
+    !> Computes pw85_contact_plane_derivatives() for n ellipsoids and half-spaces, with the same
+    !> bits.
     function pw85_contact_plane_derivatives_batch(n, normals, offsets, q, d_center, d_rot) &
       result(status) bind(C, name='pw85_contact_plane_derivatives_batch')
       import
@@ -2016,7 +2030,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_plane_derivatives_batch
 
-    !> pw85_distance_box() for n ellipsoids and boxes.
+    !> Computes pw85_distance_box() for n ellipsoids and boxes, with the same bits.
     function pw85_distance_box_batch(n, lower, upper, q, distance, point, normal) result(status) &
       bind(C, name='pw85_distance_box_batch')
       import
@@ -2026,7 +2040,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_box_batch
 
-    !> pw85_distance_cylinder() for n ellipsoids and cylinders.
+    !> Computes pw85_distance_cylinder() for n ellipsoids and cylinders, with the same bits.
     function pw85_distance_cylinder_batch(n, axis, radius, center, q, distance, point, normal) &
       result(status) bind(C, name='pw85_distance_cylinder_batch')
       import
@@ -2036,7 +2050,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_cylinder_batch
 
-    !> pw85_distance_point() for n points and ellipsoids.
+    !> Computes pw85_distance_point() for n points and ellipsoids, with the same bits.
     function pw85_distance_point_batch(n, r, q, distance, point, normal) result(status) bind(C, &
       name='pw85_distance_point_batch')
       import
@@ -2046,7 +2060,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_point_batch
 
-    !> pw85_distance_segment() for n ellipsoids and segments.
+    !> Computes pw85_distance_segment() for n ellipsoids and segments, with the same bits.
     function pw85_distance_segment_batch(n, end1, end2, q, distance, point1, point2, normal) &
       result(status) bind(C, name='pw85_distance_segment_batch')
       import
@@ -2056,7 +2070,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_segment_batch
 
-    !> pw85_distance_triangle() for n ellipsoids and triangles.
+    !> Computes pw85_distance_triangle() for n ellipsoids and triangles, with the same bits.
     function pw85_distance_triangle_batch(n, vertex1, vertex2, vertex3, q, distance, point1, &
       point2, normal) result(status) bind(C, name='pw85_distance_triangle_batch')
       import
@@ -2066,7 +2080,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_triangle_batch
 
-    !> pw85_distance_solid_box() for n ellipsoids and boxes.
+    !> Computes pw85_distance_solid_box() for n ellipsoids and boxes, with the same bits.
     function pw85_distance_solid_box_batch(n, lower, upper, q, distance, point1, point2, normal) &
       result(status) bind(C, name='pw85_distance_solid_box_batch')
       import
@@ -2076,7 +2090,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_solid_box_batch
 
-    !> pw85_intersect_line() for n lines and ellipsoids.
+    !> Computes pw85_intersect_line() for n lines and ellipsoids, with the same bits.
     function pw85_intersect_line_batch(n, origin, directions, q, enter, leave) result(status) &
       bind(C, name='pw85_intersect_line_batch')
       import
@@ -2086,7 +2100,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_intersect_line_batch
 
-    !> pw85_contact_segment() for n ellipsoids and segments.
+    !> Computes pw85_contact_segment() for n ellipsoids and segments.
     function pw85_contact_segment_batch(n, end1, end2, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_segment_batch')
       import
@@ -2096,7 +2110,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_segment_batch
 
-    !> pw85_contact_triangle() for n ellipsoids and triangles.
+    !> Computes pw85_contact_triangle() for n ellipsoids and triangles.
     function pw85_contact_triangle_batch(n, vertex1, vertex2, vertex3, q, mu2, point) &
       result(status) bind(C, name='pw85_contact_triangle_batch')
       import
@@ -2106,7 +2120,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_triangle_batch
 
-    !> pw85_contact_box() for n ellipsoids and boxes.
+    !> Computes pw85_contact_box() for n ellipsoids and boxes.
     function pw85_contact_box_batch(n, lower, upper, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_box_batch')
       import
@@ -2116,7 +2130,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_box_batch
 
-    !> pw85_overlap_segment() for n ellipsoids and segments.
+    !> Computes pw85_overlap_segment() for n ellipsoids and segments, with the same answers.
     function pw85_overlap_segment_batch(n, end1, end2, q, overlap) result(status) bind(C, &
       name='pw85_overlap_segment_batch')
       import
@@ -2126,7 +2140,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_segment_batch
 
-    !> pw85_overlap_triangle() for n ellipsoids and triangles.
+    !> Computes pw85_overlap_triangle() for n ellipsoids and triangles, with the same answers.
     function pw85_overlap_triangle_batch(n, vertex1, vertex2, vertex3, q, overlap) result(status) &
       bind(C, name='pw85_overlap_triangle_batch')
       import
@@ -2136,7 +2150,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_triangle_batch
 
-    !> pw85_overlap_box() for n ellipsoids and boxes.
+    !> Computes pw85_overlap_box() for n ellipsoids and boxes, with the same answers.
     function pw85_overlap_box_batch(n, lower, upper, q, overlap) result(status) bind(C, &
       name='pw85_overlap_box_batch')
       import
@@ -2146,7 +2160,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_box_batch
 
-    !> pw85_contact_capsule() for n ellipsoids and capsules.
+    !> Computes pw85_contact_capsule() for n ellipsoids and capsules, with the same bits.
     function pw85_contact_capsule_batch(n, end1, end2, radius, q, mu2, point) result(status) &
       bind(C, name='pw85_contact_capsule_batch')
       import
@@ -2156,7 +2170,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_capsule_batch
 
-    !> pw85_overlap_capsule() for n ellipsoids and capsules.
+    !> Computes pw85_overlap_capsule() for n ellipsoids and capsules, with the same answers.
     function pw85_overlap_capsule_batch(n, end1, end2, radius, q, overlap) result(status) bind(C, &
       name='pw85_overlap_capsule_batch')
       import
@@ -2166,7 +2180,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_capsule_batch
 
-    !> pw85_distance_capsule() for n ellipsoids and capsules.
+    !> Computes pw85_distance_capsule() for n ellipsoids and capsules, with the same bits.
     function pw85_distance_capsule_batch(n, end1, end2, radius, q, distance, point1, point2, &
       normal) result(status) bind(C, name='pw85_distance_capsule_batch')
       import
@@ -2176,7 +2190,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_capsule_batch
 
-    !> pw85_distance_point_2d() for n points and ellipses.
+    !> Computes pw85_distance_point_2d() for n points and ellipses, with the same bits.
     function pw85_distance_point_batch_2d(n, r, q, distance, point, normal) result(status) bind(C, &
       name='pw85_distance_point_batch_2d')
       import
@@ -2186,7 +2200,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_point_batch_2d
 
-    !> pw85_contact_segment_2d() for n ellipses and segments.
+    !> Computes pw85_contact_segment_2d() for n ellipses and segments, with the same bits.
     function pw85_contact_segment_batch_2d(n, end1, end2, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_segment_batch_2d')
       import
@@ -2196,7 +2210,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_segment_batch_2d
 
-    !> pw85_contact_box_2d() for n ellipses and boxes.
+    !> Computes pw85_contact_box_2d() for n ellipses and boxes, with the same bits.
     function pw85_contact_box_batch_2d(n, lower, upper, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_box_batch_2d')
       import
@@ -2206,7 +2220,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_box_batch_2d
 
-    !> pw85_overlap_segment_2d() for n ellipses and segments.
+    !> Computes pw85_overlap_segment_2d() for n ellipses and segments, with the same answers.
     function pw85_overlap_segment_batch_2d(n, end1, end2, q, overlap) result(status) bind(C, &
       name='pw85_overlap_segment_batch_2d')
       import
@@ -2216,7 +2230,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_segment_batch_2d
 
-    !> pw85_overlap_box_2d() for n ellipses and boxes.
+    !> Computes pw85_overlap_box_2d() for n ellipses and boxes, with the same answers.
     function pw85_overlap_box_batch_2d(n, lower, upper, q, overlap) result(status) bind(C, &
       name='pw85_overlap_box_batch_2d')
       import
@@ -2226,8 +2240,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_box_batch_2d
 
-    !> pw85_contact_polytope() for many ellipsoids and one polytope, which need not be at their
-    !> centres.
+    !> Computes pw85_contact_polytope() for many ellipsoids and one polytope.
     function pw85_contact_polytope_batch(num_ellipsoids, centers, q, num_planes, normals, offsets, &
       mu2, point) result(status) bind(C, name='pw85_contact_polytope_batch')
       import
@@ -2238,7 +2251,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_polytope_batch
 
-    !> pw85_overlap_polytope() for many ellipsoids and one polytope, as which of them a camera sees.
+    !> Tests whether many ellipsoids overlap one polytope, for example which of them a camera sees.
     function pw85_overlap_polytope_batch(num_ellipsoids, centers, q, num_planes, normals, offsets, &
       overlap) result(status) bind(C, name='pw85_overlap_polytope_batch')
       import
@@ -2249,7 +2262,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_polytope_batch
 
-    !> pw85_first_contact() for n pairs.
+    !> Computes pw85_first_contact() for n pairs, with the same bits.
     function pw85_first_contact_batch(n, r12, q1, q2, motion1, motion2, t_max, t) result(status) &
       bind(C, name='pw85_first_contact_batch')
       import
@@ -2270,7 +2283,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_any
 
-    !> pw85_ellipsoid_factor() for n ellipsoids.
+    !> Computes pw85_ellipsoid_factor() for n ellipsoids, with the same bits.
     function pw85_ellipsoid_factor_batch(n, semi_axes, quaternions, s) result(status) bind(C, &
       name='pw85_ellipsoid_factor_batch')
       import
@@ -2280,7 +2293,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_ellipsoid_factor_batch
 
-    !> pw85_ellipsoid_quaternion() for n ellipsoids.
+    !> Computes pw85_ellipsoid_quaternion() for n ellipsoids, with the same bits.
     function pw85_ellipsoid_quaternion_batch(n, semi_axes, quaternions, q) result(status) bind(C, &
       name='pw85_ellipsoid_quaternion_batch')
       import
@@ -2290,7 +2303,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_ellipsoid_quaternion_batch
 
-    !> Tight boxes, with sides along the axes, around n ellipsoids.
+    !> Computes the smallest boxes, with sides along the axes, around n ellipsoids.
     function pw85_bounding_boxes(n, q, half_widths) result(status) bind(C, &
       name='pw85_bounding_boxes')
       import
@@ -2305,7 +2318,7 @@ module pw85
   ! pw85_enclosing.h
   interface
 
-    !> The ellipsoid of least volume around points, up to a tolerance, with a proof.
+    !> Computes the ellipsoid of least volume around points, up to a tolerance, with a proof.
     function pw85_enclosing_ellipsoid(n, m, points, tolerance, center, q, excess) result(status) &
       bind(C, name='pw85_enclosing_ellipsoid')
       import
@@ -2317,7 +2330,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_enclosing_ellipsoid
 
-    !> The ellipsoid of least volume around ellipsoids, up to a tolerance, with a proof.
+    !> Computes the ellipsoid of least volume around ellipsoids, up to a tolerance, with a proof.
     function pw85_enclosing_ellipsoid_of(n, m, centers, forms, tolerance, center, q, excess) &
       result(status) bind(C, name='pw85_enclosing_ellipsoid_of')
       import
@@ -2329,7 +2342,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_enclosing_ellipsoid_of
 
-    !> Random points of an ellipsoid with its centre at 0, uniform in its volume or on its surface.
+    !> Makes random points of an ellipsoid with its centre at 0, uniform in its volume or on its
+    !> surface.
     function pw85_random_points(q, surface, seed, num_points, points) result(status) bind(C, &
       name='pw85_random_points')
       import
@@ -2345,7 +2359,8 @@ module pw85
   ! pw85_systems.h
   interface
 
-    !> pw85_overlap_any() for other particles of a system, by their indices.
+    !> Tests whether an ellipsoid overlaps any of n particles of a system, which are given by their
+    !> indices.
     function pw85_overlap_any_indices(center, q1, system, n, indices, images, any) result(status) &
       bind(C, name='pw85_overlap_any_indices')
       import
@@ -2358,7 +2373,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_any_indices
 
-    !> pw85_contact() for the pairs of a list.
+    !> Computes the contact function of the pairs of a list.
     function pw85_contact_pairs(list, system, mu2, lambda) result(status) bind(C, &
       name='pw85_contact_pairs')
       import
@@ -2369,7 +2384,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_pairs
 
-    !> pw85_overlap() for the pairs of a list.
+    !> Tests whether the pairs of a list overlap.
     function pw85_overlap_pairs(list, system, overlap) result(status) bind(C, &
       name='pw85_overlap_pairs')
       import
@@ -2379,7 +2394,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_pairs
 
-    !> pw85_overlap_volume() for the pairs of a list.
+    !> Computes the volumes of the intersections of the pairs of a list.
     function pw85_overlap_volume_pairs(list, system, volume) result(status) bind(C, &
       name='pw85_overlap_volume_pairs')
       import
@@ -2389,7 +2404,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_pairs
 
-    !> The derivatives for the pairs of a list.
+    !> Computes μ², its derivatives, points and normals for the pairs of a list.
     function pw85_contact_derivatives_pairs(list, system, mu2, lambda, point, normal, d_r12, &
       d_rot1, d_rot2) result(status) bind(C, name='pw85_contact_derivatives_pairs')
       import
@@ -2401,7 +2416,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_derivatives_pairs
 
-    !> Sums of the forces, torques and virial of an energy U(μ²) of pairs.
+    !> Computes the sums of the forces, torques and virial of an energy U(μ²) of pairs.
     function pw85_contact_forces_pairs(list, system, d_u, d_r12, d_rot1, d_rot2, forces, torques, &
       virial) result(status) bind(C, name='pw85_contact_forces_pairs')
       import
@@ -2415,8 +2430,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_forces_pairs
 
-    !> Sums of the energies, forces, torques and virial of the pairs of a list, whose energy is a
-    !> law of μ².
+    !> Computes the sums of the energies, forces, torques and virial of the pairs of a list.
     function pw85_law_forces_pairs(list, system, law, energy, forces, torques, virial) &
       result(status) bind(C, name='pw85_law_forces_pairs')
       import
@@ -2428,7 +2442,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_law_forces_pairs
 
-    !> pw85_first_contact() for the pairs of a list, and the next event of each particle.
+    !> Computes the times of the first contacts of the pairs of a list, and the next event of each
+    !> particle, which event-driven simulations schedule.
     function pw85_first_contact_pairs(list, system, motions, t_max, t, next, next_pair) &
       result(status) bind(C, name='pw85_first_contact_pairs')
       import
@@ -2442,7 +2457,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_first_contact_pairs
 
-    !> A reduced cell of the same lattice.
+    !> Computes a reduced cell of the same lattice.
     function pw85_cell_reduce(cell, reduced) result(status) bind(C, name='pw85_cell_reduce')
       import
       real(c_double), intent(in) :: cell(3, 3)
@@ -2450,7 +2465,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_cell_reduce
 
-    !> The nearest images, which the functions of pair lists use without `images`.
+    !> Computes the nearest images that the functions of pair lists use without `images`.
     function pw85_nearest_images(num_pairs, pairs, system, r12, images) result(status) bind(C, &
       name='pw85_nearest_images')
       import
@@ -2462,7 +2477,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_nearest_images
 
-    !> The limit of μ² below which only nearest images count.
+    !> Computes the limit of μ² below which only nearest images count.
     function pw85_nearest_image_limit(system, mu2) result(status) bind(C, &
       name='pw85_nearest_image_limit')
       import
@@ -2471,8 +2486,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_nearest_image_limit
 
-    !> Lists the pairs (i, j, image) whose bounding boxes are no farther apart than `skin` along any
-    !> axis, the ellipsoids scaled by `scale`.
+    !> Makes a list of the pairs (i, j, image) whose bounding boxes are no farther apart than `skin`
+    !> along any axis, for ellipsoids scaled by `scale`.
     function pw85_neighbors_create(system, scale, skin, list) result(status) bind(C, &
       name='pw85_neighbors_create')
       import
@@ -2482,7 +2497,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_neighbors_create
 
-    !> The particle because of which a list cannot be made.
+    !> Finds the particle because of which pw85_neighbors_create() cannot make a list.
     function pw85_neighbors_check(system, scale, skin, particle) result(status) bind(C, &
       name='pw85_neighbors_check')
       import
@@ -2492,8 +2507,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_neighbors_check
 
-    !> Tests whether a list still has all pairs whose boxes intersect (without skin) after the
-    !> particles have moved and turned, and the cell has changed.
+    !> Tests whether a list still has all pairs whose boxes intersect (without skin), after
+    !> particles have moved and turned and the cell has changed.
     function pw85_neighbors_holds(list, system, holds) result(status) bind(C, &
       name='pw85_neighbors_holds')
       import
@@ -2503,7 +2518,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_neighbors_holds
 
-    !> The pairs of a list, with their images if it has a cell.
+    !> Returns the pairs of a list, with their images if it has a cell.
     function pw85_neighbors_list(list) result(value) bind(C, name='pw85_neighbors_list')
       import
       type(c_ptr), value :: list
@@ -2527,7 +2542,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_mesh_create
 
-    !> Contact function of an ellipsoid and a mesh.
+    !> Computes the contact function of an ellipsoid and a mesh.
     function pw85_mesh_contact(mesh, center, q, mu2, point, triangle) result(status) bind(C, &
       name='pw85_mesh_contact')
       import
@@ -2548,7 +2563,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_mesh_overlap
 
-    !> Signed distance of an ellipsoid and a mesh.
+    !> Computes the signed distance of an ellipsoid and a mesh.
     function pw85_mesh_distance(mesh, center, q, distance, point1, point2, normal, triangle, &
       inside) result(status) bind(C, name='pw85_mesh_distance')
       import
@@ -2559,7 +2574,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_mesh_distance
 
-    !> pw85_mesh_contact() for n ellipsoids and one mesh.
+    !> Computes pw85_mesh_contact() for n ellipsoids and one mesh, with the same bits.
     function pw85_mesh_contact_batch(mesh, n, centers, q, mu2, point, triangle) result(status) &
       bind(C, name='pw85_mesh_contact_batch')
       import
@@ -2571,7 +2586,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_mesh_contact_batch
 
-    !> pw85_mesh_overlap() for n ellipsoids and one mesh.
+    !> Computes pw85_mesh_overlap() for n ellipsoids and one mesh.
     function pw85_mesh_overlap_batch(mesh, n, centers, q, overlap) result(status) bind(C, &
       name='pw85_mesh_overlap_batch')
       import
@@ -2582,7 +2597,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_mesh_overlap_batch
 
-    !> pw85_mesh_distance() for n ellipsoids and one mesh.
+    !> Computes pw85_mesh_distance() for n ellipsoids and one mesh, with the same bits.
     function pw85_mesh_distance_batch(mesh, n, centers, q, distance, point1, point2, normal, &
       triangle, inside) result(status) bind(C, name='pw85_mesh_distance_batch')
       import
@@ -2618,7 +2633,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_create
 
-    !> Makes a simulation one of hard ellipses in a plane z = const, or again one of ellipsoids.
+    !> Turns a simulation into one of hard ellipses in a plane z = const, or back into one of
+    !> ellipsoids.
     function pw85_hard_ellipsoids_set_dimensions(simulation, dimensions) result(status) bind(C, &
       name='pw85_hard_ellipsoids_set_dimensions')
       import
@@ -2627,7 +2643,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_dimensions
 
-    !> The number of dimensions of a simulation.
+    !> Returns the number of dimensions of a simulation.
     function pw85_hard_ellipsoids_dimensions(simulation, dimensions) result(status) bind(C, &
       name='pw85_hard_ellipsoids_dimensions')
       import
@@ -2642,7 +2658,7 @@ module pw85
       type(c_ptr), value :: simulation
     end subroutine pw85_hard_ellipsoids_destroy
 
-    !> Particles and cell.
+    !> Returns the particles and the cell.
     function pw85_hard_ellipsoids_system(simulation) result(value) bind(C, &
       name='pw85_hard_ellipsoids_system')
       import
@@ -2650,7 +2666,7 @@ module pw85
       type(pw85_system) :: value
     end function pw85_hard_ellipsoids_system
 
-    !> The orientations, num_particles×4, as pw85_hard_ellipsoids_system() gives the rest.
+    !> Returns the orientations, num_particles×4.
     function pw85_hard_ellipsoids_quaternions(simulation) result(value) bind(C, &
       name='pw85_hard_ellipsoids_quaternions')
       import
@@ -2658,7 +2674,7 @@ module pw85
       type(c_ptr) :: value
     end function pw85_hard_ellipsoids_quaternions
 
-    !> The semi-axes, num_particles×3, as pw85_hard_ellipsoids_system() gives the rest.
+    !> Returns the semi-axes, num_particles×3.
     function pw85_hard_ellipsoids_semi_axes(simulation) result(value) bind(C, &
       name='pw85_hard_ellipsoids_semi_axes')
       import
@@ -2666,7 +2682,7 @@ module pw85
       type(c_ptr) :: value
     end function pw85_hard_ellipsoids_semi_axes
 
-    !> The number of bytes that pw85_hard_ellipsoids_save() writes.
+    !> Returns the number of bytes that pw85_hard_ellipsoids_save() writes.
     function pw85_hard_ellipsoids_num_bytes(simulation) result(value) bind(C, &
       name='pw85_hard_ellipsoids_num_bytes')
       import
@@ -2684,7 +2700,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_save
 
-    !> Makes a simulation from the bytes of another, which it continues bit by bit.
+    !> Makes a simulation from the bytes of another one, which it continues bit by bit.
     function pw85_hard_ellipsoids_restore(num_bytes, bytes, simulation) result(status) bind(C, &
       name='pw85_hard_ellipsoids_restore')
       import
@@ -2732,7 +2748,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_fields
 
-    !> Sets the potential of a simulation, beside its fields, or none.
+    !> Sets the potential of a simulation, in addition to its fields, or removes it.
     function pw85_hard_ellipsoids_set_potential(simulation, potential, context) result(status) &
       bind(C, name='pw85_hard_ellipsoids_set_potential')
       import
@@ -2742,7 +2758,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_potential
 
-    !> Sets an energy of pairs beside the hard cores, or none.
+    !> Sets an energy of pairs beside the hard cores, or removes it.
     function pw85_hard_ellipsoids_set_law(simulation, law) result(status) bind(C, &
       name='pw85_hard_ellipsoids_set_law')
       import
@@ -2777,7 +2793,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_chain
 
-    !> Tries changes of the cell and of all centres with it, at constant pressure.
+    !> Tries changes of the cell, and of all centres with it, at constant pressure.
     function pw85_hard_ellipsoids_volume_moves(simulation, num_moves, pressure, change) &
       result(status) bind(C, name='pw85_hard_ellipsoids_volume_moves')
       import
@@ -2788,7 +2804,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_volume_moves
 
-    !> Makes sweeps, and changes the steps after each of them towards an acceptance.
+    !> Makes sweeps, and changes the steps after each of them towards an acceptance ratio.
     function pw85_hard_ellipsoids_tune(simulation, num_sweeps, acceptance, pressure, change) &
       result(status) bind(C, name='pw85_hard_ellipsoids_tune')
       import
@@ -2818,7 +2834,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_steps
 
-    !> The largest changes of a trial.
+    !> Returns the largest changes of a trial.
     function pw85_hard_ellipsoids_steps(simulation, steps) result(status) bind(C, &
       name='pw85_hard_ellipsoids_steps')
       import
@@ -2827,8 +2843,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_steps
 
-    !> Sets the largest translations and rotations of some species, which are particles with the
-    !> same semi-axes, in place of all such steps that there are.
+    !> Sets the largest translations and rotations of some species, in place of all steps of species
+    !> set before.
     function pw85_hard_ellipsoids_set_kind_steps(simulation, num_kinds, semi_axes, steps) &
       result(status) bind(C, name='pw85_hard_ellipsoids_set_kind_steps')
       import
@@ -2838,8 +2854,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_kind_steps
 
-    !> The largest translations and rotations of some species, which are particles with the same
-    !> semi-axes.
+    !> Returns the largest translations and rotations of some species, which are particles with the
+    !> same semi-axes.
     function pw85_hard_ellipsoids_kind_steps(simulation, num_kinds, semi_axes, steps) &
       result(status) bind(C, name='pw85_hard_ellipsoids_kind_steps')
       import
@@ -2850,7 +2866,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_kind_steps
 
-    !> The numbers of trials since the simulation was made or tuned.
+    !> Returns the numbers of trials since the simulation was made or tuned.
     function pw85_hard_ellipsoids_counts(simulation, trials, accepted) result(status) bind(C, &
       name='pw85_hard_ellipsoids_counts')
       import
@@ -2864,8 +2880,8 @@ module pw85
   ! pw85_simulation_insertions.h
   interface
 
-    !> Tests whether a particle would be free of overlaps at another place, by the exact test, and
-    !> moves it there, if wanted.
+    !> Tests whether a particle would be free of overlaps at another position, and moves it there if
+    !> wanted.
     function pw85_hard_ellipsoids_try(simulation, particle, center, quaternion, take, is_free) &
       result(status) bind(C, name='pw85_hard_ellipsoids_try')
       import
@@ -2877,8 +2893,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_try
 
-    !> Tests whether a new particle would be free of overlaps, by the exact test, and inserts it as
-    !> the last one, if wanted.
+    !> Tests whether a new particle would be free of overlaps, and inserts it as the last one if
+    !> wanted.
     function pw85_hard_ellipsoids_insert(simulation, center, quaternion, semi_axes, take, is_free) &
       result(status) bind(C, name='pw85_hard_ellipsoids_insert')
       import
@@ -2898,7 +2914,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_remove
 
-    !> The mean of e^(-βU) of a particle that is inserted at random, 0 where it is not free.
+    !> Computes the mean of e^(-βU) of a particle that is inserted at random, where a position that
+    !> is not free counts as 0.
     function pw85_hard_ellipsoids_insertion_weight(simulation, num_trials, semi_axes, weight) &
       result(status) bind(C, name='pw85_hard_ellipsoids_insertion_weight')
       import
@@ -2925,8 +2942,8 @@ module pw85
   ! pw85_simulation_observations.h
   interface
 
-    !> The energy of all particles in the fields, the potential and the law of pairs, in the unit of
-    !> k_B T.
+    !> Computes the energy of all particles in the fields, the potential and the law of pairs, in
+    !> the unit of k_B T.
     function pw85_hard_ellipsoids_energy(simulation, energy) result(status) bind(C, &
       name='pw85_hard_ellipsoids_energy')
       import
@@ -2935,7 +2952,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_energy
 
-    !> The virial of the law of pairs, W = -2 Σ μ² dβU/dμ², which the pressure has beside that of
+    !> Computes the virial of the law of pairs, W = -2 Σ μ² dβU/dμ², which adds to the pressure of
     !> the hard cores.
     function pw85_hard_ellipsoids_law_virial(simulation, virial) result(status) bind(C, &
       name='pw85_hard_ellipsoids_law_virial')
@@ -2945,8 +2962,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_law_virial
 
-    !> The images of particles whose bounding boxes meet that of one particle, ordered by their
-    !> indices, then by their images.
+    !> Lists the images of particles whose bounding boxes meet that of a given particle.
     function pw85_hard_ellipsoids_neighbors(simulation, particle, capacity, count, particles, &
       images, separations) result(status) bind(C, name='pw85_hard_ellipsoids_neighbors')
       import
@@ -2967,7 +2983,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_check
 
-    !> Finds how far cell and centres can be compressed before particles touch.
+    !> Finds how far cell and centres can be compressed before particles touch, and compresses them
+    !> if wanted.
     function pw85_hard_ellipsoids_compress(simulation, take, factor) result(status) bind(C, &
       name='pw85_hard_ellipsoids_compress')
       import
@@ -2982,21 +2999,21 @@ module pw85
   ! pw85_legacy.h
   interface
 
-    !> Determinant of a symmetric matrix.
+    !> Computes the determinant of a symmetric matrix.
     function pw85_legacy__det_sym(a) result(value) bind(C, name='pw85_legacy__det_sym')
       import
       real(c_double), intent(in) :: a(6)
       real(c_double) :: value
     end function pw85_legacy__det_sym
 
-    !> Quadratic form of the adjugate (the transpose of the matrix of cofactors).
+    !> Computes the quadratic form of the adjugate (the transpose of the matrix of cofactors).
     function pw85_legacy__xt_adja_x(x, a) result(value) bind(C, name='pw85_legacy__xT_adjA_x')
       import
       real(c_double), intent(in) :: x(3), a(6)
       real(c_double) :: value
     end function pw85_legacy__xt_adja_x
 
-    !> Coefficients of det[(1-λ) Q1 + λ Q2] in increasing powers of λ.
+    !> Computes the coefficients of det[(1-λ) Q1 + λ Q2] in increasing powers of λ.
     subroutine pw85_legacy__detq_as_poly(q1, q2, q3, q4, b) bind(C, &
       name='pw85_legacy__detQ_as_poly')
       import
@@ -3004,7 +3021,7 @@ module pw85
       real(c_double), intent(out) :: b(4)
     end subroutine pw85_legacy__detq_as_poly
 
-    !> Coefficients of rᵀ adj[(1-λ) Q1 + λ Q2] r in increasing powers of λ.
+    !> Computes the coefficients of rᵀ adj[(1-λ) Q1 + λ Q2] r in increasing powers of λ.
     subroutine pw85_legacy__rt_adjq_r_as_poly(r, q1, q2, q3, a) bind(C, &
       name='pw85_legacy__rT_adjQ_r_as_poly')
       import
@@ -3012,7 +3029,7 @@ module pw85
       real(c_double), intent(out) :: a(3)
     end subroutine pw85_legacy__rt_adjq_r_as_poly
 
-    !> f(λ), by factorisation.
+    !> Computes f(λ) and its derivatives by factorisation.
     function pw85_legacy_f1(lambda, r12, q1, q2, out) result(value) bind(C, name='pw85_legacy_f1')
       import
       real(c_double), value :: lambda
@@ -3021,7 +3038,7 @@ module pw85
       real(c_double) :: value
     end function pw85_legacy_f1
 
-    !> f(λ), as a rational function of λ.
+    !> Computes f(λ) as a rational function of λ.
     function pw85_legacy_f2(lambda, r12, q1, q2, out) result(value) bind(C, name='pw85_legacy_f2')
       import
       real(c_double), value :: lambda
@@ -3030,7 +3047,7 @@ module pw85
       real(c_double) :: value
     end function pw85_legacy_f2
 
-    !> f(λ) and its derivatives, as a rational function of λ.
+    !> Computes f(λ) and its derivatives as a rational function of λ.
     subroutine pw85_legacy_f2_derivatives(lambda, r12, q1, q2, out) bind(C, &
       name='pw85_legacy_f2_derivatives')
       import
@@ -3039,7 +3056,8 @@ module pw85
       real(c_double), intent(out) :: out(3)
     end subroutine pw85_legacy_f2_derivatives
 
-    !> Contact function by plain Newton-Raphson iterations on f' from λ = 1/2, which often fail.
+    !> Computes the contact function by plain Newton-Raphson iterations on f' from λ = 1/2, which
+    !> often fail.
     function pw85_legacy_contact_function1(r12, q1, q2, out) result(status) bind(C, &
       name='pw85_legacy_contact_function1')
       import
@@ -3048,7 +3066,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_legacy_contact_function1
 
-    !> Contact function by bisection on the numerator of f' in rational form.
+    !> Computes the contact function by bisection on the numerator of f' in rational form.
     function pw85_legacy_contact_function2(r12, q1, q2, out) result(status) bind(C, &
       name='pw85_legacy_contact_function2')
       import
@@ -3062,7 +3080,8 @@ module pw85
   ! pw85_zheng.h
   interface
 
-    !> Distance of closest approach of two ellipses, in closed form (the root of a quartic).
+    !> Computes the distance of closest approach of two ellipses, in closed form (the root of a
+    !> quartic).
     function pw85_zheng_ellipses(direction, q1, q2, distance) result(status) bind(C, &
       name='pw85_zheng_ellipses')
       import
@@ -3071,7 +3090,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_zheng_ellipses
 
-    !> Distance of closest approach of two ellipsoids.
+    !> Computes the distance of closest approach of two ellipsoids.
     function pw85_zheng_ellipsoids(direction, q1, q2, distance) result(status) bind(C, &
       name='pw85_zheng_ellipsoids')
       import

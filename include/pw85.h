@@ -2,61 +2,62 @@
 /** @file pw85.h
  * @brief The contact function of Perram and Wertheim for two ellipsoids: one pair, in C.
  *
- * It includes pw85_shapes.h, which has walls, points, lines and other shapes, and pw85_grains.h,
- * which has curvatures and contacts. Many pairs are in pw85_batch.h, systems of particles in
- * pw85_systems.h, Monte Carlo in pw85_simulation.h.
+ * This header includes pw85_shapes.h (an ellipsoid and a wall, a point, a line or another shape)
+ * and pw85_grains.h (curvatures and contacts of grains). Other headers are for arrays of pairs
+ * (pw85_batch.h), systems of particles (pw85_systems.h) and Monte Carlo simulations
+ * (pw85_simulation.h).
  *
- * An ellipsoid with centre c and quadratic form Q is the set of points m with (m-c)ᵀ Q⁻¹ (m-c)
- * <= 1. Q is symmetric positive definite; its eigenvalues are the squares of the semi-axes, its
- * eigenvectors their directions. For two ellipsoids with forms Q1, Q2 and r12 = c2 - c1, the
- * contact function is
+ * The ellipsoid with centre c and quadratic form Q is the set of the points m for which (m-c)ᵀ Q⁻¹
+ * (m-c) <= 1. The matrix Q is symmetric and positive definite. Its eigenvalues are the squares of
+ * the semi-axes, and its eigenvectors are their directions. For two ellipsoids with centres c1 and
+ * c2, forms Q1 and Q2, and r12 = c2 - c1, the contact function is
  *
  *     μ² = max { f(λ), 0 <= λ <= 1 },    f(λ) = λ(1-λ) r12ᵀ [(1-λ) Q1 + λ Q2]⁻¹ r12.
  *
- * μ is the common factor by which both ellipsoids must be scaled, their centres fixed, to touch
- * from outside: μ² < 1 if they overlap, μ² > 1 if they are apart (J. W. Perram and M. S. Wertheim,
- * J. Comp. Phys. 58, 409, 1985).
+ * If both ellipsoids are scaled by the factor μ about their centres, they touch from outside. The
+ * ellipsoids overlap if μ² < 1, touch if μ² = 1, and are apart if μ² > 1 (J. W. Perram and M. S.
+ * Wertheim, J. Comp. Phys. 58, 409, 1985).
  *
- * Conventions, for every function of these headers unless it says otherwise:
+ * These conventions hold for every function of these headers unless its contract says otherwise:
  *
  * - Vectors are `double[3]`. Symmetric matrices are `double[6]`: the upper triangle in row-major
  *   order, (xx, xy, xz, yy, yz, zz). In two dimensions they are `double[2]` and `double[3]` (xx,
  *   xy, yy).
- * - Lengths are in any one unit; forms are in its square; μ² and λ have none.
- * - The caller owns all arrays. The library does not use them after the call. They need no
+ * - Lengths are in one unit, which the caller chooses, forms in its square. μ² and λ have none.
+ * - The caller owns all arrays, and the library does not use them after the call. Arrays need no
  *   alignment beyond that of double. Outputs may not overlap inputs.
- * - The brackets behind the name of a parameter state its extents, as n×3, its unit, as length²,
- *   and which values it may have, as > 0. A pointer that is `optional` may be null; an input `or
- *   infinite` may be infinite; a form must be positive `definite`; an `index` is at least 0 and
- *   below the number of particles or vertices. `as pw85_contact()` means: as the parameter of the
- *   same name of that function. `member` names the member of the result in C++ that an output
- *   receives.
- * - A function that returns `int` returns a status, zero for success. When it is not zero, all
- *   outputs are NaN, except those whose brackets give another value, as "-1 on error". An optional
- *   output may be null: it is then not written.
- * - #PW85_EINVAL has three causes, the same in every function: a pointer is null that is not
- *   optional; a number is NaN or infinite, and its brackets do not allow that; or an argument is
- *   not what its brackets state. #PW85_ENOTPD says that a form is not positive definite. The
- *   chapter on errors has a table. pw85_last_error() tells which argument and which row it was.
- * - Functions of one pair, one ellipsoid, many rows or a pair list in two and three dimensions
- *   allocate no memory, except pw85_law_forces_pairs(). Those that can allocate list #PW85_ENOMEM
- *   or #PW85_EDEVICE: neighbour lists, meshes, laws of pairs, simulations, ellipsoids around
- *   points, n dimensions and GPUs. No function prints anything or ends the process.
- * - Any number of threads may call any functions at the same time, but only one at a time may use
- *   the same simulation. The library has two pieces of state: the mode of pw85_set_reproducible(),
- *   for the process, and the cause that pw85_last_error() tells, for each thread.
- * - No function needs more than 16 KiB of stack, those of meshes no more than 24 KiB, plus what the
- *   dynamic linker needs for lazy binding at the first call. The threads that a batch starts have
- *   stacks of their own, whose size OMP_STACKSIZE sets.
+ * - The brackets after the name of a parameter state the extents of an array, as n×3, the unit, as
+ *   length², and the allowed values, as > 0. An `optional` pointer may be null, and an input `or
+ *   infinite` may be infinite. A `definite` form must be positive definite. An `index` is at least
+ *   0 and below the number of particles or vertices. `as pw85_contact()` means: as the parameter of
+ *   the same name there. `member` names the member of the C++ result that receives an output.
+ * - A function whose name ends in `_2d` does for ellipses what the function without `_2d` does for
+ *   ellipsoids. The statuses and all that its contract does not say are as there.
+ * - A function that returns `int` returns a status, which is zero for success. If the status is not
+ *   zero, all outputs are NaN, except those whose brackets state another value, as "-1 on error".
+ *   The function does not write an output whose pointer is null.
+ * - #PW85_EINVAL has three causes, in every function: a pointer that is not optional is null; a
+ *   number is NaN or infinite, and its brackets do not allow that; an argument is not what its
+ *   brackets state. #PW85_ENOTPD means that a form is not positive definite. pw85_last_error()
+ *   tells the argument, the row and the cause. The chapter on errors has a table of all causes.
+ * - In bounds on errors, u = 2⁻⁵³ is the unit roundoff of double.
+ * - No function prints anything or ends the process. These can allocate memory: neighbour lists,
+ *   meshes, pw85_law_forces_pairs(), simulations, ellipsoids around points, n dimensions and GPUs.
+ *   Their contracts list #PW85_ENOMEM or #PW85_EDEVICE. All other functions allocate nothing.
+ * - Any number of threads may call any functions at the same time, but only one thread at a time
+ *   may use a simulation. The library keeps two pieces of state: for the process, the mode that
+ *   pw85_set_reproducible() sets; for each thread, the error that pw85_last_error() tells.
+ * - A function needs at most 16 KiB of stack, or 24 KiB if it works on a mesh. The first call needs
+ *   in addition what the dynamic linker takes for lazy binding. The threads that a batch starts
+ *   have their own stacks, whose size OMP_STACKSIZE sets.
  * - Functions compute in the default floating-point environment. The rounding mode, status flags
- *   and traps of the caller do not change the results, and after the call they are as they were
- *   before.
- * - For semi-axes and distances from 1e-150 to 1e150 no intermediate result overflows or
- *   underflows; a result beyond the range of double is infinity or zero.
- * - A form is positive definite if its leading principal minors are positive. That is decided
- *   without rounding errors, for the doubles as given, and every function and every instruction set
- *   decides alike. There are two limits. The determinant must exceed 2⁻²¹² times the product of the
- *   diagonal entries. Semi-axes may not differ by more than a factor of about 1e38.
+ *   and traps of the caller do not change the results, and the functions leave them as they were.
+ * - If semi-axes and distances are from 1e-150 to 1e150, no intermediate result overflows or
+ *   underflows. A result beyond the range of double is infinity or zero.
+ * - A form is positive definite if its leading principal minors are positive. The test has no
+ *   rounding errors: all functions and instruction sets give the same answer for the same doubles.
+ *   It has two limits. The determinant must exceed 2⁻²¹² times the product of the diagonal entries.
+ *   Semi-axes may differ by a factor of at most about 1e38.
  */
 #ifndef PW85_H_INCLUDED
 #define PW85_H_INCLUDED
@@ -77,22 +78,22 @@
 /** Number of stored entries of a symmetric matrix. */
 #define PW85_SYM 6
 
-/** Absolute tolerance on λ of Brent's method in pw85_contact_function(). It is that of a problem
- * in which both ellipsoids have been scaled to similar size. */
+/** Absolute tolerance on λ of Brent's method in pw85_contact_function(), for ellipsoids that are
+ * scaled to similar size. */
 #define PW85_LAMBDA_ATOL 1e-6
 
 /** Maximum number of iterations of Brent's method in pw85_contact_function(). */
 #define PW85_MAX_ITER 25
 
-/** Maximum number of iterations that refine the result of Brent's method in
- * pw85_contact_function(): Halley's method in the variable log(λ/(1-λ)), Newton's in pw85 1.0. */
+/** Maximum number of iterations of Halley's method, which refines the result of Brent's method in
+ * pw85_contact_function(). */
 #define PW85_NR_ITER 3
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/** Status codes: the values that functions returning `int` return. */
+/** Status codes, which functions of type `int` return. */
 enum pw85_status {
 #define PW85_STATUS_ENUMERATOR(c_name, cpp_name, value, text) , c_name = value
     PW85_SUCCESS = 0 PW85_ERROR_LIST(PW85_STATUS_ENUMERATOR)
@@ -102,12 +103,12 @@ enum pw85_status {
 /** @name Version and errors
  * @{ */
 
-/** Version of the library that is linked. Compare with #PW85_VERSION, the version of the header.
+/** Returns the version of the library that is linked. #PW85_VERSION is the version of the header.
  *
  * @return "major.minor.patch", a constant */
 PW85_API char const *pw85_version(void);
 
-/** Meaning of a status, as a short text without a full stop.
+/** Returns the meaning of a status, as a short text without a full stop.
  *
  * @param status any number
  * @return the text, a constant; never null */
@@ -116,22 +117,23 @@ PW85_API char const *pw85_strerror(int status);
 /** Switches the reproducible mode on or off, for all threads of the process.
  *
  * In this mode all functions give the same bits on every processor and with every number of
- * threads: on x86-64 with any instruction set, 32-bit x86 with SSE2, 64-bit ARM and z/Architecture,
- * whatever the byte order. The functions use no fused multiplication and addition, and registers of
- * two doubles at most. The functions of many pairs are therefore slower. pw85_contact_function()
- * returns the numbers of pw85_contact(), because another library provides Brent's method. The
- * functions of pw85_gpu.h and pw85_zheng.h and the templates of the C++ headers do not follow the
- * mode.
+ * threads. Processors are x86-64 with any instruction set, 32-bit x86 with SSE2, 64-bit ARM and
+ * z/Architecture, of either byte order. The functions use no fused multiplication and addition, and
+ * registers of at most two doubles: those of many pairs are slower. pw85_contact_function() returns
+ * the numbers of pw85_contact(), because Brent's method is that of another library.
  *
- * If the environment variable PW85_REPRODUCIBLE is neither empty nor 0 at the first call of a
- * function, the process starts in this mode. A call that runs in another thread while the mode
- * changes may compute some of its pairs in either mode.
+ * The mode does not apply to the functions of pw85_gpu.h and pw85_zheng.h, nor to the templates of
+ * the C++ headers.
+ *
+ * The process starts in this mode if the environment variable PW85_REPRODUCIBLE is neither empty
+ * nor 0 at the first call of a function. If the mode changes during a call in another thread, that
+ * call may compute some of its pairs in either mode.
  *
  * @param on 1 or 0
  * @return #PW85_SUCCESS or #PW85_EINVAL */
 PW85_API int pw85_set_reproducible(int on);
 
-/** State of the reproducible mode: see pw85_set_reproducible().
+/** Returns whether the reproducible mode of pw85_set_reproducible() is on.
  *
  * @param[out] on 1 or 0
  * @return #PW85_SUCCESS or #PW85_EINVAL */
@@ -141,46 +143,46 @@ PW85_API int pw85_is_reproducible(int *on);
  * @name Quadratic forms
  * @{ */
 
-/** Quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ.
+/** Computes the quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ with |n| = 1.
  *
  * @param a [length; > 0] equatorial radius
  * @param c [length; > 0] polar radius
  * @param n [!= 0] direction of the axis of revolution, of any length
- * @param[out] q [length²; NaN on error] the form; NaN if a length is not positive or its square
- *        leaves the range of double, or n is zero or not finite */
+ * @param[out] q [length²; NaN on error] the form; NaN if a length is not positive, the square of a
+ *        length leaves the range of double, or n is zero or not finite */
 PW85_API void pw85_spheroid(double a, double c, double const n[3], double q[6]);
 
-/** Quadratic form of a general ellipsoid, Q = R diag(semi_axes²) Rᵀ.
+/** Computes the quadratic form of an ellipsoid, Q = R diag(semi_axes²) Rᵀ.
  *
  * @param semi_axes [length; > 0; finite square] lengths of the principal semi-axes (not diameters),
  *        whose squares are in the range of double
- * @param rotation [3×3; rotation] matrix R in row-major order. Its columns are the principal
- *        directions: R takes the body frame to the space frame. RᵀR may differ from I by at most
- *        1e-6 in any entry (single precision is accepted); reflections are accepted.
+ * @param rotation [3×3; rotation] row-major matrix R, which takes the body frame to the space
+ *        frame; its columns are the principal directions. An entry of RᵀR - I may be at most 1e-6
+ *        in magnitude: single precision is enough. R may be a reflection.
  * @param[out] q [length²] the form
  * @return #PW85_SUCCESS or #PW85_EINVAL */
 PW85_API int pw85_ellipsoid(double const semi_axes[3], double const rotation[9], double q[6]);
 
-/** Quadratic form of a general ellipsoid whose orientation is a quaternion.
+/** Computes the quadratic form of an ellipsoid whose orientation is a quaternion.
  *
  * @param semi_axes [as pw85_ellipsoid()]
- * @param quaternion [!= 0] (w, x, y, z), scalar first, of any length; the function normalises it.
- *        It takes the body frame to the space frame.
+ * @param quaternion [!= 0] (w, x, y, z), scalar first, which takes the body frame to the space
+ *        frame; of any length, because the function normalises it
  * @param[out] q [length²] the form
  * @return #PW85_SUCCESS or #PW85_EINVAL */
 PW85_API int pw85_ellipsoid_quaternion(double const semi_axes[3], double const quaternion[4],
                                        double q[6]);
 
-/** Factor S of the quadratic form of a general ellipsoid, Q = S Sᵀ. The factor keeps the digits
- * that squares of lengths lose: see pw85_contact_factored().
+/** Computes a factor S of the quadratic form of an ellipsoid, Q = S Sᵀ. The factor keeps digits
+ * that the form loses: see pw85_contact_factored().
  *
  * @param semi_axes,quaternion [as pw85_ellipsoid_quaternion()]
- * @param[out] s [3×3; length] matrix in row-major order; its columns are the semi-axes as vectors
+ * @param[out] s [3×3; length] row-major matrix, whose columns are the semi-axes as vectors
  * @return #PW85_SUCCESS or #PW85_EINVAL */
 PW85_API int pw85_ellipsoid_factor(double const semi_axes[3], double const quaternion[4],
                                    double s[9]);
 
-/** Quadratic form (xx, xy, yy) of an ellipse.
+/** Computes the quadratic form (xx, xy, yy) of an ellipse.
  *
  * @param a,b [length; > 0; finite square] semi-axes, whose squares are in the range of double
  * @param angle from the x axis to the first semi-axis, counter-clockwise, in radians
@@ -192,173 +194,178 @@ PW85_API int pw85_ellipse(double a, double b, double angle, double q[3]);
  * @name Contact of two ellipsoids
  * @{ */
 
-/** Contact function of two ellipsoids, by a third-order iteration on log(λ/(1-λ)).
+/** Computes the contact function of two ellipsoids.
  *
- * The relative error of μ² is below 4 u cond, with u = 2⁻⁵³ and the entrywise condition number of
- * pw85_condition(), also for forms that are singular to working precision. The function evaluates f
- * at most 157 times.
+ * The method is a third-order iteration on log(λ/(1-λ)), which evaluates f at most 157 times. The
+ * relative error of μ² is below 4 u cond, with u = 2⁻⁵³ and the condition number cond of
+ * pw85_condition(). The bound also holds for forms that are singular to working precision.
  *
- * @param r12 [length] from the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid: μ² = 0,
- *        λ = 1/2
+ * @param r12 [length] vector from the centre of ellipsoid 1 to that of ellipsoid 2; it may be zero:
+ *        then μ² = 0 and λ = 1/2
  * @param q1,q2 [length²; definite] forms of the ellipsoids, in the square of the unit of r12
  * @param[out] out [members mu2, lambda] μ², and the maximiser λ of f in [0, 1]
- * @return #PW85_SUCCESS, #PW85_EINVAL (null pointer, NaN or infinity), #PW85_ENOTPD,
- *        #PW85_ECONVERGENCE (the bound on the error cannot be proved; this has never been seen) */
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the bound on the error
+ *        cannot be proved; this has never been seen) */
 PW85_API int pw85_contact(double const r12[3], double const q1[6], double const q2[6],
                           double out[2]);
 
-/** Contact function of two ellipsoids, with μ² correctly rounded: it is the double nearest to the
- * exact value for the numbers given.
+/** Computes the contact function of two ellipsoids, with μ² correctly rounded.
  *
- * If two doubles are equally near, μ² is the one whose last bit is 0. Underflow and overflow follow
- * the same rule: a μ² that is at least 2¹⁰²⁴ - 2⁹⁷⁰ becomes infinity, with success. λ errs by less
- * than one unit in the last place. Every processor and every instruction set therefore gives the
- * same μ². An exchange of the two ellipsoids does not change μ². Other units that are powers of two
- * do not change it if μ² stays in the range of normal doubles.
+ * μ² is the double nearest to the exact value for the numbers given. If two doubles are equally
+ * near, it is the one whose last bit is 0. This rule includes underflow and overflow: a value of
+ * 2¹⁰²⁴ - 2⁹⁷⁰ or more becomes infinity. λ errs by less than one unit in the last place.
+ *
+ * Every processor and every instruction set therefore gives the same μ². Exchanging the two
+ * ellipsoids does not change it. Multiplying the unit of length by a power of two does not change
+ * it if the data stay in the range of normal doubles.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] out [as pw85_contact()]
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the last digit of λ
- *        cannot be proved; this has never been seen) */
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the last digit of λ cannot
+ *        be proved; this has never been seen) */
 PW85_API int pw85_contact_rounded(double const r12[3], double const q1[6], double const q2[6],
                                   double out[2]);
 
-/** Contact function of two ellipsoids that are given by factors of their forms, Q1 = S1 S1ᵀ and Q2
- * = S2 S2ᵀ.
+/** Computes the contact function of two ellipsoids that are given by factors of their forms, Q1 =
+ * S1 S1ᵀ and Q2 = S2 S2ᵀ.
  *
- * Rounding a form to doubles changes μ² by some 1e-12 at aspect ratio 100, 1e-8 at 10⁴ and 1e-4 at
- * 10⁶: an entry of the form adds the squares of long and of short semi-axes, and rounding it to
- * double loses digits of the short ones. Rounding a factor changes μ² by less than 1e-14, 1e-12 and
- * 1e-12. The relative error of the result is below 4 u c. Here c is the relative change of μ², to
+ * Use it for slender ellipsoids. An entry of a form is a sum of squares of long and short
+ * semi-axes, so rounding it loses digits of the short ones. At aspect ratios 100, 10⁴ and 10⁶,
+ * rounding the forms changes μ² by some 1e-12, 1e-8 and 1e-4, and rounding the factors changes it
+ * by less than 1e-14, 1e-12 and 1e-12.
+ *
+ * The relative error of μ² is below 4 u c. Here u = 2⁻⁵³, and c is the relative change of μ², to
  * first order, for relative changes of one in the entries of s1, s2 and r12.
  *
  * @param r12 [as pw85_contact()]
- * @param s1,s2 [3×3; length] row-major, as pw85_ellipsoid_factor() makes them. Any matrix S counts
- *        as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
- *        lengths of its columns differ by less than a factor of 2¹²⁷.
+ * @param s1,s2 [3×3; length] row-major factors, as from pw85_ellipsoid_factor(). Any matrix S is
+ *        accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
+ *        lengths of its columns differ by a factor below 2¹²⁷.
  * @param[out] out [members mu2, lambda] μ², and the maximiser λ of f in [0, 1]
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD (a factor is singular, or nearly),
  *        #PW85_ECONVERGENCE as for pw85_contact() */
 PW85_API int pw85_contact_factored(double const r12[3], double const s1[9], double const s2[9],
                                    double out[2]);
 
-/** Condition number of the contact function: if each entry of r12, q1 and q2 changes by a fraction
- * ε of itself, μ² changes by a fraction of at most ε cond, to first order in ε.
+/** Computes the condition number of the contact function, entry by entry.
  *
- * Data that are known to d digits give μ² to d - log10(cond) digits. The condition number is of the
- * order of one for ordinary pairs, and of the order of the squared aspect ratio for slender ones.
- * It is [λ(1-λ) Σ |n_i| ((1-λ) |q1_ij| + λ |q2_ij|) |n_j| + 2 λ(1-λ) Σ |r12_i n_i|]/μ² with n =
- * [(1-λ) q1 + λ q2]⁻¹ r12, the sums over all i and j.
+ * If each entry of r12, q1 and q2 changes by at most a fraction ε of itself, μ² changes by at most
+ * a fraction ε cond, to first order in ε. If the data are known to d digits, μ² is known to d -
+ * log10(cond) digits. The condition number is of the order of one for ordinary pairs, and of the
+ * order of the squared aspect ratio for slender ones. It is [λ(1-λ) Σ |n_i| ((1-λ) |q1_ij| + λ
+ * |q2_ij|) |n_j| + 2 λ(1-λ) Σ |r12_i n_i|]/μ² with n = [(1-λ) q1 + λ q2]⁻¹ r12, summed over i and
+ * j.
  *
  * @param r12,q1,q2 [as pw85_contact()]
- * @param lambda [0..1] from pw85_contact()
+ * @param lambda [0..1] the maximiser λ of f, from pw85_contact()
  * @param[out] cond [member condition] the condition number: at least 3, or 0 for r12 = 0
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD */
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_condition(double const r12[3], double const q1[6], double const q2[6],
                             double lambda, double *cond);
 
-/** Contact function of two ellipsoids, by Brent's method on f, refined by Halley's method, with the
- * arguments of pw85 1.0, which used Newton's. For the contract see pw85_contact(), which is several
- * times faster.
+/** Computes the contact function of two ellipsoids as pw85 1.0 did, by Brent's method.
  *
- * The relative error of μ² is below 4 u cond, too. Brent's method works on a problem in which both
- * ellipsoids have been scaled to similar size. #PW85_LAMBDA_ATOL therefore has the same meaning for
- * ellipsoids of all sizes.
+ * pw85_contact() is several times faster, with the same bound on the error. Brent's method
+ * maximises f, for ellipsoids that are scaled to similar size: #PW85_LAMBDA_ATOL has the same
+ * meaning for ellipsoids of all sizes. Halley's method then refines the result (in pw85 1.0,
+ * Newton's method).
  *
  * @param r12,q1,q2 [as pw85_contact()]
- * @param[out] out [as pw85_contact()] */
+ * @param[out] out [as pw85_contact()]
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_contact() */
 PW85_API int pw85_contact_function(double const r12[3], double const q1[6], double const q2[6],
                                    double out[2]);
 
-/** Point at which the ellipsoids, scaled by μ, touch, and their common normal.
+/** Computes the point at which the ellipsoids, scaled by μ, touch, and their common normal there.
  *
  * @param r12 [as pw85_contact(); != 0]
  * @param q1,q2 [as pw85_contact()]
- * @param lambda [0..1] from pw85_contact(). Any other value in (0, 1) gives the point x0(λ) of the
- *        chapter on theory: it is on both ellipsoids when they are scaled by the factors μ1 and μ2
- *        for which f(λ) = λ μ1² + (1-λ) μ2².
- * @param[out] point [length; optional] relative to the centre of ellipsoid 1
+ * @param lambda [0..1] the maximiser λ of f, from pw85_contact(). For another λ in [0, 1] the point
+ *        is x0(λ) of the chapter on theory. It is on the surface of ellipsoid 1 scaled by μ1, and
+ *        on that of ellipsoid 2 scaled by μ2, where f(λ) = λ μ1² + (1-λ) μ2².
+ * @param[out] point [length; optional] the point, relative to the centre of ellipsoid 1
  * @param[out] normal [optional] unit vector, outward from ellipsoid 1 and into ellipsoid 2
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1] and r12 = 0), #PW85_ENOTPD */
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_contact_geometry(double const r12[3], double const q1[6], double const q2[6],
                                    double lambda, double point[3], double normal[3]);
 
-/** pw85_contact_geometry() of ellipsoids that are given by factors of their forms.
+/** Computes the point and the normal of pw85_contact_geometry() for ellipsoids that are given by
+ * factors of their forms.
  *
- * The errors are below 4 u times the change that follows if each entry of a factor changes by the
- * largest entry of its column, and each coordinate of r12 by itself. This holds for the lambda
- * given.
+ * Errors are below 4 u C for the λ given. Here u = 2⁻⁵³. C is the change of the result, to first
+ * order, if each entry of s1 and s2 changes by the largest magnitude in its column, and each
+ * coordinate of r12 by its own magnitude.
  *
  * @param r12 [as pw85_contact_factored(); != 0]
  * @param s1,s2 [as pw85_contact_factored()]
- * @param lambda [0..1] from pw85_contact_factored()
+ * @param lambda [0..1] the maximiser λ of f, from pw85_contact_factored()
  * @param[out] point,normal [as pw85_contact_geometry()]
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1] and r12 = 0), #PW85_ENOTPD
- *        (a factor is singular, or nearly) */
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD (a factor is singular, or nearly) */
 PW85_API int pw85_contact_geometry_factored(double const r12[3], double const s1[9],
                                             double const s2[9], double lambda, double point[3],
                                             double normal[3]);
 
-/** Derivatives of μ².
+/** Computes the derivatives of μ² with respect to r12 and the forms.
  *
  * @param r12,q1,q2 [as pw85_contact()]
- * @param lambda [0..1] from pw85_contact()
+ * @param lambda [0..1] the maximiser λ of f, from pw85_contact()
  * @param[out] d_r12 [1/length; optional; member r12] ∂μ²/∂r12; its negative is the derivative with
  *        respect to the centre of ellipsoid 1
  * @param[out] d_q1,d_q2 [1/length²; optional; member q1, q2] derivatives with respect to the stored
- *        entries of q1 and q2 (an off-diagonal entry stands for two entries of the matrix)
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD */
+ *        entries of q1 and q2 (a stored off-diagonal entry is two entries of the matrix)
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_contact_gradient(double const r12[3], double const q1[6], double const q2[6],
                                    double lambda, double d_r12[3], double d_q1[6], double d_q2[6]);
 
-/** Derivatives of μ² of ellipsoids that are given by factors of their forms.
+/** Computes the derivatives of μ² for ellipsoids that are given by factors of their forms.
  *
- * The derivative with respect to a factor S is 2 (∂μ²/∂Q) S, with the symmetric matrix ∂μ²/∂Q. A
- * change dS of the factor changes μ² by Σ d_s_ij dS_ij. The errors are those of
+ * The derivative with respect to a factor S is 2 (∂μ²/∂Q) S, where ∂μ²/∂Q is a symmetric matrix. A
+ * change dS of the factor changes μ² by Σ d_s_ij dS_ij. The errors have the bound of
  * pw85_contact_geometry_factored().
  *
  * @param r12,s1,s2 [as pw85_contact_factored()]
- * @param lambda [0..1] from pw85_contact_factored()
+ * @param lambda [0..1] the maximiser λ of f, from pw85_contact_factored()
  * @param[out] d_r12 [as pw85_contact_gradient()]
  * @param[out] d_s1,d_s2 [3×3; 1/length; optional; member s1, s2] row-major: derivatives with
  *        respect to the entries of s1 and s2
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD (a factor
- *        is singular, or nearly) */
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD (a factor is singular, or nearly) */
 PW85_API int pw85_contact_gradient_factored(double const r12[3], double const s1[9],
                                             double const s2[9], double lambda, double d_r12[3],
                                             double d_s1[9], double d_s2[9]);
 
-/** Derivatives of μ² with respect to rotations: for a rotation of an ellipsoid about its own centre
- * by the small vector ω, dμ² = d_rot·ω. The torque of an energy U(μ²) is -U'(μ²) d_rot.
+/** Computes the derivatives of μ² with respect to rotations of the ellipsoids.
+ *
+ * If an ellipsoid rotates about its own centre by a small rotation vector ω, μ² changes by d_rot·ω.
+ * An energy U(μ²) exerts the torque -U'(μ²) d_rot on the ellipsoid.
  *
  * @param r12,q1,q2 [as pw85_contact()]
- * @param lambda [0..1] from pw85_contact()
- * @param[out] d_rot1,d_rot2 [optional; member rotation1, rotation2] per radian, for ellipsoids 1
- *        and 2
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD */
+ * @param lambda [0..1] the maximiser λ of f, from pw85_contact()
+ * @param[out] d_rot1,d_rot2 [optional; member rotation1, rotation2] derivatives for ellipsoids 1
+ *        and 2, per radian
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_contact_torque(double const r12[3], double const q1[6], double const q2[6],
                                  double lambda, double d_rot1[3], double d_rot2[3]);
 
-/** Second derivatives of μ².
+/** Computes the second derivatives of μ² with respect to r12 and rotations of the ellipsoids.
  *
- * The relative error of the derivatives is a few times that of λ and 1-λ. The relative error of λ
- * from pw85_contact() is some u times the squared aspect ratio. If ellipsoid 1 is much larger than
- * ellipsoid 2, the relative error of 1-λ is u/(1-λ).
+ * Their relative error is a few times the relative errors of λ and of 1-λ. λ from pw85_contact()
+ * has a relative error of some u times the squared aspect ratio, with u = 2⁻⁵³. If ellipsoid 1 is
+ * much larger than ellipsoid 2, the relative error of 1-λ is u/(1-λ).
  *
  * @param r12 [as pw85_contact(); != 0]
  * @param q1,q2 [as pw85_contact()]
- * @param lambda [0..1] from pw85_contact()
- * @param[out] hessian [9×9; mixed units; member entries] symmetric: second derivatives with respect
- *        to r12, rotation 1 and rotation 2. A vector ω describes the rotation by the angle |ω|
- *        about the direction of ω. λ is not held fixed: it maximises f for each changed pair.
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1] and r12 = 0), #PW85_ENOTPD */
+ * @param lambda [0..1] the maximiser λ of f, from pw85_contact()
+ * @param[out] hessian [9×9; mixed units; member entries] symmetric matrix of second derivatives
+ *        with respect to r12, rotation 1 and rotation 2. A rotation vector ω is the rotation by the
+ *        angle |ω| about the direction of ω. λ is not held fixed: it maximises f for each pair.
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_contact_hessian(double const r12[3], double const q1[6], double const q2[6],
                                   double lambda, double hessian[81]);
 
 /** Tests whether two ellipsoids overlap, μ² < 1. Tangent ellipsoids (μ² = 1) do not overlap.
  *
  * The answer is exact for the numbers given. Bounds that account for rounding decide almost all
- * pairs; exact arithmetic decides the others.
+ * pairs, and exact arithmetic decides the others.
  *
  * @param r12 [as pw85_contact()] zero is an overlap
  * @param q1,q2 [as pw85_contact()]
@@ -370,25 +377,24 @@ PW85_API int pw85_overlap(double const r12[3], double const q1[6], double const 
 /** Tests whether two ellipsoids overlap that are given by factors of their forms, Q1 = S1 S1ᵀ and
  * Q2 = S2 S2ᵀ.
  *
- * The answer is exact for the exact products of the factors given. It may differ from the answer of
- * pw85_overlap() for the rounded products. Separating planes and common points, with bounds that
- * account for rounding, decide almost all pairs. Integers decide the others, if their digits fit:
- * the entries of s1 and s2, and r12, must be multiples of a power of two and smaller than 2¹⁵⁰⁰
- * times that power.
+ * The answer is exact for the exact products of the factors given. pw85_overlap() may give another
+ * answer for the rounded products. Separating planes and common points, with bounds that account
+ * for rounding, decide almost all pairs. Integer arithmetic decides the others if r12 and the
+ * entries of s1 and s2 are multiples of one power of two and smaller than 2¹⁵⁰⁰ times this power.
  *
  * @param r12 [as pw85_contact_factored()] zero is an overlap
  * @param s1,s2 [as pw85_contact_factored()]
  * @param[out] overlap [-1 on error] 1 or 0
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD (a factor is singular, or nearly),
- *        #PW85_ECONVERGENCE (the pair is so near contact that only integers can decide, and their
- *        digits do not fit) */
+ *        #PW85_ECONVERGENCE (only integers can decide, because the ellipsoids nearly touch, and the
+ *        numbers do not meet this condition) */
 PW85_API int pw85_overlap_factored(double const r12[3], double const s1[9], double const s2[9],
                                    int *overlap);
 
-/** Sign of μ² - mu2, for any number mu2 >= 0.
+/** Compares μ² with a number mu2 >= 0, and returns the sign of μ² - mu2.
  *
- * The sign is exact for the numbers given; pw85_overlap() is the case mu2 = 1. A bound on the error
- * of μ² decides almost all pairs; exact arithmetic decides the others.
+ * The sign is exact for the numbers given. pw85_overlap() is the case mu2 = 1. A bound on the error
+ * of μ² decides almost all pairs, and exact arithmetic decides the others.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param mu2 [>= 0; or infinite] the number to compare with
@@ -397,14 +403,14 @@ PW85_API int pw85_overlap_factored(double const r12[3], double const s1[9], doub
 PW85_API int pw85_compare(double const r12[3], double const q1[6], double const q2[6], double mu2,
                           int *sign);
 
-/** Tests whether two ellipsoids overlap, as pw85_overlap() does, and gives a number or a point that
- * proves the answer.
+/** Tests whether two ellipsoids overlap, as pw85_overlap() does, and returns a number or a point
+ * that proves the answer.
  *
- * The proof holds in exact arithmetic for the numbers given, and rational arithmetic can check it.
- * Tangent ellipsoids do not overlap, and have no such proof: `lambda` and `point` are NaN, and the
- * status is success. The function finds a λ that proves that ellipsoids are apart, if there is one
- * among the doubles. It searches for a common point near the point where the ellipsoids, scaled by
- * μ, touch. If 1 - μ² is below 1e-13, it may find none.
+ * If the ellipsoids are apart, the proof is a double λ with f(λ) > 1. The function finds one
+ * whenever one exists. If they overlap, the proof is a point inside both. The function searches for
+ * it near the point at which the ellipsoids, scaled by μ, touch. It may find none if 1 - μ² is
+ * below 1e-13. Tangent ellipsoids have no proof: `lambda` and `point` are then NaN, with success.
+ * Rational arithmetic can check a proof, which holds exactly for the numbers given.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] overlap [-1 on error] 1 or 0
@@ -412,14 +418,13 @@ PW85_API int pw85_compare(double const r12[3], double const q1[6], double const 
  *        otherwise NaN, also on success
  * @param[out] point [length; optional] a point inside both ellipsoids and on neither surface,
  *        relative to the centre of ellipsoid 1, if they overlap; otherwise NaN, also on success
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (no proof among the
- *        doubles was found; seen only where μ² differs from one by less than 1e-13, at aspect
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the function finds no
+ *        proof among the doubles; seen only where μ² differs from one by less than 1e-13, at aspect
  *        ratios up to 10⁸) */
 PW85_API int pw85_overlap_witness(double const r12[3], double const q1[6], double const q2[6],
                                   int *overlap, double *lambda, double point[3]);
 
-/** Tests whether ellipsoid 2 is inside ellipsoid 1. It may touch the surface of ellipsoid 1 from
- * inside.
+/** Tests whether ellipsoid 2 is inside ellipsoid 1. It may touch the surface from inside.
  *
  * The answer is exact for the numbers given. Every ellipsoid is inside itself.
  *
@@ -429,37 +434,40 @@ PW85_API int pw85_overlap_witness(double const r12[3], double const q1[6], doubl
 PW85_API int pw85_contains(double const r12[3], double const q1[6], double const q2[6],
                            int *contains);
 
-/** Factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2, and the
- * point where the ellipsoids then touch.
+/** Computes the least factor by which ellipsoid 1, scaled about its centre, contains ellipsoid 2,
+ * and a point where they then touch.
  *
- * The square of the factor is the largest value of xᵀ q1⁻¹ x over the points x of ellipsoid 2. It
- * is at most 1 if ellipsoid 2 is inside ellipsoid 1; pw85_contains() decides this without rounding
- * errors. The relative error is below 16 u c, with u = 2⁻⁵³, where u c is the fraction by which the
- * square can change if each entry of r12, q1 and q2 changes by a fraction u of itself. The search
- * proves the result by bounds from both sides.
+ * The square of the factor is the largest value of xᵀ q1⁻¹ x over the points x of ellipsoid 2,
+ * relative to the centre of ellipsoid 1. It is at most 1 if ellipsoid 2 is inside ellipsoid 1;
+ * pw85_contains() decides this exactly.
  *
- * @param r12 [as pw85_contact()] zero is valid
+ * The relative error of the square is below 16 u c, with u = 2⁻⁵³. The number c is the relative
+ * change of the square, to first order, for relative changes of one in the entries of r12, q1 and
+ * q2. Bounds from both sides prove the result.
+ *
+ * @param r12 [as pw85_contact()] it may be zero
  * @param q1,q2 [as pw85_contact()]
  * @param[out] mu2 [optional] square of the factor
- * @param[out] point [length; optional] the point on the surface of ellipsoid 2, relative to the
- *        centre of ellipsoid 1. If the ellipsoids touch at several points, the result is one of
- *        them. They touch at several points for r12 = 0, and where r12 is short and has no
- *        component along the longest semi-axis that ellipsoid 2 has after the linear map that makes
- *        ellipsoid 1 a unit ball
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the bounds cannot be
- *        made to agree; this has never been seen) */
+ * @param[out] point [length; optional] a point of contact on the surface of ellipsoid 2, relative
+ *        to the centre of ellipsoid 1. There are several such points if r12 = 0, and the result is
+ *        one of them. There can also be several if r12 is short and, after the linear map that
+ *        makes ellipsoid 1 a unit ball, has no component along the longest semi-axis of ellipsoid
+ *        2.
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the bounds cannot be made
+ *        to agree; this has never been seen) */
 PW85_API int pw85_containment(double const r12[3], double const q1[6], double const q2[6],
                               double *mu2, double point[3]);
 
-/** Distance of closest approach: the distance of the centres at which two ellipsoids of fixed
- * orientation touch from outside, when their centres are on a line of given direction d. It is
- * |d|/μ(d).
+/** Computes the distance of closest approach of two ellipsoids along a direction.
+ *
+ * It is the distance of the centres at which the ellipsoids touch from outside, in fixed
+ * orientation and with the centres on a line along d = `direction`. It is |d|/μ(d), where μ(d) is μ
+ * for r12 = d.
  *
  * @param direction [!= 0] from centre 1 to centre 2, of any length
  * @param q1,q2 [length²; definite] forms of the ellipsoids
  * @param[out] distance [length] distance of the centres, in the unit of the semi-axes
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD,
- *        #PW85_ECONVERGENCE as for pw85_contact() */
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_contact() */
 PW85_API int pw85_closest_approach(double const direction[3], double const q1[6],
                                    double const q2[6], double *distance);
 
@@ -467,7 +475,7 @@ PW85_API int pw85_closest_approach(double const direction[3], double const q1[6]
  * @name Volumes and common parts
  * @{ */
 
-/** Volume of an ellipsoid, (4/3)π √det q.
+/** Computes the volume of an ellipsoid, (4/3)π √det q.
  *
  * The relative error is below 2⁻⁵² if the semi-axes differ by a factor below 10⁷. For a larger
  * factor k it is below 2⁻⁵² k²/10¹⁴.
@@ -477,78 +485,86 @@ PW85_API int pw85_closest_approach(double const direction[3], double const q1[6]
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_volume(double const q[6], double *volume);
 
-/** Volume of the common part of two ellipsoids.
+/** Computes the volume V of the intersection of two ellipsoids.
  *
- * The volume is 0 exactly if pw85_overlap() says that the ellipsoids do not overlap. It is
- * pw85_volume() of the smaller ellipsoid exactly if pw85_contains() says that this one is inside
- * the other one. Otherwise the error is below u (64 v + 16 s), with u = 2⁻⁵³, the volume v of the
- * smaller one, and s = Σ|r12_i ∂V/∂r12_i| + Σ √(q1_ii q1_jj) |∂V/∂q1_ij| + the same sum for q2,
- * over the entries and derivatives of pw85_overlap_volume_gradient(). If the common part, or what
- * remains of the smaller ellipsoid, is as thin as rounding errors, it may count as empty: the
- * volume is then 0, or that of the smaller ellipsoid.
+ * V is 0 if the ellipsoids do not overlap, as pw85_overlap() decides. V is pw85_volume() of the
+ * smaller ellipsoid if it is inside the other one, as pw85_contains() decides. Otherwise the error
+ * is below u (64 v + 16 s), with u = 2⁻⁵³ and the volume v of the smaller ellipsoid. The term s is
+ * Σ|r12_i ∂V/∂r12_i| + Σ √(q1_ii q1_jj) |∂V/∂q1_ij| + Σ √(q2_ii q2_jj) |∂V/∂q2_ij|, summed over
+ * coordinates and stored entries, with the derivatives of pw85_overlap_volume_gradient().
  *
- * @param r12 [as pw85_contact()] zero is valid
+ * If the intersection is as thin as rounding errors, V may be 0. If the part of the smaller
+ * ellipsoid outside of the other one is as thin, V may be the volume of the smaller ellipsoid.
+ *
+ * @param r12 [as pw85_contact()] it may be zero
  * @param q1,q2 [as pw85_contact()]
  * @param[out] volume [length³] the volume, in the third power of the unit of length
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (by the linear map that
- *        takes the smaller ellipsoid to a unit ball, the other one becomes a disc that is
- *        thinner than 2⁻²¹; the integral does not converge; or 32 digits are not enough for the
- *        bound, which is seen at aspect ratios above 10⁵) */
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the linear map that makes
+ *        the smaller ellipsoid a unit ball makes the other one a disc thinner than 2⁻²¹; the
+ *        integral does not converge; or 32 digits are not enough for the bound on the error, which
+ *        is seen at aspect ratios above 10⁵) */
 PW85_API int pw85_overlap_volume(double const r12[3], double const q1[6], double const q2[6],
                                  double *volume);
 
-/** Derivatives of the volume of the common part.
+/** Computes the derivatives of the volume V of the intersection of two ellipsoids.
  *
  * The derivatives are 0 if the ellipsoids do not overlap. If one ellipsoid is inside the other one,
- * only the derivatives of its own volume are not 0. If the surfaces touch from inside at a point,
- * except for some 10⁻¹⁷ of their size, and cross elsewhere, 32 digits may not be enough
- * (#PW85_ECONVERGENCE). The error of the derivative with respect to a number p is below u (256 m +
- * 64 s), with u = 2⁻⁵³ and s = Σ|r12_i ∂²V/∂r12_i∂p| + Σ √(q1_ii q1_jj) |∂²V/∂q1_ij∂p| + the same
- * for q2. With the volume v of the smaller ellipsoid, the inverse P of its form, and the inverse P'
- * of the form to which p belongs, m is v √P_ii for r12_i, v √(P_ii P'_ii) for a diagonal entry, and
- * v (√(P_ii P'_jj) + √(P_jj P'_ii)) for another entry.
+ * only the derivatives of its own volume are not 0.
+ *
+ * The error of the derivative with respect to a number p is below u (256 m + 64 s), with u = 2⁻⁵³.
+ * The term s is that of pw85_overlap_volume() with ∂V/∂p in the place of V. The term m depends on
+ * the volume v of the smaller ellipsoid, the inverse P of its form, and the inverse P' of the form
+ * to which p belongs. It is v √P_ii for p = r12_i, v √(P_ii P'_ii) for a diagonal entry p of a
+ * form, and v (√(P_ii P'_jj) + √(P_jj P'_ii)) for another entry.
  *
  * @param r12,q1,q2 [as pw85_overlap_volume()]
  * @param[out] d_r12 [length²; optional; member r12] ∂V/∂r12; its negative is the derivative with
  *        respect to the centre of ellipsoid 1
  * @param[out] d_q1,d_q2 [length; optional; member q1, q2] derivatives with respect to the stored
- *        entries of q1 and q2 (an off-diagonal entry stands for two entries of the matrix)
- * @return as for pw85_overlap_volume() */
+ *        entries of q1 and q2 (a stored off-diagonal entry is two entries of the matrix)
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the causes of
+ *        pw85_overlap_volume(); or the surfaces touch from inside at one point, up to some 10⁻¹⁷ of
+ *        their size, and cross elsewhere) */
 PW85_API int pw85_overlap_volume_gradient(double const r12[3], double const q1[6],
                                           double const q2[6], double d_r12[3], double d_q1[6],
                                           double d_q2[6]);
 
-/** Derivatives of the volume of the common part with respect to rotations: for a rotation of an
- * ellipsoid about its own centre by the small vector ω, dV = d_rot·ω. The torque of an energy U(V)
- * is -U'(V) d_rot. With ∂V/∂r12 from pw85_overlap_volume_gradient(), d_rot1 + d_rot2 + r12 ×
- * ∂V/∂r12 = 0. The derivatives are the axial vectors of 2 q1 G1 and 2 q2 G2 with the matrices G of
- * ∂V/∂q, and their errors follow from those of G: each is below twice the sum of |q_ij| times the
- * bound for G_jk over the products that the vector is made of.
+/** Computes the derivatives of the volume V of the intersection with respect to rotations of the
+ * ellipsoids.
+ *
+ * If an ellipsoid rotates about its own centre by a small rotation vector ω, V changes by d_rot·ω.
+ * An energy U(V) exerts the torque -U'(V) d_rot on the ellipsoid. With ∂V/∂r12 from
+ * pw85_overlap_volume_gradient(), d_rot1 + d_rot2 + r12 × ∂V/∂r12 = 0.
+ *
+ * The derivatives are the axial vectors of 2 q1 G1 and 2 q2 G2, where the matrix G has the
+ * derivatives ∂V/∂q. Each component is a sum of products 2 q_ij G_jk. Its error is below the sum of
+ * 2 |q_ij| times the bound on the error of G_jk.
  *
  * @param r12,q1,q2 [as pw85_overlap_volume()]
- * @param[out] d_rot1,d_rot2 [length³; optional; member rotation1, rotation2] per radian, for
- *        ellipsoids 1 and 2
- * @return as for pw85_overlap_volume() */
+ * @param[out] d_rot1,d_rot2 [length³; optional; member rotation1, rotation2] derivatives for
+ *        ellipsoids 1 and 2, per radian
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for
+ *        pw85_overlap_volume_gradient() */
 PW85_API int pw85_overlap_volume_torque(double const r12[3], double const q1[6], double const q2[6],
                                         double d_rot1[3], double d_rot2[3]);
 
-/** Area of an ellipse, π √det q; see pw85_volume().
+/** Computes the area of an ellipse, π √det q. The error has the bound of pw85_volume().
  *
  * @param q [length²; definite] form of the ellipse
  * @param[out] area [length²] the area, in the square of the unit of length
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_area_2d(double const q[3], double *area);
 
-/** Area of the common part of two ellipses; see pw85_overlap_volume(). The bound on the error is
- * the same, with areas.
+/** Computes the area of the intersection of two ellipses; see pw85_overlap_volume(). The error has
+ * the bound of that function, with areas for volumes.
  *
  * @param r12,q1,q2 [as pw85_overlap_volume()]
  * @param[out] area [length²] the area, in the square of the unit of length */
 PW85_API int pw85_overlap_area_2d(double const r12[2], double const q1[3], double const q2[3],
                                   double *area);
 
-/** Derivatives of the area of the common part; see pw85_overlap_volume_gradient(). The bounds on
- * the errors are the same, with areas.
+/** Computes the derivatives of the area of the intersection of two ellipses; see
+ * pw85_overlap_volume_gradient(). The errors have its bounds, with areas for volumes.
  *
  * @param r12,q1,q2 [as pw85_overlap_volume_gradient()]
  * @param[out] d_r12 [as pw85_overlap_volume_gradient(); length]
@@ -557,8 +573,8 @@ PW85_API int pw85_overlap_area_gradient_2d(double const r12[2], double const q1[
                                            double const q2[3], double d_r12[2], double d_q1[3],
                                            double d_q2[3]);
 
-/** Derivatives of the area of the common part with respect to the angles of both ellipses,
- * counter-clockwise; see pw85_overlap_volume_torque().
+/** Computes the derivatives of the area of the intersection with respect to the angles of both
+ * ellipses; see pw85_overlap_volume_torque(). Angles are counter-clockwise.
  *
  * @param r12,q1,q2 [as pw85_overlap_volume_torque()]
  * @param[out] d_rot1,d_rot2 [length²; optional; member rotation1, rotation2] per radian */
@@ -569,14 +585,14 @@ PW85_API int pw85_overlap_area_torque_2d(double const r12[2], double const q1[3]
  * @name Two dimensions
  * @{ */
 
-/** Contact function of two ellipses; see pw85_contact().
+/** Computes the contact function of two ellipses; see pw85_contact().
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] out [as pw85_contact()] */
 PW85_API int pw85_contact_2d(double const r12[2], double const q1[3], double const q2[3],
                              double out[2]);
 
-/** Point at which the ellipses, scaled by μ, touch, and their common normal; see
+/** Computes the point at which the ellipses, scaled by μ, touch, and their common normal there; see
  * pw85_contact_geometry().
  *
  * @param r12,q1,q2,lambda [as pw85_contact_geometry()]
@@ -584,7 +600,7 @@ PW85_API int pw85_contact_2d(double const r12[2], double const q1[3], double con
 PW85_API int pw85_contact_geometry_2d(double const r12[2], double const q1[3], double const q2[3],
                                       double lambda, double point[2], double normal[2]);
 
-/** Derivatives of μ² of two ellipses; see pw85_contact_gradient().
+/** Computes the derivatives of μ² of two ellipses; see pw85_contact_gradient().
  *
  * @param r12,q1,q2,lambda [as pw85_contact_gradient()]
  * @param[out] d_r12,d_q1,d_q2 [as pw85_contact_gradient()] */
@@ -592,19 +608,19 @@ PW85_API int pw85_contact_gradient_2d(double const r12[2], double const q1[3], d
                                       double lambda, double d_r12[2], double d_q1[3],
                                       double d_q2[3]);
 
-/** Derivatives of μ² with respect to the angles of two ellipses, counter-clockwise; see
- * pw85_contact_torque().
+/** Computes the derivatives of μ² with respect to the angles of two ellipses; see
+ * pw85_contact_torque(). Angles are counter-clockwise.
  *
  * @param r12,q1,q2,lambda [as pw85_contact_torque()]
  * @param[out] d_rot1,d_rot2 [optional; member rotation1, rotation2] per radian */
 PW85_API int pw85_contact_torque_2d(double const r12[2], double const q1[3], double const q2[3],
                                     double lambda, double *d_rot1, double *d_rot2);
 
-/** Second derivatives of μ² of two ellipses; see pw85_contact_hessian().
+/** Computes the second derivatives of μ² of two ellipses; see pw85_contact_hessian().
  *
  * @param r12,q1,q2,lambda [as pw85_contact_hessian()]
- * @param[out] hessian [4×4; mixed units; member entries] symmetric: with respect to r12, angle 1
- *        and angle 2 */
+ * @param[out] hessian [4×4; mixed units; member entries] symmetric matrix of second derivatives
+ *        with respect to r12, angle 1 and angle 2 */
 PW85_API int pw85_contact_hessian_2d(double const r12[2], double const q1[3], double const q2[3],
                                      double lambda, double hessian[16]);
 
@@ -622,14 +638,14 @@ PW85_API int pw85_overlap_2d(double const r12[2], double const q1[3], double con
 PW85_API int pw85_contains_2d(double const r12[2], double const q1[3], double const q2[3],
                               int *contains);
 
-/** Factor by which ellipse 1 must be scaled to contain ellipse 2; see pw85_containment().
+/** Computes the least factor by which ellipse 1 contains ellipse 2; see pw85_containment().
  *
  * @param r12,q1,q2 [as pw85_containment()]
  * @param[out] mu2,point [as pw85_containment()] */
 PW85_API int pw85_containment_2d(double const r12[2], double const q1[3], double const q2[3],
                                  double *mu2, double point[2]);
 
-/** Distance of closest approach of two ellipses; see pw85_closest_approach().
+/** Computes the distance of closest approach of two ellipses; see pw85_closest_approach().
  *
  * @param direction,q1,q2 [as pw85_closest_approach()]
  * @param[out] distance [as pw85_closest_approach()] */
@@ -640,21 +656,22 @@ PW85_API int pw85_closest_approach_2d(double const direction[2], double const q1
  * @name Distance
  * @{ */
 
-/** Distance of the surfaces of two ellipsoids, and the points where they are closest.
+/** Computes the distance of the surfaces of two ellipsoids, and the points where they are closest.
  *
- * The error of the distance is below 8 u Σ, with u = 2⁻⁵³ and Σ = Σ|n_i r12_i| + Σ|n_i q1_ij
- * n_j|/(2α) + Σ|n_i q2_ij n_j|/(2β), the sums over all i and j. Rounding the data entry by entry
- * can change the distance by u Σ. Here n is the unit normal, and α and β are the half-widths of the
- * ellipsoids along it. The answer can be checked independently: any unit vector n gives a lower
- * bound n·r12 - α - β of the distance, and any two points of the ellipsoids give an upper bound.
- * `distance` is the lower bound for the normal that pw85_distance_derivatives() returns, and
- * |point2 - point1| is an upper bound.
+ * The distance is the largest value of n·r12 - α - β over unit vectors n, with the half-widths α
+ * and β of the ellipsoids along n. Its error is below 8 u Σ, with u = 2⁻⁵³. Here Σ = Σ|n_i r12_i| +
+ * Σ|n_i q1_ij n_j|/(2α) + Σ|n_i q2_ij n_j|/(2β), summed over all i and j, with n, α and β at the
+ * closest points. Rounding the data entry by entry can change the distance by u Σ.
  *
- * The vector point2 - point1 differs from `distance` times n by less than 2¹⁸ u (|r12| + |point1| +
- * |r12 - point2|), and |point2 - point1| differs from `distance` by no more than that. The points
- * are the closest points of a pair whose r12 differs by no more than that. The distance of each
- * point from the surface is below 2¹⁸ u times the longest semi-axis of its ellipsoid, plus the
- * rounding error u |point2| of its coordinates.
+ * A program can check the result. For any unit vector n, n·r12 - α - β is a lower bound of the
+ * distance; `distance` is this bound for the normal of pw85_distance_derivatives(). For any two
+ * points of the ellipsoids, their distance is an upper bound; one is |point2 - point1|.
+ *
+ * Let ε = 2¹⁸ u (|r12| + |point1| + |r12 - point2|). The vector point2 - point1 differs from
+ * `distance` times n by less than ε, and its length from `distance` by at most ε. The points are
+ * the exact closest points for a pair whose r12 differs by at most ε. Each point is off its surface
+ * by less than 2¹⁸ u times the longest semi-axis of its ellipsoid, plus the rounding error u
+ * |point2| of the coordinates.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] distance [length; optional] the distance, in the unit of r12; zero if the ellipsoids
@@ -666,81 +683,86 @@ PW85_API int pw85_closest_approach_2d(double const direction[2], double const q1
 PW85_API int pw85_distance(double const r12[3], double const q1[6], double const q2[6],
                            double *distance, double point1[3], double point2[3]);
 
-/** Derivatives of the distance of two ellipsoids that are apart; NaN if they overlap, also on
- * success.
+/** Computes the derivatives of the distance of two ellipsoids. They are NaN if the ellipsoids
+ * overlap, also on success.
  *
  * @param r12,q1,q2 [as pw85_contact()]
- * @param[out] d_r12 [optional; member r12] the unit normal at the closest points, into ellipsoid 2
- * @param[out] d_rot1,d_rot2 [length; optional; member rotation1, rotation2] with respect to
- *        rotations, as for pw85_contact_torque()
- * @param[out] hessian [9×9; mixed units; optional] symmetric: second derivatives with respect to
- *        r12, rotation 1 and rotation 2, where the vector ω stands for the rotation by |ω| about ω
+ * @param[out] d_r12 [optional; member r12] derivative with respect to r12: the unit normal at the
+ *        closest points, into ellipsoid 2
+ * @param[out] d_rot1,d_rot2 [length; optional; member rotation1, rotation2] derivatives with
+ *        respect to rotations, as for pw85_contact_torque()
+ * @param[out] hessian [9×9; mixed units; optional] symmetric matrix of second derivatives with
+ *        respect to r12, rotation 1 and rotation 2, as for pw85_contact_hessian()
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_distance() */
 PW85_API int pw85_distance_derivatives(double const r12[3], double const q1[6], double const q2[6],
                                        double d_r12[3], double d_rot1[3], double d_rot2[3],
                                        double hessian[81]);
 
-/** Depth of an overlap: the length of the shortest translation of ellipsoid 2 that separates two
- * ellipsoids.
+/** Computes the penetration depth of two ellipsoids that overlap, and its direction. The depth is
+ * the length of the shortest translation of ellipsoid 2 that separates them.
  *
  * The depth is the smallest value of α + β - n·r12 over unit vectors n, with the half-widths α and
  * β of the ellipsoids along n. This function of n may have several local minima; the result is
- * proved to be the global one. `depth` is the value for the returned direction, with an error below
- * 8 u Σ, with Σ as for pw85_distance(). No other direction has a value that is smaller by more than
- * 32 u Σ, where Σ is the larger one of the two directions. If several directions are equally good,
- * the result is one of them. The time is 3 to 8 times that of pw85_contact() for more than nine in
- * ten random pairs, whose minimum has a certificate, 10 to 60 times that for the others, and about
- * a thousand times that if the best direction is not isolated.
+ * proved to be the global one. If several directions are equally good, the result is one of them.
+ *
+ * `depth` is the value for the returned direction, with an error below 8 u Σ, with u = 2⁻⁵³ and Σ
+ * as for pw85_distance(). No other direction has a value that is smaller by more than 32 u Σ, with
+ * the larger Σ of the two directions.
+ *
+ * The time is 3 to 8 times that of pw85_contact() for more than nine of ten random pairs, whose
+ * minimum a certificate proves. It is 10 to 60 times that of pw85_contact() for the others, and
+ * about 1000 times if the best direction is not isolated.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] depth [length; optional] the depth, in the unit of r12; zero if the ellipsoids do not
  *        overlap, as pw85_overlap() decides
  * @param[out] direction [optional] unit vector along which ellipsoid 2 must move; NaN if the
  *        ellipsoids do not overlap, also on success
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the proof takes too
- *        long; seen only for forms that are singular to working precision) */
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the proof takes too long;
+ *        seen only for forms that are singular to working precision) */
 PW85_API int pw85_penetration(double const r12[3], double const q1[6], double const q2[6],
                               double *depth, double direction[3]);
 
-/** Signed distance of two ellipsoids: their distance if they are apart, minus the depth of their
- * overlap otherwise.
+/** Computes the signed distance of two ellipsoids, and the points where it is reached. It is the
+ * distance if they are apart, and minus the penetration depth if they overlap.
  *
- * The signed distance is the largest value of n·r12 - α - β over unit vectors n, with the
- * half-widths α and β of the ellipsoids along n, whether they overlap or not. It is a convex
- * function of r12 with slope 1, and is continuous at contact. It is positive only if the ellipsoids
- * are apart and negative only if they overlap, as pw85_overlap() decides. Its error is that of
- * pw85_distance() if they are apart, and that of pw85_penetration() if they overlap.
- * pw85_penetration() also states the time that overlaps take.
+ * In both cases it is the largest value of n·r12 - α - β over unit vectors n, with the half-widths
+ * α and β of the ellipsoids along n. It is a continuous, convex function of r12, whose gradient is
+ * a unit vector. It is positive only if the ellipsoids are apart, and negative only if they
+ * overlap, as pw85_overlap() decides.
  *
- * If they overlap, moving ellipsoid 2 by point1 - point2 separates them by the shortest way. If
- * several directions are equally good, the result belongs to one of them. For a direction that is
- * isolated, and aspect ratios up to 10³, point2 - point1 differs from `distance` times the unit
- * normal by less than 2¹⁸ u (|r12| + |point1| + |r12 - point2|), with u = 2⁻⁵³.
+ * If the ellipsoids overlap, moving ellipsoid 2 by point1 - point2 is the shortest translation that
+ * separates them. If several directions are equally good, the result belongs to one of them.
+ *
+ * Errors and times are as for pw85_distance() if the ellipsoids are apart, and as for
+ * pw85_penetration() if they overlap. In an overlap, point2 - point1 differs from `distance` times
+ * the unit normal by less than 2¹⁸ u (|r12| + |point1| + |r12 - point2|), with u = 2⁻⁵³. This holds
+ * for a direction that is isolated and aspect ratios up to 10³.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] distance [length; optional] the signed distance, in the unit of r12
- * @param[out] point1,point2 [length; optional] the points of the surfaces of ellipsoids 1 and 2
- *        where their normals are opposite and along point2 - point1: the closest points, or the
- *        deepest ones; both relative to the centre of ellipsoid 1
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_distance()
- *        and pw85_penetration() */
+ * @param[out] point1,point2 [length; optional] the closest points of ellipsoids 1 and 2 if they are
+ *        apart, or the deepest points if they overlap, both relative to the centre of ellipsoid 1.
+ *        The outward normals there are opposite, and along point2 - point1.
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_distance() and
+ *        pw85_penetration() */
 PW85_API int pw85_signed_distance(double const r12[3], double const q1[6], double const q2[6],
                                   double *distance, double point1[3], double point2[3]);
 
-/** Derivatives of the signed distance of two ellipsoids.
+/** Computes the derivatives of the signed distance of two ellipsoids.
  *
- * At contact they are the limits from both sides. The derivatives of the distance with respect to
- * the entries of the forms are -n_i n_j/(2α) and -n_i n_j/(2β), twice that for entries off the
- * diagonal, with the normal n = d_r12.
+ * At contact they are the limits from both sides. For the entries of the forms, which have no
+ * output, the derivatives are -n_i n_j/(2α) for q1 and -n_i n_j/(2β) for q2, and twice that for
+ * entries off the diagonal. Here n = d_r12, with the half-widths α and β along n.
  *
  * @param r12,q1,q2 [as pw85_contact()]
- * @param[out] d_r12 [optional; member r12] with respect to r12: the unit vector normal to both
+ * @param[out] d_r12 [optional; member r12] derivative with respect to r12: the unit normal to both
  *        surfaces at the points of pw85_signed_distance(), out of ellipsoid 1. If several
- *        directions are equally good, the derivative does not exist, and this is one of the
+ *        directions are equally good, the derivative does not exist: the result is one of the
  *        subgradients
- * @param[out] d_rot1,d_rot2 [length; optional; member rotation1, rotation2] with respect to
- *        rotations, as for pw85_contact_torque()
- * @param[out] hessian [9×9; mixed units; optional] symmetric: second derivatives as for
+ * @param[out] d_rot1,d_rot2 [length; optional; member rotation1, rotation2] derivatives with
+ *        respect to rotations, as for pw85_contact_torque()
+ * @param[out] hessian [9×9; mixed units; optional] symmetric matrix of second derivatives, as for
  *        pw85_distance_derivatives(); NaN, also on success, where the best direction is not
  *        isolated, or so nearly so that half of the digits would be lost
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for
@@ -749,58 +771,57 @@ PW85_API int pw85_signed_distance_derivatives(double const r12[3], double const 
                                               double const q2[6], double d_r12[3], double d_rot1[3],
                                               double d_rot2[3], double hessian[81]);
 
-/** Least gap between the surface of an ellipsoid and that of an ellipsoid that contains it.
+/** Computes the least gap between the surfaces of ellipsoid 1 and of ellipsoid 2 inside it.
  *
- * Ellipsoid 2 is inside ellipsoid 1, as for pw85_contains(). The gap is the least distance of the
- * surfaces, by which ellipsoid 2 can move in any direction without leaving ellipsoid 1. It is the
+ * Ellipsoid 2 can move by the gap in any direction without leaving ellipsoid 1. The gap is the
  * smallest value of α - β - n·r12 over unit vectors n, with the half-widths α and β of ellipsoids 1
- * and 2 along n. This function of n may have several local minima. The result is proved to be the
- * global one.
+ * and 2 along n. This function of n may have several local minima; the result is proved to be the
+ * global one. If several directions are equally good, the result is one of them.
  *
- * `gap` is the value for the returned normal to a few roundings. No other direction has a value
- * that is smaller by more than 128 u α (1 + α/β), with u = 2⁻⁵³ and the α and β of the normal.
- * Where minima are not isolated, for example on circles of spheroids with a common axis, the proof
- * is coarser: in three dimensions another direction may have a value that is smaller by up to 2⁻²⁰
- * of the gap (in two, 2⁻⁴⁰). If several directions are equally good, the result is one of them. The
- * time is 50 to 300 times that of pw85_contact() for isolated minima, and up to some tenths of a
- * second otherwise.
+ * `gap` is the value for the returned normal, up to a few roundings. If minima are isolated, no
+ * other direction has a value smaller by more than 128 u α (1 + α/β), with u = 2⁻⁵³ and the α and β
+ * of the returned normal. If they are not, as on circles of spheroids with a common axis, another
+ * direction may have a value smaller by up to 2⁻²⁰ of the gap (2⁻⁴⁰ in two dimensions).
+ *
+ * The time is 50 to 300 times that of pw85_contact() for isolated minima, otherwise up to some
+ * tenths of a second.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] gap [length; optional] the gap, in the unit of r12; zero if the ellipsoids touch, or
  *        if ellipsoid 2 is not inside ellipsoid 1, as pw85_contains() decides
- * @param[out] point1,point2 [length; optional] the points of the surfaces of ellipsoids 1 and 2
- *        where they are closest, both relative to the centre of ellipsoid 1; NaN if ellipsoid 2 is
- *        not inside, also on success
+ * @param[out] point1,point2 [length; optional] the closest points of the surfaces of ellipsoids 1
+ *        and 2, both relative to the centre of ellipsoid 1; NaN if ellipsoid 2 is not inside, also
+ *        on success
  * @param[out] normal [optional] unit vector out of both ellipsoids at these points, from point2 to
  *        point1: minus the derivative of the gap with respect to r12; NaN if ellipsoid 2 is not
  *        inside, also on success
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the proof takes too
- *        long; this has never been seen) */
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the proof takes too long;
+ *        this has never been seen) */
 PW85_API int pw85_gap_inside(double const r12[3], double const q1[6], double const q2[6],
                              double *gap, double point1[3], double point2[3], double normal[3]);
 
-/** Distance of two ellipses; see pw85_distance().
+/** Computes the distance of two ellipses; see pw85_distance().
  *
  * @param r12,q1,q2 [as pw85_distance()]
  * @param[out] distance,point1,point2 [as pw85_distance()] */
 PW85_API int pw85_distance_2d(double const r12[2], double const q1[3], double const q2[3],
                               double *distance, double point1[2], double point2[2]);
 
-/** Depth of an overlap of two ellipses; see pw85_penetration().
+/** Computes the penetration depth of two ellipses; see pw85_penetration().
  *
  * @param r12,q1,q2 [as pw85_penetration()]
  * @param[out] depth,direction [as pw85_penetration()] */
 PW85_API int pw85_penetration_2d(double const r12[2], double const q1[3], double const q2[3],
                                  double *depth, double direction[2]);
 
-/** Signed distance of two ellipses; see pw85_signed_distance().
+/** Computes the signed distance of two ellipses; see pw85_signed_distance().
  *
  * @param r12,q1,q2 [as pw85_signed_distance()]
  * @param[out] distance,point1,point2 [as pw85_signed_distance()] */
 PW85_API int pw85_signed_distance_2d(double const r12[2], double const q1[3], double const q2[3],
                                      double *distance, double point1[2], double point2[2]);
 
-/** Least gap between an ellipse and an ellipse that contains it; see pw85_gap_inside().
+/** Computes the least gap of ellipse 2 inside ellipse 1; see pw85_gap_inside().
  *
  * @param r12,q1,q2 [as pw85_gap_inside()]
  * @param[out] gap,point1,point2,normal [as pw85_gap_inside()] */
@@ -810,89 +831,96 @@ PW85_API int pw85_gap_inside_2d(double const r12[2], double const q1[3], double 
 /** @}
  * @name Time
  *
- * Ellipsoids that translate at constant velocities, turn about their centres at constant angular
- * velocities, and grow. The first contact is the least time in [0, t_max] at which μ <= 1; the time
- * is infinity if there is none. The search skips only time intervals that are proved free of
- * contact, and ends at a time at which the contact function shows contact. A larger t_max does not
- * change a bit of the result.
+ * The ellipsoids translate at constant velocities, rotate about their centres at constant angular
+ * velocities, and grow at constant rates. The time of the first contact is the least time in [0,
+ * t_max] at which μ <= 1, or infinity if there is none. The search skips only time intervals that
+ * are proved free of contact. It ends at a time at which the contact function shows contact. A
+ * larger t_max does not change a bit of a finite result.
  *
- * At the time t that is returned |μ² - 1| <= 80 u S, with u = 2⁻⁵³, and before it μ² >= 1 - 80 u S.
- * So the error of t is at most 80 u S/|dμ²/dt| + 2 u t, unless the contact is grazing (dμ²/dt = 0).
- * S is the change of μ² at that time for relative errors of one in the given numbers:
+ * S is the change of μ², to first order, for relative changes of one in the given numbers. At time
+ * t
  *
  *     S = cond + Σ_i |∂μ²/∂r_i| (|r12_i| + t |v1_i| + t |v2_i|)
  *             + Σ_k (1 + t |ω_k| + t |g_k|) max|Q_k| Σ_ij |∂μ²/∂Q_k,ij|
  *
- * cond is that of pw85_contact(); v, ω and g are the numbers of the motions, and Q_k is the form of
- * ellipsoid k at time t. The sum over k is over the ellipsoids that turn or grow. Pairs that miss
- * each other by no more than 80 u S count as touching. If a pair overlaps at time 0, its first
- * contact is at time 0, with one exception: if the overlap is no more than some hundred times its
- * rounding error and the ellipsoids separate, the pair counts as one that has just collided, and t
- * is the time of its next contact.
+ * with cond of pw85_condition(), the velocities v, angular velocities ω and growths g of the
+ * motions, and the forms Q_k at time t. The sum over k is over the ellipsoids that rotate or grow.
+ *
+ * At the returned time t, |μ² - 1| <= 80 u S with u = 2⁻⁵³, and μ² >= 1 - 80 u S at all earlier
+ * times. The error of t is therefore at most 80 u S/|dμ²/dt| + 2 u t, unless dμ²/dt = 0 (a grazing
+ * contact). A pair that misses by no more than 80 u S counts as touching.
+ *
+ * A pair that overlaps at time 0 has its first contact at time 0. There is one exception, for pairs
+ * that have just collided. If the ellipsoids separate at time 0, and touch, or overlap by at most
+ * 128 times the bound on the rounding error of μ², t is the time of their next contact. The bound
+ * on μ² at earlier times then holds from the time at which they are apart.
  * @{ */
 
 /** Motion of an ellipsoid. */
 typedef struct pw85_motion {
-    /** velocity of the centre. */
+    /** velocity of the centre, in units of length per unit of time. */
     double velocity[3];
     /** angular velocity about the centre, in radians per unit of time. */
     double angular_velocity[3];
-    /** At time t the semi-axes are 1 + growth·t times those at time 0. */
+    /** rate of growth: at time t the semi-axes are 1 + growth·t times those at time
+     * 0. */
     double growth;
 } pw85_motion;
 
-/** Time of the first contact of two moving ellipsoids.
+/** Computes the time of the first contact of two moving ellipsoids.
  *
  * @param r12,q1,q2 [as pw85_contact()] at time 0
- * @param motion1,motion2 [mixed units; > 0 until t_max] motions of the ellipsoids, whose semi-axes
+ * @param motion1,motion2 [mixed units; > 0 until t_max] motions of the ellipsoids; their semi-axes
  *        must be > 0 until t_max
- * @param t_max [time; >= 0; or infinite] the time up to which contacts count
- * @param[out] t [time; member time] the time, or infinity
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for an ellipsoid that shrinks to nothing),
- *        #PW85_ENOTPD, #PW85_ECONVERGENCE (the search ends after 100,000 steps: the ellipsoids turn
- *        by more than 50,000 radians near each other without contact, or by more than 10,000 if
- *        their aspect ratio is 1000; sizes, the relative velocity or the time leave the range of
- *        double; one turns by more than 2⁴³ radians, and its orientation is unknown, or its aspect
- *        ratio is above 10⁷, and rounding leaves no digit of its form) */
+ * @param t_max [time; >= 0; or infinite] the last time at which a contact counts
+ * @param[out] t [time; member time] the time of the first contact, or infinity if there is none
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (one of three: the search
+ *        ends after 100,000 steps, because the ellipsoids rotate near each other, without contact,
+ *        by more than 50,000 radians, or by more than 10,000 at aspect ratio 1000; sizes, the
+ *        relative velocity or the time leave the range of double; rounding errors leave no digit of
+ *        an orientation or a form, after more than 2⁴³ radians or at an aspect ratio above 10⁷) */
 PW85_API int pw85_first_contact(double const r12[3], double const q1[6], double const q2[6],
                                 pw85_motion const *motion1, pw85_motion const *motion2,
                                 double t_max, double *t);
 
-/** Least μ² while ellipsoid 2 passes ellipsoid 1 on a straight path: the minimum of the contact
- * function for the separations r12 + t velocity, 0 <= t <= t_max.
+/** Computes the least μ² while ellipsoid 2 passes ellipsoid 1 on a straight path, and its time.
  *
- * μ² is a convex function of the time. The time of the minimum is therefore unique unless the
- * velocity is zero. The error of μ² is below 8 u S. Here S is the change of μ² for relative errors
- * of one in the given numbers: S = μ² cond + 2 λ(1-λ) Σ|n_i| (|r12_i| + t |velocity_i|), with cond,
- * λ and n of the pair at time t as in pw85_condition(). Ellipsoids that only translate overlap on
- * this path if and only if μ² < 1.
+ * It is the minimum of the contact function for the separations r12 + t velocity, 0 <= t <= t_max.
+ * μ² is a convex function of t, so the minimum is unique unless the velocity is zero. Ellipsoids
+ * that only translate overlap on this path if and only if the exact minimum is below 1.
+ *
+ * The error of μ² is below 8 u S, with u = 2⁻⁵³. Here S = μ² cond + 2 λ(1-λ) Σ|n_i| (|r12_i| + t
+ * |velocity_i|), with cond, λ and n of pw85_condition() for the pair at time t. S is the change of
+ * μ², to first order, for relative changes of one in the given numbers.
  *
  * @param r12,q1,q2 [as pw85_contact()] at time 0
  * @param velocity [length/time] velocity of ellipsoid 2 relative to ellipsoid 1; it may be zero
- * @param t_max [time; >= 0; or infinite] the end of the time
+ * @param t_max [time; >= 0; or infinite] the end of the path
  * @param[out] mu2 [optional] the least μ²; 0 if ellipsoid 2 passes the centre of ellipsoid 1
- * @param[out] t [time; optional; member time] the time, in [0, t_max]; 0 for a zero velocity or r12
- *        = 0
+ * @param[out] t [time; optional; member time] the time of the least μ², in [0, t_max]; 0 for a zero
+ *        velocity or r12 = 0
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_contact() */
 PW85_API int pw85_closest_passage(double const r12[3], double const q1[6], double const q2[6],
                                   double const velocity[3], double t_max, double *mu2, double *t);
 
-/** Free path of ellipsoid 1 along a direction: how far it may move before it touches ellipsoid 2.
- * Ellipsoid 1 moves by t times `direction`, and the separation is then r12 - t direction.
+/** Computes the free path of ellipsoid 1: how far it may move until it touches ellipsoid 2.
  *
- * If the ellipsoids do not overlap at t = 0, they certainly do not overlap at the returned t or
- * before: rounding errors make t smaller, never larger. At the returned t the ellipsoids are in
- * contact up to rounding: μ² <= 1 + 80 u S, with S as for pw85_first_contact(). t is 0 if the
- * ellipsoids overlap at t = 0 by more than rounding, or touch and approach.
+ * Ellipsoid 1 moves by t times `direction`, and the separation is then r12 - t direction. If the
+ * ellipsoids do not overlap at t = 0, they do not overlap at the returned t or before: rounding
+ * errors make t smaller, never larger. At the returned t the ellipsoids touch up to rounding: μ² <=
+ * 1 + 80 u S, with u = 2⁻⁵³ and S as for pw85_first_contact().
+ *
+ * t is 0 if the ellipsoids overlap at t = 0, or touch and do not separate. If they separate, an
+ * overlap of at most 128 times the bound on the rounding error of μ² does not count.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param direction [!= 0] of any length
  * @param t_max [length; >= 0; or infinite] the end of the path, in units of the length of
- *        `direction`: a length if that is a unit vector
- * @param[out] t [length; member length] in the unit of t_max, in [0, t_max), or infinity if there
- *        is no contact on the path
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD,
- *        #PW85_ECONVERGENCE as for pw85_first_contact() */
+ *        `direction`: a length if `direction` is a unit vector
+ * @param[out] t [length; member length] the free path, in the unit of t_max, from 0 to t_max, or
+ *        infinity if there is no contact on the path
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for
+ *        pw85_first_contact() */
 PW85_API int pw85_free_path(double const r12[3], double const q1[6], double const q2[6],
                             double const direction[3], double t_max, double *t);
 
@@ -902,22 +930,22 @@ PW85_API int pw85_free_path(double const r12[3], double const q1[6], double cons
  * Public for tests and studies. Names with two underscores may change between minor versions.
  * @{ */
 
-/** Cholesky factorisation A = L Lᵀ.
+/** Computes the Cholesky factorisation A = L Lᵀ.
  *
  * @param a symmetric positive definite matrix
- * @param[out] l [NaN on error] lower triangle of L by columns: (l11, l21, l31, l22, l32, l33);
- *        NaN if a pivot, computed in double, is not positive: that depends on rounding where `a`
- *        is singular to working precision */
+ * @param[out] l [NaN on error] lower triangle of L by columns: (l11, l21, l31, l22, l32, l33); NaN
+ *        if a pivot, computed in double, is not positive. If `a` is singular to working precision,
+ *        rounding errors decide this. */
 PW85_API void pw85__cholesky_decomp(double const a[6], double l[6]);
 
-/** Solution of L Lᵀ x = b.
+/** Solves L Lᵀ x = b.
  *
  * @param l from pw85__cholesky_decomp()
  * @param b right-hand side
  * @param[out] x solution; may be the same array as b */
 PW85_API void pw85__cholesky_solve(double const l[6], double const b[3], double x[3]);
 
-/** Residual g(λ) = μ2² - μ1² = -f'(λ), whose root is the maximiser of f.
+/** Computes f, the residual g = μ2² - μ1² = -f', whose root is the maximiser of f, and g'.
  *
  * @param lambda in [0, 1]
  * @param r12,q1,q2 [as pw85_contact()]
@@ -925,10 +953,10 @@ PW85_API void pw85__cholesky_solve(double const l[6], double const b[3], double 
 PW85_API void pw85__residual(double lambda, double const r12[3], double const q1[6],
                              double const q2[6], double out[3]);
 
-/** -f(λ), with parameters in one block, as minimisers pass them.
+/** Computes -f(λ), with the parameters in one array, as minimisers pass them.
  *
  * @param lambda in [0, 1]
- * @param params [15; mixed units] r12, q1, q2 one after the other
+ * @param params [15; mixed units] r12, q1, q2, one after the other
  * @return [NaN on error] -f(λ); NaN for invalid input */
 PW85_API double pw85_f_neg(double lambda, double const *params);
 

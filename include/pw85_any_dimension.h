@@ -2,17 +2,16 @@
 /** @file pw85_any_dimension.h
  * @brief Two ellipsoids in n dimensions, 1 <= n <= 16, in C.
  *
- * A vector has n numbers. A form has n (n + 1)/2: the rows of the upper triangle, one behind the
- * other, in the order (xx, xy, xz, yy, yz, zz) for n = 3. What pw85.h says of ellipsoids, statuses,
- * null pointers, threads, stack and floating-point environment holds here, too, with these
- * exceptions:
+ * A vector has n numbers. A form has n (n + 1)/2: the rows of the upper triangle, one after the
+ * other, in the order (xx, xy, xz, yy, yz, zz) for n = 3. The conventions are those of pw85.h, with
+ * these exceptions:
  *
- * - Whether a form is positive definite is decided exactly, without a limit. The functions that
- *   compute numbers have one: semi-axes, or widths along coordinates, that differ by more than 2⁴⁰⁰
- *   have the status #PW85_ECONVERGENCE.
+ * - The test whether a form is positive definite is exact, without a limit. The functions that
+ *   compute numbers have a limit: if semi-axes, or widths along coordinates, differ by a factor
+ *   above 2⁴⁰⁰, the status is #PW85_ECONVERGENCE.
  * - Nearly singular forms and ties can need memory, which the functions allocate and free. If there
- *   is none, the status is #PW85_ENOMEM.
- * - #PW85_EINVAL also says that n is not in 1 … 16.
+ *   is not enough memory, the status is #PW85_ENOMEM.
+ * - #PW85_EINVAL also means that n is not in 1 … 16.
  */
 #ifndef PW85_ANY_DIMENSION_H_INCLUDED
 #define PW85_ANY_DIMENSION_H_INCLUDED
@@ -31,30 +30,30 @@ extern "C" {
 /** @name One pair
  * @{ */
 
-/** Contact function of two ellipsoids in n dimensions.
+/** Computes the contact function of two ellipsoids in n dimensions.
  *
  * The relative error of μ² is below 4 u cond, with u = 2⁻⁵³ and the condition number of
  * pw85_condition(), with sums over n coordinates. For n = 2 and 3 the numbers are those of
  * pw85_contact_2d() and pw85_contact() within the bounds of both.
  *
  * @param n [1..16] number of dimensions
- * @param r12 [n; length] from the centre of ellipsoid 1 to that of ellipsoid 2
+ * @param r12 [n; length] vector from the centre of ellipsoid 1 to that of ellipsoid 2
  * @param q1,q2 [n(n+1)/2; length²; definite] the forms
- * @param[out] out [members mu2, lambda] μ² and λ
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM, or #PW85_ECONVERGENCE for forms
- *         that are nearer to singular than numbers of 384 binary digits can tell */
+ * @param[out] out [members mu2, lambda] μ², and the maximiser λ
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM, or #PW85_ECONVERGENCE if a form
+ *        is too near to singular for numbers of 384 binary digits */
 PW85_API int pw85_nd_contact(int n, double const *r12, double const *q1, double const *q2,
                              double out[2]);
 
-/** Point at which the ellipsoids, scaled by μ, touch, their common normal, and the derivatives of
- * μ².
+/** Computes the point at which the ellipsoids, scaled by μ, touch, their common normal, and the
+ * derivatives of μ², in n dimensions.
  *
- * The derivatives follow from the envelope theorem: no further equation is solved. Those with
- * respect to a form are with respect to the stored entries, of which an off-diagonal one stands for
+ * The derivatives follow from the envelope theorem: no further equation is solved. A derivative
+ * with respect to a form is one with respect to its stored entries. A stored off-diagonal entry is
  * two entries of the matrix.
  *
  * @param n,q1,q2 [as pw85_nd_contact()]
- * @param r12 [n; length; != 0] from the centre of ellipsoid 1 to that of ellipsoid 2
+ * @param r12 [n; length; != 0] vector from the centre of ellipsoid 1 to that of ellipsoid 2
  * @param lambda [0..1] from pw85_nd_contact()
  * @param[out] point [n; length; optional] relative to the centre of ellipsoid 1
  * @param[out] normal [n; optional] unit vector, outward from ellipsoid 1
@@ -66,14 +65,13 @@ PW85_API int pw85_nd_contact_geometry(int n, double const *r12, double const *q1
                                       double lambda, double *point, double *normal, double *d_r12,
                                       double *d_q1, double *d_q2);
 
-/** Tests whether two ellipsoids in n dimensions overlap, for the doubles exactly as given.
- * Ellipsoids that touch do not overlap.
+/** Tests whether two ellipsoids in n dimensions overlap. Ellipsoids that touch do not overlap. The
+ * answer is exact for the numbers given.
  *
- * Floating-point numbers decide if they prove the answer. Otherwise integers of many digits do. A
- * tie of forms with entries of similar size takes up to 0.2 ms for n = 4 and 0.1 s for n = 16. The
+ * Floating-point numbers decide if they prove the answer. Otherwise integers of many digits decide.
+ * A tie of forms with entries of similar size takes up to 0.2 ms (n = 4) or 0.1 s (n = 16). The
  * time grows with the square of the range of the exponents of the entries, after each axis is
- * scaled to length one: a tie with entries from 1e-300 to 1 takes 15 ms for n = 4, and 50 s for
- * n = 16.
+ * scaled to length one: a tie with entries from 1e-300 to 1 takes 15 ms (n = 4) or 50 s (n = 16).
  *
  * @param n,r12,q1,q2 [as pw85_nd_contact()]
  * @param[out] overlap [-1 on error] 1 or 0
@@ -81,21 +79,22 @@ PW85_API int pw85_nd_contact_geometry(int n, double const *r12, double const *q1
 PW85_API int pw85_nd_overlap(int n, double const *r12, double const *q1, double const *q2,
                              int *overlap);
 
-/** The sign of μ² - mu2, for the doubles exactly as given; see pw85_nd_overlap().
+/** Compares μ² with a number mu2 in n dimensions, and returns the sign of μ² - mu2, exact for the
+ * numbers given; see pw85_nd_overlap().
  *
  * @param n,r12,q1,q2 [as pw85_nd_contact()]
- * @param mu2 [>= 0; or infinite] what μ² is compared with
+ * @param mu2 [>= 0; or infinite] the number to compare with
  * @param[out] sign [2 on error] -1, 0 or 1
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM */
 PW85_API int pw85_nd_compare(int n, double const *r12, double const *q1, double const *q2,
                              double mu2, int *sign);
 
-/** Tests whether ellipsoid 2 is inside ellipsoid 1 in n dimensions, for the doubles exactly as
- * given. It may touch the surface of ellipsoid 1 from inside. Every ellipsoid is inside itself.
+/** Tests whether ellipsoid 2 is inside ellipsoid 1 in n dimensions. It may touch the surface from
+ * inside. The answer is exact for the numbers given. Every ellipsoid is inside itself.
  *
- * Floating-point numbers decide if they prove the answer. Otherwise integers of many digits do. A
- * tie of forms with entries of similar size takes up to 1 ms for n = 4 and 0.1 s for n = 16; the
- * time grows with the range of the exponents as that of pw85_nd_overlap() does.
+ * Floating-point numbers decide if they prove the answer. Otherwise integers of many digits decide.
+ * A tie of forms with entries of similar size takes up to 1 ms (n = 4) or 0.1 s (n = 16). The time
+ * grows with the range of the exponents as that of pw85_nd_overlap() does.
  *
  * @param n,r12,q1,q2 [as pw85_nd_contact()]
  * @param[out] contains [-1 on error] 1 or 0
@@ -103,52 +102,53 @@ PW85_API int pw85_nd_compare(int n, double const *r12, double const *q1, double 
 PW85_API int pw85_nd_contains(int n, double const *r12, double const *q1, double const *q2,
                               int *contains);
 
-/** Factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2 in n
- * dimensions, and the point where the ellipsoids then touch.
+/** Computes the least factor by which ellipsoid 1, scaled about its centre, contains ellipsoid 2 in
+ * n dimensions, and a point where they then touch.
  *
- * The relative error of the square is below (2n + 20) u c, with c as for pw85_containment() and
- * sums over n coordinates. The search proves the result by bounds from both sides.
+ * The relative error of the square is below (2n + 20) u c, with u = 2⁻⁵³, c as for
+ * pw85_containment() and sums over n coordinates. Bounds from both sides prove the result.
  *
  * @param n,r12,q1,q2 [as pw85_nd_contact()]
  * @param[out] mu2 [optional] square of the factor, at most 1 if ellipsoid 2 is inside
- * @param[out] point [n; length; optional] the point on the surface of ellipsoid 2, relative to the
- *        centre of ellipsoid 1, or one of them as for pw85_containment()
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM, or #PW85_ECONVERGENCE for axes
- *         too far apart, as above */
+ * @param[out] point [n; length; optional] a point of contact on the surface of ellipsoid 2,
+ *        relative to the centre of ellipsoid 1; one of them if there are several, as for
+ *        pw85_containment()
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM, or #PW85_ECONVERGENCE if
+ *        semi-axes differ by a factor above 2⁴⁰⁰ */
 PW85_API int pw85_nd_containment(int n, double const *r12, double const *q1, double const *q2,
                                  double *mu2, double *point);
 
-/** Distance of the surfaces of two ellipsoids in n dimensions, the points where they are closest,
- * and the common normal there.
+/** Computes the distance of the surfaces of two ellipsoids in n dimensions, the points where they
+ * are closest, and the common normal there.
  *
  * The error of the distance is below 4 u Σ, with u = 2⁻⁵³ and Σ as for pw85_distance(), with sums
- * over n coordinates. It is proved by two bounds: the width of the slab between the ellipsoids that
- * is normal to `normal`, which is `distance` to rounding, and the distance of the points. The
+ * over n coordinates. Two bounds prove it: the width of the slab between the ellipsoids that is
+ * normal to `normal`, which is `distance` up to rounding, and the distance of the points. The
  * vector point2 - point1 differs from `distance` times `normal` by less than 2¹⁸ u |r12|, plus the
  * rounding errors u |point1| and u |point2|.
  *
  * @param n,r12,q1,q2 [as pw85_nd_contact()]
- * @param[out] distance [length; optional] zero if the ellipsoids overlap, as pw85_nd_overlap()
- *        decides
+ * @param[out] distance [length; optional] the distance; zero if the ellipsoids overlap, as
+ *        pw85_nd_overlap() decides
  * @param[out] point1,point2 [n; length; optional] the closest points of ellipsoids 1 and 2, both
  *        relative to the centre of ellipsoid 1; NaN if the ellipsoids overlap, also on success
  * @param[out] normal [n; optional] unit vector, outward from ellipsoid 1: the derivative of the
- *        distance with respect to r12; NaN as the points
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM, or #PW85_ECONVERGENCE for
- *         semi-axes below 2⁻⁴⁰⁰ of the largest coordinate of r12 (otherwise never seen) */
+ *        distance with respect to r12; NaN if the ellipsoids overlap, also on success
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM, or #PW85_ECONVERGENCE if
+ *        semi-axes are below 2⁻⁴⁰⁰ of the largest coordinate of r12 (otherwise never seen) */
 PW85_API int pw85_nd_distance(int n, double const *r12, double const *q1, double const *q2,
                               double *distance, double *point1, double *point2, double *normal);
 
 /** @}
  * @name Many pairs
  *
- * All pairs have the same n, which is checked even if there are none. They have rows of n numbers
- * in r12 and of n (n + 1)/2 numbers in q1 and q2. A bad pair gets NaN, and 255 for an answer, and
- * does not keep others from being computed. The status is that of the first bad pair. Runs in the
- * calling thread.
+ * All pairs have the same n, which is checked even if there are no pairs. A pair has a row of n
+ * numbers in r12 and rows of n (n + 1)/2 numbers in q1 and q2. The results of a bad pair are NaN,
+ * or 255 for an answer. The function still computes the other pairs, and returns the status of the
+ * first bad pair. It runs in the calling thread.
  * @{ */
 
-/** pw85_nd_contact() for many pairs; the bits are the same.
+/** Computes pw85_nd_contact() for many pairs, with the same bits.
  *
  * @param num_pairs [number of pairs]
  * @param n [1..16] number of dimensions
@@ -160,7 +160,7 @@ PW85_API int pw85_nd_distance(int n, double const *r12, double const *q1, double
 PW85_API int pw85_nd_contact_batch(size_t num_pairs, int n, double const *r12, double const *q1,
                                    double const *q2, double *mu2, double *lambda);
 
-/** pw85_nd_contact_geometry() for many pairs; the bits are the same.
+/** Computes pw85_nd_contact_geometry() for many pairs, with the same bits.
  *
  * @param num_pairs [number of pairs]
  * @param n,q1,q2 [as pw85_nd_contact_batch()]
@@ -169,15 +169,14 @@ PW85_API int pw85_nd_contact_batch(size_t num_pairs, int n, double const *r12, d
  * @param[out] point [num_pairs×n; length; optional] as for pw85_nd_contact_geometry()
  * @param[out] normal [num_pairs×n; optional] as for pw85_nd_contact_geometry()
  * @param[out] d_r12 [num_pairs×n; 1/length; optional] as for pw85_nd_contact_geometry()
- * @param[out] d_q1,d_q2 [num_pairs×n(n+1)/2; 1/length²; optional] as for
- *        pw85_nd_contact_geometry()
+ * @param[out] d_q1,d_q2 [num_pairs×n(n+1)/2; 1/length²; optional] as for pw85_nd_contact_geometry()
  * @return #PW85_SUCCESS, or the status of the first bad pair */
 PW85_API int pw85_nd_contact_geometry_batch(size_t num_pairs, int n, double const *r12,
                                             double const *q1, double const *q2,
                                             double const *lambda, double *point, double *normal,
                                             double *d_r12, double *d_q1, double *d_q2);
 
-/** pw85_nd_overlap() for many pairs.
+/** Computes pw85_nd_overlap() for many pairs.
  *
  * @param num_pairs [number of pairs]
  * @param n,r12,q1,q2 [as pw85_nd_contact_batch()]
@@ -186,7 +185,7 @@ PW85_API int pw85_nd_contact_geometry_batch(size_t num_pairs, int n, double cons
 PW85_API int pw85_nd_overlap_batch(size_t num_pairs, int n, double const *r12, double const *q1,
                                    double const *q2, unsigned char *overlap);
 
-/** pw85_nd_compare() for many pairs.
+/** Computes pw85_nd_compare() for many pairs.
  *
  * @param num_pairs [number of pairs]
  * @param n,r12,q1,q2 [as pw85_nd_contact_batch()]
@@ -196,7 +195,7 @@ PW85_API int pw85_nd_overlap_batch(size_t num_pairs, int n, double const *r12, d
 PW85_API int pw85_nd_compare_batch(size_t num_pairs, int n, double const *r12, double const *q1,
                                    double const *q2, double const *mu2, int *sign);
 
-/** pw85_nd_contains() for many pairs.
+/** Computes pw85_nd_contains() for many pairs.
  *
  * @param num_pairs [number of pairs]
  * @param n,r12,q1,q2 [as pw85_nd_contact_batch()]
@@ -205,7 +204,7 @@ PW85_API int pw85_nd_compare_batch(size_t num_pairs, int n, double const *r12, d
 PW85_API int pw85_nd_contains_batch(size_t num_pairs, int n, double const *r12, double const *q1,
                                     double const *q2, unsigned char *contains);
 
-/** pw85_nd_containment() for many pairs; the bits are the same.
+/** Computes pw85_nd_containment() for many pairs, with the same bits.
  *
  * @param num_pairs [number of pairs]
  * @param n,r12,q1,q2 [as pw85_nd_contact_batch()]
@@ -215,7 +214,7 @@ PW85_API int pw85_nd_contains_batch(size_t num_pairs, int n, double const *r12, 
 PW85_API int pw85_nd_containment_batch(size_t num_pairs, int n, double const *r12, double const *q1,
                                        double const *q2, double *mu2, double *point);
 
-/** pw85_nd_distance() for many pairs; the bits are the same.
+/** Computes pw85_nd_distance() for many pairs, with the same bits.
  *
  * @param num_pairs [number of pairs]
  * @param n,r12,q1,q2 [as pw85_nd_contact_batch()]

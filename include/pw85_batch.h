@@ -2,8 +2,9 @@
 /** @file pw85_batch.h
  * @brief Many rows: the functions of pw85.h for arrays.
  *
- * The conventions are those of pw85.h, and so is what the description of an argument leaves out.
- * This header is generated from pw85.h: see CONTRIBUTING.md.
+ * The conventions are those of pw85.h. Everything that a contract here does not say, also of an
+ * argument, is as for the function of one row. This header is generated from pw85.h: see
+ * CONTRIBUTING.md.
  */
 #ifndef PW85_BATCH_H_INCLUDED
 #define PW85_BATCH_H_INCLUDED
@@ -17,24 +18,25 @@ extern "C" {
 /** @name Many pairs
  *
  * Arrays are contiguous, and row i belongs to pair i. There may be 0 rows; pointers may then be
- * null. A bad pair (NaN, infinity, a form that is not positive definite) is marked with NaN, or 255
- * for overlaps. The function still computes the other pairs, and returns the status of the first
- * bad pair. If the call as a whole is wrong (a null pointer, a size that overflows, an index out of
- * range), the function returns #PW85_EINVAL before it writes anything.
+ * null. A pair is bad if a number is NaN or infinite, or a form is not positive definite. The
+ * results of a bad pair are NaN, or 255 for overlaps. The function still computes the other pairs,
+ * and returns the status of the first bad pair. If the call as a whole is wrong (a null pointer, a
+ * size that overflows, an index out of range), the function returns #PW85_EINVAL before it writes
+ * anything.
  *
- * The result for a pair depends on the pair and on the instruction set alone: not on its position,
- * the number of pairs, or the number of threads. The library uses the newest instruction set of the
- * processor that it knows. The environment variable PW85_TARGET (baseline, avx2, avx512; neon,
- * sve256, sve512), which is read once, makes it use an older one. pw85_set_reproducible() makes the
- * result independent of the instruction set.
+ * The result for a pair depends only on the pair and the instruction set, not on its position, the
+ * number of pairs or the number of threads. The library uses the newest instruction set that it and
+ * the processor know. The environment variable PW85_TARGET selects an older one: baseline, avx2,
+ * avx512; neon, sve256, sve512. The library reads it once. pw85_set_reproducible() makes the result
+ * independent of the instruction set.
  *
  * With OpenMP, threads share the pairs; OMP_NUM_THREADS or omp_set_num_threads() sets their number.
- * The threads of GNU OpenMP do not survive fork(): a process that was forked after a threaded call
- * must set one thread before it calls these functions.
+ * The threads of GNU OpenMP do not survive fork(). If a process calls these functions with several
+ * threads and then forks, the child must set one thread before it calls them.
  * @{ */
 
-/** pw85_contact() for n pairs. The relative error of μ² is below 4 u cond, too; the last bits may
- * differ from those of pw85_contact().
+/** Computes pw85_contact() for n pairs. The relative error of μ² is below 4 u cond as for one pair.
+ * The last bits may differ from those of pw85_contact().
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -45,7 +47,7 @@ extern "C" {
 PW85_API int pw85_contact_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                 double *mu2, double *lambda);
 
-/** pw85_overlap() for n pairs; the answers are the same.
+/** Computes pw85_overlap() for n pairs, with the same answers.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -55,7 +57,7 @@ PW85_API int pw85_contact_batch(size_t n, double const *r12, double const *q1, d
 PW85_API int pw85_overlap_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                 unsigned char *overlap);
 
-/** pw85_contact_rounded() for n pairs; the bits are the same.
+/** Computes pw85_contact_rounded() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -65,7 +67,7 @@ PW85_API int pw85_overlap_batch(size_t n, double const *r12, double const *q1, d
 PW85_API int pw85_contact_rounded_batch(size_t n, double const *r12, double const *q1,
                                         double const *q2, double *mu2, double *lambda);
 
-/** pw85_overlap_factored() for n pairs; the answers are the same.
+/** Computes pw85_overlap_factored() for n pairs, with the same answers.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -75,7 +77,7 @@ PW85_API int pw85_contact_rounded_batch(size_t n, double const *r12, double cons
 PW85_API int pw85_overlap_factored_batch(size_t n, double const *r12, double const *s1,
                                          double const *s2, unsigned char *overlap);
 
-/** pw85_compare() for n pairs; the signs are the same.
+/** Computes pw85_compare() for n pairs, with the same signs.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -86,7 +88,7 @@ PW85_API int pw85_overlap_factored_batch(size_t n, double const *r12, double con
 PW85_API int pw85_compare_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                 double const *mu2, int *sign);
 
-/** pw85_overlap_witness() for n pairs; the results are the same.
+/** Computes pw85_overlap_witness() for n pairs, with the same results.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -99,7 +101,7 @@ PW85_API int pw85_overlap_witness_batch(size_t n, double const *r12, double cons
                                         double const *q2, unsigned char *overlap, double *lambda,
                                         double *point);
 
-/** pw85_contains() for n pairs; the answers are the same.
+/** Computes pw85_contains() for n pairs, with the same answers.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -109,7 +111,7 @@ PW85_API int pw85_overlap_witness_batch(size_t n, double const *r12, double cons
 PW85_API int pw85_contains_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                  unsigned char *contains);
 
-/** pw85_containment() for n pairs; the bits are the same.
+/** Computes pw85_containment() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -120,8 +122,8 @@ PW85_API int pw85_contains_batch(size_t n, double const *r12, double const *q1, 
 PW85_API int pw85_containment_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                     double *mu2, double *point);
 
-/** pw85_closest_passage() for n pairs. The error of μ² is below 8 u S, too; the last bits may
- * differ from those of pw85_closest_passage().
+/** Computes pw85_closest_passage() for n pairs. The error of μ² is below 8 u S as for one pair. The
+ * last bits may differ from those of pw85_closest_passage().
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -135,7 +137,7 @@ PW85_API int pw85_closest_passage_batch(size_t n, double const *r12, double cons
                                         double const *q2, double const *velocity, double t_max,
                                         double *mu2, double *t);
 
-/** pw85_free_path() for n pairs; the bits are the same.
+/** Computes pw85_free_path() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -147,8 +149,8 @@ PW85_API int pw85_closest_passage_batch(size_t n, double const *r12, double cons
 PW85_API int pw85_free_path_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                   double const *directions, double const *t_max, double *t);
 
-/** pw85_closest_approach() for n pairs. The relative error is below 2 u cond + 4 u; the last bits
- * may differ from those of pw85_closest_approach().
+/** Computes pw85_closest_approach() for n pairs. The relative error is below 2 u cond + 4 u. The
+ * last bits may differ from those of pw85_closest_approach().
  *
  * @param n [number of pairs]
  * @param directions [n×3; != 0]
@@ -158,7 +160,7 @@ PW85_API int pw85_free_path_batch(size_t n, double const *r12, double const *q1,
 PW85_API int pw85_closest_approach_batch(size_t n, double const *directions, double const *q1,
                                          double const *q2, double *distance);
 
-/** pw85_volume() for n ellipsoids; the bits are the same.
+/** Computes pw85_volume() for n ellipsoids, with the same bits.
  *
  * @param n [number of ellipsoids]
  * @param q [n×6; length²; definite]
@@ -166,7 +168,7 @@ PW85_API int pw85_closest_approach_batch(size_t n, double const *directions, dou
  * @return as for pw85_volume(), of the first bad ellipsoid */
 PW85_API int pw85_volume_batch(size_t n, double const *q, double *volume);
 
-/** pw85_overlap_volume() for n pairs; the bits are the same.
+/** Computes pw85_overlap_volume() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -176,7 +178,7 @@ PW85_API int pw85_volume_batch(size_t n, double const *q, double *volume);
 PW85_API int pw85_overlap_volume_batch(size_t n, double const *r12, double const *q1,
                                        double const *q2, double *volume);
 
-/** pw85_overlap_volume_gradient() for n pairs; the bits are the same.
+/** Computes pw85_overlap_volume_gradient() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -188,7 +190,7 @@ PW85_API int pw85_overlap_volume_gradient_batch(size_t n, double const *r12, dou
                                                 double const *q2, double *d_r12, double *d_q1,
                                                 double *d_q2);
 
-/** pw85_overlap_volume_torque() for n pairs; the bits are the same.
+/** Computes pw85_overlap_volume_torque() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -198,7 +200,7 @@ PW85_API int pw85_overlap_volume_gradient_batch(size_t n, double const *r12, dou
 PW85_API int pw85_overlap_volume_torque_batch(size_t n, double const *r12, double const *q1,
                                               double const *q2, double *d_rot1, double *d_rot2);
 
-/** pw85_overlap_volume_plane() for n ellipsoids and half-spaces; the bits are the same.
+/** Computes pw85_overlap_volume_plane() for n ellipsoids and half-spaces, with the same bits.
  *
  * @param n [number of ellipsoids]
  * @param normals [n×3; != 0]
@@ -209,7 +211,7 @@ PW85_API int pw85_overlap_volume_torque_batch(size_t n, double const *r12, doubl
 PW85_API int pw85_overlap_volume_plane_batch(size_t n, double const *normals, double const *offsets,
                                              double const *q, double *volume);
 
-/** pw85_area_2d() for n ellipses; the bits are the same.
+/** Computes pw85_area_2d() for n ellipses, with the same bits.
  *
  * @param n [number of ellipses]
  * @param q [n×3; length²; definite]
@@ -217,7 +219,7 @@ PW85_API int pw85_overlap_volume_plane_batch(size_t n, double const *normals, do
  * @return as for pw85_area_2d(), of the first bad ellipse */
 PW85_API int pw85_area_batch_2d(size_t n, double const *q, double *area);
 
-/** pw85_overlap_area_2d() for n pairs; the bits are the same.
+/** Computes pw85_overlap_area_2d() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×2; length]
@@ -227,7 +229,7 @@ PW85_API int pw85_area_batch_2d(size_t n, double const *q, double *area);
 PW85_API int pw85_overlap_area_batch_2d(size_t n, double const *r12, double const *q1,
                                         double const *q2, double *area);
 
-/** pw85_overlap_area_gradient_2d() for n pairs; the bits are the same.
+/** Computes pw85_overlap_area_gradient_2d() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×2; length]
@@ -239,7 +241,7 @@ PW85_API int pw85_overlap_area_gradient_batch_2d(size_t n, double const *r12, do
                                                  double const *q2, double *d_r12, double *d_q1,
                                                  double *d_q2);
 
-/** pw85_overlap_area_torque_2d() for n pairs; the bits are the same.
+/** Computes pw85_overlap_area_torque_2d() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×2; length]
@@ -249,7 +251,7 @@ PW85_API int pw85_overlap_area_gradient_batch_2d(size_t n, double const *r12, do
 PW85_API int pw85_overlap_area_torque_batch_2d(size_t n, double const *r12, double const *q1,
                                                double const *q2, double *d_rot1, double *d_rot2);
 
-/** pw85_surface_area() for n ellipsoids; the bits are the same.
+/** Computes pw85_surface_area() for n ellipsoids, with the same bits.
  *
  * @param n [number of ellipsoids]
  * @param q [n×6; length²; definite]
@@ -257,7 +259,7 @@ PW85_API int pw85_overlap_area_torque_batch_2d(size_t n, double const *r12, doub
  * @return as for pw85_surface_area(), of the first bad ellipsoid */
 PW85_API int pw85_surface_area_batch(size_t n, double const *q, double *area);
 
-/** pw85_second_moments() for n ellipsoids; the bits are the same.
+/** Computes pw85_second_moments() for n ellipsoids, with the same bits.
  *
  * @param n [number of ellipsoids]
  * @param q [n×6; length²; definite]
@@ -265,7 +267,7 @@ PW85_API int pw85_surface_area_batch(size_t n, double const *q, double *area);
  * @return as for pw85_second_moments(), of the first bad ellipsoid */
 PW85_API int pw85_second_moments_batch(size_t n, double const *q, double *moments);
 
-/** pw85_from_moments() for n ellipsoids; the bits are the same.
+/** Computes pw85_from_moments() for n ellipsoids, with the same bits.
  *
  * @param n [number of ellipsoids]
  * @param second_moments [n×6; length²; definite]
@@ -273,7 +275,7 @@ PW85_API int pw85_second_moments_batch(size_t n, double const *q, double *moment
  * @return as for pw85_from_moments(), of the first bad ellipsoid */
 PW85_API int pw85_from_moments_batch(size_t n, double const *second_moments, double *q);
 
-/** pw85_shell_moments() for n ellipsoids; the bits are the same.
+/** Computes pw85_shell_moments() for n ellipsoids, with the same bits.
  *
  * @param n [number of ellipsoids]
  * @param q [n×6; length²; definite]
@@ -281,7 +283,7 @@ PW85_API int pw85_from_moments_batch(size_t n, double const *second_moments, dou
  * @return as for pw85_shell_moments(), of the first bad ellipsoid */
 PW85_API int pw85_shell_moments_batch(size_t n, double const *q, double *moments);
 
-/** pw85_inertia() for n ellipsoids; the bits are the same.
+/** Computes pw85_inertia() for n ellipsoids, with the same bits.
  *
  * @param n [number of ellipsoids]
  * @param q [n×6; length²; definite]
@@ -290,7 +292,7 @@ PW85_API int pw85_shell_moments_batch(size_t n, double const *q, double *moments
  * @return as for pw85_inertia(), of the first bad ellipsoid */
 PW85_API int pw85_inertia_batch(size_t n, double const *q, int shell, double *inertia);
 
-/** pw85_perimeter_2d() for n ellipses; the bits are the same.
+/** Computes pw85_perimeter_2d() for n ellipses, with the same bits.
  *
  * @param n [number of ellipses]
  * @param q [n×3; length²; definite]
@@ -298,7 +300,7 @@ PW85_API int pw85_inertia_batch(size_t n, double const *q, int shell, double *in
  * @return as for pw85_perimeter_2d(), of the first bad ellipse */
 PW85_API int pw85_perimeter_batch_2d(size_t n, double const *q, double *perimeter);
 
-/** pw85_second_moments_2d() for n ellipses; the bits are the same.
+/** Computes pw85_second_moments_2d() for n ellipses, with the same bits.
  *
  * @param n [number of ellipses]
  * @param q [n×3; length²; definite]
@@ -306,7 +308,7 @@ PW85_API int pw85_perimeter_batch_2d(size_t n, double const *q, double *perimete
  * @return as for pw85_second_moments_2d(), of the first bad ellipse */
 PW85_API int pw85_second_moments_batch_2d(size_t n, double const *q, double *moments);
 
-/** pw85_from_moments_2d() for n ellipses; the bits are the same.
+/** Computes pw85_from_moments_2d() for n ellipses, with the same bits.
  *
  * @param n [number of ellipses]
  * @param second_moments [n×3; length²; definite]
@@ -314,7 +316,7 @@ PW85_API int pw85_second_moments_batch_2d(size_t n, double const *q, double *mom
  * @return as for pw85_from_moments_2d(), of the first bad ellipse */
 PW85_API int pw85_from_moments_batch_2d(size_t n, double const *second_moments, double *q);
 
-/** pw85_shell_moments_2d() for n ellipses; the bits are the same.
+/** Computes pw85_shell_moments_2d() for n ellipses, with the same bits.
  *
  * @param n [number of ellipses]
  * @param q [n×3; length²; definite]
@@ -322,7 +324,7 @@ PW85_API int pw85_from_moments_batch_2d(size_t n, double const *second_moments, 
  * @return as for pw85_shell_moments_2d(), of the first bad ellipse */
 PW85_API int pw85_shell_moments_batch_2d(size_t n, double const *q, double *moments);
 
-/** pw85_contact_factored() for n pairs; the bits are the same.
+/** Computes pw85_contact_factored() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -332,7 +334,7 @@ PW85_API int pw85_shell_moments_batch_2d(size_t n, double const *q, double *mome
 PW85_API int pw85_contact_factored_batch(size_t n, double const *r12, double const *s1,
                                          double const *s2, double *mu2, double *lambda);
 
-/** pw85_condition() for n pairs; the bits are the same.
+/** Computes pw85_condition() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -343,7 +345,7 @@ PW85_API int pw85_contact_factored_batch(size_t n, double const *r12, double con
 PW85_API int pw85_condition_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                   double const *lambda, double *cond);
 
-/** pw85_contact_function() for n pairs; the bits are the same.
+/** Computes pw85_contact_function() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -353,7 +355,7 @@ PW85_API int pw85_condition_batch(size_t n, double const *r12, double const *q1,
 PW85_API int pw85_contact_function_batch(size_t n, double const *r12, double const *q1,
                                          double const *q2, double *mu2, double *lambda);
 
-/** pw85_contact_geometry() for n pairs; the bits are the same.
+/** Computes pw85_contact_geometry() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length; != 0]
@@ -366,7 +368,7 @@ PW85_API int pw85_contact_geometry_batch(size_t n, double const *r12, double con
                                          double const *q2, double const *lambda, double *point,
                                          double *normal);
 
-/** pw85_contact_gradient() for n pairs; the bits are the same.
+/** Computes pw85_contact_gradient() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -379,7 +381,7 @@ PW85_API int pw85_contact_gradient_batch(size_t n, double const *r12, double con
                                          double const *q2, double const *lambda, double *d_r12,
                                          double *d_q1, double *d_q2);
 
-/** pw85_contact_geometry_factored() for n pairs; the bits are the same.
+/** Computes pw85_contact_geometry_factored() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length; != 0]
@@ -392,7 +394,7 @@ PW85_API int pw85_contact_geometry_factored_batch(size_t n, double const *r12, d
                                                   double const *s2, double const *lambda,
                                                   double *point, double *normal);
 
-/** pw85_contact_gradient_factored() for n pairs; the bits are the same.
+/** Computes pw85_contact_gradient_factored() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -405,7 +407,7 @@ PW85_API int pw85_contact_gradient_factored_batch(size_t n, double const *r12, d
                                                   double const *s2, double const *lambda,
                                                   double *d_r12, double *d_s1, double *d_s2);
 
-/** pw85_contact_torque() for n pairs; the bits are the same.
+/** Computes pw85_contact_torque() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -417,7 +419,7 @@ PW85_API int pw85_contact_torque_batch(size_t n, double const *r12, double const
                                        double const *q2, double const *lambda, double *d_rot1,
                                        double *d_rot2);
 
-/** pw85_contact_hessian() for n pairs; the bits are the same.
+/** Computes pw85_contact_hessian() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length; != 0]
@@ -428,7 +430,7 @@ PW85_API int pw85_contact_torque_batch(size_t n, double const *r12, double const
 PW85_API int pw85_contact_hessian_batch(size_t n, double const *r12, double const *q1,
                                         double const *q2, double const *lambda, double *hessian);
 
-/** pw85_contact_2d() for n pairs; see pw85_contact_batch().
+/** Computes pw85_contact_2d() for n pairs; see pw85_contact_batch().
  *
  * @param n [number of pairs]
  * @param r12 [n×2; length]
@@ -439,7 +441,7 @@ PW85_API int pw85_contact_hessian_batch(size_t n, double const *r12, double cons
 PW85_API int pw85_contact_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
                                    double *mu2, double *lambda);
 
-/** pw85_overlap_2d() for n pairs; see pw85_overlap_batch().
+/** Computes pw85_overlap_2d() for n pairs; see pw85_overlap_batch().
  *
  * @param n [number of pairs]
  * @param r12 [n×2; length]
@@ -449,7 +451,7 @@ PW85_API int pw85_contact_batch_2d(size_t n, double const *r12, double const *q1
 PW85_API int pw85_overlap_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
                                    unsigned char *overlap);
 
-/** pw85_contact_geometry_2d() for n pairs; the bits are the same.
+/** Computes pw85_contact_geometry_2d() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×2; length; != 0]
@@ -462,7 +464,7 @@ PW85_API int pw85_contact_geometry_batch_2d(size_t n, double const *r12, double 
                                             double const *q2, double const *lambda, double *point,
                                             double *normal);
 
-/** pw85_contact_gradient_2d() for n pairs; the bits are the same.
+/** Computes pw85_contact_gradient_2d() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×2; length]
@@ -475,7 +477,7 @@ PW85_API int pw85_contact_gradient_batch_2d(size_t n, double const *r12, double 
                                             double const *q2, double const *lambda, double *d_r12,
                                             double *d_q1, double *d_q2);
 
-/** pw85_contact_torque_2d() for n pairs; the bits are the same.
+/** Computes pw85_contact_torque_2d() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×2; length]
@@ -487,7 +489,7 @@ PW85_API int pw85_contact_torque_batch_2d(size_t n, double const *r12, double co
                                           double const *q2, double const *lambda, double *d_rot1,
                                           double *d_rot2);
 
-/** pw85_contact_hessian_2d() for n pairs; the bits are the same.
+/** Computes pw85_contact_hessian_2d() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×2; length; != 0]
@@ -498,7 +500,7 @@ PW85_API int pw85_contact_torque_batch_2d(size_t n, double const *r12, double co
 PW85_API int pw85_contact_hessian_batch_2d(size_t n, double const *r12, double const *q1,
                                            double const *q2, double const *lambda, double *hessian);
 
-/** pw85_closest_approach_2d() for n pairs; the bits are the same.
+/** Computes pw85_closest_approach_2d() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param directions [n×2; != 0]
@@ -508,9 +510,9 @@ PW85_API int pw85_contact_hessian_batch_2d(size_t n, double const *r12, double c
 PW85_API int pw85_closest_approach_batch_2d(size_t n, double const *directions, double const *q1,
                                             double const *q2, double *distance);
 
-/** pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and pw85_contact_torque() for n
- * pairs: all that the forces and torques of an energy U(μ²) need. A pair with r12 = 0 is valid:
- * its derivatives are zero, its point and normal NaN.
+/** Computes all that the forces and torques of an energy U(μ²) need, for n pairs: the results of
+ * pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and pw85_contact_torque(). A
+ * pair with r12 = 0 is valid: its derivatives are zero, its point and normal NaN.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -520,15 +522,15 @@ PW85_API int pw85_closest_approach_batch_2d(size_t n, double const *directions, 
  *        ellipsoids
  * @param[out] normal [n×3; optional] unit normals
  * @param[out] d_r12 [n×3; 1/length; optional] ∂μ²/∂r12
- * @param[out] d_rot1,d_rot2 [n×3; optional] ∂μ²/∂(rotation vector) of either ellipsoid about its
- *        own centre, per radian
+ * @param[out] d_rot1,d_rot2 [n×3; optional] derivatives with respect to rotations, as for
+ *        pw85_contact_torque()
  * @return as for pw85_contact_batch() */
 PW85_API int pw85_contact_derivatives_batch(size_t n, double const *r12, double const *q1,
                                             double const *q2, double *mu2, double *lambda,
                                             double *point, double *normal, double *d_r12,
                                             double *d_rot1, double *d_rot2);
 
-/** pw85_distance() for n pairs. Points of pairs that overlap are NaN.
+/** Computes pw85_distance() for n pairs. Points of pairs that overlap are NaN.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -539,7 +541,7 @@ PW85_API int pw85_contact_derivatives_batch(size_t n, double const *r12, double 
 PW85_API int pw85_distance_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                  double *distance, double *point1, double *point2);
 
-/** pw85_distance_derivatives() for n pairs; the bits are the same.
+/** Computes pw85_distance_derivatives() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -552,7 +554,7 @@ PW85_API int pw85_distance_derivatives_batch(size_t n, double const *r12, double
                                              double const *q2, double *d_r12, double *d_rot1,
                                              double *d_rot2, double *hessian);
 
-/** pw85_distance_2d() for n pairs; the bits are the same.
+/** Computes pw85_distance_2d() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×2; length]
@@ -563,7 +565,7 @@ PW85_API int pw85_distance_derivatives_batch(size_t n, double const *r12, double
 PW85_API int pw85_distance_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
                                     double *distance, double *point1, double *point2);
 
-/** pw85_penetration_2d() for n pairs; the bits are the same.
+/** Computes pw85_penetration_2d() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×2; length]
@@ -574,7 +576,7 @@ PW85_API int pw85_distance_batch_2d(size_t n, double const *r12, double const *q
 PW85_API int pw85_penetration_batch_2d(size_t n, double const *r12, double const *q1,
                                        double const *q2, double *depth, double *direction);
 
-/** pw85_signed_distance_2d() for n pairs; the bits are the same.
+/** Computes pw85_signed_distance_2d() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×2; length]
@@ -586,7 +588,7 @@ PW85_API int pw85_signed_distance_batch_2d(size_t n, double const *r12, double c
                                            double const *q2, double *distance, double *point1,
                                            double *point2);
 
-/** pw85_penetration() for n pairs; the bits are the same.
+/** Computes pw85_penetration() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -597,7 +599,7 @@ PW85_API int pw85_signed_distance_batch_2d(size_t n, double const *r12, double c
 PW85_API int pw85_penetration_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                     double *depth, double *direction);
 
-/** pw85_signed_distance() for n pairs; the bits are the same.
+/** Computes pw85_signed_distance() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -609,7 +611,7 @@ PW85_API int pw85_signed_distance_batch(size_t n, double const *r12, double cons
                                         double const *q2, double *distance, double *point1,
                                         double *point2);
 
-/** pw85_signed_distance_derivatives() for n pairs; the bits are the same.
+/** Computes pw85_signed_distance_derivatives() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -622,7 +624,7 @@ PW85_API int pw85_signed_distance_derivatives_batch(size_t n, double const *r12,
                                                     double const *q2, double *d_r12, double *d_rot1,
                                                     double *d_rot2, double *hessian);
 
-/** pw85_gap_inside() for n pairs; the bits are the same.
+/** Computes pw85_gap_inside() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -634,7 +636,7 @@ PW85_API int pw85_signed_distance_derivatives_batch(size_t n, double const *r12,
 PW85_API int pw85_gap_inside_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                    double *gap, double *point1, double *point2, double *normal);
 
-/** pw85_gap_inside_2d() for n pairs; the bits are the same.
+/** Computes pw85_gap_inside_2d() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×2; length]
@@ -647,7 +649,7 @@ PW85_API int pw85_gap_inside_batch_2d(size_t n, double const *r12, double const 
                                       double const *q2, double *gap, double *point1, double *point2,
                                       double *normal);
 
-/** pw85_curvature() for n ellipsoids; the bits are the same.
+/** Computes pw85_curvature() for n ellipsoids, with the same bits.
  *
  * @param n [number of ellipsoids]
  * @param normals [n×3; != 0]
@@ -658,7 +660,7 @@ PW85_API int pw85_gap_inside_batch_2d(size_t n, double const *r12, double const 
 PW85_API int pw85_curvature_batch(size_t n, double const *normals, double const *q,
                                   double *curvatures, double *directions);
 
-/** pw85_hertz() for n contacts; the bits are the same.
+/** Computes pw85_hertz() for n contacts, with the same bits.
  *
  * @param n [number of contacts]
  * @param curvatures [n×2; 1/length; > 0]
@@ -667,7 +669,7 @@ PW85_API int pw85_curvature_batch(size_t n, double const *normals, double const 
  * @return as for pw85_hertz(), of the first bad contact */
 PW85_API int pw85_hertz_batch(size_t n, double const *curvatures, double *radius, double *ellipse);
 
-/** pw85_hertz_contact() for n pairs; the bits are the same.
+/** Computes pw85_hertz_contact() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -685,7 +687,7 @@ PW85_API int pw85_hertz_contact_batch(size_t n, double const *r12, double const 
                                       double *point, double *curvatures, double *directions,
                                       double *radius, double *ellipse);
 
-/** pw85_grain_contact() for n pairs. The bounds of the errors are the same; the last bits may
+/** Computes pw85_grain_contact() for n pairs. The errors have the same bounds. The last bits may
  * differ from those of pw85_grain_contact().
  *
  * @param n [number of pairs]
@@ -703,7 +705,7 @@ PW85_API int pw85_grain_contact_batch(size_t n, double const *r12, double const 
                                       double *depth, double *point, double *curvatures,
                                       double *radius);
 
-/** pw85_grain_radius_gradient() for n pairs; the bits are the same.
+/** Computes pw85_grain_radius_gradient() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -716,7 +718,7 @@ PW85_API int pw85_grain_radius_gradient_batch(size_t n, double const *r12, doubl
                                               double const *q2, double const *normals,
                                               double *d_r12, double *d_rot1, double *d_rot2);
 
-/** pw85_grain_contact_wall() for n ellipsoids and walls; the bits are the same.
+/** Computes pw85_grain_contact_wall() for n ellipsoids and walls, with the same bits.
  *
  * @param n [number of ellipsoids]
  * @param normals [n×3; != 0]
@@ -734,7 +736,7 @@ PW85_API int pw85_grain_contact_wall_batch(size_t n, double const *normals, doub
                                            double const *q, double *depth, double *point,
                                            double *curvatures, double *radius);
 
-/** pw85_distance_plane() for n ellipsoids and half-spaces; the bits are the same.
+/** Computes pw85_distance_plane() for n ellipsoids and half-spaces, with the same bits.
  *
  * @param n [number of ellipsoids]
  * @param normals [n×3; != 0]
@@ -746,7 +748,7 @@ PW85_API int pw85_grain_contact_wall_batch(size_t n, double const *normals, doub
 PW85_API int pw85_distance_plane_batch(size_t n, double const *normals, double const *offsets,
                                        double const *q, double *distance, double *point);
 
-/** pw85_distance_plane_derivatives() for n ellipsoids and half-spaces; the bits are the same.
+/** Computes pw85_distance_plane_derivatives() for n ellipsoids and half-spaces, with the same bits.
  *
  * @param n [number of ellipsoids]
  * @param normals [n×3; != 0]
@@ -757,7 +759,7 @@ PW85_API int pw85_distance_plane_batch(size_t n, double const *normals, double c
 PW85_API int pw85_distance_plane_derivatives_batch(size_t n, double const *normals, double const *q,
                                                    double *d_center, double *d_rot);
 
-/** pw85_contact_plane() for n ellipsoids and half-spaces; the bits are the same.
+/** Computes pw85_contact_plane() for n ellipsoids and half-spaces, with the same bits.
  *
  * @param n [number of ellipsoids]
  * @param normals [n×3; != 0]
@@ -769,7 +771,7 @@ PW85_API int pw85_distance_plane_derivatives_batch(size_t n, double const *norma
 PW85_API int pw85_contact_plane_batch(size_t n, double const *normals, double const *offsets,
                                       double const *q, double *mu2, double *point);
 
-/** pw85_contact_plane_derivatives() for n ellipsoids and half-spaces; the bits are the same.
+/** Computes pw85_contact_plane_derivatives() for n ellipsoids and half-spaces, with the same bits.
  *
  * @param n [number of ellipsoids]
  * @param normals [n×3; != 0]
@@ -782,7 +784,7 @@ PW85_API int pw85_contact_plane_derivatives_batch(size_t n, double const *normal
                                                   double const *offsets, double const *q,
                                                   double *d_center, double *d_rot);
 
-/** pw85_distance_box() for n ellipsoids and boxes; the bits are the same.
+/** Computes pw85_distance_box() for n ellipsoids and boxes, with the same bits.
  *
  * @param n [number of ellipsoids]
  * @param lower,upper [n×3; length; lower <= upper]
@@ -795,7 +797,7 @@ PW85_API int pw85_distance_box_batch(size_t n, double const *lower, double const
                                      double const *q, double *distance, double *point,
                                      double *normal);
 
-/** pw85_distance_cylinder() for n ellipsoids and cylinders; the bits are the same.
+/** Computes pw85_distance_cylinder() for n ellipsoids and cylinders, with the same bits.
  *
  * @param n [number of ellipsoids]
  * @param axis [n×3; != 0]
@@ -810,7 +812,7 @@ PW85_API int pw85_distance_cylinder_batch(size_t n, double const *axis, double c
                                           double const *center, double const *q, double *distance,
                                           double *point, double *normal);
 
-/** pw85_distance_point() for n points and ellipsoids; the bits are the same.
+/** Computes pw85_distance_point() for n points and ellipsoids, with the same bits.
  *
  * @param n [number of points]
  * @param r [n×3; length]
@@ -822,7 +824,7 @@ PW85_API int pw85_distance_cylinder_batch(size_t n, double const *axis, double c
 PW85_API int pw85_distance_point_batch(size_t n, double const *r, double const *q, double *distance,
                                        double *point, double *normal);
 
-/** pw85_distance_segment() for n ellipsoids and segments; the bits are the same.
+/** Computes pw85_distance_segment() for n ellipsoids and segments, with the same bits.
  *
  * @param n [number of ellipsoids]
  * @param end1,end2 [n×3; length]
@@ -835,7 +837,7 @@ PW85_API int pw85_distance_segment_batch(size_t n, double const *end1, double co
                                          double const *q, double *distance, double *point1,
                                          double *point2, double *normal);
 
-/** pw85_distance_triangle() for n ellipsoids and triangles; the bits are the same.
+/** Computes pw85_distance_triangle() for n ellipsoids and triangles, with the same bits.
  *
  * @param n [number of ellipsoids]
  * @param vertex1,vertex2,vertex3 [n×3; length]
@@ -848,7 +850,7 @@ PW85_API int pw85_distance_triangle_batch(size_t n, double const *vertex1, doubl
                                           double const *vertex3, double const *q, double *distance,
                                           double *point1, double *point2, double *normal);
 
-/** pw85_distance_solid_box() for n ellipsoids and boxes; the bits are the same.
+/** Computes pw85_distance_solid_box() for n ellipsoids and boxes, with the same bits.
  *
  * @param n [number of ellipsoids]
  * @param lower,upper [n×3; length; lower <= upper]
@@ -861,7 +863,7 @@ PW85_API int pw85_distance_solid_box_batch(size_t n, double const *lower, double
                                            double const *q, double *distance, double *point1,
                                            double *point2, double *normal);
 
-/** pw85_intersect_line() for n lines and ellipsoids; the bits are the same.
+/** Computes pw85_intersect_line() for n lines and ellipsoids, with the same bits.
  *
  * @param n [number of lines]
  * @param origin [n×3; length]
@@ -872,7 +874,7 @@ PW85_API int pw85_distance_solid_box_batch(size_t n, double const *lower, double
 PW85_API int pw85_intersect_line_batch(size_t n, double const *origin, double const *directions,
                                        double const *q, double *enter, double *leave);
 
-/** pw85_contact_segment() for n ellipsoids and segments. The bound of the error is the same; the
+/** Computes pw85_contact_segment() for n ellipsoids and segments. The error has the same bound. The
  * last bits may differ.
  *
  * @param n [number of ellipsoids]
@@ -884,8 +886,8 @@ PW85_API int pw85_intersect_line_batch(size_t n, double const *origin, double co
 PW85_API int pw85_contact_segment_batch(size_t n, double const *end1, double const *end2,
                                         double const *q, double *mu2, double *point);
 
-/** pw85_contact_triangle() for n ellipsoids and triangles. The bound of the error is the same; the
- * last bits may differ.
+/** Computes pw85_contact_triangle() for n ellipsoids and triangles. The error has the same bound.
+ * The last bits may differ.
  *
  * @param n [number of ellipsoids]
  * @param vertex1,vertex2,vertex3 [n×3; length]
@@ -897,8 +899,8 @@ PW85_API int pw85_contact_triangle_batch(size_t n, double const *vertex1, double
                                          double const *vertex3, double const *q, double *mu2,
                                          double *point);
 
-/** pw85_contact_box() for n ellipsoids and boxes. The bound of the error is the same; the last bits
- * may differ.
+/** Computes pw85_contact_box() for n ellipsoids and boxes. The error has the same bound. The last
+ * bits may differ.
  *
  * @param n [number of ellipsoids]
  * @param lower,upper [n×3; length; lower <= upper]
@@ -909,7 +911,7 @@ PW85_API int pw85_contact_triangle_batch(size_t n, double const *vertex1, double
 PW85_API int pw85_contact_box_batch(size_t n, double const *lower, double const *upper,
                                     double const *q, double *mu2, double *point);
 
-/** pw85_overlap_segment() for n ellipsoids and segments; the answers are the same.
+/** Computes pw85_overlap_segment() for n ellipsoids and segments, with the same answers.
  *
  * @param n [number of ellipsoids]
  * @param end1,end2 [n×3; length]
@@ -919,7 +921,7 @@ PW85_API int pw85_contact_box_batch(size_t n, double const *lower, double const 
 PW85_API int pw85_overlap_segment_batch(size_t n, double const *end1, double const *end2,
                                         double const *q, unsigned char *overlap);
 
-/** pw85_overlap_triangle() for n ellipsoids and triangles; the answers are the same.
+/** Computes pw85_overlap_triangle() for n ellipsoids and triangles, with the same answers.
  *
  * @param n [number of ellipsoids]
  * @param vertex1,vertex2,vertex3 [n×3; length]
@@ -930,7 +932,7 @@ PW85_API int pw85_overlap_triangle_batch(size_t n, double const *vertex1, double
                                          double const *vertex3, double const *q,
                                          unsigned char *overlap);
 
-/** pw85_overlap_box() for n ellipsoids and boxes; the answers are the same.
+/** Computes pw85_overlap_box() for n ellipsoids and boxes, with the same answers.
  *
  * @param n [number of ellipsoids]
  * @param lower,upper [n×3; length; lower <= upper]
@@ -940,7 +942,7 @@ PW85_API int pw85_overlap_triangle_batch(size_t n, double const *vertex1, double
 PW85_API int pw85_overlap_box_batch(size_t n, double const *lower, double const *upper,
                                     double const *q, unsigned char *overlap);
 
-/** pw85_contact_capsule() for n ellipsoids and capsules; the bits are the same.
+/** Computes pw85_contact_capsule() for n ellipsoids and capsules, with the same bits.
  *
  * @param n [number of ellipsoids]
  * @param end1,end2 [n×3; length]
@@ -953,7 +955,7 @@ PW85_API int pw85_contact_capsule_batch(size_t n, double const *end1, double con
                                         double const *radius, double const *q, double *mu2,
                                         double *point);
 
-/** pw85_overlap_capsule() for n ellipsoids and capsules; the answers are the same.
+/** Computes pw85_overlap_capsule() for n ellipsoids and capsules, with the same answers.
  *
  * @param n [number of ellipsoids]
  * @param end1,end2 [n×3; length]
@@ -965,7 +967,7 @@ PW85_API int pw85_overlap_capsule_batch(size_t n, double const *end1, double con
                                         double const *radius, double const *q,
                                         unsigned char *overlap);
 
-/** pw85_distance_capsule() for n ellipsoids and capsules; the bits are the same.
+/** Computes pw85_distance_capsule() for n ellipsoids and capsules, with the same bits.
  *
  * @param n [number of ellipsoids]
  * @param end1,end2 [n×3; length]
@@ -979,7 +981,7 @@ PW85_API int pw85_distance_capsule_batch(size_t n, double const *end1, double co
                                          double const *radius, double const *q, double *distance,
                                          double *point1, double *point2, double *normal);
 
-/** pw85_distance_point_2d() for n points and ellipses; the bits are the same.
+/** Computes pw85_distance_point_2d() for n points and ellipses, with the same bits.
  *
  * @param n [number of points]
  * @param r [n×2; length]
@@ -991,7 +993,7 @@ PW85_API int pw85_distance_capsule_batch(size_t n, double const *end1, double co
 PW85_API int pw85_distance_point_batch_2d(size_t n, double const *r, double const *q,
                                           double *distance, double *point, double *normal);
 
-/** pw85_contact_segment_2d() for n ellipses and segments; the bits are the same.
+/** Computes pw85_contact_segment_2d() for n ellipses and segments, with the same bits.
  *
  * @param n [number of ellipses]
  * @param end1,end2 [n×2; length]
@@ -1002,7 +1004,7 @@ PW85_API int pw85_distance_point_batch_2d(size_t n, double const *r, double cons
 PW85_API int pw85_contact_segment_batch_2d(size_t n, double const *end1, double const *end2,
                                            double const *q, double *mu2, double *point);
 
-/** pw85_contact_box_2d() for n ellipses and boxes; the bits are the same.
+/** Computes pw85_contact_box_2d() for n ellipses and boxes, with the same bits.
  *
  * @param n [number of ellipses]
  * @param lower,upper [n×2; length; lower <= upper]
@@ -1013,7 +1015,7 @@ PW85_API int pw85_contact_segment_batch_2d(size_t n, double const *end1, double 
 PW85_API int pw85_contact_box_batch_2d(size_t n, double const *lower, double const *upper,
                                        double const *q, double *mu2, double *point);
 
-/** pw85_overlap_segment_2d() for n ellipses and segments; the answers are the same.
+/** Computes pw85_overlap_segment_2d() for n ellipses and segments, with the same answers.
  *
  * @param n [number of ellipses]
  * @param end1,end2 [n×2; length]
@@ -1023,7 +1025,7 @@ PW85_API int pw85_contact_box_batch_2d(size_t n, double const *lower, double con
 PW85_API int pw85_overlap_segment_batch_2d(size_t n, double const *end1, double const *end2,
                                            double const *q, unsigned char *overlap);
 
-/** pw85_overlap_box_2d() for n ellipses and boxes; the answers are the same.
+/** Computes pw85_overlap_box_2d() for n ellipses and boxes, with the same answers.
  *
  * @param n [number of ellipses]
  * @param lower,upper [n×2; length; lower <= upper]
@@ -1033,30 +1035,30 @@ PW85_API int pw85_overlap_segment_batch_2d(size_t n, double const *end1, double 
 PW85_API int pw85_overlap_box_batch_2d(size_t n, double const *lower, double const *upper,
                                        double const *q, unsigned char *overlap);
 
-/** pw85_contact_polytope() for many ellipsoids and one polytope, which need not be at their
- * centres.
+/** Computes pw85_contact_polytope() for many ellipsoids and one polytope. The centres may be
+ * anywhere.
  *
  * The bound of the error has |offset_k| + |normal_k|·|center| in the place of |offset_k|, and 40 in
  * the place of 32.
  *
- * @param num_ellipsoids [number of ellipsoids] 0 is fine
+ * @param num_ellipsoids [number of ellipsoids] 0 is allowed
  * @param centers [num_ellipsoids×3; length]
  * @param q [num_ellipsoids×6; length²; definite]
- * @param num_planes [number of planes] 0 is fine
+ * @param num_planes [number of planes] 0 is allowed
  * @param normals [num_planes×3; != 0] out of the polytope, of any lengths
  * @param offsets [num_planes; length]
  * @param[out] mu2 [num_ellipsoids; optional]
- * @param[out] point [num_ellipsoids×3; length; optional] where the scaled ellipsoid touches,
- *        relative to its centre
+ * @param[out] point [num_ellipsoids×3; length; optional] the point at which the scaled ellipsoid
+ *        touches, relative to its centre
  * @return as for pw85_contact_batch() */
 PW85_API int pw85_contact_polytope_batch(size_t num_ellipsoids, double const *centers,
                                          double const *q, size_t num_planes, double const *normals,
                                          double const *offsets, double *mu2, double *point);
 
-/** pw85_overlap_polytope() for many ellipsoids and one polytope, as which of them a camera sees.
- * The answers are exact for the centres and planes given.
+/** Tests whether many ellipsoids overlap one polytope, for example which of them a camera sees; see
+ * pw85_overlap_polytope(). The answers are exact for the centres and planes given.
  *
- * @param num_ellipsoids [number of ellipsoids] 0 is fine
+ * @param num_ellipsoids [number of ellipsoids] 0 is allowed
  * @param centers,q,num_planes,normals,offsets [as pw85_contact_polytope_batch()]
  * @param[out] overlap [num_ellipsoids] 1 or 0, 255 for a bad row
  * @return as for pw85_contact_batch() */
@@ -1064,7 +1066,7 @@ PW85_API int pw85_overlap_polytope_batch(size_t num_ellipsoids, double const *ce
                                          double const *q, size_t num_planes, double const *normals,
                                          double const *offsets, unsigned char *overlap);
 
-/** pw85_first_contact() for n pairs; the bits are the same.
+/** Computes pw85_first_contact() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -1083,7 +1085,7 @@ PW85_API int pw85_first_contact_batch(size_t n, double const *r12, double const 
  * that overlaps or is bad. It runs in the calling thread, and uses SIMD.
  *
  * @param q1 [length²; definite] form of the ellipsoid
- * @param n [number of others] 0 is fine
+ * @param n [number of others] 0 is allowed
  * @param r12 [n×3; length] centres of the others relative to that of the ellipsoid
  * @param q2 [n×6; length²; definite]
  * @param[out] any [-1 on error] 1 or 0
@@ -1098,7 +1100,7 @@ PW85_API int pw85_overlap_any(double const q1[6], size_t n, double const *r12, d
  * Rows, bad rows and threads are as for many pairs. Bad rows are marked with NaN.
  * @{ */
 
-/** pw85_ellipsoid_factor() for n ellipsoids; the bits are the same.
+/** Computes pw85_ellipsoid_factor() for n ellipsoids, with the same bits.
  *
  * @param n [number of ellipsoids]
  * @param semi_axes [n×3; length; > 0; finite square]
@@ -1108,7 +1110,7 @@ PW85_API int pw85_overlap_any(double const q1[6], size_t n, double const *r12, d
 PW85_API int pw85_ellipsoid_factor_batch(size_t n, double const *semi_axes,
                                          double const *quaternions, double *s);
 
-/** pw85_ellipsoid_quaternion() for n ellipsoids; the bits are the same.
+/** Computes pw85_ellipsoid_quaternion() for n ellipsoids, with the same bits.
  *
  * @param n [number of ellipsoids]
  * @param semi_axes [n×3; length; > 0; finite square]
@@ -1118,7 +1120,7 @@ PW85_API int pw85_ellipsoid_factor_batch(size_t n, double const *semi_axes,
 PW85_API int pw85_ellipsoid_quaternion_batch(size_t n, double const *semi_axes,
                                              double const *quaternions, double *q);
 
-/** Tight boxes, with sides along the axes, around n ellipsoids.
+/** Computes the smallest boxes, with sides along the axes, around n ellipsoids.
  *
  * @param n [number of ellipsoids]
  * @param q [n×6; length²; definite]

@@ -4,7 +4,7 @@
  * ellipsoid.
  *
  * Conventions are those of pw85.h. Points are rows of n numbers. A form is a packed symmetric
- * matrix: the rows of its upper triangle one behind the other, n(n+1)/2 numbers, which are (xx, xy,
+ * matrix: the rows of its upper triangle, one after the other. These n(n+1)/2 numbers are (xx, xy,
  * xz, yy, yz, zz) for n = 3.
  */
 #ifndef PW85_ENCLOSING_H_INCLUDED
@@ -16,19 +16,20 @@
 extern "C" {
 #endif
 
-/** The ellipsoid of least volume around points, up to a tolerance, with a proof: every point is
- * inside of the ellipsoid or on it, in exact arithmetic for the numbers that are returned, and the
- * volume is at most 1 + excess times the least volume.
+/** Computes the ellipsoid of least volume around points, up to a tolerance, with a proof.
  *
- * The excess is at most the tolerance if the status is #PW85_SUCCESS. The centre and the form are
- * rounded to double, which limits what can be reached. The excess is about n u κ, with u = 2⁻⁵³ and
- * κ the condition number of the form in those units of the coordinates that make it least: 1 for
- * axes along the coordinates, the square of the aspect ratio for general axes. The rounding of the
- * centre adds about n u D/a, where D is the distance of the points from 0 and a is the shortest
- * semi-axis: move points that are far from 0 first.
+ * Every point is inside the ellipsoid or on it, in exact arithmetic for the numbers that are
+ * returned. The volume is at most 1 + excess times the least volume. With #PW85_SUCCESS the excess
+ * is at most the tolerance.
  *
- * The time of 10⁶ random points is that of 5 to 10 passes over them. The function allocates 16
- * bytes for each point, and 2 MiB at most for what does not depend on m.
+ * Rounding the centre and the form to double limits the excess. The form adds about n u κ, with u =
+ * 2⁻⁵³. Here κ is the condition number of the form in those units of the coordinates that make it
+ * least: 1 for axes along the coordinates, the square of the aspect ratio for general axes. The
+ * centre adds about n u D/a, with the distance D of the points from 0 and the shortest semi-axis a:
+ * move points that are far from 0 first.
+ *
+ * The time for 10⁶ random points is that of 5 to 10 passes over them. The function allocates 16
+ * bytes for each point, and at most 2 MiB that do not depend on m.
  *
  * @param n [1..16] dimensions
  * @param m [number of points] at least n + 1
@@ -37,24 +38,27 @@ extern "C" {
  * @param tolerance [> 0] of the volume, relative
  * @param[out] center [n; length; optional] of the ellipsoid
  * @param[out] q [n(n+1)/2; length²; optional] form of the ellipsoid, packed
- * @param[out] excess [optional] how much the volume is above the least volume at most, relative
- * @return #PW85_SUCCESS; #PW85_EINVAL (also for fewer than n + 1 points); #PW85_ENOTPD if the
- *        points are in a hyperplane, or so close to one that no form of double precision can be
- *        certified (nearer than about 2⁻²⁴ of their extents); #PW85_ECONVERGENCE if the excess
- *        exceeds the tolerance: the outputs are valid then; #PW85_ENOMEM */
+ * @param[out] excess [optional] upper bound of the relative difference of the volume and the least
+ *        volume
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also for fewer than n + 1 points; #PW85_ENOTPD if the points
+ *        are in a hyperplane, or so close to one that no form of double precision can be certified
+ *        (nearer than about 2⁻²⁴ of their extents); #PW85_ECONVERGENCE if the excess exceeds the
+ *        tolerance: the outputs are valid then; #PW85_ENOMEM */
 PW85_API int pw85_enclosing_ellipsoid(int n, size_t m, double const *points, double tolerance,
                                       double *center, double *q, double *excess);
 
-/** The ellipsoid of least volume around ellipsoids, up to a tolerance, with a proof: every
- * ellipsoid is inside, in exact arithmetic for the numbers that are given and returned, and the
+/** Computes the ellipsoid of least volume around ellipsoids, up to a tolerance, with a proof.
+ *
+ * Every ellipsoid is inside, in exact arithmetic for the numbers that are given and returned. The
  * volume is at most 1 + excess times the least volume.
  *
- * What pw85_enclosing_ellipsoid() says of the excess, of rounding and of units holds here, too:
- * needles with an aspect ratio of 10⁴ have an excess of about n 10⁻⁸, those of 10⁷ are not always
- * certified. In ten and more dimensions a tolerance of 10⁻¹² is missed now and then, because the
- * proof that the ellipsoids are inside enlarges the result. The time is that of some ten rounds. A
- * round takes one test of containment for each ellipsoid, and some 15 steps of Newton's method for
- * those that touch the result.
+ * Rounding limits the excess as for pw85_enclosing_ellipsoid(): needles of aspect ratio 10⁴ have an
+ * excess of about n 10⁻⁸, and those of 10⁷ cannot always be certified. In ten and more dimensions
+ * the excess sometimes exceeds a tolerance of 10⁻¹², because the proof that the ellipsoids are
+ * inside enlarges the result.
+ *
+ * The time is that of some ten rounds. A round takes one test of containment for each ellipsoid,
+ * and some 15 steps of Newton's method for those that touch the result.
  *
  * @param n [1..16] dimensions
  * @param m [number of ellipsoids] at least 1
@@ -70,14 +74,15 @@ PW85_API int pw85_enclosing_ellipsoid_of(int n, size_t m, double const *centers,
                                          double const *forms, double tolerance, double *center,
                                          double *q, double *excess);
 
-/** Random points of an ellipsoid with its centre at 0, uniform in its volume or on its surface.
+/** Makes random points of an ellipsoid with its centre at 0, uniform in its volume or on its
+ * surface.
  *
- * Point k depends only on the form, the seed and k: fewer points are the first ones of more. A
- * point of the body is one of the unit ball, stretched by the semi-axes. A point of the surface is
- * one of the unit sphere, stretched, and kept with a probability that makes the points uniform for
- * every shape; at least one half of them are kept. The coordinates of the points of the ball are
- * odd multiples of 2⁻³², from Philox4x32-10. The error of each coordinate is below 10 u times the
- * longest semi-axis, with u = 2⁻⁵³.
+ * Point k depends only on the form, the seed and k: a call with more points gives the same first
+ * points. A point of the body is a random point of the unit ball, stretched by the semi-axes. A
+ * point of the surface is one of the unit sphere, stretched, and kept with a probability that makes
+ * the points uniform. At least half of them are kept, for every shape. The coordinates of points of
+ * the ball are odd multiples of 2⁻³², from Philox4x32-10. The error of each coordinate is below 10
+ * u times the longest semi-axis, with u = 2⁻⁵³.
  *
  * @param q [length²; definite] form of the ellipsoid
  * @param surface 0 for points of the body, any other number for points of the surface

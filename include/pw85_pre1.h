@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /** @file pw85_pre1.h
- * @brief Opt-in header that keeps programs written for the API before pw85 1.0 compiling.
+ * @brief Header for programs that were written for the API before pw85 1.0.
  *
  * Include it instead of pw85.h, and link with pw85 and pw85_legacy. It brings back
  *
  * - `double pw85_contact_function(r12, q1, q2, out)`: returns μ², and writes (μ², λ) to `out`
- *   unless that is null. There was no status then: both are NaN where pw85_contact_function() of
- *   pw85.h fails;
+ *   unless that is null. Both are NaN if pw85_contact_function() of pw85.h fails, because there was
+ *   no status then;
  * - `pw85__det_sym`, `pw85__xT_adjA_x`, `pw85__detQ_as_poly` and `pw85__rT_adjQ_r_as_poly`, now in
  *   pw85_legacy.h.
  *
  * These are other names for the functions of pw85.h and pw85_legacy.h. In a source file that
- * includes this header the name pw85_contact_function means the old function, whatever the order of
- * the includes; the new one is pw85_pre1_current_contact_function there.
+ * includes this header, pw85_contact_function is the old function, whatever the order of the
+ * includes. There the new one is pw85_pre1_current_contact_function.
  */
 #ifndef PW85_PRE1_H_INCLUDED
 #define PW85_PRE1_H_INCLUDED
@@ -31,7 +31,8 @@
 extern "C" {
 #endif
 
-/** The function of pw85.h that its old namesake hides; contract as for pw85_contact().
+/** Computes the contact function as pw85_contact_function() of pw85.h, whose name this header gives
+ * to the old function; contract as for pw85_contact().
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] out [as pw85_contact()] */
@@ -41,7 +42,7 @@ PW85_PRE1_FUNCTION int pw85_pre1_current_contact_function(double const r12[3], d
     return pw85_contact_function(r12, q1, q2, out);
 }
 
-/** Contact function as it was before pw85 1.0.
+/** Computes the contact function with the arguments and results of versions before pw85 1.0.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] out [optional] (μ², λ)

@@ -2,27 +2,26 @@
 /** @file pw85_simulation.h
  * @brief Monte Carlo simulations of hard ellipsoids.
  *
- * It includes a header for each question: pw85_simulation_state.h, how simulations are made and
- * saved, and their particles; pw85_simulation_surroundings.h, walls, meshes, fields and laws;
- * pw85_simulation_trials.h, sweeps, event chains and changes of the cell;
- * pw85_simulation_insertions.h, places, insertions and removals of single particles;
- * pw85_simulation_observations.h, energies, neighbours and overlaps.
+ * It includes a header for each question:
+ *
+ * - pw85_simulation_state.h: how to make and save simulations, and their particles;
+ * - pw85_simulation_surroundings.h: walls, meshes, fields and laws;
+ * - pw85_simulation_trials.h: sweeps, event chains and changes of the cell;
+ * - pw85_simulation_insertions.h: positions, insertions and removals of single particles;
+ * - pw85_simulation_observations.h: energies, neighbours and overlaps.
  *
  * The conventions are those of pw85.h, and these:
  *
- * A simulation owns particles, cell, lists of neighbours, random numbers and counts. Particles
- * never overlap: each trial is decided by the exact overlap test, for the separations of centres as
- * rounded to doubles. The target is the uniform distribution of all configurations without
- * overlaps, at constant volume or, with trials of the volume, at constant pressure.
- *
- * The random numbers are those of Philox4x32-10 (Salmon and others 2011), selected by the seed and
- * the number of the step. So the same calls give the same trajectory, bit by bit, with any number
- * of threads and after pw85_hard_ellipsoids_restore().
- *
- * One simulation may be used by one thread at a time; the functions themselves run in parallel.
- *
- * A simulation of two dimensions (pw85_hard_ellipsoids_set_dimensions()) is one of hard ellipses in
- * a plane z = const.
+ * - A simulation owns its particles, cell, neighbour lists, random numbers and counts. Only one
+ *   thread at a time may use it; the functions themselves run in parallel.
+ * - Particles never overlap. The exact overlap test decides each trial, for the separations of
+ *   centres as rounded to doubles. The target is the uniform distribution of all configurations
+ *   without overlaps, at constant volume or, with trials of the volume, at constant pressure.
+ * - The random numbers are those of Philox4x32-10 (Salmon and others 2011), selected by the seed
+ *   and the number of the step. The same calls therefore give the same trajectory, bit by bit, with
+ *   any number of threads and after pw85_hard_ellipsoids_restore().
+ * - A simulation of two dimensions (pw85_hard_ellipsoids_set_dimensions()) is one of hard ellipses
+ *   in a plane z = const.
  */
 #ifndef PW85_SIMULATION_H_INCLUDED
 #define PW85_SIMULATION_H_INCLUDED

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /** @file pw85_simulation_observations.h
  * @brief Observations of a simulation: energies, neighbours, overlaps, and how far it can be
- * compressed. A part of pw85_simulation.h, which includes it and has the conventions.
+ * compressed. pw85_simulation.h includes this header and has the conventions.
  */
 #ifndef PW85_SIMULATION_OBSERVATIONS_H_INCLUDED
 #define PW85_SIMULATION_OBSERVATIONS_H_INCLUDED
@@ -15,23 +15,23 @@ extern "C" {
 /** @name Observations of a simulation
  * @{ */
 
-/** The energy of all particles in the fields, the potential and the law of pairs, in the unit of
- * k_B T.
+/** Computes the energy of all particles in the fields, the potential and the law of pairs, in the
+ * unit of k_B T.
  *
  * @param simulation a simulation
  * @param[out] energy [NaN on error] the sum in the order of the particles, and then of the pairs; 0
  *        without fields, potential and law
- * @return #PW85_SUCCESS, #PW85_EINVAL; #PW85_EPOTENTIAL if the potential of a restored
- *        simulation is not set, or if it returns NaN; #PW85_ENOMEM, with a law */
+ * @return #PW85_SUCCESS, #PW85_EINVAL; #PW85_EPOTENTIAL if the potential of a restored simulation
+ *        is not set, or if it returns NaN; #PW85_ENOMEM, with a law */
 PW85_API int pw85_hard_ellipsoids_energy(pw85_hard_ellipsoids const *simulation, double *energy);
 
-/** The virial of the law of pairs, W = -2 Σ μ² dβU/dμ², which the pressure has beside that of the
+/** Computes the virial of the law of pairs, W = -2 Σ μ² dβU/dμ², which adds to the pressure of the
  * hard cores.
  *
  * If the cell and all centres grow by the factor 1 + ε, μ² of each pair grows by (1 + ε)², and βU
- * of all pairs by -ε W. So in d dimensions βPV = N + (n'(0) + W)/d, where n(ε) is the mean number
- * of pairs with μ < 1 + ε, in the presence of the law. At constant pressure the mean of all this
- * gives that pressure.
+ * of all pairs by -ε W. In d dimensions therefore βPV = N + (n'(0) + W)/d, where n(ε) is the mean
+ * number of pairs with μ < 1 + ε in a system with the law. At constant pressure the mean of the
+ * whole expression is βPV of that pressure.
  *
  * @param simulation a simulation
  * @param[out] virial [NaN on error] the sum over all pairs and images, in the unit of k_B T; 0
@@ -40,16 +40,17 @@ PW85_API int pw85_hard_ellipsoids_energy(pw85_hard_ellipsoids const *simulation,
 PW85_API int pw85_hard_ellipsoids_law_virial(pw85_hard_ellipsoids const *simulation,
                                              double *virial);
 
-/** The images of particles whose bounding boxes meet that of one particle, ordered by their
- * indices, then by their images. Particles that the given one may touch or overlap are among them.
- * The order and the numbers depend on the present state alone.
+/** Lists the images of particles whose bounding boxes meet that of a given particle. All images
+ * that this particle may touch or overlap are among them.
+ *
+ * The order is by index, then by image. Order and numbers depend only on the present state.
  *
  * @param simulation a simulation
  * @param particle index, from 0
  * @param capacity how many images the arrays can have; with 0 the function only counts
  * @param[out] count [0 on error] how many images there are, which may be more than `capacity`
- * @param[out] particles [capacity; optional] index of each; the first `count` are written, as of
- *        the next arrays, which may all be null
+ * @param[out] particles [capacity; optional] index of each image; the function writes the first
+ *        `count` rows of this array and of the next two, as far as `capacity` allows
  * @param[out] images [capacity×3; optional] multiples of the vectors of the cell, to be added to
  *        the centre of that particle
  * @param[out] separations [capacity×3; length; optional] from the centre of the given particle to
@@ -62,22 +63,24 @@ PW85_API int pw85_hard_ellipsoids_neighbors(pw85_hard_ellipsoids *simulation, si
 /** Searches all particles for overlaps, by a neighbour list of its own.
  *
  * @param simulation a simulation
- * @param[out] pair [as pw85_hard_ellipsoids_create()] a particle that a wall cuts, and -1
+ * @param[out] pair [as pw85_hard_ellipsoids_create()] if a wall cuts a particle: this particle, and
+ *        -1
  * @return #PW85_SUCCESS if there is no overlap, #PW85_EOVERLAP, #PW85_EINVAL, #PW85_ENOMEM */
 PW85_API int pw85_hard_ellipsoids_check(pw85_hard_ellipsoids const *simulation, int32_t pair[2]);
 
-/** Finds how far cell and centres can be compressed before particles touch: the factor of all
- * lengths, which is the same in all directions, in two dimensions in those of the plane. It
- * compresses them, if wanted.
- * Particles keep their sizes. The factor is that of the least μ of all pairs, 1/μ, enlarged by no
- * more than rounding errors require: the exact test finds no overlap after the coordinates are
- * multiplied by the factor and rounded. A law of pairs has no influence on it.
+/** Finds how far cell and centres can be compressed before particles touch, and compresses them if
+ * wanted. Particles keep their sizes.
+ *
+ * The factor of all lengths is the same in all directions, in two dimensions in those of the plane.
+ * It is 1/μ for the least μ of all pairs, enlarged by no more than rounding errors require: the
+ * exact test finds no overlap after the coordinates are multiplied by the factor and rounded. A law
+ * of pairs has no influence on it.
  *
  * @param simulation a simulation
- * @param take whether the cell and the centres are to be multiplied by the factor
+ * @param take not 0 to multiply the cell and the centres by the factor
  * @param[out] factor [NaN on error] at most 1; 0, and nothing is changed, if there are no pairs
- * @return #PW85_SUCCESS; #PW85_EINVAL, also if particles are too far apart for a list of
- *         neighbours, and with walls, a mesh, fields or a potential; #PW85_ENOMEM */
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also if particles are too far apart for a neighbour list,
+ *        and with walls, a mesh, fields or a potential; #PW85_ENOMEM */
 PW85_API int pw85_hard_ellipsoids_compress(pw85_hard_ellipsoids *simulation, int take,
                                            double *factor);
 

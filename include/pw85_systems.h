@@ -2,8 +2,8 @@
 /** @file pw85_systems.h
  * @brief Systems of particles: lists of pairs, periodic cells, neighbour lists and triangle meshes.
  *
- * The conventions are those of pw85.h. Rows, bad rows and threads are as said for many pairs in
- * pw85_batch.h.
+ * The conventions are those of pw85.h. For rows, bad rows and threads, the conventions are those of
+ * many pairs in pw85_batch.h.
  */
 #ifndef PW85_SYSTEMS_H_INCLUDED
 #define PW85_SYSTEMS_H_INCLUDED
@@ -17,99 +17,99 @@ extern "C" {
 /** @name Lists of pairs
  * @{ */
 
-/** Particles, in a periodic cell or not. The caller owns the struct and its arrays; functions only
- * read them, and do not use them after the call. A pointer may be null if the function says so,
- * because it does not read that member.
+/** Particles, with or without a periodic cell. The caller owns the struct and its arrays. Functions
+ * only read them, and do not use them after the call. A member that a function does not read may be
+ * null if its contract says so.
  *
- * If there is a cell, `periodic` says along which of its vectors there are periodic images. It must
- * be set: with a cell, three zeros are #PW85_EINVAL. Vectors that are not periodic may be zero or
- * NaN. Without a cell `periodic` is not read. */
+ * If there is a cell, `periodic` says along which of its vectors there are periodic images. At
+ * least one of its entries must not be 0. Vectors that are not periodic may be zero or NaN. Without
+ * a cell, functions do not read `periodic`. */
 typedef struct pw85_system {
-    /** [number of particles] 0 is fine, and pointers may then be null. */
+    /** [number of particles] 0 is allowed, and pointers may then be null. */
     size_t num_particles;
     /** [num_particles×3; length; near the cell] centres, anywhere in space. */
     double const *centers;
     /** [num_particles×6; length²; definite] forms. */
     double const *q;
-    /** [3×3; length; optional; a periodic row; independent rows] rows are
-     * the vectors of the cell, of which at least one is periodic; null if nothing is
-     * periodic. */
+    /** [3×3; length; optional; a periodic row; independent rows] rows are the vectors
+     * of the cell, of which at least one is periodic; null if nothing is periodic. */
     double const *cell;
     /** not 0 for each vector of the cell along which there are images. */
     int periodic[3];
 } pw85_system;
 
-/** Pairs of particles of a system. The caller owns the struct and its arrays; functions only
- * read them, and do not use them after the call. */
+/** Pairs of particles of a system. The caller owns the struct and its arrays. Functions only read
+ * them, and do not use them after the call. */
 typedef struct pw85_pair_list {
-    /** [number of pairs] 0 is fine, and pointers may then be null. */
+    /** [number of pairs] 0 is allowed, and pointers may then be null. */
     size_t num_pairs;
     /** [num_pairs×2; index] indices (i, j) of particles, from 0. */
     int32_t const *pairs;
-    /** [num_pairs×3; optional; needs cell] multiples of the cell vectors, as given,
-     * to be added to the centre of j, where multiples of vectors that are not periodic
-     * count as 0; null for the nearest images. */
+    /** [num_pairs×3; optional; needs cell] multiples of the cell vectors, as given, to
+     * be added to the centre of j; those of vectors that are not periodic count as 0;
+     * null for the nearest images. */
     int32_t const *images;
 } pw85_pair_list;
 
-/** pw85_overlap_any() for other particles of a system, by their indices: the inner loop of a Monte
- * Carlo move, for the trial ellipsoid.
+/** Tests whether an ellipsoid overlaps any of n particles of a system, which are given by their
+ * indices. This is the inner loop of a Monte Carlo move, for the trial ellipsoid.
  *
- * In a periodic cell `images` selects one image of each of these particles, as in a neighbour list.
- * Without `images` the answer is about all images of these particles and of the ellipsoid itself.
- * The function then tests the nearest images. The answer is known if one of them overlaps, or if no
- * farther image can overlap (pw85_nearest_image_limit() of all these particles is 1 or more).
- * Otherwise the status is #PW85_EINVAL, and pw85_last_error() tells that the argument `images` must
- * be given: pass the images of a neighbour list. In so small a cell the ellipsoid can also overlap
- * images of itself, which the list contains: write the trial into the arrays of the system before
- * the call; its own index then refers to the trial.
+ * With `images`, the answer is about one image of each of these particles, as in a neighbour list.
+ * Without `images`, in a periodic cell, it is about all images of these particles and of the
+ * ellipsoid itself. The function then tests the nearest images. The answer is known if one of them
+ * overlaps, or if farther images cannot overlap, that is, if pw85_nearest_image_limit() of all
+ * these particles is at least 1. Otherwise the status is #PW85_EINVAL, and pw85_last_error() names
+ * `images`: call the function again with the images of a neighbour list.
+ *
+ * In so small a cell the ellipsoid can also overlap images of itself. A neighbour list contains
+ * them, with the index of the ellipsoid. Write the trial into the arrays of the system before the
+ * call: the index then refers to the trial.
  *
  * @param center [length] centre of the ellipsoid
  * @param q1 [length²; definite] form of the ellipsoid
- * @param system the particles; the cell is best reduced (pw85_cell_reduce()) unless there are
- *        images. Without images, particles that are more than 2⁵⁰ vectors of the reduced cell from
- *        the ellipsoid are bad.
- * @param n [number of others] 0 is fine
+ * @param system the particles. Without `images`, reduce the cell once by pw85_cell_reduce() to save
+ *        time; particles that are more than 2⁵⁰ vectors of the reduced cell from the ellipsoid are
+ *        bad. With `images` the cell may be singular.
+ * @param n [number of others] 0 is allowed
  * @param indices [n; index] of particles, from 0; that of the ellipsoid itself may be among them
  *        only with `images`
  * @param images [n×3; optional; needs cell] multiples of the cell vectors, as given, to be added to
  *        the centres of these particles; or null for all images
  * @param[out] any [-1 on error] 1 or 0
- * @return as for pw85_overlap_any(); #PW85_EINVAL also for an index out of range, `images`
- *        without `cell`, a cell that is not finite or, unless there are images, singular, and
- *        if nearest images do not decide */
+ * @return as for pw85_overlap_any(); #PW85_EINVAL also if nearest images do not decide */
 PW85_API int pw85_overlap_any_indices(double const center[3], double const q1[6],
                                       pw85_system const *system, size_t n, int32_t const *indices,
                                       int32_t const *images, int *any);
 
-/** pw85_contact() for the pairs of a list.
+/** Computes the contact function of the pairs of a list; see pw85_contact().
  *
- * In a periodic cell a pair stands for one image of j, either that of `images` or the nearest one
- * (by the distance of the centres). The nearest one is found for any cell, however skewed. If the
- * cell is small or particles are large, an image that is not the nearest can have a smaller μ²:
- * pw85_nearest_image_limit() says when.
+ * In a periodic cell a pair is particle i and one image of particle j: the image of `images`, or
+ * the nearest one, by the distance of the centres. The function finds the nearest one in any cell,
+ * however skewed. If the cell is small or particles are large, an image that is not the nearest can
+ * have a smaller μ²: see pw85_nearest_image_limit().
  *
  * @param list the pairs
- * @param system the particles. Where nearest images are asked for, a pair is bad whose centres are
- *        more than 2⁵⁰ vectors of the reduced cell from each other: rounding errors are then
- *        larger than the cell. The cell need not be reduced, but then each call takes some hundred
- *        nanoseconds more than for the reduced one: see pw85_cell_reduce().
+ * @param system the particles. Without `images`, a pair is bad if its centres are more than 2⁵⁰
+ *        vectors of the reduced cell apart: rounding errors are then larger than the cell. A cell
+ *        that is not reduced costs some hundred nanoseconds per call: see pw85_cell_reduce(). With
+ *        `images` the cell may be singular.
  * @param[out] mu2 [num_pairs]
  * @param[out] lambda [num_pairs; optional]
- * @return as for pw85_contact_batch(); #PW85_EINVAL also for `images` without `cell`, a cell
- *        that is not finite or, unless there are images, singular */
+ * @return as for pw85_contact_batch() */
 PW85_API int pw85_contact_pairs(pw85_pair_list const *list, pw85_system const *system, double *mu2,
                                 double *lambda);
 
-/** pw85_overlap() for the pairs of a list; arguments as for pw85_contact_pairs().
+/** Tests whether the pairs of a list overlap; see pw85_overlap().
  *
  * @param list,system [as pw85_contact_pairs()]
- * @param[out] overlap [num_pairs] 1, 0, or 255 for a bad pair */
+ * @param[out] overlap [num_pairs] 1, 0, or 255 for a bad pair
+ * @return as for pw85_contact_pairs() */
 PW85_API int pw85_overlap_pairs(pw85_pair_list const *list, pw85_system const *system,
                                 unsigned char *overlap);
 
-/** pw85_overlap_volume() for the pairs of a list; arguments as for pw85_contact_pairs().
- * Their sum is the two-body overlap of a system; what three ellipsoids have in common counts three
+/** Computes the volumes of the intersections of the pairs of a list; see pw85_overlap_volume().
+ *
+ * Their sum is the two-body overlap of a system. The intersection of three ellipsoids counts three
  * times in it.
  *
  * @param list,system [as pw85_contact_pairs()]
@@ -118,63 +118,66 @@ PW85_API int pw85_overlap_pairs(pw85_pair_list const *list, pw85_system const *s
 PW85_API int pw85_overlap_volume_pairs(pw85_pair_list const *list, pw85_system const *system,
                                        double *volume);
 
-/** The derivatives for the pairs of a list; arguments as for pw85_contact_pairs(),
- * outputs as for pw85_contact_derivatives_batch().
+/** Computes μ², its derivatives, points and normals for the pairs of a list; see
+ * pw85_contact_derivatives_batch().
  *
  * @param list,system [as pw85_contact_pairs()]
  * @param[out] mu2,lambda [num_pairs; optional]
  * @param[out] point [num_pairs×3; length; optional]
  * @param[out] normal,d_rot1,d_rot2 [num_pairs×3; optional]
- * @param[out] d_r12 [num_pairs×3; 1/length; optional] */
+ * @param[out] d_r12 [num_pairs×3; 1/length; optional]
+ * @return as for pw85_contact_pairs() */
 PW85_API int pw85_contact_derivatives_pairs(pw85_pair_list const *list, pw85_system const *system,
                                             double *mu2, double *lambda, double *point,
                                             double *normal, double *d_r12, double *d_rot1,
                                             double *d_rot2);
 
-/** Sums of the forces, torques and virial of an energy U(μ²) of pairs: the derivatives of
- * pw85_contact_derivatives_pairs() times dU/dμ². The terms are added in the order of the pairs, so
- * that the bits depend only on the input, not on the number of threads. Each thread goes through
- * all pairs, and adds the terms of its own particles.
+/** Computes the sums of the forces, torques and virial of an energy U(μ²) of pairs. Each term is a
+ * derivative of pw85_contact_derivatives_pairs() times dU/dμ².
+ *
+ * The terms are added in the order of the pairs. The bits therefore depend only on the input, not
+ * on the number of threads. Each thread goes through all pairs, and adds the terms of its own
+ * particles.
  *
  * @param list the pairs; without pairs the sums are 0
  * @param system [as pw85_contact_pairs(); without q; or NaN; or far away] `q` may be null, and
- *        without pairs `centers`, too
+ *        without pairs also `centers`
  * @param d_u [num_pairs; energy; or NaN] dU/dμ²; a pair for which it is 0 is left out, whatever its
  *        derivatives
- * @param d_r12 [num_pairs×3; 1/length; optional if not needed; or NaN] derivative of μ²; null if no
- *        output needs it
- * @param d_rot1,d_rot2 [num_pairs×3; optional if not needed; or NaN] derivatives of μ²; null if no
- *        output needs them
+ * @param d_r12 [num_pairs×3; 1/length; optional if not needed; or NaN] derivatives of μ²; may be
+ *        null if no output needs them
+ * @param d_rot1,d_rot2 [num_pairs×3; optional if not needed; or NaN] derivatives of μ²; may be null
+ *        if no output needs them
  * @param[out] forces [num_particles×3; energy/length; optional] -∂U/∂centre
  * @param[out] torques [num_particles×3; energy; optional] -∂U/∂(rotation vector) about the centre
  * @param[out] virial [3×3; energy; optional] Σ r12 ⊗ force on the second particle of each pair,
- *        row-major; divided by the volume it is the part of the pressure tensor that comes from
- *        contacts
- * @return #PW85_SUCCESS, also if a NaN in the input makes some of the sums NaN; #PW85_EINVAL as
- *        for pw85_contact_pairs(), before anything is written */
+ *        row-major; divided by the volume, it is the contribution of contacts to the pressure
+ *        tensor
+ * @return #PW85_SUCCESS, also if a NaN in the input makes some of the sums NaN; #PW85_EINVAL as for
+ *        pw85_contact_pairs(), before anything is written */
 PW85_API int pw85_contact_forces_pairs(pw85_pair_list const *list, pw85_system const *system,
                                        double const *d_u, double const *d_r12, double const *d_rot1,
                                        double const *d_rot2, double *forces, double *torques,
                                        double *virial);
 
-/** A soft repulsion, U = ε/α (1 - μ)^α for μ < 1 and 0 beyond. Parameters: ε, and α >= 1; 2 is
- * harmonic, 2.5 that of Hertz. */
+/** A soft repulsion, U = ε/α (1 - μ)^α for μ < 1 and 0 beyond. Parameters: ε, and α >= 1. α = 2 is
+ * harmonic, and α = 2.5 is that of Hertz. */
 #define PW85_LAW_SOFT_REPULSION 1
 
-/** Powers of 1/μ, U = A μ⁻ⁿ - B μ⁻ᵐ for μ² < c, shifted so that it is 0 at μ² = c; 0 beyond.
- * Parameters: A, n, B, m, and c > 0, with n > m > 0. (4ε, 12, 4ε, 6, c) is the potential of
- * Lennard-Jones with μ in the place of r/σ, as Perram and others take it; with c = 2^(1/3) it
- * is only repulsive. */
+/** Powers of 1/μ: U = A μ⁻ⁿ - B μ⁻ᵐ - U_c for μ² < c and 0 beyond, where the shift U_c makes U = 0
+ * at μ² = c. Parameters: A, n, B, m, and c > 0, with n > m > 0. (4ε, 12, 4ε, 6, c) is the
+ * Lennard-Jones potential with μ in the place of r/σ, as Perram and others take it. With c =
+ * 2^(1/3) it is only repulsive. */
 #define PW85_LAW_INVERSE_POWERS 2
 
-/** A table of at least two points, which divide the range from a to b of μ² into equal
- * intervals: U is the cubic polynomial with the values and derivatives of the points at both
- * ends of an interval, linear below a, and 0 from b on. Parameters: a, b > a, then U and dU/dμ²
- * of each point, in turn. */
+/** A table of at least two points, which divide the range from a to b of μ² into equal intervals.
+ * In an interval U is the cubic polynomial that has the values and derivatives of the points at
+ * both ends. U is linear below a, and 0 from b on. Parameters: a, b > a, then U and dU/dμ² of each
+ * point, in turn. */
 #define PW85_LAW_TABLE 3
 
-/** The energy U(μ²) of a pair, the same for all pairs. The caller owns the struct and its array;
- * functions only read them, and do not use them after the call. */
+/** The energy U(μ²) of a pair, the same for all pairs. The caller owns the struct and its array.
+ * Functions only read them, and do not use them after the call. */
 typedef struct pw85_law {
     /** #PW85_LAW_SOFT_REPULSION, #PW85_LAW_INVERSE_POWERS or #PW85_LAW_TABLE. */
     int kind;
@@ -184,15 +187,16 @@ typedef struct pw85_law {
     double const *parameters;
 } pw85_law;
 
-/** Sums of the energies, forces, torques and virial of the pairs of a list, whose energy
- * is a law of μ². The function takes little more time than pw85_contact_derivatives_pairs() alone,
- * and less for a soft repulsion, where pairs that do not overlap have no forces. The sums of
- * forces and torques are those of pw85_contact_forces_pairs(), bit by bit, except that a soft
- * repulsion leaves out pairs that do not overlap although their μ² is rounded to less than 1. The
- * bits depend only on the input, not on the number of threads.
+/** Computes the sums of the energies, forces, torques and virial of the pairs of a list. The energy
+ * of a pair is a law of μ².
  *
- * Concentric ellipsoids have no force. Particles of several species need one list, and one call,
- * for each law.
+ * The sums of forces and torques are those of pw85_contact_forces_pairs(), bit by bit, with one
+ * exception: a soft repulsion leaves out pairs that do not overlap but whose μ² is rounded to less
+ * than 1. The bits depend only on the input, not on the number of threads. Concentric ellipsoids
+ * have no force. For particles of several species, make one list and one call for each law.
+ *
+ * The time is little more than that of pw85_contact_derivatives_pairs(). For a soft repulsion it is
+ * less, because pairs that do not overlap need no derivatives.
  *
  * @param list the pairs; without pairs the sums are 0
  * @param system [as pw85_contact_pairs()]
@@ -202,27 +206,27 @@ typedef struct pw85_law {
  * @param[out] torques [num_particles×3; energy; optional] -∂U/∂(rotation vector) about the centre
  * @param[out] virial [3×3; energy; optional] Σ r12 ⊗ force on the second particle of each pair,
  *        row-major
- * @return as for pw85_contact_pairs(); sums to which a bad pair contributes are NaN.
- *        #PW85_EINVAL also for a law whose kind is not one of these, or whose parameters are not
- *        allowed; #PW85_ENOMEM without memory for one megabyte per thread. Both come before
- *        anything is written. */
+ * @return as for pw85_contact_pairs(); sums to which a bad pair contributes are NaN. #PW85_EINVAL
+ *        also for a kind or parameters that are not allowed; #PW85_ENOMEM if there is not one
+ *        megabyte per thread. Both come before anything is written. */
 PW85_API int pw85_law_forces_pairs(pw85_pair_list const *list, pw85_system const *system,
                                    pw85_law const *law, double *energy, double *forces,
                                    double *torques, double *virial);
 
-/** pw85_first_contact() for the pairs of a list, and the next event of each particle:
- * what event-driven simulations schedule. A pair stands for the same image of j at all times, that
- * of time 0.
+/** Computes the times of the first contacts of the pairs of a list, and the next event of each
+ * particle, which event-driven simulations schedule; see pw85_first_contact().
+ *
+ * A pair has the same image of j at all times: the one of time 0. Bad pairs are not events.
  *
  * @param list,system [as pw85_contact_pairs()]
  * @param motions [num_particles; mixed units; > 0 until t_max]
  * @param t_max [as pw85_first_contact()] for all pairs
  * @param[out] t [num_pairs; time; member time]
- * @param[out] next [num_particles; time; optional] the least t of the pairs of each particle,
+ * @param[out] next [num_particles; time; optional] the least t of the pairs of each particle, or
  *        infinity if there is none
  * @param[out] next_pair [num_particles; optional] the index of that pair, the first of several, or
  *        -1; must be null without `next`
- * @return as for pw85_contact_pairs(); #PW85_ECONVERGENCE, too. Bad pairs are not events. */
+ * @return as for pw85_contact_pairs(); #PW85_ECONVERGENCE as for pw85_first_contact() */
 PW85_API int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system const *system,
                                       pw85_motion const *motions, double t_max, double *t,
                                       double *next, int64_t *next_pair);
@@ -231,24 +235,25 @@ PW85_API int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system co
  * @name Periodic cells
  * @{ */
 
-/** A reduced cell of the same lattice: none of its vectors gets shorter by adding or subtracting
- * others. Compute it once and keep it: the functions of pair lists recognise a reduced cell by a
- * few inequalities, and need not reduce it again. Rectangular cells are reduced, and so are
- * cells whose vectors have equal lengths and angles between 60 and 120 degrees.
+/** Computes a reduced cell of the same lattice: adding or subtracting other vectors of it makes
+ * none of its vectors shorter.
  *
- * The reduced vectors are sums of cell vectors, and are rounded. `images` for one of the two cells
- * are not valid for the other.
+ * Compute it once and keep it. The functions of pair lists recognise a reduced cell by a few
+ * inequalities; any other cell they reduce in each call. Rectangular cells are reduced, and so are
+ * cells whose vectors have equal lengths and angles between 60 and 120 degrees. The reduced vectors
+ * are sums of cell vectors, and are rounded. `images` for one of the two cells are not valid for
+ * the other.
  *
- * @param cell [3×3; length; independent rows] rows = vectors
+ * @param cell [3×3; length; independent rows] rows are the vectors
  * @param[out] reduced [3×3; length; member cell] may be the same array as cell
- * @return #PW85_SUCCESS or #PW85_EINVAL (a null pointer, a cell that is singular or not finite) */
+ * @return #PW85_SUCCESS or #PW85_EINVAL */
 PW85_API int pw85_cell_reduce(double const cell[9], double reduced[9]);
 
-/** The nearest images, which the functions of pair lists use without `images`: as vectors, and
- * as values for `images`.
+/** Computes the nearest images that the functions of pair lists use without `images`: as vectors,
+ * and as values for `images`.
  *
- * Functions that are called with these `images` need no search, and each pair keeps the same image.
- * They remain the nearest ones until a particle has moved by about half a cell.
+ * With these `images` the functions need no search, and each pair keeps its image. They remain the
+ * nearest images until a particle has moved by about half a cell.
  *
  * @param num_pairs [number of pairs]
  * @param pairs [num_pairs×2; index] indices (i, j) of particles, from 0
@@ -258,26 +263,27 @@ PW85_API int pw85_cell_reduce(double const cell[9], double reduced[9]);
  *        for a bad pair
  * @param[out] images [num_pairs×3; optional] multiples of the vectors of the cell, as given;
  *        INT32_MIN for a bad pair
- * @return as for pw85_contact_batch(); a pair is bad if a centre is not finite, or, if `images`
- *        are requested, a multiple is beyond 2³¹ - 1; #PW85_EINVAL also for a cell that is
- *        singular or not finite */
+ * @return as for pw85_contact_batch(); a pair is bad if a centre is not finite, or if a requested
+ *        multiple is beyond 2³¹ - 1 */
 PW85_API int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, pw85_system const *system,
                                  double *r12, int32_t *images);
 
-/** The limit of μ² below which only nearest images count: any image of a pair of these particles
- * with a smaller μ² is the nearest.
+/** Computes the limit of μ² below which only nearest images count: every image of a pair of these
+ * particles with a smaller μ² is the nearest one.
  *
- * So pw85_overlap_pairs() with nearest images misses no overlap, of any image, if mu2 >= 1; and a
- * μ² below mu2 from pw85_contact_pairs() is the smallest of all images. In a rectangular cell the
- * limit is the smallest value of (L/4h)² over the three directions, with the side L of the cell and
- * the largest half-width h of the particles' bounding boxes: mu2 >= 1 if no box is wider than half
- * the cell. In other cells the directions are those of the faces of the lattice's Voronoi cell.
- * Above the limit, list the images that count and pass them as `images`.
+ * If the limit is at least 1, pw85_overlap_pairs() with nearest images misses no overlap of any
+ * image. A μ² of pw85_contact_pairs() below the limit is the smallest of all images. Above the
+ * limit, list the images that count and pass them as `images`.
+ *
+ * In a rectangular cell the limit is the smallest value of (L/4h)² over the three directions. Here
+ * L is the side of the cell, and h is the largest half-width of the bounding boxes of the
+ * particles. The limit is at least 1 if no box is wider than half the cell. In other cells the
+ * directions are those of the faces of the Voronoi cell of the lattice.
  *
  * @param system [without centers; with cell] the particles, in a cell: `cell` is not null;
- *        `centers` may be null. Without particles the limit is infinity.
- * @param[out] mu2 the limit
- * @return #PW85_SUCCESS, #PW85_EINVAL (a cell that is singular or not finite, too), #PW85_ENOTPD */
+ *        `centers` may be null
+ * @param[out] mu2 the limit; infinity without particles
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_nearest_image_limit(pw85_system const *system, double *mu2);
 
 /** @}
@@ -285,72 +291,74 @@ PW85_API int pw85_nearest_image_limit(pw85_system const *system, double *mu2);
  * @{ */
 
 /** A list of all pairs of particles whose bounding boxes intersect, with periodic images. The
- * library owns it; its pairs are arguments of pw85_contact_pairs() and similar functions. */
+ * library owns it. Its pairs are arguments of pw85_contact_pairs() and similar functions. */
 typedef struct pw85_neighbors pw85_neighbors;
 
-/** Lists the pairs (i, j, image) whose bounding boxes are no farther apart than `skin` along any
- * axis, the ellipsoids scaled by `scale`: |r_d| <= scale (√Qi_dd + √Qj_dd) + skin for d = x, y, z,
- * where r is from the centre of i to that of the image of j. The list therefore has all pairs with
- * μ² <= scale², also after the particles have moved, as long as pw85_neighbors_holds().
+/** Makes a list of the pairs (i, j, image) whose bounding boxes are no farther apart than `skin`
+ * along any axis, for ellipsoids scaled by `scale`.
  *
- * Each pair is listed once: with i < j, or i = j and an image of i itself whose first multiple
- * other than 0 is positive. Pairs whose boxes are apart by no more than rounding errors (2⁻⁴⁸ of
- * the coordinates) may be listed, too. The pairs are in the order of the particles in space, which
- * depends only on the input, not on the number of threads. The time is proportional to the numbers
- * of particles and pairs, for all sizes and positions, unless most particles are within 2⁻²¹ of the
- * extent of the system. The memory is at most 200 bytes per particle and 64 per pair while the list
- * is made, and 48 and 20 (8 without a cell) afterwards.
+ * The condition is |r_d| <= scale (√Qi_dd + √Qj_dd) + skin for d = x, y, z, with the vector r from
+ * the centre of i to that of the image of j. The list therefore has all pairs with μ² <= scale². It
+ * has them also after the particles have moved, as long as pw85_neighbors_holds() says so.
+ *
+ * Each pair is in the list once: with i < j, or with i = j for an image of i itself whose first
+ * multiple other than 0 is positive. Pairs whose boxes are too far apart by no more than rounding
+ * errors (2⁻⁴⁸ of the coordinates) may also be in the list. The order of the pairs follows the
+ * particles in space. It depends only on the input, not on the number of threads.
+ *
+ * The time is proportional to the numbers of particles and pairs, for all sizes and positions,
+ * unless most particles are within 2⁻²¹ of the extent of the system. The memory is at most 200
+ * bytes per particle and 64 per pair while the list is made. The list itself has 48 bytes per
+ * particle and 20 per pair (8 without a cell).
  *
  * @param system at most 2³¹ - 1 particles, anywhere in space or in the cell and its images, up to
- *        2²⁹ cells away; there is no limit to how skewed or small the cell is
+ *        2²⁹ cells away; the cell may be skewed and small without limit
  * @param scale [> 0] factor of the ellipsoids
  * @param skin [length; >= 0] in the unit of the semi-axes
  * @param[out] list [null on error] to be destroyed by pw85_neighbors_destroy()
- * @return #PW85_SUCCESS; #PW85_EINVAL, also if the periodic vectors are not independent, or an
- *        image is more than 2²⁹ vectors away; #PW85_ENOTPD; #PW85_ENOMEM.
- *        pw85_neighbors_check() says which particle is bad. */
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also if an image is more than 2²⁹ vectors away;
+ *        #PW85_ENOTPD; #PW85_ENOMEM. pw85_neighbors_check() tells which particle is bad. */
 PW85_API int pw85_neighbors_create(pw85_system const *system, double scale, double skin,
                                    pw85_neighbors **list);
 
-/** The particle because of which a list cannot be made; arguments as for pw85_neighbors_create().
+/** Finds the particle because of which pw85_neighbors_create() cannot make a list; arguments as for
+ * pw85_neighbors_create().
  *
  * @param system,scale,skin [as pw85_neighbors_create()]
  * @param[out] particle [num_particles on error] index of the first bad particle: its centre or form
  *        is invalid, or it is too far away; num_particles if there is none, 0 if `system` is null
- * @return the status of that particle; or of the other arguments, with `particle` =
- *        num_particles; #PW85_SUCCESS if only the memory or the number of images can be the
+ * @return the status of that particle; the status of the other arguments, with `particle` =
+ *        num_particles; or #PW85_SUCCESS, if only the memory or the number of images can be the
  *        cause */
 PW85_API int pw85_neighbors_check(pw85_system const *system, double scale, double skin,
                                   size_t *particle);
 
-/** Tests whether a list still has all pairs whose boxes intersect (without skin) after the
- * particles have moved and turned, and the cell has changed.
+/** Tests whether a list still has all pairs whose boxes intersect (without skin), after particles
+ * have moved and turned and the cell has changed.
  *
- * The linear map from the present periodic vectors of the cell to those of the list is applied to
- * each box. The answer is 1 if each box is then within its old box, enlarged by half the skin on
- * each side, up to a motion that all particles share. If the cell shrinks or is sheared together
- * with the centres, about any point, only the changes of the boxes themselves use up the skin,
- * whatever the size of the cell. If the centres do not follow the cell, their displacements
- * relative to it use up the skin, too. After the answer 1 no pair is missing, of any image. After
- * the answer 0 pairs may be missing or not.
+ * After the answer 1, no pair is missing, of any image. After the answer 0, pairs may be missing or
+ * not. The test applies to each box the linear map from the present periodic vectors of the cell to
+ * those of the list. The answer is 1 if each box is then within its old box, enlarged by half the
+ * skin on each side, up to a motion that all particles share. If the cell shrinks or is sheared
+ * together with the centres, about any point, only the changes of the boxes themselves use up the
+ * skin. If the centres do not follow the cell, their displacements relative to it also use up the
+ * skin.
  *
  * Do not wrap the centres into the cell again, and do not reduce or flip the vectors of the cell:
  * `images` are multiples of these vectors.
  *
  * @param list [of as many particles] a list
- * @param system [with cell; or far away] the same number of particles as for the list, at their
- *        present positions, with their forms and the present cell, which is periodic along the same
- *        vectors as for the list: `cell` is not null if the list has one
+ * @param system [with cell; or far away] the particles of the list at their present positions, with
+ *        their forms and the present cell. The cell is periodic along the same vectors as for the
+ *        list: `cell` is not null if the list has one.
  * @param[out] holds [-1 on error] 1 or 0
- * @return #PW85_SUCCESS, #PW85_EINVAL, also if the number of particles is not that of the list,
- *        only one of the two has a cell, or the cell is periodic along other vectors, or its
- *        periodic vectors are not finite or not independent; or the status of the first bad
- *        particle */
+ * @return #PW85_SUCCESS; the status of the first bad particle; #PW85_EINVAL, also if only one of
+ *        list and system has a cell, or the cells are periodic along other vectors */
 PW85_API int pw85_neighbors_holds(pw85_neighbors const *list, pw85_system const *system,
                                   int *holds);
 
-/** The pairs of a list, with their images if it has a cell: pointers to the arrays of the list,
- * which are valid until it is destroyed.
+/** Returns the pairs of a list, with their images if it has a cell: pointers to the arrays of the
+ * list, which are valid until it is destroyed.
  *
  * @param list [optional] a list
  * @return the pairs; none for null */
@@ -364,18 +372,18 @@ PW85_API void pw85_neighbors_destroy(pw85_neighbors *list);
 /** @}
  * @name Triangle meshes
  *
- * Ellipsoids and a mesh of triangles, such as a wall. The mesh is a surface: an ellipsoid inside of
- * a closed mesh does not overlap it unless it meets a triangle. The coordinates of the vertices
- * relative to the centre are rounded to doubles, and the results are those of
- * pw85_contact_triangle() and pw85_overlap_triangle() for all triangles, bit by bit. A tree of
- * boxes saves most of the work.
+ * These functions are for ellipsoids and a mesh of triangles, such as a wall. The mesh is a
+ * surface: an ellipsoid inside a closed mesh overlaps it only if it meets a triangle. The
+ * coordinates of the vertices relative to the centre are rounded to doubles. The results are then
+ * those of pw85_contact_triangle() and pw85_overlap_triangle() for all triangles, bit by bit. A
+ * tree of boxes saves most of the work.
  * @{ */
 
-/** A triangle mesh and its tree of boxes. The library owns it. Any number of threads may use it
- * at the same time. */
+/** A triangle mesh and its tree of boxes. The library owns it. Any number of threads may use it at
+ * the same time. */
 typedef struct pw85_mesh pw85_mesh;
 
-/** Makes a mesh. The arrays are copied.
+/** Makes a mesh. The function copies the arrays.
  *
  * The memory is at most 300 bytes per triangle while the mesh is made, and 150 afterwards.
  *
@@ -383,13 +391,13 @@ typedef struct pw85_mesh pw85_mesh;
  * @param vertices [num_vertices×3; length]
  * @param num_triangles [number of triangles] at most 2³¹ - 1
  * @param triangles [num_triangles×3; index] indices of vertices, from 0. A triangle without area is
- *        the segment or the point that has all three vertices.
+ *        a segment or a point.
  * @param[out] mesh [null on error] to be destroyed by pw85_mesh_destroy()
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM */
 PW85_API int pw85_mesh_create(size_t num_vertices, double const *vertices, size_t num_triangles,
                               int32_t const *triangles, pw85_mesh **mesh);
 
-/** Contact function of an ellipsoid and a mesh: the least μ² of all triangles.
+/** Computes the contact function of an ellipsoid and a mesh: the least μ² of all triangles.
  *
  * The time is some 20 µs for 1,000 triangles, and doubles for ten times as many. It is larger if
  * many triangles are equally near, if the aspect ratio of the ellipsoid exceeds some thousands, or
@@ -400,18 +408,17 @@ PW85_API int pw85_mesh_create(size_t num_vertices, double const *vertices, size_
  * @param q [length²; definite] form of the ellipsoid
  * @param[out] mu2 [optional] square of the factor by which the ellipsoid must be scaled to touch
  *        the mesh; infinity if the mesh has no triangles
- * @param[out] point [length; optional] where the scaled ellipsoid touches, relative to its centre;
- *        NaN if the mesh has no triangles
+ * @param[out] point [length; optional] the point at which the scaled ellipsoid touches, relative to
+ *        its centre; NaN if the mesh has no triangles
  * @param[out] triangle [optional; -1 on error] index of the nearest triangle, the first of several;
- *        -1 if the mesh has none, and on error
- * @return #PW85_SUCCESS; #PW85_EINVAL, also if the coordinates of a vertex relative to the
- *        centre overflow; #PW85_ENOTPD */
+ *        -1 if the mesh has none
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also if the coordinates of a vertex relative to the centre
+ *        overflow; #PW85_ENOTPD */
 PW85_API int pw85_mesh_contact(pw85_mesh const *mesh, double const center[3], double const q[6],
                                double *mu2, double point[3], int32_t *triangle);
 
 /** Tests whether an ellipsoid and a mesh overlap, μ² < 1 for any triangle. If they only touch, they
- * do not. The answer is that of exact arithmetic for the rounded coordinates relative to the
- * centre.
+ * do not overlap. The answer is exact for the rounded coordinates relative to the centre.
  *
  * @param mesh,center,q [as pw85_mesh_contact()]
  * @param[out] overlap [-1 on error] 1 or 0
@@ -419,43 +426,44 @@ PW85_API int pw85_mesh_contact(pw85_mesh const *mesh, double const center[3], do
 PW85_API int pw85_mesh_overlap(pw85_mesh const *mesh, double const center[3], double const q[6],
                                int *overlap);
 
-/** Signed distance of an ellipsoid and a mesh: the least of those of all triangles, which
- * pw85_distance_triangle() gives, bit by bit.
+/** Computes the signed distance of an ellipsoid and a mesh: the least signed distance of all
+ * triangles, which pw85_distance_triangle() gives, bit by bit.
  *
  * If the ellipsoid overlaps no triangle, it is the distance of the ellipsoid and the surface, with
- * the closest points. Otherwise it is minus the largest depth of a single triangle. A translation
- * that separates the ellipsoid from the mesh is no shorter, and may have to be longer. The bounds
- * on errors, the proof by the normal and the derivatives are those of pw85_distance_triangle() for
- * the nearest triangle. The distance to any other triangle has no smaller bound.
+ * the closest points. Otherwise it is minus the largest depth of a single triangle: a translation
+ * that separates the ellipsoid from the mesh is at least as long. The bounds on errors, the proof
+ * by the normal and the derivatives are those of pw85_distance_triangle() for the nearest triangle.
+ * No other triangle has a smaller lower bound of its distance.
  *
- * The signed distance to the solid inside of a closed mesh is minus the distance if the centre is
- * inside, and the distance if it is outside, where the ellipsoid overlaps no triangle. A mesh is
- * closed if each edge of a triangle is that of another one in the opposite direction; vertices with
- * equal coordinates are the same. A point is inside if the number of times that the mesh winds
- * around it is not 0. If the centre is on the surface, up to 2⁻⁹⁰ of the size of the mesh, a point
- * infinitely near decides.
+ * The solid inside a closed mesh has another signed distance. If the ellipsoid overlaps no
+ * triangle, it is minus the distance if the centre is inside, and the distance if it is outside. A
+ * mesh is closed if each edge of a triangle is that of another one in the opposite direction;
+ * vertices with equal coordinates are the same. A point is inside if the mesh winds around it a
+ * number of times that is not 0. If the centre is on the surface, up to 2⁻⁹⁰ of the size of the
+ * mesh, a point infinitely near decides.
  *
  * The time is some 0.15 ms for 1,000 triangles. It is larger if the ellipsoid overlaps many
- * triangles, and all triangles are tried if its aspect ratio exceeds 10⁶ or so.
+ * triangles. If its aspect ratio exceeds about 10⁶, the function tries all triangles.
  *
  * @param mesh,center,q [as pw85_mesh_contact()]
  * @param[out] distance [length; optional] negative if they overlap; infinity if the mesh has no
  *        triangles
- * @param[out] point1 [length; optional] of the ellipsoid: nearest to the mesh, or deepest; relative
- *        to its centre; NaN if the mesh has no triangles
- * @param[out] point2 [length; optional] of the mesh: nearest to the ellipsoid, or deepest; relative
- *        to the centre of the ellipsoid; NaN if the mesh has no triangles
+ * @param[out] point1 [length; optional] the point of the ellipsoid that is nearest to the mesh, or
+ *        deepest, relative to its centre; NaN if the mesh has no triangles
+ * @param[out] point2 [length; optional] the point of the mesh that is nearest to the ellipsoid, or
+ *        deepest, relative to the centre of the ellipsoid; NaN if the mesh has no triangles
  * @param[out] normal [optional] unit vector out of the ellipsoid at point1; point2 - point1 is
  *        `distance` times it; NaN if the mesh has no triangles
  * @param[out] triangle [as pw85_mesh_contact()]
- * @param[out] inside [optional; -1 on error] 1 if the centre is inside of a closed mesh, 0 if it is
- *        outside; -1 if the mesh is not closed, and on error
+ * @param[out] inside [optional; -1 on error] 1 if the centre is inside a closed mesh, 0 if it is
+ *        outside; -1 if the mesh is not closed
  * @return as for pw85_mesh_contact() */
 PW85_API int pw85_mesh_distance(pw85_mesh const *mesh, double const center[3], double const q[6],
                                 double *distance, double point1[3], double point2[3],
                                 double normal[3], int32_t *triangle, int32_t *inside);
 
-/** pw85_mesh_contact() for n ellipsoids and one mesh; the bits are the same. Runs in parallel.
+/** Computes pw85_mesh_contact() for n ellipsoids and one mesh, with the same bits. Runs in
+ * parallel.
  *
  * @param mesh a mesh
  * @param n [number of ellipsoids]
@@ -463,13 +471,13 @@ PW85_API int pw85_mesh_distance(pw85_mesh const *mesh, double const center[3], d
  * @param q [n×6; length²; definite]
  * @param[out] mu2 [n; optional]
  * @param[out] point [n×3; length; optional]
- * @param[out] triangle [n; optional] -1 for a bad row, too
+ * @param[out] triangle [n; optional] -1 also for a bad row
  * @return as for pw85_contact_batch() */
 PW85_API int pw85_mesh_contact_batch(pw85_mesh const *mesh, size_t n, double const *centers,
                                      double const *q, double *mu2, double *point,
                                      int32_t *triangle);
 
-/** pw85_mesh_overlap() for n ellipsoids and one mesh. Runs in parallel.
+/** Computes pw85_mesh_overlap() for n ellipsoids and one mesh. Runs in parallel.
  *
  * @param mesh a mesh
  * @param n [number of ellipsoids]
@@ -480,7 +488,8 @@ PW85_API int pw85_mesh_contact_batch(pw85_mesh const *mesh, size_t n, double con
 PW85_API int pw85_mesh_overlap_batch(pw85_mesh const *mesh, size_t n, double const *centers,
                                      double const *q, unsigned char *overlap);
 
-/** pw85_mesh_distance() for n ellipsoids and one mesh; the bits are the same. Runs in parallel.
+/** Computes pw85_mesh_distance() for n ellipsoids and one mesh, with the same bits. Runs in
+ * parallel.
  *
  * @param mesh a mesh
  * @param n [number of ellipsoids]
@@ -489,8 +498,8 @@ PW85_API int pw85_mesh_overlap_batch(pw85_mesh const *mesh, size_t n, double con
  * @param[out] distance [n; length; optional]
  * @param[out] point1,point2 [n×3; length; optional]
  * @param[out] normal [n×3; optional]
- * @param[out] triangle [n; optional] -1 for a bad row, too
- * @param[out] inside [n; optional] -1 for a bad row, too
+ * @param[out] triangle [n; optional] -1 also for a bad row
+ * @param[out] inside [n; optional] -1 also for a bad row
  * @return as for pw85_contact_batch() */
 PW85_API int pw85_mesh_distance_batch(pw85_mesh const *mesh, size_t n, double const *centers,
                                       double const *q, double *distance, double *point1,

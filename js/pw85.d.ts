@@ -65,12 +65,12 @@ export interface Memory {
  */
 export interface Pw85 extends Memory {
     /**
-     * Quadratic form of a general ellipsoid, Q = R diag(semi_axes²) Rᵀ.
+     * Computes the quadratic form of an ellipsoid, Q = R diag(semi_axes²) Rᵀ.
      * @param semiAxes Lengths of the principal semi-axes (not diameters), whose squares are in the range of
      *   double; > 0. 3 numbers.
-     * @param rotation Matrix R in row-major order. Its columns are the principal directions: R takes the body
-     *   frame to the space frame. RᵀR may differ from I by at most 1e-6 in any entry (single precision is
-     *   accepted); reflections are accepted. 9 numbers.
+     * @param rotation Row-major matrix R, which takes the body frame to the space frame; its columns are the
+     *   principal directions. An entry of RᵀR - I may be at most 1e-6 in magnitude: single precision is enough. R
+     *   may be a reflection. 9 numbers.
      */
     ellipsoid(semiAxes: Numbers, rotation: Numbers): Float64Array;
     /**
@@ -80,11 +80,11 @@ export interface Pw85 extends Memory {
     ellipsoidRows<Out extends Doubles>(semiAxes: Numbers, rotation: Numbers, out: Out): Out;
 
     /**
-     * Quadratic form of a general ellipsoid whose orientation is a quaternion.
+     * Computes the quadratic form of an ellipsoid whose orientation is a quaternion.
      * @param semiAxes Lengths of the principal semi-axes (not diameters), whose squares are in the range of
      *   double; > 0. 3 numbers.
-     * @param quaternion (w, x, y, z), scalar first, of any length; the function normalises it. It takes the body
-     *   frame to the space frame; not zero. 4 numbers.
+     * @param quaternion (w, x, y, z), scalar first, which takes the body frame to the space frame; of any length,
+     *   because the function normalises it; not zero. 4 numbers.
      */
     ellipsoidQuaternion(semiAxes: Numbers, quaternion: Numbers): Float64Array;
     /**
@@ -94,12 +94,12 @@ export interface Pw85 extends Memory {
     ellipsoidQuaternionRows<Out extends Doubles>(semiAxes: Numbers, quaternion: Numbers, out: Out): Out;
 
     /**
-     * Contact function of two ellipsoids, by a third-order iteration on log(λ/(1-λ)).
-     * The relative error of μ² is below 4 u cond, with u = 2⁻⁵³ and the entrywise condition number of
-     * `pw85_condition()` of the C API, also for forms that are singular to working precision. The function
-     * evaluates f at most 157 times.
-     * @param r12 From the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid: μ² = 0, λ = 1/2. 3
-     *   numbers.
+     * Computes the contact function of two ellipsoids.
+     * The method is a third-order iteration on log(λ/(1-λ)), which evaluates f at most 157 times. The relative
+     * error of μ² is below 4 u cond, with u = 2⁻⁵³ and the condition number cond of `pw85_condition()` of the C
+     * API. The bound also holds for forms that are singular to working precision.
+     * @param r12 Vector from the centre of ellipsoid 1 to that of ellipsoid 2; it may be zero: then μ² = 0 and λ
+     *   = 1/2. 3 numbers.
      * @param q1 Forms of the ellipsoids, in the square of the unit of `r12`. 6 numbers.
      * @param q2 Forms of the ellipsoids, in the square of the unit of `r12`. 6 numbers.
      */
@@ -111,13 +111,13 @@ export interface Pw85 extends Memory {
     contactRows<Out extends { mu2?: Doubles; lambda?: Doubles }>(r12: Numbers, q1: Numbers, q2: Numbers, out: Out): Out;
 
     /**
-     * Point at which the ellipsoids, scaled by μ, touch, and their common normal.
-     * @param r12 From the centre of ellipsoid 1 to that of ellipsoid 2; not zero. 3 numbers.
+     * Computes the point at which the ellipsoids, scaled by μ, touch, and their common normal there.
+     * @param r12 Vector from the centre of ellipsoid 1 to that of ellipsoid 2; not zero. 3 numbers.
      * @param q1 Forms of the ellipsoids, in the square of the unit of `r12`. 6 numbers.
      * @param q2 Forms of the ellipsoids, in the square of the unit of `r12`. 6 numbers.
-     * @param lambda From `contact()`. Any other value in (0, 1) gives the point x0(λ) of the chapter on theory:
-     *   it is on both ellipsoids when they are scaled by the factors μ1 and μ2 for which f(λ) = λ μ1² + (1-λ)
-     *   μ2².
+     * @param lambda The maximiser λ of f, from `contact()`. For another λ in [0, 1] the point is x0(λ) of the
+     *   chapter on theory. It is on the surface of ellipsoid 1 scaled by μ1, and on that of ellipsoid 2 scaled by
+     *   μ2, where f(λ) = λ μ1² + (1-λ) μ2².
      */
     contactGeometry(r12: Numbers, q1: Numbers, q2: Numbers, lambda: number): { point: Float64Array; normal: Float64Array };
     /**
@@ -129,9 +129,9 @@ export interface Pw85 extends Memory {
     /**
      * Tests whether two ellipsoids overlap, μ² < 1.
      * Tangent ellipsoids (μ² = 1) do not overlap.
-     * The answer is exact for the numbers given. Bounds that account for rounding decide almost all pairs; exact
-     * arithmetic decides the others.
-     * @param r12 From the centre of ellipsoid 1 to that of ellipsoid 2; zero is an overlap. 3 numbers.
+     * The answer is exact for the numbers given. Bounds that account for rounding decide almost all pairs, and
+     * exact arithmetic decides the others.
+     * @param r12 Vector from the centre of ellipsoid 1 to that of ellipsoid 2; zero is an overlap. 3 numbers.
      * @param q1 Forms of the ellipsoids, in the square of the unit of `r12`. 6 numbers.
      * @param q2 Forms of the ellipsoids, in the square of the unit of `r12`. 6 numbers.
      */
@@ -143,15 +143,15 @@ export interface Pw85 extends Memory {
     overlapRows<Out extends Uint8Array>(r12: Numbers, q1: Numbers, q2: Numbers, out: Out): Out;
 
     /**
-     * Volume of the common part of two ellipsoids.
-     * The volume is 0 exactly if `overlap()` says that the ellipsoids do not overlap. It is `pw85_volume()` of
-     * the C API of the smaller ellipsoid exactly if `pw85_contains()` of the C API says that this one is inside
-     * the other one. Otherwise the error is below u (64 v + 16 s), with u = 2⁻⁵³, the volume v of the smaller
-     * one, and s = Σ|r12_i ∂V/∂r12_i| + Σ √(q1_ii q1_jj) |∂V/∂q1_ij| + the same sum for q2, over the entries and
-     * derivatives of `pw85_overlap_volume_gradient()` of the C API. If the common part, or what remains of the
-     * smaller ellipsoid, is as thin as rounding errors, it may count as empty: the volume is then 0, or that of
-     * the smaller ellipsoid.
-     * @param r12 From the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid. 3 numbers.
+     * Computes the volume V of the intersection of two ellipsoids.
+     * V is 0 if the ellipsoids do not overlap, as `overlap()` decides. V is `pw85_volume()` of the C API of the
+     * smaller ellipsoid if it is inside the other one, as `pw85_contains()` of the C API decides. Otherwise the
+     * error is below u (64 v + 16 s), with u = 2⁻⁵³ and the volume v of the smaller ellipsoid. The term s is
+     * Σ|r12_i ∂V/∂r12_i| + Σ √(q1_ii q1_jj) |∂V/∂q1_ij| + Σ √(q2_ii q2_jj) |∂V/∂q2_ij|, summed over coordinates
+     * and stored entries, with the derivatives of `pw85_overlap_volume_gradient()` of the C API.
+     * If the intersection is as thin as rounding errors, V may be 0. If the part of the smaller ellipsoid outside
+     * of the other one is as thin, V may be the volume of the smaller ellipsoid.
+     * @param r12 Vector from the centre of ellipsoid 1 to that of ellipsoid 2; it may be zero. 3 numbers.
      * @param q1 Forms of the ellipsoids, in the square of the unit of `r12`. 6 numbers.
      * @param q2 Forms of the ellipsoids, in the square of the unit of `r12`. 6 numbers.
      */
@@ -163,19 +163,19 @@ export interface Pw85 extends Memory {
     overlapVolumeRows<Out extends Doubles>(r12: Numbers, q1: Numbers, q2: Numbers, out: Out): Out;
 
     /**
-     * Distance of the surfaces of two ellipsoids, and the points where they are closest.
-     * The error of the distance is below 8 u Σ, with u = 2⁻⁵³ and Σ = Σ|n_i r12_i| + Σ|n_i q1_ij n_j|/(2α) +
-     * Σ|n_i q2_ij n_j|/(2β), the sums over all i and j. Rounding the data entry by entry can change the distance
-     * by u Σ. Here n is the unit normal, and α and β are the half-widths of the ellipsoids along it. The answer
-     * can be checked independently: any unit vector n gives a lower bound n·r12 - α - β of the distance, and any
-     * two points of the ellipsoids give an upper bound. `distance` is the lower bound for the normal that
-     * `pw85_distance_derivatives()` of the C API returns, and |point2 - point1| is an upper bound.
-     * The vector point2 - point1 differs from `distance` times n by less than 2¹⁸ u (|r12| + |point1| + |r12 -
-     * point2|), and |point2 - point1| differs from `distance` by no more than that. The points are the closest
-     * points of a pair whose r12 differs by no more than that. The distance of each point from the surface is
-     * below 2¹⁸ u times the longest semi-axis of its ellipsoid, plus the rounding error u |point2| of its
-     * coordinates.
-     * @param r12 From the centre of ellipsoid 1 to that of ellipsoid 2. 3 numbers.
+     * Computes the distance of the surfaces of two ellipsoids, and the points where they are closest.
+     * The distance is the largest value of n·r12 - α - β over unit vectors n, with the half-widths α and β of the
+     * ellipsoids along n. Its error is below 8 u Σ, with u = 2⁻⁵³. Here Σ = Σ|n_i r12_i| + Σ|n_i q1_ij n_j|/(2α)
+     * + Σ|n_i q2_ij n_j|/(2β), summed over all i and j, with n, α and β at the closest points. Rounding the data
+     * entry by entry can change the distance by u Σ.
+     * A program can check the result. For any unit vector n, n·r12 - α - β is a lower bound of the distance;
+     * `distance` is this bound for the normal of `pw85_distance_derivatives()` of the C API. For any two points
+     * of the ellipsoids, their distance is an upper bound; one is |point2 - point1|.
+     * Let ε = 2¹⁸ u (|r12| + |point1| + |r12 - point2|). The vector point2 - point1 differs from `distance` times
+     * n by less than ε, and its length from `distance` by at most ε. The points are the exact closest points for
+     * a pair whose r12 differs by at most ε. Each point is off its surface by less than 2¹⁸ u times the longest
+     * semi-axis of its ellipsoid, plus the rounding error u |point2| of the coordinates.
+     * @param r12 Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 numbers.
      * @param q1 Forms of the ellipsoids, in the square of the unit of `r12`. 6 numbers.
      * @param q2 Forms of the ellipsoids, in the square of the unit of `r12`. 6 numbers.
      */
@@ -187,15 +187,15 @@ export interface Pw85 extends Memory {
     distanceRows<Out extends { distance?: Doubles; point1?: Doubles; point2?: Doubles }>(r12: Numbers, q1: Numbers, q2: Numbers, out: Out): Out;
 
     /**
-     * Time of the first contact of two moving ellipsoids.
-     * @param r12 From the centre of ellipsoid 1 to that of ellipsoid 2; at time 0. 3 numbers.
+     * Computes the time of the first contact of two moving ellipsoids.
+     * @param r12 Vector from the centre of ellipsoid 1 to that of ellipsoid 2; at time 0. 3 numbers.
      * @param q1 Forms of the ellipsoids, in the square of the unit of `r12`; at time 0. 6 numbers.
      * @param q2 Forms of the ellipsoids, in the square of the unit of `r12`; at time 0. 6 numbers.
-     * @param motion1 Motions of the ellipsoids, whose semi-axes must be > 0 until t_max. Velocity (3 numbers),
+     * @param motion1 Motions of the ellipsoids; their semi-axes must be > 0 until t_max. Velocity (3 numbers),
      *   angular velocity (3 numbers), growth of the semi-axes per unit of time. 7 numbers.
-     * @param motion2 Motions of the ellipsoids, whose semi-axes must be > 0 until t_max. Velocity (3 numbers),
+     * @param motion2 Motions of the ellipsoids; their semi-axes must be > 0 until t_max. Velocity (3 numbers),
      *   angular velocity (3 numbers), growth of the semi-axes per unit of time. 7 numbers.
-     * @param tMax The time up to which contacts count; >= 0; may be infinite.
+     * @param tMax The last time at which a contact counts; >= 0; may be infinite.
      */
     firstContact(r12: Numbers, q1: Numbers, q2: Numbers, motion1: Numbers, motion2: Numbers, tMax?: number): number;
     /**
@@ -208,7 +208,7 @@ export interface Pw85 extends Memory {
 /** The functions of ellipses: see {@link Pw85}. */
 export interface Plane extends Memory {
     /**
-     * Quadratic form (xx, xy, yy) of an ellipse.
+     * Computes the quadratic form (xx, xy, yy) of an ellipse.
      * @param a Semi-axes, whose squares are in the range of double; > 0.
      * @param b Semi-axes, whose squares are in the range of double; > 0.
      * @param angle From the x axis to the first semi-axis, counter-clockwise, in radians.
@@ -221,9 +221,9 @@ export interface Plane extends Memory {
     ellipseRows<Out extends Doubles>(a: Numbers | number, b: Numbers | number, angle: Numbers | number, out: Out): Out;
 
     /**
-     * Area of the common part of two ellipses; see `overlapVolume()`.
-     * The bound on the error is the same, with areas.
-     * @param r12 From the centre of ellipse 1 to that of ellipse 2; zero is valid. 2 numbers.
+     * Computes the area of the intersection of two ellipses; see `overlapVolume()`.
+     * The error has the bound of that function, with areas for volumes.
+     * @param r12 Vector from the centre of ellipse 1 to that of ellipse 2; it may be zero. 2 numbers.
      * @param q1 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
      * @param q2 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
      */
@@ -235,8 +235,9 @@ export interface Plane extends Memory {
     overlapArea2dRows<Out extends Doubles>(r12: Numbers, q1: Numbers, q2: Numbers, out: Out): Out;
 
     /**
-     * Contact function of two ellipses; see `contact()`.
-     * @param r12 From the centre of ellipse 1 to that of ellipse 2; zero is valid: μ² = 0, λ = 1/2. 2 numbers.
+     * Computes the contact function of two ellipses; see `contact()`.
+     * @param r12 Vector from the centre of ellipse 1 to that of ellipse 2; it may be zero: then μ² = 0 and λ =
+     *   1/2. 2 numbers.
      * @param q1 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
      * @param q2 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
      */
@@ -248,12 +249,14 @@ export interface Plane extends Memory {
     contact2dRows<Out extends { mu2?: Doubles; lambda?: Doubles }>(r12: Numbers, q1: Numbers, q2: Numbers, out: Out): Out;
 
     /**
-     * Point at which the ellipses, scaled by μ, touch, and their common normal; see `contactGeometry()`.
-     * @param r12 From the centre of ellipse 1 to that of ellipse 2; not zero. 2 numbers.
+     * Computes the point at which the ellipses, scaled by μ, touch, and their common normal there.
+     * See `contactGeometry()`.
+     * @param r12 Vector from the centre of ellipse 1 to that of ellipse 2; not zero. 2 numbers.
      * @param q1 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
      * @param q2 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
-     * @param lambda From `contact()`. Any other value in (0, 1) gives the point x0(λ) of the chapter on theory:
-     *   it is on both ellipses when they are scaled by the factors μ1 and μ2 for which f(λ) = λ μ1² + (1-λ) μ2².
+     * @param lambda The maximiser λ of f, from `contact()`. For another λ in [0, 1] the point is x0(λ) of the
+     *   chapter on theory. It is on the surface of ellipse 1 scaled by μ1, and on that of ellipse 2 scaled by μ2,
+     *   where f(λ) = λ μ1² + (1-λ) μ2².
      */
     contactGeometry2d(r12: Numbers, q1: Numbers, q2: Numbers, lambda: number): { point: Float64Array; normal: Float64Array };
     /**
@@ -264,7 +267,7 @@ export interface Plane extends Memory {
 
     /**
      * Tests whether two ellipses overlap; see `overlap()`.
-     * @param r12 From the centre of ellipse 1 to that of ellipse 2; zero is an overlap. 2 numbers.
+     * @param r12 Vector from the centre of ellipse 1 to that of ellipse 2; zero is an overlap. 2 numbers.
      * @param q1 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
      * @param q2 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
      */
@@ -276,8 +279,8 @@ export interface Plane extends Memory {
     overlap2dRows<Out extends Uint8Array>(r12: Numbers, q1: Numbers, q2: Numbers, out: Out): Out;
 
     /**
-     * Distance of two ellipses; see `distance()`.
-     * @param r12 From the centre of ellipse 1 to that of ellipse 2. 2 numbers.
+     * Computes the distance of two ellipses; see `distance()`.
+     * @param r12 Vector from the centre of ellipse 1 to that of ellipse 2. 2 numbers.
      * @param q1 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
      * @param q2 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
      */

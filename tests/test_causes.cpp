@@ -404,7 +404,11 @@ void test_laws()
     Expected{"pw85_hard_ellipsoids_set_law", "law",
              "must not be a soft repulsion, which ends where the hard cores begin: use inverse "
              "powers or a table"}(pw85_hard_ellipsoids_set_law(one, &repulsion));
-    refuse({4, 12, 4, 6, 1e7}, "law", "must have a cutoff of at most 10⁶ in μ²");
+    refuse({4, 12, 4, 6, 0x1.e848000000001p19}, "law", "must have a cutoff of at most 10⁶ in μ²");
+    double const longest[] = {4, 12, 4, 6, 1e6};
+    pw85_law const far_reaching{PW85_LAW_INVERSE_POWERS, 5, longest};
+    g_assert_cmpint(pw85_hard_ellipsoids_set_law(one, &far_reaching), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_hard_ellipsoids_set_law(one, nullptr), ==, PW85_SUCCESS);
     refuse({1e30, 12, 4, 6, 2}, "law", "must have energies of pairs of at most 2²⁰ k_B T");
 }
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /** @file last_error.h
- * @brief The cause for which a call was refused: which argument, which row, and what it must be.
- * pw85.h includes it. */
+ * @brief The cause of a refused call: which argument, which row, and what it must be. pw85.h
+ * includes this header.
+ */
 #ifndef PW85_LAST_ERROR_H_INCLUDED
 #define PW85_LAST_ERROR_H_INCLUDED
 
@@ -14,9 +15,11 @@ extern "C" {
 #endif
 
 /** The cause of a refusal: of a call that returned a status other than #PW85_SUCCESS. All texts are
- * constants of the library. With an argument, `function`, `argument` and `requirement` make a
- * sentence, as "pw85_contact: q2 must be positive definite". Without one, `requirement` is a
- * sentence by itself, as "the iterations did not converge". */
+ * constants of the library.
+ *
+ * If the cause is one argument, `function`, `argument` and `requirement` make a sentence, as
+ * "pw85_contact: q2 must be positive definite". Otherwise `requirement` is a sentence by itself, as
+ * "the iterations did not converge". */
 typedef struct pw85_error {
     /** Status that the function returned. */
     int status;
@@ -29,8 +32,8 @@ typedef struct pw85_error {
      * if the cause is not one argument. For a pair of a pair list, r12, q1 and q2 are what the
      * library makes of the centres and forms of the two particles. */
     char const *argument;
-    /** The requirement, such as "must be positive definite"; a sentence or the text of the status if the
-     * cause is not one argument. */
+    /** The requirement, such as "must be positive definite"; a sentence or the text of the status
+     * if the cause is not one argument. */
     char const *requirement;
     /** Row of the arrays, or number of the pair of a list, from 0; 0 also if the cause is not one
      * row, such as a null pointer. */
@@ -42,17 +45,17 @@ typedef struct pw85_error {
     double value;
 } pw85_error;
 
-/** Returns the cause of the last refusal in the calling thread, and clears the record, so that a
- * second call returns none.
+/** Returns the cause of the last refusal in the calling thread, and clears the record: a second
+ * call returns no cause.
  *
- * Call it directly after a function of one row, of many rows or of pair lists has returned a status
- * other than success, in the same thread. For many rows it tells of the first bad row. Success does
- * not change the record, and costs no time. `argument` is `simulation` or `system` if the object or
- * the system as a whole does not allow the call. The functions of the other libraries keep no
- * record: `function` is null then, unless an earlier refusal has not been read.
+ * Call it in the same thread, directly after a function has returned a status other than success.
+ * For many rows it tells the cause of the first bad row. Success does not change the record, and
+ * costs no time. `argument` is `simulation` or `system` if the object or the system as a whole does
+ * not allow the call. The functions of the other libraries keep no record: `function` is then null,
+ * unless an earlier refusal has not been read.
  *
  * @param[out] error the cause; `function` is null and `status` is #PW85_SUCCESS if there is none
- * @return #PW85_SUCCESS or #PW85_EINVAL, if `error` is null */
+ * @return #PW85_SUCCESS, or #PW85_EINVAL if `error` is null */
 PW85_API int pw85_last_error(pw85_error *error);
 
 #ifdef __cplusplus

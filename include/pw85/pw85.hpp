@@ -3,15 +3,15 @@
 /// The contact function of Perram and Wertheim for two ellipsoids, in C++: header-only, for any
 /// scalar.
 ///
-/// An ellipsoid with centre c and quadratic form Q is the set of points m with (m-c)ᵀ Q⁻¹ (m-c)
-/// <= 1. Q is symmetric positive definite; its eigenvalues are the squares of the semi-axes, its
-/// eigenvectors their directions. For two ellipsoids with forms Q1, Q2 and r12 = c2 - c1, the
-/// contact function is
+/// The ellipsoid with centre c and quadratic form Q is the set of the points m for which (m-c)ᵀ Q⁻¹
+/// (m-c) <= 1. The matrix Q is symmetric and positive definite. Its eigenvalues are the squares of
+/// the semi-axes, and its eigenvectors are their directions. For two ellipsoids with centres c1 and
+/// c2, forms Q1 and Q2, and r12 = c2 - c1, the contact function is
 ///
 ///     μ² = max { f(λ), 0 <= λ <= 1 },    f(λ) = λ(1-λ) r12ᵀ [(1-λ) Q1 + λ Q2]⁻¹ r12.
 ///
-/// μ is the common factor by which both ellipsoids must be scaled, their centres fixed, to touch
-/// from outside: μ² < 1 if they overlap, μ² > 1 if they are apart.
+/// If both ellipsoids are scaled by the factor μ about their centres, they touch from outside. The
+/// ellipsoids overlap if μ² < 1, touch if μ² = 1, and are apart if μ² > 1.
 ///
 ///     using namespace pw85;
 ///     Vector r12{1.0, 0.0, 0.0};
@@ -21,37 +21,38 @@
 ///     auto [q2, status2] = spheroid(1.0, 2.0, Vector{0.0, 1.0, 0.0});
 ///     auto [mu2, lambda, status] = contact(r12, q1, q2);
 ///
-/// Conventions, for every function unless it says otherwise:
+/// These conventions hold for every function unless its contract says otherwise:
 ///
-/// - `T` is float, double, long double or a multiprecision number such as those of Boost, `D` the
-///   dimension, 2 or 3.
-/// - A Vector has `D` coordinates; a SymmetricMatrix is its upper triangle in row-major order, (xx,
+/// - `T` is float, double, long double or a multiprecision number such as those of Boost. `D` is
+///   the dimension, 2 or 3. u is the unit roundoff of `T`, 2⁻⁵³ for double.
+/// - A Vector has `D` coordinates. A SymmetricMatrix is its upper triangle in row-major order, (xx,
 ///   xy, xz, yy, yz, zz) or (xx, xy, yy).
-/// - Lengths are in any one unit; forms are in its square; μ² and λ have none.
-/// - The result is a value, with a Status that is Status::success or says why every number in it is
-///   NaN. Status::invalid_argument has two causes, the same in every function: a number is NaN or
-///   infinite, or an argument is outside of the range that its description states, as "> 0".
-///   Status::not_positive_definite says that a form is not.
+/// - All lengths are in one unit, which the caller chooses. Forms are in its square. μ² and λ have
+///   no unit.
+/// - The result is a value with a Status. If it is not Status::success, every number of the result
+///   is NaN, and the status says why. Status::invalid_argument has two causes, in every function: a
+///   number is NaN or infinite; an argument is outside of the range that its description states, as
+///   "> 0". Status::not_positive_definite means that a form is not positive definite.
 /// - Every function is noexcept, and constexpr where the standard allows it. No function allocates
-///   memory, keeps or shares state, or prints anything.
-/// - In double, no intermediate result overflows or underflows for semi-axes and distances from
+///   memory, has state, or prints anything.
+/// - In double, no intermediate result overflows or underflows if semi-axes and distances are from
 ///   1e-150 to 1e150.
-/// - The templates do not follow the reproducible mode, which is one of the compiled library:
-///   pw85_set_reproducible().
+/// - The reproducible mode of the compiled library, pw85_set_reproducible(), does not apply to the
+///   templates.
 /// - Code is compiled with the flags of the translation unit that includes it, and runs in the
-///   caller's floating-point environment. It refuses `-ffast-math` unless PW85_ALLOW_FAST_MATH is
-///   defined.
+///   caller's floating-point environment. It does not compile with `-ffast-math` unless
+///   PW85_ALLOW_FAST_MATH is defined.
 ///
 /// Its neighbours:
 ///
 /// - pw85/batch.hpp: many pairs, as spans; needs the compiled library, which chooses the
 ///   instruction set at run time.
-/// - pw85/systems.hpp, pw85/simulation.hpp: pair lists, neighbours, forces, meshes and periodic
-///   cells; Monte Carlo.
-/// - pw85/history/legacy.hpp: the rational form of f and the solvers that were superseded;
+/// - pw85/systems.hpp: pair lists, neighbour lists, forces, meshes and periodic cells;
+///   pw85/simulation.hpp: Monte Carlo.
+/// - pw85/history/legacy.hpp: the rational form of f and superseded solvers;
 ///   pw85/history/zheng.hpp: the distance of closest approach by the algorithms of Zheng et al.
-///   Both are there to check the contact function.
-/// - pw85.h: the C API of the compiled library. It has Brent's method as in pw85 1.0, too, which
+///   Both serve to check the contact function.
+/// - pw85.h: the C API of the compiled library. It also has Brent's method as in pw85 1.0, which
 ///   the library takes from GSL or from Boost.Math.
 /// - The folders hold the definitions, one idea a header, with its mathematics at the top and
 ///   beside its functions: algebra/, contact/, overlap/, distance/, motion/, shapes/, volume/ and
@@ -117,31 +118,33 @@ template <class T> struct FreePath;            // length, status
 /// @name Quadratic forms
 /// @{
 
-/// Form of a spheroid, Q = a² I + (c² - a²) n nᵀ.
+/// Computes the form of a spheroid, Q = a² I + (c² - a²) n nᵀ with the unit vector n along the
+/// axis.
 ///
 /// @param a equatorial radius, > 0
 /// @param c polar radius, > 0
 /// @param n direction of the axis of revolution, of any length > 0
-/// @return the form; Status::invalid_argument if a length is not positive or its square leaves the
+/// @return the form; Status::invalid_argument if a length is not positive, its square leaves the
 /// range of `T`, or `n` is zero or not finite
 template <class T>
 PW85_FUNCTION constexpr Form<T, 3> spheroid(T const &a, T const &c, Vector<T, 3> n) noexcept;
 
-/// Form of a general ellipsoid, Q = R diag(semi_axes²) Rᵀ.
+/// Computes the form of an ellipsoid, Q = R diag(semi_axes²) Rᵀ.
 ///
 /// @param semi_axes lengths of the principal semi-axes (not diameters), > 0, whose squares are in
 /// the range of `T`
-/// @param rotation 3×3 matrix R in row-major order; its columns are the principal directions, so
-/// that R takes the body frame to the space frame. RᵀR may differ from I by at most 1e-6 in any
-/// entry; reflections are accepted.
+/// @param rotation 3×3 matrix R in row-major order, which takes the body frame to the space frame;
+/// its columns are the principal directions. An entry of RᵀR - I may be at most 1e-6 in magnitude.
+/// R may be a reflection.
 /// @return the form; Status::invalid_argument
 template <class T> PW85_FUNCTION constexpr Form<T, 3> ellipsoid(Vector<T, 3> const &semi_axes,
                                                                 T const (&rotation)[9]) noexcept;
 
-/// ellipsoid() with the rotation as any type that has its entry in row i and column j as r(i, j) or
-/// r[i][j], such as T[3][3], std::array<std::array<T, 3>, 3>, std::array<Vector<T, 3>, 3>,
-/// Factor<T, 3>, SymmetricMatrix<T, 3> and matrices of Eigen, or as a std::array<T, 9> in row-major
-/// order. Entries are converted to T.
+/// Computes the form of an ellipsoid from a rotation of any type that has its entry in row i and
+/// column j as r(i, j) or r[i][j], or from a std::array<T, 9> in row-major order.
+///
+/// Such types are T[3][3], std::array<std::array<T, 3>, 3>, std::array<Vector<T, 3>, 3>, Factor<T,
+/// 3>, SymmetricMatrix<T, 3> and matrices of Eigen. Entries are converted to T.
 ///
 /// @param semi_axes,rotation as for ellipsoid()
 /// @return the form; Status::invalid_argument
@@ -149,24 +152,24 @@ template <class T, class Matrix>
 requires detail::IsRotationOf<T, Matrix> PW85_FUNCTION constexpr Form<T, 3>
 ellipsoid(Vector<T, 3> const &semi_axes, Matrix const &rotation) noexcept;
 
-/// Form of a general ellipsoid whose orientation is a quaternion.
+/// Computes the form of an ellipsoid whose orientation is a quaternion.
 ///
 /// @param semi_axes as for ellipsoid()
-/// @param quaternion (w, x, y, z), scalar first, of any length > 0: normalised inside. It takes the
-/// body frame to the space frame.
+/// @param quaternion (w, x, y, z), scalar first, which takes the body frame to the space frame; of
+/// any length > 0, because the function normalises it
 /// @return the form; Status::invalid_argument
 template <class T> PW85_FUNCTION constexpr Form<T, 3>
 ellipsoid_quaternion(Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion) noexcept;
 
-/// Factor S of the form of a general ellipsoid, Q = S Sᵀ, for contact_factored(). Its columns are
-/// the semi-axes as vectors.
+/// Computes a factor S of the form of an ellipsoid, Q = S Sᵀ, for contact_factored(). Its columns
+/// are the semi-axes as vectors.
 ///
 /// @param semi_axes,quaternion as for ellipsoid_quaternion()
 /// @return the factor; Status::invalid_argument
 template <class T> PW85_FUNCTION constexpr EllipsoidFactor<T, 3>
 ellipsoid_factor(Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion) noexcept;
 
-/// Form (xx, xy, yy) of an ellipse.
+/// Computes the form (xx, xy, yy) of an ellipse.
 ///
 /// @param a first semi-axis, > 0, whose square is in the range of `T`
 /// @param b second semi-axis, > 0, whose square is in the range of `T`
@@ -175,7 +178,7 @@ ellipsoid_factor(Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion) 
 template <class T>
 PW85_FUNCTION inline Form<T, 2> ellipse(T const &a, T const &b, T const &angle) noexcept;
 
-/// Tight box with sides along the axes around an ellipsoid: half-widths √Q_ii.
+/// Computes the smallest box, with sides along the axes, around an ellipsoid: half-widths √Q_ii.
 ///
 /// @param q the form
 /// @return the half-widths; Status::invalid_argument, Status::not_positive_definite
@@ -187,23 +190,24 @@ PW85_FUNCTION inline BoundingBox<T, D> bounding_box(SymmetricMatrix<T, D> const 
 /// @name Contact of two ellipsoids
 /// @{
 
-/// The contact function μ² and its maximiser λ, by a third-order iteration on log(λ/(1-λ)).
+/// Computes the contact function μ² and its maximiser λ, by a third-order iteration on
+/// log(λ/(1-λ)).
 ///
-/// The relative error of μ² is below 4 u cond, with u the rounding unit of `T` (2⁻⁵³ for double)
-/// and the entrywise condition number of condition().
+/// The relative error of μ² is below 4 u cond, with the condition number cond of condition().
 ///
-/// @param r12 c2 - c1; zero is valid: μ² = 0, λ = 1/2
+/// @param r12 c2 - c1; it may be zero: then μ² = 0 and λ = 1/2
 /// @param q1,q2 the forms, in the square of the unit of `r12`
-/// @return μ² and λ in [0, 1]; Status::invalid_argument (NaN or infinity),
-/// Status::not_positive_definite
+/// @return μ² and λ in [0, 1]; Status::invalid_argument, Status::not_positive_definite,
+/// Status::no_convergence (this has never been seen)
 template <class T, int D>
 PW85_FUNCTION inline Contact<T> contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                         SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// contact() with μ² correctly rounded: it is the number of the type that is nearest to the exact
-/// value for the numbers given. If two are equally near, it is the one whose last digit is 0. λ
-/// errs by less than one unit in the last place. For multiprecision numbers the results are those
-/// of contact().
+/// Computes the contact function with μ² correctly rounded.
+///
+/// μ² is the number of the type nearest to the exact value for the numbers given. If two are
+/// equally near, it is the one whose last digit is 0. λ errs by less than one unit in the last
+/// place. For multiprecision numbers the results are those of contact().
 ///
 /// @param r12,q1,q2 as for contact()
 /// @return μ² and λ in [0, 1]; μ² is infinity if it overflows, with success;
@@ -214,103 +218,108 @@ PW85_FUNCTION inline Contact<T> contact_rounded(Vector<T, D> const &r12,
                                                 SymmetricMatrix<T, D> const &q1,
                                                 SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// contact() of ellipsoids that are given by factors of their forms, Q1 = S1 S1ᵀ and Q2 = S2 S2ᵀ.
-/// Slender ellipsoids keep the digits that the squares of their semi-axes lose: see
-/// pw85_contact_factored() in pw85.h.
+/// Computes the contact function of ellipsoids that are given by factors of their forms, Q1 = S1
+/// S1ᵀ and Q2 = S2 S2ᵀ.
+///
+/// Factors of slender ellipsoids keep digits that the forms lose: see pw85_contact_factored() in
+/// pw85.h.
 ///
 /// @param r12 as for contact()
-/// @param s1,s2 the factors, in the unit of `r12`, as ellipsoid_factor() makes them; other matrices
-/// as said in pw85.h
+/// @param s1,s2 factors, in the unit of `r12`, as from ellipsoid_factor(). pw85_contact_factored()
+/// says which other matrices are accepted.
 /// @return μ² and λ in [0, 1]; Status::invalid_argument, Status::not_positive_definite (a factor is
 /// singular, or nearly), Status::no_convergence
 template <class T, int D> PW85_FUNCTION inline Contact<T>
 contact_factored(Vector<T, D> const &r12, Factor<T, D> const &s1, Factor<T, D> const &s2) noexcept;
 
-/// Condition number of the contact function: if each entry of r12, q1 and q2 changes by a fraction
-/// ε of itself, μ² changes by a fraction of at most ε times the condition number, to first order in
-/// ε.
+/// Computes the condition number of the contact function, entry by entry.
+///
+/// If each entry of r12, q1 and q2 changes by at most a fraction ε of itself, μ² changes by at most
+/// a fraction ε times the condition number, to first order in ε.
 ///
 /// @param r12,q1,q2 as for contact()
-/// @param lambda from contact()
-/// @return the condition number, no less than 3, and 0 for r12 = 0; Status::invalid_argument (also
-/// for λ outside [0, 1]), Status::not_positive_definite
+/// @param lambda the maximiser λ in [0, 1], from contact()
+/// @return the condition number: at least 3, or 0 for r12 = 0; Status::invalid_argument,
+/// Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline Condition<T>
 condition(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2,
           T const &lambda) noexcept;
 
-/// Point at which the ellipsoids, scaled by μ, touch, and their common normal.
+/// Computes the point at which the ellipsoids, scaled by μ, touch, and their common normal there.
 ///
 /// @param r12,q1,q2 as for contact(), r12 != 0
-/// @param lambda from contact(). Any other value in (0, 1) gives the point x0(λ) of the chapter on
-/// theory: it is on both ellipsoids when they are scaled by the factors μ1 and μ2 for which f(λ) =
-/// λ μ1² + (1-λ) μ2².
+/// @param lambda the maximiser λ, from contact(). For another λ in [0, 1] the point is x0(λ) of the
+/// chapter on theory: it is on the surfaces of ellipsoid 1 scaled by μ1 and of ellipsoid 2 scaled
+/// by μ2, where f(λ) = λ μ1² + (1-λ) μ2².
 /// @return the point, relative to the centre of ellipsoid 1, and the unit vector out of ellipsoid 1
-/// and into ellipsoid 2; Status::invalid_argument (also for λ outside [0, 1] and r12 = 0),
-/// Status::not_positive_definite
+/// and into ellipsoid 2; Status::invalid_argument, Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline ContactGeometry<T, D>
 contact_geometry(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                  SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
 
-/// Derivatives of μ² with respect to the separation and the stored entries of both forms.
+/// Computes the derivatives of μ² with respect to r12 and the stored entries of both forms.
 ///
 /// @param r12,q1,q2 as for contact()
-/// @param lambda from contact()
-/// @return ∂μ²/∂r12, of which minus is the derivative with respect to centre 1; ∂μ²/∂q1 and
-/// ∂μ²/∂q2, where an off-diagonal entry stands for two entries of the matrix;
-/// Status::invalid_argument (also for λ outside [0, 1]), Status::not_positive_definite
+/// @param lambda the maximiser λ in [0, 1], from contact()
+/// @return ∂μ²/∂r12, whose negative is the derivative with respect to centre 1; ∂μ²/∂q1 and
+/// ∂μ²/∂q2, where a stored off-diagonal entry is two entries of the matrix;
+/// Status::invalid_argument, Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline ContactGradient<T, D>
 contact_gradient(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                  SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
 
-/// contact_geometry() of ellipsoids that are given by factors.
+/// Computes the point and the normal of contact_geometry() for ellipsoids that are given by
+/// factors.
 ///
 /// @param r12 as for contact_factored(), r12 != 0
 /// @param s1,s2 as for contact_factored()
-/// @param lambda from contact_factored()
+/// @param lambda the maximiser λ in [0, 1], from contact_factored()
 /// @return as for contact_geometry()
 template <class T, int D> PW85_FUNCTION inline ContactGeometry<T, D>
 contact_geometry_factored(Vector<T, D> const &r12, Factor<T, D> const &s1, Factor<T, D> const &s2,
                           T const &lambda) noexcept;
 
-/// Derivatives of μ² of ellipsoids that are given by factors, with respect to the separation and
+/// Computes the derivatives of μ² for ellipsoids that are given by factors, with respect to r12 and
 /// the entries of both factors.
 ///
 /// @param r12,s1,s2 as for contact_factored()
-/// @param lambda from contact_factored()
-/// @return ∂μ²/∂r12, ∂μ²/∂s1 and ∂μ²/∂s2; Status::invalid_argument (also for λ outside [0, 1]),
-/// Status::not_positive_definite
+/// @param lambda the maximiser λ in [0, 1], from contact_factored()
+/// @return ∂μ²/∂r12, ∂μ²/∂s1 and ∂μ²/∂s2; Status::invalid_argument, Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline FactorGradient<T, D>
 contact_gradient_factored(Vector<T, D> const &r12, Factor<T, D> const &s1, Factor<T, D> const &s2,
                           T const &lambda) noexcept;
 
-/// Derivatives of μ² with respect to rotations: turning an ellipsoid about its own centre by the
-/// small vector ω changes μ² by rotation·ω. The torque of an energy U(μ²) is -U'(μ²) rotation.
+/// Computes the derivatives of μ² with respect to rotations of the ellipsoids.
+///
+/// If an ellipsoid rotates about its own centre by a small rotation vector ω, μ² changes by
+/// rotation·ω. An energy U(μ²) exerts the torque -U'(μ²) rotation on the ellipsoid.
 ///
 /// @param r12,q1,q2 as for contact()
-/// @param lambda from contact()
-/// @return both vectors, per radian; Status::invalid_argument (also for λ outside [0, 1]),
-/// Status::not_positive_definite
+/// @param lambda the maximiser λ in [0, 1], from contact()
+/// @return both vectors, per radian; Status::invalid_argument, Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline ContactTorque<T, D>
 contact_torque(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
 
-/// Second derivatives of μ² with respect to r12 and rotations of the ellipsoids about their own
-/// centres. A vector ω describes the rotation by the angle |ω| about the direction of ω; in two
-/// dimensions ω is the angle. λ is not held fixed: it maximises f for each changed pair.
+/// Computes the second derivatives of μ² with respect to r12 and rotations of the ellipsoids about
+/// their own centres.
+///
+/// A rotation vector ω is the rotation by the angle |ω| about the direction of ω. In two dimensions
+/// ω is the angle. λ is not held fixed: it maximises f for each changed pair.
 ///
 /// @param r12,q1,q2 as for contact(), r12 != 0
-/// @param lambda from contact()
-/// @return the symmetric matrix, for r12, rotation 1 and rotation 2: 9×9 or 4×4;
-/// Status::invalid_argument (also for λ outside [0, 1] and r12 = 0), Status::not_positive_definite
+/// @param lambda the maximiser λ in [0, 1], from contact()
+/// @return the symmetric matrix for r12, rotation 1 and rotation 2, 9×9 or 4×4;
+/// Status::invalid_argument, Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline ContactHessian<T, D>
 contact_hessian(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                 SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
 
-/// Returns whether two ellipsoids overlap, μ² < 1. Tangent ellipsoids (μ² = 1) do not.
+/// Tests whether two ellipsoids overlap, μ² < 1. Tangent ellipsoids (μ² = 1) do not overlap.
 ///
-/// For float, double and long double the answer is that of exact arithmetic for the numbers given.
-/// Bounds that account for rounding decide almost all pairs, and exact arithmetic decides the
-/// others. For a multiprecision number the answer is right to its rounding.
+/// For float, double and long double the answer is exact for the numbers given. Bounds that account
+/// for rounding decide almost all pairs, and exact arithmetic decides the others. For a
+/// multiprecision number the answer is right to its rounding.
 ///
 /// @param r12,q1,q2 as for contact(); r12 = 0 is an overlap
 /// @return the answer, and `tier`, the method that decided; Status::invalid_argument,
@@ -319,9 +328,10 @@ template <class T, int D>
 PW85_FUNCTION inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                      SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// Returns whether two ellipsoids overlap that are given by factors of their forms. For float,
-/// double and long double the answer is that of exact arithmetic for the exact products of the
-/// factors. For a multiprecision number it is right to its rounding.
+/// Tests whether two ellipsoids overlap that are given by factors of their forms.
+///
+/// For float, double and long double the answer is exact for the exact products of the factors. For
+/// a multiprecision number it is right to its rounding.
 ///
 /// @param r12 as for contact_factored(); r12 = 0 is an overlap
 /// @param s1,s2 as for contact_factored()
@@ -331,10 +341,11 @@ PW85_FUNCTION inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T,
 template <class T, int D> PW85_FUNCTION inline Overlap
 overlap_factored(Vector<T, D> const &r12, Factor<T, D> const &s1, Factor<T, D> const &s2) noexcept;
 
-/// overlap() without exact arithmetic: Decision::overlap or Decision::apart where floating-point
-/// numbers prove it, Decision::none for a pair so near to contact, |μ² - 1| of some u cond, that
-/// they cannot. A thread of a GPU can call this function, and leave the pairs that it does not
-/// decide to overlap() on the host.
+/// Tests whether two ellipsoids overlap, without exact arithmetic.
+///
+/// The decision is Decision::overlap or Decision::apart if floating-point numbers prove it, and
+/// Decision::none for a pair so near to contact (|μ² - 1| of some u cond) that they cannot. A
+/// thread of a GPU can call this function, and leave undecided pairs to overlap() on the host.
 ///
 /// @param r12,q1,q2 as for overlap()
 /// @return the decision, and `tier`, the method that made it; Decision::none with
@@ -344,26 +355,27 @@ PW85_FUNCTION inline OverlapDecision decide_overlap(Vector<T, D> const &r12,
                                                     SymmetricMatrix<T, D> const &q1,
                                                     SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// Decides overlap() with a witness, by which the caller can verify the answer.
+/// Tests whether two ellipsoids overlap, as overlap() does, and returns a witness that proves the
+/// answer.
 ///
-/// For float, double and long double the witness holds in exact arithmetic, as f(lambda) > 1 or as
-/// a point inside both, not on a surface. Tangent ellipsoids have none: `lambda` and `point` are
-/// NaN, and the status is success. For a multiprecision number the witness is right to rounding.
+/// For float, double and long double the witness holds in exact arithmetic: a λ with f(λ) > 1, or a
+/// point inside both and on neither surface. Tangent ellipsoids have no witness: `lambda` and
+/// `point` are NaN, with success. For a multiprecision number the witness is right to rounding.
 ///
 /// @param r12,q1,q2 as for overlap()
-/// @return the answer; a λ with f(λ) > 1, and the unit normal of a plane between the ellipsoids to
-/// rounding, if they are apart; a point in both, relative to the centre of ellipsoid 1, if they
-/// overlap; what does not apply is NaN; Status::invalid_argument, Status::not_positive_definite,
+/// @return the answer; if they are apart, a λ with f(λ) > 1, and the unit normal of a plane between
+/// them, right to rounding; if they overlap, a point in both, relative to the centre of ellipsoid
+/// 1; the other numbers are NaN; Status::invalid_argument, Status::not_positive_definite,
 /// Status::no_convergence (no witness was found; the answer is right nevertheless)
 template <class T, int D>
 PW85_FUNCTION inline OverlapWitness<T, D> overlap_witness(Vector<T, D> const &r12,
                                                           SymmetricMatrix<T, D> const &q1,
                                                           SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// Returns whether ellipsoid 2 is inside ellipsoid 1. One that touches it from inside is.
+/// Tests whether ellipsoid 2 is inside ellipsoid 1. It may touch the surface from inside.
 ///
-/// For float, double and long double the answer is that of exact arithmetic for the numbers given.
-/// For a multiprecision number a pair that cannot be told from one that touches counts as inside.
+/// For float, double and long double the answer is exact for the numbers given. For a
+/// multiprecision number, a pair that rounding cannot tell from one that touches counts as inside.
 ///
 /// @param r12,q1,q2 as for contact()
 /// @return the answer; Status::invalid_argument, Status::not_positive_definite
@@ -371,12 +383,13 @@ template <class T, int D>
 PW85_FUNCTION inline Containment contains(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                           SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// The factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2: its
-/// square is the largest xᵀQ1⁻¹x over ellipsoid 2.
+/// Computes the least factor by which ellipsoid 1, scaled about its centre, contains ellipsoid 2,
+/// and a point where they then touch.
 ///
-/// The relative error is below 16 u c, with c as said for pw85_containment() in pw85.h.
+/// The square of the factor is the largest value of xᵀQ1⁻¹x over ellipsoid 2. Its relative error is
+/// below 16 u c, with c of pw85_containment() in pw85.h.
 ///
-/// @param r12,q1,q2 as for contact(); zero is valid for r12
+/// @param r12,q1,q2 as for contact(); r12 may be zero
 /// @return the square of the factor, and the point of ellipsoid 2 where the scaled ellipsoid 1
 /// touches it, relative to the centre of ellipsoid 1 (one of them if there are several);
 /// Status::invalid_argument, Status::not_positive_definite, Status::no_convergence
@@ -385,40 +398,40 @@ PW85_FUNCTION inline ContainmentScale<T, D> containment(Vector<T, D> const &r12,
                                                         SymmetricMatrix<T, D> const &q1,
                                                         SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// The volume of an ellipsoid, (4/3)π √det q.
+/// Computes the volume of an ellipsoid, (4/3)π √det q.
 ///
 /// @param q form of the ellipsoid
 /// @return the volume; Status::invalid_argument, Status::not_positive_definite
 template <class T> PW85_FUNCTION inline Volume<T> volume(SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// The area of an ellipse, π √det q.
+/// Computes the area of an ellipse, π √det q.
 ///
 /// @param q form of the ellipse
 /// @return the area; Status::invalid_argument, Status::not_positive_definite
 template <class T> PW85_FUNCTION inline Area<T> area(SymmetricMatrix<T, 2> const &q) noexcept;
 
-/// The area of the surface of an ellipsoid.
+/// Computes the surface area of an ellipsoid.
 ///
 /// @param q form of the ellipsoid
 /// @return the area; Status::invalid_argument, Status::not_positive_definite
 template <class T>
 PW85_FUNCTION inline Area<T> surface_area(SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// The perimeter of an ellipse.
+/// Computes the perimeter of an ellipse.
 ///
 /// @param q form of the ellipse
 /// @return the perimeter; Status::invalid_argument, Status::not_positive_definite
 template <class T>
 PW85_FUNCTION inline Perimeter<T> perimeter(SymmetricMatrix<T, 2> const &q) noexcept;
 
-/// The mean of x xᵀ over a uniform ellipsoid or ellipse, about its centre.
+/// Computes the mean of x xᵀ over a uniform ellipsoid or ellipse, about its centre.
 ///
 /// @param q form of the ellipsoid or ellipse
 /// @return the moments; Status::invalid_argument, Status::not_positive_definite
 template <class T, int D>
 PW85_FUNCTION inline Moments<T, D> second_moments(SymmetricMatrix<T, D> const &q) noexcept;
 
-/// The form of the uniform ellipsoid or ellipse that has given second moments, the inverse of
+/// Computes the form of the uniform ellipsoid or ellipse with given second moments, the inverse of
 /// second_moments().
 ///
 /// @param second_moments mean of x xᵀ over a body, about its centre; positive definite
@@ -426,15 +439,15 @@ PW85_FUNCTION inline Moments<T, D> second_moments(SymmetricMatrix<T, D> const &q
 template <class T, int D>
 PW85_FUNCTION inline Form<T, D> from_moments(SymmetricMatrix<T, D> const &second_moments) noexcept;
 
-/// The mean of x xᵀ over the surface of an ellipsoid or the perimeter of an ellipse, about its
-/// centre.
+/// Computes the mean of x xᵀ over the surface of an ellipsoid or the perimeter of an ellipse, about
+/// its centre.
 ///
 /// @param q form of the ellipsoid or ellipse
 /// @return the moments; Status::invalid_argument, Status::not_positive_definite
 template <class T, int D>
 PW85_FUNCTION inline Moments<T, D> shell_moments(SymmetricMatrix<T, D> const &q) noexcept;
 
-/// The tensor of inertia of a body or of a shell of unit density, about its centre.
+/// Computes the inertia tensor of a solid body or of a shell of unit density, about its centre.
 ///
 /// @param q form of the ellipsoid
 /// @param shell 0 for a uniform solid body, any other number for a sheet of the same mass per area
@@ -443,12 +456,12 @@ PW85_FUNCTION inline Moments<T, D> shell_moments(SymmetricMatrix<T, D> const &q)
 template <class T>
 PW85_FUNCTION inline Inertia<T> inertia(SymmetricMatrix<T, 3> const &q, int shell) noexcept;
 
-/// The volume of the common part of two ellipsoids.
+/// Computes the volume of the intersection of two ellipsoids.
 ///
-/// It is 0 exactly where overlap() is false, and that of the smaller ellipsoid exactly where it is
-/// inside the other one. The bound on the error is that of pw85_overlap_volume() in pw85.h.
+/// It is 0 if overlap() is false, and the volume of the smaller ellipsoid if contains() says that
+/// this one is inside the other one. The error has the bound of pw85_overlap_volume() in pw85.h.
 ///
-/// @param r12,q1,q2 as for contact(); zero is valid for r12
+/// @param r12,q1,q2 as for contact(); r12 may be zero
 /// @return the volume; Status::invalid_argument, Status::not_positive_definite,
 /// Status::no_convergence
 template <class T>
@@ -456,7 +469,7 @@ PW85_FUNCTION inline Volume<T> overlap_volume(Vector<T, 3> const &r12,
                                               SymmetricMatrix<T, 3> const &q1,
                                               SymmetricMatrix<T, 3> const &q2) noexcept;
 
-/// The area of the common part of two ellipses, likewise.
+/// Computes the area of the intersection of two ellipses, as overlap_volume() computes volumes.
 ///
 /// @param r12,q1,q2 as for overlap_volume()
 /// @return the area; Status::invalid_argument, Status::not_positive_definite,
@@ -465,8 +478,8 @@ template <class T>
 PW85_FUNCTION inline Area<T> overlap_area(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
                                           SymmetricMatrix<T, 2> const &q2) noexcept;
 
-/// The derivatives of overlap_volume() with respect to r12 and to the stored entries of both forms.
-/// An off-diagonal entry stands for two entries of the matrix.
+/// Computes the derivatives of overlap_volume() with respect to r12 and the stored entries of both
+/// forms. A stored off-diagonal entry is two entries of the matrix.
 ///
 /// @param r12,q1,q2 as for overlap_volume()
 /// @return the derivatives; Status::invalid_argument, Status::not_positive_definite,
@@ -475,8 +488,8 @@ template <class T> PW85_FUNCTION inline OverlapVolumeGradient<T>
 overlap_volume_gradient(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
                         SymmetricMatrix<T, 3> const &q2) noexcept;
 
-/// The derivatives of overlap_volume() with respect to rotations of the ellipsoids about their
-/// centres, per radian.
+/// Computes the derivatives of overlap_volume() with respect to rotations of the ellipsoids about
+/// their centres, per radian.
 ///
 /// @param r12,q1,q2 as for overlap_volume()
 /// @return the derivatives; Status::invalid_argument, Status::not_positive_definite,
@@ -485,8 +498,8 @@ template <class T> PW85_FUNCTION inline OverlapVolumeTorque<T>
 overlap_volume_torque(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
                       SymmetricMatrix<T, 3> const &q2) noexcept;
 
-/// The derivatives of overlap_area() with respect to r12 and to the stored entries of both forms.
-/// An off-diagonal entry stands for two entries of the matrix.
+/// Computes the derivatives of overlap_area() with respect to r12 and the stored entries of both
+/// forms. A stored off-diagonal entry is two entries of the matrix.
 ///
 /// @param r12,q1,q2 as for overlap_volume()
 /// @return the derivatives; Status::invalid_argument, Status::not_positive_definite,
@@ -495,8 +508,8 @@ template <class T> PW85_FUNCTION inline OverlapAreaGradient<T>
 overlap_area_gradient(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
                       SymmetricMatrix<T, 2> const &q2) noexcept;
 
-/// The derivatives of overlap_area() with respect to the angles of the ellipses, counter-clockwise,
-/// per radian.
+/// Computes the derivatives of overlap_area() with respect to the angles of the ellipses,
+/// counter-clockwise, per radian.
 ///
 /// @param r12,q1,q2 as for overlap_volume()
 /// @return the derivatives; Status::invalid_argument, Status::not_positive_definite,
@@ -505,22 +518,21 @@ template <class T> PW85_FUNCTION inline OverlapAreaTorque<T>
 overlap_area_torque(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
                     SymmetricMatrix<T, 2> const &q2) noexcept;
 
-/// The volume of the part of an ellipsoid in the half-space of the points x with normal·x <=
-/// offset, relative to its centre.
+/// Computes the volume of the part of an ellipsoid that is in the half-space normal·x <= offset.
+/// The points x are relative to the centre of the ellipsoid.
 ///
 /// @param normal of any length > 0
 /// @param offset in units of the length of `normal` times the unit of length
 /// @param q form of the ellipsoid
-/// @return the volume; Status::invalid_argument (also for a zero normal),
-/// Status::not_positive_definite
+/// @return the volume; Status::invalid_argument, Status::not_positive_definite
 template <class T>
 PW85_FUNCTION inline Volume<T> overlap_volume_plane(Vector<T, 3> const &normal, T const &offset,
                                                     SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// The sign of μ² - mu2.
+/// Compares μ² with a number, and returns the sign of μ² - mu2.
 ///
-/// For float, double and long double the sign is that of exact arithmetic for the numbers given.
-/// For a multiprecision number it is right to rounding.
+/// For float, double and long double the sign is exact for the numbers given. For a multiprecision
+/// number it is right to rounding.
 ///
 /// @param r12,q1,q2 as for contact()
 /// @param mu2 >= 0; may be infinity
@@ -529,14 +541,16 @@ template <class T, int D>
 PW85_FUNCTION inline Comparison compare(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                         SymmetricMatrix<T, D> const &q2, T const &mu2) noexcept;
 
-/// Distance of closest approach: the distance of the centres at which two ellipsoids of fixed
-/// orientation touch from outside, when their centres are on a line of given direction d. It is
-/// |d|/μ(d).
+/// Computes the distance of closest approach of two ellipsoids of fixed orientation, for one
+/// direction.
+///
+/// It is the distance of the centres at which the ellipsoids touch from outside, if the centres are
+/// on a line along the vector d = `direction`. It is |d|/μ(d), where μ(d) is μ for r12 = d.
 ///
 /// @param direction from centre 1 to centre 2, of any length > 0
 /// @param q1,q2 the forms
-/// @return the distance, in the unit of the semi-axes; Status::invalid_argument (also for a zero
-/// direction), Status::not_positive_definite
+/// @return the distance, in the unit of the semi-axes; Status::invalid_argument,
+/// Status::not_positive_definite, Status::no_convergence as for contact()
 template <class T, int D>
 PW85_FUNCTION inline ClosestApproach<T> closest_approach(Vector<T, D> direction,
                                                          SymmetricMatrix<T, D> const &q1,
@@ -547,72 +561,78 @@ PW85_FUNCTION inline ClosestApproach<T> closest_approach(Vector<T, D> direction,
 /// @name Distance
 /// @{
 
-/// Distance of the surfaces of two ellipsoids, and the points where they are closest.
+/// Computes the distance of the surfaces of two ellipsoids, and the points where they are closest.
 ///
-/// The error of the distance is below 8 u Σ, with Σ as said for pw85_distance() in pw85.h. Rounding
-/// each entry of the data can change the distance by u Σ.
+/// The error of the distance is below 8 u Σ, with Σ of pw85_distance() in pw85.h. Rounding each
+/// entry of the data can change the distance by u Σ.
 ///
 /// @param r12,q1,q2 as for contact()
 /// @return the distance, in the unit of `r12`, the closest points of both ellipsoids, relative to
-/// centre 1, and the unit normal out of ellipsoid 1 and into ellipsoid 2. If they overlap, which is
-/// decided as in overlap(), the distance is zero and the vectors are NaN, also on success;
-/// Status::invalid_argument, Status::not_positive_definite
+/// centre 1, and the unit normal out of ellipsoid 1 and into ellipsoid 2. If they overlap, as
+/// overlap() decides, the distance is zero and the vectors are NaN, also on success;
+/// Status::invalid_argument, Status::not_positive_definite, Status::no_convergence (the errors
+/// cannot be bounded)
 template <class T, int D>
 PW85_FUNCTION inline Distance<T, D> distance(Vector<T, D> const &r12,
                                              SymmetricMatrix<T, D> const &q1,
                                              SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// First and second derivatives of the distance of two ellipsoids that are apart.
+/// Computes the first and second derivatives of the distance of two ellipsoids that are apart.
 ///
 /// @param r12,q1,q2 as for contact()
 /// @return derivatives with respect to r12 (the unit normal of distance()) and to rotations of
 /// ellipsoids 1 and 2 by small vectors about their own centres, per radian; the symmetric 9×9
-/// matrix of second derivatives with respect to r12, rotation 1 and rotation 2, where the vector ω
-/// stands for the rotation by |ω| about ω; NaN if they overlap, also on success;
-/// Status::invalid_argument, Status::not_positive_definite
+/// matrix of second derivatives with respect to r12, rotation 1 and rotation 2, as for
+/// contact_hessian(); NaN if they overlap, also on success; Status::invalid_argument,
+/// Status::not_positive_definite, Status::no_convergence as for distance()
 template <class T> PW85_FUNCTION inline DistanceDerivatives<T>
 distance_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
                      SymmetricMatrix<T, 3> const &q2) noexcept;
 
-/// The depth of an overlap: the shortest translation of ellipsoid 2 that separates two ellipsoids,
-/// proved to be the shortest.
+/// Computes the penetration depth of two ellipsoids that overlap, and its direction. The depth is
+/// the length of the shortest translation of ellipsoid 2 that separates them. It is proved to be
+/// the shortest.
 ///
 /// @param r12,q1,q2 as for contact()
 /// @return the depth and the direction; zero and a NaN direction if the ellipsoids do not overlap;
-/// Status::invalid_argument, Status::not_positive_definite, Status::no_convergence (for forms
-/// singular to working precision)
+/// Status::invalid_argument, Status::not_positive_definite, Status::no_convergence (seen only for
+/// forms that are singular to working precision)
 template <class T, int D>
 PW85_FUNCTION inline Penetration<T, D> penetration(Vector<T, D> const &r12,
                                                    SymmetricMatrix<T, D> const &q1,
                                                    SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// The least gap between the surface of ellipsoid 2 and that of ellipsoid 1, which contains it,
-/// proved to be the least.
+/// Computes the least gap between the surfaces of ellipsoid 1 and of ellipsoid 2 inside it. The gap
+/// is proved to be the least.
 ///
 /// @param r12,q1,q2 as for contact()
-/// @return the gap, the points of both surfaces, relative to the centre of ellipsoid 1, and the
-/// unit normal out of both; zero and NaN vectors if ellipsoid 2 is not inside ellipsoid 1, which is
-/// decided as in contains(); Status::invalid_argument, Status::not_positive_definite
+/// @return the gap, the closest points of both surfaces, relative to the centre of ellipsoid 1, and
+/// the unit normal out of both; zero and NaN vectors if ellipsoid 2 is not inside ellipsoid 1, as
+/// contains() decides; Status::invalid_argument, Status::not_positive_definite,
+/// Status::no_convergence (this has never been seen)
 template <class T, int D>
 PW85_FUNCTION inline GapInside<T, D> gap_inside(Vector<T, D> const &r12,
                                                 SymmetricMatrix<T, D> const &q1,
                                                 SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// The signed distance of two ellipsoids: their distance if they are apart, minus the depth of
-/// their overlap otherwise; the largest value of n·r12 - α - β over unit vectors n, with the
-/// half-widths α and β of the ellipsoids along n.
+/// Computes the signed distance of two ellipsoids: the distance if they are apart, and minus the
+/// penetration depth if they overlap.
+///
+/// It is the largest value of n·r12 - α - β over unit vectors n, with the half-widths α and β of
+/// the ellipsoids along n. It is positive only if they are apart, and negative only if they
+/// overlap.
 ///
 /// @param r12,q1,q2 as for contact()
-/// @return the signed distance, positive only if they are apart and negative only if they overlap;
-/// the points of the surfaces with opposite normals that it belongs to, relative to the centre of
-/// ellipsoid 1; the unit normal out of ellipsoid 1; Status::invalid_argument,
-/// Status::not_positive_definite, Status::no_convergence as for distance() and penetration()
+/// @return the signed distance; the closest or deepest points of the surfaces, where the outward
+/// normals are opposite, relative to the centre of ellipsoid 1; the unit normal out of ellipsoid 1;
+/// Status::invalid_argument, Status::not_positive_definite, Status::no_convergence as for
+/// distance() and penetration()
 template <class T, int D>
 PW85_FUNCTION inline Distance<T, D> signed_distance(Vector<T, D> const &r12,
                                                     SymmetricMatrix<T, D> const &q1,
                                                     SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// First and second derivatives of the signed distance.
+/// Computes the first and second derivatives of the signed distance.
 ///
 /// @param r12,q1,q2 as for contact()
 /// @return as for distance_derivatives(), on both sides of contact; the second derivatives are NaN
@@ -626,43 +646,44 @@ signed_distance_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const
 /// @name Time
 /// @{
 
-/// The time of the first contact of two ellipsoids that translate, turn about their centres and
-/// grow. No contact is missed.
+/// Computes the time of the first contact of two ellipsoids that translate, rotate about their
+/// centres and grow. No contact is missed.
 ///
 /// @param r12,q1,q2 the pair at time 0, as for contact()
-/// @param motion1,motion2 how the ellipsoids move; their semi-axes must be > 0 until t_max
-/// @param t_max the time up to which contacts count, >= 0; may be infinity
-/// @return the time: infinity if there is no contact, zero if the ellipsoids overlap at time 0;
-/// Status::invalid_argument, Status::not_positive_definite, Status::no_convergence as said in
-/// pw85.h
+/// @param motion1,motion2 motions of the ellipsoids; their semi-axes must be > 0 until t_max
+/// @param t_max the last time at which a contact counts, >= 0; may be infinity
+/// @return the time; infinity if there is no contact; zero if the ellipsoids overlap at time 0,
+/// except for a pair that has just collided: see pw85.h; Status::invalid_argument,
+/// Status::not_positive_definite, Status::no_convergence as for pw85_first_contact() in pw85.h
 template <class T, int D> PW85_FUNCTION inline FirstContact<T>
 first_contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
               SymmetricMatrix<T, D> const &q2, Motion<T, D> const &motion1,
               Motion<T, D> const &motion2, T const &t_max) noexcept;
 
-/// The least contact function of two ellipsoids on a straight path, for the separations r12 + t
+/// Computes the least μ² of two ellipsoids on a straight path, for the separations r12 + t
 /// velocity, 0 <= t <= t_max.
 ///
-/// The error of μ² is below 8 u S, with S as said for pw85_closest_passage() in pw85.h.
+/// The error of μ² is below 8 u S, with S of pw85_closest_passage() in pw85.h.
 ///
 /// @param r12,q1,q2 as for contact(), at time 0
 /// @param velocity of ellipsoid 2 relative to ellipsoid 1; may be zero
-/// @param t_max the end of the time, >= 0; may be infinity
-/// @return the least μ² and its time; Status::invalid_argument, Status::not_positive_definite
+/// @param t_max the end of the path, >= 0; may be infinity
+/// @return the least μ² and its time; Status::invalid_argument, Status::not_positive_definite,
+/// Status::no_convergence as for contact()
 template <class T> PW85_FUNCTION inline ClosestPassage<T>
 closest_passage(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
                 SymmetricMatrix<T, 3> const &q2, Vector<T, 3> const &velocity,
                 T const &t_max) noexcept;
 
-/// Computes how far ellipsoid 1 may move along a direction before it touches ellipsoid 2. Up to
-/// this length the ellipsoids do not overlap, for certain, if they do not at the start.
+/// Computes how far ellipsoid 1 may move along a direction until it touches ellipsoid 2. If the
+/// ellipsoids do not overlap at the start, they do not overlap up to this length.
 ///
 /// @param r12,q1,q2 as for contact()
 /// @param direction of any length > 0
 /// @param t_max the end of the path, in units of the length of `direction`, >= 0; may be infinity
-/// @return the length, in the unit of t_max: infinity if there is no contact before t_max;
-/// Status::invalid_argument, Status::not_positive_definite, Status::no_convergence as said in
-/// pw85.h
+/// @return the length, in the unit of t_max: infinity if there is no contact on the path;
+/// Status::invalid_argument, Status::not_positive_definite, Status::no_convergence as for
+/// pw85_first_contact() in pw85.h
 template <class T, int D>
 PW85_FUNCTION inline FreePath<T> free_path(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                            SymmetricMatrix<T, D> const &q2,
@@ -673,17 +694,18 @@ PW85_FUNCTION inline FreePath<T> free_path(Vector<T, D> const &r12, SymmetricMat
 /// @name Curvature and contact of grains
 /// @{
 
-/// Principal curvatures of an ellipsoid's surface at the point with a given normal.
+/// Computes the principal curvatures of the surface of an ellipsoid, and their directions, at the
+/// point with a given normal.
 ///
 /// @param normal out of the ellipsoid, of any length > 0
 /// @param q the form
 /// @return the curvatures, the smaller one first, and the unit vectors of their directions;
-/// Status::invalid_argument (also for a zero normal), Status::not_positive_definite
+/// Status::invalid_argument, Status::not_positive_definite
 template <class T> PW85_FUNCTION inline Curvature<T>
 curvature(Vector<T, 3> normal, SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// Hertz's theory of the contact of two elastic bodies. For a depth δ the force is (4/3) E*
-/// √(radius δ³).
+/// Computes the numbers of Hertz's theory of the contact of two elastic bodies. For a depth δ the
+/// force is (4/3) E* √(radius δ³), with E* of pw85_hertz() in pw85.h.
 ///
 /// @param curvatures of the gap between the surfaces along two perpendicular directions, > 0
 /// @return the effective radius, and the squares of the semi-axes of the contact ellipse over the
@@ -691,48 +713,49 @@ curvature(Vector<T, 3> normal, SymmetricMatrix<T, 3> const &q) noexcept;
 template <class T>
 PW85_FUNCTION inline HertzEllipse<T> hertz(Vector<T, 2> const &curvatures) noexcept;
 
-/// Geometry of the contact of two grains along a common normal.
+/// Computes the geometry of the contact of two grains along a given normal.
 ///
 /// @param r12,q1,q2 as for contact()
-/// @param normal out of ellipsoid 1 and into ellipsoid 2, of any length > 0; mostly that of
+/// @param normal out of ellipsoid 1 and into ellipsoid 2, of any length > 0; usually that of
 /// contact_geometry()
-/// @return the depth, the point where forces act, the curvatures of the gap, and Hertz's numbers;
-/// Status::invalid_argument (also for a zero normal), Status::not_positive_definite
+/// @return the depth, the point at which contact forces act, the curvatures of the gap, and Hertz's
+/// numbers; Status::invalid_argument, Status::not_positive_definite
 template <class T> PW85_FUNCTION inline HertzContact<T>
 hertz_contact(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
               SymmetricMatrix<T, 3> const &q2, Vector<T, 3> normal) noexcept;
 
-/// The contact of two grains along their common normal, the least overlap near a direction.
+/// Computes the contact of two grains along their common normal: the local minimum of the overlap
+/// near a direction.
 ///
 /// @param r12,q1,q2 as for contact()
-/// @param start a direction near the normal, of any length > 0; mostly the normal of
+/// @param start a direction near the normal, of any length > 0; usually the normal of
 /// contact_geometry()
-/// @return the normal, the depth, the point where forces act, the curvatures of the gap, and
-/// Hertz's radius; Status::invalid_argument (also for a zero direction),
-/// Status::not_positive_definite, Status::no_convergence if the search leads to no minimum
+/// @return the normal, the depth, the point at which contact forces act, the curvatures of the gap,
+/// and Hertz's radius; Status::invalid_argument, Status::not_positive_definite,
+/// Status::no_convergence (the search finds no minimum)
 template <class T> PW85_FUNCTION inline GrainContact<T>
 grain_contact(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
               SymmetricMatrix<T, 3> const &q2, Vector<T, 3> start) noexcept;
 
-/// Derivatives of the radius of grain_contact(), whose normal follows each motion.
+/// Computes the derivatives of the radius of grain_contact(), whose normal follows each motion.
 ///
 /// @param r12,q1,q2 as for contact()
 /// @param normal that of grain_contact(), of any length > 0
 /// @return the derivatives with respect to r12 and to small rotations of either ellipsoid;
-/// Status::invalid_argument (also for a zero normal), Status::not_positive_definite,
-/// Status::no_convergence if the overlap has no minimum there
+/// Status::invalid_argument, Status::not_positive_definite, Status::no_convergence (the overlap has
+/// no minimum there)
 template <class T> PW85_FUNCTION inline GrainRadiusGradient<T>
 grain_radius_gradient(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
                       SymmetricMatrix<T, 3> const &q2, Vector<T, 3> normal) noexcept;
 
-/// The contact of a grain with its centre at 0 and a wall that is curved along one direction.
+/// Computes the contact of a grain with its centre at 0 and a wall that is curved along at most one
+/// direction.
 ///
 /// @param normal,offset,q as for distance_plane()
 /// @param direction across the normal, of any length > 0, along which the wall is curved
-/// @param curvature_of_wall positive for a wall that is convex, 0 for a plane
+/// @param curvature_of_wall positive if the wall is convex, 0 for a plane
 /// @return the depth, the deepest point of the ellipsoid, the curvatures of the gap, and Hertz's
-/// radius; Status::invalid_argument (also for a zero normal or direction),
-/// Status::not_positive_definite
+/// radius; Status::invalid_argument, Status::not_positive_definite
 template <class T> PW85_FUNCTION inline GrainWallContact<T>
 grain_contact_wall(Vector<T, 3> const &normal, T const &offset, Vector<T, 3> direction,
                    T const &curvature_of_wall, SymmetricMatrix<T, 3> const &q) noexcept;
@@ -741,97 +764,97 @@ grain_contact_wall(Vector<T, 3> const &normal, T const &offset, Vector<T, 3> dir
 
 /// @name Walls, points and lines
 ///
-/// One ellipsoid with its centre at 0, unless said otherwise. The error of a distance is below 8 u
-/// Σ, with Σ as said in pw85.h.
+/// These functions are for one ellipsoid with its centre at 0, unless they say otherwise. The error
+/// of a distance is below 8 u Σ, with Σ of pw85_shapes.h.
 /// @{
 
-/// Distance from an ellipsoid to the half-space normal·x >= offset.
+/// Computes the distance from an ellipsoid to the half-space normal·x >= offset.
 ///
 /// @param normal into the half-space, of any length > 0
 /// @param offset in the unit of normal·x; negative if the centre is in the half-space
 /// @param q the form
-/// @return the distance, negative if the two overlap (minus the depth), the point of the ellipsoid
-/// that is nearest to the half-space or deepest in it, and the unit normal;
-/// Status::invalid_argument (also for a zero normal), Status::not_positive_definite
+/// @return the distance, or minus the depth if the two overlap; the point of the ellipsoid that is
+/// nearest to the half-space, or deepest in it; the unit normal; Status::invalid_argument,
+/// Status::not_positive_definite
 template <class T, int D>
 PW85_FUNCTION inline SurfaceDistance<T, D> distance_plane(Vector<T, D> const &normal,
                                                           T const &offset,
                                                           SymmetricMatrix<T, D> const &q) noexcept;
 
-/// Derivatives of the distance to a half-space, which do not depend on its offset.
+/// Computes the derivatives of the distance to a half-space, which do not depend on its offset.
 ///
 /// @param normal,q as for distance_plane()
 /// @return derivatives with respect to the position of the centre and to small rotation vectors
-/// about it, per radian; Status::invalid_argument (also for a zero normal),
-/// Status::not_positive_definite
+/// about it, per radian; Status::invalid_argument, Status::not_positive_definite
 template <class T> PW85_FUNCTION inline PlaneDerivatives<T>
 distance_plane_derivatives(Vector<T, 3> const &normal, SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// Contact function of an ellipsoid and the half-space normal·x >= offset.
+/// Computes the contact function of an ellipsoid and the half-space normal·x >= offset.
 ///
 /// @param normal,offset,q as for distance_plane()
-/// @return the square of the factor by which the ellipsoid must be scaled to touch, 0 if its centre
-/// is in the half-space, and where it then touches; Status::invalid_argument (also for a zero
-/// normal), Status::not_positive_definite
+/// @return the square of the factor by which the ellipsoid must be scaled to touch, or 0 if its
+/// centre is in the half-space, and the point at which it then touches; Status::invalid_argument,
+/// Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline PlaneContact<T, D>
 contact_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept;
 
-/// Derivatives of the contact function of an ellipsoid and a half-space; zero if the centre is in
-/// it.
+/// Computes the derivatives of the contact function of an ellipsoid and a half-space. They are zero
+/// if the centre is in the half-space.
 ///
 /// @param normal,offset,q as for distance_plane()
 /// @return derivatives of μ² with respect to the position of the centre and to small rotation
-/// vectors about it, per radian; Status::invalid_argument (also for a zero normal),
-/// Status::not_positive_definite
+/// vectors about it, per radian; Status::invalid_argument, Status::not_positive_definite
 template <class T> PW85_FUNCTION inline PlaneDerivatives<T>
 contact_plane_derivatives(Vector<T, 3> const &normal, T const &offset,
                           SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// Distance from an ellipsoid to the nearest face of the box lower <= x <= upper around it, a
-/// container. The distance to a solid box, an obstacle, is distance_solid_box().
+/// Computes the distance from an ellipsoid to the nearest face of the box lower <= x <= upper
+/// around it, a container. For a solid box, an obstacle, see distance_solid_box().
 ///
 /// @param lower,upper corners of the box, relative to the centre of the ellipsoid; lower <= upper
 /// @param q the form
-/// @return the distance, negative if the ellipsoid is not inside of the box, the point of the
-/// ellipsoid that is nearest to that face, or farthest beyond it, and the outward unit normal of
-/// that face; Status::invalid_argument (also for lower > upper), Status::not_positive_definite
+/// @return the distance, negative if the ellipsoid is not inside the box; the point of the
+/// ellipsoid that is nearest to that face, or farthest beyond it; the outward unit normal of that
+/// face; Status::invalid_argument, Status::not_positive_definite
 template <class T, int D>
 PW85_FUNCTION inline SurfaceDistance<T, D> distance_box(Vector<T, D> const &lower,
                                                         Vector<T, D> const &upper,
                                                         SymmetricMatrix<T, D> const &q) noexcept;
 
-/// Distance from an ellipsoid to the wall of a cylinder of infinite length around it.
+/// Computes the distance from an ellipsoid to the wall of a cylinder of infinite length around it.
 ///
 /// @param axis direction of the axis, which goes through 0; of any length > 0
 /// @param radius of the cylinder, > 0
 /// @param center of the ellipsoid
 /// @param q the form
-/// @return the distance, negative if the ellipsoid is not inside of the cylinder, the point of the
-/// ellipsoid that is farthest from the axis, relative to its centre, and the outward unit normal of
-/// the wall there; Status::invalid_argument (also for a zero axis or a radius that is not
-/// positive), Status::not_positive_definite
+/// @return the distance, negative if the ellipsoid is not inside the cylinder; the point of the
+/// ellipsoid that is farthest from the axis, relative to its centre; the outward unit normal of the
+/// wall there; Status::invalid_argument, Status::not_positive_definite
 template <class T> PW85_FUNCTION inline SurfaceDistance<T, 3>
 distance_cylinder(Vector<T, 3> axis, T const &radius, Vector<T, 3> const &center,
                   SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// Distance from a point to the surface of an ellipsoid.
+/// Computes the distance from a point to the surface of an ellipsoid.
 ///
 /// @param r the point, relative to the centre
 /// @param q the form
-/// @return the distance, negative if the point is inside, the point of the surface that is nearest
-/// to `r` (one of them if there are several), and the unit normal out of the ellipsoid there, the
-/// derivative of the distance; Status::invalid_argument, Status::not_positive_definite
+/// @return the distance, negative if the point is inside; the point of the surface that is nearest
+/// to `r` (one of them if there are several); the unit normal out of the ellipsoid there, which is
+/// the derivative of the distance with respect to `r`; Status::invalid_argument,
+/// Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline SurfaceDistance<T, D>
 distance_point(Vector<T, D> const &r, SymmetricMatrix<T, D> const &q) noexcept;
 
-/// The part enter <= t <= leave of the line origin + t·direction that is in an ellipsoid. A ray
-/// from the origin has t >= 0, the segment from `origin` to origin + direction 0 <= t <= 1.
+/// Computes the part enter <= t <= leave of the line origin + t·direction that is in an ellipsoid.
+///
+/// A ray from the origin has t >= 0. The segment from `origin` to origin + direction has 0 <= t <=
+/// 1.
 ///
 /// @param origin of the line, relative to the centre of the ellipsoid
 /// @param direction of any length > 0
 /// @param q the form
 /// @return the part; NaN if the line misses the ellipsoid, also on success;
-/// Status::invalid_argument (also for a zero direction), Status::not_positive_definite
+/// Status::invalid_argument, Status::not_positive_definite
 template <class T, int D>
 PW85_FUNCTION inline Chord<T> intersect_line(Vector<T, D> const &origin,
                                              Vector<T, D> const &direction,
@@ -841,61 +864,62 @@ PW85_FUNCTION inline Chord<T> intersect_line(Vector<T, D> const &origin,
 /// @name Shapes: an ellipsoid with its centre at 0, scaled about it until it touches a convex set
 /// @{
 
-/// Contact function of an ellipsoid and a segment.
+/// Computes the contact function of an ellipsoid and a segment.
 ///
 /// @param end1,end2 of the segment, relative to the centre; equal ends are a point
 /// @param q the form
-/// @return μ² and the point of the segment where the scaled ellipsoid touches;
+/// @return μ², and the point of the segment at which the scaled ellipsoid touches;
 /// Status::invalid_argument, Status::not_positive_definite
 template <class T>
 PW85_FUNCTION inline ShapeContact<T, 3> contact_segment(Vector<T, 3> const &end1,
                                                         Vector<T, 3> const &end2,
                                                         SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// Contact function of an ellipsoid and a triangle.
+/// Computes the contact function of an ellipsoid and a triangle.
 ///
 /// @param vertex1,vertex2,vertex3 of the triangle, relative to the centre; a triangle without area
-/// is the segment or the point that has all three vertices
+/// is a segment or a point
 /// @param q the form
-/// @return μ² and the point of the triangle where the scaled ellipsoid touches;
+/// @return μ², and the point of the triangle at which the scaled ellipsoid touches;
 /// Status::invalid_argument, Status::not_positive_definite
 template <class T> PW85_FUNCTION inline ShapeContact<T, 3>
 contact_triangle(Vector<T, 3> const &vertex1, Vector<T, 3> const &vertex2,
                  Vector<T, 3> const &vertex3, SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// Contact function of an ellipsoid and the solid box lower <= x <= upper.
+/// Computes the contact function of an ellipsoid and the solid box lower <= x <= upper.
 ///
 /// @param lower,upper corners of the box, relative to the centre; lower <= upper
 /// @param q the form
-/// @return μ², 0 if the centre is in the box, and the point of the box where the scaled ellipsoid
-/// touches; Status::invalid_argument (also for lower > upper), Status::not_positive_definite
+/// @return μ², 0 if the centre is in the box, and the point of the box at which the scaled
+/// ellipsoid touches; Status::invalid_argument, Status::not_positive_definite
 template <class T>
 PW85_FUNCTION inline ShapeContact<T, 3> contact_box(Vector<T, 3> const &lower,
                                                     Vector<T, 3> const &upper,
                                                     SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// Contact function of an ellipsoid and a polytope, the set of points x with normal·x <= offset for
-/// each of n half-spaces.
+/// Computes the contact function of an ellipsoid and a polytope, the intersection of n half-spaces:
+/// all x with normal·x <= offset for each plane.
 ///
-/// The time is proportional to n and to the number of steps, which is below 20 for most polytopes.
+/// For a centre at 0 the errors have the bounds of pw85_contact_polytope() in pw85_shapes.h. For
+/// another centre, |offset_k| + |normal_k|·|center| takes the place of |offset_k| in them, and 40
+/// that of 32. The time is proportional to n and to the number of steps, which is below 20 for most
+/// polytopes.
 ///
 /// @param n number of half-spaces; without any, the polytope is the whole space
 /// @param normals n×3, out of the polytope, of any lengths > 0
 /// @param offsets n
 /// @param q the form
 /// @param center of the ellipsoid
-/// @return μ², 0 if the centre is in the polytope, and the point of the polytope where the scaled
-/// ellipsoid touches, relative to its centre. An empty polytope has μ² infinity, and a point of
-/// NaN. For a centre at 0 the bounds on the errors are those of pw85_contact_polytope() in
-/// pw85_shapes.h. Otherwise |offset_k| + |normal_k|·|center| takes the place of |offset_k| in them,
-/// and 40 that of 32. Status::invalid_argument (also for a zero normal),
-/// Status::not_positive_definite, Status::no_convergence (this has never been seen)
+/// @return μ², 0 if the centre is in the polytope, and the point of the polytope at which the
+/// scaled ellipsoid touches, relative to its centre; infinity and NaN for an empty polytope;
+/// Status::invalid_argument, Status::not_positive_definite, Status::no_convergence (this has never
+/// been seen)
 template <class T> PW85_FUNCTION inline ShapeContact<T, 3>
 contact_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMatrix<T, 3> const &q,
                  Vector<T, 3> const &center = {T(0), T(0), T(0)}) noexcept;
 
-/// Returns whether an ellipsoid and a segment overlap, μ² < 1. The answer is exact for native
-/// types.
+/// Tests whether an ellipsoid and a segment overlap, μ² < 1. The answer is exact for float, double
+/// and long double.
 ///
 /// @param end1,end2,q as for contact_segment()
 /// @return the answer; Status::invalid_argument, Status::not_positive_definite
@@ -904,8 +928,8 @@ PW85_FUNCTION inline ShapeOverlap overlap_segment(Vector<T, 3> const &end1,
                                                   Vector<T, 3> const &end2,
                                                   SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// Returns whether an ellipsoid and a triangle overlap, μ² < 1. The answer is exact for native
-/// types.
+/// Tests whether an ellipsoid and a triangle overlap, μ² < 1. The answer is exact for float, double
+/// and long double.
 ///
 /// @param vertex1,vertex2,vertex3,q as for contact_triangle()
 /// @return the answer; Status::invalid_argument, Status::not_positive_definite
@@ -913,22 +937,20 @@ template <class T> PW85_FUNCTION inline ShapeOverlap
 overlap_triangle(Vector<T, 3> const &vertex1, Vector<T, 3> const &vertex2,
                  Vector<T, 3> const &vertex3, SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// Returns whether an ellipsoid and a solid box overlap, μ² < 1. The answer is exact for native
-/// types.
+/// Tests whether an ellipsoid and a solid box overlap, μ² < 1. The answer is exact for float,
+/// double and long double.
 ///
 /// @param lower,upper,q as for contact_box()
-/// @return the answer; Status::invalid_argument (also for lower > upper),
-/// Status::not_positive_definite
+/// @return the answer; Status::invalid_argument, Status::not_positive_definite
 template <class T>
 PW85_FUNCTION inline ShapeOverlap overlap_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper,
                                               SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// Returns whether an ellipsoid and a polytope overlap, μ² < 1. The answer is exact for native
-/// types.
+/// Tests whether an ellipsoid and a polytope overlap, μ² < 1. An empty polytope does not overlap.
+/// The answer is exact for float, double and long double.
 ///
-/// @param n,normals,offsets,q,center as for contact_polytope(); an empty polytope does not overlap
-/// @return the answer; Status::invalid_argument (also for a zero normal),
-/// Status::not_positive_definite
+/// @param n,normals,offsets,q,center as for contact_polytope()
+/// @return the answer; Status::invalid_argument, Status::not_positive_definite
 template <class T> PW85_FUNCTION inline ShapeOverlap
 overlap_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMatrix<T, 3> const &q,
                  Vector<T, 3> const &center = {T(0), T(0), T(0)}) noexcept;
@@ -937,20 +959,19 @@ overlap_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMat
 /// @name Signed distances of an ellipsoid with its centre at 0 and a convex set
 /// @{
 
-/// Signed distance of an ellipsoid and a segment, and the points where it is reached; see
-/// pw85_shapes.h for the bounds of the error and the derivatives.
+/// Computes the signed distance of an ellipsoid and a segment, and the points where it is reached.
+/// pw85_shapes.h has the bounds on the errors and the derivatives.
 ///
 /// @param end1,end2,q as for contact_segment()
-/// @return the distance, negative if they overlap: minus the length of the shortest translation of
-/// the set that separates them; the nearest or deepest points of the ellipsoid and of the set, and
-/// the unit normal out of the ellipsoid there; Status::invalid_argument,
-/// Status::not_positive_definite
+/// @return the distance; if they overlap, minus the length of the shortest translation of the set
+/// that separates them; the nearest or deepest points of the ellipsoid and of the set; the unit
+/// normal out of the ellipsoid there; Status::invalid_argument, Status::not_positive_definite
 template <class T>
 PW85_FUNCTION inline ShapeDistance<T> distance_segment(Vector<T, 3> const &end1,
                                                        Vector<T, 3> const &end2,
                                                        SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// Signed distance of an ellipsoid and a triangle, which is a surface.
+/// Computes the signed distance of an ellipsoid and a triangle, which is a surface.
 ///
 /// @param vertex1,vertex2,vertex3,q as for contact_triangle()
 /// @return as for distance_segment()
@@ -958,10 +979,10 @@ template <class T> PW85_FUNCTION inline ShapeDistance<T>
 distance_triangle(Vector<T, 3> const &vertex1, Vector<T, 3> const &vertex2,
                   Vector<T, 3> const &vertex3, SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// Signed distance of an ellipsoid and the solid box lower <= x <= upper.
+/// Computes the signed distance of an ellipsoid and the solid box lower <= x <= upper.
 ///
 /// @param lower,upper,q as for contact_box()
-/// @return as for distance_segment(); Status::invalid_argument also for lower > upper
+/// @return as for distance_segment()
 template <class T>
 PW85_FUNCTION inline ShapeDistance<T> distance_solid_box(Vector<T, 3> const &lower,
                                                          Vector<T, 3> const &upper,
@@ -971,34 +992,33 @@ PW85_FUNCTION inline ShapeDistance<T> distance_solid_box(Vector<T, 3> const &low
 /// @name Capsules: an ellipsoid with its centre at 0, and the points near a segment
 /// @{
 
-/// Contact function of an ellipsoid and a capsule; see pw85_shapes.h for the bounds of the errors.
+/// Computes the contact function of an ellipsoid and a capsule. pw85_shapes.h has the bounds on the
+/// errors.
 ///
 /// @param end1,end2 of the segment, relative to the centre; equal ends are a ball
 /// @param radius of the capsule, >= 0
 /// @param q the form
-/// @return μ², 0 if the centre is in the capsule, and the point of the capsule where the scaled
-/// ellipsoid touches; Status::invalid_argument (also for a negative radius),
-/// Status::not_positive_definite
+/// @return μ², 0 if the centre is in the capsule, and the point of the capsule at which the scaled
+/// ellipsoid touches; Status::invalid_argument, Status::not_positive_definite
 template <class T>
 PW85_FUNCTION inline ShapeContact<T, 3> contact_capsule(Vector<T, 3> const &end1,
                                                         Vector<T, 3> const &end2, T const &radius,
                                                         SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// Returns whether an ellipsoid and a capsule overlap, μ² < 1. For native types the answer is
-/// exact, except where 1 - μ² is positive and far below their digits; see pw85_shapes.h.
+/// Tests whether an ellipsoid and a capsule overlap, μ² < 1. For float, double and long double the
+/// answer is exact unless 1 - μ² is positive and far below their digits: see pw85_shapes.h.
 ///
 /// @param end1,end2,radius,q as for contact_capsule()
-/// @return the answer; Status::invalid_argument (also for a negative radius),
-/// Status::not_positive_definite
+/// @return the answer; Status::invalid_argument, Status::not_positive_definite
 template <class T>
 PW85_FUNCTION inline ShapeOverlap overlap_capsule(Vector<T, 3> const &end1,
                                                   Vector<T, 3> const &end2, T const &radius,
                                                   SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// Signed distance of an ellipsoid and a capsule.
+/// Computes the signed distance of an ellipsoid and a capsule.
 ///
 /// @param end1,end2,radius,q as for contact_capsule()
-/// @return as for distance_segment(); Status::invalid_argument also for a negative radius
+/// @return as for distance_segment()
 template <class T>
 PW85_FUNCTION inline ShapeDistance<T> distance_capsule(Vector<T, 3> const &end1,
                                                        Vector<T, 3> const &end2, T const &radius,
@@ -1008,30 +1028,31 @@ PW85_FUNCTION inline ShapeDistance<T> distance_capsule(Vector<T, 3> const &end1,
 /// @name Shapes in the plane: an ellipse with its centre at 0, and a convex set
 /// @{
 
-/// Contact function of an ellipse and a segment: see contact_segment() in space.
+/// Computes the contact function of an ellipse and a segment: see contact_segment() in space.
 ///
 /// @param end1,end2 of the segment, relative to the centre; equal ends are a point
 /// @param q the form
-/// @return μ² and the point of the segment where the scaled ellipse touches;
+/// @return μ², and the point of the segment at which the scaled ellipse touches;
 /// Status::invalid_argument, Status::not_positive_definite
 template <class T>
 PW85_FUNCTION inline ShapeContact<T, 2> contact_segment(Vector<T, 2> const &end1,
                                                         Vector<T, 2> const &end2,
                                                         SymmetricMatrix<T, 2> const &q) noexcept;
 
-/// Contact function of an ellipse and the solid box lower <= x <= upper: see contact_box() in
-/// space.
+/// Computes the contact function of an ellipse and the solid box lower <= x <= upper: see
+/// contact_box() in space.
 ///
 /// @param lower,upper corners of the box, relative to the centre; lower <= upper
 /// @param q the form
-/// @return μ², 0 if the centre is in the box, and the point of the box where the scaled ellipse
-/// touches; Status::invalid_argument (also for lower > upper), Status::not_positive_definite
+/// @return μ², 0 if the centre is in the box, and the point of the box at which the scaled ellipse
+/// touches; Status::invalid_argument, Status::not_positive_definite
 template <class T>
 PW85_FUNCTION inline ShapeContact<T, 2> contact_box(Vector<T, 2> const &lower,
                                                     Vector<T, 2> const &upper,
                                                     SymmetricMatrix<T, 2> const &q) noexcept;
 
-/// Returns whether an ellipse and a segment overlap, μ² < 1. The answer is exact for native types.
+/// Tests whether an ellipse and a segment overlap, μ² < 1. The answer is exact for float, double
+/// and long double.
 ///
 /// @param end1,end2,q as for contact_segment()
 /// @return the answer; Status::invalid_argument, Status::not_positive_definite
@@ -1040,12 +1061,11 @@ PW85_FUNCTION inline ShapeOverlap overlap_segment(Vector<T, 2> const &end1,
                                                   Vector<T, 2> const &end2,
                                                   SymmetricMatrix<T, 2> const &q) noexcept;
 
-/// Returns whether an ellipse and a solid box overlap, μ² < 1. The answer is exact for native
-/// types.
+/// Tests whether an ellipse and a solid box overlap, μ² < 1. The answer is exact for float, double
+/// and long double.
 ///
 /// @param lower,upper,q as for contact_box()
-/// @return the answer; Status::invalid_argument (also for lower > upper),
-/// Status::not_positive_definite
+/// @return the answer; Status::invalid_argument, Status::not_positive_definite
 template <class T>
 PW85_FUNCTION inline ShapeOverlap overlap_box(Vector<T, 2> const &lower, Vector<T, 2> const &upper,
                                               SymmetricMatrix<T, 2> const &q) noexcept;

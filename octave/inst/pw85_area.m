@@ -1,8 +1,10 @@
 function area = pw85_area (varargin)
-%pw85_area  Area of an ellipse, π √det q; see pw85_volume().
+%pw85_area  Computes the area of an ellipse, π √det q.
 %
 %   area = pw85_area (q)
 %   area = pw85_area (x)
+%
+%  The error has the bound of pw85_volume().
 %
 %  For ellipses.
 %

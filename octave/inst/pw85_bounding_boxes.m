@@ -1,5 +1,6 @@
 function half_widths = pw85_bounding_boxes (varargin)
-%pw85_bounding_boxes  Tight boxes, with sides along the axes, around n ellipsoids.
+%pw85_bounding_boxes  Computes the smallest boxes, with sides along the axes, around n
+%  ellipsoids.
 %
 %   half_widths = pw85_bounding_boxes (q)
 %   half_widths = pw85_bounding_boxes (x)

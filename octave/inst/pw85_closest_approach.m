@@ -1,11 +1,13 @@
 function distance = pw85_closest_approach (varargin)
-%pw85_closest_approach  Distance of closest approach.
+%pw85_closest_approach  Computes the distance of closest approach of two ellipsoids along a
+%  direction.
 %
 %   distance = pw85_closest_approach (direction, q1, q2)
 %   distance = pw85_closest_approach (x, y, direction)
 %
-%  The distance of the centres at which two ellipsoids of fixed orientation touch from outside,
-%  when their centres are on a line of given direction d. It is |d|/μ(d).
+%  It is the distance of the centres at which the ellipsoids touch from outside, in fixed
+%  orientation and with the centres on a line along d = direction. It is |d|/μ(d), where μ(d) is
+%  μ for r12 = d.
 %
 %  For ellipses and ellipsoids.
 %

@@ -1,31 +1,35 @@
 function [mu2, t] = pw85_closest_passage (varargin)
-%pw85_closest_passage  Least μ² while ellipsoid 2 passes ellipsoid 1 on a straight path.
+%pw85_closest_passage  Computes the least μ² while ellipsoid 2 passes ellipsoid 1 on a straight
+%  path, and its time.
 %
 %   [mu2, t] = pw85_closest_passage (r12, q1, q2, velocity [, t_max])
 %   [mu2, t] = pw85_closest_passage (x, y, velocity [, t_max])
 %
-%  The minimum of the contact function for the separations r12 + t velocity, 0 <= t <= t_max.
+%  It is the minimum of the contact function for the separations r12 + t velocity, 0 <= t <=
+%  t_max. μ² is a convex function of t, so the minimum is unique unless the velocity is zero.
+%  Ellipsoids that only translate overlap on this path if and only if the exact minimum is below
+%  1.
 %
-%  μ² is a convex function of the time. The time of the minimum is therefore unique unless the
-%  velocity is zero. The error of μ² is below 8 u S. Here S is the change of μ² for relative
-%  errors of one in the given numbers: S = μ² cond + 2 λ(1-λ) Σ|n_i| (|r12_i| + t |velocity_i|),
-%  with cond, λ and n of the pair at time t as in pw85_condition(). Ellipsoids that only
-%  translate overlap on this path if and only if μ² < 1.
+%  The error of μ² is below 8 u S, with u = 2⁻⁵³. Here S = μ² cond + 2 λ(1-λ) Σ|n_i| (|r12_i| +
+%  t |velocity_i|), with cond, λ and n of pw85_condition() for the pair at time t. S is the
+%  change of μ², to first order, for relative changes of one in the given numbers.
 %
 %  For ellipsoids in three dimensions.
 %
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2; at time 0. 3 columns.
+%  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2; at time 0. 3
+%              columns.
 %  q1          Forms of the ellipsoids, in the square of the unit of r12; at time 0. 6 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12; at time 0. 6 columns.
 %  velocity    Velocity of ellipsoid 2 relative to ellipsoid 1; it may be zero. 3 columns.
-%  t_max       The end of the time; >= 0; may be infinite. 1 column. Infinite if it is missing.
+%  t_max       The end of the path; >= 0; may be infinite. 1 column. Infinite if it is missing.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.
 %
 %  mu2         The least μ²; 0 if ellipsoid 2 passes the centre of ellipsoid 1. 1 column.
-%  t           The time, in [0, t_max]; 0 for a zero velocity or r12 = 0. 1 column.
+%  t           The time of the least μ², in [0, t_max]; 0 for a zero velocity or r12 = 0. 1
+%              column.
 %
 %  The function of the C API is pw85_closest_passage().
 

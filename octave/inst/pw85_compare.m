@@ -1,18 +1,18 @@
 function sign = pw85_compare (varargin)
-%pw85_compare  Sign of μ² - mu2, for any number mu2 >= 0.
+%pw85_compare  Compares μ² with a number mu2 >= 0, and returns the sign of μ² - mu2.
 %
 %   sign = pw85_compare (r12, q1, q2, mu2)
 %   sign = pw85_compare (x, y, mu2)
 %
-%  The sign is exact for the numbers given; pw85_overlap() is the case mu2 = 1. A bound on the
-%  error of μ² decides almost all pairs; exact arithmetic decides the others.
+%  The sign is exact for the numbers given. pw85_overlap() is the case mu2 = 1. A bound on the
+%  error of μ² decides almost all pairs, and exact arithmetic decides the others.
 %
 %  For ellipsoids in three dimensions.
 %
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
+%  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
 %  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
 %  mu2         The number to compare with; >= 0; may be infinite. 1 column.

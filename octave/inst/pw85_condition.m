@@ -1,26 +1,25 @@
 function cond = pw85_condition (varargin)
-%pw85_condition  Condition number of the contact function.
+%pw85_condition  Computes the condition number of the contact function, entry by entry.
 %
 %   cond = pw85_condition (r12, q1, q2, lambda)
 %   cond = pw85_condition (x, y, lambda)
 %
-%  If each entry of r12, q1 and q2 changes by a fraction ε of itself, μ² changes by a fraction
-%  of at most ε cond, to first order in ε.
-%
-%  Data that are known to d digits give μ² to d - log10(cond) digits. The condition number is of
-%  the order of one for ordinary pairs, and of the order of the squared aspect ratio for slender
-%  ones. It is [λ(1-λ) Σ |n_i| ((1-λ) |q1_ij| + λ |q2_ij|) |n_j| + 2 λ(1-λ) Σ |r12_i n_i|]/μ²
-%  with n = [(1-λ) q1 + λ q2]⁻¹ r12, the sums over all i and j.
+%  If each entry of r12, q1 and q2 changes by at most a fraction ε of itself, μ² changes by at
+%  most a fraction ε cond, to first order in ε. If the data are known to d digits, μ² is known
+%  to d - log10(cond) digits. The condition number is of the order of one for ordinary pairs,
+%  and of the order of the squared aspect ratio for slender ones. It is [λ(1-λ) Σ |n_i| ((1-λ)
+%  |q1_ij| + λ |q2_ij|) |n_j| + 2 λ(1-λ) Σ |r12_i n_i|]/μ² with n = [(1-λ) q1 + λ q2]⁻¹ r12,
+%  summed over i and j.
 %
 %  For ellipsoids in three dimensions.
 %
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
+%  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
 %  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
-%  lambda      From pw85_contact(). 1 column.
+%  lambda      The maximiser λ of f, from pw85_contact(). 1 column.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.
 %
 %  cond        The condition number: at least 3, or 0 for r12 = 0. 1 column.

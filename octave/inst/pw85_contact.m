@@ -1,20 +1,20 @@
 function [mu2, lambda] = pw85_contact (varargin)
-%pw85_contact  Contact function of two ellipsoids, by a third-order iteration on log(λ/(1-λ)).
+%pw85_contact  Computes the contact function of two ellipsoids.
 %
 %   [mu2, lambda] = pw85_contact (r12, q1, q2)
 %   [mu2, lambda] = pw85_contact (x, y)
 %
-%  The relative error of μ² is below 4 u cond, with u = 2⁻⁵³ and the entrywise condition number
-%  of pw85_condition(), also for forms that are singular to working precision. The function
-%  evaluates f at most 157 times.
+%  The method is a third-order iteration on log(λ/(1-λ)), which evaluates f at most 157 times.
+%  The relative error of μ² is below 4 u cond, with u = 2⁻⁵³ and the condition number cond of
+%  pw85_condition(). The bound also holds for forms that are singular to working precision.
 %
 %  For ellipses and ellipsoids.
 %
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid: μ² = 0, λ =
-%              1/2. 3 or 2 columns.
+%  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2; it may be zero:
+%              then μ² = 0 and λ = 1/2. 3 or 2 columns.
 %  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi] or, in the plane, [xc yc a b

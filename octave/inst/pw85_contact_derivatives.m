@@ -1,12 +1,13 @@
 function [mu2, lambda, point, normal, d_r12, d_rot1, d_rot2] = pw85_contact_derivatives (varargin)
-%pw85_contact_derivatives  pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and
-%  pw85_contact_torque() for many pairs.
+%pw85_contact_derivatives  Computes all that the forces and torques of an energy U(μ²) need, for
+%  many pairs.
 %
 %   [mu2, lambda, point, normal, d_r12, d_rot1, d_rot2] = pw85_contact_derivatives (r12, q1, q2)
 %   [mu2, lambda, point, normal, d_r12, d_rot1, d_rot2] = pw85_contact_derivatives (x, y)
 %
-%  All that the forces and torques of an energy U(μ²) need. A pair with r12 = 0 is valid: its
-%  derivatives are zero, its point and normal NaN.
+%  The results of pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and
+%  pw85_contact_torque(). A pair with r12 = 0 is valid: its derivatives are zero, its point and
+%  normal NaN.
 %
 %  For ellipsoids in three dimensions.
 %
@@ -23,10 +24,8 @@ function [mu2, lambda, point, normal, d_r12, d_rot1, d_rot2] = pw85_contact_deri
 %  point       Contact points relative to the centres of the first ellipsoids. 3 columns.
 %  normal      Unit normals. 3 columns.
 %  d_r12       ∂μ²/∂r12. 3 columns.
-%  d_rot1      ∂μ²/∂(rotation vector) of either ellipsoid about its own centre, per radian. 3
-%              columns.
-%  d_rot2      ∂μ²/∂(rotation vector) of either ellipsoid about its own centre, per radian. 3
-%              columns.
+%  d_rot1      Derivatives with respect to rotations, as for pw85_contact_torque(). 3 columns.
+%  d_rot2      Derivatives with respect to rotations, as for pw85_contact_torque(). 3 columns.
 %
 %  The function of the C API is pw85_contact_derivatives_batch().
 

@@ -1,22 +1,21 @@
 function [mu2, lambda] = pw85_contact_function (varargin)
-%pw85_contact_function  Contact function of two ellipsoids, by Brent's method on f, refined by
-%  Halley's method, with the arguments of pw85 1.0, which used Newton's.
+%pw85_contact_function  Computes the contact function of two ellipsoids as pw85 1.0 did, by
+%  Brent's method.
 %
 %   [mu2, lambda] = pw85_contact_function (r12, q1, q2)
 %   [mu2, lambda] = pw85_contact_function (x, y)
 %
-%  For the contract see pw85_contact(), which is several times faster.
-%
-%  The relative error of μ² is below 4 u cond, too. Brent's method works on a problem in which
-%  both ellipsoids have been scaled to similar size. lambda_atol therefore has the same meaning
-%  for ellipsoids of all sizes.
+%  pw85_contact() is several times faster, with the same bound on the error. Brent's method
+%  maximises f, for ellipsoids that are scaled to similar size: lambda_atol has the same meaning
+%  for ellipsoids of all sizes. Halley's method then refines the result (in pw85 1.0, Newton's
+%  method).
 %
 %  For ellipsoids in three dimensions.
 %
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
+%  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
 %  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.

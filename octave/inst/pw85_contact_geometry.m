@@ -1,6 +1,6 @@
 function [point, normal] = pw85_contact_geometry (varargin)
-%pw85_contact_geometry  Point at which the ellipsoids, scaled by μ, touch, and their common
-%  normal.
+%pw85_contact_geometry  Computes the point at which the ellipsoids, scaled by μ, touch, and
+%  their common normal there.
 %
 %   [point, normal] = pw85_contact_geometry (r12, q1, q2, lambda)
 %   [point, normal] = pw85_contact_geometry (x, y, lambda)
@@ -10,16 +10,18 @@ function [point, normal] = pw85_contact_geometry (varargin)
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2; not zero. 3 or 2 columns.
+%  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2; not zero. 3 or 2
+%              columns.
 %  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
-%  lambda      From pw85_contact(). Any other value in (0, 1) gives the point x0(λ) of the
-%              chapter on theory: it is on both ellipsoids when they are scaled by the factors
-%              μ1 and μ2 for which f(λ) = λ μ1² + (1-λ) μ2². 1 column.
+%  lambda      The maximiser λ of f, from pw85_contact(). For another λ in [0, 1] the point is
+%              x0(λ) of the chapter on theory. It is on the surface of ellipsoid 1 scaled by μ1,
+%              and on that of ellipsoid 2 scaled by μ2, where f(λ) = λ μ1² + (1-λ) μ2². 1
+%              column.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi] or, in the plane, [xc yc a b
 %              theta]: see pw85_from_matgeom.
 %
-%  point       Relative to the centre of ellipsoid 1. 3 or 2 columns.
+%  point       The point, relative to the centre of ellipsoid 1. 3 or 2 columns.
 %  normal      Unit vector, outward from ellipsoid 1 and into ellipsoid 2. 3 or 2 columns.
 %
 %  The function of the C API is pw85_contact_geometry().

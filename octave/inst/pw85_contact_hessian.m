@@ -1,29 +1,31 @@
 function hessian = pw85_contact_hessian (varargin)
-%pw85_contact_hessian  Second derivatives of μ².
+%pw85_contact_hessian  Computes the second derivatives of μ² with respect to r12 and rotations
+%  of the ellipsoids.
 %
 %   hessian = pw85_contact_hessian (r12, q1, q2, lambda)
 %   hessian = pw85_contact_hessian (x, y, lambda)
 %
-%  The relative error of the derivatives is a few times that of λ and 1-λ. The relative error of
-%  λ from pw85_contact() is some u times the squared aspect ratio. If ellipsoid 1 is much larger
-%  than ellipsoid 2, the relative error of 1-λ is u/(1-λ).
+%  Their relative error is a few times the relative errors of λ and of 1-λ. λ from
+%  pw85_contact() has a relative error of some u times the squared aspect ratio, with u = 2⁻⁵³.
+%  If ellipsoid 1 is much larger than ellipsoid 2, the relative error of 1-λ is u/(1-λ).
 %
 %  For ellipses and ellipsoids.
 %
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2; not zero. 3 or 2 columns.
+%  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2; not zero. 3 or 2
+%              columns.
 %  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
-%  lambda      From pw85_contact(). 1 column.
+%  lambda      The maximiser λ of f, from pw85_contact(). 1 column.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi] or, in the plane, [xc yc a b
 %              theta]: see pw85_from_matgeom.
 %
-%  hessian     Symmetric: second derivatives with respect to r12, rotation 1 and rotation 2. A
-%              vector ω describes the rotation by the angle |ω| about the direction of ω. λ is
-%              not held fixed: it maximises f for each changed pair. 81 or 16 columns, a matrix
-%              of 9 x 9 row by row.
+%  hessian     Symmetric matrix of second derivatives with respect to r12, rotation 1 and
+%              rotation 2. A rotation vector ω is the rotation by the angle |ω| about the
+%              direction of ω. λ is not held fixed: it maximises f for each pair. 81 or 16
+%              columns, a matrix of 9 x 9 row by row.
 %
 %  The function of the C API is pw85_contact_hessian().
 

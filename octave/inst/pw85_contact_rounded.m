@@ -1,23 +1,24 @@
 function [mu2, lambda] = pw85_contact_rounded (varargin)
-%pw85_contact_rounded  Contact function of two ellipsoids, with μ² correctly rounded.
+%pw85_contact_rounded  Computes the contact function of two ellipsoids, with μ² correctly
+%  rounded.
 %
 %   [mu2, lambda] = pw85_contact_rounded (r12, q1, q2)
 %   [mu2, lambda] = pw85_contact_rounded (x, y)
 %
-%  It is the double nearest to the exact value for the numbers given.
+%  μ² is the double nearest to the exact value for the numbers given. If two doubles are equally
+%  near, it is the one whose last bit is 0. This rule includes underflow and overflow: a value
+%  of 2¹⁰²⁴ - 2⁹⁷⁰ or more becomes infinity. λ errs by less than one unit in the last place.
 %
-%  If two doubles are equally near, μ² is the one whose last bit is 0. Underflow and overflow
-%  follow the same rule: a μ² that is at least 2¹⁰²⁴ - 2⁹⁷⁰ becomes infinity, with success. λ
-%  errs by less than one unit in the last place. Every processor and every instruction set
-%  therefore gives the same μ². An exchange of the two ellipsoids does not change μ². Other
-%  units that are powers of two do not change it if μ² stays in the range of normal doubles.
+%  Every processor and every instruction set therefore gives the same μ². Exchanging the two
+%  ellipsoids does not change it. Multiplying the unit of length by a power of two does not
+%  change it if the data stay in the range of normal doubles.
 %
 %  For ellipsoids in three dimensions.
 %
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
+%  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
 %  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.

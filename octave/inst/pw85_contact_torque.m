@@ -1,26 +1,27 @@
 function [d_rot1, d_rot2] = pw85_contact_torque (varargin)
-%pw85_contact_torque  Derivatives of μ² with respect to rotations.
+%pw85_contact_torque  Computes the derivatives of μ² with respect to rotations of the
+%  ellipsoids.
 %
 %   [d_rot1, d_rot2] = pw85_contact_torque (r12, q1, q2, lambda)
 %   [d_rot1, d_rot2] = pw85_contact_torque (x, y, lambda)
 %
-%  For a rotation of an ellipsoid about its own centre by the small vector ω, dμ² = d_rot·ω. The
-%  torque of an energy U(μ²) is -U'(μ²) d_rot.
+%  If an ellipsoid rotates about its own centre by a small rotation vector ω, μ² changes by
+%  d_rot·ω. An energy U(μ²) exerts the torque -U'(μ²) d_rot on the ellipsoid.
 %
 %  For ellipses and ellipsoids.
 %
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2. 3 or 2 columns.
+%  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 or 2 columns.
 %  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
-%  lambda      From pw85_contact(). 1 column.
+%  lambda      The maximiser λ of f, from pw85_contact(). 1 column.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi] or, in the plane, [xc yc a b
 %              theta]: see pw85_from_matgeom.
 %
-%  d_rot1      Per radian, for ellipsoids 1 and 2. 3 or 1 columns.
-%  d_rot2      Per radian, for ellipsoids 1 and 2. 3 or 1 columns.
+%  d_rot1      Derivatives for ellipsoids 1 and 2, per radian. 3 or 1 columns.
+%  d_rot2      Derivatives for ellipsoids 1 and 2, per radian. 3 or 1 columns.
 %
 %  The function of the C API is pw85_contact_torque().
 

@@ -1,34 +1,36 @@
 function [mu2, point] = pw85_containment (varargin)
-%pw85_containment  Factor by which ellipsoid 1 must be scaled, its centre fixed, to contain
-%  ellipsoid 2, and the point where the ellipsoids then touch.
+%pw85_containment  Computes the least factor by which ellipsoid 1, scaled about its centre,
+%  contains ellipsoid 2, and a point where they then touch.
 %
 %   [mu2, point] = pw85_containment (r12, q1, q2)
 %   [mu2, point] = pw85_containment (x, y)
 %
-%  The square of the factor is the largest value of xᵀ q1⁻¹ x over the points x of ellipsoid 2.
-%  It is at most 1 if ellipsoid 2 is inside ellipsoid 1; pw85_contains() decides this without
-%  rounding errors. The relative error is below 16 u c, with u = 2⁻⁵³, where u c is the fraction
-%  by which the square can change if each entry of r12, q1 and q2 changes by a fraction u of
-%  itself. The search proves the result by bounds from both sides.
+%  The square of the factor is the largest value of xᵀ q1⁻¹ x over the points x of ellipsoid 2,
+%  relative to the centre of ellipsoid 1. It is at most 1 if ellipsoid 2 is inside ellipsoid 1;
+%  pw85_contains() decides this exactly.
+%
+%  The relative error of the square is below 16 u c, with u = 2⁻⁵³. The number c is the relative
+%  change of the square, to first order, for relative changes of one in the entries of r12, q1
+%  and q2. Bounds from both sides prove the result.
 %
 %  For ellipses and ellipsoids.
 %
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid. 3 or 2
-%              columns.
+%  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2; it may be zero. 3
+%              or 2 columns.
 %  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi] or, in the plane, [xc yc a b
 %              theta]: see pw85_from_matgeom.
 %
 %  mu2         Square of the factor. 1 column.
-%  point       The point on the surface of ellipsoid 2, relative to the centre of ellipsoid 1.
-%              If the ellipsoids touch at several points, the result is one of them. They touch
-%              at several points for r12 = 0, and where r12 is short and has no component along
-%              the longest semi-axis that ellipsoid 2 has after the linear map that makes
-%              ellipsoid 1 a unit ball. 3 or 2 columns.
+%  point       A point of contact on the surface of ellipsoid 2, relative to the centre of
+%              ellipsoid 1. There are several such points if r12 = 0, and the result is one of
+%              them. There can also be several if r12 is short and, after the linear map that
+%              makes ellipsoid 1 a unit ball, has no component along the longest semi-axis of
+%              ellipsoid 2. 3 or 2 columns.
 %
 %  The function of the C API is pw85_containment().
 

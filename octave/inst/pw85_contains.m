@@ -4,7 +4,7 @@ function contains = pw85_contains (varargin)
 %   contains = pw85_contains (r12, q1, q2)
 %   contains = pw85_contains (x, y)
 %
-%  It may touch the surface of ellipsoid 1 from inside.
+%  It may touch the surface from inside.
 %
 %  The answer is exact for the numbers given. Every ellipsoid is inside itself.
 %
@@ -13,7 +13,7 @@ function contains = pw85_contains (varargin)
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2. 3 or 2 columns.
+%  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 or 2 columns.
 %  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi] or, in the plane, [xc yc a b

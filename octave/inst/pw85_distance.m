@@ -1,30 +1,31 @@
 function [distance, point1, point2] = pw85_distance (varargin)
-%pw85_distance  Distance of the surfaces of two ellipsoids, and the points where they are
-%  closest.
+%pw85_distance  Computes the distance of the surfaces of two ellipsoids, and the points where
+%  they are closest.
 %
 %   [distance, point1, point2] = pw85_distance (r12, q1, q2)
 %   [distance, point1, point2] = pw85_distance (x, y)
 %
-%  The error of the distance is below 8 u Σ, with u = 2⁻⁵³ and Σ = Σ|n_i r12_i| + Σ|n_i q1_ij
-%  n_j|/(2α) + Σ|n_i q2_ij n_j|/(2β), the sums over all i and j. Rounding the data entry by
-%  entry can change the distance by u Σ. Here n is the unit normal, and α and β are the
-%  half-widths of the ellipsoids along it. The answer can be checked independently: any unit
-%  vector n gives a lower bound n·r12 - α - β of the distance, and any two points of the
-%  ellipsoids give an upper bound. distance is the lower bound for the normal that
-%  pw85_distance_derivatives() returns, and |point2 - point1| is an upper bound.
+%  The distance is the largest value of n·r12 - α - β over unit vectors n, with the half-widths
+%  α and β of the ellipsoids along n. Its error is below 8 u Σ, with u = 2⁻⁵³. Here Σ = Σ|n_i
+%  r12_i| + Σ|n_i q1_ij n_j|/(2α) + Σ|n_i q2_ij n_j|/(2β), summed over all i and j, with n, α
+%  and β at the closest points. Rounding the data entry by entry can change the distance by u Σ.
 %
-%  The vector point2 - point1 differs from distance times n by less than 2¹⁸ u (|r12| + |point1|
-%  + |r12 - point2|), and |point2 - point1| differs from distance by no more than that. The
-%  points are the closest points of a pair whose r12 differs by no more than that. The distance
-%  of each point from the surface is below 2¹⁸ u times the longest semi-axis of its ellipsoid,
-%  plus the rounding error u |point2| of its coordinates.
+%  A program can check the result. For any unit vector n, n·r12 - α - β is a lower bound of the
+%  distance; distance is this bound for the normal of pw85_distance_derivatives(). For any two
+%  points of the ellipsoids, their distance is an upper bound; one is |point2 - point1|.
+%
+%  Let ε = 2¹⁸ u (|r12| + |point1| + |r12 - point2|). The vector point2 - point1 differs from
+%  distance times n by less than ε, and its length from distance by at most ε. The points are
+%  the exact closest points for a pair whose r12 differs by at most ε. Each point is off its
+%  surface by less than 2¹⁸ u times the longest semi-axis of its ellipsoid, plus the rounding
+%  error u |point2| of the coordinates.
 %
 %  For ellipses and ellipsoids.
 %
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2. 3 or 2 columns.
+%  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 or 2 columns.
 %  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi] or, in the plane, [xc yc a b

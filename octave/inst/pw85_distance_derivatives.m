@@ -1,26 +1,28 @@
 function [d_r12, d_rot1, d_rot2, hessian] = pw85_distance_derivatives (varargin)
-%pw85_distance_derivatives  Derivatives of the distance of two ellipsoids that are apart; NaN if
-%  they overlap.
+%pw85_distance_derivatives  Computes the derivatives of the distance of two ellipsoids.
 %
 %   [d_r12, d_rot1, d_rot2, hessian] = pw85_distance_derivatives (r12, q1, q2)
 %   [d_r12, d_rot1, d_rot2, hessian] = pw85_distance_derivatives (x, y)
+%
+%  They are NaN if the ellipsoids overlap.
 %
 %  For ellipsoids in three dimensions.
 %
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
+%  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
 %  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.
 %
-%  d_r12       The unit normal at the closest points, into ellipsoid 2. 3 columns.
-%  d_rot1      With respect to rotations, as for pw85_contact_torque(). 3 columns.
-%  d_rot2      With respect to rotations, as for pw85_contact_torque(). 3 columns.
-%  hessian     Symmetric: second derivatives with respect to r12, rotation 1 and rotation 2,
-%              where the vector ω stands for the rotation by |ω| about ω. 81 columns, a matrix
-%              of 9 x 9 row by row.
+%  d_r12       Derivative with respect to r12: the unit normal at the closest points, into
+%              ellipsoid 2. 3 columns.
+%  d_rot1      Derivatives with respect to rotations, as for pw85_contact_torque(). 3 columns.
+%  d_rot2      Derivatives with respect to rotations, as for pw85_contact_torque(). 3 columns.
+%  hessian     Symmetric matrix of second derivatives with respect to r12, rotation 1 and
+%              rotation 2, as for pw85_contact_hessian(). 81 columns, a matrix of 9 x 9 row by
+%              row.
 %
 %  The function of the C API is pw85_distance_derivatives().
 

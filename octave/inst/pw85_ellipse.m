@@ -1,5 +1,5 @@
 function q = pw85_ellipse (varargin)
-%pw85_ellipse  Quadratic form (xx, xy, yy) of an ellipse.
+%pw85_ellipse  Computes the quadratic form (xx, xy, yy) of an ellipse.
 %
 %   q = pw85_ellipse (a, b, angle)
 %

@@ -1,5 +1,5 @@
 function q = pw85_ellipsoid (varargin)
-%pw85_ellipsoid  Quadratic form of a general ellipsoid, Q = R diag(semi_axes²) Rᵀ.
+%pw85_ellipsoid  Computes the quadratic form of an ellipsoid, Q = R diag(semi_axes²) Rᵀ.
 %
 %   q = pw85_ellipsoid (semi_axes, rotation)
 %
@@ -10,9 +10,9 @@ function q = pw85_ellipsoid (varargin)
 %
 %  semi_axes   Lengths of the principal semi-axes (not diameters), whose squares are in the
 %              range of double; > 0. 3 columns.
-%  rotation    Matrix R in row-major order. Its columns are the principal directions: R takes
-%              the body frame to the space frame. RᵀR may differ from I by at most 1e-6 in any
-%              entry (single precision is accepted); reflections are accepted. 9 columns.
+%  rotation    Row-major matrix R, which takes the body frame to the space frame; its columns
+%              are the principal directions. An entry of RᵀR - I may be at most 1e-6 in
+%              magnitude: single precision is enough. R may be a reflection. 9 columns.
 %
 %  q           The form. 6 columns.
 %

@@ -1,5 +1,5 @@
 function t = pw85_first_contact (varargin)
-%pw85_first_contact  Time of the first contact of two moving ellipsoids.
+%pw85_first_contact  Computes the time of the first contact of two moving ellipsoids.
 %
 %   t = pw85_first_contact (r12, q1, q2, motion1, motion2 [, t_max])
 %   t = pw85_first_contact (x, y, motion1, motion2 [, t_max])
@@ -9,22 +9,23 @@ function t = pw85_first_contact (varargin)
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2; at time 0. 3 columns.
+%  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2; at time 0. 3
+%              columns.
 %  q1          Forms of the ellipsoids, in the square of the unit of r12; at time 0. 6 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12; at time 0. 6 columns.
-%  motion1     Motions of the ellipsoids, whose semi-axes must be > 0 until t_max. 7 columns:
+%  motion1     Motions of the ellipsoids; their semi-axes must be > 0 until t_max. 7 columns:
 %              the velocity (3 numbers), the angular velocity in radians per unit of time (3
 %              numbers), and growth: at time t the semi-axes are 1 + growth t times those at
 %              time 0.
-%  motion2     Motions of the ellipsoids, whose semi-axes must be > 0 until t_max. 7 columns:
+%  motion2     Motions of the ellipsoids; their semi-axes must be > 0 until t_max. 7 columns:
 %              the velocity (3 numbers), the angular velocity in radians per unit of time (3
 %              numbers), and growth: at time t the semi-axes are 1 + growth t times those at
 %              time 0.
-%  t_max       The time up to which contacts count; >= 0; may be infinite. 1 column. Infinite if
-%              it is missing.
+%  t_max       The last time at which a contact counts; >= 0; may be infinite. 1 column.
+%              Infinite if it is missing.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.
 %
-%  t           The time, or infinity. 1 column.
+%  t           The time of the first contact, or infinity if there is none. 1 column.
 %
 %  The function of the C API is pw85_first_contact().
 

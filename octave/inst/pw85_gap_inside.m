@@ -1,30 +1,30 @@
 function [gap, point1, point2, normal] = pw85_gap_inside (varargin)
-%pw85_gap_inside  Least gap between the surface of an ellipsoid and that of an ellipsoid that
-%  contains it.
+%pw85_gap_inside  Computes the least gap between the surfaces of ellipsoid 1 and of ellipsoid 2
+%  inside it.
 %
 %   [gap, point1, point2, normal] = pw85_gap_inside (r12, q1, q2)
 %   [gap, point1, point2, normal] = pw85_gap_inside (x, y)
 %
-%  Ellipsoid 2 is inside ellipsoid 1, as for pw85_contains(). The gap is the least distance of
-%  the surfaces, by which ellipsoid 2 can move in any direction without leaving ellipsoid 1. It
-%  is the smallest value of α - β - n·r12 over unit vectors n, with the half-widths α and β of
-%  ellipsoids 1 and 2 along n. This function of n may have several local minima. The result is
-%  proved to be the global one.
+%  Ellipsoid 2 can move by the gap in any direction without leaving ellipsoid 1. The gap is the
+%  smallest value of α - β - n·r12 over unit vectors n, with the half-widths α and β of
+%  ellipsoids 1 and 2 along n. This function of n may have several local minima; the result is
+%  proved to be the global one. If several directions are equally good, the result is one of
+%  them.
 %
-%  gap is the value for the returned normal to a few roundings. No other direction has a value
-%  that is smaller by more than 128 u α (1 + α/β), with u = 2⁻⁵³ and the α and β of the normal.
-%  Where minima are not isolated, for example on circles of spheroids with a common axis, the
-%  proof is coarser: in three dimensions another direction may have a value that is smaller by
-%  up to 2⁻²⁰ of the gap (in two, 2⁻⁴⁰). If several directions are equally good, the result is
-%  one of them. The time is 50 to 300 times that of pw85_contact() for isolated minima, and up
-%  to some tenths of a second otherwise.
+%  gap is the value for the returned normal, up to a few roundings. If minima are isolated, no
+%  other direction has a value smaller by more than 128 u α (1 + α/β), with u = 2⁻⁵³ and the α
+%  and β of the returned normal. If they are not, as on circles of spheroids with a common axis,
+%  another direction may have a value smaller by up to 2⁻²⁰ of the gap (2⁻⁴⁰ in two dimensions).
+%
+%  The time is 50 to 300 times that of pw85_contact() for isolated minima, otherwise up to some
+%  tenths of a second.
 %
 %  For ellipses and ellipsoids.
 %
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2. 3 or 2 columns.
+%  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 or 2 columns.
 %  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi] or, in the plane, [xc yc a b
@@ -32,12 +32,10 @@ function [gap, point1, point2, normal] = pw85_gap_inside (varargin)
 %
 %  gap         The gap, in the unit of r12; zero if the ellipsoids touch, or if ellipsoid 2 is
 %              not inside ellipsoid 1, as pw85_contains() decides. 1 column.
-%  point1      The points of the surfaces of ellipsoids 1 and 2 where they are closest, both
-%              relative to the centre of ellipsoid 1; NaN if ellipsoid 2 is not inside. 3 or 2
-%              columns.
-%  point2      The points of the surfaces of ellipsoids 1 and 2 where they are closest, both
-%              relative to the centre of ellipsoid 1; NaN if ellipsoid 2 is not inside. 3 or 2
-%              columns.
+%  point1      The closest points of the surfaces of ellipsoids 1 and 2, both relative to the
+%              centre of ellipsoid 1; NaN if ellipsoid 2 is not inside. 3 or 2 columns.
+%  point2      The closest points of the surfaces of ellipsoids 1 and 2, both relative to the
+%              centre of ellipsoid 1; NaN if ellipsoid 2 is not inside. 3 or 2 columns.
 %  normal      Unit vector out of both ellipsoids at these points, from point2 to point1: minus
 %              the derivative of the gap with respect to r12; NaN if ellipsoid 2 is not inside.
 %              3 or 2 columns.

@@ -1,42 +1,42 @@
 function [normal, depth, point, curvatures, radius] = pw85_grain_contact (varargin)
-%pw85_grain_contact  The contact of two grains along their common normal.
+%pw85_grain_contact  Computes the contact of two grains along their common normal, which it
+%  finds by Newton's method.
 %
 %   [normal, depth, point, curvatures, radius] = pw85_grain_contact (r12, q1, q2, start)
 %   [normal, depth, point, curvatures, radius] = pw85_grain_contact (x, y, start)
 %
-%  The least overlap δ(n) = α + β - n·r12 near a given direction, with the half-widths α and β
-%  of the ellipsoids along the unit vector n.
-%
-%  δ is stationary there, so the force U'(δ) n at the point conserves an energy U(δ).
-%  pw85_hertz_contact() takes the normal from the caller; this function finds it by Newton's
-%  method. Start from the normal of pw85_contact_geometry(), or from that of the time step
-%  before. Then it takes one or two steps.
+%  Let α and β be the half-widths of the ellipsoids along the unit vector n. The normal is the n
+%  at which the overlap δ(n) = α + β - n·r12 has a local minimum near a given direction. Since δ
+%  is stationary there, a force U'(δ) n at the point conserves an energy U(δ). Start from the
+%  normal of pw85_contact_geometry(), or from that of the previous time step. The search then
+%  takes one or two steps.
 %
 %  There is a minimum if the overlap is small: below the least sum of radii of curvature. The
-%  search ends after a step below 2⁻²² radians. The normal, and points and radius in units of
-%  the semi-axes, then err by less than 100·2⁻⁴⁴ at aspect ratios up to 4; the depth errs by the
-%  square of that and by rounding.
+%  search ends after a step below 2⁻²² radians. At aspect ratios up to 4, the normal errs by
+%  less than 100·2⁻⁴⁴, and so do the point and the radius in units of the semi-axes. The depth
+%  errs by the square of that, and by rounding.
 %
 %  For ellipsoids in three dimensions.
 %
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
+%  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
 %  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
 %  start       A direction near the normal, out of ellipsoid 1 and into ellipsoid 2, of any
 %              length; not zero. 3 columns.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.
 %
-%  normal      Unit vector. 3 columns.
-%  depth       δ, in the unit of r12; negative if a slab separates the ellipsoids. 1 column.
-%  point       The middle of the points of both surfaces that have the normals n and -n, which
+%  normal      Unit vector n. 3 columns.
+%  depth       δ, in the unit of r12; negative if a slab across the normal separates the
+%              ellipsoids. 1 column.
+%  point       The midpoint of the two points of the surfaces with the normals n and -n, which
 %              are δ n apart, relative to the centre of ellipsoid 1. 3 columns.
 %  curvatures  Of the gap between both surfaces, > 0, the smaller one first: eigenvalues of the
 %              sum of their second fundamental forms, as pw85_hertz() of the C API takes them. 2
 %              columns.
-%  radius      The effective radius. For spheres it is R1 R2/(R1 + R2). 1 column.
+%  radius      The effective radius, for spheres R1 R2/(R1 + R2). 1 column.
 %
 %  The function of the C API is pw85_grain_contact().
 

@@ -1,6 +1,6 @@
 function [d_r12, d_rot1, d_rot2] = pw85_grain_radius_gradient (varargin)
-%pw85_grain_radius_gradient  Derivatives of the radius of pw85_grain_contact(), whose normal
-%  follows each motion.
+%pw85_grain_radius_gradient  Computes the derivatives of the radius of pw85_grain_contact(),
+%  whose normal follows each motion.
 %
 %   [d_r12, d_rot1, d_rot2] = pw85_grain_radius_gradient (r12, q1, q2, normal)
 %   [d_r12, d_rot1, d_rot2] = pw85_grain_radius_gradient (x, y, normal)
@@ -12,17 +12,15 @@ function [d_r12, d_rot1, d_rot2] = pw85_grain_radius_gradient (varargin)
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
+%  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
 %  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
 %  normal      That of pw85_grain_contact(), of any length; not zero. 3 columns.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.
 %
-%  d_r12       With respect to r12. 3 columns.
-%  d_rot1      With respect to small rotation vectors of either ellipsoid about its own centre,
-%              per radian. 3 columns.
-%  d_rot2      With respect to small rotation vectors of either ellipsoid about its own centre,
-%              per radian. 3 columns.
+%  d_r12       Derivative with respect to r12. 3 columns.
+%  d_rot1      Derivatives with respect to rotations, as for pw85_contact_torque(). 3 columns.
+%  d_rot2      Derivatives with respect to rotations, as for pw85_contact_torque(). 3 columns.
 %
 %  The function of the C API is pw85_grain_radius_gradient().
 

@@ -1,45 +1,47 @@
 function [depth, point, curvatures, directions, radius, ellipse] = pw85_hertz_contact (varargin)
-%pw85_hertz_contact  Geometry of the contact of two grains along a common normal: what laws of
-%  contact such as Hertz's need.
+%pw85_hertz_contact  Computes the geometry of the contact of two grains along a given normal,
+%  for laws of contact such as Hertz's.
 %
 %   [depth, point, curvatures, directions, radius, ellipse] = pw85_hertz_contact (r12, q1, q2, normal)
 %   [depth, point, curvatures, directions, radius, ellipse] = pw85_hertz_contact (x, y, normal)
 %
-%  For the normal n of pw85_contact_geometry() the depth is α + β - n·r12 = (1/μ - 1) n·r12,
-%  with the half-widths α and β of the ellipsoids along n. This is the usual choice: it is a
-%  smooth function of positions and orientations for μ > 0. The depth of pw85_penetration() is
-%  smaller by a part of second order in the depth; its direction, as normal, gives it here, too.
-%  For every normal a negative depth proves that the ellipsoids are apart, by at least minus the
-%  depth, and the depth is at least that of pw85_penetration() if they overlap.
+%  Let n be the unit normal, and α and β the half-widths of the ellipsoids along n. The depth is
+%  α + β - n·r12. A negative depth proves that the ellipsoids are apart by at least its
+%  magnitude. If they overlap, the depth is at least that of pw85_penetration(), with equality
+%  for the direction of pw85_penetration(). The usual choice is the normal of
+%  pw85_contact_geometry(). The depth is then (1/μ - 1) n·r12, a smooth function of positions
+%  and orientations for μ > 0. It exceeds that of pw85_penetration() by a term of second order
+%  in the depth.
 %
-%  The error of the depth is below 8 u Σ, with Σ as for pw85_distance() with this normal. Up to
-%  aspect ratio 10⁶, and for the normal as given, the relative errors of curvatures, radius and
-%  ellipse are below 1e-12. The point is half the sum of r12 and of one vector of each
-%  ellipsoid; its error is below 1e-12 times the sum of their lengths. The directions err by
-%  less than 1e-12/(1 - k1/k2) radians, with the curvatures k1 < k2.
+%  The error of the depth is below 8 u Σ, with u = 2⁻⁵³ and Σ as for pw85_distance() with this
+%  normal. The other bounds hold up to aspect ratio 10⁶ for the normal as given. The relative
+%  errors of curvatures, radius and ellipse are below 1e-12. The point is half the sum of r12
+%  and of one vector of each ellipsoid; its error is below 1e-12 times the sum of their lengths.
+%  The directions err by less than 1e-12/(1 - k1/k2) radians, with the curvatures k1 < k2.
 %
 %  For ellipsoids in three dimensions.
 %
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
+%  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
 %  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
 %  normal      Out of ellipsoid 1 and into ellipsoid 2, of any length; not zero. 3 columns.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.
 %
-%  depth       In the unit of r12; negative if a slab separates them. 1 column.
-%  point       Where the forces of contact act: the middle of the points of both surfaces that
-%              have the normals n and -n, relative to the centre of ellipsoid 1. 3 columns.
+%  depth       The depth, in the unit of r12; negative if a slab across the normal separates the
+%              ellipsoids. 1 column.
+%  point       The point at which contact forces act, relative to the centre of ellipsoid 1: the
+%              midpoint of the two points of the surfaces with the normals n and -n. 3 columns.
 %  curvatures  Of the gap between both surfaces, > 0, the smaller one first: eigenvalues of the
 %              sum of their second fundamental forms, as pw85_hertz() of the C API takes them. 2
 %              columns.
 %  directions  Of these curvatures and of the contact ellipse. 6 columns, a matrix of 2 x 3 row
 %              by row.
-%  radius      The effective radius. For spheres it is R1 R2/(R1 + R2). 1 column.
-%  ellipse     Squares of the semi-axes over the depth, along the direction of each curvature. 2
-%              columns.
+%  radius      The effective radius, for spheres R1 R2/(R1 + R2). 1 column.
+%  ellipse     Squares of the semi-axes of the contact ellipse over the depth, along the
+%              direction of each curvature. 2 columns.
 %
 %  The function of the C API is pw85_hertz_contact().
 

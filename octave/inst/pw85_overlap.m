@@ -7,15 +7,15 @@ function overlap = pw85_overlap (varargin)
 %  Tangent ellipsoids (μ² = 1) do not overlap.
 %
 %  The answer is exact for the numbers given. Bounds that account for rounding decide almost all
-%  pairs; exact arithmetic decides the others.
+%  pairs, and exact arithmetic decides the others.
 %
 %  For ellipses and ellipsoids.
 %
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2; zero is an overlap. 3 or 2
-%              columns.
+%  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2; zero is an overlap.
+%              3 or 2 columns.
 %  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi] or, in the plane, [xc yc a b

@@ -1,17 +1,19 @@
 function area = pw85_overlap_area (varargin)
-%pw85_overlap_area  Area of the common part of two ellipses; see pw85_overlap_volume().
+%pw85_overlap_area  Computes the area of the intersection of two ellipses; see
+%  pw85_overlap_volume().
 %
 %   area = pw85_overlap_area (r12, q1, q2)
 %   area = pw85_overlap_area (x, y)
 %
-%  The bound on the error is the same, with areas.
+%  The error has the bound of that function, with areas for volumes.
 %
 %  For ellipses.
 %
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipse 1 to that of ellipse 2; zero is valid. 2 columns.
+%  r12         Vector from the centre of ellipse 1 to that of ellipse 2; it may be zero. 2
+%              columns.
 %  q1          Forms (xx, xy, yy) of the ellipses, in the square of the unit of r12. 3 columns.
 %  q2          Forms (xx, xy, yy) of the ellipses, in the square of the unit of r12. 3 columns.
 %  x, y        Rows of matGeom, [xc yc a b theta]: see pw85_from_matgeom.

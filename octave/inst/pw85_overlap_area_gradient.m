@@ -1,28 +1,28 @@
 function [d_r12, d_q1, d_q2] = pw85_overlap_area_gradient (varargin)
-%pw85_overlap_area_gradient  Derivatives of the area of the common part; see
-%  pw85_overlap_volume_gradient().
+%pw85_overlap_area_gradient  Computes the derivatives of the area of the intersection of two
+%  ellipses; see pw85_overlap_volume_gradient().
 %
 %   [d_r12, d_q1, d_q2] = pw85_overlap_area_gradient (r12, q1, q2)
 %   [d_r12, d_q1, d_q2] = pw85_overlap_area_gradient (x, y)
 %
-%  The bounds on the errors are the same, with areas.
+%  The errors have its bounds, with areas for volumes.
 %
 %  For ellipses.
 %
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipse 1 to that of ellipse 2. 2 columns.
+%  r12         Vector from the centre of ellipse 1 to that of ellipse 2. 2 columns.
 %  q1          Forms (xx, xy, yy) of the ellipses, in the square of the unit of r12. 3 columns.
 %  q2          Forms (xx, xy, yy) of the ellipses, in the square of the unit of r12. 3 columns.
 %  x, y        Rows of matGeom, [xc yc a b theta]: see pw85_from_matgeom.
 %
 %  d_r12       ∂V/∂r12; its negative is the derivative with respect to the centre of ellipse 1.
 %              2 columns.
-%  d_q1        Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal
-%              entry stands for two entries of the matrix). 3 columns.
-%  d_q2        Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal
-%              entry stands for two entries of the matrix). 3 columns.
+%  d_q1        Derivatives with respect to the stored entries of q1 and q2 (a stored
+%              off-diagonal entry is two entries of the matrix). 3 columns.
+%  d_q2        Derivatives with respect to the stored entries of q1 and q2 (a stored
+%              off-diagonal entry is two entries of the matrix). 3 columns.
 %
 %  The function of the C API is pw85_overlap_area_gradient_2d().
 

@@ -1,18 +1,18 @@
 function [d_rot1, d_rot2] = pw85_overlap_area_torque (varargin)
-%pw85_overlap_area_torque  Derivatives of the area of the common part with respect to the angles
-%  of both ellipses, counter-clockwise.
+%pw85_overlap_area_torque  Computes the derivatives of the area of the intersection with respect
+%  to the angles of both ellipses.
 %
 %   [d_rot1, d_rot2] = pw85_overlap_area_torque (r12, q1, q2)
 %   [d_rot1, d_rot2] = pw85_overlap_area_torque (x, y)
 %
-%  See pw85_overlap_volume_torque().
+%  See pw85_overlap_volume_torque(). Angles are counter-clockwise.
 %
 %  For ellipses.
 %
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipse 1 to that of ellipse 2. 2 columns.
+%  r12         Vector from the centre of ellipse 1 to that of ellipse 2. 2 columns.
 %  q1          Forms (xx, xy, yy) of the ellipses, in the square of the unit of r12. 3 columns.
 %  q2          Forms (xx, xy, yy) of the ellipses, in the square of the unit of r12. 3 columns.
 %  x, y        Rows of matGeom, [xc yc a b theta]: see pw85_from_matgeom.

@@ -1,23 +1,26 @@
 function volume = pw85_overlap_volume (varargin)
-%pw85_overlap_volume  Volume of the common part of two ellipsoids.
+%pw85_overlap_volume  Computes the volume V of the intersection of two ellipsoids.
 %
 %   volume = pw85_overlap_volume (r12, q1, q2)
 %   volume = pw85_overlap_volume (x, y)
 %
-%  The volume is 0 exactly if pw85_overlap() says that the ellipsoids do not overlap. It is
-%  pw85_volume() of the smaller ellipsoid exactly if pw85_contains() says that this one is
-%  inside the other one. Otherwise the error is below u (64 v + 16 s), with u = 2⁻⁵³, the volume
-%  v of the smaller one, and s = Σ|r12_i ∂V/∂r12_i| + Σ √(q1_ii q1_jj) |∂V/∂q1_ij| + the same
-%  sum for q2, over the entries and derivatives of pw85_overlap_volume_gradient(). If the common
-%  part, or what remains of the smaller ellipsoid, is as thin as rounding errors, it may count
-%  as empty: the volume is then 0, or that of the smaller ellipsoid.
+%  V is 0 if the ellipsoids do not overlap, as pw85_overlap() decides. V is pw85_volume() of the
+%  smaller ellipsoid if it is inside the other one, as pw85_contains() decides. Otherwise the
+%  error is below u (64 v + 16 s), with u = 2⁻⁵³ and the volume v of the smaller ellipsoid. The
+%  term s is Σ|r12_i ∂V/∂r12_i| + Σ √(q1_ii q1_jj) |∂V/∂q1_ij| + Σ √(q2_ii q2_jj) |∂V/∂q2_ij|,
+%  summed over coordinates and stored entries, with the derivatives of
+%  pw85_overlap_volume_gradient().
+%
+%  If the intersection is as thin as rounding errors, V may be 0. If the part of the smaller
+%  ellipsoid outside of the other one is as thin, V may be the volume of the smaller ellipsoid.
 %
 %  For ellipsoids in three dimensions.
 %
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid. 3 columns.
+%  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2; it may be zero. 3
+%              columns.
 %  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.

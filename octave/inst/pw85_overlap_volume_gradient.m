@@ -1,34 +1,35 @@
 function [d_r12, d_q1, d_q2] = pw85_overlap_volume_gradient (varargin)
-%pw85_overlap_volume_gradient  Derivatives of the volume of the common part.
+%pw85_overlap_volume_gradient  Computes the derivatives of the volume V of the intersection of
+%  two ellipsoids.
 %
 %   [d_r12, d_q1, d_q2] = pw85_overlap_volume_gradient (r12, q1, q2)
 %   [d_r12, d_q1, d_q2] = pw85_overlap_volume_gradient (x, y)
 %
 %  The derivatives are 0 if the ellipsoids do not overlap. If one ellipsoid is inside the other
-%  one, only the derivatives of its own volume are not 0. If the surfaces touch from inside at a
-%  point, except for some 10⁻¹⁷ of their size, and cross elsewhere, 32 digits may not be enough
-%  (the status ECONVERGENCE). The error of the derivative with respect to a number p is below u
-%  (256 m + 64 s), with u = 2⁻⁵³ and s = Σ|r12_i ∂²V/∂r12_i∂p| + Σ √(q1_ii q1_jj) |∂²V/∂q1_ij∂p|
-%  + the same for q2. With the volume v of the smaller ellipsoid, the inverse P of its form, and
-%  the inverse P' of the form to which p belongs, m is v √P_ii for r12_i, v √(P_ii P'_ii) for a
-%  diagonal entry, and v (√(P_ii P'_jj) + √(P_jj P'_ii)) for another entry.
+%  one, only the derivatives of its own volume are not 0.
+%
+%  The error of the derivative with respect to a number p is below u (256 m + 64 s), with u =
+%  2⁻⁵³. The term s is that of pw85_overlap_volume() with ∂V/∂p in the place of V. The term m
+%  depends on the volume v of the smaller ellipsoid, the inverse P of its form, and the inverse
+%  P' of the form to which p belongs. It is v √P_ii for p = r12_i, v √(P_ii P'_ii) for a
+%  diagonal entry p of a form, and v (√(P_ii P'_jj) + √(P_jj P'_ii)) for another entry.
 %
 %  For ellipsoids in three dimensions.
 %
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
+%  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
 %  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.
 %
 %  d_r12       ∂V/∂r12; its negative is the derivative with respect to the centre of ellipsoid
 %              1. 3 columns.
-%  d_q1        Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal
-%              entry stands for two entries of the matrix). 6 columns.
-%  d_q2        Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal
-%              entry stands for two entries of the matrix). 6 columns.
+%  d_q1        Derivatives with respect to the stored entries of q1 and q2 (a stored
+%              off-diagonal entry is two entries of the matrix). 6 columns.
+%  d_q2        Derivatives with respect to the stored entries of q1 and q2 (a stored
+%              off-diagonal entry is two entries of the matrix). 6 columns.
 %
 %  The function of the C API is pw85_overlap_volume_gradient().
 

@@ -1,29 +1,30 @@
 function [d_rot1, d_rot2] = pw85_overlap_volume_torque (varargin)
-%pw85_overlap_volume_torque  Derivatives of the volume of the common part with respect to
-%  rotations.
+%pw85_overlap_volume_torque  Computes the derivatives of the volume V of the intersection with
+%  respect to rotations of the ellipsoids.
 %
 %   [d_rot1, d_rot2] = pw85_overlap_volume_torque (r12, q1, q2)
 %   [d_rot1, d_rot2] = pw85_overlap_volume_torque (x, y)
 %
-%  For a rotation of an ellipsoid about its own centre by the small vector ω, dV = d_rot·ω. The
-%  torque of an energy U(V) is -U'(V) d_rot. With ∂V/∂r12 from pw85_overlap_volume_gradient(),
-%  d_rot1 + d_rot2 + r12 × ∂V/∂r12 = 0. The derivatives are the axial vectors of 2 q1 G1 and 2
-%  q2 G2 with the matrices G of ∂V/∂q, and their errors follow from those of G: each is below
-%  twice the sum of |q_ij| times the bound for G_jk over the products that the vector is made
-%  of.
+%  If an ellipsoid rotates about its own centre by a small rotation vector ω, V changes by
+%  d_rot·ω. An energy U(V) exerts the torque -U'(V) d_rot on the ellipsoid. With ∂V/∂r12 from
+%  pw85_overlap_volume_gradient(), d_rot1 + d_rot2 + r12 × ∂V/∂r12 = 0.
+%
+%  The derivatives are the axial vectors of 2 q1 G1 and 2 q2 G2, where the matrix G has the
+%  derivatives ∂V/∂q. Each component is a sum of products 2 q_ij G_jk. Its error is below the
+%  sum of 2 |q_ij| times the bound on the error of G_jk.
 %
 %  For ellipsoids in three dimensions.
 %
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
+%  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
 %  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.
 %
-%  d_rot1      Per radian, for ellipsoids 1 and 2. 3 columns.
-%  d_rot2      Per radian, for ellipsoids 1 and 2. 3 columns.
+%  d_rot1      Derivatives for ellipsoids 1 and 2, per radian. 3 columns.
+%  d_rot2      Derivatives for ellipsoids 1 and 2, per radian. 3 columns.
 %
 %  The function of the C API is pw85_overlap_volume_torque().
 

@@ -1,22 +1,22 @@
 function [overlap, lambda, point] = pw85_overlap_witness (varargin)
-%pw85_overlap_witness  Tests whether two ellipsoids overlap, as pw85_overlap() does, and gives a
-%  number or a point that proves the answer.
+%pw85_overlap_witness  Tests whether two ellipsoids overlap, as pw85_overlap() does, and returns
+%  a number or a point that proves the answer.
 %
 %   [overlap, lambda, point] = pw85_overlap_witness (r12, q1, q2)
 %   [overlap, lambda, point] = pw85_overlap_witness (x, y)
 %
-%  The proof holds in exact arithmetic for the numbers given, and rational arithmetic can check
-%  it. Tangent ellipsoids do not overlap, and have no such proof: λ and point are NaN, and the
-%  status is success. The function finds a λ that proves that ellipsoids are apart, if there is
-%  one among the doubles. It searches for a common point near the point where the ellipsoids,
-%  scaled by μ, touch. If 1 - μ² is below 1e-13, it may find none.
+%  If the ellipsoids are apart, the proof is a double λ with f(λ) > 1. The function finds one
+%  whenever one exists. If they overlap, the proof is a point inside both. The function searches
+%  for it near the point at which the ellipsoids, scaled by μ, touch. It may find none if 1 - μ²
+%  is below 1e-13. Tangent ellipsoids have no proof: λ and point are then NaN, with success.
+%  Rational arithmetic can check a proof, which holds exactly for the numbers given.
 %
 %  For ellipsoids in three dimensions.
 %
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
+%  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
 %  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.

@@ -1,25 +1,31 @@
 function [depth, direction] = pw85_penetration (varargin)
-%pw85_penetration  Depth of an overlap: the length of the shortest translation of ellipsoid 2
-%  that separates two ellipsoids.
+%pw85_penetration  Computes the penetration depth of two ellipsoids that overlap, and its
+%  direction.
 %
 %   [depth, direction] = pw85_penetration (r12, q1, q2)
 %   [depth, direction] = pw85_penetration (x, y)
 %
+%  The depth is the length of the shortest translation of ellipsoid 2 that separates them.
+%
 %  The depth is the smallest value of α + β - n·r12 over unit vectors n, with the half-widths α
 %  and β of the ellipsoids along n. This function of n may have several local minima; the result
-%  is proved to be the global one. depth is the value for the returned direction, with an error
-%  below 8 u Σ, with Σ as for pw85_distance(). No other direction has a value that is smaller by
-%  more than 32 u Σ, where Σ is the larger one of the two directions. If several directions are
-%  equally good, the result is one of them. The time is 3 to 8 times that of pw85_contact() for
-%  more than nine in ten random pairs, whose minimum has a certificate, 10 to 60 times that for
-%  the others, and about a thousand times that if the best direction is not isolated.
+%  is proved to be the global one. If several directions are equally good, the result is one of
+%  them.
+%
+%  depth is the value for the returned direction, with an error below 8 u Σ, with u = 2⁻⁵³ and Σ
+%  as for pw85_distance(). No other direction has a value that is smaller by more than 32 u Σ,
+%  with the larger Σ of the two directions.
+%
+%  The time is 3 to 8 times that of pw85_contact() for more than nine of ten random pairs, whose
+%  minimum a certificate proves. It is 10 to 60 times that of pw85_contact() for the others, and
+%  about 1000 times if the best direction is not isolated.
 %
 %  For ellipses and ellipsoids.
 %
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2. 3 or 2 columns.
+%  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 or 2 columns.
 %  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi] or, in the plane, [xc yc a b

@@ -1,5 +1,6 @@
 function perimeter = pw85_perimeter (varargin)
-%pw85_perimeter  Perimeter of an ellipse: 8 R_G(0, a², b²), with Carlson's integral.
+%pw85_perimeter  Computes the perimeter of an ellipse, 8 R_G(0, a², b²), with Carlson's integral
+%  R_G.
 %
 %   perimeter = pw85_perimeter (q)
 %   perimeter = pw85_perimeter (x)

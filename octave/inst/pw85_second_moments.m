@@ -1,10 +1,11 @@
 function moments = pw85_second_moments (varargin)
-%pw85_second_moments  Mean of x xᵀ over a uniform solid ellipsoid, about its centre: q/5.
+%pw85_second_moments  Computes the mean of x xᵀ over a uniform solid ellipsoid, about its
+%  centre: q/5.
 %
 %   moments = pw85_second_moments (q)
 %   moments = pw85_second_moments (x)
 %
-%  The error of each entry is below u times the entry.
+%  The error of each entry is below u times the entry, with u = 2⁻⁵³.
 %
 %  For ellipses and ellipsoids.
 %

@@ -1,6 +1,6 @@
 function moments = pw85_shell_moments (varargin)
-%pw85_shell_moments  Mean of x xᵀ over the surface of an ellipsoid, about its centre: the second
-%  moments of a shell.
+%pw85_shell_moments  Computes the mean of x xᵀ over the surface of an ellipsoid, about its
+%  centre: the second moments of a shell.
 %
 %   moments = pw85_shell_moments (q)
 %   moments = pw85_shell_moments (x)

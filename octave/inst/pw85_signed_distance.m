@@ -1,41 +1,44 @@
 function [distance, point1, point2] = pw85_signed_distance (varargin)
-%pw85_signed_distance  Signed distance of two ellipsoids.
+%pw85_signed_distance  Computes the signed distance of two ellipsoids, and the points where it
+%  is reached.
 %
 %   [distance, point1, point2] = pw85_signed_distance (r12, q1, q2)
 %   [distance, point1, point2] = pw85_signed_distance (x, y)
 %
-%  Their distance if they are apart, minus the depth of their overlap otherwise.
+%  It is the distance if they are apart, and minus the penetration depth if they overlap.
 %
-%  The signed distance is the largest value of n·r12 - α - β over unit vectors n, with the
-%  half-widths α and β of the ellipsoids along n, whether they overlap or not. It is a convex
-%  function of r12 with slope 1, and is continuous at contact. It is positive only if the
-%  ellipsoids are apart and negative only if they overlap, as pw85_overlap() decides. Its error
-%  is that of pw85_distance() if they are apart, and that of pw85_penetration() if they overlap.
-%  pw85_penetration() also states the time that overlaps take.
+%  In both cases it is the largest value of n·r12 - α - β over unit vectors n, with the
+%  half-widths α and β of the ellipsoids along n. It is a continuous, convex function of r12,
+%  whose gradient is a unit vector. It is positive only if the ellipsoids are apart, and
+%  negative only if they overlap, as pw85_overlap() decides.
 %
-%  If they overlap, moving ellipsoid 2 by point1 - point2 separates them by the shortest way. If
-%  several directions are equally good, the result belongs to one of them. For a direction that
-%  is isolated, and aspect ratios up to 10³, point2 - point1 differs from distance times the
-%  unit normal by less than 2¹⁸ u (|r12| + |point1| + |r12 - point2|), with u = 2⁻⁵³.
+%  If the ellipsoids overlap, moving ellipsoid 2 by point1 - point2 is the shortest translation
+%  that separates them. If several directions are equally good, the result belongs to one of
+%  them.
+%
+%  Errors and times are as for pw85_distance() if the ellipsoids are apart, and as for
+%  pw85_penetration() if they overlap. In an overlap, point2 - point1 differs from distance
+%  times the unit normal by less than 2¹⁸ u (|r12| + |point1| + |r12 - point2|), with u = 2⁻⁵³.
+%  This holds for a direction that is isolated and aspect ratios up to 10³.
 %
 %  For ellipses and ellipsoids.
 %
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2. 3 or 2 columns.
+%  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 or 2 columns.
 %  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi] or, in the plane, [xc yc a b
 %              theta]: see pw85_from_matgeom.
 %
 %  distance    The signed distance, in the unit of r12. 1 column.
-%  point1      The points of the surfaces of ellipsoids 1 and 2 where their normals are opposite
-%              and along point2 - point1: the closest points, or the deepest ones; both relative
-%              to the centre of ellipsoid 1. 3 or 2 columns.
-%  point2      The points of the surfaces of ellipsoids 1 and 2 where their normals are opposite
-%              and along point2 - point1: the closest points, or the deepest ones; both relative
-%              to the centre of ellipsoid 1. 3 or 2 columns.
+%  point1      The closest points of ellipsoids 1 and 2 if they are apart, or the deepest points
+%              if they overlap, both relative to the centre of ellipsoid 1. The outward normals
+%              there are opposite, and along point2 - point1. 3 or 2 columns.
+%  point2      The closest points of ellipsoids 1 and 2 if they are apart, or the deepest points
+%              if they overlap, both relative to the centre of ellipsoid 1. The outward normals
+%              there are opposite, and along point2 - point1. 3 or 2 columns.
 %
 %  The function of the C API is pw85_signed_distance().
 

@@ -1,32 +1,33 @@
 function [d_r12, d_rot1, d_rot2, hessian] = pw85_signed_distance_derivatives (varargin)
-%pw85_signed_distance_derivatives  Derivatives of the signed distance of two ellipsoids.
+%pw85_signed_distance_derivatives  Computes the derivatives of the signed distance of two
+%  ellipsoids.
 %
 %   [d_r12, d_rot1, d_rot2, hessian] = pw85_signed_distance_derivatives (r12, q1, q2)
 %   [d_r12, d_rot1, d_rot2, hessian] = pw85_signed_distance_derivatives (x, y)
 %
-%  At contact they are the limits from both sides. The derivatives of the distance with respect
-%  to the entries of the forms are -n_i n_j/(2α) and -n_i n_j/(2β), twice that for entries off
-%  the diagonal, with the normal n = d_r12.
+%  At contact they are the limits from both sides. For the entries of the forms, which have no
+%  output, the derivatives are -n_i n_j/(2α) for q1 and -n_i n_j/(2β) for q2, and twice that for
+%  entries off the diagonal. Here n = d_r12, with the half-widths α and β along n.
 %
 %  For ellipsoids in three dimensions.
 %
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  r12         From the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
+%  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
 %  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
 %  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.
 %
-%  d_r12       With respect to r12: the unit vector normal to both surfaces at the points of
+%  d_r12       Derivative with respect to r12: the unit normal to both surfaces at the points of
 %              pw85_signed_distance(), out of ellipsoid 1. If several directions are equally
-%              good, the derivative does not exist, and this is one of the subgradients. 3
+%              good, the derivative does not exist: the result is one of the subgradients. 3
 %              columns.
-%  d_rot1      With respect to rotations, as for pw85_contact_torque(). 3 columns.
-%  d_rot2      With respect to rotations, as for pw85_contact_torque(). 3 columns.
-%  hessian     Symmetric: second derivatives as for pw85_distance_derivatives(); NaN, where the
-%              best direction is not isolated, or so nearly so that half of the digits would be
-%              lost. 81 columns, a matrix of 9 x 9 row by row.
+%  d_rot1      Derivatives with respect to rotations, as for pw85_contact_torque(). 3 columns.
+%  d_rot2      Derivatives with respect to rotations, as for pw85_contact_torque(). 3 columns.
+%  hessian     Symmetric matrix of second derivatives, as for pw85_distance_derivatives(); NaN,
+%              where the best direction is not isolated, or so nearly so that half of the digits
+%              would be lost. 81 columns, a matrix of 9 x 9 row by row.
 %
 %  The function of the C API is pw85_signed_distance_derivatives().
 

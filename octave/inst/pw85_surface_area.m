@@ -1,6 +1,6 @@
 function area = pw85_surface_area (varargin)
-%pw85_surface_area  Area of the surface of an ellipsoid: 4π abc R_G(1/a², 1/b², 1/c²), with
-%  Carlson's integral.
+%pw85_surface_area  Computes the surface area of an ellipsoid, 4π abc R_G(1/a², 1/b², 1/c²),
+%  with Carlson's integral R_G.
 %
 %   area = pw85_surface_area (q)
 %   area = pw85_surface_area (x)

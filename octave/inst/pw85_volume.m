@@ -1,5 +1,5 @@
 function volume = pw85_volume (varargin)
-%pw85_volume  Volume of an ellipsoid, (4/3)π √det q.
+%pw85_volume  Computes the volume of an ellipsoid, (4/3)π √det q.
 %
 %   volume = pw85_volume (q)
 %   volume = pw85_volume (x)

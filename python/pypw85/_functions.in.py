@@ -220,11 +220,7 @@ def f_neg(lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> A
 
 @declared
 def contact_function():
-    """Contact function of two ellipsoids, by Brent's method and Newton-Raphson iterations (that of pw85 1.0).
-
-    μ is the common factor by which both ellipsoids must be scaled, their centres fixed, to touch: they overlap if
-    μ² < 1. Same results as `contact`, which is several times faster.
-
+    """
     Examples
     --------
     >>> import pypw85
@@ -664,11 +660,6 @@ def first_contact(r12, q1, q2, motion1, motion2, t_max=np.inf):
     ----------
     motion1, motion2 : (..., 7) array_like
         How the ellipsoids move, from `motion`; none may shrink to nothing before `t_max`.
-
-    Returns
-    -------
-    (...) array or number
-        The time, infinity where there is none, zero for ellipsoids that overlap at time 0.
 
     Examples
     --------

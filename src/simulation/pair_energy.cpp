@@ -73,9 +73,10 @@ int PairEnergy::set(pw85_law const *law) noexcept
     if (!made.parameters_.resize(law->num_parameters)) return PW85_ENOMEM;
     std::copy_n(x, law->num_parameters, made.parameters_.data());
     made.kind_ = law->kind;
+    double const cutoff = x[entry_of_cutoff(*law)];
+    if (cutoff > farthest * farthest) return refuse_law("must have a cutoff of at most 10⁶ in μ²");
     // The relative error of a root is below 2⁻⁵².
-    made.reach_ = (1.0 + 0x1p-50) * std::sqrt(x[entry_of_cutoff(*law)]);
-    if (made.reach_ > farthest) return refuse_law("must have a cutoff of at most 10⁶ in μ²");
+    made.reach_ = (1.0 + 0x1p-50) * std::sqrt(cutoff);
     *this = std::move(made);
     return PW85_SUCCESS;
 }

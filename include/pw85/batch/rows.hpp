@@ -29,7 +29,7 @@ static inline StatusCode contact_batch(Vectors r12, Forms q1, Forms q2, std::spa
     return detail::call_rows(pw85_contact_batch, r12, q1, q2, mu2, lambda);
 }
 
-/// Computes overlap() for many pairs: see pw85_overlap_batch().
+/// Computes overlap() for many pairs, with the same answers: see pw85_overlap_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] overlap one for each pair: 1, 0, or 255 for a bad pair
@@ -40,7 +40,7 @@ static inline StatusCode overlap_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_overlap_batch, r12, q1, q2, overlap);
 }
 
-/// Computes contact_rounded() for many pairs: see pw85_contact_rounded_batch().
+/// Computes contact_rounded() for many pairs, with the same bits: see pw85_contact_rounded_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] mu2,lambda one for each pair, or empty
@@ -52,7 +52,8 @@ static inline StatusCode contact_rounded_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_contact_rounded_batch, r12, q1, q2, mu2, lambda);
 }
 
-/// Computes overlap_factored() for many pairs: see pw85_overlap_factored_batch().
+/// Computes overlap_factored() for many pairs, with the same answers: see
+/// pw85_overlap_factored_batch().
 ///
 /// @param r12,s1,s2 one for each pair
 /// @param[out] overlap one for each pair: 1, 0, or 255 for a bad pair
@@ -64,7 +65,7 @@ static inline StatusCode overlap_factored_batch(Vectors r12, std::span<Factor<do
     return detail::call_rows(pw85_overlap_factored_batch, r12, s1, s2, overlap);
 }
 
-/// Computes compare() for many pairs: see pw85_compare_batch().
+/// Computes compare() for many pairs, with the same signs: see pw85_compare_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param mu2 one for each pair; >= 0; may be infinite
@@ -76,7 +77,8 @@ static inline StatusCode compare_batch(Vectors r12, Forms q1, Forms q2, std::spa
     return detail::call_rows(pw85_compare_batch, r12, q1, q2, mu2, sign);
 }
 
-/// Computes overlap_witness() for many pairs: see pw85_overlap_witness_batch().
+/// Computes overlap_witness() for many pairs, with the same results: see
+/// pw85_overlap_witness_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] overlap one for each pair: 1, 0, or 255 for a bad pair
@@ -91,7 +93,7 @@ static inline StatusCode overlap_witness_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_overlap_witness_batch, r12, q1, q2, overlap, lambda, point);
 }
 
-/// Computes contains() for many pairs: see pw85_contains_batch().
+/// Computes contains() for many pairs, with the same answers: see pw85_contains_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] contains one for each pair: 1, 0, or 255 for a bad pair
@@ -102,7 +104,7 @@ static inline StatusCode contains_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_contains_batch, r12, q1, q2, contains);
 }
 
-/// Computes containment() for many pairs: see pw85_containment_batch().
+/// Computes containment() for many pairs, with the same bits: see pw85_containment_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] mu2,point one for each pair, or empty
@@ -116,7 +118,7 @@ static inline StatusCode containment_batch(Vectors r12, Forms q1, Forms q2, std:
 /// Computes closest_passage() for many pairs: see pw85_closest_passage_batch().
 ///
 /// @param r12,q1,q2,velocity one for each pair
-/// @param t_max the end of the time; for all rows; >= 0; may be infinite
+/// @param t_max the end of the path; for all rows; >= 0; may be infinite
 /// @param[out] mu2 one for each pair
 /// @param[out] t one for each pair, or empty
 /// @return as for closest_passage(), of the first bad pair
@@ -127,7 +129,7 @@ static inline StatusCode closest_passage_batch(Vectors r12, Forms q1, Forms q2, 
     return detail::call_rows(pw85_closest_passage_batch, r12, q1, q2, velocity, t_max, mu2, t);
 }
 
-/// Computes free_path() for many pairs: see pw85_free_path_batch().
+/// Computes free_path() for many pairs, with the same bits: see pw85_free_path_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param directions one for each pair; not zero
@@ -153,7 +155,7 @@ static inline StatusCode closest_approach_batch(Vectors directions, Forms q1, Fo
     return detail::call_rows(pw85_closest_approach_batch, directions, q1, q2, distance);
 }
 
-/// Computes volume() for many ellipsoids: see pw85_volume_batch().
+/// Computes volume() for many ellipsoids, with the same bits: see pw85_volume_batch().
 ///
 /// @param q one for each ellipsoid
 /// @param[out] volume one for each ellipsoid
@@ -163,7 +165,7 @@ static inline StatusCode volume_batch(Forms q, std::span<double> volume) noexcep
     return detail::call_rows(pw85_volume_batch, q, volume);
 }
 
-/// Computes overlap_volume() for many pairs: see pw85_overlap_volume_batch().
+/// Computes overlap_volume() for many pairs, with the same bits: see pw85_overlap_volume_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] volume one for each pair
@@ -174,7 +176,8 @@ static inline StatusCode overlap_volume_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_overlap_volume_batch, r12, q1, q2, volume);
 }
 
-/// Computes overlap_volume_gradient() for many pairs: see pw85_overlap_volume_gradient_batch().
+/// Computes overlap_volume_gradient() for many pairs, with the same bits: see
+/// pw85_overlap_volume_gradient_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] d_r12,d_q1,d_q2 one for each pair, or empty
@@ -187,7 +190,8 @@ static inline StatusCode overlap_volume_gradient_batch(
     return detail::call_rows(pw85_overlap_volume_gradient_batch, r12, q1, q2, d_r12, d_q1, d_q2);
 }
 
-/// Computes overlap_volume_torque() for many pairs: see pw85_overlap_volume_torque_batch().
+/// Computes overlap_volume_torque() for many pairs, with the same bits: see
+/// pw85_overlap_volume_torque_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] d_rot1,d_rot2 one for each pair, or empty
@@ -199,7 +203,7 @@ static inline StatusCode overlap_volume_torque_batch(
     return detail::call_rows(pw85_overlap_volume_torque_batch, r12, q1, q2, d_rot1, d_rot2);
 }
 
-/// Computes overlap_volume_plane() for many ellipsoids and half-spaces: see
+/// Computes overlap_volume_plane() for many ellipsoids and half-spaces, with the same bits: see
 /// pw85_overlap_volume_plane_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
@@ -213,7 +217,7 @@ static inline StatusCode overlap_volume_plane_batch(Vectors normals,
     return detail::call_rows(pw85_overlap_volume_plane_batch, normals, offsets, q, volume);
 }
 
-/// Computes area() for many ellipses: see pw85_area_batch_2d().
+/// Computes area() for many ellipses, with the same bits: see pw85_area_batch_2d().
 ///
 /// @param q one for each ellipse
 /// @param[out] area one for each ellipse
@@ -223,7 +227,8 @@ static inline StatusCode area_batch(FlatForms q, std::span<double> area) noexcep
     return detail::call_rows(pw85_area_batch_2d, q, area);
 }
 
-/// Computes overlap_area() for many pairs of ellipses: see pw85_overlap_area_batch_2d().
+/// Computes overlap_area() for many pairs of ellipses, with the same bits: see
+/// pw85_overlap_area_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] area one for each pair
@@ -234,7 +239,7 @@ static inline StatusCode overlap_area_batch(FlatVectors r12, FlatForms q1, FlatF
     return detail::call_rows(pw85_overlap_area_batch_2d, r12, q1, q2, area);
 }
 
-/// Computes overlap_area_gradient() for many pairs of ellipses: see
+/// Computes overlap_area_gradient() for many pairs of ellipses, with the same bits: see
 /// pw85_overlap_area_gradient_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -248,7 +253,7 @@ static inline StatusCode overlap_area_gradient_batch(
     return detail::call_rows(pw85_overlap_area_gradient_batch_2d, r12, q1, q2, d_r12, d_q1, d_q2);
 }
 
-/// Computes overlap_area_torque() for many pairs of ellipses: see
+/// Computes overlap_area_torque() for many pairs of ellipses, with the same bits: see
 /// pw85_overlap_area_torque_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -261,7 +266,7 @@ static inline StatusCode overlap_area_torque_batch(FlatVectors r12, FlatForms q1
     return detail::call_rows(pw85_overlap_area_torque_batch_2d, r12, q1, q2, d_rot1, d_rot2);
 }
 
-/// Computes surface_area() for many ellipsoids: see pw85_surface_area_batch().
+/// Computes surface_area() for many ellipsoids, with the same bits: see pw85_surface_area_batch().
 ///
 /// @param q one for each ellipsoid
 /// @param[out] area one for each ellipsoid
@@ -271,7 +276,8 @@ static inline StatusCode surface_area_batch(Forms q, std::span<double> area) noe
     return detail::call_rows(pw85_surface_area_batch, q, area);
 }
 
-/// Computes second_moments() for many ellipsoids: see pw85_second_moments_batch().
+/// Computes second_moments() for many ellipsoids, with the same bits: see
+/// pw85_second_moments_batch().
 ///
 /// @param q one for each ellipsoid
 /// @param[out] moments one for each ellipsoid
@@ -282,7 +288,7 @@ static inline StatusCode second_moments_batch(
     return detail::call_rows(pw85_second_moments_batch, q, moments);
 }
 
-/// Computes from_moments() for many ellipsoids: see pw85_from_moments_batch().
+/// Computes from_moments() for many ellipsoids, with the same bits: see pw85_from_moments_batch().
 ///
 /// @param second_moments one for each ellipsoid
 /// @param[out] q one for each ellipsoid
@@ -293,7 +299,8 @@ static inline StatusCode from_moments_batch(Forms second_moments,
     return detail::call_rows(pw85_from_moments_batch, second_moments, q);
 }
 
-/// Computes shell_moments() for many ellipsoids: see pw85_shell_moments_batch().
+/// Computes shell_moments() for many ellipsoids, with the same bits: see
+/// pw85_shell_moments_batch().
 ///
 /// @param q one for each ellipsoid
 /// @param[out] moments one for each ellipsoid
@@ -304,7 +311,7 @@ static inline StatusCode shell_moments_batch(Forms q,
     return detail::call_rows(pw85_shell_moments_batch, q, moments);
 }
 
-/// Computes inertia() for many ellipsoids: see pw85_inertia_batch().
+/// Computes inertia() for many ellipsoids, with the same bits: see pw85_inertia_batch().
 ///
 /// @param q one for each ellipsoid
 /// @param shell 0 for a solid body, any other number for a shell; for all rows
@@ -316,7 +323,7 @@ static inline StatusCode inertia_batch(Forms q, int shell,
     return detail::call_rows(pw85_inertia_batch, q, shell, inertia);
 }
 
-/// Computes perimeter() for many ellipses: see pw85_perimeter_batch_2d().
+/// Computes perimeter() for many ellipses, with the same bits: see pw85_perimeter_batch_2d().
 ///
 /// @param q one for each ellipse
 /// @param[out] perimeter one for each ellipse
@@ -326,7 +333,8 @@ static inline StatusCode perimeter_batch(FlatForms q, std::span<double> perimete
     return detail::call_rows(pw85_perimeter_batch_2d, q, perimeter);
 }
 
-/// Computes second_moments() for many ellipses: see pw85_second_moments_batch_2d().
+/// Computes second_moments() for many ellipses, with the same bits: see
+/// pw85_second_moments_batch_2d().
 ///
 /// @param q one for each ellipse
 /// @param[out] moments one for each ellipse
@@ -337,7 +345,7 @@ static inline StatusCode second_moments_batch(
     return detail::call_rows(pw85_second_moments_batch_2d, q, moments);
 }
 
-/// Computes from_moments() for many ellipses: see pw85_from_moments_batch_2d().
+/// Computes from_moments() for many ellipses, with the same bits: see pw85_from_moments_batch_2d().
 ///
 /// @param second_moments one for each ellipse
 /// @param[out] q one for each ellipse
@@ -348,7 +356,8 @@ static inline StatusCode from_moments_batch(FlatForms second_moments,
     return detail::call_rows(pw85_from_moments_batch_2d, second_moments, q);
 }
 
-/// Computes shell_moments() for many ellipses: see pw85_shell_moments_batch_2d().
+/// Computes shell_moments() for many ellipses, with the same bits: see
+/// pw85_shell_moments_batch_2d().
 ///
 /// @param q one for each ellipse
 /// @param[out] moments one for each ellipse
@@ -359,7 +368,8 @@ static inline StatusCode shell_moments_batch(FlatForms q,
     return detail::call_rows(pw85_shell_moments_batch_2d, q, moments);
 }
 
-/// Computes contact_factored() for many pairs: see pw85_contact_factored_batch().
+/// Computes contact_factored() for many pairs, with the same bits: see
+/// pw85_contact_factored_batch().
 ///
 /// @param r12,s1,s2 one for each pair
 /// @param[out] mu2,lambda one for each pair, or empty
@@ -372,7 +382,7 @@ static inline StatusCode contact_factored_batch(Vectors r12, std::span<Factor<do
     return detail::call_rows(pw85_contact_factored_batch, r12, s1, s2, mu2, lambda);
 }
 
-/// Computes condition() for many pairs: see pw85_condition_batch().
+/// Computes condition() for many pairs, with the same bits: see pw85_condition_batch().
 ///
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] cond one for each pair
@@ -384,7 +394,8 @@ static inline StatusCode condition_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_condition_batch, r12, q1, q2, lambda, cond);
 }
 
-/// Computes pw85_contact_function() for many pairs: see pw85_contact_function_batch().
+/// Computes pw85_contact_function() for many pairs, with the same bits: see
+/// pw85_contact_function_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] mu2,lambda one for each pair, or empty
@@ -396,7 +407,8 @@ static inline StatusCode contact_function_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_contact_function_batch, r12, q1, q2, mu2, lambda);
 }
 
-/// Computes contact_geometry() for many pairs: see pw85_contact_geometry_batch().
+/// Computes contact_geometry() for many pairs, with the same bits: see
+/// pw85_contact_geometry_batch().
 ///
 /// @param r12 one for each pair; not zero
 /// @param q1,q2,lambda one for each pair
@@ -410,7 +422,8 @@ static inline StatusCode contact_geometry_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_contact_geometry_batch, r12, q1, q2, lambda, point, normal);
 }
 
-/// Computes contact_gradient() for many pairs: see pw85_contact_gradient_batch().
+/// Computes contact_gradient() for many pairs, with the same bits: see
+/// pw85_contact_gradient_batch().
 ///
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] d_r12,d_q1,d_q2 one for each pair, or empty
@@ -423,7 +436,8 @@ static inline StatusCode contact_gradient_batch(
     return detail::call_rows(pw85_contact_gradient_batch, r12, q1, q2, lambda, d_r12, d_q1, d_q2);
 }
 
-/// Computes contact_geometry_factored() for many pairs: see pw85_contact_geometry_factored_batch().
+/// Computes contact_geometry_factored() for many pairs, with the same bits: see
+/// pw85_contact_geometry_factored_batch().
 ///
 /// @param r12 one for each pair; not zero
 /// @param s1,s2,lambda one for each pair
@@ -438,7 +452,8 @@ static inline StatusCode contact_geometry_factored_batch(
                              normal);
 }
 
-/// Computes contact_gradient_factored() for many pairs: see pw85_contact_gradient_factored_batch().
+/// Computes contact_gradient_factored() for many pairs, with the same bits: see
+/// pw85_contact_gradient_factored_batch().
 ///
 /// @param r12,s1,s2,lambda one for each pair
 /// @param[out] d_r12,d_s1,d_s2 one for each pair, or empty
@@ -452,7 +467,7 @@ static inline StatusCode contact_gradient_factored_batch(
                              d_s2);
 }
 
-/// Computes contact_torque() for many pairs: see pw85_contact_torque_batch().
+/// Computes contact_torque() for many pairs, with the same bits: see pw85_contact_torque_batch().
 ///
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] d_rot1,d_rot2 one for each pair, or empty
@@ -465,7 +480,7 @@ static inline StatusCode contact_torque_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_contact_torque_batch, r12, q1, q2, lambda, d_rot1, d_rot2);
 }
 
-/// Computes contact_hessian() for many pairs: see pw85_contact_hessian_batch().
+/// Computes contact_hessian() for many pairs, with the same bits: see pw85_contact_hessian_batch().
 ///
 /// @param r12 one for each pair; not zero
 /// @param q1,q2,lambda one for each pair
@@ -502,7 +517,8 @@ static inline StatusCode overlap_batch(FlatVectors r12, FlatForms q1, FlatForms 
     return detail::call_rows(pw85_overlap_batch_2d, r12, q1, q2, overlap);
 }
 
-/// Computes contact_geometry() for many pairs of ellipses: see pw85_contact_geometry_batch_2d().
+/// Computes contact_geometry() for many pairs of ellipses, with the same bits: see
+/// pw85_contact_geometry_batch_2d().
 ///
 /// @param r12 one for each pair; not zero
 /// @param q1,q2,lambda one for each pair
@@ -516,7 +532,8 @@ static inline StatusCode contact_geometry_batch(FlatVectors r12, FlatForms q1, F
     return detail::call_rows(pw85_contact_geometry_batch_2d, r12, q1, q2, lambda, point, normal);
 }
 
-/// Computes contact_gradient() for many pairs of ellipses: see pw85_contact_gradient_batch_2d().
+/// Computes contact_gradient() for many pairs of ellipses, with the same bits: see
+/// pw85_contact_gradient_batch_2d().
 ///
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] d_r12,d_q1,d_q2 one for each pair, or empty
@@ -530,7 +547,8 @@ static inline StatusCode contact_gradient_batch(
                              d_q2);
 }
 
-/// Computes contact_torque() for many pairs of ellipses: see pw85_contact_torque_batch_2d().
+/// Computes contact_torque() for many pairs of ellipses, with the same bits: see
+/// pw85_contact_torque_batch_2d().
 ///
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] d_rot1,d_rot2 one for each pair, or empty
@@ -543,7 +561,8 @@ static inline StatusCode contact_torque_batch(FlatVectors r12, FlatForms q1, Fla
     return detail::call_rows(pw85_contact_torque_batch_2d, r12, q1, q2, lambda, d_rot1, d_rot2);
 }
 
-/// Computes contact_hessian() for many pairs of ellipses: see pw85_contact_hessian_batch_2d().
+/// Computes contact_hessian() for many pairs of ellipses, with the same bits: see
+/// pw85_contact_hessian_batch_2d().
 ///
 /// @param r12 one for each pair; not zero
 /// @param q1,q2,lambda one for each pair
@@ -556,7 +575,8 @@ static inline StatusCode contact_hessian_batch(FlatVectors r12, FlatForms q1, Fl
     return detail::call_rows(pw85_contact_hessian_batch_2d, r12, q1, q2, lambda, hessian);
 }
 
-/// Computes closest_approach() for many pairs of ellipses: see pw85_closest_approach_batch_2d().
+/// Computes closest_approach() for many pairs of ellipses, with the same bits: see
+/// pw85_closest_approach_batch_2d().
 ///
 /// @param directions one for each pair; not zero
 /// @param q1,q2 one for each pair
@@ -568,8 +588,8 @@ static inline StatusCode closest_approach_batch(FlatVectors directions, FlatForm
     return detail::call_rows(pw85_closest_approach_batch_2d, directions, q1, q2, distance);
 }
 
-/// Computes contact(), contact_geometry(), contact_gradient() and contact_torque() for many pairs:
-/// see pw85_contact_derivatives_batch().
+/// Computes all that the forces and torques of an energy U(μ²) need, for many pairs: see
+/// pw85_contact_derivatives_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] out rows in all spans, or in some: see pw85_contact_derivatives_batch()
@@ -593,7 +613,8 @@ static inline StatusCode distance_batch(Vectors r12, Forms q1, Forms q2, std::sp
     return detail::call_rows(pw85_distance_batch, r12, q1, q2, distance, point1, point2);
 }
 
-/// Computes distance_derivatives() for many pairs: see pw85_distance_derivatives_batch().
+/// Computes distance_derivatives() for many pairs, with the same bits: see
+/// pw85_distance_derivatives_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] d_r12,d_rot1,d_rot2,hessian one for each pair, or empty
@@ -607,7 +628,8 @@ static inline StatusCode distance_derivatives_batch(
                              hessian);
 }
 
-/// Computes distance() for many pairs of ellipses: see pw85_distance_batch_2d().
+/// Computes distance() for many pairs of ellipses, with the same bits: see
+/// pw85_distance_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] distance,point1,point2 one for each pair, or empty
@@ -620,7 +642,8 @@ static inline StatusCode distance_batch(FlatVectors r12, FlatForms q1, FlatForms
     return detail::call_rows(pw85_distance_batch_2d, r12, q1, q2, distance, point1, point2);
 }
 
-/// Computes penetration() for many pairs of ellipses: see pw85_penetration_batch_2d().
+/// Computes penetration() for many pairs of ellipses, with the same bits: see
+/// pw85_penetration_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] depth,direction one for each pair, or empty
@@ -632,7 +655,8 @@ static inline StatusCode penetration_batch(FlatVectors r12, FlatForms q1, FlatFo
     return detail::call_rows(pw85_penetration_batch_2d, r12, q1, q2, depth, direction);
 }
 
-/// Computes signed_distance() for many pairs of ellipses: see pw85_signed_distance_batch_2d().
+/// Computes signed_distance() for many pairs of ellipses, with the same bits: see
+/// pw85_signed_distance_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] distance,point1,point2 one for each pair, or empty
@@ -645,7 +669,7 @@ static inline StatusCode signed_distance_batch(FlatVectors r12, FlatForms q1, Fl
     return detail::call_rows(pw85_signed_distance_batch_2d, r12, q1, q2, distance, point1, point2);
 }
 
-/// Computes penetration() for many pairs: see pw85_penetration_batch().
+/// Computes penetration() for many pairs, with the same bits: see pw85_penetration_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] depth,direction one for each pair, or empty
@@ -656,7 +680,7 @@ static inline StatusCode penetration_batch(Vectors r12, Forms q1, Forms q2, std:
     return detail::call_rows(pw85_penetration_batch, r12, q1, q2, depth, direction);
 }
 
-/// Computes signed_distance() for many pairs: see pw85_signed_distance_batch().
+/// Computes signed_distance() for many pairs, with the same bits: see pw85_signed_distance_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] distance,point1,point2 one for each pair, or empty
@@ -669,7 +693,7 @@ static inline StatusCode signed_distance_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_signed_distance_batch, r12, q1, q2, distance, point1, point2);
 }
 
-/// Computes signed_distance_derivatives() for many pairs: see
+/// Computes signed_distance_derivatives() for many pairs, with the same bits: see
 /// pw85_signed_distance_derivatives_batch().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -684,7 +708,7 @@ static inline StatusCode signed_distance_derivatives_batch(
                              d_rot2, hessian);
 }
 
-/// Computes gap_inside() for many pairs: see pw85_gap_inside_batch().
+/// Computes gap_inside() for many pairs, with the same bits: see pw85_gap_inside_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] gap,point1,point2,normal one for each pair, or empty
@@ -697,7 +721,8 @@ static inline StatusCode gap_inside_batch(Vectors r12, Forms q1, Forms q2, std::
     return detail::call_rows(pw85_gap_inside_batch, r12, q1, q2, gap, point1, point2, normal);
 }
 
-/// Computes gap_inside() for many pairs of ellipses: see pw85_gap_inside_batch_2d().
+/// Computes gap_inside() for many pairs of ellipses, with the same bits: see
+/// pw85_gap_inside_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] gap,point1,point2,normal one for each pair, or empty
@@ -711,7 +736,7 @@ static inline StatusCode gap_inside_batch(FlatVectors r12, FlatForms q1, FlatFor
     return detail::call_rows(pw85_gap_inside_batch_2d, r12, q1, q2, gap, point1, point2, normal);
 }
 
-/// Computes curvature() for many ellipsoids: see pw85_curvature_batch().
+/// Computes curvature() for many ellipsoids, with the same bits: see pw85_curvature_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
 /// @param q one for each ellipsoid
@@ -724,7 +749,7 @@ static inline StatusCode curvature_batch(Vectors normals, Forms q,
     return detail::call_rows(pw85_curvature_batch, normals, q, curvatures, directions);
 }
 
-/// Computes hertz() for many contacts: see pw85_hertz_batch().
+/// Computes hertz() for many contacts, with the same bits: see pw85_hertz_batch().
 ///
 /// @param curvatures one for each contact; > 0
 /// @param[out] radius,ellipse one for each contact, or empty
@@ -736,7 +761,7 @@ static inline StatusCode hertz_batch(std::span<std::array<double, 2> const> curv
     return detail::call_rows(pw85_hertz_batch, curvatures, radius, ellipse);
 }
 
-/// Computes hertz_contact() for many pairs: see pw85_hertz_contact_batch().
+/// Computes hertz_contact() for many pairs, with the same bits: see pw85_hertz_contact_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param normals one for each pair; not zero
@@ -771,7 +796,8 @@ static inline StatusCode grain_contact_batch(Vectors r12, Forms q1, Forms q2, Ve
                              curvatures, radius);
 }
 
-/// Computes grain_radius_gradient() for many pairs: see pw85_grain_radius_gradient_batch().
+/// Computes grain_radius_gradient() for many pairs, with the same bits: see
+/// pw85_grain_radius_gradient_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param normals one for each pair; not zero
@@ -785,7 +811,7 @@ static inline StatusCode grain_radius_gradient_batch(
                              d_rot2);
 }
 
-/// Computes grain_contact_wall() for many ellipsoids and walls: see
+/// Computes grain_contact_wall() for many ellipsoids and walls, with the same bits: see
 /// pw85_grain_contact_wall_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
@@ -806,7 +832,8 @@ static inline StatusCode grain_contact_wall_batch(Vectors normals, std::span<dou
                              q, depth, point, curvatures, radius);
 }
 
-/// Computes distance_plane() for many ellipsoids and half-spaces: see pw85_distance_plane_batch().
+/// Computes distance_plane() for many ellipsoids and half-spaces, with the same bits: see
+/// pw85_distance_plane_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
 /// @param offsets,q one for each ellipsoid
@@ -819,8 +846,8 @@ static inline StatusCode distance_plane_batch(Vectors normals, std::span<double 
     return detail::call_rows(pw85_distance_plane_batch, normals, offsets, q, distance, point);
 }
 
-/// Computes distance_plane_derivatives() for many ellipsoids and half-spaces: see
-/// pw85_distance_plane_derivatives_batch().
+/// Computes distance_plane_derivatives() for many ellipsoids and half-spaces, with the same bits:
+/// see pw85_distance_plane_derivatives_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
 /// @param q one for each ellipsoid
@@ -833,7 +860,8 @@ static inline StatusCode distance_plane_derivatives_batch(
     return detail::call_rows(pw85_distance_plane_derivatives_batch, normals, q, d_center, d_rot);
 }
 
-/// Computes contact_plane() for many ellipsoids and half-spaces: see pw85_contact_plane_batch().
+/// Computes contact_plane() for many ellipsoids and half-spaces, with the same bits: see
+/// pw85_contact_plane_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
 /// @param offsets,q one for each ellipsoid
@@ -846,8 +874,8 @@ static inline StatusCode contact_plane_batch(Vectors normals, std::span<double c
     return detail::call_rows(pw85_contact_plane_batch, normals, offsets, q, mu2, point);
 }
 
-/// Computes contact_plane_derivatives() for many ellipsoids and half-spaces: see
-/// pw85_contact_plane_derivatives_batch().
+/// Computes contact_plane_derivatives() for many ellipsoids and half-spaces, with the same bits:
+/// see pw85_contact_plane_derivatives_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
 /// @param offsets,q one for each ellipsoid
@@ -861,7 +889,8 @@ static inline StatusCode contact_plane_derivatives_batch(
                              d_rot);
 }
 
-/// Computes distance_box() for many ellipsoids and boxes: see pw85_distance_box_batch().
+/// Computes distance_box() for many ellipsoids and boxes, with the same bits: see
+/// pw85_distance_box_batch().
 ///
 /// @param lower,upper one for each ellipsoid; `lower` <= `upper`
 /// @param q one for each ellipsoid
@@ -875,7 +904,7 @@ static inline StatusCode distance_box_batch(Vectors lower, Vectors upper, Forms 
     return detail::call_rows(pw85_distance_box_batch, lower, upper, q, distance, point, normal);
 }
 
-/// Computes distance_cylinder() for many ellipsoids and cylinders: see
+/// Computes distance_cylinder() for many ellipsoids and cylinders, with the same bits: see
 /// pw85_distance_cylinder_batch().
 ///
 /// @param axis one for each ellipsoid; not zero
@@ -893,7 +922,8 @@ static inline StatusCode distance_cylinder_batch(Vectors axis, std::span<double 
                              normal);
 }
 
-/// Computes distance_point() for many points and ellipsoids: see pw85_distance_point_batch().
+/// Computes distance_point() for many points and ellipsoids, with the same bits: see
+/// pw85_distance_point_batch().
 ///
 /// @param r,q one for each point
 /// @param[out] distance,point,normal one for each point, or empty
@@ -905,7 +935,8 @@ static inline StatusCode distance_point_batch(Vectors r, Forms q, std::span<doub
     return detail::call_rows(pw85_distance_point_batch, r, q, distance, point, normal);
 }
 
-/// Computes distance_segment() for many ellipsoids and segments: see pw85_distance_segment_batch().
+/// Computes distance_segment() for many ellipsoids and segments, with the same bits: see
+/// pw85_distance_segment_batch().
 ///
 /// @param end1,end2,q one for each ellipsoid
 /// @param[out] distance,point1,point2,normal one for each ellipsoid, or empty
@@ -920,7 +951,7 @@ static inline StatusCode distance_segment_batch(Vectors end1, Vectors end2, Form
                              normal);
 }
 
-/// Computes distance_triangle() for many ellipsoids and triangles: see
+/// Computes distance_triangle() for many ellipsoids and triangles, with the same bits: see
 /// pw85_distance_triangle_batch().
 ///
 /// @param vertex1,vertex2,vertex3,q one for each ellipsoid
@@ -936,7 +967,7 @@ static inline StatusCode distance_triangle_batch(Vectors vertex1, Vectors vertex
                              point1, point2, normal);
 }
 
-/// Computes distance_solid_box() for many ellipsoids and boxes: see
+/// Computes distance_solid_box() for many ellipsoids and boxes, with the same bits: see
 /// pw85_distance_solid_box_batch().
 ///
 /// @param lower,upper one for each ellipsoid; `lower` <= `upper`
@@ -953,7 +984,8 @@ static inline StatusCode distance_solid_box_batch(Vectors lower, Vectors upper, 
                              point2, normal);
 }
 
-/// Computes intersect_line() for many lines and ellipsoids: see pw85_intersect_line_batch().
+/// Computes intersect_line() for many lines and ellipsoids, with the same bits: see
+/// pw85_intersect_line_batch().
 ///
 /// @param origin one for each line
 /// @param directions one for each line; not zero
@@ -1005,7 +1037,8 @@ static inline StatusCode contact_box_batch(Vectors lower, Vectors upper, Forms q
     return detail::call_rows(pw85_contact_box_batch, lower, upper, q, mu2, point);
 }
 
-/// Computes overlap_segment() for many ellipsoids and segments: see pw85_overlap_segment_batch().
+/// Computes overlap_segment() for many ellipsoids and segments, with the same answers: see
+/// pw85_overlap_segment_batch().
 ///
 /// @param end1,end2,q one for each ellipsoid
 /// @param[out] overlap one for each ellipsoid: 1, 0, or 255 for a bad ellipsoid
@@ -1016,7 +1049,7 @@ static inline StatusCode overlap_segment_batch(Vectors end1, Vectors end2, Forms
     return detail::call_rows(pw85_overlap_segment_batch, end1, end2, q, overlap);
 }
 
-/// Computes overlap_triangle() for many ellipsoids and triangles: see
+/// Computes overlap_triangle() for many ellipsoids and triangles, with the same answers: see
 /// pw85_overlap_triangle_batch().
 ///
 /// @param vertex1,vertex2,vertex3,q one for each ellipsoid
@@ -1028,7 +1061,8 @@ static inline StatusCode overlap_triangle_batch(Vectors vertex1, Vectors vertex2
     return detail::call_rows(pw85_overlap_triangle_batch, vertex1, vertex2, vertex3, q, overlap);
 }
 
-/// Computes overlap_box() for many ellipsoids and boxes: see pw85_overlap_box_batch().
+/// Computes overlap_box() for many ellipsoids and boxes, with the same answers: see
+/// pw85_overlap_box_batch().
 ///
 /// @param lower,upper one for each ellipsoid; `lower` <= `upper`
 /// @param q one for each ellipsoid
@@ -1040,7 +1074,8 @@ static inline StatusCode overlap_box_batch(Vectors lower, Vectors upper, Forms q
     return detail::call_rows(pw85_overlap_box_batch, lower, upper, q, overlap);
 }
 
-/// Computes contact_capsule() for many ellipsoids and capsules: see pw85_contact_capsule_batch().
+/// Computes contact_capsule() for many ellipsoids and capsules, with the same bits: see
+/// pw85_contact_capsule_batch().
 ///
 /// @param end1,end2 one for each ellipsoid
 /// @param radius one for each ellipsoid; >= 0
@@ -1055,7 +1090,8 @@ static inline StatusCode contact_capsule_batch(Vectors end1, Vectors end2,
     return detail::call_rows(pw85_contact_capsule_batch, end1, end2, radius, q, mu2, point);
 }
 
-/// Computes overlap_capsule() for many ellipsoids and capsules: see pw85_overlap_capsule_batch().
+/// Computes overlap_capsule() for many ellipsoids and capsules, with the same answers: see
+/// pw85_overlap_capsule_batch().
 ///
 /// @param end1,end2 one for each ellipsoid
 /// @param radius one for each ellipsoid; >= 0
@@ -1069,7 +1105,8 @@ static inline StatusCode overlap_capsule_batch(Vectors end1, Vectors end2,
     return detail::call_rows(pw85_overlap_capsule_batch, end1, end2, radius, q, overlap);
 }
 
-/// Computes distance_capsule() for many ellipsoids and capsules: see pw85_distance_capsule_batch().
+/// Computes distance_capsule() for many ellipsoids and capsules, with the same bits: see
+/// pw85_distance_capsule_batch().
 ///
 /// @param end1,end2 one for each ellipsoid
 /// @param radius one for each ellipsoid; >= 0
@@ -1087,7 +1124,8 @@ static inline StatusCode distance_capsule_batch(Vectors end1, Vectors end2,
                              point2, normal);
 }
 
-/// Computes distance_point() for many points and ellipses: see pw85_distance_point_batch_2d().
+/// Computes distance_point() for many points and ellipses, with the same bits: see
+/// pw85_distance_point_batch_2d().
 ///
 /// @param r,q one for each point
 /// @param[out] distance,point,normal one for each point, or empty
@@ -1100,7 +1138,8 @@ static inline StatusCode distance_point_batch(FlatVectors r, FlatForms q,
     return detail::call_rows(pw85_distance_point_batch_2d, r, q, distance, point, normal);
 }
 
-/// Computes contact_segment() for many ellipses and segments: see pw85_contact_segment_batch_2d().
+/// Computes contact_segment() for many ellipses and segments, with the same bits: see
+/// pw85_contact_segment_batch_2d().
 ///
 /// @param end1,end2,q one for each ellipse
 /// @param[out] mu2,point one for each ellipse, or empty
@@ -1112,7 +1151,8 @@ static inline StatusCode contact_segment_batch(FlatVectors end1, FlatVectors end
     return detail::call_rows(pw85_contact_segment_batch_2d, end1, end2, q, mu2, point);
 }
 
-/// Computes contact_box() for many ellipses and boxes: see pw85_contact_box_batch_2d().
+/// Computes contact_box() for many ellipses and boxes, with the same bits: see
+/// pw85_contact_box_batch_2d().
 ///
 /// @param lower,upper one for each ellipse; `lower` <= `upper`
 /// @param q one for each ellipse
@@ -1125,7 +1165,8 @@ static inline StatusCode contact_box_batch(FlatVectors lower, FlatVectors upper,
     return detail::call_rows(pw85_contact_box_batch_2d, lower, upper, q, mu2, point);
 }
 
-/// Computes overlap_segment() for many ellipses and segments: see pw85_overlap_segment_batch_2d().
+/// Computes overlap_segment() for many ellipses and segments, with the same answers: see
+/// pw85_overlap_segment_batch_2d().
 ///
 /// @param end1,end2,q one for each ellipse
 /// @param[out] overlap one for each ellipse: 1, 0, or 255 for a bad ellipse
@@ -1136,7 +1177,8 @@ static inline StatusCode overlap_segment_batch(FlatVectors end1, FlatVectors end
     return detail::call_rows(pw85_overlap_segment_batch_2d, end1, end2, q, overlap);
 }
 
-/// Computes overlap_box() for many ellipses and boxes: see pw85_overlap_box_batch_2d().
+/// Computes overlap_box() for many ellipses and boxes, with the same answers: see
+/// pw85_overlap_box_batch_2d().
 ///
 /// @param lower,upper one for each ellipse; `lower` <= `upper`
 /// @param q one for each ellipse
@@ -1148,10 +1190,10 @@ static inline StatusCode overlap_box_batch(FlatVectors lower, FlatVectors upper,
     return detail::call_rows(pw85_overlap_box_batch_2d, lower, upper, q, overlap);
 }
 
-/// Computes first_contact() for many pairs: see pw85_first_contact_batch().
+/// Computes first_contact() for many pairs, with the same bits: see pw85_first_contact_batch().
 ///
 /// @param r12,q1,q2,motion1,motion2 one for each pair
-/// @param t_max the time up to which contacts count; for all rows; >= 0; may be infinite
+/// @param t_max the last time at which a contact counts; for all rows; >= 0; may be infinite
 /// @param[out] t one for each pair
 /// @return as for first_contact(), of the first bad pair
 static inline StatusCode first_contact_batch(Vectors r12, Forms q1, Forms q2,
@@ -1167,7 +1209,8 @@ static inline StatusCode first_contact_batch(Vectors r12, Forms q1, Forms q2,
 /// @name Many forms
 /// @{
 
-/// Computes ellipsoid_factor() for many ellipsoids: see pw85_ellipsoid_factor_batch().
+/// Computes ellipsoid_factor() for many ellipsoids, with the same bits: see
+/// pw85_ellipsoid_factor_batch().
 ///
 /// @param semi_axes one for each ellipsoid; > 0
 /// @param quaternions one for each ellipsoid; not zero
@@ -1180,7 +1223,8 @@ static inline StatusCode ellipsoid_factor_batch(Vectors semi_axes,
     return detail::call_rows(pw85_ellipsoid_factor_batch, semi_axes, quaternions, s);
 }
 
-/// Computes ellipsoid_quaternion() for many ellipsoids: see pw85_ellipsoid_quaternion_batch().
+/// Computes ellipsoid_quaternion() for many ellipsoids, with the same bits: see
+/// pw85_ellipsoid_quaternion_batch().
 ///
 /// @param semi_axes one for each ellipsoid; > 0
 /// @param quaternions one for each ellipsoid; not zero
@@ -1193,7 +1237,8 @@ static inline StatusCode ellipsoid_quaternion_batch(
     return detail::call_rows(pw85_ellipsoid_quaternion_batch, semi_axes, quaternions, q);
 }
 
-/// Tight boxes, with sides along the axes, around many ellipsoids: see pw85_bounding_boxes().
+/// Computes the smallest boxes, with sides along the axes, around many ellipsoids: see
+/// pw85_bounding_boxes().
 ///
 /// @param q one for each ellipsoid
 /// @param[out] half_widths one for each ellipsoid: √Qxx, √Qyy, √Qzz, in the unit of the semi-axes

@@ -33,14 +33,14 @@ class HardEllipsoids {
     {
     }
 
-    /// Makes a simulation one of hard ellipses in a plane z = const, or again one of ellipsoids:
-    /// see pw85_hard_ellipsoids_set_dimensions().
+    /// Turns a simulation into one of hard ellipses in a plane z = const, or back into one of
+    /// ellipsoids: see pw85_hard_ellipsoids_set_dimensions().
     [[gnu::always_inline]] StatusCode set_dimensions(int dimensions) noexcept
     {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_set_dimensions(get(), dimensions));
     }
 
-    /// The number of dimensions of a simulation: see pw85_hard_ellipsoids_dimensions().
+    /// Returns the number of dimensions of a simulation: see pw85_hard_ellipsoids_dimensions().
     [[gnu::always_inline]] int dimensions() const noexcept
     {
         int dimensions;
@@ -79,7 +79,8 @@ class HardEllipsoids {
                                                                        fields.data()));
     }
 
-    /// Sets an energy of pairs beside the hard cores, or none: see pw85_hard_ellipsoids_set_law().
+    /// Sets an energy of pairs beside the hard cores, or removes it: see
+    /// pw85_hard_ellipsoids_set_law().
     [[gnu::always_inline]] StatusCode set_law(Law const &law) noexcept
     {
         pw85_law const law_in_c = detail::in_c(law);
@@ -121,14 +122,14 @@ class HardEllipsoids {
             pw85_hard_ellipsoids_set_potential(get(), potential, context));
     }
 
-    /// The energy of all particles in the fields, the potential and the law of pairs, in the unit
-    /// of k_B T: see pw85_hard_ellipsoids_energy().
+    /// Computes the energy of all particles in the fields, the potential and the law of pairs, in
+    /// the unit of k_B T: see pw85_hard_ellipsoids_energy().
     [[gnu::always_inline]] StatusCode energy(double &energy) const noexcept
     {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_energy(get(), &energy));
     }
 
-    /// The virial of the law of pairs, W = -2 Σ μ² dβU/dμ², which the pressure has beside that of
+    /// Computes the virial of the law of pairs, W = -2 Σ μ² dβU/dμ², which adds to the pressure of
     /// the hard cores: see pw85_hard_ellipsoids_law_virial().
     [[gnu::always_inline]] StatusCode law_virial(double &virial) const noexcept
     {
@@ -141,7 +142,7 @@ class HardEllipsoids {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_sweep(get(), num_sweeps));
     }
 
-    /// Tries changes of the cell and of all centres with it, at constant pressure: see
+    /// Tries changes of the cell, and of all centres with it, at constant pressure: see
     /// pw85_hard_ellipsoids_volume_moves().
     [[gnu::always_inline]] StatusCode volume_moves(
         std::size_t num_moves, double pressure, CellChange change = CellChange::isotropic) noexcept
@@ -170,7 +171,7 @@ class HardEllipsoids {
                                                                   &compressibility));
     }
 
-    /// Makes sweeps, and changes the steps after each of them towards an acceptance: see
+    /// Makes sweeps, and changes the steps after each of them towards an acceptance ratio: see
     /// pw85_hard_ellipsoids_tune().
     [[gnu::always_inline]] StatusCode tune(std::size_t num_sweeps, double acceptance,
                                            double pressure = 0.0,
@@ -198,7 +199,7 @@ class HardEllipsoids {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_set_steps(get(), steps_in_c));
     }
 
-    /// The largest changes of a trial: see pw85_hard_ellipsoids_steps().
+    /// Returns the largest changes of a trial: see pw85_hard_ellipsoids_steps().
     [[gnu::always_inline]] TrialSteps steps() const noexcept
     {
         double steps[3];
@@ -230,7 +231,7 @@ class HardEllipsoids {
         return {own[0], own[1], steps().volume};
     }
 
-    /// The numbers of trials since the simulation was made or tuned: see
+    /// Returns the numbers of trials since the simulation was made or tuned: see
     /// pw85_hard_ellipsoids_counts().
     [[gnu::always_inline]] TrialCounts counts() const noexcept
     {
@@ -257,8 +258,8 @@ class HardEllipsoids {
             separations.empty() ? nullptr : separations.front().coordinates));
     }
 
-    /// Tests whether a particle would be free of overlaps at another place, by the exact test, and
-    /// moves it there, if wanted: see pw85_hard_ellipsoids_try().
+    /// Tests whether a particle would be free of overlaps at another position, and moves it there
+    /// if wanted: see pw85_hard_ellipsoids_try().
     [[gnu::always_inline]] StatusCode try_placement(std::size_t particle,
                                                     Vector<double, 3> const &center,
                                                     Vector<double, 4> const &quaternion, bool take,
@@ -272,8 +273,8 @@ class HardEllipsoids {
         return static_cast<StatusCode>(status);
     }
 
-    /// Tests whether a new particle would be free of overlaps, by the exact test, and inserts it as
-    /// the last one, if wanted: see pw85_hard_ellipsoids_insert().
+    /// Tests whether a new particle would be free of overlaps, and inserts it as the last one if
+    /// wanted: see pw85_hard_ellipsoids_insert().
     [[gnu::always_inline]] StatusCode insert(Vector<double, 3> const &center,
                                              Vector<double, 4> const &quaternion,
                                              Vector<double, 3> const &semi_axes, bool take,
@@ -294,8 +295,8 @@ class HardEllipsoids {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_remove(get(), particle));
     }
 
-    /// The mean of e^(-βU) of a particle that is inserted at random, 0 where it is not free: see
-    /// pw85_hard_ellipsoids_insertion_weight().
+    /// Computes the mean of e^(-βU) of a particle that is inserted at random, where a position that
+    /// is not free counts as 0: see pw85_hard_ellipsoids_insertion_weight().
     [[gnu::always_inline]] StatusCode insertion_weight(std::size_t num_trials,
                                                        Vector<double, 3> const &semi_axes,
                                                        double &weight) noexcept
@@ -318,8 +319,8 @@ class HardEllipsoids {
             counts.data()));
     }
 
-    /// Finds how far cell and centres can be compressed before particles touch: see
-    /// pw85_hard_ellipsoids_compress().
+    /// Finds how far cell and centres can be compressed before particles touch, and compresses them
+    /// if wanted: see pw85_hard_ellipsoids_compress().
     [[gnu::always_inline]] StatusCode compress(bool take, double &factor) noexcept
     {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_compress(get(), static_cast<int>(take),
@@ -355,7 +356,7 @@ class HardEllipsoids {
                 system().num_particles};
     }
 
-    /// The number of bytes that pw85_hard_ellipsoids_save() writes: see
+    /// Returns the number of bytes that pw85_hard_ellipsoids_save() writes: see
     /// pw85_hard_ellipsoids_num_bytes().
     [[gnu::always_inline]] std::size_t num_bytes() const noexcept
     {
@@ -389,11 +390,11 @@ class HardEllipsoids {
 /// @param quaternions one for each particle: (w, x, y, z), of any lengths; not zero
 /// @param seed selects the random numbers
 /// @param[out] simulation empty on error
-/// @param[out] pair the first two particles that overlap, the same for a particle and its own
-/// image; -1 if no particles overlap
+/// @param[out] pair the first two particles that overlap, twice the same one for a particle and its
+/// own image; -1 if no particles overlap
 /// @return Status::success; Status::overlap if particles overlap; Status::invalid_argument and
-/// Status::not_positive_definite as for neighbors_create(); Status::out_of_memory, also for
-/// particles so long that a list of neighbours has more than 2¹⁵ images of the cell, or 2¹³ pairs
+/// Status::not_positive_definite as for neighbors_create(); Status::out_of_memory, also if
+/// particles are so long that a neighbour list has more than 2¹⁵ images of the cell, or 2¹³ pairs
 /// per particle
 static inline StatusCode hard_ellipsoids_create(Particles const &particles, Vectors semi_axes,
                                                 std::span<Vector<double, 4> const> quaternions,
@@ -413,14 +414,14 @@ static inline StatusCode hard_ellipsoids_create(Particles const &particles, Vect
     return static_cast<StatusCode>(status);
 }
 
-/// Makes a simulation from the bytes of another, which it continues bit by bit: see
+/// Makes a simulation from the bytes of another one, which it continues bit by bit: see
 /// pw85_hard_ellipsoids_restore().
 ///
 /// @param bytes one for each byte
 /// @param[out] simulation empty on error
-/// @return Status::success; Status::invalid_argument, also for bytes that are incomplete or have
-/// been changed, and for those of a later format; Status::invalid_argument, Status::overlap,
-/// Status::not_positive_definite, Status::bad_potential if they are a state that is not possible;
+/// @return Status::success; Status::invalid_argument, also if the bytes are incomplete, have been
+/// changed or are of a later format; Status::invalid_argument, Status::overlap,
+/// Status::not_positive_definite, Status::bad_potential if their state is not possible;
 /// Status::out_of_memory
 static inline StatusCode hard_ellipsoids_restore(std::span<unsigned char const> bytes,
                                                  HardEllipsoids &simulation) noexcept

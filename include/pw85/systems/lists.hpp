@@ -17,14 +17,13 @@ namespace pw85 {
 /// @name Lists of pairs
 /// @{
 
-/// Computes contact() for the pairs of a list: see pw85_contact_pairs().
+/// Computes the contact function of the pairs of a list: see pw85_contact_pairs().
 ///
 /// @param list indices of particles, with or without images
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
 /// @param[out] mu2 one for each pair
 /// @param[out] lambda one for each pair, or empty
-/// @return as for contact_batch(); Status::invalid_argument also for `images` without `cell`, a
-/// cell that is not finite or, unless there are images, singular
+/// @return as for contact_batch()
 static inline StatusCode contact_pairs(PairList const &list, Particles const &particles,
                                        std::span<double> mu2,
                                        std::span<double> lambda = {}) noexcept
@@ -32,20 +31,20 @@ static inline StatusCode contact_pairs(PairList const &list, Particles const &pa
     return detail::call_pairs(pw85_contact_pairs, list, particles, mu2, lambda);
 }
 
-/// Computes overlap() for the pairs of a list: see pw85_overlap_pairs().
+/// Tests whether the pairs of a list overlap: see pw85_overlap_pairs().
 ///
 /// @param list indices of particles, with or without images
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
 /// @param[out] overlap one for each pair: 1, 0, or 255 for a bad pair
-/// @return as for contact_batch(); Status::invalid_argument also for `images` without `cell`, a
-/// cell that is not finite or, unless there are images, singular
+/// @return as for contact_pairs()
 static inline StatusCode overlap_pairs(PairList const &list, Particles const &particles,
                                        std::span<unsigned char> overlap) noexcept
 {
     return detail::call_pairs(pw85_overlap_pairs, list, particles, overlap);
 }
 
-/// Computes overlap_volume() for the pairs of a list: see pw85_overlap_volume_pairs().
+/// Computes the volumes of the intersections of the pairs of a list: see
+/// pw85_overlap_volume_pairs().
 ///
 /// @param list indices of particles, with or without images
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
@@ -57,13 +56,13 @@ static inline StatusCode overlap_volume_pairs(PairList const &list, Particles co
     return detail::call_pairs(pw85_overlap_volume_pairs, list, particles, volume);
 }
 
-/// The derivatives for the pairs of a list: see pw85_contact_derivatives_pairs().
+/// Computes μ², its derivatives, points and normals for the pairs of a list: see
+/// pw85_contact_derivatives_pairs().
 ///
 /// @param list indices of particles, with or without images
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
 /// @param[out] out rows in all spans, or in some: see pw85_contact_derivatives_pairs()
-/// @return as for contact_batch(); Status::invalid_argument also for `images` without `cell`, a
-/// cell that is not finite or, unless there are images, singular
+/// @return as for contact_pairs()
 static inline StatusCode contact_derivatives_pairs(PairList const &list, Particles const &particles,
                                                    DerivativeSpans const &out) noexcept
 {

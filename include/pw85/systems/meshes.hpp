@@ -73,7 +73,7 @@ struct MeshDistanceSpans {
 ///
 /// @param vertices one for each vertex
 /// @param triangles one for each triangle: indices of vertices, from 0. A triangle without area is
-/// the segment or the point that has all three vertices.
+/// a segment or a point.
 /// @param[out] mesh empty on error
 /// @return Status::success, Status::invalid_argument, Status::out_of_memory
 static inline StatusCode mesh_create(Vectors vertices,
@@ -88,7 +88,7 @@ static inline StatusCode mesh_create(Vectors vertices,
     return static_cast<StatusCode>(status);
 }
 
-/// Contact function of an ellipsoid and a mesh: see pw85_mesh_contact().
+/// Computes the contact function of an ellipsoid and a mesh: see pw85_mesh_contact().
 ///
 /// @param mesh a mesh
 /// @param center of the ellipsoid
@@ -123,7 +123,7 @@ static inline ShapeOverlap mesh_overlap(Mesh const &mesh, Vector<double, 3> cons
     return found;
 }
 
-/// Signed distance of an ellipsoid and a mesh: see pw85_mesh_distance().
+/// Computes the signed distance of an ellipsoid and a mesh: see pw85_mesh_distance().
 ///
 /// @param mesh a mesh
 /// @param center of the ellipsoid
@@ -142,7 +142,8 @@ static inline MeshDistance mesh_distance(Mesh const &mesh, Vector<double, 3> con
     return found;
 }
 
-/// Computes mesh_contact() for many ellipsoids and one mesh: see pw85_mesh_contact_batch().
+/// Computes mesh_contact() for many ellipsoids and one mesh, with the same bits: see
+/// pw85_mesh_contact_batch().
 ///
 /// @param mesh a mesh
 /// @param centers,q one for each ellipsoid
@@ -175,7 +176,8 @@ static inline StatusCode mesh_overlap_batch(Mesh const &mesh, Vectors centers, F
                                                            detail::in_c(overlap)));
 }
 
-/// Computes mesh_distance() for many ellipsoids and one mesh: see pw85_mesh_distance_batch().
+/// Computes mesh_distance() for many ellipsoids and one mesh, with the same bits: see
+/// pw85_mesh_distance_batch().
 ///
 /// @param mesh a mesh
 /// @param centers,q one for each ellipsoid

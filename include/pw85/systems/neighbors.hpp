@@ -58,15 +58,15 @@ class Neighbors {
     std::unique_ptr<pw85_neighbors, Destroy> list_;
 };
 
-/// Lists the pairs (i, j, image) whose bounding boxes are no farther apart than `skin` along any
-/// axis, the ellipsoids scaled by `scale`: see pw85_neighbors_create().
+/// Makes a list of the pairs (i, j, image) whose bounding boxes are no farther apart than `skin`
+/// along any axis, for ellipsoids scaled by `scale`: see pw85_neighbors_create().
 ///
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
 /// @param options see NeighborOptions
 /// @param[out] list empty on error
-/// @return Status::success; Status::invalid_argument, also if the periodic vectors are not
-/// independent, or an image is more than 2²⁹ vectors away; Status::not_positive_definite;
-/// Status::out_of_memory. neighbors_check() says which particle is bad.
+/// @return Status::success; Status::invalid_argument, also if an image is more than 2²⁹ vectors
+/// away; Status::not_positive_definite; Status::out_of_memory. neighbors_check() tells which
+/// particle is bad.
 static inline StatusCode neighbors_create(Particles const &particles,
                                           NeighborOptions const &options, Neighbors &list) noexcept
 {
@@ -80,14 +80,15 @@ static inline StatusCode neighbors_create(Particles const &particles,
     return static_cast<StatusCode>(status);
 }
 
-/// The particle because of which a list cannot be made: see pw85_neighbors_check().
+/// Finds the particle because of which neighbors_create() cannot make a list: see
+/// pw85_neighbors_check().
 ///
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
 /// @param options see NeighborOptions
 /// @param[out] particle index of the first bad particle: its centre or form is invalid, or it is
 /// too far away; num_particles if there is none, 0 if `system` is null
-/// @return the status of that particle; or of the other arguments, with `particle` = num_particles;
-/// Status::success if only the memory or the number of images can be the cause
+/// @return the status of that particle; the status of the other arguments, with `particle` =
+/// num_particles; or Status::success, if only the memory or the number of images can be the cause
 static inline StatusCode neighbors_check(Particles const &particles, NeighborOptions const &options,
                                          std::size_t &particle) noexcept
 {
@@ -99,15 +100,14 @@ static inline StatusCode neighbors_check(Particles const &particles, NeighborOpt
                                                         options.skin, &particle));
 }
 
-/// Tests whether a list still has all pairs whose boxes intersect (without skin) after the
-/// particles have moved and turned, and the cell has changed: see pw85_neighbors_holds().
+/// Tests whether a list still has all pairs whose boxes intersect (without skin), after particles
+/// have moved and turned and the cell has changed: see pw85_neighbors_holds().
 ///
 /// @param list a list
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
 /// @param[out] holds 1 or 0
-/// @return Status::success, Status::invalid_argument, also if the number of particles is not that
-/// of the list, only one of the two has a cell, or the cell is periodic along other vectors, or its
-/// periodic vectors are not finite or not independent; or the status of the first bad particle
+/// @return Status::success; the status of the first bad particle; Status::invalid_argument, also if
+/// only one of list and system has a cell, or the cells are periodic along other vectors
 static inline StatusCode neighbors_holds(Neighbors const &list, Particles const &particles,
                                          int &holds) noexcept
 {

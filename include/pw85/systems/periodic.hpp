@@ -64,11 +64,10 @@ static inline StatusCode overlap_any_indices(Vector<double, 3> const &center,
 /// @name Periodic cells
 /// @{
 
-/// A reduced cell of the same lattice: see pw85_cell_reduce().
+/// Computes a reduced cell of the same lattice: see pw85_cell_reduce().
 ///
-/// @param cell rows = vectors
-/// @return the values, and Status::success or Status::invalid_argument (a null pointer, a cell that
-/// is singular or not finite)
+/// @param cell rows are the vectors
+/// @return the values, and Status::success or Status::invalid_argument
 static inline ReducedCell cell_reduce(Cell const &cell) noexcept
 {
     ReducedCell found{};
@@ -77,7 +76,7 @@ static inline ReducedCell cell_reduce(Cell const &cell) noexcept
     return found;
 }
 
-/// The nearest images, which the functions of pair lists use without `images`: see
+/// Computes the nearest images that the functions of pair lists use without `images`: see
 /// pw85_nearest_images().
 ///
 /// @param pairs one for each pair: indices (i, j) of particles, from 0
@@ -86,9 +85,8 @@ static inline ReducedCell cell_reduce(Cell const &cell) noexcept
 /// a bad pair
 /// @param[out] images one for each pair, or empty: multiples of the vectors of the cell, as given;
 /// INT32_MIN for a bad pair
-/// @return as for contact_batch(); a pair is bad if a centre is not finite, or, if `images` are
-/// requested, a multiple is beyond 2³¹ - 1; Status::invalid_argument also for a cell that is
-/// singular or not finite
+/// @return as for contact_batch(); a pair is bad if a centre is not finite, or if a requested
+/// multiple is beyond 2³¹ - 1
 static inline StatusCode nearest_images(std::span<IndexPair const> pairs,
                                         Particles const &particles,
                                         std::span<Vector<double, 3>> r12,
@@ -102,12 +100,11 @@ static inline StatusCode nearest_images(std::span<IndexPair const> pairs,
                                                        detail::in_c(images)));
 }
 
-/// The limit of μ² below which only nearest images count: see pw85_nearest_image_limit().
+/// Computes the limit of μ² below which only nearest images count: see pw85_nearest_image_limit().
 ///
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
-/// @param[out] mu2 the limit
-/// @return Status::success, Status::invalid_argument (a cell that is singular or not finite, too),
-/// Status::not_positive_definite
+/// @param[out] mu2 the limit; infinity without particles
+/// @return Status::success, Status::invalid_argument, Status::not_positive_definite
 static inline StatusCode nearest_image_limit(Particles const &particles, double &mu2) noexcept
 {
     mu2 = detail::quiet_nan<double>();

@@ -15,15 +15,15 @@ namespace pw85 {
 /// @name Sums over pairs
 /// @{
 
-/// Computes first_contact() for the pairs of a list, and the next event of each particle: see
-/// pw85_first_contact_pairs().
+/// Computes the times of the first contacts of the pairs of a list, and the next event of each
+/// particle, which event-driven simulations schedule: see pw85_first_contact_pairs().
 ///
 /// @param list indices of particles, with or without images
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
 /// @param motions one for each particle
-/// @param t_max the time up to which contacts count; for all pairs; >= 0; may be infinite
+/// @param t_max the last time at which a contact counts; for all pairs; >= 0; may be infinite
 /// @param[out] out rows in all spans, or in some: see pw85_first_contact_pairs()
-/// @return as for contact_pairs(); Status::no_convergence, too. Bad pairs are not events.
+/// @return as for contact_pairs(); Status::no_convergence as for first_contact()
 static inline StatusCode first_contact_pairs(PairList const &list, Particles const &particles,
                                              std::span<Motion<double, 3> const> motions,
                                              double t_max, EventSpans const &out) noexcept
@@ -40,7 +40,7 @@ static inline StatusCode first_contact_pairs(PairList const &list, Particles con
                                                             detail::in_c(out.next_pair)));
 }
 
-/// Sums of the forces, torques and virial of an energy U(μ²) of pairs: see
+/// Computes the sums of the forces, torques and virial of an energy U(μ²) of pairs: see
 /// pw85_contact_forces_pairs().
 ///
 /// @param list indices of particles, with or without images
@@ -72,8 +72,8 @@ static inline StatusCode contact_forces_pairs(PairList const &list, Particles co
                                                              detail::in_c(out.virial)));
 }
 
-/// Sums of the energies, forces, torques and virial of the pairs of a list, whose energy is a law
-/// of μ²: see pw85_law_forces_pairs().
+/// Computes the sums of the energies, forces, torques and virial of the pairs of a list: see
+/// pw85_law_forces_pairs().
 ///
 /// @param list indices of particles, with or without images
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
@@ -81,9 +81,9 @@ static inline StatusCode contact_forces_pairs(PairList const &list, Particles co
 /// @param[out] energy ΣU
 /// @param[out] out rows in all spans, or in some: see pw85_law_forces_pairs()
 /// @return as for contact_pairs(); sums to which a bad pair contributes are NaN.
-/// Status::invalid_argument also for a law whose kind is not one of these, or whose parameters are
-/// not allowed; Status::out_of_memory without memory for one megabyte per thread. Both come before
-/// anything is written.
+/// Status::invalid_argument also for a kind or parameters that are not allowed;
+/// Status::out_of_memory if there is not one megabyte per thread. Both come before anything is
+/// written.
 static inline StatusCode law_forces_pairs(PairList const &list, Particles const &particles,
                                           Law const &law, double &energy,
                                           ForceSpans const &out) noexcept

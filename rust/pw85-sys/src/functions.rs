@@ -4,50 +4,50 @@
 use crate::{c_char, c_int, pw85_motion};
 
 extern "C" {
-    /// Version of the library that is linked.
+    /// Returns the version of the library that is linked.
     pub fn pw85_version() -> *const c_char;
-    /// Meaning of a status, as a short text without a full stop.
+    /// Returns the meaning of a status, as a short text without a full stop.
     pub fn pw85_strerror(status: c_int) -> *const c_char;
     /// Switches the reproducible mode on or off, for all threads of the process.
     pub fn pw85_set_reproducible(on: c_int) -> c_int;
-    /// State of the reproducible mode.
+    /// Returns whether the reproducible mode of pw85_set_reproducible() is on.
     pub fn pw85_is_reproducible(on: *mut c_int) -> c_int;
-    /// Quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ.
+    /// Computes the quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ with \|n\| = 1.
     pub fn pw85_spheroid(a: f64, c: f64, n: *const f64, q: *mut f64);
-    /// Quadratic form of a general ellipsoid, Q = R diag(semi_axes²) Rᵀ.
+    /// Computes the quadratic form of an ellipsoid, Q = R diag(semi_axes²) Rᵀ.
     pub fn pw85_ellipsoid(semi_axes: *const f64, rotation: *const f64, q: *mut f64) -> c_int;
-    /// Quadratic form of a general ellipsoid whose orientation is a quaternion.
+    /// Computes the quadratic form of an ellipsoid whose orientation is a quaternion.
     pub fn pw85_ellipsoid_quaternion(
         semi_axes: *const f64,
         quaternion: *const f64,
         q: *mut f64,
     ) -> c_int;
-    /// Factor S of the quadratic form of a general ellipsoid, Q = S Sᵀ.
+    /// Computes a factor S of the quadratic form of an ellipsoid, Q = S Sᵀ.
     pub fn pw85_ellipsoid_factor(
         semi_axes: *const f64,
         quaternion: *const f64,
         s: *mut f64,
     ) -> c_int;
-    /// Quadratic form (xx, xy, yy) of an ellipse.
+    /// Computes the quadratic form (xx, xy, yy) of an ellipse.
     pub fn pw85_ellipse(a: f64, b: f64, angle: f64, q: *mut f64) -> c_int;
-    /// Contact function of two ellipsoids, by a third-order iteration on log(λ/(1-λ)).
+    /// Computes the contact function of two ellipsoids.
     pub fn pw85_contact(r12: *const f64, q1: *const f64, q2: *const f64, out: *mut f64) -> c_int;
-    /// Contact function of two ellipsoids, with μ² correctly rounded.
+    /// Computes the contact function of two ellipsoids, with μ² correctly rounded.
     pub fn pw85_contact_rounded(
         r12: *const f64,
         q1: *const f64,
         q2: *const f64,
         out: *mut f64,
     ) -> c_int;
-    /// Contact function of two ellipsoids that are given by factors of their forms, Q1 = S1 S1ᵀ
-    /// and Q2 = S2 S2ᵀ.
+    /// Computes the contact function of two ellipsoids that are given by factors of their forms,
+    /// Q1 = S1 S1ᵀ and Q2 = S2 S2ᵀ.
     pub fn pw85_contact_factored(
         r12: *const f64,
         s1: *const f64,
         s2: *const f64,
         out: *mut f64,
     ) -> c_int;
-    /// Condition number of the contact function.
+    /// Computes the condition number of the contact function, entry by entry.
     pub fn pw85_condition(
         r12: *const f64,
         q1: *const f64,
@@ -55,15 +55,15 @@ extern "C" {
         lambda: f64,
         cond: *mut f64,
     ) -> c_int;
-    /// Contact function of two ellipsoids, by Brent's method on f, refined by Halley's method,
-    /// with the arguments of pw85 1.0, which used Newton's.
+    /// Computes the contact function of two ellipsoids as pw85 1.0 did, by Brent's method.
     pub fn pw85_contact_function(
         r12: *const f64,
         q1: *const f64,
         q2: *const f64,
         out: *mut f64,
     ) -> c_int;
-    /// Point at which the ellipsoids, scaled by μ, touch, and their common normal.
+    /// Computes the point at which the ellipsoids, scaled by μ, touch, and their common normal
+    /// there.
     pub fn pw85_contact_geometry(
         r12: *const f64,
         q1: *const f64,
@@ -72,7 +72,8 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_contact_geometry() of ellipsoids that are given by factors of their forms.
+    /// Computes the point and the normal of pw85_contact_geometry() for ellipsoids that are given
+    /// by factors of their forms.
     pub fn pw85_contact_geometry_factored(
         r12: *const f64,
         s1: *const f64,
@@ -81,7 +82,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Derivatives of μ².
+    /// Computes the derivatives of μ² with respect to r12 and the forms.
     pub fn pw85_contact_gradient(
         r12: *const f64,
         q1: *const f64,
@@ -91,7 +92,7 @@ extern "C" {
         d_q1: *mut f64,
         d_q2: *mut f64,
     ) -> c_int;
-    /// Derivatives of μ² of ellipsoids that are given by factors of their forms.
+    /// Computes the derivatives of μ² for ellipsoids that are given by factors of their forms.
     pub fn pw85_contact_gradient_factored(
         r12: *const f64,
         s1: *const f64,
@@ -101,7 +102,7 @@ extern "C" {
         d_s1: *mut f64,
         d_s2: *mut f64,
     ) -> c_int;
-    /// Derivatives of μ² with respect to rotations.
+    /// Computes the derivatives of μ² with respect to rotations of the ellipsoids.
     pub fn pw85_contact_torque(
         r12: *const f64,
         q1: *const f64,
@@ -110,7 +111,7 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// Second derivatives of μ².
+    /// Computes the second derivatives of μ² with respect to r12 and rotations of the ellipsoids.
     pub fn pw85_contact_hessian(
         r12: *const f64,
         q1: *const f64,
@@ -133,7 +134,7 @@ extern "C" {
         s2: *const f64,
         overlap: *mut c_int,
     ) -> c_int;
-    /// Sign of μ² - mu2, for any number mu2 \>= 0.
+    /// Compares μ² with a number mu2 \>= 0, and returns the sign of μ² - mu2.
     pub fn pw85_compare(
         r12: *const f64,
         q1: *const f64,
@@ -141,7 +142,7 @@ extern "C" {
         mu2: f64,
         sign: *mut c_int,
     ) -> c_int;
-    /// Tests whether two ellipsoids overlap, as pw85_overlap() does, and gives a number or a
+    /// Tests whether two ellipsoids overlap, as pw85_overlap() does, and returns a number or a
     /// point that proves the answer.
     pub fn pw85_overlap_witness(
         r12: *const f64,
@@ -158,8 +159,8 @@ extern "C" {
         q2: *const f64,
         contains: *mut c_int,
     ) -> c_int;
-    /// Factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2, and
-    /// the point where the ellipsoids then touch.
+    /// Computes the least factor by which ellipsoid 1, scaled about its centre, contains
+    /// ellipsoid 2, and a point where they then touch.
     pub fn pw85_containment(
         r12: *const f64,
         q1: *const f64,
@@ -167,23 +168,23 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// Distance of closest approach.
+    /// Computes the distance of closest approach of two ellipsoids along a direction.
     pub fn pw85_closest_approach(
         direction: *const f64,
         q1: *const f64,
         q2: *const f64,
         distance: *mut f64,
     ) -> c_int;
-    /// Volume of an ellipsoid, (4/3)π √det q.
+    /// Computes the volume of an ellipsoid, (4/3)π √det q.
     pub fn pw85_volume(q: *const f64, volume: *mut f64) -> c_int;
-    /// Volume of the common part of two ellipsoids.
+    /// Computes the volume V of the intersection of two ellipsoids.
     pub fn pw85_overlap_volume(
         r12: *const f64,
         q1: *const f64,
         q2: *const f64,
         volume: *mut f64,
     ) -> c_int;
-    /// Derivatives of the volume of the common part.
+    /// Computes the derivatives of the volume V of the intersection of two ellipsoids.
     pub fn pw85_overlap_volume_gradient(
         r12: *const f64,
         q1: *const f64,
@@ -192,7 +193,8 @@ extern "C" {
         d_q1: *mut f64,
         d_q2: *mut f64,
     ) -> c_int;
-    /// Derivatives of the volume of the common part with respect to rotations.
+    /// Computes the derivatives of the volume V of the intersection with respect to rotations of
+    /// the ellipsoids.
     pub fn pw85_overlap_volume_torque(
         r12: *const f64,
         q1: *const f64,
@@ -200,16 +202,16 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// Area of an ellipse, π √det q.
+    /// Computes the area of an ellipse, π √det q.
     pub fn pw85_area_2d(q: *const f64, area: *mut f64) -> c_int;
-    /// Area of the common part of two ellipses.
+    /// Computes the area of the intersection of two ellipses.
     pub fn pw85_overlap_area_2d(
         r12: *const f64,
         q1: *const f64,
         q2: *const f64,
         area: *mut f64,
     ) -> c_int;
-    /// Derivatives of the area of the common part.
+    /// Computes the derivatives of the area of the intersection of two ellipses.
     pub fn pw85_overlap_area_gradient_2d(
         r12: *const f64,
         q1: *const f64,
@@ -218,8 +220,8 @@ extern "C" {
         d_q1: *mut f64,
         d_q2: *mut f64,
     ) -> c_int;
-    /// Derivatives of the area of the common part with respect to the angles of both ellipses,
-    /// counter-clockwise.
+    /// Computes the derivatives of the area of the intersection with respect to the angles of
+    /// both ellipses.
     pub fn pw85_overlap_area_torque_2d(
         r12: *const f64,
         q1: *const f64,
@@ -227,9 +229,10 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// Contact function of two ellipses.
+    /// Computes the contact function of two ellipses.
     pub fn pw85_contact_2d(r12: *const f64, q1: *const f64, q2: *const f64, out: *mut f64) -> c_int;
-    /// Point at which the ellipses, scaled by μ, touch, and their common normal.
+    /// Computes the point at which the ellipses, scaled by μ, touch, and their common normal
+    /// there.
     pub fn pw85_contact_geometry_2d(
         r12: *const f64,
         q1: *const f64,
@@ -238,7 +241,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Derivatives of μ² of two ellipses.
+    /// Computes the derivatives of μ² of two ellipses.
     pub fn pw85_contact_gradient_2d(
         r12: *const f64,
         q1: *const f64,
@@ -248,7 +251,7 @@ extern "C" {
         d_q1: *mut f64,
         d_q2: *mut f64,
     ) -> c_int;
-    /// Derivatives of μ² with respect to the angles of two ellipses, counter-clockwise.
+    /// Computes the derivatives of μ² with respect to the angles of two ellipses.
     pub fn pw85_contact_torque_2d(
         r12: *const f64,
         q1: *const f64,
@@ -257,7 +260,7 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// Second derivatives of μ² of two ellipses.
+    /// Computes the second derivatives of μ² of two ellipses.
     pub fn pw85_contact_hessian_2d(
         r12: *const f64,
         q1: *const f64,
@@ -279,7 +282,7 @@ extern "C" {
         q2: *const f64,
         contains: *mut c_int,
     ) -> c_int;
-    /// Factor by which ellipse 1 must be scaled to contain ellipse 2.
+    /// Computes the least factor by which ellipse 1 contains ellipse 2.
     pub fn pw85_containment_2d(
         r12: *const f64,
         q1: *const f64,
@@ -287,14 +290,15 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// Distance of closest approach of two ellipses.
+    /// Computes the distance of closest approach of two ellipses.
     pub fn pw85_closest_approach_2d(
         direction: *const f64,
         q1: *const f64,
         q2: *const f64,
         distance: *mut f64,
     ) -> c_int;
-    /// Distance of the surfaces of two ellipsoids, and the points where they are closest.
+    /// Computes the distance of the surfaces of two ellipsoids, and the points where they are
+    /// closest.
     pub fn pw85_distance(
         r12: *const f64,
         q1: *const f64,
@@ -303,7 +307,7 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
-    /// Derivatives of the distance of two ellipsoids that are apart.
+    /// Computes the derivatives of the distance of two ellipsoids.
     pub fn pw85_distance_derivatives(
         r12: *const f64,
         q1: *const f64,
@@ -313,7 +317,7 @@ extern "C" {
         d_rot2: *mut f64,
         hessian: *mut f64,
     ) -> c_int;
-    /// Depth of an overlap.
+    /// Computes the penetration depth of two ellipsoids that overlap, and its direction.
     pub fn pw85_penetration(
         r12: *const f64,
         q1: *const f64,
@@ -321,7 +325,7 @@ extern "C" {
         depth: *mut f64,
         direction: *mut f64,
     ) -> c_int;
-    /// Signed distance of two ellipsoids.
+    /// Computes the signed distance of two ellipsoids, and the points where it is reached.
     pub fn pw85_signed_distance(
         r12: *const f64,
         q1: *const f64,
@@ -330,7 +334,7 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
-    /// Derivatives of the signed distance of two ellipsoids.
+    /// Computes the derivatives of the signed distance of two ellipsoids.
     pub fn pw85_signed_distance_derivatives(
         r12: *const f64,
         q1: *const f64,
@@ -340,7 +344,7 @@ extern "C" {
         d_rot2: *mut f64,
         hessian: *mut f64,
     ) -> c_int;
-    /// Least gap between the surface of an ellipsoid and that of an ellipsoid that contains it.
+    /// Computes the least gap between the surfaces of ellipsoid 1 and of ellipsoid 2 inside it.
     pub fn pw85_gap_inside(
         r12: *const f64,
         q1: *const f64,
@@ -350,7 +354,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Distance of two ellipses.
+    /// Computes the distance of two ellipses.
     pub fn pw85_distance_2d(
         r12: *const f64,
         q1: *const f64,
@@ -359,7 +363,7 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
-    /// Depth of an overlap of two ellipses.
+    /// Computes the penetration depth of two ellipses.
     pub fn pw85_penetration_2d(
         r12: *const f64,
         q1: *const f64,
@@ -367,7 +371,7 @@ extern "C" {
         depth: *mut f64,
         direction: *mut f64,
     ) -> c_int;
-    /// Signed distance of two ellipses.
+    /// Computes the signed distance of two ellipses.
     pub fn pw85_signed_distance_2d(
         r12: *const f64,
         q1: *const f64,
@@ -376,7 +380,7 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
-    /// Least gap between an ellipse and an ellipse that contains it.
+    /// Computes the least gap of ellipse 2 inside ellipse 1.
     pub fn pw85_gap_inside_2d(
         r12: *const f64,
         q1: *const f64,
@@ -386,7 +390,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Time of the first contact of two moving ellipsoids.
+    /// Computes the time of the first contact of two moving ellipsoids.
     pub fn pw85_first_contact(
         r12: *const f64,
         q1: *const f64,
@@ -396,7 +400,8 @@ extern "C" {
         t_max: f64,
         t: *mut f64,
     ) -> c_int;
-    /// Least μ² while ellipsoid 2 passes ellipsoid 1 on a straight path.
+    /// Computes the least μ² while ellipsoid 2 passes ellipsoid 1 on a straight path, and its
+    /// time.
     pub fn pw85_closest_passage(
         r12: *const f64,
         q1: *const f64,
@@ -406,7 +411,7 @@ extern "C" {
         mu2: *mut f64,
         t: *mut f64,
     ) -> c_int;
-    /// Free path of ellipsoid 1 along a direction.
+    /// Computes the free path of ellipsoid 1.
     pub fn pw85_free_path(
         r12: *const f64,
         q1: *const f64,
@@ -415,11 +420,11 @@ extern "C" {
         t_max: f64,
         t: *mut f64,
     ) -> c_int;
-    /// Cholesky factorisation A = L Lᵀ.
+    /// Computes the Cholesky factorisation A = L Lᵀ.
     pub fn pw85__cholesky_decomp(a: *const f64, l: *mut f64);
-    /// Solution of L Lᵀ x = b.
+    /// Solves L Lᵀ x = b.
     pub fn pw85__cholesky_solve(l: *const f64, b: *const f64, x: *mut f64);
-    /// Residual g(λ) = μ2² - μ1² = -f'(λ), whose root is the maximiser of f.
+    /// Computes f, the residual g = μ2² - μ1² = -f', whose root is the maximiser of f, and g'.
     pub fn pw85__residual(
         lambda: f64,
         r12: *const f64,
@@ -427,19 +432,21 @@ extern "C" {
         q2: *const f64,
         out: *mut f64,
     );
-    /// -f(λ), with parameters in one block, as minimisers pass them.
+    /// Computes -f(λ), with the parameters in one array, as minimisers pass them.
     pub fn pw85_f_neg(lambda: f64, params: *const f64) -> f64;
-    /// Principal curvatures of an ellipsoid's surface at the point with a given normal, and their
-    /// directions.
+    /// Computes the principal curvatures of the surface of an ellipsoid, and their directions, at
+    /// the point with a given normal.
     pub fn pw85_curvature(
         normal: *const f64,
         q: *const f64,
         curvatures: *mut f64,
         directions: *mut f64,
     ) -> c_int;
-    /// Hertz's theory of the contact of two elastic bodies.
+    /// Computes the numbers of Hertz's theory that give the force and the contact ellipse of two
+    /// elastic bodies as functions of the depth.
     pub fn pw85_hertz(curvatures: *const f64, radius: *mut f64, ellipse: *mut f64) -> c_int;
-    /// Geometry of the contact of two grains along a common normal.
+    /// Computes the geometry of the contact of two grains along a given normal, for laws of
+    /// contact such as Hertz's.
     pub fn pw85_hertz_contact(
         r12: *const f64,
         q1: *const f64,
@@ -452,7 +459,8 @@ extern "C" {
         radius: *mut f64,
         ellipse: *mut f64,
     ) -> c_int;
-    /// The contact of two grains along their common normal.
+    /// Computes the contact of two grains along their common normal, which it finds by Newton's
+    /// method.
     pub fn pw85_grain_contact(
         r12: *const f64,
         q1: *const f64,
@@ -464,7 +472,8 @@ extern "C" {
         curvatures: *mut f64,
         radius: *mut f64,
     ) -> c_int;
-    /// Derivatives of the radius of pw85_grain_contact(), whose normal follows each motion.
+    /// Computes the derivatives of the radius of pw85_grain_contact(), whose normal follows each
+    /// motion.
     pub fn pw85_grain_radius_gradient(
         r12: *const f64,
         q1: *const f64,
@@ -474,8 +483,7 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// The contact of a grain with its centre at 0 and a wall that touches the plane normal·x =
-    /// offset and is curved along one direction, as a plane, a cylinder or the edge of one is.
+    /// Computes the contact of a grain with its centre at 0 and a wall.
     pub fn pw85_grain_contact_wall(
         normal: *const f64,
         offset: f64,
@@ -487,25 +495,28 @@ extern "C" {
         curvatures: *mut f64,
         radius: *mut f64,
     ) -> c_int;
-    /// Area of the surface of an ellipsoid.
+    /// Computes the surface area of an ellipsoid, 4π abc R_G(1/a², 1/b², 1/c²), with Carlson's
+    /// integral R_G.
     pub fn pw85_surface_area(q: *const f64, area: *mut f64) -> c_int;
-    /// Mean of x xᵀ over a uniform solid ellipsoid, about its centre.
+    /// Computes the mean of x xᵀ over a uniform solid ellipsoid, about its centre.
     pub fn pw85_second_moments(q: *const f64, moments: *mut f64) -> c_int;
-    /// Form of the uniform solid ellipsoid that has given second moments.
+    /// Computes the form of the uniform solid ellipsoid with given second moments.
     pub fn pw85_from_moments(second_moments: *const f64, q: *mut f64) -> c_int;
-    /// Mean of x xᵀ over the surface of an ellipsoid, about its centre.
+    /// Computes the mean of x xᵀ over the surface of an ellipsoid, about its centre.
     pub fn pw85_shell_moments(q: *const f64, moments: *mut f64) -> c_int;
-    /// Tensor of inertia of a body or of a shell of unit density, about its centre.
+    /// Computes the inertia tensor of a solid body or of a shell of unit density, about its
+    /// centre.
     pub fn pw85_inertia(q: *const f64, shell: c_int, inertia: *mut f64) -> c_int;
-    /// Perimeter of an ellipse.
+    /// Computes the perimeter of an ellipse, 8 R_G(0, a², b²), with Carlson's integral R_G.
     pub fn pw85_perimeter_2d(q: *const f64, perimeter: *mut f64) -> c_int;
-    /// Mean of x xᵀ over a uniform ellipse, about its centre.
+    /// Computes the mean of x xᵀ over a uniform ellipse, about its centre.
     pub fn pw85_second_moments_2d(q: *const f64, moments: *mut f64) -> c_int;
-    /// Form of the uniform ellipse that has given second moments.
+    /// Computes the form of the uniform ellipse with given second moments.
     pub fn pw85_from_moments_2d(second_moments: *const f64, q: *mut f64) -> c_int;
-    /// Mean of x xᵀ over the perimeter of an ellipse, about its centre.
+    /// Computes the mean of x xᵀ over the perimeter of an ellipse, about its centre.
     pub fn pw85_shell_moments_2d(q: *const f64, moments: *mut f64) -> c_int;
-    /// Distance from an ellipsoid with its centre at 0 to the half-space normal·x \>= offset.
+    /// Computes the distance from an ellipsoid with its centre at 0 to the half-space normal·x
+    /// \>= offset.
     pub fn pw85_distance_plane(
         normal: *const f64,
         offset: f64,
@@ -513,15 +524,16 @@ extern "C" {
         distance: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// Derivatives of the distance to a half-space, which do not depend on its offset.
+    /// Computes the derivatives of the distance to a half-space, which do not depend on its
+    /// offset.
     pub fn pw85_distance_plane_derivatives(
         normal: *const f64,
         q: *const f64,
         d_center: *mut f64,
         d_rot: *mut f64,
     ) -> c_int;
-    /// Contact function of an ellipsoid with its centre at 0 and the half-space normal·x \>=
-    /// offset.
+    /// Computes the contact function of an ellipsoid with its centre at 0 and the half-space
+    /// normal·x \>= offset.
     pub fn pw85_contact_plane(
         normal: *const f64,
         offset: f64,
@@ -529,7 +541,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// Derivatives of μ² of pw85_contact_plane().
+    /// Computes the derivatives of μ² of pw85_contact_plane().
     pub fn pw85_contact_plane_derivatives(
         normal: *const f64,
         offset: f64,
@@ -537,8 +549,8 @@ extern "C" {
         d_center: *mut f64,
         d_rot: *mut f64,
     ) -> c_int;
-    /// Distance from an ellipsoid with its centre at 0 to the nearest face of a box around it, a
-    /// container.
+    /// Computes the distance from an ellipsoid with its centre at 0 to the nearest face of a box
+    /// around it, a container.
     pub fn pw85_distance_box(
         lower: *const f64,
         upper: *const f64,
@@ -547,7 +559,8 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Distance from an ellipsoid to the wall of a cylinder of infinite length around it.
+    /// Computes the distance from an ellipsoid to the wall of a cylinder of infinite length
+    /// around it.
     pub fn pw85_distance_cylinder(
         axis: *const f64,
         radius: f64,
@@ -557,7 +570,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Distance from a point to the surface of an ellipsoid.
+    /// Computes the distance from a point to the surface of an ellipsoid.
     pub fn pw85_distance_point(
         r: *const f64,
         q: *const f64,
@@ -565,22 +578,23 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// The part t\[0\] \<= t \<= t\[1\] of the line origin + t·direction that is in an ellipsoid.
+    /// Computes the part t\[0\] \<= t \<= t\[1\] of the line origin + t·direction that is in an
+    /// ellipsoid.
     pub fn pw85_intersect_line(
         origin: *const f64,
         direction: *const f64,
         q: *const f64,
         t: *mut f64,
     ) -> c_int;
-    /// Volume of the part of an ellipsoid that is in the half-space of the points x with normal·x
-    /// \<= offset, relative to the centre of the ellipsoid.
+    /// Computes the volume of the part of an ellipsoid that is in the half-space normal·x \<=
+    /// offset.
     pub fn pw85_overlap_volume_plane(
         normal: *const f64,
         offset: f64,
         q: *const f64,
         volume: *mut f64,
     ) -> c_int;
-    /// Contact function of an ellipsoid and a segment.
+    /// Computes the contact function of an ellipsoid and a segment.
     pub fn pw85_contact_segment(
         end1: *const f64,
         end2: *const f64,
@@ -588,7 +602,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// Contact function of an ellipsoid and a triangle.
+    /// Computes the contact function of an ellipsoid and a triangle.
     pub fn pw85_contact_triangle(
         vertex1: *const f64,
         vertex2: *const f64,
@@ -597,7 +611,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// Contact function of an ellipsoid and a solid box with sides along the axes.
+    /// Computes the contact function of an ellipsoid and a solid box with sides along the axes.
     pub fn pw85_contact_box(
         lower: *const f64,
         upper: *const f64,
@@ -605,7 +619,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// Contact function of an ellipsoid and a polytope, the intersection of half-spaces.
+    /// Computes the contact function of an ellipsoid and a polytope.
     pub fn pw85_contact_polytope(
         n: usize,
         normals: *const f64,
@@ -644,7 +658,8 @@ extern "C" {
         q: *const f64,
         overlap: *mut c_int,
     ) -> c_int;
-    /// Signed distance of an ellipsoid and a segment, and the points where it is reached.
+    /// Computes the signed distance of an ellipsoid and a segment, and the points where it is
+    /// reached.
     pub fn pw85_distance_segment(
         end1: *const f64,
         end2: *const f64,
@@ -654,7 +669,8 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Signed distance of an ellipsoid and a triangle, which is a surface.
+    /// Computes the signed distance of an ellipsoid and a triangle, and the points where it is
+    /// reached.
     pub fn pw85_distance_triangle(
         vertex1: *const f64,
         vertex2: *const f64,
@@ -665,7 +681,8 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Signed distance of an ellipsoid and a solid box with sides along the axes.
+    /// Computes the signed distance of an ellipsoid and a solid box with sides along the axes,
+    /// and the points where it is reached.
     pub fn pw85_distance_solid_box(
         lower: *const f64,
         upper: *const f64,
@@ -675,7 +692,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Contact function of an ellipsoid and a capsule.
+    /// Computes the contact function of an ellipsoid and a capsule.
     pub fn pw85_contact_capsule(
         end1: *const f64,
         end2: *const f64,
@@ -692,7 +709,8 @@ extern "C" {
         q: *const f64,
         overlap: *mut c_int,
     ) -> c_int;
-    /// Signed distance of an ellipsoid and a capsule, and the points where it is reached.
+    /// Computes the signed distance of an ellipsoid and a capsule, and the points where it is
+    /// reached.
     pub fn pw85_distance_capsule(
         end1: *const f64,
         end2: *const f64,
@@ -703,7 +721,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Distance from a point to an ellipse, the curve.
+    /// Computes the distance from a point to the perimeter of an ellipse.
     pub fn pw85_distance_point_2d(
         r: *const f64,
         q: *const f64,
@@ -711,7 +729,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Contact function of an ellipse and a segment.
+    /// Computes the contact function of an ellipse and a segment.
     pub fn pw85_contact_segment_2d(
         end1: *const f64,
         end2: *const f64,
@@ -719,7 +737,8 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// Contact function of an ellipse and a solid rectangle with sides along the axes.
+    /// Computes the contact function of an ellipse and a solid rectangle with sides along the
+    /// axes.
     pub fn pw85_contact_box_2d(
         lower: *const f64,
         upper: *const f64,
@@ -727,21 +746,21 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// Tests whether an ellipse and a segment overlap, μ² \< 1.
+    /// Tests whether an ellipse and a segment overlap.
     pub fn pw85_overlap_segment_2d(
         end1: *const f64,
         end2: *const f64,
         q: *const f64,
         overlap: *mut c_int,
     ) -> c_int;
-    /// Tests whether an ellipse and a solid rectangle with sides along the axes overlap, μ² \< 1.
+    /// Tests whether an ellipse and a solid rectangle with sides along the axes overlap.
     pub fn pw85_overlap_box_2d(
         lower: *const f64,
         upper: *const f64,
         q: *const f64,
         overlap: *mut c_int,
     ) -> c_int;
-    /// pw85_contact() for n pairs.
+    /// Computes pw85_contact() for n pairs.
     pub fn pw85_contact_batch(
         n: usize,
         r12: *const f64,
@@ -750,7 +769,7 @@ extern "C" {
         mu2: *mut f64,
         lambda: *mut f64,
     ) -> c_int;
-    /// pw85_overlap() for n pairs.
+    /// Computes pw85_overlap() for n pairs, with the same answers.
     pub fn pw85_overlap_batch(
         n: usize,
         r12: *const f64,
@@ -758,7 +777,7 @@ extern "C" {
         q2: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_contact_rounded() for n pairs.
+    /// Computes pw85_contact_rounded() for n pairs, with the same bits.
     pub fn pw85_contact_rounded_batch(
         n: usize,
         r12: *const f64,
@@ -767,7 +786,7 @@ extern "C" {
         mu2: *mut f64,
         lambda: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_factored() for n pairs.
+    /// Computes pw85_overlap_factored() for n pairs, with the same answers.
     pub fn pw85_overlap_factored_batch(
         n: usize,
         r12: *const f64,
@@ -775,7 +794,7 @@ extern "C" {
         s2: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_compare() for n pairs.
+    /// Computes pw85_compare() for n pairs, with the same signs.
     pub fn pw85_compare_batch(
         n: usize,
         r12: *const f64,
@@ -784,7 +803,7 @@ extern "C" {
         mu2: *const f64,
         sign: *mut c_int,
     ) -> c_int;
-    /// pw85_overlap_witness() for n pairs.
+    /// Computes pw85_overlap_witness() for n pairs, with the same results.
     pub fn pw85_overlap_witness_batch(
         n: usize,
         r12: *const f64,
@@ -794,7 +813,7 @@ extern "C" {
         lambda: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_contains() for n pairs.
+    /// Computes pw85_contains() for n pairs, with the same answers.
     pub fn pw85_contains_batch(
         n: usize,
         r12: *const f64,
@@ -802,7 +821,7 @@ extern "C" {
         q2: *const f64,
         contains: *mut u8,
     ) -> c_int;
-    /// pw85_containment() for n pairs.
+    /// Computes pw85_containment() for n pairs, with the same bits.
     pub fn pw85_containment_batch(
         n: usize,
         r12: *const f64,
@@ -811,7 +830,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_closest_passage() for n pairs.
+    /// Computes pw85_closest_passage() for n pairs.
     pub fn pw85_closest_passage_batch(
         n: usize,
         r12: *const f64,
@@ -822,7 +841,7 @@ extern "C" {
         mu2: *mut f64,
         t: *mut f64,
     ) -> c_int;
-    /// pw85_free_path() for n pairs.
+    /// Computes pw85_free_path() for n pairs, with the same bits.
     pub fn pw85_free_path_batch(
         n: usize,
         r12: *const f64,
@@ -832,7 +851,7 @@ extern "C" {
         t_max: *const f64,
         t: *mut f64,
     ) -> c_int;
-    /// pw85_closest_approach() for n pairs.
+    /// Computes pw85_closest_approach() for n pairs.
     pub fn pw85_closest_approach_batch(
         n: usize,
         directions: *const f64,
@@ -840,9 +859,9 @@ extern "C" {
         q2: *const f64,
         distance: *mut f64,
     ) -> c_int;
-    /// pw85_volume() for n ellipsoids.
+    /// Computes pw85_volume() for n ellipsoids, with the same bits.
     pub fn pw85_volume_batch(n: usize, q: *const f64, volume: *mut f64) -> c_int;
-    /// pw85_overlap_volume() for n pairs.
+    /// Computes pw85_overlap_volume() for n pairs, with the same bits.
     pub fn pw85_overlap_volume_batch(
         n: usize,
         r12: *const f64,
@@ -850,7 +869,7 @@ extern "C" {
         q2: *const f64,
         volume: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_volume_gradient() for n pairs.
+    /// Computes pw85_overlap_volume_gradient() for n pairs, with the same bits.
     pub fn pw85_overlap_volume_gradient_batch(
         n: usize,
         r12: *const f64,
@@ -860,7 +879,7 @@ extern "C" {
         d_q1: *mut f64,
         d_q2: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_volume_torque() for n pairs.
+    /// Computes pw85_overlap_volume_torque() for n pairs, with the same bits.
     pub fn pw85_overlap_volume_torque_batch(
         n: usize,
         r12: *const f64,
@@ -869,7 +888,7 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_volume_plane() for n ellipsoids and half-spaces.
+    /// Computes pw85_overlap_volume_plane() for n ellipsoids and half-spaces, with the same bits.
     pub fn pw85_overlap_volume_plane_batch(
         n: usize,
         normals: *const f64,
@@ -877,9 +896,9 @@ extern "C" {
         q: *const f64,
         volume: *mut f64,
     ) -> c_int;
-    /// pw85_area_2d() for n ellipses.
+    /// Computes pw85_area_2d() for n ellipses, with the same bits.
     pub fn pw85_area_batch_2d(n: usize, q: *const f64, area: *mut f64) -> c_int;
-    /// pw85_overlap_area_2d() for n pairs.
+    /// Computes pw85_overlap_area_2d() for n pairs, with the same bits.
     pub fn pw85_overlap_area_batch_2d(
         n: usize,
         r12: *const f64,
@@ -887,7 +906,7 @@ extern "C" {
         q2: *const f64,
         area: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_area_gradient_2d() for n pairs.
+    /// Computes pw85_overlap_area_gradient_2d() for n pairs, with the same bits.
     pub fn pw85_overlap_area_gradient_batch_2d(
         n: usize,
         r12: *const f64,
@@ -897,7 +916,7 @@ extern "C" {
         d_q1: *mut f64,
         d_q2: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_area_torque_2d() for n pairs.
+    /// Computes pw85_overlap_area_torque_2d() for n pairs, with the same bits.
     pub fn pw85_overlap_area_torque_batch_2d(
         n: usize,
         r12: *const f64,
@@ -906,25 +925,25 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// pw85_surface_area() for n ellipsoids.
+    /// Computes pw85_surface_area() for n ellipsoids, with the same bits.
     pub fn pw85_surface_area_batch(n: usize, q: *const f64, area: *mut f64) -> c_int;
-    /// pw85_second_moments() for n ellipsoids.
+    /// Computes pw85_second_moments() for n ellipsoids, with the same bits.
     pub fn pw85_second_moments_batch(n: usize, q: *const f64, moments: *mut f64) -> c_int;
-    /// pw85_from_moments() for n ellipsoids.
+    /// Computes pw85_from_moments() for n ellipsoids, with the same bits.
     pub fn pw85_from_moments_batch(n: usize, second_moments: *const f64, q: *mut f64) -> c_int;
-    /// pw85_shell_moments() for n ellipsoids.
+    /// Computes pw85_shell_moments() for n ellipsoids, with the same bits.
     pub fn pw85_shell_moments_batch(n: usize, q: *const f64, moments: *mut f64) -> c_int;
-    /// pw85_inertia() for n ellipsoids.
+    /// Computes pw85_inertia() for n ellipsoids, with the same bits.
     pub fn pw85_inertia_batch(n: usize, q: *const f64, shell: c_int, inertia: *mut f64) -> c_int;
-    /// pw85_perimeter_2d() for n ellipses.
+    /// Computes pw85_perimeter_2d() for n ellipses, with the same bits.
     pub fn pw85_perimeter_batch_2d(n: usize, q: *const f64, perimeter: *mut f64) -> c_int;
-    /// pw85_second_moments_2d() for n ellipses.
+    /// Computes pw85_second_moments_2d() for n ellipses, with the same bits.
     pub fn pw85_second_moments_batch_2d(n: usize, q: *const f64, moments: *mut f64) -> c_int;
-    /// pw85_from_moments_2d() for n ellipses.
+    /// Computes pw85_from_moments_2d() for n ellipses, with the same bits.
     pub fn pw85_from_moments_batch_2d(n: usize, second_moments: *const f64, q: *mut f64) -> c_int;
-    /// pw85_shell_moments_2d() for n ellipses.
+    /// Computes pw85_shell_moments_2d() for n ellipses, with the same bits.
     pub fn pw85_shell_moments_batch_2d(n: usize, q: *const f64, moments: *mut f64) -> c_int;
-    /// pw85_contact_factored() for n pairs.
+    /// Computes pw85_contact_factored() for n pairs, with the same bits.
     pub fn pw85_contact_factored_batch(
         n: usize,
         r12: *const f64,
@@ -933,7 +952,7 @@ extern "C" {
         mu2: *mut f64,
         lambda: *mut f64,
     ) -> c_int;
-    /// pw85_condition() for n pairs.
+    /// Computes pw85_condition() for n pairs, with the same bits.
     pub fn pw85_condition_batch(
         n: usize,
         r12: *const f64,
@@ -942,7 +961,7 @@ extern "C" {
         lambda: *const f64,
         cond: *mut f64,
     ) -> c_int;
-    /// pw85_contact_function() for n pairs.
+    /// Computes pw85_contact_function() for n pairs, with the same bits.
     pub fn pw85_contact_function_batch(
         n: usize,
         r12: *const f64,
@@ -951,7 +970,7 @@ extern "C" {
         mu2: *mut f64,
         lambda: *mut f64,
     ) -> c_int;
-    /// pw85_contact_geometry() for n pairs.
+    /// Computes pw85_contact_geometry() for n pairs, with the same bits.
     pub fn pw85_contact_geometry_batch(
         n: usize,
         r12: *const f64,
@@ -961,7 +980,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_contact_gradient() for n pairs.
+    /// Computes pw85_contact_gradient() for n pairs, with the same bits.
     pub fn pw85_contact_gradient_batch(
         n: usize,
         r12: *const f64,
@@ -972,7 +991,7 @@ extern "C" {
         d_q1: *mut f64,
         d_q2: *mut f64,
     ) -> c_int;
-    /// pw85_contact_geometry_factored() for n pairs.
+    /// Computes pw85_contact_geometry_factored() for n pairs, with the same bits.
     pub fn pw85_contact_geometry_factored_batch(
         n: usize,
         r12: *const f64,
@@ -982,7 +1001,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_contact_gradient_factored() for n pairs.
+    /// Computes pw85_contact_gradient_factored() for n pairs, with the same bits.
     pub fn pw85_contact_gradient_factored_batch(
         n: usize,
         r12: *const f64,
@@ -993,7 +1012,7 @@ extern "C" {
         d_s1: *mut f64,
         d_s2: *mut f64,
     ) -> c_int;
-    /// pw85_contact_torque() for n pairs.
+    /// Computes pw85_contact_torque() for n pairs, with the same bits.
     pub fn pw85_contact_torque_batch(
         n: usize,
         r12: *const f64,
@@ -1003,7 +1022,7 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// pw85_contact_hessian() for n pairs.
+    /// Computes pw85_contact_hessian() for n pairs, with the same bits.
     pub fn pw85_contact_hessian_batch(
         n: usize,
         r12: *const f64,
@@ -1012,7 +1031,7 @@ extern "C" {
         lambda: *const f64,
         hessian: *mut f64,
     ) -> c_int;
-    /// pw85_contact_2d() for n pairs.
+    /// Computes pw85_contact_2d() for n pairs.
     pub fn pw85_contact_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1021,7 +1040,7 @@ extern "C" {
         mu2: *mut f64,
         lambda: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_2d() for n pairs.
+    /// Computes pw85_overlap_2d() for n pairs.
     pub fn pw85_overlap_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1029,7 +1048,7 @@ extern "C" {
         q2: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_contact_geometry_2d() for n pairs.
+    /// Computes pw85_contact_geometry_2d() for n pairs, with the same bits.
     pub fn pw85_contact_geometry_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1039,7 +1058,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_contact_gradient_2d() for n pairs.
+    /// Computes pw85_contact_gradient_2d() for n pairs, with the same bits.
     pub fn pw85_contact_gradient_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1050,7 +1069,7 @@ extern "C" {
         d_q1: *mut f64,
         d_q2: *mut f64,
     ) -> c_int;
-    /// pw85_contact_torque_2d() for n pairs.
+    /// Computes pw85_contact_torque_2d() for n pairs, with the same bits.
     pub fn pw85_contact_torque_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1060,7 +1079,7 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// pw85_contact_hessian_2d() for n pairs.
+    /// Computes pw85_contact_hessian_2d() for n pairs, with the same bits.
     pub fn pw85_contact_hessian_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1069,7 +1088,7 @@ extern "C" {
         lambda: *const f64,
         hessian: *mut f64,
     ) -> c_int;
-    /// pw85_closest_approach_2d() for n pairs.
+    /// Computes pw85_closest_approach_2d() for n pairs, with the same bits.
     pub fn pw85_closest_approach_batch_2d(
         n: usize,
         directions: *const f64,
@@ -1077,8 +1096,7 @@ extern "C" {
         q2: *const f64,
         distance: *mut f64,
     ) -> c_int;
-    /// pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and pw85_contact_torque()
-    /// for n pairs.
+    /// Computes all that the forces and torques of an energy U(μ²) need, for n pairs.
     pub fn pw85_contact_derivatives_batch(
         n: usize,
         r12: *const f64,
@@ -1092,7 +1110,7 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// pw85_distance() for n pairs.
+    /// Computes pw85_distance() for n pairs.
     pub fn pw85_distance_batch(
         n: usize,
         r12: *const f64,
@@ -1102,7 +1120,7 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
-    /// pw85_distance_derivatives() for n pairs.
+    /// Computes pw85_distance_derivatives() for n pairs, with the same bits.
     pub fn pw85_distance_derivatives_batch(
         n: usize,
         r12: *const f64,
@@ -1113,7 +1131,7 @@ extern "C" {
         d_rot2: *mut f64,
         hessian: *mut f64,
     ) -> c_int;
-    /// pw85_distance_2d() for n pairs.
+    /// Computes pw85_distance_2d() for n pairs, with the same bits.
     pub fn pw85_distance_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1123,7 +1141,7 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
-    /// pw85_penetration_2d() for n pairs.
+    /// Computes pw85_penetration_2d() for n pairs, with the same bits.
     pub fn pw85_penetration_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1132,7 +1150,7 @@ extern "C" {
         depth: *mut f64,
         direction: *mut f64,
     ) -> c_int;
-    /// pw85_signed_distance_2d() for n pairs.
+    /// Computes pw85_signed_distance_2d() for n pairs, with the same bits.
     pub fn pw85_signed_distance_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1142,7 +1160,7 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
-    /// pw85_penetration() for n pairs.
+    /// Computes pw85_penetration() for n pairs, with the same bits.
     pub fn pw85_penetration_batch(
         n: usize,
         r12: *const f64,
@@ -1151,7 +1169,7 @@ extern "C" {
         depth: *mut f64,
         direction: *mut f64,
     ) -> c_int;
-    /// pw85_signed_distance() for n pairs.
+    /// Computes pw85_signed_distance() for n pairs, with the same bits.
     pub fn pw85_signed_distance_batch(
         n: usize,
         r12: *const f64,
@@ -1161,7 +1179,7 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
-    /// pw85_signed_distance_derivatives() for n pairs.
+    /// Computes pw85_signed_distance_derivatives() for n pairs, with the same bits.
     pub fn pw85_signed_distance_derivatives_batch(
         n: usize,
         r12: *const f64,
@@ -1172,7 +1190,7 @@ extern "C" {
         d_rot2: *mut f64,
         hessian: *mut f64,
     ) -> c_int;
-    /// pw85_gap_inside() for n pairs.
+    /// Computes pw85_gap_inside() for n pairs, with the same bits.
     pub fn pw85_gap_inside_batch(
         n: usize,
         r12: *const f64,
@@ -1183,7 +1201,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_gap_inside_2d() for n pairs.
+    /// Computes pw85_gap_inside_2d() for n pairs, with the same bits.
     pub fn pw85_gap_inside_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1194,7 +1212,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_curvature() for n ellipsoids.
+    /// Computes pw85_curvature() for n ellipsoids, with the same bits.
     pub fn pw85_curvature_batch(
         n: usize,
         normals: *const f64,
@@ -1202,14 +1220,14 @@ extern "C" {
         curvatures: *mut f64,
         directions: *mut f64,
     ) -> c_int;
-    /// pw85_hertz() for n contacts.
+    /// Computes pw85_hertz() for n contacts, with the same bits.
     pub fn pw85_hertz_batch(
         n: usize,
         curvatures: *const f64,
         radius: *mut f64,
         ellipse: *mut f64,
     ) -> c_int;
-    /// pw85_hertz_contact() for n pairs.
+    /// Computes pw85_hertz_contact() for n pairs, with the same bits.
     pub fn pw85_hertz_contact_batch(
         n: usize,
         r12: *const f64,
@@ -1223,7 +1241,7 @@ extern "C" {
         radius: *mut f64,
         ellipse: *mut f64,
     ) -> c_int;
-    /// pw85_grain_contact() for n pairs.
+    /// Computes pw85_grain_contact() for n pairs.
     pub fn pw85_grain_contact_batch(
         n: usize,
         r12: *const f64,
@@ -1236,7 +1254,7 @@ extern "C" {
         curvatures: *mut f64,
         radius: *mut f64,
     ) -> c_int;
-    /// pw85_grain_radius_gradient() for n pairs.
+    /// Computes pw85_grain_radius_gradient() for n pairs, with the same bits.
     pub fn pw85_grain_radius_gradient_batch(
         n: usize,
         r12: *const f64,
@@ -1247,7 +1265,7 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// pw85_grain_contact_wall() for n ellipsoids and walls.
+    /// Computes pw85_grain_contact_wall() for n ellipsoids and walls, with the same bits.
     pub fn pw85_grain_contact_wall_batch(
         n: usize,
         normals: *const f64,
@@ -1260,7 +1278,7 @@ extern "C" {
         curvatures: *mut f64,
         radius: *mut f64,
     ) -> c_int;
-    /// pw85_distance_plane() for n ellipsoids and half-spaces.
+    /// Computes pw85_distance_plane() for n ellipsoids and half-spaces, with the same bits.
     pub fn pw85_distance_plane_batch(
         n: usize,
         normals: *const f64,
@@ -1269,7 +1287,8 @@ extern "C" {
         distance: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_distance_plane_derivatives() for n ellipsoids and half-spaces.
+    /// Computes pw85_distance_plane_derivatives() for n ellipsoids and half-spaces, with the same
+    /// bits.
     pub fn pw85_distance_plane_derivatives_batch(
         n: usize,
         normals: *const f64,
@@ -1277,7 +1296,7 @@ extern "C" {
         d_center: *mut f64,
         d_rot: *mut f64,
     ) -> c_int;
-    /// pw85_contact_plane() for n ellipsoids and half-spaces.
+    /// Computes pw85_contact_plane() for n ellipsoids and half-spaces, with the same bits.
     pub fn pw85_contact_plane_batch(
         n: usize,
         normals: *const f64,
@@ -1286,7 +1305,8 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_contact_plane_derivatives() for n ellipsoids and half-spaces.
+    /// Computes pw85_contact_plane_derivatives() for n ellipsoids and half-spaces, with the same
+    /// bits.
     pub fn pw85_contact_plane_derivatives_batch(
         n: usize,
         normals: *const f64,
@@ -1295,7 +1315,7 @@ extern "C" {
         d_center: *mut f64,
         d_rot: *mut f64,
     ) -> c_int;
-    /// pw85_distance_box() for n ellipsoids and boxes.
+    /// Computes pw85_distance_box() for n ellipsoids and boxes, with the same bits.
     pub fn pw85_distance_box_batch(
         n: usize,
         lower: *const f64,
@@ -1305,7 +1325,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_distance_cylinder() for n ellipsoids and cylinders.
+    /// Computes pw85_distance_cylinder() for n ellipsoids and cylinders, with the same bits.
     pub fn pw85_distance_cylinder_batch(
         n: usize,
         axis: *const f64,
@@ -1316,7 +1336,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_distance_point() for n points and ellipsoids.
+    /// Computes pw85_distance_point() for n points and ellipsoids, with the same bits.
     pub fn pw85_distance_point_batch(
         n: usize,
         r: *const f64,
@@ -1325,7 +1345,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_distance_segment() for n ellipsoids and segments.
+    /// Computes pw85_distance_segment() for n ellipsoids and segments, with the same bits.
     pub fn pw85_distance_segment_batch(
         n: usize,
         end1: *const f64,
@@ -1336,7 +1356,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_distance_triangle() for n ellipsoids and triangles.
+    /// Computes pw85_distance_triangle() for n ellipsoids and triangles, with the same bits.
     pub fn pw85_distance_triangle_batch(
         n: usize,
         vertex1: *const f64,
@@ -1348,7 +1368,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_distance_solid_box() for n ellipsoids and boxes.
+    /// Computes pw85_distance_solid_box() for n ellipsoids and boxes, with the same bits.
     pub fn pw85_distance_solid_box_batch(
         n: usize,
         lower: *const f64,
@@ -1359,7 +1379,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_intersect_line() for n lines and ellipsoids.
+    /// Computes pw85_intersect_line() for n lines and ellipsoids, with the same bits.
     pub fn pw85_intersect_line_batch(
         n: usize,
         origin: *const f64,
@@ -1368,7 +1388,7 @@ extern "C" {
         enter: *mut f64,
         leave: *mut f64,
     ) -> c_int;
-    /// pw85_contact_segment() for n ellipsoids and segments.
+    /// Computes pw85_contact_segment() for n ellipsoids and segments.
     pub fn pw85_contact_segment_batch(
         n: usize,
         end1: *const f64,
@@ -1377,7 +1397,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_contact_triangle() for n ellipsoids and triangles.
+    /// Computes pw85_contact_triangle() for n ellipsoids and triangles.
     pub fn pw85_contact_triangle_batch(
         n: usize,
         vertex1: *const f64,
@@ -1387,7 +1407,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_contact_box() for n ellipsoids and boxes.
+    /// Computes pw85_contact_box() for n ellipsoids and boxes.
     pub fn pw85_contact_box_batch(
         n: usize,
         lower: *const f64,
@@ -1396,7 +1416,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_segment() for n ellipsoids and segments.
+    /// Computes pw85_overlap_segment() for n ellipsoids and segments, with the same answers.
     pub fn pw85_overlap_segment_batch(
         n: usize,
         end1: *const f64,
@@ -1404,7 +1424,7 @@ extern "C" {
         q: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_overlap_triangle() for n ellipsoids and triangles.
+    /// Computes pw85_overlap_triangle() for n ellipsoids and triangles, with the same answers.
     pub fn pw85_overlap_triangle_batch(
         n: usize,
         vertex1: *const f64,
@@ -1413,7 +1433,7 @@ extern "C" {
         q: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_overlap_box() for n ellipsoids and boxes.
+    /// Computes pw85_overlap_box() for n ellipsoids and boxes, with the same answers.
     pub fn pw85_overlap_box_batch(
         n: usize,
         lower: *const f64,
@@ -1421,7 +1441,7 @@ extern "C" {
         q: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_contact_capsule() for n ellipsoids and capsules.
+    /// Computes pw85_contact_capsule() for n ellipsoids and capsules, with the same bits.
     pub fn pw85_contact_capsule_batch(
         n: usize,
         end1: *const f64,
@@ -1431,7 +1451,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_capsule() for n ellipsoids and capsules.
+    /// Computes pw85_overlap_capsule() for n ellipsoids and capsules, with the same answers.
     pub fn pw85_overlap_capsule_batch(
         n: usize,
         end1: *const f64,
@@ -1440,7 +1460,7 @@ extern "C" {
         q: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_distance_capsule() for n ellipsoids and capsules.
+    /// Computes pw85_distance_capsule() for n ellipsoids and capsules, with the same bits.
     pub fn pw85_distance_capsule_batch(
         n: usize,
         end1: *const f64,
@@ -1452,7 +1472,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_distance_point_2d() for n points and ellipses.
+    /// Computes pw85_distance_point_2d() for n points and ellipses, with the same bits.
     pub fn pw85_distance_point_batch_2d(
         n: usize,
         r: *const f64,
@@ -1461,7 +1481,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// pw85_contact_segment_2d() for n ellipses and segments.
+    /// Computes pw85_contact_segment_2d() for n ellipses and segments, with the same bits.
     pub fn pw85_contact_segment_batch_2d(
         n: usize,
         end1: *const f64,
@@ -1470,7 +1490,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_contact_box_2d() for n ellipses and boxes.
+    /// Computes pw85_contact_box_2d() for n ellipses and boxes, with the same bits.
     pub fn pw85_contact_box_batch_2d(
         n: usize,
         lower: *const f64,
@@ -1479,7 +1499,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_segment_2d() for n ellipses and segments.
+    /// Computes pw85_overlap_segment_2d() for n ellipses and segments, with the same answers.
     pub fn pw85_overlap_segment_batch_2d(
         n: usize,
         end1: *const f64,
@@ -1487,7 +1507,7 @@ extern "C" {
         q: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_overlap_box_2d() for n ellipses and boxes.
+    /// Computes pw85_overlap_box_2d() for n ellipses and boxes, with the same answers.
     pub fn pw85_overlap_box_batch_2d(
         n: usize,
         lower: *const f64,
@@ -1495,8 +1515,7 @@ extern "C" {
         q: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_contact_polytope() for many ellipsoids and one polytope, which need not be at their
-    /// centres.
+    /// Computes pw85_contact_polytope() for many ellipsoids and one polytope.
     pub fn pw85_contact_polytope_batch(
         num_ellipsoids: usize,
         centers: *const f64,
@@ -1507,7 +1526,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// pw85_overlap_polytope() for many ellipsoids and one polytope, as which of them a camera
+    /// Tests whether many ellipsoids overlap one polytope, for example which of them a camera
     /// sees.
     pub fn pw85_overlap_polytope_batch(
         num_ellipsoids: usize,
@@ -1518,7 +1537,7 @@ extern "C" {
         offsets: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// pw85_first_contact() for n pairs.
+    /// Computes pw85_first_contact() for n pairs, with the same bits.
     pub fn pw85_first_contact_batch(
         n: usize,
         r12: *const f64,
@@ -1537,23 +1556,23 @@ extern "C" {
         q2: *const f64,
         any: *mut c_int,
     ) -> c_int;
-    /// pw85_ellipsoid_factor() for n ellipsoids.
+    /// Computes pw85_ellipsoid_factor() for n ellipsoids, with the same bits.
     pub fn pw85_ellipsoid_factor_batch(
         n: usize,
         semi_axes: *const f64,
         quaternions: *const f64,
         s: *mut f64,
     ) -> c_int;
-    /// pw85_ellipsoid_quaternion() for n ellipsoids.
+    /// Computes pw85_ellipsoid_quaternion() for n ellipsoids, with the same bits.
     pub fn pw85_ellipsoid_quaternion_batch(
         n: usize,
         semi_axes: *const f64,
         quaternions: *const f64,
         q: *mut f64,
     ) -> c_int;
-    /// Tight boxes, with sides along the axes, around n ellipsoids.
+    /// Computes the smallest boxes, with sides along the axes, around n ellipsoids.
     pub fn pw85_bounding_boxes(n: usize, q: *const f64, half_widths: *mut f64) -> c_int;
-    /// The ellipsoid of least volume around points, up to a tolerance, with a proof.
+    /// Computes the ellipsoid of least volume around points, up to a tolerance, with a proof.
     pub fn pw85_enclosing_ellipsoid(
         n: c_int,
         m: usize,
@@ -1563,7 +1582,7 @@ extern "C" {
         q: *mut f64,
         excess: *mut f64,
     ) -> c_int;
-    /// The ellipsoid of least volume around ellipsoids, up to a tolerance, with a proof.
+    /// Computes the ellipsoid of least volume around ellipsoids, up to a tolerance, with a proof.
     pub fn pw85_enclosing_ellipsoid_of(
         n: c_int,
         m: usize,
@@ -1574,7 +1593,7 @@ extern "C" {
         q: *mut f64,
         excess: *mut f64,
     ) -> c_int;
-    /// Random points of an ellipsoid with its centre at 0, uniform in its volume or on its
+    /// Makes random points of an ellipsoid with its centre at 0, uniform in its volume or on its
     /// surface.
     pub fn pw85_random_points(
         q: *const f64,

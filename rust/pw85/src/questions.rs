@@ -54,7 +54,7 @@ pub struct Contact {
 /// [`contact_geometry_factored()`](crate::contact_geometry_factored).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactGeometry {
-    /// Relative to the centre of ellipsoid 1.
+    /// The point, relative to the centre of ellipsoid 1.
     pub point: [f64; 3],
     /// Unit vector, outward from ellipsoid 1 and into ellipsoid 2.
     pub normal: [f64; 3],
@@ -65,11 +65,11 @@ pub struct ContactGeometry {
 pub struct ContactGradient {
     /// ∂μ²/∂r12; its negative is the derivative with respect to the centre of ellipsoid 1.
     pub d_r12: [f64; 3],
-    /// Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands
-    /// for two entries of the matrix).
+    /// Derivatives with respect to the stored entries of q1 and q2 (a stored off-diagonal entry
+    /// is two entries of the matrix).
     pub d_q1: [f64; 6],
-    /// Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands
-    /// for two entries of the matrix).
+    /// Derivatives with respect to the stored entries of q1 and q2 (a stored off-diagonal entry
+    /// is two entries of the matrix).
     pub d_q2: [f64; 6],
 }
 
@@ -87,9 +87,9 @@ pub struct FactorGradient {
 /// Results of [`contact_torque()`](crate::contact_torque).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactTorque {
-    /// Per radian, for ellipsoids 1 and 2.
+    /// Derivatives for ellipsoids 1 and 2, per radian.
     pub d_rot1: [f64; 3],
-    /// Per radian, for ellipsoids 1 and 2.
+    /// Derivatives for ellipsoids 1 and 2, per radian.
     pub d_rot2: [f64; 3],
 }
 
@@ -110,10 +110,10 @@ pub struct OverlapWitness {
 pub struct ContainmentScale {
     /// Square of the factor.
     pub mu2: f64,
-    /// The point on the surface of ellipsoid 2, relative to the centre of ellipsoid 1. If the
-    /// ellipsoids touch at several points, the result is one of them. They touch at several
-    /// points for r12 = 0, and where r12 is short and has no component along the longest
-    /// semi-axis that ellipsoid 2 has after the linear map that makes ellipsoid 1 a unit ball.
+    /// A point of contact on the surface of ellipsoid 2, relative to the centre of ellipsoid 1.
+    /// There are several such points if r12 = 0, and the result is one of them. There can also be
+    /// several if r12 is short and, after the linear map that makes ellipsoid 1 a unit ball, has
+    /// no component along the longest semi-axis of ellipsoid 2.
     pub point: [f64; 3],
 }
 
@@ -122,20 +122,20 @@ pub struct ContainmentScale {
 pub struct OverlapVolumeGradient {
     /// ∂V/∂r12; its negative is the derivative with respect to the centre of ellipsoid 1.
     pub d_r12: [f64; 3],
-    /// Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands
-    /// for two entries of the matrix).
+    /// Derivatives with respect to the stored entries of q1 and q2 (a stored off-diagonal entry
+    /// is two entries of the matrix).
     pub d_q1: [f64; 6],
-    /// Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands
-    /// for two entries of the matrix).
+    /// Derivatives with respect to the stored entries of q1 and q2 (a stored off-diagonal entry
+    /// is two entries of the matrix).
     pub d_q2: [f64; 6],
 }
 
 /// Results of [`overlap_volume_torque()`](crate::overlap_volume_torque).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OverlapVolumeTorque {
-    /// Per radian, for ellipsoids 1 and 2.
+    /// Derivatives for ellipsoids 1 and 2, per radian.
     pub d_rot1: [f64; 3],
-    /// Per radian, for ellipsoids 1 and 2.
+    /// Derivatives for ellipsoids 1 and 2, per radian.
     pub d_rot2: [f64; 3],
 }
 
@@ -144,11 +144,11 @@ pub struct OverlapVolumeTorque {
 pub struct OverlapAreaGradient {
     /// ∂V/∂r12; its negative is the derivative with respect to the centre of ellipse 1.
     pub d_r12: [f64; 2],
-    /// Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands
-    /// for two entries of the matrix).
+    /// Derivatives with respect to the stored entries of q1 and q2 (a stored off-diagonal entry
+    /// is two entries of the matrix).
     pub d_q1: [f64; 3],
-    /// Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands
-    /// for two entries of the matrix).
+    /// Derivatives with respect to the stored entries of q1 and q2 (a stored off-diagonal entry
+    /// is two entries of the matrix).
     pub d_q2: [f64; 3],
 }
 
@@ -164,7 +164,7 @@ pub struct OverlapAreaTorque {
 /// Results of [`contact_geometry_2d()`](crate::contact_geometry_2d).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactGeometry2d {
-    /// Relative to the centre of ellipse 1.
+    /// The point, relative to the centre of ellipse 1.
     pub point: [f64; 2],
     /// Unit vector, outward from ellipse 1 and into ellipse 2.
     pub normal: [f64; 2],
@@ -175,11 +175,11 @@ pub struct ContactGeometry2d {
 pub struct ContactGradient2d {
     /// ∂μ²/∂r12; its negative is the derivative with respect to the centre of ellipse 1.
     pub d_r12: [f64; 2],
-    /// Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands
-    /// for two entries of the matrix).
+    /// Derivatives with respect to the stored entries of q1 and q2 (a stored off-diagonal entry
+    /// is two entries of the matrix).
     pub d_q1: [f64; 3],
-    /// Derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands
-    /// for two entries of the matrix).
+    /// Derivatives with respect to the stored entries of q1 and q2 (a stored off-diagonal entry
+    /// is two entries of the matrix).
     pub d_q2: [f64; 3],
 }
 
@@ -197,10 +197,10 @@ pub struct ContactTorque2d {
 pub struct ContainmentScale2d {
     /// Square of the factor.
     pub mu2: f64,
-    /// The point on the surface of ellipse 2, relative to the centre of ellipse 1. If the
-    /// ellipses touch at several points, the result is one of them. They touch at several points
-    /// for r12 = 0, and where r12 is short and has no component along the longest semi-axis that
-    /// ellipse 2 has after the linear map that makes ellipse 1 a unit ball.
+    /// A point of contact on the surface of ellipse 2, relative to the centre of ellipse 1. There
+    /// are several such points if r12 = 0, and the result is one of them. There can also be
+    /// several if r12 is short and, after the linear map that makes ellipse 1 a unit ball, has no
+    /// component along the longest semi-axis of ellipse 2.
     pub point: [f64; 2],
 }
 
@@ -222,14 +222,14 @@ pub struct Distance {
 /// [`signed_distance_derivatives()`](crate::signed_distance_derivatives).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DistanceDerivatives {
-    /// The unit normal at the closest points, into ellipsoid 2.
+    /// Derivative with respect to r12: the unit normal at the closest points, into ellipsoid 2.
     pub d_r12: [f64; 3],
-    /// With respect to rotations, as for [`contact_torque()`](crate::contact_torque).
+    /// Derivatives with respect to rotations, as for [`contact_torque()`](crate::contact_torque).
     pub d_rot1: [f64; 3],
-    /// With respect to rotations, as for [`contact_torque()`](crate::contact_torque).
+    /// Derivatives with respect to rotations, as for [`contact_torque()`](crate::contact_torque).
     pub d_rot2: [f64; 3],
-    /// Symmetric: second derivatives with respect to r12, rotation 1 and rotation 2, where the
-    /// vector ω stands for the rotation by \|ω\| about ω.
+    /// Symmetric matrix of second derivatives with respect to r12, rotation 1 and rotation 2, as
+    /// for [`contact_hessian()`](crate::contact_hessian).
     pub hessian: [[f64; 9]; 9],
 }
 
@@ -249,11 +249,11 @@ pub struct GapInside {
     /// The gap, in the unit of `r12`; zero if the ellipsoids touch, or if ellipsoid 2 is not
     /// inside ellipsoid 1, as [`contains()`](crate::contains) decides.
     pub gap: f64,
-    /// The points of the surfaces of ellipsoids 1 and 2 where they are closest, both relative to
-    /// the centre of ellipsoid 1; NaN if ellipsoid 2 is not inside.
+    /// The closest points of the surfaces of ellipsoids 1 and 2, both relative to the centre of
+    /// ellipsoid 1; NaN if ellipsoid 2 is not inside.
     pub point1: [f64; 3],
-    /// The points of the surfaces of ellipsoids 1 and 2 where they are closest, both relative to
-    /// the centre of ellipsoid 1; NaN if ellipsoid 2 is not inside.
+    /// The closest points of the surfaces of ellipsoids 1 and 2, both relative to the centre of
+    /// ellipsoid 1; NaN if ellipsoid 2 is not inside.
     pub point2: [f64; 3],
     /// Unit vector out of both ellipsoids at these points, from point2 to point1: minus the
     /// derivative of the gap with respect to r12; NaN if ellipsoid 2 is not inside.
@@ -291,11 +291,11 @@ pub struct GapInside2d {
     /// The gap, in the unit of `r12`; zero if the ellipses touch, or if ellipse 2 is not inside
     /// ellipse 1, as [`contains()`](crate::contains) decides.
     pub gap: f64,
-    /// The points of the surfaces of ellipses 1 and 2 where they are closest, both relative to
-    /// the centre of ellipse 1; NaN if ellipse 2 is not inside.
+    /// The closest points of the surfaces of ellipses 1 and 2, both relative to the centre of
+    /// ellipse 1; NaN if ellipse 2 is not inside.
     pub point1: [f64; 2],
-    /// The points of the surfaces of ellipses 1 and 2 where they are closest, both relative to
-    /// the centre of ellipse 1; NaN if ellipse 2 is not inside.
+    /// The closest points of the surfaces of ellipses 1 and 2, both relative to the centre of
+    /// ellipse 1; NaN if ellipse 2 is not inside.
     pub point2: [f64; 2],
     /// Unit vector out of both ellipses at these points, from point2 to point1: minus the
     /// derivative of the gap with respect to r12; NaN if ellipse 2 is not inside.
@@ -307,75 +307,76 @@ pub struct GapInside2d {
 pub struct ClosestPassage {
     /// The least μ²; 0 if ellipsoid 2 passes the centre of ellipsoid 1.
     pub mu2: f64,
-    /// The time, in \[0, t_max\]; 0 for a zero velocity or r12 = 0.
+    /// The time of the least μ², in \[0, t_max\]; 0 for a zero velocity or r12 = 0.
     pub t: f64,
 }
 
 /// Results of [`curvature()`](crate::curvature).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Curvature {
-    /// Reciprocal radii of curvature, \> 0, the smaller one first.
+    /// Reciprocals of the radii of curvature, \> 0, the smaller one first.
     pub curvatures: [f64; 2],
     /// Unit vectors along which the surface has these curvatures. Their cross product is the unit
-    /// normal. If both curvatures are equal, they are any such vectors.
+    /// normal. If both curvatures are equal, the result is any such pair of vectors.
     pub directions: [[f64; 3]; 2],
 }
 
 /// Results of [`hertz()`](crate::hertz).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HertzEllipse {
-    /// The effective radius. For spheres it is R1 R2/(R1 + R2).
+    /// The effective radius, for spheres R1 R2/(R1 + R2).
     pub radius: f64,
-    /// Squares of the semi-axes over the depth, along the direction of each curvature.
+    /// Squares of the semi-axes of the contact ellipse over the depth, along the direction of
+    /// each curvature.
     pub ellipse: [f64; 2],
 }
 
 /// Results of [`hertz_contact()`](crate::hertz_contact).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HertzContact {
-    /// In the unit of `r12`; negative if a slab separates them.
+    /// The depth, in the unit of `r12`; negative if a slab across the normal separates the
+    /// ellipsoids.
     pub depth: f64,
-    /// Where the forces of contact act: the middle of the points of both surfaces that have the
-    /// normals n and -n, relative to the centre of ellipsoid 1.
+    /// The point at which contact forces act, relative to the centre of ellipsoid 1: the midpoint
+    /// of the two points of the surfaces with the normals n and -n.
     pub point: [f64; 3],
     /// Of the gap between both surfaces, \> 0, the smaller one first: eigenvalues of the sum of
     /// their second fundamental forms, as [`hertz()`](crate::hertz) takes them.
     pub curvatures: [f64; 2],
     /// Of these curvatures and of the contact ellipse.
     pub directions: [[f64; 3]; 2],
-    /// The effective radius. For spheres it is R1 R2/(R1 + R2).
+    /// The effective radius, for spheres R1 R2/(R1 + R2).
     pub radius: f64,
-    /// Squares of the semi-axes over the depth, along the direction of each curvature.
+    /// Squares of the semi-axes of the contact ellipse over the depth, along the direction of
+    /// each curvature.
     pub ellipse: [f64; 2],
 }
 
 /// Results of [`grain_contact()`](crate::grain_contact).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GrainContact {
-    /// Unit vector.
+    /// Unit vector n.
     pub normal: [f64; 3],
-    /// δ, in the unit of `r12`; negative if a slab separates the ellipsoids.
+    /// δ, in the unit of `r12`; negative if a slab across the normal separates the ellipsoids.
     pub depth: f64,
-    /// The middle of the points of both surfaces that have the normals n and -n, which are δ n
+    /// The midpoint of the two points of the surfaces with the normals n and -n, which are δ n
     /// apart, relative to the centre of ellipsoid 1.
     pub point: [f64; 3],
     /// Of the gap between both surfaces, \> 0, the smaller one first: eigenvalues of the sum of
     /// their second fundamental forms, as [`hertz()`](crate::hertz) takes them.
     pub curvatures: [f64; 2],
-    /// The effective radius. For spheres it is R1 R2/(R1 + R2).
+    /// The effective radius, for spheres R1 R2/(R1 + R2).
     pub radius: f64,
 }
 
 /// Results of [`grain_radius_gradient()`](crate::grain_radius_gradient).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GrainRadiusGradient {
-    /// With respect to r12.
+    /// Derivative with respect to r12.
     pub d_r12: [f64; 3],
-    /// With respect to small rotation vectors of either ellipsoid about its own centre, per
-    /// radian.
+    /// Derivatives with respect to rotations, as for [`contact_torque()`](crate::contact_torque).
     pub d_rot1: [f64; 3],
-    /// With respect to small rotation vectors of either ellipsoid about its own centre, per
-    /// radian.
+    /// Derivatives with respect to rotations, as for [`contact_torque()`](crate::contact_torque).
     pub d_rot2: [f64; 3],
 }
 
@@ -384,21 +385,21 @@ pub struct GrainRadiusGradient {
 pub struct GrainWallContact {
     /// Minus the distance of [`distance_plane()`](crate::distance_plane).
     pub depth: f64,
-    /// Of the ellipsoid, the deepest one in the wall.
+    /// The point of the ellipsoid that is deepest in the wall.
     pub point: [f64; 3],
-    /// Of the gap, the smaller one first. It is raised to 2⁻²⁰ times the larger one if it is
-    /// less: surfaces that touch along a line have no finite radius.
+    /// Of the gap, the smaller one first. If the smaller one is below 2⁻²⁰ times the larger one,
+    /// it is raised to this value: surfaces that touch along a line have no finite radius.
     pub curvatures: [f64; 2],
-    /// The effective radius. For spheres it is R1 R2/(R1 + R2).
+    /// The effective radius, for spheres R1 R2/(R1 + R2).
     pub radius: f64,
 }
 
 /// Results of [`distance_plane()`](crate::distance_plane).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceDistance {
-    /// In the unit of the semi-axes; negative if the two overlap: minus the depth.
+    /// The distance, in the unit of the semi-axes; minus the depth if the two overlap.
     pub distance: f64,
-    /// Of the ellipsoid, nearest to the half-space or deepest in it.
+    /// The point of the ellipsoid that is nearest to the half-space, or deepest in it.
     pub point: [f64; 3],
 }
 
@@ -406,9 +407,9 @@ pub struct SurfaceDistance {
 /// [`contact_plane_derivatives()`](crate::contact_plane_derivatives).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlaneDerivatives {
-    /// With respect to the position of the centre.
+    /// Derivative with respect to the position of the centre.
     pub d_center: [f64; 3],
-    /// With respect to small rotation vectors about the centre, per radian.
+    /// Derivative with respect to a small rotation vector about the centre, per radian.
     pub d_rot: [f64; 3],
 }
 
@@ -418,16 +419,16 @@ pub struct PlaneContact {
     /// Square of the factor by which the ellipsoid must be scaled to touch; 0 if the centre is in
     /// the half-space.
     pub mu2: f64,
-    /// Where the scaled ellipsoid touches.
+    /// The point at which the scaled ellipsoid touches.
     pub point: [f64; 3],
 }
 
 /// Results of [`distance_box()`](crate::distance_box).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DistanceBox {
-    /// Negative if the ellipsoid is not inside of the box.
+    /// The distance; negative if the ellipsoid is not inside the box.
     pub distance: f64,
-    /// Of the ellipsoid, nearest to that face or farthest beyond it.
+    /// The point of the ellipsoid that is nearest to that face, or farthest beyond it.
     pub point: [f64; 3],
     /// Outward unit normal of that face.
     pub normal: [f64; 3],
@@ -436,9 +437,10 @@ pub struct DistanceBox {
 /// Results of [`distance_cylinder()`](crate::distance_cylinder).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DistanceCylinder {
-    /// Negative if the ellipsoid is not inside of the cylinder.
+    /// The distance; negative if the ellipsoid is not inside the cylinder.
     pub distance: f64,
-    /// Of the ellipsoid, farthest from the axis, relative to its centre.
+    /// The point of the ellipsoid that is farthest from the axis, relative to the centre of the
+    /// ellipsoid.
     pub point: [f64; 3],
     /// Outward unit normal of the wall there.
     pub normal: [f64; 3],
@@ -447,11 +449,13 @@ pub struct DistanceCylinder {
 /// Results of [`distance_point()`](crate::distance_point).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DistancePoint {
-    /// Negative if the point is inside.
+    /// The distance; negative if the point is inside the ellipsoid.
     pub distance: f64,
-    /// Of the surface, nearest to r, relative to the centre; one of them if there are several.
+    /// The point of the surface that is nearest to r, relative to the centre; one of them if
+    /// there are several.
     pub point: [f64; 3],
-    /// Unit vector out of the ellipsoid at this point, the derivative of the distance.
+    /// Unit vector out of the ellipsoid at this point: the derivative of the distance with
+    /// respect to r.
     pub normal: [f64; 3],
 }
 
@@ -471,7 +475,7 @@ pub struct Chord {
 pub struct ShapeContact {
     /// Square of the factor by which the ellipsoid must be scaled to touch.
     pub mu2: f64,
-    /// Of the segment, where the scaled ellipsoid touches.
+    /// The point of the segment at which the scaled ellipsoid touches.
     pub point: [f64; 3],
 }
 
@@ -481,12 +485,12 @@ pub struct ShapeContact {
 /// [`distance_capsule()`](crate::distance_capsule).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShapeDistance {
-    /// Negative if they overlap: minus the depth.
+    /// The signed distance; minus the depth if the two overlap.
     pub distance: f64,
-    /// Of the ellipsoid: nearest to the segment, or deepest.
+    /// The point of the ellipsoid that is nearest to the segment, or deepest.
     pub point1: [f64; 3],
-    /// Of the segment: nearest to the ellipsoid, or deepest; relative to the centre of the
-    /// ellipsoid.
+    /// The point of the segment that is nearest to the ellipsoid, or deepest; relative to its
+    /// centre.
     pub point2: [f64; 3],
     /// Unit vector out of the ellipsoid at point1; point2 - point1 is `distance` times it.
     pub normal: [f64; 3],
@@ -495,11 +499,13 @@ pub struct ShapeDistance {
 /// Results of [`distance_point_2d()`](crate::distance_point_2d).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceDistance2d {
-    /// Negative if the point is inside.
+    /// The distance; negative if the point is inside the ellipse.
     pub distance: f64,
-    /// Of the surface, nearest to r, relative to the centre; one of them if there are several.
+    /// The point of the surface that is nearest to r, relative to the centre; one of them if
+    /// there are several.
     pub point: [f64; 2],
-    /// Unit vector out of the ellipse at this point, the derivative of the distance.
+    /// Unit vector out of the ellipse at this point: the derivative of the distance with respect
+    /// to r.
     pub normal: [f64; 2],
 }
 
@@ -509,11 +515,11 @@ pub struct SurfaceDistance2d {
 pub struct ShapeContact2d {
     /// Square of the factor by which the ellipse must be scaled to touch.
     pub mu2: f64,
-    /// Of the segment, where the scaled ellipse touches.
+    /// The point of the segment at which the scaled ellipse touches.
     pub point: [f64; 2],
 }
 
-/// Quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ.
+/// Computes the quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ with \|n\| = 1.
 ///
 /// # Arguments
 ///
@@ -540,15 +546,15 @@ pub fn spheroid(a: f64, c: f64, n: &[f64; 3]) -> Result<[f64; 6], Error> {
     Ok(q)
 }
 
-/// Quadratic form of a general ellipsoid, Q = R diag(semi_axes²) Rᵀ.
+/// Computes the quadratic form of an ellipsoid, Q = R diag(semi_axes²) Rᵀ.
 ///
 /// # Arguments
 ///
 /// - `semi_axes`: Lengths of the principal semi-axes (not diameters), whose squares are in the
 ///   range of double; \> 0. Unit: length.
-/// - `rotation`: Matrix R in row-major order. Its columns are the principal directions: R takes
-///   the body frame to the space frame. RᵀR may differ from I by at most 1e-6 in any entry
-///   (single precision is accepted); reflections are accepted.
+/// - `rotation`: Row-major matrix R, which takes the body frame to the space frame; its columns
+///   are the principal directions. An entry of RᵀR - I may be at most 1e-6 in magnitude: single
+///   precision is enough. R may be a reflection.
 ///
 /// # Errors
 ///
@@ -575,14 +581,14 @@ pub fn ellipsoid(semi_axes: &[f64; 3], rotation: &[[f64; 3]; 3]) -> Result<[f64;
     Ok(q)
 }
 
-/// Quadratic form of a general ellipsoid whose orientation is a quaternion.
+/// Computes the quadratic form of an ellipsoid whose orientation is a quaternion.
 ///
 /// # Arguments
 ///
 /// - `semi_axes`: Lengths of the principal semi-axes (not diameters), whose squares are in the
 ///   range of double; \> 0. Unit: length.
-/// - `quaternion`: (w, x, y, z), scalar first, of any length; the function normalises it. It
-///   takes the body frame to the space frame; not zero.
+/// - `quaternion`: (w, x, y, z), scalar first, which takes the body frame to the space frame; of
+///   any length, because the function normalises it; not zero.
 ///
 /// # Errors
 ///
@@ -609,8 +615,8 @@ pub fn ellipsoid_quaternion(
     Ok(q)
 }
 
-/// [`ellipsoid_quaternion()`](crate::ellipsoid_quaternion) for many ellipsoids; the bits are the
-/// same.
+/// Computes [`ellipsoid_quaternion()`](crate::ellipsoid_quaternion) for many ellipsoids, with the
+/// same bits.
 ///
 /// # Arguments
 ///
@@ -651,16 +657,17 @@ pub fn ellipsoid_quaternion_batch(
     ) })
 }
 
-/// Factor S of the quadratic form of a general ellipsoid, Q = S Sᵀ.
+/// Computes a factor S of the quadratic form of an ellipsoid, Q = S Sᵀ.
 ///
-/// The factor keeps the digits that squares of lengths lose: see
+/// The factor keeps digits that the form loses: see
 /// [`contact_factored()`](crate::contact_factored).
 ///
 /// # Arguments
 ///
 /// - `semi_axes`: Lengths of the principal semi-axes (not diameters), whose squares are in the
 ///   range of double; \> 0. Unit: length.
-/// - `quaternion`: (w, x, y, z), scalar first, of any length; not zero.
+/// - `quaternion`: (w, x, y, z), scalar first, which takes the body frame to the space frame; not
+///   zero.
 ///
 /// # Errors
 ///
@@ -687,7 +694,8 @@ pub fn ellipsoid_factor(
     Ok(s)
 }
 
-/// [`ellipsoid_factor()`](crate::ellipsoid_factor) for many ellipsoids; the bits are the same.
+/// Computes [`ellipsoid_factor()`](crate::ellipsoid_factor) for many ellipsoids, with the same
+/// bits.
 ///
 /// # Arguments
 ///
@@ -728,7 +736,7 @@ pub fn ellipsoid_factor_batch(
     ) })
 }
 
-/// Quadratic form (xx, xy, yy) of an ellipse.
+/// Computes the quadratic form (xx, xy, yy) of an ellipse.
 ///
 /// # Arguments
 ///
@@ -754,16 +762,17 @@ pub fn ellipse(a: f64, b: f64, angle: f64) -> Result<[f64; 3], Error> {
     Ok(q)
 }
 
-/// Contact function of two ellipsoids, by a third-order iteration on log(λ/(1-λ)).
+/// Computes the contact function of two ellipsoids.
 ///
-/// The relative error of μ² is below 4 u cond, with u = 2⁻⁵³ and the entrywise condition number
-/// of [`condition()`](crate::condition), also for forms that are singular to working precision.
-/// The function evaluates f at most 157 times.
+/// The method is a third-order iteration on log(λ/(1-λ)), which evaluates f at most 157 times.
+/// The relative error of μ² is below 4 u cond, with u = 2⁻⁵³ and the condition number cond of
+/// [`condition()`](crate::condition). The bound also holds for forms that are singular to working
+/// precision.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid: μ² = 0, λ =
-///   1/2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; it may be zero: then μ²
+///   = 0 and λ = 1/2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
@@ -790,10 +799,10 @@ pub fn contact(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<Contact, 
     Ok(Contact { mu2: out[0], lambda: out[1] })
 }
 
-/// [`contact()`](crate::contact) for many pairs.
+/// Computes [`contact()`](crate::contact) for many pairs.
 ///
-/// The relative error of μ² is below 4 u cond, too; the last bits may differ from those of
-/// [`contact()`](crate::contact).
+/// The relative error of μ² is below 4 u cond as for one pair. The last bits may differ from
+/// those of [`contact()`](crate::contact).
 ///
 /// # Arguments
 ///
@@ -845,19 +854,19 @@ pub fn contact_batch(
     ) })
 }
 
-/// Contact function of two ellipsoids, with μ² correctly rounded.
+/// Computes the contact function of two ellipsoids, with μ² correctly rounded.
 ///
-/// It is the double nearest to the exact value for the numbers given.
+/// μ² is the double nearest to the exact value for the numbers given. If two doubles are equally
+/// near, it is the one whose last bit is 0. This rule includes underflow and overflow: a value of
+/// 2¹⁰²⁴ - 2⁹⁷⁰ or more becomes infinity. λ errs by less than one unit in the last place.
 ///
-/// If two doubles are equally near, μ² is the one whose last bit is 0. Underflow and overflow
-/// follow the same rule: a μ² that is at least 2¹⁰²⁴ - 2⁹⁷⁰ becomes infinity, with success. λ
-/// errs by less than one unit in the last place. Every processor and every instruction set
-/// therefore gives the same μ². An exchange of the two ellipsoids does not change μ². Other units
-/// that are powers of two do not change it if μ² stays in the range of normal doubles.
+/// Every processor and every instruction set therefore gives the same μ². Exchanging the two
+/// ellipsoids does not change it. Multiplying the unit of length by a power of two does not
+/// change it if the data stay in the range of normal doubles.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
@@ -889,7 +898,7 @@ pub fn contact_rounded(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<C
     Ok(Contact { mu2: out[0], lambda: out[1] })
 }
 
-/// [`contact_rounded()`](crate::contact_rounded) for many pairs; the bits are the same.
+/// Computes [`contact_rounded()`](crate::contact_rounded) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -941,24 +950,26 @@ pub fn contact_rounded_batch(
     ) })
 }
 
-/// Contact function of two ellipsoids that are given by factors of their forms, Q1 = S1 S1ᵀ and
-/// Q2 = S2 S2ᵀ.
+/// Computes the contact function of two ellipsoids that are given by factors of their forms, Q1 =
+/// S1 S1ᵀ and Q2 = S2 S2ᵀ.
 ///
-/// Rounding a form to doubles changes μ² by some 1e-12 at aspect ratio 100, 1e-8 at 10⁴ and 1e-4
-/// at 10⁶: an entry of the form adds the squares of long and of short semi-axes, and rounding it
-/// to double loses digits of the short ones. Rounding a factor changes μ² by less than 1e-14,
-/// 1e-12 and 1e-12. The relative error of the result is below 4 u c. Here c is the relative
-/// change of μ², to first order, for relative changes of one in the entries of s1, s2 and r12.
+/// Use it for slender ellipsoids. An entry of a form is a sum of squares of long and short
+/// semi-axes, so rounding it loses digits of the short ones. At aspect ratios 100, 10⁴ and 10⁶,
+/// rounding the forms changes μ² by some 1e-12, 1e-8 and 1e-4, and rounding the factors changes
+/// it by less than 1e-14, 1e-12 and 1e-12.
+///
+/// The relative error of μ² is below 4 u c. Here u = 2⁻⁵³, and c is the relative change of μ², to
+/// first order, for relative changes of one in the entries of s1, s2 and r12.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
-/// - `s1`: Row-major, as [`ellipsoid_factor()`](crate::ellipsoid_factor) makes them. Any matrix S
-///   counts as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if
-///   the lengths of its columns differ by less than a factor of 2¹²⁷. Unit: length.
-/// - `s2`: Row-major, as [`ellipsoid_factor()`](crate::ellipsoid_factor) makes them. Any matrix S
-///   counts as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if
-///   the lengths of its columns differ by less than a factor of 2¹²⁷. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `s1`: Row-major factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix
+///   S is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
+///   lengths of its columns differ by a factor below 2¹²⁷. Unit: length.
+/// - `s2`: Row-major factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix
+///   S is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
+///   lengths of its columns differ by a factor below 2¹²⁷. Unit: length.
 ///
 /// # Errors
 ///
@@ -991,7 +1002,7 @@ pub fn contact_factored(
     Ok(Contact { mu2: out[0], lambda: out[1] })
 }
 
-/// [`contact_factored()`](crate::contact_factored) for many pairs; the bits are the same.
+/// Computes [`contact_factored()`](crate::contact_factored) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -1043,22 +1054,21 @@ pub fn contact_factored_batch(
     ) })
 }
 
-/// Condition number of the contact function.
+/// Computes the condition number of the contact function, entry by entry.
 ///
-/// If each entry of r12, q1 and q2 changes by a fraction ε of itself, μ² changes by a fraction of
-/// at most ε cond, to first order in ε.
-///
-/// Data that are known to d digits give μ² to d - log10(cond) digits. The condition number is of
-/// the order of one for ordinary pairs, and of the order of the squared aspect ratio for slender
-/// ones. It is \[λ(1-λ) Σ \|n_i\| ((1-λ) \|q1_ij\| + λ \|q2_ij\|) \|n_j\| + 2 λ(1-λ) Σ \|r12_i
-/// n_i\|\]/μ² with n = \[(1-λ) q1 + λ q2\]⁻¹ r12, the sums over all i and j.
+/// If each entry of r12, q1 and q2 changes by at most a fraction ε of itself, μ² changes by at
+/// most a fraction ε cond, to first order in ε. If the data are known to d digits, μ² is known to
+/// d - log10(cond) digits. The condition number is of the order of one for ordinary pairs, and of
+/// the order of the squared aspect ratio for slender ones. It is \[λ(1-λ) Σ \|n_i\| ((1-λ)
+/// \|q1_ij\| + λ \|q2_ij\|) \|n_j\| + 2 λ(1-λ) Σ \|r12_i n_i\|\]/μ² with n = \[(1-λ) q1 + λ
+/// q2\]⁻¹ r12, summed over i and j.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `lambda`: From [`contact()`](crate::contact).
+/// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact).
 ///
 /// # Errors
 ///
@@ -1089,7 +1099,7 @@ pub fn condition(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6], lambda: f64) -> R
     Ok(cond)
 }
 
-/// [`condition()`](crate::condition) for many pairs; the bits are the same.
+/// Computes [`condition()`](crate::condition) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -1141,25 +1151,23 @@ pub fn condition_batch(
     ) })
 }
 
-/// Contact function of two ellipsoids, by Brent's method on f, refined by Halley's method, with
-/// the arguments of pw85 1.0, which used Newton's.
+/// Computes the contact function of two ellipsoids as pw85 1.0 did, by Brent's method.
 ///
-/// For the contract see [`contact()`](crate::contact), which is several times faster.
-///
-/// The relative error of μ² is below 4 u cond, too. Brent's method works on a problem in which
-/// both ellipsoids have been scaled to similar size. ``lambda_atol`` therefore has the same
-/// meaning for ellipsoids of all sizes.
+/// [`contact()`](crate::contact) is several times faster, with the same bound on the error.
+/// Brent's method maximises f, for ellipsoids that are scaled to similar size: ``lambda_atol``
+/// has the same meaning for ellipsoids of all sizes. Halley's method then refines the result (in
+/// pw85 1.0, Newton's method).
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
-/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the bound
-/// on the error cannot be proved; this has never been seen.
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: as for
+/// [`contact()`](crate::contact).
 ///
 /// # Examples
 ///
@@ -1184,7 +1192,7 @@ pub fn contact_function(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<
     Ok(Contact { mu2: out[0], lambda: out[1] })
 }
 
-/// [`contact_function()`](crate::contact_function) for many pairs; the bits are the same.
+/// Computes [`contact_function()`](crate::contact_function) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -1236,16 +1244,16 @@ pub fn contact_function_batch(
     ) })
 }
 
-/// Point at which the ellipsoids, scaled by μ, touch, and their common normal.
+/// Computes the point at which the ellipsoids, scaled by μ, touch, and their common normal there.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; not zero. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; not zero. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `lambda`: From [`contact()`](crate::contact). Any other value in (0, 1) gives the point
-///   x0(λ) of the chapter on theory: it is on both ellipsoids when they are scaled by the factors
-///   μ1 and μ2 for which f(λ) = λ μ1² + (1-λ) μ2².
+/// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact). For another λ in \[0,
+///   1\] the point is x0(λ) of the chapter on theory. It is on the surface of ellipsoid 1 scaled
+///   by μ1, and on that of ellipsoid 2 scaled by μ2, where f(λ) = λ μ1² + (1-λ) μ2².
 ///
 /// # Errors
 ///
@@ -1284,7 +1292,7 @@ pub fn contact_geometry(
     Ok(ContactGeometry { point, normal })
 }
 
-/// [`contact_geometry()`](crate::contact_geometry) for many pairs; the bits are the same.
+/// Computes [`contact_geometry()`](crate::contact_geometry) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -1341,23 +1349,23 @@ pub fn contact_geometry_batch(
     ) })
 }
 
-/// [`contact_geometry()`](crate::contact_geometry) of ellipsoids that are given by factors of
-/// their forms.
+/// Computes the point and the normal of [`contact_geometry()`](crate::contact_geometry) for
+/// ellipsoids that are given by factors of their forms.
 ///
-/// The errors are below 4 u times the change that follows if each entry of a factor changes by
-/// the largest entry of its column, and each coordinate of r12 by itself. This holds for the λ
-/// given.
+/// Errors are below 4 u C for the λ given. Here u = 2⁻⁵³. C is the change of the result, to first
+/// order, if each entry of s1 and s2 changes by the largest magnitude in its column, and each
+/// coordinate of r12 by its own magnitude.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; not zero. Unit: length.
-/// - `s1`: Row-major, as [`ellipsoid_factor()`](crate::ellipsoid_factor) makes them. Any matrix S
-///   counts as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if
-///   the lengths of its columns differ by less than a factor of 2¹²⁷. Unit: length.
-/// - `s2`: Row-major, as [`ellipsoid_factor()`](crate::ellipsoid_factor) makes them. Any matrix S
-///   counts as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if
-///   the lengths of its columns differ by less than a factor of 2¹²⁷. Unit: length.
-/// - `lambda`: From [`contact_factored()`](crate::contact_factored).
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; not zero. Unit: length.
+/// - `s1`: Row-major factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix
+///   S is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
+///   lengths of its columns differ by a factor below 2¹²⁷. Unit: length.
+/// - `s2`: Row-major factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix
+///   S is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
+///   lengths of its columns differ by a factor below 2¹²⁷. Unit: length.
+/// - `lambda`: The maximiser λ of f, from [`contact_factored()`](crate::contact_factored).
 ///
 /// # Errors
 ///
@@ -1395,8 +1403,8 @@ pub fn contact_geometry_factored(
     Ok(ContactGeometry { point, normal })
 }
 
-/// [`contact_geometry_factored()`](crate::contact_geometry_factored) for many pairs; the bits are
-/// the same.
+/// Computes [`contact_geometry_factored()`](crate::contact_geometry_factored) for many pairs,
+/// with the same bits.
 ///
 /// # Arguments
 ///
@@ -1460,14 +1468,14 @@ pub fn contact_geometry_factored_batch(
     ) })
 }
 
-/// Derivatives of μ².
+/// Computes the derivatives of μ² with respect to r12 and the forms.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `lambda`: From [`contact()`](crate::contact).
+/// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact).
 ///
 /// # Errors
 ///
@@ -1507,7 +1515,7 @@ pub fn contact_gradient(
     Ok(ContactGradient { d_r12, d_q1, d_q2 })
 }
 
-/// [`contact_gradient()`](crate::contact_gradient) for many pairs; the bits are the same.
+/// Computes [`contact_gradient()`](crate::contact_gradient) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -1578,22 +1586,22 @@ pub fn contact_gradient_batch(
     ) })
 }
 
-/// Derivatives of μ² of ellipsoids that are given by factors of their forms.
+/// Computes the derivatives of μ² for ellipsoids that are given by factors of their forms.
 ///
-/// The derivative with respect to a factor S is 2 (∂μ²/∂Q) S, with the symmetric matrix ∂μ²/∂Q. A
-/// change dS of the factor changes μ² by Σ d_s_ij dS_ij. The errors are those of
+/// The derivative with respect to a factor S is 2 (∂μ²/∂Q) S, where ∂μ²/∂Q is a symmetric matrix.
+/// A change dS of the factor changes μ² by Σ d_s_ij dS_ij. The errors have the bound of
 /// [`contact_geometry_factored()`](crate::contact_geometry_factored).
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
-/// - `s1`: Row-major, as [`ellipsoid_factor()`](crate::ellipsoid_factor) makes them. Any matrix S
-///   counts as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if
-///   the lengths of its columns differ by less than a factor of 2¹²⁷. Unit: length.
-/// - `s2`: Row-major, as [`ellipsoid_factor()`](crate::ellipsoid_factor) makes them. Any matrix S
-///   counts as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if
-///   the lengths of its columns differ by less than a factor of 2¹²⁷. Unit: length.
-/// - `lambda`: From [`contact_factored()`](crate::contact_factored).
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `s1`: Row-major factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix
+///   S is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
+///   lengths of its columns differ by a factor below 2¹²⁷. Unit: length.
+/// - `s2`: Row-major factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix
+///   S is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
+///   lengths of its columns differ by a factor below 2¹²⁷. Unit: length.
+/// - `lambda`: The maximiser λ of f, from [`contact_factored()`](crate::contact_factored).
 ///
 /// # Errors
 ///
@@ -1633,8 +1641,8 @@ pub fn contact_gradient_factored(
     Ok(FactorGradient { d_r12, d_s1, d_s2 })
 }
 
-/// [`contact_gradient_factored()`](crate::contact_gradient_factored) for many pairs; the bits are
-/// the same.
+/// Computes [`contact_gradient_factored()`](crate::contact_gradient_factored) for many pairs,
+/// with the same bits.
 ///
 /// # Arguments
 ///
@@ -1705,17 +1713,17 @@ pub fn contact_gradient_factored_batch(
     ) })
 }
 
-/// Derivatives of μ² with respect to rotations.
+/// Computes the derivatives of μ² with respect to rotations of the ellipsoids.
 ///
-/// For a rotation of an ellipsoid about its own centre by the small vector ω, dμ² = d_rot·ω. The
-/// torque of an energy U(μ²) is -U'(μ²) d_rot.
+/// If an ellipsoid rotates about its own centre by a small rotation vector ω, μ² changes by
+/// d_rot·ω. An energy U(μ²) exerts the torque -U'(μ²) d_rot on the ellipsoid.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `lambda`: From [`contact()`](crate::contact).
+/// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact).
 ///
 /// # Errors
 ///
@@ -1753,7 +1761,7 @@ pub fn contact_torque(
     Ok(ContactTorque { d_rot1, d_rot2 })
 }
 
-/// [`contact_torque()`](crate::contact_torque) for many pairs; the bits are the same.
+/// Computes [`contact_torque()`](crate::contact_torque) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -1809,18 +1817,19 @@ pub fn contact_torque_batch(
     ) })
 }
 
-/// Second derivatives of μ².
+/// Computes the second derivatives of μ² with respect to r12 and rotations of the ellipsoids.
 ///
-/// The relative error of the derivatives is a few times that of λ and 1-λ. The relative error of
-/// λ from [`contact()`](crate::contact) is some u times the squared aspect ratio. If ellipsoid 1
-/// is much larger than ellipsoid 2, the relative error of 1-λ is u/(1-λ).
+/// Their relative error is a few times the relative errors of λ and of 1-λ. λ from
+/// [`contact()`](crate::contact) has a relative error of some u times the squared aspect ratio,
+/// with u = 2⁻⁵³. If ellipsoid 1 is much larger than ellipsoid 2, the relative error of 1-λ is
+/// u/(1-λ).
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; not zero. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; not zero. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `lambda`: From [`contact()`](crate::contact).
+/// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact).
 ///
 /// # Errors
 ///
@@ -1857,7 +1866,7 @@ pub fn contact_hessian(
     Ok(hessian)
 }
 
-/// [`contact_hessian()`](crate::contact_hessian) for many pairs; the bits are the same.
+/// Computes [`contact_hessian()`](crate::contact_hessian) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -1915,12 +1924,12 @@ pub fn contact_hessian_batch(
 /// Tangent ellipsoids (μ² = 1) do not overlap.
 ///
 /// The answer is exact for the numbers given. Bounds that account for rounding decide almost all
-/// pairs; exact arithmetic decides the others.
+/// pairs, and exact arithmetic decides the others.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; zero is an overlap. Unit:
-///   length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; zero is an overlap.
+///   Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
@@ -1946,7 +1955,7 @@ pub fn overlap(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<bool, Err
     Ok(overlap == 1)
 }
 
-/// [`overlap()`](crate::overlap) for many pairs; the answers are the same.
+/// Computes [`overlap()`](crate::overlap) for many pairs, with the same answers.
 ///
 /// # Arguments
 ///
@@ -1994,27 +2003,27 @@ pub fn overlap_batch(
 /// Tests whether two ellipsoids overlap that are given by factors of their forms, Q1 = S1 S1ᵀ and
 /// Q2 = S2 S2ᵀ.
 ///
-/// The answer is exact for the exact products of the factors given. It may differ from the answer
-/// of [`overlap()`](crate::overlap) for the rounded products. Separating planes and common
-/// points, with bounds that account for rounding, decide almost all pairs. Integers decide the
-/// others, if their digits fit: the entries of s1 and s2, and r12, must be multiples of a power
-/// of two and smaller than 2¹⁵⁰⁰ times that power.
+/// The answer is exact for the exact products of the factors given. [`overlap()`](crate::overlap)
+/// may give another answer for the rounded products. Separating planes and common points, with
+/// bounds that account for rounding, decide almost all pairs. Integer arithmetic decides the
+/// others if r12 and the entries of s1 and s2 are multiples of one power of two and smaller than
+/// 2¹⁵⁰⁰ times this power.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; zero is an overlap. Unit:
-///   length.
-/// - `s1`: Row-major, as [`ellipsoid_factor()`](crate::ellipsoid_factor) makes them. Any matrix S
-///   counts as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if
-///   the lengths of its columns differ by less than a factor of 2¹²⁷. Unit: length.
-/// - `s2`: Row-major, as [`ellipsoid_factor()`](crate::ellipsoid_factor) makes them. Any matrix S
-///   counts as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if
-///   the lengths of its columns differ by less than a factor of 2¹²⁷. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; zero is an overlap.
+///   Unit: length.
+/// - `s1`: Row-major factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix
+///   S is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
+///   lengths of its columns differ by a factor below 2¹²⁷. Unit: length.
+/// - `s2`: Row-major factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix
+///   S is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
+///   lengths of its columns differ by a factor below 2¹²⁷. Unit: length.
 ///
 /// # Errors
 ///
-/// A number is not finite. `Status::NoConvergence`: the pair is so near contact that only
-/// integers can decide, and their digits do not fit.
+/// A number is not finite. `Status::NoConvergence`: only integers can decide, because the
+/// ellipsoids nearly touch, and the numbers do not meet this condition.
 ///
 /// # Examples
 ///
@@ -2043,7 +2052,8 @@ pub fn overlap_factored(
     Ok(overlap == 1)
 }
 
-/// [`overlap_factored()`](crate::overlap_factored) for many pairs; the answers are the same.
+/// Computes [`overlap_factored()`](crate::overlap_factored) for many pairs, with the same
+/// answers.
 ///
 /// # Arguments
 ///
@@ -2088,14 +2098,14 @@ pub fn overlap_factored_batch(
     ) })
 }
 
-/// Sign of μ² - mu2, for any number mu2 \>= 0.
+/// Compares μ² with a number mu2 \>= 0, and returns the sign of μ² - mu2.
 ///
-/// The sign is exact for the numbers given; [`overlap()`](crate::overlap) is the case mu2 = 1. A
-/// bound on the error of μ² decides almost all pairs; exact arithmetic decides the others.
+/// The sign is exact for the numbers given. [`overlap()`](crate::overlap) is the case mu2 = 1. A
+/// bound on the error of μ² decides almost all pairs, and exact arithmetic decides the others.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `mu2`: The number to compare with; \>= 0; may be infinite.
@@ -2124,7 +2134,7 @@ pub fn compare(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6], mu2: f64) -> Result
     Ok(sign.cmp(&0))
 }
 
-/// [`compare()`](crate::compare) for many pairs; the signs are the same.
+/// Computes [`compare()`](crate::compare) for many pairs, with the same signs.
 ///
 /// # Arguments
 ///
@@ -2173,26 +2183,26 @@ pub fn compare_batch(
     ) })
 }
 
-/// Tests whether two ellipsoids overlap, as [`overlap()`](crate::overlap) does, and gives a
+/// Tests whether two ellipsoids overlap, as [`overlap()`](crate::overlap) does, and returns a
 /// number or a point that proves the answer.
 ///
-/// The proof holds in exact arithmetic for the numbers given, and rational arithmetic can check
-/// it. Tangent ellipsoids do not overlap, and have no such proof: `λ` and `point` are NaN, and
-/// the status is success. The function finds a λ that proves that ellipsoids are apart, if there
-/// is one among the doubles. It searches for a common point near the point where the ellipsoids,
-/// scaled by μ, touch. If 1 - μ² is below 1e-13, it may find none.
+/// If the ellipsoids are apart, the proof is a double λ with f(λ) \> 1. The function finds one
+/// whenever one exists. If they overlap, the proof is a point inside both. The function searches
+/// for it near the point at which the ellipsoids, scaled by μ, touch. It may find none if 1 - μ²
+/// is below 1e-13. Tangent ellipsoids have no proof: `λ` and `point` are then NaN, with success.
+/// Rational arithmetic can check a proof, which holds exactly for the numbers given.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
-/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: no proof
-/// among the doubles was found; seen only where μ² differs from one by less than 1e-13, at aspect
-/// ratios up to 10⁸.
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the
+/// function finds no proof among the doubles; seen only where μ² differs from one by less than
+/// 1e-13, at aspect ratios up to 10⁸.
 ///
 /// # Examples
 ///
@@ -2225,7 +2235,7 @@ pub fn overlap_witness(
     Ok(OverlapWitness { overlap: overlap == 1, lambda, point })
 }
 
-/// [`overlap_witness()`](crate::overlap_witness) for many pairs; the results are the same.
+/// Computes [`overlap_witness()`](crate::overlap_witness) for many pairs, with the same results.
 ///
 /// # Arguments
 ///
@@ -2286,13 +2296,13 @@ pub fn overlap_witness_batch(
 
 /// Tests whether ellipsoid 2 is inside ellipsoid 1.
 ///
-/// It may touch the surface of ellipsoid 1 from inside.
+/// It may touch the surface from inside.
 ///
 /// The answer is exact for the numbers given. Every ellipsoid is inside itself.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
@@ -2318,7 +2328,7 @@ pub fn contains(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<bool, Er
     Ok(contains == 1)
 }
 
-/// [`contains()`](crate::contains) for many pairs; the answers are the same.
+/// Computes [`contains()`](crate::contains) for many pairs, with the same answers.
 ///
 /// # Arguments
 ///
@@ -2363,18 +2373,21 @@ pub fn contains_batch(
     ) })
 }
 
-/// Factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2, and the
-/// point where the ellipsoids then touch.
+/// Computes the least factor by which ellipsoid 1, scaled about its centre, contains ellipsoid 2,
+/// and a point where they then touch.
 ///
-/// The square of the factor is the largest value of xᵀ q1⁻¹ x over the points x of ellipsoid 2.
-/// It is at most 1 if ellipsoid 2 is inside ellipsoid 1; [`contains()`](crate::contains) decides
-/// this without rounding errors. The relative error is below 16 u c, with u = 2⁻⁵³, where u c is
-/// the fraction by which the square can change if each entry of r12, q1 and q2 changes by a
-/// fraction u of itself. The search proves the result by bounds from both sides.
+/// The square of the factor is the largest value of xᵀ q1⁻¹ x over the points x of ellipsoid 2,
+/// relative to the centre of ellipsoid 1. It is at most 1 if ellipsoid 2 is inside ellipsoid 1;
+/// [`contains()`](crate::contains) decides this exactly.
+///
+/// The relative error of the square is below 16 u c, with u = 2⁻⁵³. The number c is the relative
+/// change of the square, to first order, for relative changes of one in the entries of r12, q1
+/// and q2. Bounds from both sides prove the result.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; it may be zero. Unit:
+///   length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
@@ -2412,7 +2425,7 @@ pub fn containment(
     Ok(ContainmentScale { mu2, point })
 }
 
-/// [`containment()`](crate::containment) for many pairs; the bits are the same.
+/// Computes [`containment()`](crate::containment) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -2465,10 +2478,11 @@ pub fn containment_batch(
     ) })
 }
 
-/// Distance of closest approach.
+/// Computes the distance of closest approach of two ellipsoids along a direction.
 ///
-/// The distance of the centres at which two ellipsoids of fixed orientation touch from outside,
-/// when their centres are on a line of given direction d. It is \|d\|/μ(d).
+/// It is the distance of the centres at which the ellipsoids touch from outside, in fixed
+/// orientation and with the centres on a line along d = `direction`. It is \|d\|/μ(d), where μ(d)
+/// is μ for r12 = d.
 ///
 /// # Arguments
 ///
@@ -2504,9 +2518,9 @@ pub fn closest_approach(direction: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> R
     Ok(distance)
 }
 
-/// [`closest_approach()`](crate::closest_approach) for many pairs.
+/// Computes [`closest_approach()`](crate::closest_approach) for many pairs.
 ///
-/// The relative error is below 2 u cond + 4 u; the last bits may differ from those of
+/// The relative error is below 2 u cond + 4 u. The last bits may differ from those of
 /// [`closest_approach()`](crate::closest_approach).
 ///
 /// # Arguments
@@ -2552,7 +2566,7 @@ pub fn closest_approach_batch(
     ) })
 }
 
-/// Volume of an ellipsoid, (4/3)π √det q.
+/// Computes the volume of an ellipsoid, (4/3)π √det q.
 ///
 /// The relative error is below 2⁻⁵² if the semi-axes differ by a factor below 10⁷. For a larger
 /// factor k it is below 2⁻⁵² k²/10¹⁴.
@@ -2579,7 +2593,7 @@ pub fn volume(q: &[f64; 6]) -> Result<f64, Error> {
     Ok(volume)
 }
 
-/// [`volume()`](crate::volume) for many ellipsoids; the bits are the same.
+/// Computes [`volume()`](crate::volume) for many ellipsoids, with the same bits.
 ///
 /// # Arguments
 ///
@@ -2609,29 +2623,32 @@ pub fn volume_batch(q: &[[f64; 6]], volume: &mut [f64]) -> Result<(), Error> {
     check_rows(unsafe { sys::pw85_volume_batch(n, q.as_ptr().cast(), volume.as_mut_ptr()) })
 }
 
-/// Volume of the common part of two ellipsoids.
+/// Computes the volume V of the intersection of two ellipsoids.
 ///
-/// The volume is 0 exactly if [`overlap()`](crate::overlap) says that the ellipsoids do not
-/// overlap. It is [`volume()`](crate::volume) of the smaller ellipsoid exactly if
-/// [`contains()`](crate::contains) says that this one is inside the other one. Otherwise the
-/// error is below u (64 v + 16 s), with u = 2⁻⁵³, the volume v of the smaller one, and s =
-/// Σ\|r12_i ∂V/∂r12_i\| + Σ √(q1_ii q1_jj) \|∂V/∂q1_ij\| + the same sum for q2, over the entries
-/// and derivatives of [`overlap_volume_gradient()`](crate::overlap_volume_gradient). If the
-/// common part, or what remains of the smaller ellipsoid, is as thin as rounding errors, it may
-/// count as empty: the volume is then 0, or that of the smaller ellipsoid.
+/// V is 0 if the ellipsoids do not overlap, as [`overlap()`](crate::overlap) decides. V is
+/// [`volume()`](crate::volume) of the smaller ellipsoid if it is inside the other one, as
+/// [`contains()`](crate::contains) decides. Otherwise the error is below u (64 v + 16 s), with u
+/// = 2⁻⁵³ and the volume v of the smaller ellipsoid. The term s is Σ\|r12_i ∂V/∂r12_i\| + Σ
+/// √(q1_ii q1_jj) \|∂V/∂q1_ij\| + Σ √(q2_ii q2_jj) \|∂V/∂q2_ij\|, summed over coordinates and
+/// stored entries, with the derivatives of
+/// [`overlap_volume_gradient()`](crate::overlap_volume_gradient).
+///
+/// If the intersection is as thin as rounding errors, V may be 0. If the part of the smaller
+/// ellipsoid outside of the other one is as thin, V may be the volume of the smaller ellipsoid.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; it may be zero. Unit:
+///   length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
-/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: by the
-/// linear map that takes the smaller ellipsoid to a unit ball, the other one becomes a disc that
-/// is thinner than 2⁻²¹; the integral does not converge; or 32 digits are not enough for the
-/// bound, which is seen at aspect ratios above 10⁵.
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the linear
+/// map that makes the smaller ellipsoid a unit ball makes the other one a disc thinner than 2⁻²¹;
+/// the integral does not converge; or 32 digits are not enough for the bound on the error, which
+/// is seen at aspect ratios above 10⁵.
 ///
 /// # Examples
 ///
@@ -2656,7 +2673,7 @@ pub fn overlap_volume(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<f6
     Ok(volume)
 }
 
-/// [`overlap_volume()`](crate::overlap_volume) for many pairs; the bits are the same.
+/// Computes [`overlap_volume()`](crate::overlap_volume) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -2701,26 +2718,29 @@ pub fn overlap_volume_batch(
     ) })
 }
 
-/// Derivatives of the volume of the common part.
+/// Computes the derivatives of the volume V of the intersection of two ellipsoids.
 ///
 /// The derivatives are 0 if the ellipsoids do not overlap. If one ellipsoid is inside the other
-/// one, only the derivatives of its own volume are not 0. If the surfaces touch from inside at a
-/// point, except for some 10⁻¹⁷ of their size, and cross elsewhere, 32 digits may not be enough
-/// (`Status::NoConvergence`). The error of the derivative with respect to a number p is below u
-/// (256 m + 64 s), with u = 2⁻⁵³ and s = Σ\|r12_i ∂²V/∂r12_i∂p\| + Σ √(q1_ii q1_jj)
-/// \|∂²V/∂q1_ij∂p\| + the same for q2. With the volume v of the smaller ellipsoid, the inverse P
-/// of its form, and the inverse P' of the form to which p belongs, m is v √P_ii for r12_i, v
-/// √(P_ii P'_ii) for a diagonal entry, and v (√(P_ii P'_jj) + √(P_jj P'_ii)) for another entry.
+/// one, only the derivatives of its own volume are not 0.
+///
+/// The error of the derivative with respect to a number p is below u (256 m + 64 s), with u =
+/// 2⁻⁵³. The term s is that of [`overlap_volume()`](crate::overlap_volume) with ∂V/∂p in the
+/// place of V. The term m depends on the volume v of the smaller ellipsoid, the inverse P of its
+/// form, and the inverse P' of the form to which p belongs. It is v √P_ii for p = r12_i, v √(P_ii
+/// P'_ii) for a diagonal entry p of a form, and v (√(P_ii P'_jj) + √(P_jj P'_ii)) for another
+/// entry.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
-/// A number is not finite or a form is not positive definite.
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the causes
+/// of [`overlap_volume()`](crate::overlap_volume); or the surfaces touch from inside at one
+/// point, up to some 10⁻¹⁷ of their size, and cross elsewhere.
 ///
 /// # Examples
 ///
@@ -2753,8 +2773,8 @@ pub fn overlap_volume_gradient(
     Ok(OverlapVolumeGradient { d_r12, d_q1, d_q2 })
 }
 
-/// [`overlap_volume_gradient()`](crate::overlap_volume_gradient) for many pairs; the bits are the
-/// same.
+/// Computes [`overlap_volume_gradient()`](crate::overlap_volume_gradient) for many pairs, with
+/// the same bits.
 ///
 /// # Arguments
 ///
@@ -2820,24 +2840,28 @@ pub fn overlap_volume_gradient_batch(
     ) })
 }
 
-/// Derivatives of the volume of the common part with respect to rotations.
+/// Computes the derivatives of the volume V of the intersection with respect to rotations of the
+/// ellipsoids.
 ///
-/// For a rotation of an ellipsoid about its own centre by the small vector ω, dV = d_rot·ω. The
-/// torque of an energy U(V) is -U'(V) d_rot. With ∂V/∂r12 from
+/// If an ellipsoid rotates about its own centre by a small rotation vector ω, V changes by
+/// d_rot·ω. An energy U(V) exerts the torque -U'(V) d_rot on the ellipsoid. With ∂V/∂r12 from
 /// [`overlap_volume_gradient()`](crate::overlap_volume_gradient), d_rot1 + d_rot2 + r12 × ∂V/∂r12
-/// = 0. The derivatives are the axial vectors of 2 q1 G1 and 2 q2 G2 with the matrices G of
-/// ∂V/∂q, and their errors follow from those of G: each is below twice the sum of \|q_ij\| times
-/// the bound for G_jk over the products that the vector is made of.
+/// = 0.
+///
+/// The derivatives are the axial vectors of 2 q1 G1 and 2 q2 G2, where the matrix G has the
+/// derivatives ∂V/∂q. Each component is a sum of products 2 q_ij G_jk. Its error is below the sum
+/// of 2 \|q_ij\| times the bound on the error of G_jk.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
-/// A number is not finite or a form is not positive definite.
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: as for
+/// [`overlap_volume_gradient()`](crate::overlap_volume_gradient).
 ///
 /// # Examples
 ///
@@ -2868,8 +2892,8 @@ pub fn overlap_volume_torque(
     Ok(OverlapVolumeTorque { d_rot1, d_rot2 })
 }
 
-/// [`overlap_volume_torque()`](crate::overlap_volume_torque) for many pairs; the bits are the
-/// same.
+/// Computes [`overlap_volume_torque()`](crate::overlap_volume_torque) for many pairs, with the
+/// same bits.
 ///
 /// # Arguments
 ///
@@ -2923,7 +2947,9 @@ pub fn overlap_volume_torque_batch(
     ) })
 }
 
-/// Area of an ellipse, π √det q; see [`volume()`](crate::volume).
+/// Computes the area of an ellipse, π √det q.
+///
+/// The error has the bound of [`volume()`](crate::volume).
 ///
 /// # Arguments
 ///
@@ -2947,7 +2973,7 @@ pub fn area_2d(q: &[f64; 3]) -> Result<f64, Error> {
     Ok(area)
 }
 
-/// [`area_2d()`](crate::area_2d) for many ellipses; the bits are the same.
+/// Computes [`area_2d()`](crate::area_2d) for many ellipses, with the same bits.
 ///
 /// # Arguments
 ///
@@ -2977,22 +3003,24 @@ pub fn area_batch_2d(q: &[[f64; 3]], area: &mut [f64]) -> Result<(), Error> {
     check_rows(unsafe { sys::pw85_area_batch_2d(n, q.as_ptr().cast(), area.as_mut_ptr()) })
 }
 
-/// Area of the common part of two ellipses; see [`overlap_volume()`](crate::overlap_volume).
+/// Computes the area of the intersection of two ellipses; see
+/// [`overlap_volume()`](crate::overlap_volume).
 ///
-/// The bound on the error is the same, with areas.
+/// The error has the bound of that function, with areas for volumes.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2; zero is valid. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2; it may be zero. Unit:
+///   length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
-/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: by the
-/// linear map that takes the smaller ellipsoid to a unit ball, the other one becomes a disc that
-/// is thinner than 2⁻²¹; the integral does not converge; or 32 digits are not enough for the
-/// bound, which is seen at aspect ratios above 10⁵.
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the linear
+/// map that makes the smaller ellipsoid a unit ball makes the other one a disc thinner than 2⁻²¹;
+/// the integral does not converge; or 32 digits are not enough for the bound on the error, which
+/// is seen at aspect ratios above 10⁵.
 ///
 /// # Examples
 ///
@@ -3008,7 +3036,7 @@ pub fn overlap_area_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<f
     Ok(area)
 }
 
-/// [`overlap_area_2d()`](crate::overlap_area_2d) for many pairs; the bits are the same.
+/// Computes [`overlap_area_2d()`](crate::overlap_area_2d) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -3053,20 +3081,22 @@ pub fn overlap_area_batch_2d(
     ) })
 }
 
-/// Derivatives of the area of the common part; see
+/// Computes the derivatives of the area of the intersection of two ellipses; see
 /// [`overlap_volume_gradient()`](crate::overlap_volume_gradient).
 ///
-/// The bounds on the errors are the same, with areas.
+/// The errors have its bounds, with areas for volumes.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
-/// A number is not finite or a form is not positive definite.
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the causes
+/// of [`overlap_volume()`](crate::overlap_volume); or the surfaces touch from inside at one
+/// point, up to some 10⁻¹⁷ of their size, and cross elsewhere.
 ///
 /// # Examples
 ///
@@ -3095,8 +3125,8 @@ pub fn overlap_area_gradient_2d(
     Ok(OverlapAreaGradient { d_r12, d_q1, d_q2 })
 }
 
-/// [`overlap_area_gradient_2d()`](crate::overlap_area_gradient_2d) for many pairs; the bits are
-/// the same.
+/// Computes [`overlap_area_gradient_2d()`](crate::overlap_area_gradient_2d) for many pairs, with
+/// the same bits.
 ///
 /// # Arguments
 ///
@@ -3162,20 +3192,21 @@ pub fn overlap_area_gradient_batch_2d(
     ) })
 }
 
-/// Derivatives of the area of the common part with respect to the angles of both ellipses,
-/// counter-clockwise.
+/// Computes the derivatives of the area of the intersection with respect to the angles of both
+/// ellipses.
 ///
-/// See [`overlap_volume_torque()`](crate::overlap_volume_torque).
+/// See [`overlap_volume_torque()`](crate::overlap_volume_torque). Angles are counter-clockwise.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
-/// A number is not finite or a form is not positive definite.
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: as for
+/// [`overlap_volume_gradient()`](crate::overlap_volume_gradient).
 ///
 /// # Examples
 ///
@@ -3202,8 +3233,8 @@ pub fn overlap_area_torque_2d(
     Ok(OverlapAreaTorque { d_rot1, d_rot2 })
 }
 
-/// [`overlap_area_torque_2d()`](crate::overlap_area_torque_2d) for many pairs; the bits are the
-/// same.
+/// Computes [`overlap_area_torque_2d()`](crate::overlap_area_torque_2d) for many pairs, with the
+/// same bits.
 ///
 /// # Arguments
 ///
@@ -3257,12 +3288,12 @@ pub fn overlap_area_torque_batch_2d(
     ) })
 }
 
-/// Contact function of two ellipses; see [`contact()`](crate::contact).
+/// Computes the contact function of two ellipses; see [`contact()`](crate::contact).
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2; zero is valid: μ² = 0, λ = 1/2.
-///   Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2; it may be zero: then μ² = 0
+///   and λ = 1/2. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 ///
@@ -3290,7 +3321,7 @@ pub fn contact_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<Contac
     Ok(Contact { mu2: out[0], lambda: out[1] })
 }
 
-/// [`contact_2d()`](crate::contact_2d) for many pairs; see
+/// Computes [`contact_2d()`](crate::contact_2d) for many pairs; see
 /// [`contact_batch()`](crate::contact_batch).
 ///
 /// # Arguments
@@ -3343,17 +3374,18 @@ pub fn contact_batch_2d(
     ) })
 }
 
-/// Point at which the ellipses, scaled by μ, touch, and their common normal; see
-/// [`contact_geometry()`](crate::contact_geometry).
+/// Computes the point at which the ellipses, scaled by μ, touch, and their common normal there.
+///
+/// See [`contact_geometry()`](crate::contact_geometry).
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2; not zero. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2; not zero. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `lambda`: From [`contact()`](crate::contact). Any other value in (0, 1) gives the point
-///   x0(λ) of the chapter on theory: it is on both ellipses when they are scaled by the factors
-///   μ1 and μ2 for which f(λ) = λ μ1² + (1-λ) μ2².
+/// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact). For another λ in \[0,
+///   1\] the point is x0(λ) of the chapter on theory. It is on the surface of ellipse 1 scaled by
+///   μ1, and on that of ellipse 2 scaled by μ2, where f(λ) = λ μ1² + (1-λ) μ2².
 ///
 /// # Errors
 ///
@@ -3387,7 +3419,8 @@ pub fn contact_geometry_2d(
     Ok(ContactGeometry2d { point, normal })
 }
 
-/// [`contact_geometry_2d()`](crate::contact_geometry_2d) for many pairs; the bits are the same.
+/// Computes [`contact_geometry_2d()`](crate::contact_geometry_2d) for many pairs, with the same
+/// bits.
 ///
 /// # Arguments
 ///
@@ -3444,14 +3477,15 @@ pub fn contact_geometry_batch_2d(
     ) })
 }
 
-/// Derivatives of μ² of two ellipses; see [`contact_gradient()`](crate::contact_gradient).
+/// Computes the derivatives of μ² of two ellipses; see
+/// [`contact_gradient()`](crate::contact_gradient).
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `lambda`: From [`contact()`](crate::contact).
+/// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact).
 ///
 /// # Errors
 ///
@@ -3486,7 +3520,8 @@ pub fn contact_gradient_2d(
     Ok(ContactGradient2d { d_r12, d_q1, d_q2 })
 }
 
-/// [`contact_gradient_2d()`](crate::contact_gradient_2d) for many pairs; the bits are the same.
+/// Computes [`contact_gradient_2d()`](crate::contact_gradient_2d) for many pairs, with the same
+/// bits.
 ///
 /// # Arguments
 ///
@@ -3557,15 +3592,17 @@ pub fn contact_gradient_batch_2d(
     ) })
 }
 
-/// Derivatives of μ² with respect to the angles of two ellipses, counter-clockwise; see
+/// Computes the derivatives of μ² with respect to the angles of two ellipses; see
 /// [`contact_torque()`](crate::contact_torque).
+///
+/// Angles are counter-clockwise.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `lambda`: From [`contact()`](crate::contact).
+/// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact).
 ///
 /// # Errors
 ///
@@ -3598,7 +3635,7 @@ pub fn contact_torque_2d(
     Ok(ContactTorque2d { d_rot1, d_rot2 })
 }
 
-/// [`contact_torque_2d()`](crate::contact_torque_2d) for many pairs; the bits are the same.
+/// Computes [`contact_torque_2d()`](crate::contact_torque_2d) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -3654,14 +3691,15 @@ pub fn contact_torque_batch_2d(
     ) })
 }
 
-/// Second derivatives of μ² of two ellipses; see [`contact_hessian()`](crate::contact_hessian).
+/// Computes the second derivatives of μ² of two ellipses; see
+/// [`contact_hessian()`](crate::contact_hessian).
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2; not zero. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2; not zero. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `lambda`: From [`contact()`](crate::contact).
+/// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact).
 ///
 /// # Errors
 ///
@@ -3693,7 +3731,8 @@ pub fn contact_hessian_2d(
     Ok(hessian)
 }
 
-/// [`contact_hessian_2d()`](crate::contact_hessian_2d) for many pairs; the bits are the same.
+/// Computes [`contact_hessian_2d()`](crate::contact_hessian_2d) for many pairs, with the same
+/// bits.
 ///
 /// # Arguments
 ///
@@ -3750,7 +3789,8 @@ pub fn contact_hessian_batch_2d(
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2; zero is an overlap. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2; zero is an overlap. Unit:
+///   length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 ///
@@ -3772,7 +3812,7 @@ pub fn overlap_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<bool, 
     Ok(overlap == 1)
 }
 
-/// [`overlap_2d()`](crate::overlap_2d) for many pairs; see
+/// Computes [`overlap_2d()`](crate::overlap_2d) for many pairs; see
 /// [`overlap_batch()`](crate::overlap_batch).
 ///
 /// # Arguments
@@ -3822,7 +3862,7 @@ pub fn overlap_batch_2d(
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 ///
@@ -3844,12 +3884,13 @@ pub fn contains_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<bool,
     Ok(contains == 1)
 }
 
-/// Factor by which ellipse 1 must be scaled to contain ellipse 2; see
+/// Computes the least factor by which ellipse 1 contains ellipse 2; see
 /// [`containment()`](crate::containment).
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2; zero is valid. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2; it may be zero. Unit:
+///   length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 ///
@@ -3883,7 +3924,7 @@ pub fn containment_2d(
     Ok(ContainmentScale2d { mu2, point })
 }
 
-/// Distance of closest approach of two ellipses; see
+/// Computes the distance of closest approach of two ellipses; see
 /// [`closest_approach()`](crate::closest_approach).
 ///
 /// # Arguments
@@ -3920,7 +3961,8 @@ pub fn closest_approach_2d(
     Ok(distance)
 }
 
-/// [`closest_approach_2d()`](crate::closest_approach_2d) for many pairs; the bits are the same.
+/// Computes [`closest_approach_2d()`](crate::closest_approach_2d) for many pairs, with the same
+/// bits.
 ///
 /// # Arguments
 ///
@@ -3965,26 +4007,29 @@ pub fn closest_approach_batch_2d(
     ) })
 }
 
-/// Distance of the surfaces of two ellipsoids, and the points where they are closest.
+/// Computes the distance of the surfaces of two ellipsoids, and the points where they are
+/// closest.
 ///
-/// The error of the distance is below 8 u Σ, with u = 2⁻⁵³ and Σ = Σ\|n_i r12_i\| + Σ\|n_i q1_ij
-/// n_j\|/(2α) + Σ\|n_i q2_ij n_j\|/(2β), the sums over all i and j. Rounding the data entry by
-/// entry can change the distance by u Σ. Here n is the unit normal, and α and β are the
-/// half-widths of the ellipsoids along it. The answer can be checked independently: any unit
-/// vector n gives a lower bound n·r12 - α - β of the distance, and any two points of the
-/// ellipsoids give an upper bound. `distance` is the lower bound for the normal that
-/// [`distance_derivatives()`](crate::distance_derivatives) returns, and \|point2 - point1\| is an
-/// upper bound.
+/// The distance is the largest value of n·r12 - α - β over unit vectors n, with the half-widths α
+/// and β of the ellipsoids along n. Its error is below 8 u Σ, with u = 2⁻⁵³. Here Σ = Σ\|n_i
+/// r12_i\| + Σ\|n_i q1_ij n_j\|/(2α) + Σ\|n_i q2_ij n_j\|/(2β), summed over all i and j, with n,
+/// α and β at the closest points. Rounding the data entry by entry can change the distance by u
+/// Σ.
 ///
-/// The vector point2 - point1 differs from `distance` times n by less than 2¹⁸ u (\|r12\| +
-/// \|point1\| + \|r12 - point2\|), and \|point2 - point1\| differs from `distance` by no more
-/// than that. The points are the closest points of a pair whose r12 differs by no more than that.
-/// The distance of each point from the surface is below 2¹⁸ u times the longest semi-axis of its
-/// ellipsoid, plus the rounding error u \|point2\| of its coordinates.
+/// A program can check the result. For any unit vector n, n·r12 - α - β is a lower bound of the
+/// distance; `distance` is this bound for the normal of
+/// [`distance_derivatives()`](crate::distance_derivatives). For any two points of the ellipsoids,
+/// their distance is an upper bound; one is \|point2 - point1\|.
+///
+/// Let ε = 2¹⁸ u (\|r12\| + \|point1\| + \|r12 - point2\|). The vector point2 - point1 differs
+/// from `distance` times n by less than ε, and its length from `distance` by at most ε. The
+/// points are the exact closest points for a pair whose r12 differs by at most ε. Each point is
+/// off its surface by less than 2¹⁸ u times the longest semi-axis of its ellipsoid, plus the
+/// rounding error u \|point2\| of the coordinates.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
@@ -4020,7 +4065,7 @@ pub fn distance(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<Distance
     Ok(Distance { distance, point1, point2 })
 }
 
-/// [`distance()`](crate::distance) for many pairs.
+/// Computes [`distance()`](crate::distance) for many pairs.
 ///
 /// Points of pairs that overlap are NaN.
 ///
@@ -4081,11 +4126,13 @@ pub fn distance_batch(
     ) })
 }
 
-/// Derivatives of the distance of two ellipsoids that are apart; NaN if they overlap.
+/// Computes the derivatives of the distance of two ellipsoids.
+///
+/// They are NaN if the ellipsoids overlap.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
@@ -4127,7 +4174,8 @@ pub fn distance_derivatives(
     Ok(DistanceDerivatives { d_r12, d_rot1, d_rot2, hessian })
 }
 
-/// [`distance_derivatives()`](crate::distance_derivatives) for many pairs; the bits are the same.
+/// Computes [`distance_derivatives()`](crate::distance_derivatives) for many pairs, with the same
+/// bits.
 ///
 /// # Arguments
 ///
@@ -4198,22 +4246,27 @@ pub fn distance_derivatives_batch(
     ) })
 }
 
-/// Depth of an overlap: the length of the shortest translation of ellipsoid 2 that separates two
-/// ellipsoids.
+/// Computes the penetration depth of two ellipsoids that overlap, and its direction.
+///
+/// The depth is the length of the shortest translation of ellipsoid 2 that separates them.
 ///
 /// The depth is the smallest value of α + β - n·r12 over unit vectors n, with the half-widths α
 /// and β of the ellipsoids along n. This function of n may have several local minima; the result
-/// is proved to be the global one. `depth` is the value for the returned direction, with an error
-/// below 8 u Σ, with Σ as for [`distance()`](crate::distance). No other direction has a value
-/// that is smaller by more than 32 u Σ, where Σ is the larger one of the two directions. If
-/// several directions are equally good, the result is one of them. The time is 3 to 8 times that
-/// of [`contact()`](crate::contact) for more than nine in ten random pairs, whose minimum has a
-/// certificate, 10 to 60 times that for the others, and about a thousand times that if the best
-/// direction is not isolated.
+/// is proved to be the global one. If several directions are equally good, the result is one of
+/// them.
+///
+/// `depth` is the value for the returned direction, with an error below 8 u Σ, with u = 2⁻⁵³ and
+/// Σ as for [`distance()`](crate::distance). No other direction has a value that is smaller by
+/// more than 32 u Σ, with the larger Σ of the two directions.
+///
+/// The time is 3 to 8 times that of [`contact()`](crate::contact) for more than nine of ten
+/// random pairs, whose minimum a certificate proves. It is 10 to 60 times that of
+/// [`contact()`](crate::contact) for the others, and about 1000 times if the best direction is
+/// not isolated.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
@@ -4247,7 +4300,7 @@ pub fn penetration(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<Penet
     Ok(Penetration { depth, direction })
 }
 
-/// [`penetration()`](crate::penetration) for many pairs; the bits are the same.
+/// Computes [`penetration()`](crate::penetration) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -4300,26 +4353,28 @@ pub fn penetration_batch(
     ) })
 }
 
-/// Signed distance of two ellipsoids.
+/// Computes the signed distance of two ellipsoids, and the points where it is reached.
 ///
-/// Their distance if they are apart, minus the depth of their overlap otherwise.
+/// It is the distance if they are apart, and minus the penetration depth if they overlap.
 ///
-/// The signed distance is the largest value of n·r12 - α - β over unit vectors n, with the
-/// half-widths α and β of the ellipsoids along n, whether they overlap or not. It is a convex
-/// function of r12 with slope 1, and is continuous at contact. It is positive only if the
-/// ellipsoids are apart and negative only if they overlap, as [`overlap()`](crate::overlap)
-/// decides. Its error is that of [`distance()`](crate::distance) if they are apart, and that of
-/// [`penetration()`](crate::penetration) if they overlap. [`penetration()`](crate::penetration)
-/// also states the time that overlaps take.
+/// In both cases it is the largest value of n·r12 - α - β over unit vectors n, with the
+/// half-widths α and β of the ellipsoids along n. It is a continuous, convex function of r12,
+/// whose gradient is a unit vector. It is positive only if the ellipsoids are apart, and negative
+/// only if they overlap, as [`overlap()`](crate::overlap) decides.
 ///
-/// If they overlap, moving ellipsoid 2 by point1 - point2 separates them by the shortest way. If
-/// several directions are equally good, the result belongs to one of them. For a direction that
-/// is isolated, and aspect ratios up to 10³, point2 - point1 differs from `distance` times the
-/// unit normal by less than 2¹⁸ u (\|r12\| + \|point1\| + \|r12 - point2\|), with u = 2⁻⁵³.
+/// If the ellipsoids overlap, moving ellipsoid 2 by point1 - point2 is the shortest translation
+/// that separates them. If several directions are equally good, the result belongs to one of
+/// them.
+///
+/// Errors and times are as for [`distance()`](crate::distance) if the ellipsoids are apart, and
+/// as for [`penetration()`](crate::penetration) if they overlap. In an overlap, point2 - point1
+/// differs from `distance` times the unit normal by less than 2¹⁸ u (\|r12\| + \|point1\| + \|r12
+/// - point2\|), with u = 2⁻⁵³. This holds for a direction that is isolated and aspect ratios up
+/// to 10³.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
@@ -4355,7 +4410,7 @@ pub fn signed_distance(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<D
     Ok(Distance { distance, point1, point2 })
 }
 
-/// [`signed_distance()`](crate::signed_distance) for many pairs; the bits are the same.
+/// Computes [`signed_distance()`](crate::signed_distance) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -4421,15 +4476,15 @@ pub fn signed_distance_batch(
     ) })
 }
 
-/// Derivatives of the signed distance of two ellipsoids.
+/// Computes the derivatives of the signed distance of two ellipsoids.
 ///
-/// At contact they are the limits from both sides. The derivatives of the distance with respect
-/// to the entries of the forms are -n_i n_j/(2α) and -n_i n_j/(2β), twice that for entries off
-/// the diagonal, with the normal n = d_r12.
+/// At contact they are the limits from both sides. For the entries of the forms, which have no
+/// output, the derivatives are -n_i n_j/(2α) for q1 and -n_i n_j/(2β) for q2, and twice that for
+/// entries off the diagonal. Here n = d_r12, with the half-widths α and β along n.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
@@ -4471,8 +4526,8 @@ pub fn signed_distance_derivatives(
     Ok(DistanceDerivatives { d_r12, d_rot1, d_rot2, hessian })
 }
 
-/// [`signed_distance_derivatives()`](crate::signed_distance_derivatives) for many pairs; the bits
-/// are the same.
+/// Computes [`signed_distance_derivatives()`](crate::signed_distance_derivatives) for many pairs,
+/// with the same bits.
 ///
 /// # Arguments
 ///
@@ -4543,25 +4598,25 @@ pub fn signed_distance_derivatives_batch(
     ) })
 }
 
-/// Least gap between the surface of an ellipsoid and that of an ellipsoid that contains it.
+/// Computes the least gap between the surfaces of ellipsoid 1 and of ellipsoid 2 inside it.
 ///
-/// Ellipsoid 2 is inside ellipsoid 1, as for [`contains()`](crate::contains). The gap is the
-/// least distance of the surfaces, by which ellipsoid 2 can move in any direction without leaving
-/// ellipsoid 1. It is the smallest value of α - β - n·r12 over unit vectors n, with the
-/// half-widths α and β of ellipsoids 1 and 2 along n. This function of n may have several local
-/// minima. The result is proved to be the global one.
+/// Ellipsoid 2 can move by the gap in any direction without leaving ellipsoid 1. The gap is the
+/// smallest value of α - β - n·r12 over unit vectors n, with the half-widths α and β of
+/// ellipsoids 1 and 2 along n. This function of n may have several local minima; the result is
+/// proved to be the global one. If several directions are equally good, the result is one of
+/// them.
 ///
-/// `gap` is the value for the returned normal to a few roundings. No other direction has a value
-/// that is smaller by more than 128 u α (1 + α/β), with u = 2⁻⁵³ and the α and β of the normal.
-/// Where minima are not isolated, for example on circles of spheroids with a common axis, the
-/// proof is coarser: in three dimensions another direction may have a value that is smaller by up
-/// to 2⁻²⁰ of the gap (in two, 2⁻⁴⁰). If several directions are equally good, the result is one
-/// of them. The time is 50 to 300 times that of [`contact()`](crate::contact) for isolated
-/// minima, and up to some tenths of a second otherwise.
+/// `gap` is the value for the returned normal, up to a few roundings. If minima are isolated, no
+/// other direction has a value smaller by more than 128 u α (1 + α/β), with u = 2⁻⁵³ and the α
+/// and β of the returned normal. If they are not, as on circles of spheroids with a common axis,
+/// another direction may have a value smaller by up to 2⁻²⁰ of the gap (2⁻⁴⁰ in two dimensions).
+///
+/// The time is 50 to 300 times that of [`contact()`](crate::contact) for isolated minima,
+/// otherwise up to some tenths of a second.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
@@ -4599,7 +4654,7 @@ pub fn gap_inside(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<GapIns
     Ok(GapInside { gap, point1, point2, normal })
 }
 
-/// [`gap_inside()`](crate::gap_inside) for many pairs; the bits are the same.
+/// Computes [`gap_inside()`](crate::gap_inside) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -4670,11 +4725,11 @@ pub fn gap_inside_batch(
     ) })
 }
 
-/// Distance of two ellipses; see [`distance()`](crate::distance).
+/// Computes the distance of two ellipses; see [`distance()`](crate::distance).
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 ///
@@ -4706,7 +4761,7 @@ pub fn distance_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<Dista
     Ok(Distance2d { distance, point1, point2 })
 }
 
-/// [`distance_2d()`](crate::distance_2d) for many pairs; the bits are the same.
+/// Computes [`distance_2d()`](crate::distance_2d) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -4765,11 +4820,11 @@ pub fn distance_batch_2d(
     ) })
 }
 
-/// Depth of an overlap of two ellipses; see [`penetration()`](crate::penetration).
+/// Computes the penetration depth of two ellipses; see [`penetration()`](crate::penetration).
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 ///
@@ -4803,7 +4858,7 @@ pub fn penetration_2d(
     Ok(Penetration2d { depth, direction })
 }
 
-/// [`penetration_2d()`](crate::penetration_2d) for many pairs; the bits are the same.
+/// Computes [`penetration_2d()`](crate::penetration_2d) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -4856,11 +4911,12 @@ pub fn penetration_batch_2d(
     ) })
 }
 
-/// Signed distance of two ellipses; see [`signed_distance()`](crate::signed_distance).
+/// Computes the signed distance of two ellipses; see
+/// [`signed_distance()`](crate::signed_distance).
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 ///
@@ -4896,7 +4952,8 @@ pub fn signed_distance_2d(
     Ok(Distance2d { distance, point1, point2 })
 }
 
-/// [`signed_distance_2d()`](crate::signed_distance_2d) for many pairs; the bits are the same.
+/// Computes [`signed_distance_2d()`](crate::signed_distance_2d) for many pairs, with the same
+/// bits.
 ///
 /// # Arguments
 ///
@@ -4962,12 +5019,11 @@ pub fn signed_distance_batch_2d(
     ) })
 }
 
-/// Least gap between an ellipse and an ellipse that contains it; see
-/// [`gap_inside()`](crate::gap_inside).
+/// Computes the least gap of ellipse 2 inside ellipse 1; see [`gap_inside()`](crate::gap_inside).
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 ///
@@ -5001,7 +5057,7 @@ pub fn gap_inside_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<Gap
     Ok(GapInside2d { gap, point1, point2, normal })
 }
 
-/// [`gap_inside_2d()`](crate::gap_inside_2d) for many pairs; the bits are the same.
+/// Computes [`gap_inside_2d()`](crate::gap_inside_2d) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -5072,28 +5128,29 @@ pub fn gap_inside_batch_2d(
     ) })
 }
 
-/// Time of the first contact of two moving ellipsoids.
+/// Computes the time of the first contact of two moving ellipsoids.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; at time 0. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; at time 0. Unit:
+///   length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`; at time 0. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`; at time 0. Unit: length².
-/// - `motion1`: Motions of the ellipsoids, whose semi-axes must be \> 0 until t_max. Unit: mixed
+/// - `motion1`: Motions of the ellipsoids; their semi-axes must be \> 0 until t_max. Unit: mixed
 ///   units.
-/// - `motion2`: Motions of the ellipsoids, whose semi-axes must be \> 0 until t_max. Unit: mixed
+/// - `motion2`: Motions of the ellipsoids; their semi-axes must be \> 0 until t_max. Unit: mixed
 ///   units.
-/// - `t_max`: The time up to which contacts count; \>= 0; may be infinite. Unit: time.
+/// - `t_max`: The last time at which a contact counts; \>= 0; may be infinite. Unit: time.
 ///
 /// # Errors
 ///
 /// A number is not finite (`t_max` may be infinite), a form is not positive definite, `t_max` is
-/// negative or an ellipsoid shrinks to nothing before `t_max`. `Status::NoConvergence`: the
-/// search ends after 100,000 steps: the ellipsoids turn by more than 50,000 radians near each
-/// other without contact, or by more than 10,000 if their aspect ratio is 1000; sizes, the
-/// relative velocity or the time leave the range of double; one turns by more than 2⁴³ radians,
-/// and its orientation is unknown, or its aspect ratio is above 10⁷, and rounding leaves no digit
-/// of its form.
+/// negative or an ellipsoid shrinks to nothing before `t_max`. `Status::NoConvergence`: one of
+/// three: the search ends after 100,000 steps, because the ellipsoids rotate near each other,
+/// without contact, by more than 50,000 radians, or by more than 10,000 at aspect ratio 1000;
+/// sizes, the relative velocity or the time leave the range of double; rounding errors leave no
+/// digit of an orientation or a form, after more than 2⁴³ radians or at an aspect ratio above
+/// 10⁷.
 ///
 /// # Examples
 ///
@@ -5131,7 +5188,7 @@ pub fn first_contact(
     Ok(t)
 }
 
-/// [`first_contact()`](crate::first_contact) for many pairs; the bits are the same.
+/// Computes [`first_contact()`](crate::first_contact) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -5140,8 +5197,8 @@ pub fn first_contact(
 /// - `q2`: Unit: length².
 /// - `motion1`: Unit: mixed units.
 /// - `motion2`: Unit: mixed units.
-/// - `t_max`: The time up to which contacts count; for all rows; \>= 0; may be infinite. Unit:
-///   time.
+/// - `t_max`: The last time at which a contact counts; for all rows; \>= 0; may be infinite.
+///   Unit: time.
 /// - `t`: Unit: time.
 ///
 /// Row i of each slice belongs to row i of `r12`.
@@ -5195,25 +5252,27 @@ pub fn first_contact_batch(
     ) })
 }
 
-/// Least μ² while ellipsoid 2 passes ellipsoid 1 on a straight path.
+/// Computes the least μ² while ellipsoid 2 passes ellipsoid 1 on a straight path, and its time.
 ///
-/// The minimum of the contact function for the separations r12 + t velocity, 0 \<= t \<= t_max.
+/// It is the minimum of the contact function for the separations r12 + t velocity, 0 \<= t \<=
+/// t_max. μ² is a convex function of t, so the minimum is unique unless the velocity is zero.
+/// Ellipsoids that only translate overlap on this path if and only if the exact minimum is below
+/// 1.
 ///
-/// μ² is a convex function of the time. The time of the minimum is therefore unique unless the
-/// velocity is zero. The error of μ² is below 8 u S. Here S is the change of μ² for relative
-/// errors of one in the given numbers: S = μ² cond + 2 λ(1-λ) Σ\|n_i\| (\|r12_i\| + t
-/// \|velocity_i\|), with cond, λ and n of the pair at time t as in
-/// [`condition()`](crate::condition). Ellipsoids that only translate overlap on this path if and
-/// only if μ² \< 1.
+/// The error of μ² is below 8 u S, with u = 2⁻⁵³. Here S = μ² cond + 2 λ(1-λ) Σ\|n_i\| (\|r12_i\|
+/// + t \|velocity_i\|), with cond, λ and n of [`condition()`](crate::condition) for the pair at
+/// time t. S is the change of μ², to first order, for relative changes of one in the given
+/// numbers.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2; at time 0. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; at time 0. Unit:
+///   length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`; at time 0. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`; at time 0. Unit: length².
 /// - `velocity`: Velocity of ellipsoid 2 relative to ellipsoid 1; it may be zero. Unit:
 ///   length/time.
-/// - `t_max`: The end of the time; \>= 0; may be infinite. Unit: time.
+/// - `t_max`: The end of the path; \>= 0; may be infinite. Unit: time.
 ///
 /// # Errors
 ///
@@ -5255,9 +5314,9 @@ pub fn closest_passage(
     Ok(ClosestPassage { mu2, t })
 }
 
-/// [`closest_passage()`](crate::closest_passage) for many pairs.
+/// Computes [`closest_passage()`](crate::closest_passage) for many pairs.
 ///
-/// The error of μ² is below 8 u S, too; the last bits may differ from those of
+/// The error of μ² is below 8 u S as for one pair. The last bits may differ from those of
 /// [`closest_passage()`](crate::closest_passage).
 ///
 /// # Arguments
@@ -5266,7 +5325,7 @@ pub fn closest_passage(
 /// - `q1`: Unit: length².
 /// - `q2`: Unit: length².
 /// - `velocity`: Unit: length/time.
-/// - `t_max`: The end of the time; for all rows; \>= 0; may be infinite. Unit: time.
+/// - `t_max`: The end of the path; for all rows; \>= 0; may be infinite. Unit: time.
 /// - `t`: Unit: time.
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
@@ -5320,24 +5379,24 @@ pub fn closest_passage_batch(
     ) })
 }
 
-/// Free path of ellipsoid 1 along a direction: how far it may move before it touches ellipsoid 2.
+/// Computes the free path of ellipsoid 1: how far it may move until it touches ellipsoid 2.
 ///
-/// Ellipsoid 1 moves by t times `direction`, and the separation is then r12 - t direction.
+/// Ellipsoid 1 moves by t times `direction`, and the separation is then r12 - t direction. If the
+/// ellipsoids do not overlap at t = 0, they do not overlap at the returned t or before: rounding
+/// errors make t smaller, never larger. At the returned t the ellipsoids touch up to rounding: μ²
+/// \<= 1 + 80 u S, with u = 2⁻⁵³ and S as for [`first_contact()`](crate::first_contact).
 ///
-/// If the ellipsoids do not overlap at t = 0, they certainly do not overlap at the returned t or
-/// before: rounding errors make t smaller, never larger. At the returned t the ellipsoids are in
-/// contact up to rounding: μ² \<= 1 + 80 u S, with S as for
-/// [`first_contact()`](crate::first_contact). t is 0 if the ellipsoids overlap at t = 0 by more
-/// than rounding, or touch and approach.
+/// t is 0 if the ellipsoids overlap at t = 0, or touch and do not separate. If they separate, an
+/// overlap of at most 128 times the bound on the rounding error of μ² does not count.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `direction`: Of any length; not zero.
-/// - `t_max`: The end of the path, in units of the length of `direction`: a length if that is a
-///   unit vector; \>= 0; may be infinite. Unit: length.
+/// - `t_max`: The end of the path, in units of the length of `direction`: a length if `direction`
+///   is a unit vector; \>= 0; may be infinite. Unit: length.
 ///
 /// # Errors
 ///
@@ -5378,7 +5437,7 @@ pub fn free_path(
     Ok(t)
 }
 
-/// [`free_path()`](crate::free_path) for many pairs; the bits are the same.
+/// Computes [`free_path()`](crate::free_path) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -5437,11 +5496,11 @@ pub fn free_path_batch(
     ) })
 }
 
-/// Principal curvatures of an ellipsoid's surface at the point with a given normal, and their
-/// directions.
+/// Computes the principal curvatures of the surface of an ellipsoid, and their directions, at the
+/// point with a given normal.
 ///
 /// The relative error of each curvature is below 1e-12 for the numbers as given, up to aspect
-/// ratio 10⁶. From aspect ratio 10 or so on the function computes with twice the digits, which
+/// ratio 10⁶. From an aspect ratio of about 10 the function computes with twice the digits, which
 /// takes some eight times as long.
 ///
 /// # Arguments
@@ -5473,7 +5532,7 @@ pub fn curvature(normal: &[f64; 3], q: &[f64; 6]) -> Result<Curvature, Error> {
     Ok(Curvature { curvatures, directions })
 }
 
-/// [`curvature()`](crate::curvature) for many ellipsoids; the bits are the same.
+/// Computes [`curvature()`](crate::curvature) for many ellipsoids, with the same bits.
 ///
 /// # Arguments
 ///
@@ -5521,23 +5580,24 @@ pub fn curvature_batch(
     ) })
 }
 
-/// Hertz's theory of the contact of two elastic bodies.
+/// Computes the numbers of Hertz's theory that give the force and the contact ellipse of two
+/// elastic bodies as functions of the depth.
 ///
-/// The force and the contact ellipse as functions of the depth.
+/// For a depth δ the force is (4/3) E\* √(radius δ³), a repulsion, and the energy is (8/15) E\*
+/// √(radius δ⁵). Here 1/E\* = (1 - ν1²)/E1 + (1 - ν2²)/E2, with Young's moduli E and Poisson's
+/// ratios ν. The contact area is an ellipse with semi-axes √(ellipse\[0\] δ) and √(ellipse\[1\]
+/// δ). The square of their arithmetic-geometric mean is radius δ. The results include the
+/// complete elliptic integrals of the theory.
 ///
-/// The gap between the undeformed surfaces is half of the sum of curvature times squared length
-/// along two perpendicular directions. For a depth δ the bodies repel each other by the force
-/// (4/3) E\* √(radius δ³), with 1/E\* = (1 - ν1²)/E1 + (1 - ν2²)/E2, Young's moduli E and
-/// Poisson's ratios ν. The energy is (8/15) E\* √(radius δ⁵). The contact area is an ellipse with
-/// the semi-axes √(ellipse\[0\] δ) and √(ellipse\[1\] δ), the square of whose
-/// arithmetic-geometric mean is radius δ. Complete elliptic integrals are included. The relative
-/// errors are below 256 u, with u = 2⁻⁵³, for curvatures whose ratio is at most 10¹⁸.
+/// The relative errors are below 256 u, with u = 2⁻⁵³, if the ratio of the curvatures is at most
+/// 10¹⁸.
 ///
 /// # Arguments
 ///
-/// - `curvatures`: Along both directions, the sums of those of both bodies: those of
-///   [`hertz_contact()`](crate::hertz_contact) for two ellipsoids, of
-///   [`curvature()`](crate::curvature) for one on a plane; \> 0. Unit: 1/length.
+/// - `curvatures`: Of the gap between the undeformed surfaces, along two perpendicular
+///   directions: the gap is half of the sum of curvature times squared length. They are those of
+///   [`hertz_contact()`](crate::hertz_contact) for two ellipsoids, and those of
+///   [`curvature()`](crate::curvature) for an ellipsoid on a plane; \> 0. Unit: 1/length.
 ///
 /// # Errors
 ///
@@ -5558,7 +5618,7 @@ pub fn hertz(curvatures: &[f64; 2]) -> Result<HertzEllipse, Error> {
     Ok(HertzEllipse { radius, ellipse })
 }
 
-/// [`hertz()`](crate::hertz) for many contacts; the bits are the same.
+/// Computes [`hertz()`](crate::hertz) for many contacts, with the same bits.
 ///
 /// # Arguments
 ///
@@ -5599,26 +5659,28 @@ pub fn hertz_batch(
     ) })
 }
 
-/// Geometry of the contact of two grains along a common normal: what laws of contact such as
-/// Hertz's need.
+/// Computes the geometry of the contact of two grains along a given normal, for laws of contact
+/// such as Hertz's.
 ///
-/// For the normal n of [`contact_geometry()`](crate::contact_geometry) the depth is α + β - n·r12
-/// = (1/μ - 1) n·r12, with the half-widths α and β of the ellipsoids along n. This is the usual
-/// choice: it is a smooth function of positions and orientations for μ \> 0. The depth of
-/// [`penetration()`](crate::penetration) is smaller by a part of second order in the depth; its
-/// direction, as `normal`, gives it here, too. For every normal a negative depth proves that the
-/// ellipsoids are apart, by at least minus the depth, and the depth is at least that of
-/// [`penetration()`](crate::penetration) if they overlap.
+/// Let n be the unit normal, and α and β the half-widths of the ellipsoids along n. The depth is
+/// α + β - n·r12. A negative depth proves that the ellipsoids are apart by at least its
+/// magnitude. If they overlap, the depth is at least that of
+/// [`penetration()`](crate::penetration), with equality for the direction of
+/// [`penetration()`](crate::penetration). The usual choice is the normal of
+/// [`contact_geometry()`](crate::contact_geometry). The depth is then (1/μ - 1) n·r12, a smooth
+/// function of positions and orientations for μ \> 0. It exceeds that of
+/// [`penetration()`](crate::penetration) by a term of second order in the depth.
 ///
-/// The error of the depth is below 8 u Σ, with Σ as for [`distance()`](crate::distance) with this
-/// normal. Up to aspect ratio 10⁶, and for the normal as given, the relative errors of
-/// curvatures, radius and ellipse are below 1e-12. The point is half the sum of r12 and of one
-/// vector of each ellipsoid; its error is below 1e-12 times the sum of their lengths. The
-/// directions err by less than 1e-12/(1 - k1/k2) radians, with the curvatures k1 \< k2.
+/// The error of the depth is below 8 u Σ, with u = 2⁻⁵³ and Σ as for
+/// [`distance()`](crate::distance) with this normal. The other bounds hold up to aspect ratio 10⁶
+/// for the normal as given. The relative errors of curvatures, radius and ellipse are below
+/// 1e-12. The point is half the sum of r12 and of one vector of each ellipsoid; its error is
+/// below 1e-12 times the sum of their lengths. The directions err by less than 1e-12/(1 - k1/k2)
+/// radians, with the curvatures k1 \< k2.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `normal`: Out of ellipsoid 1 and into ellipsoid 2, of any length; not zero.
@@ -5667,7 +5729,7 @@ pub fn hertz_contact(
     Ok(HertzContact { depth, point, curvatures, directions, radius, ellipse })
 }
 
-/// [`hertz_contact()`](crate::hertz_contact) for many pairs; the bits are the same.
+/// Computes [`hertz_contact()`](crate::hertz_contact) for many pairs, with the same bits.
 ///
 /// # Arguments
 ///
@@ -5756,25 +5818,23 @@ pub fn hertz_contact_batch(
     ) })
 }
 
-/// The contact of two grains along their common normal.
+/// Computes the contact of two grains along their common normal, which it finds by Newton's
+/// method.
 ///
-/// The least overlap δ(n) = α + β - n·r12 near a given direction, with the half-widths α and β of
-/// the ellipsoids along the unit vector n.
-///
-/// δ is stationary there, so the force U'(δ) n at the point conserves an energy U(δ).
-/// [`hertz_contact()`](crate::hertz_contact) takes the normal from the caller; this function
-/// finds it by Newton's method. Start from the normal of
-/// [`contact_geometry()`](crate::contact_geometry), or from that of the time step before. Then it
-/// takes one or two steps.
+/// Let α and β be the half-widths of the ellipsoids along the unit vector n. The normal is the n
+/// at which the overlap δ(n) = α + β - n·r12 has a local minimum near a given direction. Since δ
+/// is stationary there, a force U'(δ) n at the point conserves an energy U(δ). Start from the
+/// normal of [`contact_geometry()`](crate::contact_geometry), or from that of the previous time
+/// step. The search then takes one or two steps.
 ///
 /// There is a minimum if the overlap is small: below the least sum of radii of curvature. The
-/// search ends after a step below 2⁻²² radians. The normal, and points and radius in units of the
-/// semi-axes, then err by less than 100·2⁻⁴⁴ at aspect ratios up to 4; the depth errs by the
-/// square of that and by rounding.
+/// search ends after a step below 2⁻²² radians. At aspect ratios up to 4, the normal errs by less
+/// than 100·2⁻⁴⁴, and so do the point and the radius in units of the semi-axes. The depth errs by
+/// the square of that, and by rounding.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `start`: A direction near the normal, out of ellipsoid 1 and into ellipsoid 2, of any
@@ -5783,6 +5843,7 @@ pub fn hertz_contact_batch(
 /// # Errors
 ///
 /// A number is not finite, a form is not positive definite or `start` is zero.
+/// `Status::NoConvergence`: the search finds no minimum.
 ///
 /// # Examples
 ///
@@ -5822,9 +5883,9 @@ pub fn grain_contact(
     Ok(GrainContact { normal, depth, point, curvatures, radius })
 }
 
-/// [`grain_contact()`](crate::grain_contact) for many pairs.
+/// Computes [`grain_contact()`](crate::grain_contact) for many pairs.
 ///
-/// The bounds of the errors are the same; the last bits may differ from those of
+/// The errors have the same bounds. The last bits may differ from those of
 /// [`grain_contact()`](crate::grain_contact).
 ///
 /// # Arguments
@@ -5908,14 +5969,14 @@ pub fn grain_contact_batch(
     ) })
 }
 
-/// Derivatives of the radius of [`grain_contact()`](crate::grain_contact), whose normal follows
-/// each motion.
+/// Computes the derivatives of the radius of [`grain_contact()`](crate::grain_contact), whose
+/// normal follows each motion.
 ///
 /// A force that depends on the radius needs them to conserve the energy.
 ///
 /// # Arguments
 ///
-/// - `r12`: From the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `normal`: That of [`grain_contact()`](crate::grain_contact), of any length; not zero.
@@ -5923,6 +5984,7 @@ pub fn grain_contact_batch(
 /// # Errors
 ///
 /// A number is not finite, a form is not positive definite or `normal` is zero.
+/// `Status::NoConvergence`: the overlap has no minimum there.
 ///
 /// # Examples
 ///
@@ -5958,8 +6020,8 @@ pub fn grain_radius_gradient(
     Ok(GrainRadiusGradient { d_r12, d_rot1, d_rot2 })
 }
 
-/// [`grain_radius_gradient()`](crate::grain_radius_gradient) for many pairs; the bits are the
-/// same.
+/// Computes [`grain_radius_gradient()`](crate::grain_radius_gradient) for many pairs, with the
+/// same bits.
 ///
 /// # Arguments
 ///
@@ -6030,22 +6092,26 @@ pub fn grain_radius_gradient_batch(
     ) })
 }
 
-/// The contact of a grain with its centre at 0 and a wall that touches the plane normal·x =
-/// offset and is curved along one direction, as a plane, a cylinder or the edge of one is.
+/// Computes the contact of a grain with its centre at 0 and a wall.
 ///
-/// Up to aspect ratio 10⁶ the relative errors of both curvatures and of the radius are below
-/// 1e-12 for the numbers as given, also where the curvatures nearly cancel. From aspect ratio 10
-/// or so on, and for concave walls (curvature \< 0) that make the product of both curvatures of
-/// the gap less than half of that of the ellipsoid, the function computes with twice the digits.
+/// The wall touches the plane normal·x = offset and is curved along at most one direction: a
+/// plane, a cylinder, or the edge of one.
+///
+/// The relative errors of both curvatures and of the radius are below 1e-12 for the numbers as
+/// given, up to aspect ratio 10⁶, also where the curvatures nearly cancel. The function computes
+/// with twice the digits in two cases: from an aspect ratio of about 10; and for a concave wall
+/// (curvature \< 0), if the product of both curvatures of the gap is less than half of the
+/// product of those of the ellipsoid.
 ///
 /// # Arguments
 ///
 /// - `normal`: Into the half-space, of any length; not zero.
 /// - `offset`: In the unit of normal·x, which scales with `normal`: for a unit normal it is the
-///   distance of the plane from 0. Unit: length.
+///   distance of the plane from 0. It is negative if the centre is in the half-space. Unit:
+///   length.
 /// - `direction`: Across the normal, of any length, along which the wall is curved; not zero.
-/// - `curvature`: Of the wall along `direction`: positive for a wall that is convex, 0 for a
-///   plane. Unit: 1/length.
+/// - `curvature`: Of the wall along `direction`: positive if the wall is convex, 0 for a plane.
+///   Unit: 1/length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
 /// # Errors
@@ -6092,8 +6158,8 @@ pub fn grain_contact_wall(
     Ok(GrainWallContact { depth, point, curvatures, radius })
 }
 
-/// [`grain_contact_wall()`](crate::grain_contact_wall) for many ellipsoids and walls; the bits
-/// are the same.
+/// Computes [`grain_contact_wall()`](crate::grain_contact_wall) for many ellipsoids and walls,
+/// with the same bits.
 ///
 /// # Arguments
 ///
@@ -6177,7 +6243,8 @@ pub fn grain_contact_wall_batch(
     ) })
 }
 
-/// Area of the surface of an ellipsoid: 4π abc R_G(1/a², 1/b², 1/c²), with Carlson's integral.
+/// Computes the surface area of an ellipsoid, 4π abc R_G(1/a², 1/b², 1/c²), with Carlson's
+/// integral R_G.
 ///
 /// # Arguments
 ///
@@ -6201,7 +6268,7 @@ pub fn surface_area(q: &[f64; 6]) -> Result<f64, Error> {
     Ok(area)
 }
 
-/// [`surface_area()`](crate::surface_area) for many ellipsoids; the bits are the same.
+/// Computes [`surface_area()`](crate::surface_area) for many ellipsoids, with the same bits.
 ///
 /// # Arguments
 ///
@@ -6231,9 +6298,9 @@ pub fn surface_area_batch(q: &[[f64; 6]], area: &mut [f64]) -> Result<(), Error>
     check_rows(unsafe { sys::pw85_surface_area_batch(n, q.as_ptr().cast(), area.as_mut_ptr()) })
 }
 
-/// Mean of x xᵀ over a uniform solid ellipsoid, about its centre: q/5.
+/// Computes the mean of x xᵀ over a uniform solid ellipsoid, about its centre: q/5.
 ///
-/// The error of each entry is below u times the entry.
+/// The error of each entry is below u times the entry, with u = 2⁻⁵³.
 ///
 /// # Arguments
 ///
@@ -6257,7 +6324,7 @@ pub fn second_moments(q: &[f64; 6]) -> Result<[f64; 6], Error> {
     Ok(moments)
 }
 
-/// [`second_moments()`](crate::second_moments) for many ellipsoids; the bits are the same.
+/// Computes [`second_moments()`](crate::second_moments) for many ellipsoids, with the same bits.
 ///
 /// # Arguments
 ///
@@ -6291,8 +6358,8 @@ pub fn second_moments_batch(q: &[[f64; 6]], moments: &mut [[f64; 6]]) -> Result<
     ) })
 }
 
-/// Mean of x xᵀ over the surface of an ellipsoid, about its centre: the second moments of a
-/// shell.
+/// Computes the mean of x xᵀ over the surface of an ellipsoid, about its centre: the second
+/// moments of a shell.
 ///
 /// # Arguments
 ///
@@ -6316,7 +6383,7 @@ pub fn shell_moments(q: &[f64; 6]) -> Result<[f64; 6], Error> {
     Ok(moments)
 }
 
-/// [`shell_moments()`](crate::shell_moments) for many ellipsoids; the bits are the same.
+/// Computes [`shell_moments()`](crate::shell_moments) for many ellipsoids, with the same bits.
 ///
 /// # Arguments
 ///
@@ -6350,7 +6417,7 @@ pub fn shell_moments_batch(q: &[[f64; 6]], moments: &mut [[f64; 6]]) -> Result<(
     ) })
 }
 
-/// Perimeter of an ellipse: 8 R_G(0, a², b²), with Carlson's integral.
+/// Computes the perimeter of an ellipse, 8 R_G(0, a², b²), with Carlson's integral R_G.
 ///
 /// # Arguments
 ///
@@ -6374,7 +6441,7 @@ pub fn perimeter_2d(q: &[f64; 3]) -> Result<f64, Error> {
     Ok(perimeter)
 }
 
-/// [`perimeter_2d()`](crate::perimeter_2d) for many ellipses; the bits are the same.
+/// Computes [`perimeter_2d()`](crate::perimeter_2d) for many ellipses, with the same bits.
 ///
 /// # Arguments
 ///
@@ -6408,9 +6475,9 @@ pub fn perimeter_batch_2d(q: &[[f64; 3]], perimeter: &mut [f64]) -> Result<(), E
     ) })
 }
 
-/// Mean of x xᵀ over a uniform ellipse, about its centre: q/4.
+/// Computes the mean of x xᵀ over a uniform ellipse, about its centre: q/4.
 ///
-/// The trace is the moment of inertia about the axis across the plane, for the mass 1.
+/// Its trace is the moment of inertia about the axis across the plane, for the mass 1.
 ///
 /// # Arguments
 ///
@@ -6434,7 +6501,8 @@ pub fn second_moments_2d(q: &[f64; 3]) -> Result<[f64; 3], Error> {
     Ok(moments)
 }
 
-/// [`second_moments_2d()`](crate::second_moments_2d) for many ellipses; the bits are the same.
+/// Computes [`second_moments_2d()`](crate::second_moments_2d) for many ellipses, with the same
+/// bits.
 ///
 /// # Arguments
 ///
@@ -6468,7 +6536,8 @@ pub fn second_moments_batch_2d(q: &[[f64; 3]], moments: &mut [[f64; 3]]) -> Resu
     ) })
 }
 
-/// Mean of x xᵀ over the perimeter of an ellipse, about its centre: the second moments of a wire.
+/// Computes the mean of x xᵀ over the perimeter of an ellipse, about its centre: the second
+/// moments of a wire.
 ///
 /// # Arguments
 ///
@@ -6492,7 +6561,8 @@ pub fn shell_moments_2d(q: &[f64; 3]) -> Result<[f64; 3], Error> {
     Ok(moments)
 }
 
-/// [`shell_moments_2d()`](crate::shell_moments_2d) for many ellipses; the bits are the same.
+/// Computes [`shell_moments_2d()`](crate::shell_moments_2d) for many ellipses, with the same
+/// bits.
 ///
 /// # Arguments
 ///
@@ -6526,14 +6596,17 @@ pub fn shell_moments_batch_2d(q: &[[f64; 3]], moments: &mut [[f64; 3]]) -> Resul
     ) })
 }
 
-/// Distance from an ellipsoid with its centre at 0 to the half-space normal·x \>= offset: (offset
-/// - α)/\|normal\|.
+/// Computes the distance from an ellipsoid with its centre at 0 to the half-space normal·x \>=
+/// offset.
+///
+/// The distance is (offset - α)/\|normal\| with α = √(normalᵀ q normal).
 ///
 /// # Arguments
 ///
 /// - `normal`: Into the half-space, of any length; not zero.
 /// - `offset`: In the unit of normal·x, which scales with `normal`: for a unit normal it is the
-///   distance of the plane from 0; negative if the centre is in the half-space. Unit: length.
+///   distance of the plane from 0. It is negative if the centre is in the half-space. Unit:
+///   length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
 /// # Errors
@@ -6565,8 +6638,8 @@ pub fn distance_plane(
     Ok(SurfaceDistance { distance, point })
 }
 
-/// [`distance_plane()`](crate::distance_plane) for many ellipsoids and half-spaces; the bits are
-/// the same.
+/// Computes [`distance_plane()`](crate::distance_plane) for many ellipsoids and half-spaces, with
+/// the same bits.
 ///
 /// # Arguments
 ///
@@ -6620,9 +6693,10 @@ pub fn distance_plane_batch(
     ) })
 }
 
-/// Derivatives of the distance to a half-space, which do not depend on its offset.
+/// Computes the derivatives of the distance to a half-space, which do not depend on its offset.
 ///
-/// -n and n × point, with n the unit normal.
+/// They are -n and n × point, with the unit normal n and the point of
+/// [`distance_plane()`](crate::distance_plane).
 ///
 /// # Arguments
 ///
@@ -6656,8 +6730,8 @@ pub fn distance_plane_derivatives(
     Ok(PlaneDerivatives { d_center, d_rot })
 }
 
-/// [`distance_plane_derivatives()`](crate::distance_plane_derivatives) for many ellipsoids and
-/// half-spaces; the bits are the same.
+/// Computes [`distance_plane_derivatives()`](crate::distance_plane_derivatives) for many
+/// ellipsoids and half-spaces, with the same bits.
 ///
 /// # Arguments
 ///
@@ -6705,13 +6779,15 @@ pub fn distance_plane_derivatives_batch(
     ) })
 }
 
-/// Contact function of an ellipsoid with its centre at 0 and the half-space normal·x \>= offset.
+/// Computes the contact function of an ellipsoid with its centre at 0 and the half-space normal·x
+/// \>= offset.
 ///
 /// # Arguments
 ///
 /// - `normal`: Into the half-space, of any length; not zero.
 /// - `offset`: In the unit of normal·x, which scales with `normal`: for a unit normal it is the
-///   distance of the plane from 0. Unit: length.
+///   distance of the plane from 0. It is negative if the centre is in the half-space. Unit:
+///   length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
 /// # Errors
@@ -6739,8 +6815,8 @@ pub fn contact_plane(normal: &[f64; 3], offset: f64, q: &[f64; 6]) -> Result<Pla
     Ok(PlaneContact { mu2, point })
 }
 
-/// [`contact_plane()`](crate::contact_plane) for many ellipsoids and half-spaces; the bits are
-/// the same.
+/// Computes [`contact_plane()`](crate::contact_plane) for many ellipsoids and half-spaces, with
+/// the same bits.
 ///
 /// # Arguments
 ///
@@ -6793,16 +6869,18 @@ pub fn contact_plane_batch(
     ) })
 }
 
-/// Derivatives of μ² of [`contact_plane()`](crate::contact_plane).
+/// Computes the derivatives of μ² of [`contact_plane()`](crate::contact_plane).
 ///
-/// -2μ n/α and 2μ² (n × p)/α, with p the point of the ellipsoid that is nearest to the
-/// half-space, n the normal as given and α = n·p; zero if the centre is in the half-space.
+/// They are -2μ n/α and 2μ² (n × p)/α, with the normal n as given, the point p of the ellipsoid
+/// that is nearest to the half-space, and α = n·p. They are zero if the centre is in the
+/// half-space.
 ///
 /// # Arguments
 ///
 /// - `normal`: Into the half-space, of any length; not zero.
 /// - `offset`: In the unit of normal·x, which scales with `normal`: for a unit normal it is the
-///   distance of the plane from 0. Unit: length.
+///   distance of the plane from 0. It is negative if the centre is in the half-space. Unit:
+///   length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
 /// # Errors
@@ -6838,8 +6916,8 @@ pub fn contact_plane_derivatives(
     Ok(PlaneDerivatives { d_center, d_rot })
 }
 
-/// [`contact_plane_derivatives()`](crate::contact_plane_derivatives) for many ellipsoids and
-/// half-spaces; the bits are the same.
+/// Computes [`contact_plane_derivatives()`](crate::contact_plane_derivatives) for many ellipsoids
+/// and half-spaces, with the same bits.
 ///
 /// # Arguments
 ///
@@ -6898,11 +6976,10 @@ pub fn contact_plane_derivatives_batch(
     ) })
 }
 
-/// Distance from an ellipsoid with its centre at 0 to the nearest face of a box around it, a
-/// container.
+/// Computes the distance from an ellipsoid with its centre at 0 to the nearest face of a box
+/// around it, a container.
 ///
-/// The distance to a solid box, an obstacle, is
-/// [`distance_solid_box()`](crate::distance_solid_box).
+/// For a solid box, an obstacle, see [`distance_solid_box()`](crate::distance_solid_box).
 ///
 /// # Arguments
 ///
@@ -6947,7 +7024,8 @@ pub fn distance_box(
     Ok(DistanceBox { distance, point, normal })
 }
 
-/// [`distance_box()`](crate::distance_box) for many ellipsoids and boxes; the bits are the same.
+/// Computes [`distance_box()`](crate::distance_box) for many ellipsoids and boxes, with the same
+/// bits.
 ///
 /// # Arguments
 ///
@@ -7012,11 +7090,13 @@ pub fn distance_box_batch(
     ) })
 }
 
-/// Distance from an ellipsoid to the wall of a cylinder of infinite length around it.
+/// Computes the distance from an ellipsoid to the wall of a cylinder of infinite length around
+/// it.
 ///
 /// # Arguments
 ///
-/// - `axis`: Direction of the axis, which goes through 0; of any length; not zero.
+/// - `axis`: Direction of the axis of the cylinder, which goes through 0; of any length; not
+///   zero.
 /// - `radius`: Of the cylinder; \> 0. Unit: length.
 /// - `center`: Of the ellipsoid. Unit: length.
 /// - `q`: Form of the ellipsoid. Unit: length².
@@ -7060,8 +7140,8 @@ pub fn distance_cylinder(
     Ok(DistanceCylinder { distance, point, normal })
 }
 
-/// [`distance_cylinder()`](crate::distance_cylinder) for many ellipsoids and cylinders; the bits
-/// are the same.
+/// Computes [`distance_cylinder()`](crate::distance_cylinder) for many ellipsoids and cylinders,
+/// with the same bits.
 ///
 /// # Arguments
 ///
@@ -7132,7 +7212,7 @@ pub fn distance_cylinder_batch(
     ) })
 }
 
-/// Distance from a point to the surface of an ellipsoid.
+/// Computes the distance from a point to the surface of an ellipsoid.
 ///
 /// # Arguments
 ///
@@ -7165,8 +7245,8 @@ pub fn distance_point(r: &[f64; 3], q: &[f64; 6]) -> Result<DistancePoint, Error
     Ok(DistancePoint { distance, point, normal })
 }
 
-/// [`distance_point()`](crate::distance_point) for many points and ellipsoids; the bits are the
-/// same.
+/// Computes [`distance_point()`](crate::distance_point) for many points and ellipsoids, with the
+/// same bits.
 ///
 /// # Arguments
 ///
@@ -7219,14 +7299,13 @@ pub fn distance_point_batch(
     ) })
 }
 
-/// The part t\[0\] \<= t \<= t\[1\] of the line origin + t·direction that is in an ellipsoid.
+/// Computes the part t\[0\] \<= t \<= t\[1\] of the line origin + t·direction that is in an
+/// ellipsoid.
 ///
-/// A ray from the origin has t \>= 0, the segment from the origin to origin + direction 0 \<= t
-/// \<= 1.
-///
-/// Rounding errors decide about lines that are nearly tangent.
-/// [`overlap_segment()`](crate::overlap_segment) says exactly whether a segment has inner points
-/// of the ellipsoid.
+/// A ray from the origin has t \>= 0. The segment from origin to origin + direction has 0 \<= t
+/// \<= 1. If the line is nearly tangent, rounding errors decide whether it misses the ellipsoid.
+/// [`overlap_segment()`](crate::overlap_segment) decides exactly whether a segment has points
+/// inside the ellipsoid.
 ///
 /// # Arguments
 ///
@@ -7265,8 +7344,8 @@ pub fn intersect_line(
     Ok(Chord { enter: t[0], leave: t[1] })
 }
 
-/// [`intersect_line()`](crate::intersect_line) for many lines and ellipsoids; the bits are the
-/// same.
+/// Computes [`intersect_line()`](crate::intersect_line) for many lines and ellipsoids, with the
+/// same bits.
 ///
 /// # Arguments
 ///
@@ -7320,8 +7399,9 @@ pub fn intersect_line_batch(
     ) })
 }
 
-/// Volume of the part of an ellipsoid that is in the half-space of the points x with normal·x \<=
-/// offset, relative to the centre of the ellipsoid.
+/// Computes the volume of the part of an ellipsoid that is in the half-space normal·x \<= offset.
+///
+/// The points x are relative to the centre of the ellipsoid.
 ///
 /// # Arguments
 ///
@@ -7352,8 +7432,8 @@ pub fn overlap_volume_plane(normal: &[f64; 3], offset: f64, q: &[f64; 6]) -> Res
     Ok(volume)
 }
 
-/// [`overlap_volume_plane()`](crate::overlap_volume_plane) for many ellipsoids and half-spaces;
-/// the bits are the same.
+/// Computes [`overlap_volume_plane()`](crate::overlap_volume_plane) for many ellipsoids and
+/// half-spaces, with the same bits.
 ///
 /// # Arguments
 ///
@@ -7398,7 +7478,7 @@ pub fn overlap_volume_plane_batch(
     ) })
 }
 
-/// Contact function of an ellipsoid and a segment.
+/// Computes the contact function of an ellipsoid and a segment.
 ///
 /// # Arguments
 ///
@@ -7441,9 +7521,9 @@ pub fn contact_segment(
     Ok(ShapeContact { mu2, point })
 }
 
-/// [`contact_segment()`](crate::contact_segment) for many ellipsoids and segments.
+/// Computes [`contact_segment()`](crate::contact_segment) for many ellipsoids and segments.
 ///
-/// The bound of the error is the same; the last bits may differ.
+/// The error has the same bound. The last bits may differ.
 ///
 /// # Arguments
 ///
@@ -7496,16 +7576,16 @@ pub fn contact_segment_batch(
     ) })
 }
 
-/// Contact function of an ellipsoid and a triangle.
+/// Computes the contact function of an ellipsoid and a triangle.
 ///
 /// # Arguments
 ///
 /// - `vertex1`: Of the triangle, relative to the centre of the ellipsoid; a triangle without area
-///   is the segment or the point that has all three vertices. Unit: length.
+///   is a segment or a point. Unit: length.
 /// - `vertex2`: Of the triangle, relative to the centre of the ellipsoid; a triangle without area
-///   is the segment or the point that has all three vertices. Unit: length.
+///   is a segment or a point. Unit: length.
 /// - `vertex3`: Of the triangle, relative to the centre of the ellipsoid; a triangle without area
-///   is the segment or the point that has all three vertices. Unit: length.
+///   is a segment or a point. Unit: length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
 /// # Errors
@@ -7544,9 +7624,9 @@ pub fn contact_triangle(
     Ok(ShapeContact { mu2, point })
 }
 
-/// [`contact_triangle()`](crate::contact_triangle) for many ellipsoids and triangles.
+/// Computes [`contact_triangle()`](crate::contact_triangle) for many ellipsoids and triangles.
 ///
-/// The bound of the error is the same; the last bits may differ.
+/// The error has the same bound. The last bits may differ.
 ///
 /// # Arguments
 ///
@@ -7604,7 +7684,7 @@ pub fn contact_triangle_batch(
     ) })
 }
 
-/// Contact function of an ellipsoid and a solid box with sides along the axes.
+/// Computes the contact function of an ellipsoid and a solid box with sides along the axes.
 ///
 /// # Arguments
 ///
@@ -7647,9 +7727,9 @@ pub fn contact_box(
     Ok(ShapeContact { mu2, point })
 }
 
-/// [`contact_box()`](crate::contact_box) for many ellipsoids and boxes.
+/// Computes [`contact_box()`](crate::contact_box) for many ellipsoids and boxes.
 ///
-/// The bound of the error is the same; the last bits may differ.
+/// The error has the same bound. The last bits may differ.
 ///
 /// # Arguments
 ///
@@ -7704,8 +7784,7 @@ pub fn contact_box_batch(
 
 /// Tests whether an ellipsoid and a segment overlap, μ² \< 1.
 ///
-/// If they only touch, they do not. The answer is that of exact arithmetic for the numbers given,
-/// as that of [`overlap()`](crate::overlap).
+/// If they only touch, they do not overlap. The answer is exact for the numbers given.
 ///
 /// # Arguments
 ///
@@ -7740,8 +7819,8 @@ pub fn overlap_segment(end1: &[f64; 3], end2: &[f64; 3], q: &[f64; 6]) -> Result
     Ok(overlap == 1)
 }
 
-/// [`overlap_segment()`](crate::overlap_segment) for many ellipsoids and segments; the answers
-/// are the same.
+/// Computes [`overlap_segment()`](crate::overlap_segment) for many ellipsoids and segments, with
+/// the same answers.
 ///
 /// # Arguments
 ///
@@ -7788,8 +7867,7 @@ pub fn overlap_segment_batch(
 
 /// Tests whether an ellipsoid and a triangle overlap, μ² \< 1.
 ///
-/// If they only touch, they do not. The answer is that of exact arithmetic for the numbers given,
-/// as that of [`overlap()`](crate::overlap).
+/// If they only touch, they do not overlap. The answer is exact for the numbers given.
 ///
 /// # Arguments
 ///
@@ -7832,8 +7910,8 @@ pub fn overlap_triangle(
     Ok(overlap == 1)
 }
 
-/// [`overlap_triangle()`](crate::overlap_triangle) for many ellipsoids and triangles; the answers
-/// are the same.
+/// Computes [`overlap_triangle()`](crate::overlap_triangle) for many ellipsoids and triangles,
+/// with the same answers.
 ///
 /// # Arguments
 ///
@@ -7889,8 +7967,7 @@ pub fn overlap_triangle_batch(
 
 /// Tests whether an ellipsoid and a solid box with sides along the axes overlap, μ² \< 1.
 ///
-/// If they only touch, they do not. The answer is that of exact arithmetic for the numbers given,
-/// as that of [`overlap()`](crate::overlap).
+/// If they only touch, they do not overlap. The answer is exact for the numbers given.
 ///
 /// # Arguments
 ///
@@ -7927,7 +8004,8 @@ pub fn overlap_box(lower: &[f64; 3], upper: &[f64; 3], q: &[f64; 6]) -> Result<b
     Ok(overlap == 1)
 }
 
-/// [`overlap_box()`](crate::overlap_box) for many ellipsoids and boxes; the answers are the same.
+/// Computes [`overlap_box()`](crate::overlap_box) for many ellipsoids and boxes, with the same
+/// answers.
 ///
 /// # Arguments
 ///
@@ -7972,7 +8050,8 @@ pub fn overlap_box_batch(
     ) })
 }
 
-/// Signed distance of an ellipsoid and a segment, and the points where it is reached.
+/// Computes the signed distance of an ellipsoid and a segment, and the points where it is
+/// reached.
 ///
 /// # Arguments
 ///
@@ -8017,8 +8096,8 @@ pub fn distance_segment(
     Ok(ShapeDistance { distance, point1, point2, normal })
 }
 
-/// [`distance_segment()`](crate::distance_segment) for many ellipsoids and segments; the bits are
-/// the same.
+/// Computes [`distance_segment()`](crate::distance_segment) for many ellipsoids and segments,
+/// with the same bits.
 ///
 /// # Arguments
 ///
@@ -8089,9 +8168,10 @@ pub fn distance_segment_batch(
     ) })
 }
 
-/// Signed distance of an ellipsoid and a triangle, which is a surface.
+/// Computes the signed distance of an ellipsoid and a triangle, and the points where it is
+/// reached.
 ///
-/// An overlap is undone by a translation to either side.
+/// The triangle is a surface: a translation to either side undoes an overlap.
 ///
 /// # Arguments
 ///
@@ -8140,8 +8220,8 @@ pub fn distance_triangle(
     Ok(ShapeDistance { distance, point1, point2, normal })
 }
 
-/// [`distance_triangle()`](crate::distance_triangle) for many ellipsoids and triangles; the bits
-/// are the same.
+/// Computes [`distance_triangle()`](crate::distance_triangle) for many ellipsoids and triangles,
+/// with the same bits.
 ///
 /// # Arguments
 ///
@@ -8218,7 +8298,8 @@ pub fn distance_triangle_batch(
     ) })
 }
 
-/// Signed distance of an ellipsoid and a solid box with sides along the axes.
+/// Computes the signed distance of an ellipsoid and a solid box with sides along the axes, and
+/// the points where it is reached.
 ///
 /// For a box around the ellipsoid, a container, see [`distance_box()`](crate::distance_box).
 ///
@@ -8267,8 +8348,8 @@ pub fn distance_solid_box(
     Ok(ShapeDistance { distance, point1, point2, normal })
 }
 
-/// [`distance_solid_box()`](crate::distance_solid_box) for many ellipsoids and boxes; the bits
-/// are the same.
+/// Computes [`distance_solid_box()`](crate::distance_solid_box) for many ellipsoids and boxes,
+/// with the same bits.
 ///
 /// # Arguments
 ///
@@ -8339,7 +8420,7 @@ pub fn distance_solid_box_batch(
     ) })
 }
 
-/// Contact function of an ellipsoid and a capsule.
+/// Computes the contact function of an ellipsoid and a capsule.
 ///
 /// # Arguments
 ///
@@ -8386,8 +8467,8 @@ pub fn contact_capsule(
     Ok(ShapeContact { mu2, point })
 }
 
-/// [`contact_capsule()`](crate::contact_capsule) for many ellipsoids and capsules; the bits are
-/// the same.
+/// Computes [`contact_capsule()`](crate::contact_capsule) for many ellipsoids and capsules, with
+/// the same bits.
 ///
 /// # Arguments
 ///
@@ -8447,8 +8528,10 @@ pub fn contact_capsule_batch(
 
 /// Tests whether an ellipsoid and a capsule overlap, μ² \< 1.
 ///
-/// If they only touch, they do not. The answer is that of exact arithmetic unless 1 - μ² is
-/// positive and below 2⁻³⁶⁰ (S + 2 radius \|s\|): such an overlap counts as touching.
+/// If they only touch, they do not overlap.
+///
+/// The answer is exact for the numbers given, with one exception: if 1 - μ² is positive and below
+/// 2⁻³⁶⁰ (S + 2 radius \|s\|), the two count as touching.
 ///
 /// # Arguments
 ///
@@ -8491,8 +8574,8 @@ pub fn overlap_capsule(
     Ok(overlap == 1)
 }
 
-/// [`overlap_capsule()`](crate::overlap_capsule) for many ellipsoids and capsules; the answers
-/// are the same.
+/// Computes [`overlap_capsule()`](crate::overlap_capsule) for many ellipsoids and capsules, with
+/// the same answers.
 ///
 /// # Arguments
 ///
@@ -8546,7 +8629,8 @@ pub fn overlap_capsule_batch(
     ) })
 }
 
-/// Signed distance of an ellipsoid and a capsule, and the points where it is reached.
+/// Computes the signed distance of an ellipsoid and a capsule, and the points where it is
+/// reached.
 ///
 /// # Arguments
 ///
@@ -8595,8 +8679,8 @@ pub fn distance_capsule(
     Ok(ShapeDistance { distance, point1, point2, normal })
 }
 
-/// [`distance_capsule()`](crate::distance_capsule) for many ellipsoids and capsules; the bits are
-/// the same.
+/// Computes [`distance_capsule()`](crate::distance_capsule) for many ellipsoids and capsules,
+/// with the same bits.
 ///
 /// # Arguments
 ///
@@ -8673,7 +8757,7 @@ pub fn distance_capsule_batch(
     ) })
 }
 
-/// Distance from a point to an ellipse, the curve; see
+/// Computes the distance from a point to the perimeter of an ellipse; see
 /// [`distance_point()`](crate::distance_point).
 ///
 /// # Arguments
@@ -8707,8 +8791,8 @@ pub fn distance_point_2d(r: &[f64; 2], q: &[f64; 3]) -> Result<SurfaceDistance2d
     Ok(SurfaceDistance2d { distance, point, normal })
 }
 
-/// [`distance_point_2d()`](crate::distance_point_2d) for many points and ellipses; the bits are
-/// the same.
+/// Computes [`distance_point_2d()`](crate::distance_point_2d) for many points and ellipses, with
+/// the same bits.
 ///
 /// # Arguments
 ///
@@ -8761,7 +8845,7 @@ pub fn distance_point_batch_2d(
     ) })
 }
 
-/// Contact function of an ellipse and a segment; see
+/// Computes the contact function of an ellipse and a segment; see
 /// [`contact_segment()`](crate::contact_segment).
 ///
 /// # Arguments
@@ -8801,8 +8885,8 @@ pub fn contact_segment_2d(
     Ok(ShapeContact2d { mu2, point })
 }
 
-/// [`contact_segment_2d()`](crate::contact_segment_2d) for many ellipses and segments; the bits
-/// are the same.
+/// Computes [`contact_segment_2d()`](crate::contact_segment_2d) for many ellipses and segments,
+/// with the same bits.
 ///
 /// # Arguments
 ///
@@ -8855,8 +8939,9 @@ pub fn contact_segment_batch_2d(
     ) })
 }
 
-/// Contact function of an ellipse and a solid rectangle with sides along the axes; see
-/// [`contact_box()`](crate::contact_box).
+/// Computes the contact function of an ellipse and a solid rectangle with sides along the axes.
+///
+/// See [`contact_box()`](crate::contact_box).
 ///
 /// # Arguments
 ///
@@ -8895,8 +8980,8 @@ pub fn contact_box_2d(
     Ok(ShapeContact2d { mu2, point })
 }
 
-/// [`contact_box_2d()`](crate::contact_box_2d) for many ellipses and boxes; the bits are the
-/// same.
+/// Computes [`contact_box_2d()`](crate::contact_box_2d) for many ellipses and boxes, with the
+/// same bits.
 ///
 /// # Arguments
 ///
@@ -8949,7 +9034,7 @@ pub fn contact_box_batch_2d(
     ) })
 }
 
-/// Tests whether an ellipse and a segment overlap, μ² \< 1; see
+/// Tests whether an ellipse and a segment overlap; see
 /// [`overlap_segment()`](crate::overlap_segment).
 ///
 /// # Arguments
@@ -8983,8 +9068,8 @@ pub fn overlap_segment_2d(end1: &[f64; 2], end2: &[f64; 2], q: &[f64; 3]) -> Res
     Ok(overlap == 1)
 }
 
-/// [`overlap_segment_2d()`](crate::overlap_segment_2d) for many ellipses and segments; the
-/// answers are the same.
+/// Computes [`overlap_segment_2d()`](crate::overlap_segment_2d) for many ellipses and segments,
+/// with the same answers.
 ///
 /// # Arguments
 ///
@@ -9029,7 +9114,7 @@ pub fn overlap_segment_batch_2d(
     ) })
 }
 
-/// Tests whether an ellipse and a solid rectangle with sides along the axes overlap, μ² \< 1; see
+/// Tests whether an ellipse and a solid rectangle with sides along the axes overlap; see
 /// [`overlap_box()`](crate::overlap_box).
 ///
 /// # Arguments
@@ -9063,8 +9148,8 @@ pub fn overlap_box_2d(lower: &[f64; 2], upper: &[f64; 2], q: &[f64; 3]) -> Resul
     Ok(overlap == 1)
 }
 
-/// [`overlap_box_2d()`](crate::overlap_box_2d) for many ellipses and boxes; the answers are the
-/// same.
+/// Computes [`overlap_box_2d()`](crate::overlap_box_2d) for many ellipses and boxes, with the
+/// same answers.
 ///
 /// # Arguments
 ///
@@ -9109,12 +9194,12 @@ pub fn overlap_box_batch_2d(
     ) })
 }
 
-/// [`contact()`](crate::contact), [`contact_geometry()`](crate::contact_geometry),
-/// [`contact_gradient()`](crate::contact_gradient) and
-/// [`contact_torque()`](crate::contact_torque) for many pairs.
+/// Computes all that the forces and torques of an energy U(μ²) need, for many pairs.
 ///
-/// All that the forces and torques of an energy U(μ²) need. A pair with r12 = 0 is valid: its
-/// derivatives are zero, its point and normal NaN.
+/// The results of [`contact()`](crate::contact), [`contact_geometry()`](crate::contact_geometry),
+/// [`contact_gradient()`](crate::contact_gradient) and
+/// [`contact_torque()`](crate::contact_torque). A pair with r12 = 0 is valid: its derivatives are
+/// zero, its point and normal NaN.
 ///
 /// # Arguments
 ///
@@ -9124,8 +9209,10 @@ pub fn overlap_box_batch_2d(
 /// - `point`: Contact points relative to the centres of the first ellipsoids. Unit: length.
 /// - `normal`: Unit normals.
 /// - `d_r12`: ∂μ²/∂r12. Unit: 1/length.
-/// - `d_rot1`: ∂μ²/∂(rotation vector) of either ellipsoid about its own centre, per radian.
-/// - `d_rot2`: ∂μ²/∂(rotation vector) of either ellipsoid about its own centre, per radian.
+/// - `d_rot1`: Derivatives with respect to rotations, as for
+///   [`contact_torque()`](crate::contact_torque).
+/// - `d_rot2`: Derivatives with respect to rotations, as for
+///   [`contact_torque()`](crate::contact_torque).
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
 ///
@@ -9202,7 +9289,7 @@ pub fn contact_derivatives_batch(
     ) })
 }
 
-/// Tight boxes, with sides along the axes, around n ellipsoids.
+/// Computes the smallest boxes, with sides along the axes, around n ellipsoids.
 ///
 /// # Arguments
 ///
@@ -9236,11 +9323,13 @@ pub fn bounding_boxes(q: &[[f64; 6]], half_widths: &mut [[f64; 3]]) -> Result<()
     ) })
 }
 
-/// Form of the uniform solid ellipsoid that has given second moments.
+/// Computes the form of the uniform solid ellipsoid with given second moments.
 ///
-/// 5 times these, the inverse of [`second_moments()`](crate::second_moments). Other bodies get
-/// the ellipsoid with their second moments, which has another volume. The error of each entry is
-/// below u times the entry.
+/// 5 times the moments, the inverse of [`second_moments()`](crate::second_moments).
+///
+/// For a body of another shape, the result is the ellipsoid with the second moments of the body.
+/// Its volume differs from that of the body. The error of each entry is below u times the entry,
+/// with u = 2⁻⁵³.
 ///
 /// # Arguments
 ///
@@ -9264,7 +9353,7 @@ pub fn from_moments(second_moments: &[f64; 6]) -> Result<[f64; 6], Error> {
     Ok(q)
 }
 
-/// [`from_moments()`](crate::from_moments) for many ellipsoids; the bits are the same.
+/// Computes [`from_moments()`](crate::from_moments) for many ellipsoids, with the same bits.
 ///
 /// # Arguments
 ///
@@ -9298,7 +9387,7 @@ pub fn from_moments_batch(second_moments: &[[f64; 6]], q: &mut [[f64; 6]]) -> Re
     ) })
 }
 
-/// Form of the uniform ellipse that has given second moments: 4 times these; see
+/// Computes the form of the uniform ellipse with given second moments: 4 times the moments; see
 /// [`from_moments()`](crate::from_moments).
 ///
 /// # Arguments
@@ -9323,7 +9412,7 @@ pub fn from_moments_2d(second_moments: &[f64; 3]) -> Result<[f64; 3], Error> {
     Ok(q)
 }
 
-/// [`from_moments_2d()`](crate::from_moments_2d) for many ellipses; the bits are the same.
+/// Computes [`from_moments_2d()`](crate::from_moments_2d) for many ellipses, with the same bits.
 ///
 /// # Arguments
 ///
