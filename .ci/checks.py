@@ -12,6 +12,7 @@ output are "N skipped" and "N passed, N failed".
 import argparse
 import contextlib
 import dataclasses
+import fnmatch
 import json
 import os
 import shutil
@@ -211,8 +212,14 @@ def check_platforms(results):
 
 
 def tracked(*patterns):
-    return subprocess.run(["git", "ls-files", "--", *patterns], cwd=ROOT, check=True, text=True,
-                          stdout=subprocess.PIPE).stdout.split()
+    """The files that git tracks; in the folder of a tarball, which has no repository, all sources. A pattern is a file, or has stars,
+    which match slashes too; ":!NAME" leaves out a file or a folder."""
+    listed = subprocess.run(["sh", "-c", ". scripts/minimal_system.sh && list_sources"], cwd=ROOT, check=True, text=True,
+                            stdout=subprocess.PIPE).stdout.split("\0")[:-1]
+    wanted = [pattern for pattern in patterns if not pattern.startswith(":!")] or ["*"]
+    excluded = [pattern[2:] for pattern in patterns if pattern.startswith(":!")]
+    return sorted(name for name in listed if any(fnmatch.fnmatchcase(name, pattern) for pattern in wanted)
+                  and not any(name == one or name.startswith(f"{one}/") for one in excluded))  # fmt: skip
 
 
 def check_static(results):
@@ -424,6 +431,11 @@ def check_languages(results):
     results.add("scripts/test_languages.sh", run(["scripts/test_languages.sh"]))
 
 
+def check_tarball(results):
+    """The tarball of a release builds and tests itself in a minimal system without a network."""
+    results.add("scripts/test_tarball.sh", run(["scripts/test_tarball.sh", "bookworm"]))
+
+
 def check_foreign(results):
     """The library by a compiler and an emulator for 64-bit ARM. It compiles in little more than half the time with less optimisation, which
     changes no bit; the part `platforms` compiles it as users do."""
@@ -491,6 +503,7 @@ PARTS = {
     "rust": Part(check_rust, "$build_packages libboost-dev $rust_packages", by_default=False),
     "languages": Part(check_languages, "$build_packages $python_packages gfortran $octave_packages $rust_packages $npm_packages "
                       "r-base-core r-base-dev", by_default=False),
+    "tarball": Part(check_tarball, "$build_packages git mmdebstrap iproute2 xz-utils", by_default=False),
     "formats": Part(check_formats, f"{TEST} {MEASURING}", after=("tests",), by_default=False),
     "valgrind": Part(check_valgrind, f"{TEST} valgrind", after=("tests", "pages"), by_default=False),
     "platforms": Part(check_platforms, f"{TEST} {MACHINES}", after=("tests", "foreign"), by_default=False),

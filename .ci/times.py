@@ -7,6 +7,7 @@ its times on record, without anything in the cache. README's commands run alone 
 import datetime
 import json
 import platform
+import re
 import statistics
 from pathlib import Path
 
@@ -22,7 +23,7 @@ def read(times, tests):
         done = json.loads(line)
         command = done["command"]
         if "-c" in command and "-o" in command:
-            name = command[command.index("-o") + 1]
+            name = without_version(command[command.index("-o") + 1])
             units[name] = units.get(name, 0.0) + done["seconds"]
         else:
             for test in tests:
@@ -30,6 +31,11 @@ def read(times, tests):
                     programs[test["name"]] = round(programs.get(test["name"], 0.0) + done["seconds"], 2)
                     break
     return {"units": units, "tests": programs}
+
+
+def without_version(name):
+    """The name of a unit of a library. That of Meson's has the version of the library, with which no record would outlive a release."""
+    return re.sub(r"\.so(\.\d+)+", ".so", name)
 
 
 def is_of(done, test):
@@ -54,7 +60,8 @@ def grown(now, before):
 
 
 def load():
-    return json.loads(RECORD.read_text(encoding="utf-8")) if RECORD.exists() else {"units": {}, "tests": {}, "parts": {}}
+    record = json.loads(RECORD.read_text(encoding="utf-8")) if RECORD.exists() else {"units": {}, "tests": {}, "parts": {}}
+    return {**record, "units": {without_version(name): seconds for name, seconds in record["units"].items()}}
 
 
 def processor_name():

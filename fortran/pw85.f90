@@ -24,7 +24,7 @@ module pw85
   !> The version of this module (pw85_version() is that of the library), constants of the headers,
   !> and statuses.
   integer(c_int), parameter, public :: pw85_version_major = 3
-  integer(c_int), parameter, public :: pw85_version_minor = 0
+  integer(c_int), parameter, public :: pw85_version_minor = 1
   integer(c_int), parameter, public :: pw85_version_patch = 0
   integer(c_int), parameter, public :: pw85_dim = 3
   integer(c_int), parameter, public :: pw85_sym = 6

@@ -209,13 +209,32 @@ def complaints_of_parts(workflow):
     yield from (f"checks.yml does not run the part {part}" for part in sorted(missing))
 
 
+# What hosts show in another way on the page of a release than in a file: names of people, emphasis by mistake, links to files.
+MISREAD = re.compile(r"(?<![\w`])@\w+|\w\*\*\w|\]\((?!https?://)[^)]*\)")
+
+
+def new_functions():
+    """The functions that this version has first, but for those of many rows, which come with them."""
+    lists = [path.read_text(encoding="utf-8") for path in (ROOT / "debian").glob("*.symbols")]
+    first = {name for text in lists for name in re.findall(rf"^ (\w+)@Base {re.escape(VERSION)}$", text, re.MULTILINE)}
+    return sorted({name.replace("_batch", "") for name in first})
+
+
 def complaints_of_release():
     text = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
-    if not release_notes.section(text, VERSION):
+    section = release_notes.section(text, VERSION)
+    if section:
+        page = re.sub(r"`[^`]*`", "", release_notes.with_long_lines(section))
+        yield from (f"CHANGELOG.md: {found!r} is misread on the page of a release" for found in MISREAD.findall(page))
+        yield from (f"CHANGELOG.md, {VERSION}: {name} is not named" for name in new_functions() if not re.search(rf"`{name}\b", section))
+    else:
         yield f"CHANGELOG.md has no section for {VERSION} with a date"
     notes = release_notes.section("# A\n\n## [2.0.0] - 2026-01-02\n\n- b\n\n## [1.0.0] - 2025-01-02\n\n- c\n", "2.0.0")
     if notes != "- b":
         yield f"notes of a release are {notes!r}"
+    joined = release_notes.with_long_lines("### A\n\nb\nc:\n\n- d\n  -e f\n- g\n\n#### H\n\n- i\n  j")
+    if joined != "### A\n\nb c:\n\n- d -e f\n- g\n\n#### H\n\n- i j":
+        yield f"joined lines are {joined!r}"
     done = subprocess.run([sys.executable, HERE / "fill.py", "/nowhere"], capture_output=True, text=True)
     empty = [name for name, value in fill.addresses().items() if not value]
     if empty and (done.returncode == 0 or "archive" not in done.stderr):

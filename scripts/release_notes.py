@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Prints the section of CHANGELOG.md for a version, for the page of a release. Usage: release_notes.py VERSION
 
-It fails unless the section has a date, and the version is that of meson.build.
+It fails unless the section has a date, and the version is that of meson.build. Each paragraph and each item is one line, because hosts
+show the line breaks of such a page.
 """
 
 import re
@@ -17,6 +18,11 @@ def section(text, version):
     return found and found[1].strip()
 
 
+def with_long_lines(markdown):
+    """The text with the lines of each paragraph and of each item joined."""
+    return re.sub(r"(?<=\S)\n *(?=[^\s#-]|-\S)", " ", markdown)
+
+
 def version_of_sources():
     return re.search(r"project\(\s*'pw85',.*?version: '([^']+)'", (ROOT / "meson.build").read_text(encoding="utf-8"), re.DOTALL)[1]
 
@@ -28,7 +34,7 @@ def main():
     notes = section((ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), version)
     if not notes:
         sys.exit(f"CHANGELOG.md has no section for {version} with a date")
-    print(notes)
+    print(with_long_lines(notes))
 
 
 if __name__ == "__main__":

@@ -22,6 +22,8 @@ REPEATED = [
     ((PERCOLATION, r"(0\.\d+) along any of"), (THRESHOLDS, r'"any": (0\.\d+)')),
     ((PERCOLATION, r"1/\\nu = (\d\.\d+)`"), (THRESHOLDS, r"INVERSE_NU = (\d\.\d+)")),
     (("CITATION.cff", r"(?<!-)version: (\d\S+)"), ("meson.build", r"project\( *'pw85',.*? version: '(\S+)'")),
+    (("debian/changelog", r"^pw85 \((\S+)-\d+\)"), ("CITATION.cff", r"(?<!-)version: (\d\S+)")),
+    (("js/README.md", r"makes pw85-(\S+)\.tgz"), ("CITATION.cff", r"(?<!-)version: (\d\S+)")),
     ((BIBTEX, r"Version (\S+)}"), ("CITATION.cff", r"(?<!-)version: (\d\S+)")),
     ((BIBTEX, r"title = {(pw85.*?)},"), ("CITATION.cff", r'title: "(pw85.*?)"')),
     ((BIBTEX, r"author = {{(.*?)}},"), ("CITATION.cff", r"- name: (.*?) version:")),

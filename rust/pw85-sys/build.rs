@@ -6,7 +6,7 @@ mod vendored;
 use std::env;
 use std::process::{exit, Command};
 
-const NEEDED: &str = "pw85 >= 3";
+const NEEDED: &str = concat!("pw85 >= ", env!("CARGO_PKG_VERSION"));
 
 fn main() {
     for name in ["PKG_CONFIG", "PKG_CONFIG_PATH", "PKG_CONFIG_LIBDIR"] {
@@ -44,12 +44,14 @@ fn pkg_config(arguments: &[&str]) -> String {
             ))
         });
     if !output.status.success() {
-        refuse(
-            "the library pw85, version 3 or later, is not installed where pkg-config looks for it.\n\
+        refuse(concat!(
+            "the library pw85, version ",
+            env!("CARGO_PKG_VERSION"),
+            " or later, is not installed where pkg-config looks for it.\n\
              Install it, and add the folder of its file pw85.pc to PKG_CONFIG_PATH: \
              export PKG_CONFIG_PATH=PREFIX/lib/pkgconfig\n\
-             Or let the crate compile it, by its feature `vendored`.",
-        );
+             Or let the crate compile it, by its feature `vendored`."
+        ));
     }
     String::from_utf8_lossy(&output.stdout).into_owned()
 }

@@ -43,9 +43,9 @@ CHANGES = [
 
 
 def copy_tree(target):
-    listed = subprocess.run(["git", "ls-files", "--cached", "--others", "--exclude-standard"], cwd=ROOT, check=True, text=True,
+    listed = subprocess.run(["sh", "-c", ". scripts/minimal_system.sh && list_sources"], cwd=ROOT, check=True, text=True,
                             stdout=subprocess.PIPE)
-    present = [file for file in listed.stdout.split() if (ROOT / file).is_file()]
+    present = [file for file in listed.stdout.split("\0")[:-1] if (ROOT / file).is_file()]
     subprocess.run(["cp", "--parents", "-t", str(target), *present], cwd=ROOT, check=True)
 
 

@@ -348,8 +348,11 @@ class Installation:
     def cmake_versions(self):
         folder = self.project("cmake-versions")
         shutil.copy(HERE / "range_CMakeLists.txt", folder / "CMakeLists.txt")
-        for wanted, accepted in (("3", True), ("3.0.0", True), ("2", False), ("4", False), ("3.0...<4", True),
-                                 ("1...3.0.0", True), ("1...<3", False), ("3.1...4", False), ("1...<3.0.0", False)):
+        numbers = re.search(r"version: '(\d+)\.(\d+)\.(\d+)'", (Path(self.source) / "meson.build").read_text())
+        major, minor, version = int(numbers[1]), int(numbers[2]), ".".join(numbers.groups())
+        for wanted, accepted in ((f"{major}", True), (version, True), (f"{major - 1}", False), (f"{major + 1}", False),
+                                 (f"{major}.{minor}...<{major + 1}", True), (f"1...{version}", True), (f"1...<{major}", False),
+                                 (f"{major}.{minor + 1}...{major + 1}", False), (f"1...<{version}", False)):
             try:
                 run("cmake", "-G", "Ninja", "-S", folder, "-B", folder / wanted.replace("<", "-"), f"-DWANTED={wanted}",
                     f"-DCMAKE_PREFIX_PATH={self.prefix}")
