@@ -40,7 +40,7 @@ def main(check=None):
     if check not in (None, "check"):
         sys.exit(f"{check}: the only option is check")
     made = files()
-    marked = [path for path in shims.FOLDER.glob("*.cpp") if "by api/committed.py" in path.read_text(encoding="utf-8")]
+    marked = [path for path in shims.FOLDER.glob("*.cpp") if shims.MARK in path.read_text(encoding="utf-8")]
     different = [path.relative_to(SOURCE) for path in marked if check and path not in made]
     for path, text in made.items():
         if check and (not path.exists() or path.read_text(encoding="utf-8") != text):

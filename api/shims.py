@@ -8,7 +8,7 @@
   function of one row for each row, with an argument of src/rows/each_row.hpp for each parameter.
 - The files *_lanes.cpp have those of many rows that have lanes, the lines "@lanes": they call the kernel of LANES.
 
-A function that a file of src/pair/ or src/brent/ defines is not made.
+A function that a file of src/c_api/ or src/brent/ defines by hand is not made.
 """
 
 import re
@@ -71,7 +71,8 @@ SETS = {"segment": "SetRows<Segments>{{end1, end2}, q}", "triangle": "SetRows<Tr
 LANES |= {f"pw85_contact_{name}": ("shapes", rows, "SetContactArrays{mu2, point}") for name, rows in SETS.items()}
 LANES |= {f"pw85_overlap_{name}": ("shapes", rows, "OverlapArray{overlap}") for name, rows in SETS.items()}
 # The sources of functions that are written by hand.
-BY_HAND = ("src/pair/*.cpp", "src/brent/*.cpp")
+BY_HAND = ("src/c_api/*.cpp", "src/brent/*.cpp")
+MARK = "by api/committed.py"
 DEFINITION = re.compile(r"^(?:int|void|double|char const \*) ?(pw85\w+)\(", re.MULTILINE)
 # Those that are compiled per instruction set: the list of src/simd/one_pair.hpp.
 DISPATCHED = re.compile(r"^ +X\((\w+)\)", re.MULTILINE)
@@ -114,7 +115,7 @@ def stored(one):
 def by_hand():
     """The functions that are written by hand."""
     texts = (path.read_text(encoding="utf-8") for pattern in BY_HAND for path in SOURCE.glob(pattern))
-    return {name for text in texts for name in DEFINITION.findall(text)}
+    return {name for text in texts if MARK not in text for name in DEFINITION.findall(text)}
 
 
 # The names of src/base/last_error.hpp for the attributes that limit a parameter.
