@@ -16,6 +16,9 @@
 namespace pw85::detail::kernels {
 namespace {
 
+// scalar_fallback() of a question computes a pair by the functions for one pair, writes it to the
+// first row of the output arrays, and returns its status.
+//
 // refuse_pair() computes a pair by the function of the C API, which records the cause of a refusal,
 // and returns its status. It is scalar_fallback() for questions that have none of their own.
 
