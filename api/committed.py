@@ -39,7 +39,8 @@ def main(check=None):
     if check not in (None, "check"):
         sys.exit(f"{check}: the only option is check")
     made = files()
-    different = [path.relative_to(SOURCE) for path in shims.FOLDER.glob("*.cpp") if check and path not in made]
+    marked = [path for path in shims.FOLDER.glob("*.cpp") if shims.MARK in path.read_text(encoding="utf-8")]
+    different = [path.relative_to(SOURCE) for path in marked if check and path not in made]
     for path, text in made.items():
         if check and (not path.exists() or path.read_text(encoding="utf-8") != text):
             different.append(path.relative_to(SOURCE))

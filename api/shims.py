@@ -6,8 +6,9 @@
   members of its result by their names, and record the cause of a refusal (src/base/last_error.hpp).
 - The files *_rows.cpp have the functions of many rows that have no lanes, the lines "@rows" of api/pw85_batch.h.in. They call the
   function of one row for each row, with an argument of src/rows/each_row.hpp for each parameter.
+- The files *_lanes.cpp have those of many rows that have lanes, the lines "@lanes": they call the kernel of LANES.
 
-A function that a file of src/pair/ or src/brent/ defines is not made.
+A function that a file of src/c_api/ or src/brent/ defines by hand is not made.
 """
 
 import re
@@ -49,8 +50,29 @@ FILES = {
 FILE_OF = {"pw85_contact_rounded": "rounded", "pw85_overlap_witness": "witness", "Time": "passage"}
 # The files of sections that the table does not have, by their headers.
 FILE_OF_HEADER = {"pw85_shapes.h": "solids"}
+# The kernels of functions of many rows that have lanes: the header of the question in src/simd/lanes/, the rows, and the arrays.
+PAIRS, PLANAR = "PairArrays<3>{r12, q1, q2}", "PairArrays<2>{r12, q1, q2}"
+LANES = {
+    "pw85_contact": ("contact", PAIRS, "ContactArrays{mu2, lambda}"),
+    "pw85_contact_2d": ("contact", PLANAR, "ContactArrays{mu2, lambda}"),
+    "pw85_closest_approach": ("contact", "Directions{{directions, q1, q2}}", "ApproachArray{distance}"),
+    "pw85_overlap": ("overlap", PAIRS, "OverlapArray{overlap}"),
+    "pw85_overlap_2d": ("overlap", PLANAR, "OverlapArray{overlap}"),
+    "pw85_overlap_area_2d": ("two_dimensions", PLANAR, "AreaArray{area}"),
+    "pw85_distance": ("distance", PAIRS, "DistanceArrays{distance, point1, point2}"),
+    "pw85_closest_passage": ("passage", PAIRS, "PassageArrays{velocity, t_max, mu2, t}"),
+    "pw85_grain_contact": ("grains", PAIRS, "GrainArrays{starts, normal, depth, point, curvatures, radius}"),
+    "pw85_distance_point": ("surface_distances", "PointRows{r, q}", "SurfaceArrays{distance, point, normal}"),
+    "pw85_distance_cylinder": ("surface_distances", "CylinderRows{axis, radius, center, q}", "SurfaceArrays{distance, point, normal}"),
+    "pw85_intersect_line": ("lines", "SetRows<Lines>{{origin, directions}, q}", "ChordArrays{enter, leave}"),
+}
+SETS = {"segment": "SetRows<Segments>{{end1, end2}, q}", "triangle": "SetRows<Triangles>{{vertex1, vertex2, vertex3}, q}",
+        "box": "SetRows<Boxes>{{lower, upper}, q}"}  # fmt: skip
+LANES |= {f"pw85_contact_{name}": ("shapes", rows, "SetContactArrays{mu2, point}") for name, rows in SETS.items()}
+LANES |= {f"pw85_overlap_{name}": ("shapes", rows, "OverlapArray{overlap}") for name, rows in SETS.items()}
 # The sources of functions that are written by hand.
-BY_HAND = ("src/pair/*.cpp", "src/brent/*.cpp")
+BY_HAND = ("src/c_api/*.cpp", "src/brent/*.cpp")
+MARK = "by api/committed.py"
 DEFINITION = re.compile(r"^(?:int|void|double|char const \*) ?(pw85\w+)\(", re.MULTILINE)
 # Those that are compiled per instruction set: the list of src/simd/one_pair.hpp.
 DISPATCHED = re.compile(r"^ +X\((\w+)\)", re.MULTILINE)
@@ -75,7 +97,7 @@ def dispatched():
 def by_hand():
     """The functions that are written by hand."""
     texts = (path.read_text(encoding="utf-8") for pattern in BY_HAND for path in SOURCE.glob(pattern))
-    return {name for text in texts for name in DEFINITION.findall(text)}
+    return {name for text in texts if MARK not in text for name in DEFINITION.findall(text)}
 
 
 def loaded(function, one):
@@ -203,11 +225,22 @@ def of_many_rows(statement):
     return f"\n{statement.head('int', ')')}\n{{\n{table}\n{call}\n}}\n"
 
 
+def of_lanes(statement):
+    name = name_of_many(statement.function.name)
+    needed = [one.name for _, many in statement.arguments() for one in many if one.is_array and not one.nullable]
+    table = arguments("    static constexpr char const *names[] = {", [f'"{one}"' for one in [name, *needed]], "};")
+    call = arguments("    return compute_rows(", ["names", "n", *LANES[statement.function.name][1:], *needed], ");")
+    return f"\n{statement.head('int', ')')}\n{{\n{table}\n{call}\n}}\n"
+
+
 def many_rows_file(title, listed):
-    what = f", many rows without lanes: {title[0].lower()}{title[1:]}"
-    head = HEAD.format(what=what, sources=SOURCES_OF_MANY, includes='#include <pw85_batch.h>\n\n#include "../rows/each_row.hpp"',
+    has_lanes = listed[0].has_lanes
+    questions = sorted({LANES[one.function.name][0] for one in listed}) if has_lanes else []
+    own = ["rows/many_pairs", *(f"simd/lanes/{name}" for name in questions)] if has_lanes else ["rows/each_row"]
+    head = HEAD.format(what=f", many rows with{'' if has_lanes else 'out'} lanes: {title[0].lower()}{title[1:]}", sources=SOURCES_OF_MANY,
+                       includes="\n".join(["#include <pw85_batch.h>\n", *(f'#include "../{name}.hpp"' for name in own)]),
                        namespaces="using namespace pw85::detail::kernels;")  # fmt: skip
-    return head + "".join(map(of_many_rows, listed))
+    return head + "".join(map(of_lanes if has_lanes else of_many_rows, listed))
 
 
 def file_of(function, section):
@@ -230,7 +263,7 @@ def files():
             if function.name not in hands:
                 of_one.setdefault(name, []).append(function)
     for statement in batch.statements():
-        if not statement.has_lanes:
-            of_many.setdefault(known[statement.function.name], []).append(statement)
+        name = f"{known[statement.function.name]}_{'lanes' if statement.has_lanes else 'rows'}"
+        of_many.setdefault(name, []).append(statement)
     made = {FOLDER / f"{name}.cpp": one_row_file(*FILES[name], listed) for name, listed in of_one.items()}
-    return made | {FOLDER / f"{name}_rows.cpp": many_rows_file(FILES[name][0], listed) for name, listed in of_many.items()}
+    return made | {FOLDER / f"{name}.cpp": many_rows_file(FILES[name.rpartition("_")[0]][0], listed) for name, listed in of_many.items()}

@@ -113,7 +113,7 @@ def parts(build):
         if kind.startswith("legacy"):
             continue
         room = next((room for room in ROOMS if name.startswith(f"{room}_")), "simd")
-        room = f"simd, {kind}" if unit.parent.parent.name == "simd" and kind != "rare" else room
+        room = f"simd, {kind}" if unit.parent.parent.name == "simd" and not unit.name.startswith("..") else room
         units.setdefault(room, []).append(unit)
     for part, files in sorted(units.items()):
         yield {"part": part, "bytes": text_bytes(*files)}

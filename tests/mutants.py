@@ -101,7 +101,7 @@ LIBRARY_MUTANTS = [
     ("simulation/float_boxes.hpp", "0x1p-18 * (farthest", "0x1p-40 * (farthest", "hard_ellipsoids/far_spheres"),
     ("simulation/float_boxes.hpp", "lower_(all.margin_ - boxes", "lower_(-boxes", "hard_ellipsoids/far_spheres"),
     ("simulation/float_boxes.hpp", "negative_upper_(all.margin_ - boxes", "negative_upper_(-boxes", "hard_ellipsoids/far_spheres"),
-    ("simd/lanes_images.cpp", "(certainty.overlap & passing) != 0", "certainty.overlap != 0", "hard_ellipsoids/tiny_pairs"),
+    ("simd/lanes/images.hpp", "(certainty.overlap & passing) != 0", "certainty.overlap != 0", "hard_ellipsoids/tiny_pairs"),
     ("simulation/chains.cpp", "stage + 0x1p-16 * scale * sum_of_magnitudes(center);", "stage;", "event_chains/passing_far_away"),
     ("simulation/hamiltonian.hpp", "if (sum >= 0.0)", "if (sum >= -0.02)", "hard_ellipsoids/rejected_volumes"),
     ("simulation/hamiltonian.cpp", "accept(1.0, 0.0, change,", "accept(1.0, 0.0, 0.98 * change,", "surroundings/fields"),
@@ -279,7 +279,7 @@ class Tests:
     def __init__(self, source, build):
         self.source, self.build = source, build
         units = json.loads((build / "compile_commands.json").read_text())
-        self.of_library = [unit for unit in units if unit["output"].startswith(("src/libpw85.so", "src/libpw85_compact", "src/simd/"))]
+        self.of_library = [unit for unit in units if unit["output"].startswith(("src/libpw85.so", "src/simd/"))]
         self.units = {Path(unit["output"]).name: unit for unit in units}
         self.compiled_once = [unit for unit in units if unit["output"].startswith("tests/oracle/libonce")]
         self.links = [shlex.split(line) for line in self.ninja("commands").splitlines() if " -o " in line and " -c " not in line]

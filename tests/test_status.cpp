@@ -387,6 +387,8 @@ void test_cause_of_whole_calls()
     g_assert_cmpint(pw85_volume_batch(2, nullptr, out), ==, PW85_EINVAL);
     expect_cause("pw85_volume_batch", "q", "must not be null", 0, 0);
     g_assert_cmpint(pw85_overlap_segment_batch(1, x, nullptr, q, nullptr), ==, PW85_EINVAL);
+    expect_cause("pw85_overlap_segment_batch", "end2", "must not be null", 0, 0);
+    g_assert_cmpint(pw85_overlap_segment_batch(1, x, x, q, nullptr), ==, PW85_EINVAL);
     expect_cause("pw85_overlap_segment_batch", "overlap", "must not be null", 0, 0);
     g_assert_cmpint(pw85_contact_segment_batch(1, x, nullptr, q, out, nullptr), ==, PW85_EINVAL);
     expect_cause("pw85_contact_segment_batch", "end2", "must not be null", 0, 0);

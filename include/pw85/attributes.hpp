@@ -23,17 +23,27 @@ inline constexpr bool is_for_device = false;
 
 } // namespace pw85::detail
 
+// The library's build defines PW85_BUILDING: the instruction set of the unit, `baseline` for most.
+// A unit that has the code of PW85_SHARED_BY_QUESTIONS() itself defines PW85_SHARED_HERE. One that
+// takes nothing from other units defines PW85_ALL_HERE.
+#if defined(PW85_BUILDING) && !defined(PW85_ALL_HERE)
+#define PW85_RARE_ELSEWHERE 1
+#ifndef PW85_SHARED_HERE
+#define PW85_SHARED_WITH PW85_BUILDING
+#endif
+#endif
+
 /// Before every function of the templates. Internal linkage: the linker cannot replace it by code
 /// compiled with other flags.
 #define PW85_FUNCTION PW85_ANYWHERE static
 
 /// Before a function of the tiers that hardly ever run, wider numbers and integers, is PW85_RARE.
 ///
-/// A unit that defines PW85_RARE_ELSEWHERE takes these functions for doubles from src/rare/, where
-/// they are compiled once: a function for doubles goes before the template. A header that has such
-/// templates lists them in a macro (rare, scalar, dimensions), as rare(name, (parameters),
-/// (arguments)), for PW85_RARE_TIER(); those for three dimensions alone have no number of them. The
-/// list follows the templates, before what calls them.
+/// Units of the library, and units that define PW85_RARE_ELSEWHERE, take these functions for doubles
+/// from src/rare/, where they are compiled once: a function for doubles goes before the template. A
+/// header that has such templates lists them in a macro (rare, scalar, dimensions), as rare(name,
+/// (parameters), (arguments)), for PW85_RARE_TIER(); those for three dimensions alone have no number
+/// of them. The list follows the templates, before what calls them.
 #ifdef PW85_RARE_ELSEWHERE
 #define PW85_RARE_DECLARED(name, parameters, arguments)                                            \
     [[gnu::cold]] auto name parameters noexcept->decltype(name<> arguments);
@@ -47,9 +57,9 @@ inline constexpr bool is_for_device = false;
 #define PW85_RARE [[gnu::noinline, gnu::cold]] PW85_FUNCTION
 
 /// Code that many functions call, and that no caller inlines, is listed in the same way for
-/// PW85_SHARED_BY_QUESTIONS(). Units of the library that define PW85_SHARED_WITH take it from units
-/// for each instruction set (src/simd/shared_*.cpp): the macro is the name of theirs. Each unit
-/// runs only what was compiled with its own flags.
+/// PW85_SHARED_BY_QUESTIONS(). Units of the library take it from units for their instruction set
+/// (src/simd/shared/), in the namespace PW85_SHARED_WITH. Each unit runs only what was compiled with
+/// its own flags.
 #ifdef PW85_SHARED_WITH
 #define PW85_SHARED_DECLARED(name, parameters, arguments)                                          \
     auto name parameters noexcept->decltype(detail::name<> arguments);

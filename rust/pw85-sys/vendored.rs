@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //! Compiles the library from its sources: those of the crate, or else those of the folder of pw85.
-//! The flags are those of Meson, which says why, without those of hardening and threads: tests/install/check_vendored.py compares them.
+//! The flags are those of CMakeLists.txt, which says why, without those of hardening and threads.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -12,19 +12,23 @@ use crate::refuse;
 
 /// Parts of src/sources.txt that the crate declares.
 const PARTS: [&str; 2] = ["contact", "geometry"];
-const FLAGS: &str = "-std=c++20 -O3 -DNDEBUG -fPIC -fvisibility=hidden -DPW85_RARE_ELSEWHERE";
+const FLAGS: &str = "-std=c++20 -O3 -DNDEBUG -fPIC -fvisibility=hidden";
 /// Flags of which a compiler may know some.
 const FLAGS_FOR_ALL: &str = "-ffp-contract=off -fno-math-errno -fno-tree-slp-vectorize -Wno-psabi \
     -Wno-unknown-pragmas -Wno-maybe-uninitialized -Wno-uninitialized";
-const FLAGS_FOR_ONE_PAIR: &str = "-ffp-contract=fast -mprefer-vector-width=128 -mmove-max=128 \
-    -mstore-max=128";
-const UNLIMITED: &str = "--param=inline-unit-growth=1000";
+/// The words of src/folders.txt, by which a folder chooses its flags.
+const WORDS: [(&str, &str); 4] = [
+    (
+        "fused",
+        "-ffp-contract=fast -mprefer-vector-width=128 -mmove-max=128 -mstore-max=128",
+    ),
+    ("unlimited", "--param=inline-unit-growth=1000"),
+    ("frugal", "--param=max-inline-insns-single=70"),
+    ("unprotected", "-fno-stack-protector"),
+];
 const EMPTY: &str = if cfg!(windows) { "NUL" } else { "/dev/null" };
-const FRUGAL: &str = "--param=max-inline-insns-single=70";
 
-const UNPROTECTED: &str = "-fno-stack-protector";
-
-/// Those flags of a list that the compiler knows.
+/// The flags of a word that the compiler knows.
 type Known = BTreeMap<&'static str, Vec<String>>;
 
 /// An instruction set for which kernels are compiled, beside the baseline.
@@ -37,17 +41,17 @@ struct Target {
 const AVX512: Target = Target {
     name: "avx512",
     features: &["avx2", "fma", "avx512f", "avx512dq", "avx512vl"],
-    flags: "-mprefer-vector-width=512 -DPW85_LANES_AVX512",
+    flags: "-mprefer-vector-width=512",
 };
 const AVX2: Target = Target {
     name: "avx2",
     features: &["avx2", "fma"],
-    flags: "-DPW85_LANES_AVX2",
+    flags: "",
 };
 const NEON: Target = Target {
     name: "neon",
     features: &[],
-    flags: "-DPW85_LANES_NEON",
+    flags: "",
 };
 const BASELINE: Target = Target {
     name: "baseline",
@@ -201,85 +205,62 @@ fn write_headers(root: &Path, out: &Path, targets: &[Target]) {
     written.unwrap_or_else(|error| refuse(&format!("{}: {error}", folder.display())));
 }
 
-/// The units by src/sources.txt.
+/// The units by src/sources.txt, with the flags of their folders.
 fn units(compiler: &Compiler, root: &Path, out: &Path, targets: &[Target]) -> Vec<Unit> {
-    let known: Known = [FLAGS_FOR_ONE_PAIR, UNLIMITED, FRUGAL, UNPROTECTED]
+    let read = |name: &str| {
+        fs::read_to_string(root.join("src").join(name))
+            .unwrap_or_else(|_| refuse(&format!("{} has not the sources of pw85", root.display())))
+    };
+    let (list, folders) = (read("sources.txt"), read("folders.txt"));
+    let folders: BTreeMap<&str, &str> = folders.lines().filter_map(|l| l.split_once(' ')).collect();
+    let known: Known = WORDS
         .into_iter()
-        .map(|flags| (flags, compiler.known(flags)))
+        .map(|(word, flags)| (word, compiler.known(flags)))
         .collect();
     let mut found = Vec::new();
-    for source in sources(root) {
-        for (target, flags) in ways(&source, targets, &known) {
+    for line in list.lines().chain(["contact brent/brent_boost.cpp"]) {
+        let (part, source) = line.split_once(' ').unwrap_or_default();
+        if !PARTS.contains(&part) {
+            continue;
+        }
+        let folder = source.rsplit_once('/').unwrap_or_default().0;
+        let words = folders.get(folder).copied().unwrap_or("once frugal");
+        for target in targets.iter().filter(|one| is_compiled(words, one)) {
+            let object = format!("{}-{}.o", target.name, source.replace('/', "-"));
             found.push(Unit {
-                source: root.join("src").join(&source),
-                object: out.join(format!("{target}-{}.o", source.replace('/', "-"))),
-                flags,
+                source: root.join("src").join(source),
+                object: out.join(object),
+                flags: flags_of(words, target, &known),
             });
         }
     }
     found
 }
 
-/// The sources of the parts that the crate declares.
-fn sources(root: &Path) -> Vec<String> {
-    let list = fs::read_to_string(root.join("src/sources.txt"))
-        .unwrap_or_else(|_| refuse(&format!("{} has not the sources of pw85", root.display())));
-    list.lines()
-        .chain(["contact brent/brent_boost.cpp"])
-        .filter_map(|line| line.split_once(' '))
-        .filter(|(part, _)| PARTS.contains(part))
-        .map(|(_, source)| source.into())
-        .collect()
-}
-
-/// How a source is compiled: for each instruction set if it is a kernel, or else once. Each time has
-/// a name and flags.
-fn ways(source: &str, targets: &[Target], known: &Known) -> Vec<(&'static str, Vec<String>)> {
-    let kernel = source.strip_prefix("simd/");
-    let Some(kernel) = kernel.filter(|name| *name != "dispatch.cpp") else {
-        return vec![("once", flags_of_other(source, known))];
-    };
-    let kind = kernel.split('_').next().unwrap_or_default();
-    targets
-        .iter()
-        .filter(|target| kind == "lanes" || is_for_one_pair(target))
-        .map(|target| (target.name, flags_of_kernel(kind, target, known)))
-        .collect()
-}
-
-/// The flags of a source that is compiled once.
-fn flags_of_other(source: &str, known: &Known) -> Vec<String> {
-    let is_in = |folder: &str| source.starts_with(folder);
-    let mut flags = strings("-DPW85_SHARED_WITH=baseline");
-    flags.extend(known[FRUGAL].clone());
-    if !is_in("rare/") {
-        flags.push("-DPW85_BUILDING".into());
+/// Returns whether a folder is compiled for an instruction set.
+fn is_compiled(words: &str, target: &Target) -> bool {
+    match words.split(' ').next() {
+        Some("each") => true,
+        Some("two") => is_for_one_pair(target),
+        _ => target.name == BASELINE.name,
     }
-    if is_in("any_dimension/") || is_in("enclosing/") {
-        flags.push("-O2".into());
-    }
-    flags
 }
 
-/// The flags of a kernel, which is of a kind: lanes, or functions for one pair or one set.
-fn flags_of_kernel(kind: &str, target: &Target, known: &Known) -> Vec<String> {
+/// The flags of a folder for an instruction set.
+fn flags_of(words: &str, target: &Target, known: &Known) -> Vec<String> {
     let mut flags: Vec<_> = target
         .features
         .iter()
         .map(|name| format!("-m{name}"))
         .collect();
     flags.extend(strings(target.flags));
-    flags.push(format!("-DPW85_COMPILED_FOR={}", target.name));
-    if kind == "lanes" {
-        return flags;
-    }
-    let inlining = if kind == "search" { FRUGAL } else { UNLIMITED };
-    flags.extend([known[UNPROTECTED].clone(), known[inlining].clone()].concat());
-    if kind != "one" && target.name != BASELINE.name {
-        flags.extend(known[FLAGS_FOR_ONE_PAIR].clone());
-    }
-    if kind != "shared" {
-        flags.push(format!("-DPW85_SHARED_WITH={}", target.name));
+    flags.push(format!("-DPW85_BUILDING={}", target.name));
+    for word in words.split(' ').skip(1) {
+        if word == "-O2" {
+            flags.push(word.into());
+        } else if word != "fused" || target.name != BASELINE.name {
+            flags.extend(known[word].clone());
+        }
     }
     flags
 }

@@ -18,6 +18,9 @@
 
 #include "../base/array.hpp"
 #include "../rows/many_pairs.hpp"
+#include "../simd/lanes/derivatives.hpp"
+#include "../simd/lanes/laws.hpp"
+#include "../simd/lanes/overlap.hpp"
 #include "forces.hpp"
 
 namespace pw85::detail::kernels {

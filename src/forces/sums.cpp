@@ -6,7 +6,7 @@
 
 #include "../base/c_arrays.hpp"
 #include "../lists/arguments.hpp"
-#include "../rows/laws.hpp"
+#include "../simd/lanes/laws.hpp"
 #include "forces.hpp"
 #include "law_forces.hpp"
 

@@ -11,10 +11,15 @@
 #ifndef PW85_GPU_WORK_HPP_INCLUDED
 #define PW85_GPU_WORK_HPP_INCLUDED
 
+// Device code has no C headers, and no functions of the host.
+#define PW85_FOR_DEVICES
+
 #include <pw85/contact/geometry.hpp>
 #include <pw85/overlap/overlap.hpp>
 
 #include "../periodic/periodic_cell.hpp"
+#include "../simd/lanes/derivatives.hpp"
+#include "../simd/lanes/overlap.hpp"
 #include "../simd/rows.hpp"
 
 namespace pw85::detail::gpu {

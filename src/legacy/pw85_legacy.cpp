@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The C API of the superseded variants (pw85_legacy.h). It calls history/legacy.hpp.
+#define PW85_ALL_HERE
 #include <pw85_legacy.h>
 
 #include <pw85/history/legacy.hpp>

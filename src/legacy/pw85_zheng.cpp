@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The C API of the algorithms of Zheng and Palffy-Muhoray (pw85_zheng.h). It calls
 // history/zheng.hpp.
+#define PW85_ALL_HERE
 #include <pw85_zheng.h>
 
 #include <pw85/history/zheng.hpp>

@@ -15,7 +15,7 @@
 #include "../base/last_error.hpp"
 #include "../base/parallel.hpp"
 #include "../periodic/periodic_cell.hpp"
-#include "../simd/kernels.hpp"
+#include "../simd/pairs.hpp"
 
 namespace pw85::detail::kernels {
 namespace {

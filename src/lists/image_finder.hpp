@@ -9,7 +9,7 @@
 #include <pw85/contact/scaling.hpp>
 
 #include "../periodic/nearest_image.hpp"
-#include "../simd/kernels.hpp"
+#include "../simd/pairs.hpp"
 
 namespace pw85::detail::kernels {
 namespace {

@@ -17,7 +17,7 @@
 #include <cstdint>
 
 #include "../base/c_arrays.hpp"
-#include "../simd/kernels.hpp"
+#include "../simd/pairs.hpp"
 
 namespace pw85::detail::kernels {
 namespace {

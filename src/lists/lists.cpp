@@ -9,6 +9,8 @@
 #include "../base/c_arrays.hpp"
 #include "../rows/each_row.hpp"
 #include "../rows/many_pairs.hpp"
+#include "../simd/lanes/derivatives.hpp"
+#include "../simd/lanes/overlap.hpp"
 #include "arguments.hpp"
 #include "image_finder.hpp"
 #include "image_limit.hpp"

@@ -13,7 +13,7 @@
 
 namespace pw85::detail::kernels {
 
-/// A periodic lattice, prepared for the search of nearest images: plain data, as kernels.hpp asks
+/// A periodic lattice, prepared for the search of nearest images: plain data, as pairs.hpp asks
 /// for.
 struct Lattice {
     double basis[3][3];    ///< reduced basis vectors

@@ -21,7 +21,7 @@ namespace pw85::detail::kernels {
 /// linearly independent.
 [[nodiscard]] bool prepare(double const *cell, int const *periodic, Lattice &lattice) noexcept;
 
-/// The images of particles that a function uses. This is plain data, as kernels.hpp requires.
+/// The images of particles that a function uses. This is plain data, as pairs.hpp requires.
 struct Images {
     /// of complete() if `nearest`; otherwise with zeros for the vectors that are not periodic
     double cell[9];

@@ -9,7 +9,7 @@
 
 #include "../base/last_error.hpp"
 #include "../base/parallel.hpp"
-#include "../simd/kernels.hpp"
+#include "../simd/pairs.hpp"
 
 namespace pw85::detail::kernels {
 namespace {
@@ -128,14 +128,20 @@ constexpr std::size_t block_of_calls = 256;
 /// Records the first array that is missing, or else that there are too many rows. names[0] is the
 /// name of the function, behind which those of the arguments are. It is not inlined, because its
 /// stack would be that of each caller.
-template <class... Arguments> [[gnu::cold, gnu::noinline]] int
-refuse_rows(char const *const *names, std::size_t n, Arguments... arguments) noexcept
+[[gnu::cold, gnu::noinline]] inline int refuse_rows(char const *const *names, std::size_t n,
+                                                    bool const *missing, std::size_t count) noexcept
 {
-    bool const missing[] = {arguments.is_missing()...};
     std::size_t k = 0;
-    while (k < sizeof...(arguments) && !missing[k]) ++k;
-    if (k == sizeof...(arguments)) return refuse_arrays(names[0], "n", n);
+    while (k < count && !missing[k]) ++k;
+    if (k == count) return refuse_arrays(names[0], "n", n);
     return refuse_arrays(names[0], "n", n, NamedArray{names[k + 1], nullptr});
+}
+
+template <class... Missing> [[gnu::cold]] int refuse_rows(char const *const *names, std::size_t n,
+                                                          Missing... are_missing) noexcept
+{
+    bool const missing[] = {are_missing...};
+    return refuse_rows(names, n, missing, sizeof...(are_missing));
 }
 
 /// Calls a function of one row for n rows, in parallel, and returns the status of the first bad
@@ -147,7 +153,7 @@ int each_row(char const *const (&names)[sizeof...(Arguments) + 1], std::size_t n
     constexpr std::size_t widest = std::max({6, Arguments::width...});
     if (n == 0) return static_cast<int>(Status::success);
     if (n > PTRDIFF_MAX / (widest * sizeof(double)) || (arguments.is_missing() || ...))
-        return refuse_rows(names, n, arguments...);
+        return refuse_rows(names, n, arguments.is_missing()...);
     auto const call = [&](std::size_t i) { return function(arguments.row(i)...); };
     return refuse_first(for_blocks(
                             n, [&](Range range) { return for_rows(range, call); }, block_of_calls),

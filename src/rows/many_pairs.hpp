@@ -1,189 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Drives the lane kernels: it divides the pairs among threads, and computes the pairs that lanes
-/// leave over by the function for one pair. The files of this folder and lists/lists.cpp call
-/// compute_all() and find_overlap().
+/// Drives the lane kernels: it divides the rows among threads, and computes the rows that lanes leave
+/// over by scalar_fallback() of the question (simd/lanes/). The files c_api/*_lanes.cpp call
+/// compute_rows(), lists and simulations the functions below it.
 #ifndef PW85_ROWS_MANY_PAIRS_HPP_INCLUDED
 #define PW85_ROWS_MANY_PAIRS_HPP_INCLUDED
 
 #include <algorithm>
-#include <cmath>
 
-#include <pw85.h>
-
+#include "../base/c_arrays.hpp"
 #include "../simd/lanes.hpp"
-#include "../simd/one_pair.hpp"
+#include "../simd/lanes/overlap.hpp"
 #include "each_row.hpp"
 
 namespace pw85::detail::kernels {
 namespace {
 
-// scalar_fallback() computes a pair by the functions for one pair, writes it to the first row of
-// the output arrays, and returns its status.
-
-template <int D>
-int scalar_fallback(Target const &target, PairRow<D> const &pair, ContactArrays const &out) noexcept
-{
-    double contact[2];
-    int const status = (D == 3 ? PW85_OF_PAIR(target, contact) : pw85_contact_2d)(pair.r12, pair.q1,
-                                                                                  pair.q2, contact);
-    *out.mu2 = contact[0];
-    if (out.lambda != nullptr) *out.lambda = contact[1];
-    return status;
-}
-
-template <int D>
-int scalar_fallback(Target const &target, PairRow<D> const &pair, OverlapArray const &out) noexcept
-{
-    int overlap = -1; // stays where the pair is bad, and becomes 255
-    int const status = (D == 3 ? PW85_OF_PAIR(target, overlap)
-                               : pw85_overlap_2d)(pair.r12, pair.q1, pair.q2, &overlap);
-    *out.overlap = static_cast<unsigned char>(overlap);
-    return status;
-}
-
-/// A template of what is not used, for the same reason as that for DistanceArrays below.
-template <class AnyTarget>
-int scalar_fallback(AnyTarget const &, PairRow<2> const &pair, AreaArray const &out) noexcept
-{
-    return pw85_overlap_area_2d(pair.r12, pair.q1, pair.q2, out.area);
-}
-
-inline int scalar_fallback(Target const &target, PairRow<3> const &pair,
-                           ApproachArray const &out) noexcept
-{
-    return PW85_OF_PAIR(target, closest_approach)(pair.r12, pair.q1, pair.q2, out.distance);
-}
-
-/// A template of what chooses the function, so that the part `contact` does not refer to the part
-/// `geometry` without optimisation either.
-template <class AnyTarget> int scalar_fallback(AnyTarget const &target, PairRow<3> const &pair,
-                                               DistanceArrays const &out) noexcept
-{
-    return PW85_OF_PAIR(target, distance)(pair.r12, pair.q1, pair.q2, out.distance, out.point1,
-                                          out.point2);
-}
-
-inline int scalar_fallback(Target const &, PairRow<3> const &pair,
-                           PassageArrays const &out) noexcept
-{
-    double t;
-    int const status =
-        pw85_closest_passage(pair.r12, pair.q1, pair.q2, out.velocities, out.t_max, out.mu2, &t);
-    if (out.t != nullptr) *out.t = t;
-    return status;
-}
-
-inline int scalar_fallback(Target const &, PairRow<3> const &pair, GrainArrays const &out) noexcept
-{
-    return pw85_grain_contact(pair.r12, pair.q1, pair.q2, out.starts, out.normal, out.depth,
-                              out.point, out.curvatures, out.radius);
-}
-
-/// Only the contact function decides the status: a concentric pair is valid, although it has no
-/// normal. If λ is NaN, the derivatives are NaN too.
-inline int scalar_fallback(Target const &target, PairRow<3> const &pair,
-                           DerivativeArrays const &out) noexcept
-{
-    auto const &[r12, q1, q2] = pair;
-    int status = 0;
-    if (out.r12 != nullptr) std::copy_n(r12, 3, out.r12);
-    if (std::isnan(*out.lambda)) {
-        double contact[2];
-        status = PW85_OF_PAIR(target, contact)(r12, q1, q2, contact);
-        if (out.mu2 != nullptr) *out.mu2 = contact[0];
-        *out.lambda = contact[1];
-    }
-    PW85_OF_PAIR(target, contact_geometry)(r12, q1, q2, *out.lambda, out.point, out.normal);
-    PW85_OF_PAIR(target, contact_gradient)(r12, q1, q2, *out.lambda, out.d_r12, nullptr, nullptr);
-    PW85_OF_PAIR(target, contact_torque)(r12, q1, q2, *out.lambda, out.d_rot1, out.d_rot2);
-    return status;
-}
-
-inline int scalar_fallback(SetRows<Segments> const &row, SetContactArrays const &out) noexcept
-{
-    return pw85_contact_segment(row.points[0], row.points[1], row.q, out.mu2, out.point);
-}
-
-inline int scalar_fallback(SetRows<Triangles> const &row, SetContactArrays const &out) noexcept
-{
-    return pw85_contact_triangle(row.points[0], row.points[1], row.points[2], row.q, out.mu2,
-                                 out.point);
-}
-
-inline int scalar_fallback(SetRows<Boxes> const &row, SetContactArrays const &out) noexcept
-{
-    return pw85_contact_box(row.points[0], row.points[1], row.q, out.mu2, out.point);
-}
-
-inline int overlap_of_one(SetRows<Segments> const &row, int *overlap) noexcept
-{
-    return pw85_overlap_segment(row.points[0], row.points[1], row.q, overlap);
-}
-
-inline int overlap_of_one(SetRows<Triangles> const &row, int *overlap) noexcept
-{
-    return pw85_overlap_triangle(row.points[0], row.points[1], row.points[2], row.q, overlap);
-}
-
-inline int overlap_of_one(SetRows<Boxes> const &row, int *overlap) noexcept
-{
-    return pw85_overlap_box(row.points[0], row.points[1], row.q, overlap);
-}
-
-template <class Set> int scalar_fallback(SetRows<Set> const &row, OverlapArray const &out) noexcept
-{
-    int overlap = -1;
-    int const status = overlap_of_one(row, &overlap);
-    *out.overlap = static_cast<unsigned char>(overlap); // -1, for a bad row, becomes 255
-    return status;
-}
-
-inline int scalar_fallback(SetRows<Lines> const &row, ChordArrays const &out) noexcept
-{
-    double t[2];
-    int const status = pw85_intersect_line(row.points[0], row.points[1], row.q, t);
-    if (out.enter != nullptr) *out.enter = t[0];
-    if (out.leave != nullptr) *out.leave = t[1];
-    return status;
-}
-
+// scalar_fallback() of a question computes a pair by the functions for one pair, writes it to the
+// first row of the output arrays, and returns its status.
+//
 // refuse_pair() computes a pair by the function of the C API, which records the cause of a refusal,
-// and returns its status. That of the others is scalar_fallback().
+// and returns its status. It is scalar_fallback() for questions that have none of their own.
 
 template <class AnyTarget, class Pair, class Arrays>
 int refuse_pair(AnyTarget const &target, Pair const &pair, Arrays const &out) noexcept
 {
     return scalar_fallback(target, pair, out);
-}
-
-inline int refuse_contact(PairRow<3> const &pair) noexcept
-{
-    double contact[2];
-    return pw85_contact(pair.r12, pair.q1, pair.q2, contact);
-}
-
-inline int refuse_pair(Target const &, PairRow<3> const &pair, ContactArrays const &) noexcept
-{
-    return refuse_contact(pair);
-}
-
-inline int refuse_pair(Target const &, PairRow<3> const &pair, DerivativeArrays const &) noexcept
-{
-    return refuse_contact(pair);
-}
-
-inline int refuse_pair(Target const &, PairRow<3> const &pair, OverlapArray const &) noexcept
-{
-    int overlap;
-    return pw85_overlap(pair.r12, pair.q1, pair.q2, &overlap);
-}
-
-/// A template for the same reason as scalar_fallback() for DistanceArrays.
-template <class AnyTarget>
-int refuse_pair(AnyTarget const &, PairRow<3> const &pair, DistanceArrays const &) noexcept
-{
-    return pw85_distance(pair.r12, pair.q1, pair.q2, nullptr, nullptr, nullptr);
 }
 
 /// Rows that are read one by one. Rows of pairs are gathered.
@@ -201,15 +43,6 @@ int refuse_row_of(Target const &target, Rows const &rows, Arrays const &out, std
     PairRow<Rows::dimension> pair;
     gather_of<Rows>(target)(rows.from(i), &first, 1, &pair);
     return refuse_pair(target, pair, out.from(i));
-}
-
-/// The kernels' rows have directions of length one, which are NaN for zero vectors.
-inline int refuse_row_of(Target const &, Directions const &rows, ApproachArray const &,
-                         std::size_t i) noexcept
-{
-    auto const row = rows.arrays.from(i);
-    double distance;
-    return pw85_closest_approach(row.r12, row.q1, row.q2, &distance);
 }
 
 template <SingleRows Rows, class Arrays>
@@ -251,9 +84,11 @@ Failure scalar_fallback_all(Target const &, Rows const &rows, Arrays const &out,
     return first;
 }
 
-/// Computes n pairs in the default floating-point environment.
-template <class Rows, class Arrays>
-Failure compute(Target const &target, Rows const &rows, std::size_t n, Arrays const &out) noexcept
+} // namespace
+
+/// Computes n pairs in the default floating-point environment. Questions may have one of their own.
+template <class Rows, class Arrays> static Failure
+compute(Target const &target, Rows const &rows, std::size_t n, Arrays const &out) noexcept
 {
     auto const compute_lanes = compute_of<Rows, Arrays>(target);
     Worklist rejected_lanes;
@@ -269,30 +104,22 @@ Failure compute(Target const &target, Rows const &rows, std::size_t n, Arrays co
     return first;
 }
 
-/// Derivatives need an array for λ. If the caller gives none, the pairs are computed in parts with
-/// an array on the stack.
-template <class Rows> Failure compute(Target const &target, Rows const &rows, std::size_t n,
-                                      DerivativeArrays const &out) noexcept
-{
-    if (out.lambda != nullptr) return compute<Rows, DerivativeArrays>(target, rows, n, out);
-    constexpr std::size_t part_size = 128;
-    double lambda[part_size];
-    Failure first{0, 0};
-    for (std::size_t begin = 0; begin < n; begin += part_size) {
-        DerivativeArrays part = out.from(begin);
-        part.lambda = lambda;
-        Failure const bad = compute<Rows, DerivativeArrays>(target, rows.from(begin),
-                                                            std::min(part_size, n - begin), part);
-        first.update({begin + bad.index, bad.status});
-    }
-    return first;
-}
+namespace {
 
-/// Computes n pairs in parallel, up to `pairs_of_block` of them by a thread at a time, and returns
-/// the status of the first bad one.
-template <class Rows, class Arrays> int compute_all(std::size_t n, Rows const &rows,
-                                                    Arrays const &out,
-                                                    std::size_t pairs_of_block = block) noexcept
+/// Arrays that choose the number of rows that a thread computes at a time.
+template <class Arrays>
+concept ArraysWithBlock = requires
+{
+    Arrays::rows_of_block;
+};
+
+template <class Arrays> constexpr std::size_t rows_of_block = block;
+template <ArraysWithBlock Arrays> constexpr std::size_t rows_of_block<Arrays> =
+    Arrays::rows_of_block;
+
+/// Computes n pairs in parallel, and returns the status of the first bad one.
+template <class Rows, class Arrays>
+int compute_all(std::size_t n, Rows const &rows, Arrays const &out) noexcept
 {
     Target const &target = chosen();
     auto const compute_block = [&](Range range) {
@@ -300,8 +127,20 @@ template <class Rows, class Arrays> int compute_all(std::size_t n, Rows const &r
             compute(target, rows.from(range.begin), range.end - range.begin, out.from(range.begin));
         return Failure{range.begin + bad.index, bad.status};
     };
-    Failure const first = for_blocks(n, compute_block, pairs_of_block);
+    Failure const first = for_blocks(n, compute_block, rows_of_block<Arrays>);
     return refuse_first(first, [&](std::size_t i) { return refuse_row_of(target, rows, out, i); });
+}
+
+/// Computes the n rows of a call, which must have all `needed` arrays. The names are those of
+/// refuse_rows().
+template <class Rows, class Arrays, class... Needed>
+int compute_rows(char const *const (&names)[sizeof...(Needed) + 1], std::size_t n, Rows const &rows,
+                 Arrays const &out, Needed *...needed) noexcept
+{
+    if (n == 0) return PW85_SUCCESS;
+    if (n > max_rows || c_api::any_null(needed...))
+        return refuse_rows(names, n, (needed == nullptr)...);
+    return compute_all(n, rows, out);
 }
 
 /// The number of pairs that are tested at a time: slightly more than the neighbours of a particle

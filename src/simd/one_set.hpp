@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The functions for one ellipsoid and a convex set that are compiled per instruction set:
-/// one_set.cpp defines them, and PW85_OF_PAIR() chooses one.
+/// set/one_set.cpp defines them, and PW85_OF_PAIR() chooses one.
 #ifndef PW85_SIMD_ONE_SET_HPP_INCLUDED
 #define PW85_SIMD_ONE_SET_HPP_INCLUDED
 

@@ -18,9 +18,29 @@
 
 #include <pw85/algebra/scalar.hpp>
 
-// The build defines at most one of PW85_LANES_AVX512, PW85_LANES_AVX2, PW85_LANES_SVE512,
-// PW85_LANES_SVE256 and PW85_LANES_NEON. one_set.cpp defines PW85_LANES_FMA instead of
-// PW85_LANES_AVX2: registers of two doubles, with fused multiply-add.
+// At most one of PW85_LANES_AVX512, PW85_LANES_AVX2, PW85_LANES_SVE512, PW85_LANES_SVE256 and
+// PW85_LANES_NEON is defined, by the instruction set. A unit that defines PW85_TWO_LANES has
+// PW85_LANES_FMA instead of PW85_LANES_AVX2: registers of two doubles, with fused multiply-add.
+#define PW85_SET_avx512 1
+#define PW85_SET_avx2 2
+#define PW85_SET_sve512 3
+#define PW85_SET_sve256 4
+#define PW85_SET_neon 5
+#define PW85_SET_NUMBER(name) PW85_SET_##name
+#define PW85_SET(name) PW85_SET_NUMBER(name)
+#if PW85_SET(PW85_BUILDING) == 1
+#define PW85_LANES_AVX512
+#elif PW85_SET(PW85_BUILDING) == 2 && defined(PW85_TWO_LANES)
+#define PW85_LANES_FMA
+#elif PW85_SET(PW85_BUILDING) == 2
+#define PW85_LANES_AVX2
+#elif PW85_SET(PW85_BUILDING) == 3
+#define PW85_LANES_SVE512
+#elif PW85_SET(PW85_BUILDING) == 4
+#define PW85_LANES_SVE256
+#elif PW85_SET(PW85_BUILDING) == 5
+#define PW85_LANES_NEON
+#endif
 #if defined(PW85_LANES_AVX512) || defined(PW85_LANES_AVX2) || defined(PW85_LANES_FMA)
 #include <immintrin.h>
 #elif defined(PW85_LANES_SVE512) || defined(PW85_LANES_SVE256)

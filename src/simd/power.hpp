@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Powers of the numbers of a pack. lane_law.hpp calls power(). Functions of the C library are not
+/// Powers of the numbers of a pack. lanes/laws.hpp calls power(). Functions of the C library are not
 /// used, because those of different libraries differ in their last bits, and because they take one
 /// number at a time.
 ///

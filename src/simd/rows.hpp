@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Loads pairs from their rows in memory, one pair per lane of a scalar. The lane kernels
-/// (gather.hpp) and the code for devices (gpu/work.hpp) use it.
+/// (lanes/gather.hpp) and the code for devices (gpu/work.hpp) use it.
 #ifndef PW85_SIMD_ROWS_HPP_INCLUDED
 #define PW85_SIMD_ROWS_HPP_INCLUDED
 
 #include <pw85/contact/scaling.hpp>
 
 #include "../periodic/nearest_image.hpp"
-#include "kernels.hpp"
+#include "pairs.hpp"
 
 namespace pw85::detail {
 
@@ -143,6 +143,26 @@ load_pairs(kernels::NeighborList const &list, std::size_t const *indices) noexce
     }
     return {load_separations<T>(list, indices), load_matrices<T, 3>(q1), load_matrices<T, 3>(q2),
             T(1)};
+}
+
+template <class T> [[gnu::always_inline]] PW85_FUNCTION inline Pair<T, 3>
+load_pairs(kernels::OneToImages const &rows, std::size_t const *indices) noexcept
+{
+    double const *centers[lanes_of<T>], *translations[lanes_of<T>], *q2[lanes_of<T>];
+    for (std::size_t i = 0; i < lanes_of<T>; ++i) {
+        kernels::NumberedImage const near = rows.images[indices[i]];
+        auto const index = static_cast<std::size_t>(near.index);
+        centers[i] = kernels::row_of(rows.centers, 3, index);
+        q2[i] = kernels::row_of(rows.q, 6, index);
+        translations[i] =
+            kernels::row_of(rows.translations, 3, static_cast<std::size_t>(near.image));
+    }
+    Vector<T, 3> const y = load_vectors<T, 3>(centers), t = load_vectors<T, 3>(translations);
+    Vector<T, 3> r12;
+    for (int d = 0; d < 3; ++d) r12[d] = (y[d] - T(rows.center[d])) + t[d];
+    SymmetricMatrix<T, 3> q1;
+    for (int e = 0; e < 6; ++e) q1[e] = T(rows.q1[e]);
+    return {r12, q1, load_matrices<T, 3>(q2), T(1)};
 }
 
 } // namespace pw85::detail

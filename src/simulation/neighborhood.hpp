@@ -14,7 +14,7 @@
 #include <span>
 
 #include "../neighbors/deformation.hpp"
-#include "../simd/images.hpp"
+#include "../simd/lanes/images.hpp"
 #include "configuration.hpp"
 
 namespace pw85::detail::simulation {

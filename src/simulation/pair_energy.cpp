@@ -6,7 +6,8 @@
 
 #include "../base/member_complaint.hpp"
 #include "../neighbors/bounded_list.hpp"
-#include "../rows/laws.hpp"
+#include "../rows/many_pairs.hpp"
+#include "../simd/lanes/contact.hpp"
 #include "neighborhood.hpp"
 
 namespace pw85::detail::simulation {

@@ -18,7 +18,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "../simd/kernels.hpp"
+#include "../simd/lanes/laws.hpp"
 #include "configuration.hpp"
 
 namespace pw85::detail::simulation {

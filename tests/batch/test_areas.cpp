@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests of the lanes for areas of common parts (src/simd/lane_area.hpp).
+// Tests of the lanes for areas of common parts (src/simd/lanes/two_dimensions.hpp).
 #include <algorithm>
 #include <cmath>
 #include <cstring>

@@ -22,7 +22,7 @@ from pathlib import Path
 
 NEEDED = ("api", "include", "meson.build", "fortran/pw85.in.f90", "fortran/pw85.f90", "r/DESCRIPTION.in", "octave/DESCRIPTION.in",
           "rust/pw85/Cargo.toml.in", "rust/pw85-sys/Cargo.toml.in", "js", "CHANGELOG.md", "debian", "python/pypw85",
-          "src/simd/one_pair.hpp", "src/pair", "src/brent")  # fmt: skip
+          "src/simd/one_pair.hpp", "src/c_api", "src/brent")  # fmt: skip
 SEEDS = (1, 2)
 COMMENT = re.compile(r"/\*\*[\s\S]*?\*/|(?:^ *///.*\n)+", re.MULTILINE)
 # What is data in a comment: marks, tags with their names and attributes, titles.

@@ -21,7 +21,7 @@ ROOMS = {
     "any_dimension": ("base",),
     "brent": ("base", "simd"),
     "rows": ("base", "simd"),
-    "pair": ("base", "simd"),
+    "shared": ("simd",),
     "c_api": ("base", "simd", "rows"),
     "lists": ("base", "periodic", "simd", "rows"),
     "forces": ("base", "periodic", "simd", "rows", "lists"),

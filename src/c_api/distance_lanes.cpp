@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The C API, many rows with lanes: distance.
+//
+// Made from pw85.h, pw85_grains.h, pw85_shapes.h and api/pw85_batch.h.in by api/committed.py.
+// clang-format off
+#include <pw85_batch.h>
+
+#include "../rows/many_pairs.hpp"
+#include "../simd/lanes/distance.hpp"
+
+using namespace pw85::detail::kernels;
+
+int pw85_distance_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                        double *distance, double *point1, double *point2)
+{
+    static constexpr char const *names[] = {"pw85_distance_batch", "r12", "q1", "q2"};
+    return compute_rows(names, n, PairArrays<3>{r12, q1, q2},
+                        DistanceArrays{distance, point1, point2}, r12, q1, q2);
+}

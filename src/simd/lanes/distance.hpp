@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The distances of many pairs, one pair per lane. The kernel drives the search of
+/// distance/normal_search.hpp by the polynomials.
+///
+/// A slab between two ellipsoids that is wider than its rounding error proves that they are apart.
+/// A pair is left over in three cases: no such slab is found, because the ellipsoids overlap or
+/// nearly touch; the pair fails the fast checks; or the closest points are not accurate.
+#ifndef PW85_SIMD_LANES_DISTANCE_HPP_INCLUDED
+#define PW85_SIMD_LANES_DISTANCE_HPP_INCLUDED
+
+#include "../pairs.hpp"
+
+namespace pw85::detail::kernels {
+
+/// Distances and closest points. Any pointer may be null.
+struct DistanceArrays {
+    double *distance, *point1, *point2;
+
+    [[gnu::always_inline]] DistanceArrays from(std::size_t begin) const noexcept
+    {
+        return {row_or_null(distance, 1, begin), row_or_null(point1, 3, begin),
+                row_or_null(point2, 3, begin)};
+    }
+};
+
+} // namespace pw85::detail::kernels
+
+#ifdef PW85_KERNEL
+#include <pw85/distance/distance.hpp>
+
+namespace pw85::detail {
+namespace {
+
+PW85_INLINE DistancePair<Pack, 3> with_units(LanePair<3> const &pair) noexcept
+{
+    return {pair.r12, pair.q1, pair.q2, Pack(1.0), Pack(1.0)};
+}
+
+/// Stores the distances and closest points of consecutive pairs.
+PW85_INLINE void store_distances(Distance<Pack, 3> const &d, Vector<Pack, 3> const &r12,
+                                 std::size_t first, std::size_t left,
+                                 kernels::DistanceArrays const &out) noexcept
+{
+    if (out.distance != nullptr) store_lanes(d.distance, left, out.distance + first);
+    if (out.point1 != nullptr) store_rows(d.point1, left, out.point1 + 3 * first);
+    Vector<Pack, 3> point2;
+    for (int i = 0; i < 3; ++i) point2[i] = r12[i] - d.point2[i];
+    if (out.point2 != nullptr) store_rows(point2, left, out.point2 + 3 * first);
+}
+
+/// Computes the distances of a chunk. scalar_fallback() overwrites those that are not certain.
+template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk const &chunk,
+                                                     kernels::DistanceArrays const &out,
+                                                     kernels::Worklist &rejected_lanes) noexcept
+{
+    LanePair<3> pairs[packs_per_chunk];
+    NormalSearch<Pack> searches[packs_per_chunk];
+    auto const [begin, count, end] = chunk;
+    prefetch(rows, begin + prefetch_distance, count, end);
+    std::size_t const packs = (count + lanes - 1) / lanes;
+    for (std::size_t k = 0; k < packs; ++k) {
+        pairs[k] = load_consecutive(rows, begin + k * lanes, count - k * lanes);
+        searches[k] = start_search(with_units(pairs[k]), initial_multipliers(with_units(pairs[k])));
+    }
+    run(searches, packs, max_normal_steps,
+        [&](std::size_t k) { take_step(searches[k], with_units(pairs[k])); });
+    for (std::size_t k = 0; k < packs; ++k) {
+        std::size_t const first = begin + k * lanes, left = count - k * lanes;
+        auto const &pair = pairs[k];
+        auto const last = take_last_step(with_units(pair), searches[k].x);
+        auto const slab = accurate_slab_along(with_units(pair), last.u);
+        auto const d = distance_across(slab);
+        store_distances(d, pair.r12, first, left, out);
+        PackMask const done = last.found && passes_fast_checks(pair) &&
+                              is_wide(with_units(pair), slab) &&
+                              is_accurate(with_units(pair), slab);
+        for_lanes(live_lanes(left) & ~done.to_bits(),
+                  [&](unsigned i) { rejected_lanes.push(first + i); });
+    }
+}
+
+} // namespace
+} // namespace pw85::detail
+
+#else
+#include <pw85.h>
+
+#include "../one_pair.hpp"
+
+namespace pw85::detail::kernels {
+
+static inline int scalar_fallback(Target const &target, PairRow<3> const &pair,
+                                  DistanceArrays const &out) noexcept
+{
+    return PW85_OF_PAIR(target, distance)(pair.r12, pair.q1, pair.q2, out.distance, out.point1,
+                                          out.point2);
+}
+
+static inline int refuse_pair(Target const &, PairRow<3> const &pair,
+                              DistanceArrays const &) noexcept
+{
+    return pw85_distance(pair.r12, pair.q1, pair.q2, nullptr, nullptr, nullptr);
+}
+
+} // namespace pw85::detail::kernels
+
+#endif
+#endif
