@@ -5,7 +5,7 @@
 ///
 /// 1. start: start_search() makes the state of the search.
 /// 2. step: take_step() changes the state. A driver calls it while the state is active. It is run()
-///    for a number or one pack, and src/simd/lane_contact.hpp has one for several packs.
+///    for a number or one pack, and src/simd/lanes/contact.hpp has one for several packs.
 /// 3. accept: last_evaluation() gives the result. Use the result only where last_evaluation() says
 ///    that it is certain.
 /// 4. fallback: a slower method computes the pairs that are not certain. For a number it is

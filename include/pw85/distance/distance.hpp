@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The distance of two ellipsoids, and their closest points. The kernels of the C API
-/// (src/simd/lane_distance.hpp) and distance_derivatives.hpp call these functions, which call
+/// (src/simd/lanes/distance.hpp) and distance_derivatives.hpp call these functions, which call
 /// normal_search.hpp for the common normal and overlap() for the decision.
 ///
 /// For any unit vector n, the width of the slab between the ellipsoids that is normal to n is a

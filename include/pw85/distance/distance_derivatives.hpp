@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// First and second derivatives of the distance with respect to positions and rotations.
-/// src/simd/search_distance.cpp calls distance_derivatives(), which takes the normal and the
+/// src/simd/search/distance.cpp calls distance_derivatives(), which takes the normal and the
 /// closest points from distance.hpp. signed_distance.hpp calls derivatives_across() for pairs that
 /// overlap, where d is negative.
 ///

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The contact of two grains along their common normal, and the derivatives of its radius.
-/// src/simd/lane_grains.hpp runs the same steps on lanes.
+/// src/simd/lanes/grains.hpp runs the same steps on lanes.
 ///
 /// The overlap along a unit vector n is δ(n) = √(n·Q1n) + √(n·Q2n) - n·r12. The normal is the
 /// minimum of δ near a given vector. There the points p1 = Q1n/√(n·Q1n) and r12 - Q2n/√(n·Q2n) are

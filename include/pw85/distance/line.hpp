@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The part of a straight line that is inside an ellipsoid. src/c_api/walls.cpp calls
-/// intersect_line(), and src/simd/lane_shapes.hpp chord().
+/// intersect_line(), and src/simd/lanes/lines.hpp chord().
 ///
 /// In the metric of Q⁻¹ the ellipsoid is a ball. The function first finds the point of the line
 /// that is nearest to the centre, and then half of the chord. So a line that starts far away costs

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The search for the common normal of the closest points of two ellipsoids. distance.hpp and
-/// src/simd/lane_distance.hpp call find_normal(), take_step() and search_normal(). These functions
+/// src/simd/lanes/distance.hpp call find_normal(), take_step() and search_normal(). These functions
 /// call the solvers of symmetric.hpp and accurate_product().
 ///
 /// Let α(n) = √(nᵀQ1n), β(n) = √(nᵀQ2n) and r = r12. The distance of ellipsoids that are apart is

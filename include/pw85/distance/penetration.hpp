@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The depth of an overlap: the shortest translation that separates two ellipsoids.
-/// src/pair/distance.cpp calls penetration_overlapping().
+/// src/c_api/penetration.cpp calls penetration_overlapping().
 ///
 /// Turns of the normal find a local minimum (depth_search.hpp). For most pairs the curvatures there
 /// prove that it is the global one (depth_certificate.hpp). Otherwise two proofs show that the best

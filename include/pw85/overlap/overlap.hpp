@@ -11,7 +11,7 @@
 ///    (certified_value.hpp);
 /// 4. decide_exactly(): integers (exact.hpp).
 ///
-/// Devices run the first three tiers. src/simd/lane_overlap.hpp runs the first two for one pair per
+/// Devices run the first three tiers. src/simd/lanes/overlap.hpp runs the first two for one pair per
 /// lane.
 #ifndef PW85_OVERLAP_OVERLAP_HPP_INCLUDED
 #define PW85_OVERLAP_OVERLAP_HPP_INCLUDED

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The first two tiers of the overlap test: the sign of a quartic. overlap.hpp calls it for one
-/// pair, lane_overlap.hpp for one pair per lane.
+/// pair, lanes/overlap.hpp for one pair per lane.
 ///
 /// With M = Q1 + t Q2, a = rᵀ adj(M) r and b = det M, the ellipsoids are apart if t a - (1 + t) b >
 /// 0 for some t > 0 (W. Wang, J. Wang and M.-S. Kim, Comput. Aided Geom. Des. 18, 531, 2001), that
