@@ -7,6 +7,7 @@
 
 #include <pw85.h>
 
+#include "cases.hpp"
 #include "hard_particles.hpp"
 #include "saved_sections.hpp"
 
@@ -108,7 +109,7 @@ struct TwoEllipses {
 
 // All kinds of trials, against independent configurations of which those with overlaps are left
 // out.
-void test_two_ellipses()
+PW85_TEST("/hard_ellipses/two_ellipses")
 {
     int const samples = g_test_perf() ? 400000 : 40000;
     std::mt19937_64 random(5);
@@ -176,7 +177,7 @@ std::vector<std::size_t> states_of(HardEllipsoids const &simulation)
 }
 
 // A drift, or a preferred sense of rotation, makes a current around a cycle of three states.
-void test_detailed_balance()
+PW85_TEST("/hard_ellipses/detailed_balance")
 {
     Plane plane = mixture(4);
     for (Vector3 &center : plane.centers) center = {1.3 * center[0], 1.3 * center[1], center[2]};
@@ -188,7 +189,7 @@ void test_detailed_balance()
 
 // An ellipse alone: translations are uniform in a disc, whose mean square is 1/2, and turns by 2
 // atan(v) have a uniform v.
-void test_steps()
+PW85_TEST("/hard_ellipses/steps")
 {
     constexpr double longest = 0.25, largest = 0.75;
     Plane plane;
@@ -216,7 +217,7 @@ void test_steps()
         v4.expect("fourth power of turns", 1.0 / 5);
 }
 
-void test_ideal_gas()
+PW85_TEST("/hard_ellipses/ideal_gas")
 {
     auto const make = [](double area, std::size_t seed) {
         double const side = std::sqrt(area);
@@ -235,7 +236,7 @@ void test_ideal_gas()
 }
 
 // Shears change the tilt of a cell, scalings of one axis its shape; isotropic changes do neither.
-void test_kinds_of_changes()
+PW85_TEST("/hard_ellipses/kinds_of_changes")
 {
     for (CellChange const change :
          {CellChange::isotropic, CellChange::axis, CellChange::triclinic}) {
@@ -293,7 +294,7 @@ Blocks pressures_of_chains(HardEllipsoids &simulation, int blocks, std::size_t c
 // Discs; and parallel ellipses, which are discs in other units along y, so that βP/ρ is the same
 // along all directions. Beyond B6 the series has some 0.12 x⁶, and finite systems some 3/N of the
 // term of B3.
-void test_virials()
+PW85_TEST("/hard_ellipses/virials")
 {
     double const oblique[3] = {1, -2, 0}, axis[3] = {0, 3, 0};
     struct {
@@ -321,7 +322,7 @@ void test_virials()
 
 // At the pressure of the virials the density is that of the virials. That of N particles differs by
 // some (βP/ρ - 1)/N.
-void test_density()
+PW85_TEST("/hard_ellipses/density")
 {
     constexpr double eta = 0.2, density = 4 * eta / pi;
     constexpr int side = 12;
@@ -342,7 +343,7 @@ void test_density()
 
 // Ellipses at constant area have a pressure, by chains; at this pressure they have their density
 // again.
-void test_chains_and_areas()
+PW85_TEST("/hard_ellipses/chains_and_areas")
 {
     constexpr int n = 8;
     Plane plane;
@@ -393,7 +394,7 @@ std::vector<double> upright_numbers(HardEllipsoids const &simulation)
 }
 
 // Everything that a simulation can do, with zeros of both signs: not one bit leaves the plane.
-void test_nothing_leaves_the_plane()
+PW85_TEST("/hard_ellipses/nothing_leaves_the_plane")
 {
     for (int const size : sizes)
         for (double const height : {0.0, 0.3, -7.0}) {
@@ -468,7 +469,7 @@ bool overlaps_2d(HardEllipsoids const &simulation, std::size_t i, Vector3 const 
 
 // After sweeps, chains and changes of the area, no pair overlaps by the exact test of ellipses; and
 // that test agrees about each place.
-void test_overlap_2d()
+PW85_TEST("/hard_ellipses/overlap_2d")
 {
     std::mt19937_64 random(17);
     std::normal_distribution<double> normal;
@@ -524,7 +525,7 @@ std::vector<double> flat_numbers(HardEllipsoids const &simulation)
 }
 
 // The third semi-axes do not change a bit of what happens in it.
-void test_third_axes()
+PW85_TEST("/hard_ellipses/third_axes")
 {
     std::vector<double> expected;
     for (double const third : {0.7, 1e-4, 1e2, 1e7}) {
@@ -555,7 +556,7 @@ void test_third_axes()
     }
 }
 
-void test_threads_and_restart()
+PW85_TEST("/hard_ellipses/threads_and_restart")
 {
     expect_same_in_threads(mixture(40), 2, 12, [](HardEllipsoids &simulation) {
         double z;
@@ -568,7 +569,7 @@ void test_threads_and_restart()
 // Threads do not read particles in other domains of the colour that they work on. Here these are
 // little more than a diameter apart along the first axis, and trials are as long. Particles that
 // left their domains would meet unseen, and overlap after a few sweeps.
-void test_long_trials()
+PW85_TEST("/hard_ellipses/long_trials")
 {
     constexpr int n = 120;
     for (double const a : {1.5, 1.2}) {
@@ -582,7 +583,7 @@ void test_long_trials()
 
 // 1/μ of the closest pair, by the contact function of ellipses, is the factor of the lengths in the
 // plane.
-void test_compress()
+PW85_TEST("/hard_ellipses/compress")
 {
     for (int const size : sizes) {
         Plane plane = mixture(3);
@@ -619,7 +620,7 @@ void test_compress()
 
 // Tuned translations are short beside ellipses or beside their distance, and are accepted as often
 // as wanted.
-void test_tune()
+PW85_TEST("/hard_ellipses/tune")
 {
     for (int const size : sizes)
         for (double const spacing : {1.2, 3.0, 20.0}) {
@@ -647,7 +648,7 @@ void test_tune()
 
 // Without a cell, and in a channel: periodic along one vector of two, of which the area does not
 // change.
-void test_open_planes()
+PW85_TEST("/hard_ellipses/open_planes")
 {
     for (std::array<int, 3> const &periodic : {std::array{1, 0, 0}, std::array{0, 1, 0}}) {
         Plane plane = mixture(5);
@@ -689,7 +690,7 @@ void expect_refusal(char const *what, void (*change)(Plane &))
     g_assert_true(bytes_of(simulation) == before);
 }
 
-void test_bad_input()
+PW85_TEST("/hard_ellipses/bad_input")
 {
     expect_refusal("height", [](Plane &p) { p.centers[4][2] += 0x1p-50; });
     expect_refusal("turn about x", [](Plane &p) { p.quaternions[5][1] = 1e-300; });
@@ -729,7 +730,7 @@ void test_bad_input()
 }
 
 // A saved plane is one when it is read again, and bytes of a state that is none are refused.
-void test_changed_bytes()
+PW85_TEST("/hard_ellipses/changed_bytes")
 {
     Plane plane = mixture(3);
     plane.cell[2][2] = 0.12345; // numbers that occur once
@@ -752,7 +753,7 @@ void test_changed_bytes()
 }
 
 // Ellipsoids that were ellipses leave the plane, without overlaps.
-void test_back_to_space()
+PW85_TEST("/hard_ellipses/back_to_space")
 {
     Plane plane = mixture(5);
     HardEllipsoids simulation = plane.ellipses();
@@ -770,7 +771,7 @@ void test_back_to_space()
 }
 
 // In a closed plane, a translation is at most as long as the longest vector.
-void test_clipped_translation()
+PW85_TEST("/hard_ellipses/clipped_translation")
 {
     HardEllipsoids simulation = mixture(3).simulation();
     g_assert_true(simulation.set_steps({1e3, 0.1, 0.1}) == Status::success);
@@ -779,29 +780,3 @@ void test_clipped_translation()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/hard_ellipses/two_ellipses", test_two_ellipses);
-    g_test_add_func("/hard_ellipses/detailed_balance", test_detailed_balance);
-    g_test_add_func("/hard_ellipses/steps", test_steps);
-    g_test_add_func("/hard_ellipses/ideal_gas", test_ideal_gas);
-    g_test_add_func("/hard_ellipses/kinds_of_changes", test_kinds_of_changes);
-    g_test_add_func("/hard_ellipses/virials", test_virials);
-    g_test_add_func("/hard_ellipses/density", test_density);
-    g_test_add_func("/hard_ellipses/chains_and_areas", test_chains_and_areas);
-    g_test_add_func("/hard_ellipses/nothing_leaves_the_plane", test_nothing_leaves_the_plane);
-    g_test_add_func("/hard_ellipses/overlap_2d", test_overlap_2d);
-    g_test_add_func("/hard_ellipses/third_axes", test_third_axes);
-    g_test_add_func("/hard_ellipses/threads_and_restart", test_threads_and_restart);
-    g_test_add_func("/hard_ellipses/long_trials", test_long_trials);
-    g_test_add_func("/hard_ellipses/compress", test_compress);
-    g_test_add_func("/hard_ellipses/tune", test_tune);
-    g_test_add_func("/hard_ellipses/open_planes", test_open_planes);
-    g_test_add_func("/hard_ellipses/bad_input", test_bad_input);
-    g_test_add_func("/hard_ellipses/changed_bytes", test_changed_bytes);
-    g_test_add_func("/hard_ellipses/back_to_space", test_back_to_space);
-    g_test_add_func("/hard_ellipses/clipped_translation", test_clipped_translation);
-    return g_test_run();
-}

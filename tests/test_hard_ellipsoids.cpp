@@ -12,6 +12,7 @@
 #include <pw85/pw85.hpp>
 #include <pw85/simulation.hpp>
 
+#include "cases.hpp"
 #include "hard_particles.hpp"
 #include "saved_sections.hpp"
 #include "threads.hpp"
@@ -44,7 +45,7 @@ double volume_of(HardEllipsoids const &simulation)
 }
 
 // The vectors of Random123's file kat_vectors, which Salmon and others publish with their paper.
-void test_philox()
+PW85_TEST("/hard_ellipsoids/philox")
 {
     struct {
         pw85::detail::PhiloxWords counter;
@@ -65,7 +66,7 @@ void test_philox()
     }
 }
 
-void test_ideal_gas()
+PW85_TEST("/hard_ellipsoids/ideal_gas")
 {
     auto const make = [](double volume, std::size_t seed) {
         double const side = std::cbrt(volume);
@@ -84,7 +85,7 @@ void test_ideal_gas()
 // A sphere, or a disc, of diameter one does not overlap its images if all edges are at least one.
 // At constant volume the logarithms of the edges are uniform on a triangle, or a line: with their
 // sum S, the mean square of one of them is S²/6, or S²/3.
-void test_aspect()
+PW85_TEST("/hard_ellipsoids/aspect")
 {
     for (int const dimensions : {3, 2}) {
         Start start;
@@ -119,7 +120,7 @@ void test_aspect()
 // Carnahan and Starling's equation of state, J. Chem. Phys. 51, 635 (1969): it errs by less than
 // 0.3 % here. The density of 64 spheres at this pressure differs from that of infinitely many by
 // some tenths of a per cent.
-void test_hard_spheres()
+PW85_TEST("/hard_ellipsoids/hard_spheres")
 {
     constexpr double eta = 0.3, z = (1 + eta + eta * eta - eta * eta * eta) /
                                     ((1 - eta) * (1 - eta) * (1 - eta));
@@ -145,7 +146,7 @@ void test_hard_spheres()
 // Trials of particles and the single trial of the volume of a sweep reach the acceptance that is
 // asked for, from steps far too long or too short. Steps scatter, so the mean over several is
 // compared.
-void test_tune()
+PW85_TEST("/hard_ellipsoids/tune")
 {
     constexpr std::size_t moves[3] = {0, 1, 4}; // translations, rotations, volume
     for (double const wanted : {0.2, 0.6})
@@ -194,7 +195,7 @@ struct TwoSizes {
 // The trials of each kind reach the acceptance that is asked for. A particle is chosen n times in a
 // sweep by Poisson's law, so that e^-a of them have not moved, with the acceptance a. Lengths of
 // translations are those of the kind.
-void test_kind_steps()
+PW85_TEST("/hard_ellipsoids/kind_steps")
 {
     Vector3 const kinds[] = {TwoSizes::large, TwoSizes::little};
     HardEllipsoids simulation = TwoSizes::start().simulation();
@@ -238,7 +239,7 @@ void test_kind_steps()
 
 // The same bits with any number of threads and after a restart, with exchanges, too. Bad steps
 // change nothing.
-void test_kind_steps_restart()
+PW85_TEST("/hard_ellipsoids/kind_steps_restart")
 {
     Vector3 const kinds[] = {TwoSizes::large, TwoSizes::little};
     pw85::TrialSteps const steps[] = {{0.05, 0.02, 0.0}, {0.3, 0.4, 0.0}};
@@ -299,7 +300,7 @@ void test_kind_steps_restart()
 // At low density nearly every translation is accepted. Tuned ones stay short beside the particles,
 // or beside their distance, so that lists of neighbours do. A rotation that is as large as possible
 // adds nothing to the lists of spheres.
-void test_tuned_translations()
+PW85_TEST("/hard_ellipsoids/tuned_translations")
 {
     for (double const unit : {1.0, 0x1p40, 0x1p-40})
         for (double const spacing : {1.6, 3.0, 20.0}) {
@@ -346,7 +347,7 @@ struct TwoEllipsoids {
 
 // All kinds of trials, against independent configurations of which those with overlaps are left
 // out.
-void test_two_ellipsoids()
+PW85_TEST("/hard_ellipsoids/two_ellipsoids")
 {
     int const samples = g_test_perf() ? 200000 : 20000;
     std::mt19937_64 random(5);
@@ -395,7 +396,7 @@ void test_two_ellipsoids()
 // A particle alone turns by (1, v), in which v and -v are equally probable: the mean of v is 0. The
 // parts of the quaternion after a turn, multiplied by the conjugate of the one before, are in the
 // ratio 1 : v.
-void test_domain_scheduler()
+PW85_TEST("/hard_ellipsoids/domain_scheduler")
 {
     constexpr double largest = 0.25;
     Start start;
@@ -441,7 +442,7 @@ std::vector<std::size_t> states_of(HardEllipsoids const &simulation)
     return states;
 }
 
-void test_detailed_balance()
+PW85_TEST("/hard_ellipsoids/detailed_balance")
 {
     Start start = mixture(3);
     for (auto &center : start.centers) center = 1.3 * center;
@@ -455,7 +456,7 @@ void test_detailed_balance()
 // little more than a diameter apart along the first axis, and trials are as long. Particles that
 // left their domains would meet unseen, and overlap after a few sweeps. So would those in four
 // domains of a cell that is not wide enough for more than two.
-void test_long_trials()
+PW85_TEST("/hard_ellipsoids/long_trials")
 {
     constexpr int n = 27;
     constexpr double b = 1.2;
@@ -469,7 +470,7 @@ void test_long_trials()
     }
 }
 
-void test_threads_and_restart()
+PW85_TEST("/hard_ellipsoids/threads_and_restart")
 {
     Start const start = mixture(13);
     expect_same_in_threads(start, 3, 24, [](HardEllipsoids &simulation) {
@@ -483,7 +484,7 @@ void test_threads_and_restart()
 
 // An exchange leaves the semi-axes of all particles together as they are, and does not move or turn
 // any particle.
-void test_exchange()
+PW85_TEST("/hard_ellipsoids/exchange")
 {
     Start start = mixture(6);
     for (std::size_t i = 0; i < start.quaternions.size(); ++i)
@@ -513,7 +514,7 @@ void test_exchange()
 }
 
 // At a pressure whose factor exp(-βPΔV) is below all numbers, no trial makes the volume larger.
-void test_immense_pressures()
+PW85_TEST("/hard_ellipsoids/immense_pressures")
 {
     for (double const pressure : {1e3, 1e5, 1e9, 1e100, 1e300}) {
         Start start;
@@ -533,7 +534,7 @@ void test_immense_pressures()
 
 // The rounded form of a needle with the aspect ratio 2³⁰ is positive definite in some orientations
 // only. Trials do not lead to the others.
-void test_needles()
+PW85_TEST("/hard_ellipsoids/needles")
 {
     Start start;
     start.add({0, 0, 0}, {1.0, 0x1p-30, 0x1p-30});
@@ -551,7 +552,7 @@ void test_needles()
 
 // A small sphere that becomes a large one leaves the box that it has had. The skin of the rows has
 // room for that, or the sweep would make rows without end.
-void test_exchange_of_sizes()
+PW85_TEST("/hard_ellipsoids/exchange_of_sizes")
 {
     Start start;
     start.add({0, 0, 0}, {1.0, 1.0, 1.0});
@@ -568,7 +569,7 @@ void test_exchange_of_sizes()
 
 // A rod that is longer than two sides of its cell meets its own images. Periodic along two vectors,
 // it is on its own along the third.
-void test_small_cell()
+PW85_TEST("/hard_ellipsoids/small_cell")
 {
     Start start;
     start.add({0, 0, 0}, {0.2, 0.2, 2.0});
@@ -695,7 +696,7 @@ void expect_neighbors(HardEllipsoids &simulation, std::size_t i)
     g_assert_cmpuint(k, ==, count);
 }
 
-void test_neighbors()
+PW85_TEST("/hard_ellipsoids/neighbors")
 {
     for (int const size : sizes) {
         HardEllipsoids simulation = small_system(size, false);
@@ -731,7 +732,7 @@ double rejection_of_volume(double n, double pressure, double volume, double larg
 // 0.98, and of longer ones. The cell is at first larger than on average. The number of rejected
 // trials, less the sum of the probabilities p, has the variance Σ p (1 - p), whatever volumes
 // occur.
-void test_rejected_volumes()
+PW85_TEST("/hard_ellipsoids/rejected_volumes")
 {
     constexpr double n = 8.0, pressure = 5.0;
     for (double const largest : {0.001, 0.02, 0.3}) {
@@ -760,7 +761,7 @@ void test_rejected_volumes()
 }
 
 // A single particle is compressed until it meets its own images, and never overlaps them.
-void test_own_images()
+PW85_TEST("/hard_ellipsoids/own_images")
 {
     for (CellChange const change :
          {CellChange::isotropic, CellChange::axis, CellChange::triclinic}) {
@@ -816,7 +817,7 @@ void expect_near_pairs(HardEllipsoids &simulation, Vector3 const &place, double 
 // Far from the first particle, coordinates in single precision are multiples of an eighth of the
 // longest semi-axis, and so are the translations of a large cell. Spheres that overlap by less are
 // found nevertheless.
-void test_far_spheres()
+PW85_TEST("/hard_ellipsoids/far_spheres")
 {
     for (int const size : sizes)
         for (double const period : {0.0, 0x1.1999ap+20}) {
@@ -841,7 +842,7 @@ void test_far_spheres()
 
 // Sizes at which products underflow. Lanes then show overlaps that are none, so that the answers
 // for pairs that fail the fast checks are left to the function for one pair.
-void test_tiny_pairs()
+PW85_TEST("/hard_ellipsoids/tiny_pairs")
 {
     Vector3 const pairs[][3] = {
         // semi-axes of the first and of the second, and the separation
@@ -889,7 +890,7 @@ bool is_free(AllImages const &all, std::size_t i, Vector3 const &center,
 }
 
 // A large sphere among hundreds of small ones, which its bounding box meets at once.
-void test_many_candidates()
+PW85_TEST("/hard_ellipsoids/many_candidates")
 {
     Start start;
     start.add({0, 0, 0}, {2, 2, 2});
@@ -913,7 +914,7 @@ void test_many_candidates()
 }
 
 // Small, large and very large motions, of which only some are taken.
-void test_try()
+PW85_TEST("/hard_ellipsoids/try")
 {
     std::mt19937_64 random(3);
     std::normal_distribution<double> normal;
@@ -1007,7 +1008,7 @@ void expect_compression(HardEllipsoids simulation)
     expect_no_overlap(simulation);
 }
 
-void test_compress()
+PW85_TEST("/hard_ellipsoids/compress")
 {
     for (int const size : sizes)
         for (bool const is_single : {false, true})
@@ -1035,7 +1036,7 @@ void test_compress()
                   std::isnan(factor));
 }
 
-void test_bad_input()
+PW85_TEST("/hard_ellipsoids/bad_input")
 {
     Start start = mixture(2);
     HardEllipsoids simulation;
@@ -1058,7 +1059,7 @@ void test_bad_input()
 }
 
 // Lists for a translation that is longer than the cell would need gigabytes for a few particles.
-void test_bad_steps()
+PW85_TEST("/hard_ellipsoids/bad_steps")
 {
     for (int const size : {0, 40, -40}) {
         double const unit = std::ldexp(1.0, size);
@@ -1086,7 +1087,7 @@ void test_bad_steps()
 }
 
 // Sweeps with these numbers would never end, or would make no trials.
-void test_changed_bytes()
+PW85_TEST("/hard_ellipsoids/changed_bytes")
 {
     constexpr double steps[3] = {0.0123, 0.0456, 0.0789}, fraction = 0.25, other = 0.75;
     HardEllipsoids simulation = mixture(2).simulation();
@@ -1108,38 +1109,3 @@ void test_changed_bytes()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/hard_ellipsoids/philox", test_philox);
-    g_test_add_func("/hard_ellipsoids/ideal_gas", test_ideal_gas);
-    g_test_add_func("/hard_ellipsoids/aspect", test_aspect);
-    g_test_add_func("/hard_ellipsoids/hard_spheres", test_hard_spheres);
-    g_test_add_func("/hard_ellipsoids/tune", test_tune);
-    g_test_add_func("/hard_ellipsoids/kind_steps", test_kind_steps);
-    g_test_add_func("/hard_ellipsoids/kind_steps_restart", test_kind_steps_restart);
-    g_test_add_func("/hard_ellipsoids/tuned_translations", test_tuned_translations);
-    g_test_add_func("/hard_ellipsoids/two_ellipsoids", test_two_ellipsoids);
-    g_test_add_func("/hard_ellipsoids/domain_scheduler", test_domain_scheduler);
-    g_test_add_func("/hard_ellipsoids/detailed_balance", test_detailed_balance);
-    g_test_add_func("/hard_ellipsoids/long_trials", test_long_trials);
-    g_test_add_func("/hard_ellipsoids/threads_and_restart", test_threads_and_restart);
-    g_test_add_func("/hard_ellipsoids/exchange", test_exchange);
-    g_test_add_func("/hard_ellipsoids/immense_pressures", test_immense_pressures);
-    g_test_add_func("/hard_ellipsoids/needles", test_needles);
-    g_test_add_func("/hard_ellipsoids/exchange_of_sizes", test_exchange_of_sizes);
-    g_test_add_func("/hard_ellipsoids/small_cell", test_small_cell);
-    g_test_add_func("/hard_ellipsoids/neighbors", test_neighbors);
-    g_test_add_func("/hard_ellipsoids/rejected_volumes", test_rejected_volumes);
-    g_test_add_func("/hard_ellipsoids/own_images", test_own_images);
-    g_test_add_func("/hard_ellipsoids/far_spheres", test_far_spheres);
-    g_test_add_func("/hard_ellipsoids/tiny_pairs", test_tiny_pairs);
-    g_test_add_func("/hard_ellipsoids/many_candidates", test_many_candidates);
-    g_test_add_func("/hard_ellipsoids/try", test_try);
-    g_test_add_func("/hard_ellipsoids/compress", test_compress);
-    g_test_add_func("/hard_ellipsoids/bad_input", test_bad_input);
-    g_test_add_func("/hard_ellipsoids/bad_steps", test_bad_steps);
-    g_test_add_func("/hard_ellipsoids/changed_bytes", test_changed_bytes);
-    return g_test_run();
-}

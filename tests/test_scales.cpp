@@ -14,6 +14,7 @@
 #include <pw85_systems.h>
 
 #include "calls.hpp"
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "flights.hpp"
@@ -322,7 +323,7 @@ void check_function(Failures &failures, Function const &function)
     });
 }
 
-void test_functions()
+PW85_TEST("/scales/functions")
 {
     int tested = 0;
     for (Function const &function : declared_functions()) {
@@ -346,7 +347,7 @@ std::vector<std::int32_t> entries_of(Call &create)
     return all;
 }
 
-void test_neighbors()
+PW85_TEST("/scales/neighbors")
 {
     auto const &all = declared_functions();
     auto const create = std::find_if(
@@ -363,11 +364,3 @@ void test_neighbors()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/scales/functions", test_functions);
-    g_test_add_func("/scales/neighbors", test_neighbors);
-    return g_test_run();
-}
