@@ -192,9 +192,6 @@ class Checks {
         if (!good) counts.add_wrong();
     }
 
-    /// Whether ellipses of this pair touch.
-    static bool is_touching(PlaneTruth const &t) { return t.touches > 0; }
-
     Counts counts;
 
   private:
