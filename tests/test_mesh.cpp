@@ -81,18 +81,10 @@ PW85_TEST("/mesh/nearest")
 {
     Failures failures;
     Random random(700);
-    for (int n = 0; n < draws(240); ++n) {
-        int const exponent = exponents[n % 5];
-        Soup const soup = soup_of(random, n, exponent);
-        auto const mesh = soup.mesh();
-        for (int k = 0; k < 12; ++k) {
-            Case c = random_case(random, k);
-            c.center = pw85::detail::times_power_of_two(c.center, exponent);
-            c.q = pw85::detail::times_power_of_two(c.q, 2 * exponent);
-            if (k % 4 == 3) c.center[2] = 0.0; // in the plane of a grid
-            expect_nearest(soup, mesh, c, failures);
-        }
-    }
+    for_each_case(random, draws(240), 12,
+                  [&](Soup const &soup, pw85::Mesh const &mesh, Case const &c, int) {
+                      expect_nearest(soup, mesh, c, failures);
+                  });
 }
 
 // The same where the ellipsoid touches many triangles at equal distances up to rounding errors: an
@@ -137,22 +129,16 @@ PW85_TEST("/mesh/overlap")
     Failures failures;
     Random random(703);
     int overlapping = 0, checked = 0;
-    for (int n = 0; n < draws(160); ++n) {
-        int const exponent = exponents[n % 5];
-        Soup const soup = soup_of(random, n, exponent);
-        auto const mesh = soup.mesh();
-        for (int k = 0; k < 8; ++k, ++checked) {
-            Case c = random_case(random, k);
-            c.center = pw85::detail::times_power_of_two(c.center, exponent);
-            c.q = pw85::detail::times_power_of_two(c.q, 2 * exponent);
-            auto const near = nearest_of_all(soup, c);
-            // The ellipsoid that touches, up to rounding errors.
-            if (k % 2 == 0 && near.mu2 > 1e-12 && near.mu2 < 1e12) c.q = near.mu2 * c.q;
-            bool const expected = overlaps_any(soup, c);
-            expect_overlap(mesh, c, expected, failures);
-            overlapping += expected;
-        }
-    }
+    auto const check = [&](Soup const &soup, pw85::Mesh const &mesh, Case c, int k) {
+        auto const near = nearest_of_all(soup, c);
+        // The ellipsoid that touches, up to rounding errors.
+        if (k % 2 == 0 && near.mu2 > 1e-12 && near.mu2 < 1e12) c.q = near.mu2 * c.q;
+        bool const expected = overlaps_any(soup, c);
+        expect_overlap(mesh, c, expected, failures);
+        overlapping += expected;
+        ++checked;
+    };
+    for_each_case(random, draws(160), 8, check);
     g_test_message("%d of %d overlap", overlapping, checked);
     g_assert_cmpint(overlapping, >, checked / 8);
     g_assert_cmpint(overlapping, <, 7 * checked / 8);

@@ -65,18 +65,10 @@ PW85_TEST("/mesh_distance/nearest")
 {
     Failures failures;
     Random random(800);
-    for (int n = 0; n < draws(120); ++n) {
-        int const exponent = exponents[n % 5];
-        Soup const soup = soup_of(random, n, exponent);
-        auto const mesh = soup.mesh();
-        for (int k = 0; k < 8; ++k) {
-            Case c = random_case(random, k);
-            c.center = pw85::detail::times_power_of_two(c.center, exponent);
-            c.q = pw85::detail::times_power_of_two(c.q, 2 * exponent);
-            if (k % 4 == 3) c.center[2] = 0.0; // in the plane of a grid
-            expect_nearest(soup, mesh, c, failures);
-        }
-    }
+    for_each_case(random, draws(120), 8,
+                  [&](Soup const &soup, pw85::Mesh const &mesh, Case const &c, int) {
+                      expect_nearest(soup, mesh, c, failures);
+                  });
 }
 
 // Many triangles at equal distances up to rounding errors: a ball in the middle of a sphere of
