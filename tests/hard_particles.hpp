@@ -190,8 +190,8 @@ template <class Make> void expect_ideal_gas(double n, Make const &make)
     }
 }
 
-/// Which of 54 states a particle is in: its thirds of the cell along the last two axes, the third of
-/// a turn about the third axis, or of half a turn of an ellipse, and its kind. A drift or a
+/// Which of 54 states a particle is in: its thirds of the cell along the last two axes, the third
+/// of a turn about the third axis, or of half a turn of an ellipse, and its kind. A drift or a
 /// preferred sense of rotation makes a current around a cycle of three states.
 inline std::vector<std::size_t> states_of(HardEllipsoids const &simulation)
 {

@@ -233,10 +233,10 @@ int power_of(Function const &function, Parameter const &p, std::size_t i, Units 
     return units.length * (of_value - (row < d) - (column < d));
 }
 
-/// By how much numbers may differ, relative to the largest of their row: 0 where bits are the same.
-/// In other units, pairs may go to lanes that others leave, or to another formula. Of areas, which are
-/// relative to those of the ellipses, and of witnesses, of which there are many, only the units are
-/// compared.
+/// By how much numbers may differ, relative to the largest of their row: 0 where bits are the
+/// same. In other units, pairs may go to lanes that others leave, or to another formula. Of areas,
+/// which are relative to those of the ellipses, and of witnesses, of which there are many, only the
+/// units are compared.
 double difference_of(Function const &function)
 {
     bool const has_lanes =
