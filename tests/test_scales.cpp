@@ -2,7 +2,9 @@
 // Every function that takes lengths or times gives corresponding results in other units. Pairs of
 // various sizes and size ratios, walls, cells and motions are multiplied by powers of two; the
 // results must change by the powers of it that belong to the units of their declarations.
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -18,6 +20,7 @@
 #include "draws.hpp"
 #include "failures.hpp"
 #include "flights.hpp"
+#include "marks.hpp"
 #include "rows_of_calls.hpp"
 
 using namespace pw85_tests;
@@ -240,10 +243,11 @@ int power_of(Function const &function, Parameter const &p, std::size_t i, Units 
 double difference_of(Function const &function)
 {
     bool const has_lanes =
-        names(function, "_pairs") || names(function, "derivatives_batch") ||
-        std::find(with_lanes.begin(), with_lanes.end(), function.name) != with_lanes.end();
-    bool const has_formulas = names(function, "contact_segment") ||
-                              names(function, "contact_triangle") || names(function, "contact_box");
+        std::find(with_lanes.begin(), with_lanes.end(), function.name) != with_lanes.end() ||
+        is_one_of(function.name, {"pw85_contact_derivatives_batch", "pw85_contact_pairs",
+                                  "pw85_contact_derivatives_pairs", "pw85_law_forces_pairs"});
+    bool const has_formulas = is_one_of(
+        function.name, {"pw85_contact_segment", "pw85_contact_triangle", "pw85_contact_box"});
     if (names(function, "witness") || names(function, "overlap_area")) return 0.25;
     return has_lanes || has_formulas ? difference_of_lanes : 0.0;
 }
