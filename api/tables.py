@@ -21,6 +21,7 @@ TYPES = {
     "pw85_motion": "motion",
     **dict.fromkeys(OBJECTS, "handle"),
 }
+POWERS = {"": 1, "²": 2, "³": 3}
 RESULTS = {"void": "none", "int": "status", "double": "real"}  # results of other types are not used
 
 
@@ -30,10 +31,23 @@ def extent(one, names):
     return f"{{-1, {one}}}" if isinstance(one, int) else f"{{{names.index(one)}, 0}}"
 
 
+def powers(unit):
+    """The powers of length and of time in a unit."""
+    found = {"length": 0, "time": 0, "energy": 0}
+    for sign, part in zip((1, -1), unit.split("/"), strict=False):
+        name = part.rstrip("²³")
+        if name in found:
+            found[name] += sign * POWERS[part[len(name) :]]
+    return found["length"], found["time"]
+
+
 def row_of(parameter, names):
     shape = ", ".join(extent(one, names) for one in parameter.shape)
-    flags = (parameter.pointer, parameter.is_output() or parameter.outer, parameter.nullable)
-    return f'{{"{parameter.name}", Type::{TYPES[parameter.type]}, {", ".join(str(flag).lower() for flag in flags)}, {{{shape}}}}}'
+    unit = parameter.attributes.unit
+    length, time = powers(unit)
+    flags = (unit == "mixed units", parameter.pointer, parameter.is_output() or parameter.outer, parameter.nullable)
+    listed = ", ".join(str(flag).lower() for flag in flags)
+    return f'{{"{parameter.name}", Type::{TYPES[parameter.type]}, {length}, {time}, {listed}, {{{shape}}}}}'
 
 
 def argument(one, names):

@@ -25,6 +25,8 @@ struct Extent {
 struct Parameter {
     char const *name;
     Type type;
+    int length, time; ///< the powers in its unit
+    bool mixed_units; ///< its numbers have several units
     bool pointer, output, nullable;
     std::vector<Extent> shape;
 };

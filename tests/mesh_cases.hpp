@@ -114,7 +114,25 @@ inline Soup soup_of(Random &random, int n, int exponent)
     return soup;
 }
 
-constexpr int exponents[] = {0, -40, 40, -300, 300};
+/// Visits soups and their meshes with ellipsoids, in five units; every fourth ellipsoid has its
+/// centre in the plane of a grid.
+template <class Visit>
+void for_each_case(Random &random, int soups, int ellipsoids, Visit const &visit)
+{
+    for (int n = 0; n < soups; ++n) {
+        constexpr int exponents[] = {0, -40, 40, -300, 300};
+        int const exponent = exponents[n % 5];
+        Soup const soup = soup_of(random, n, exponent);
+        auto const mesh = soup.mesh();
+        for (int k = 0; k < ellipsoids; ++k) {
+            Case c = random_case(random, k);
+            c.center = pw85::detail::times_power_of_two(c.center, exponent);
+            c.q = pw85::detail::times_power_of_two(c.q, 2 * exponent);
+            if (k % 4 == 3) c.center[2] = 0.0;
+            visit(soup, mesh, c, k);
+        }
+    }
+}
 
 } // namespace
 } // namespace pw85_tests

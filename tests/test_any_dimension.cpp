@@ -11,6 +11,7 @@
 #include <pw85/any_dimension/containment.hpp>
 
 #include "any_dimension_truth.hpp"
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 
@@ -48,7 +49,7 @@ constexpr double aspects[] = {4, 100, 1e4, 1e6};
 
 // The bound of the header: 4 u cond, for both orders. λ is where f is stationary: f there is the
 // maximum to the same bound.
-void test_contact()
+PW85_TEST("/any_dimension/contact")
 {
     Failures failures;
     Random random(75);
@@ -99,7 +100,7 @@ template <int N> void check_known(Failures &failures, Random &random)
 }
 
 // Dimensions that are known at compile time change no bit, and no status.
-void test_at_compile_time()
+PW85_TEST("/any_dimension/at_compile_time")
 {
     Failures failures;
     Random random(88);
@@ -118,7 +119,7 @@ Case in_space(Case const &c)
 }
 
 // In two and three dimensions the functions for these are the truth.
-void test_known_dimensions()
+PW85_TEST("/any_dimension/known_dimensions")
 {
     Failures failures;
     Random random(76);
@@ -169,7 +170,7 @@ Case padded(Random &random, Case const &c, int n)
 }
 
 // Axes without separation change nothing: neither μ² beyond its bound, nor any exact answer.
-void test_padding()
+PW85_TEST("/any_dimension/padding")
 {
     Failures failures;
     Random random(77);
@@ -206,7 +207,7 @@ void check_vector(Failures &failures, char const *what, std::vector<double> cons
 
 // The formulas of the envelope theorem at the λ that was found, with s of 50 digits. Aspect ratios
 // up to 100: s has the condition number of M, 1e4, and n² of the worst case.
-void test_geometry()
+PW85_TEST("/any_dimension/geometry")
 {
     Failures failures;
     Random random(78);
@@ -248,7 +249,7 @@ void test_geometry()
 
 // Forms of determinants near 1 with entries of 1e14: s is right to rounding in the norm of M, from
 // numbers of seven times the digits.
-void test_geometry_of_singular_forms()
+PW85_TEST("/any_dimension/geometry_of_singular_forms")
 {
     Failures failures;
     Random random(86);
@@ -329,7 +330,7 @@ void test_geometry_of_singular_forms()
 
 // The sign of μ² - m from the truth, for m that differ from μ² by a part of 1e-3 to 1e-40: as r12
 // is a double, the pair is compared at the double next to μ², and its neighbours.
-void test_compare()
+PW85_TEST("/any_dimension/compare")
 {
     Failures failures;
     Random random(79);
@@ -376,7 +377,7 @@ Case touching(Random &random, int n, int largest)
 }
 
 // Ties, with units of 2^±40, and the pairs next to them: farther and nearer centres by one bit.
-void test_ties()
+PW85_TEST("/any_dimension/ties")
 {
     Failures failures;
     Random random(80);
@@ -404,7 +405,7 @@ void test_ties()
 }
 
 // A form is L Lᵀ of integers, of full rank or not; one unit off is definite or not for sure.
-void test_definite()
+PW85_TEST("/any_dimension/definite")
 {
     Failures failures;
     Random random(81);
@@ -461,7 +462,7 @@ Found containment(Case const &c, std::vector<double> &point)
 
 // κ², its bound (2n + 20) u c of the header, and the answer of the exact test: r12 and Q2 are
 // scaled so that κ² is near 1. The point is on ellipsoid 2 and on the scaled ellipsoid 1.
-void test_containment()
+PW85_TEST("/any_dimension/containment")
 {
     Failures failures;
     Random random(83);
@@ -556,7 +557,7 @@ Case with_tiny_part(Random &random, int n, double eigenvalue)
 }
 
 // Ties of containment, and forms that differ from them by 2⁻²⁰ of one entry.
-void test_inner_ties()
+PW85_TEST("/any_dimension/inner_ties")
 {
     Failures failures;
     Random random(84);
@@ -618,7 +619,7 @@ void test_inner_ties()
 /// reaches farthest from the centre of a ball of radius 2 where the coordinate along r12 is y = ρ
 /// c²/(b² - c²), so that 4 κ² = b² + ρ² b²/(b² - c²). For ρ = 0 ellipsoids are concentric. The
 /// condition sum is at most 3 κ² for diagonal forms.
-void test_across_the_longest_axis()
+PW85_TEST("/any_dimension/across_the_longest_axis")
 {
     Failures failures;
     std::vector<double> point;
@@ -644,7 +645,7 @@ void test_across_the_longest_axis()
 
 /// Ellipsoids that touch from inside in the directions s with sᵀQ2s = (s·r12)²: Q1 = 2 Q2 + 2 r rᵀ.
 /// No such direction proves that ellipsoid 2 is not inside, however its numbers are rounded.
-void test_proof_of_outside()
+PW85_TEST("/any_dimension/proof_of_outside")
 {
     using namespace pw85::detail::any_dimension;
     Failures failures;
@@ -754,7 +755,7 @@ void check_distance(Failures &failures, Case const &c, FoundDistance const &foun
 }
 
 // Pairs that are apart by 1e-9 to 10 of their size, and pairs that touch.
-void test_distance()
+PW85_TEST("/any_dimension/distance")
 {
     Failures failures;
     Random random(85);
@@ -784,7 +785,7 @@ void test_distance()
 }
 
 // A tiny ellipsoid in a large one, and a large one around a tiny one.
-void test_inner_range()
+PW85_TEST("/any_dimension/inner_range")
 {
     std::vector<double> point;
     for (double a : {1e-75, 1.0, 1e75})
@@ -806,7 +807,7 @@ void test_inner_range()
             }
 }
 
-void test_status()
+PW85_TEST("/any_dimension/status")
 {
     Case const c{2, {3, 4}, {1, 0, 1}, {4, 0, 4}};
     double out[2] = {0, 0};
@@ -865,7 +866,7 @@ void test_status()
 }
 
 // Sizes from 1e-150 to 1e150, of which one ellipsoid may have the one and the other the other.
-void test_range()
+PW85_TEST("/any_dimension/range")
 {
     for (double a : {1e-150, 1e-75, 1.0, 1e150})
         for (double b : {1e-150, 1e-75, 1.0, 1e150})
@@ -888,7 +889,7 @@ void test_range()
 
 /// Forms of which some axes are below the smallest normal number if the others are of order one:
 /// there is no number, comparisons and definiteness are still exact.
-void test_axes_far_apart()
+PW85_TEST("/any_dimension/axes_far_apart")
 {
     Case c{2,
            {0x1.1c3a1628272aap+314, 0x1.33188b1c077c5p-222},
@@ -909,7 +910,7 @@ void test_axes_far_apart()
 
 /// λ rounds to 1 if ellipsoid 1 is much larger; its complement is taken from λ as in three
 /// dimensions.
-void test_geometry_of_unlike_sizes()
+PW85_TEST("/any_dimension/geometry_of_unlike_sizes")
 {
     for (bool const exchanged : {false, true}) {
         double const large[] = {0x1p60, 0, 0, 3 * 0x1p60, 0, 5 * 0x1p60},
@@ -935,7 +936,7 @@ void test_geometry_of_unlike_sizes()
 }
 
 // Rows give the bits of single pairs, and a bad row keeps to itself.
-void test_batch()
+PW85_TEST("/any_dimension/batch")
 {
     Random random(82);
     for (int n : {1, 3, 6}) {
@@ -1011,29 +1012,3 @@ void test_batch()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/any_dimension/contact", test_contact);
-    g_test_add_func("/any_dimension/known_dimensions", test_known_dimensions);
-    g_test_add_func("/any_dimension/at_compile_time", test_at_compile_time);
-    g_test_add_func("/any_dimension/padding", test_padding);
-    g_test_add_func("/any_dimension/geometry", test_geometry);
-    g_test_add_func("/any_dimension/geometry_of_singular_forms", test_geometry_of_singular_forms);
-    g_test_add_func("/any_dimension/compare", test_compare);
-    g_test_add_func("/any_dimension/ties", test_ties);
-    g_test_add_func("/any_dimension/definite", test_definite);
-    g_test_add_func("/any_dimension/containment", test_containment);
-    g_test_add_func("/any_dimension/inner_ties", test_inner_ties);
-    g_test_add_func("/any_dimension/across_the_longest_axis", test_across_the_longest_axis);
-    g_test_add_func("/any_dimension/proof_of_outside", test_proof_of_outside);
-    g_test_add_func("/any_dimension/inner_range", test_inner_range);
-    g_test_add_func("/any_dimension/distance", test_distance);
-    g_test_add_func("/any_dimension/status", test_status);
-    g_test_add_func("/any_dimension/range", test_range);
-    g_test_add_func("/any_dimension/axes_far_apart", test_axes_far_apart);
-    g_test_add_func("/any_dimension/geometry_of_unlike_sizes", test_geometry_of_unlike_sizes);
-    g_test_add_func("/any_dimension/batch", test_batch);
-    return g_test_run();
-}

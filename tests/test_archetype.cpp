@@ -11,6 +11,7 @@
 
 #include <pw85/pw85.hpp>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -252,14 +253,9 @@ template <int D> void test_lanes()
     }
 }
 
-} // namespace
+PW85_ADD_TEST("/archetype/number/2d", test_number<2>);
+PW85_ADD_TEST("/archetype/number/3d", test_number<3>);
+PW85_ADD_TEST("/archetype/lanes/2d", test_lanes<2>);
+PW85_ADD_TEST("/archetype/lanes/3d", test_lanes<3>);
 
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/archetype/number/2d", test_number<2>);
-    g_test_add_func("/archetype/number/3d", test_number<3>);
-    g_test_add_func("/archetype/lanes/2d", test_lanes<2>);
-    g_test_add_func("/archetype/lanes/3d", test_lanes<3>);
-    return g_test_run();
-}
+} // namespace

@@ -12,6 +12,7 @@
 #include <pw85.h>
 #include <pw85/pw85.hpp>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -154,7 +155,7 @@ template <class Describe> void check_entries(Failures &failures, Largest &most, 
 }
 
 /// Areas, moments and tensors of inertia of random shapes, sizes and directions.
-void test_random()
+PW85_TEST("/bodies/random")
 {
     Failures failures;
     Random random(20261129);
@@ -196,7 +197,7 @@ void test_random()
 }
 
 /// Volumes of needles, of discs and of shapes between them, with aspect ratios up to 10⁷.
-void test_volumes()
+PW85_TEST("/bodies/volumes")
 {
     Failures failures;
     Random random(20261130);
@@ -260,7 +261,7 @@ std::vector<Wide> mean_squares(std::vector<Wide> const &axes, int count)
 }
 
 /// The rules converge like ρ^(-2·40) with ρ >= 3 for these axes, to far below u.
-void test_quadrature()
+PW85_TEST("/bodies/quadrature")
 {
     Failures failures;
     for (auto const &axes : {std::vector<Wide>{1.0, 0.875, 0.75},
@@ -283,7 +284,7 @@ void test_quadrature()
 }
 
 /// Spheroids, whose areas are elementary, at any aspect ratio; axes along the coordinates.
-void test_spheroids()
+PW85_TEST("/bodies/spheroids")
 {
     Failures failures;
     Wide const pi = atan2(Wide(0), Wide(-1));
@@ -303,7 +304,7 @@ void test_spheroids()
 }
 
 /// Perimeters and moments of wires: Boost's complete integrals, and Σ ⟨x_i²⟩/a_i² = 1.
-void test_plane()
+PW85_TEST("/bodies/plane")
 {
     Failures failures;
     Random random(20261130);
@@ -350,7 +351,7 @@ void test_plane()
 }
 
 /// Solid bodies, at sizes near the ends of the range, and what is refused.
-void test_limits()
+PW85_TEST("/bodies/limits")
 {
     double const flat[] = {1, 0, 0, 1, 0, 0};
     double const nan_form[] = {1, 0, 0, std::nan(""), 0, 1};
@@ -381,7 +382,7 @@ void test_limits()
 }
 
 /// Moments beyond the range of double are infinite or zero, and products that are zero stay so.
-void test_out_of_range()
+PW85_TEST("/bodies/out_of_range")
 {
     for (int const shell : {0, 1})
         for (int const e : {-900, 900}) {
@@ -417,7 +418,7 @@ template <int D> void check_from_moments()
     }
 }
 
-void test_from_moments()
+PW85_TEST("/bodies/from_moments")
 {
     check_from_moments<3>();
     check_from_moments<2>();
@@ -432,17 +433,3 @@ void test_from_moments()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/bodies/random", test_random);
-    g_test_add_func("/bodies/volumes", test_volumes);
-    g_test_add_func("/bodies/quadrature", test_quadrature);
-    g_test_add_func("/bodies/spheroids", test_spheroids);
-    g_test_add_func("/bodies/plane", test_plane);
-    g_test_add_func("/bodies/limits", test_limits);
-    g_test_add_func("/bodies/out_of_range", test_out_of_range);
-    g_test_add_func("/bodies/from_moments", test_from_moments);
-    return g_test_run();
-}

@@ -13,6 +13,7 @@
 
 #include <pw85.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -43,7 +44,7 @@ bool in_range(Sample<double, 3> const &p, pw85::detail::Pair<double, 3> &pair)
 }
 
 // The table of rounds in brent.cpp: what is stated is needed, and is enough.
-void test_rounds()
+PW85_TEST("/brent/rounds")
 {
     struct Row {
         double aspect;
@@ -87,7 +88,7 @@ int unsettled(int halley_steps)
 
 // A step that is small settles a pair, and is taken: one is enough for most contact problems, and
 // PW85_NR_ITER for all.
-void test_iterations()
+PW85_TEST("/brent/iterations")
 {
     g_assert_cmpint(unsettled(PW85_NR_ITER), ==, 0);
     g_assert_cmpint(unsettled(1), >, 0);
@@ -95,7 +96,7 @@ void test_iterations()
 
 // Shapes so slender that rounding hides a part of them: neither method settles, and the answer is
 // right all the same.
-void test_slender()
+PW85_TEST("/brent/slender")
 {
     Failures failures;
     double worst = 0.0;
@@ -128,7 +129,7 @@ void test_slender()
 
 // A thin disc on the axis of a huge sphere, 2^1047 times as thick: τ is beyond the range of double,
 // λ is 0 or 1.
-void test_points()
+PW85_TEST("/brent/points")
 {
     double const disc[6] = {0x1p-820, 0.0, 0.0, 0x1p-1072, 0.0, 0x1p-820},
                  r12[3] = {0.0, 0x3p511, 0.0};
@@ -162,7 +163,7 @@ class CountErrors {
 struct CountErrors {};
 #endif
 
-void test_no_side_effects()
+PW85_TEST("/brent/no_side_effects")
 {
     [[maybe_unused]] CountErrors const counting;
     Failures failures;
@@ -180,14 +181,3 @@ void test_no_side_effects()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/brent/rounds", test_rounds);
-    g_test_add_func("/brent/iterations", test_iterations);
-    g_test_add_func("/brent/slender", test_slender);
-    g_test_add_func("/brent/points", test_points);
-    g_test_add_func("/brent/no_side_effects", test_no_side_effects);
-    return g_test_run();
-}

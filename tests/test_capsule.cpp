@@ -14,6 +14,7 @@
 #include <pw85/distance/capsule.hpp>
 #include <pw85_batch.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "rotated.hpp"
 #include "shape_cases.hpp"
@@ -143,7 +144,7 @@ Doubles random_capsule(Random &random, int n)
     return c;
 }
 
-void test_contact()
+PW85_TEST("/capsule/contact")
 {
     Failures failures;
     Random random(960);
@@ -166,7 +167,7 @@ void test_contact()
 }
 
 /// Capsules at distances such that |μ² - 1| is from 1e-17 to 1/2.
-void test_overlap()
+PW85_TEST("/capsule/overlap")
 {
     Failures failures;
     Random random(961);
@@ -194,7 +195,7 @@ void test_overlap()
 /// = Qs/k, where k² = sᵀQs, the ellipsoid has the normal s at m, and a ball of radius 3r about m +
 /// r s touches it. w is across s: adding w wᵀ to Q changes neither, and the segment may go on along
 /// w.
-void test_touching()
+PW85_TEST("/capsule/touching")
 {
     Failures failures;
     for (int n = 0; n < 600; ++n) {
@@ -228,7 +229,7 @@ void test_touching()
 
 /// The distance in 50 digits is that of the segment minus the radius, which test_solids proves. If
 /// they are apart, the points prove it.
-void test_distance()
+PW85_TEST("/capsule/distance")
 {
     Failures failures;
     Random random(962);
@@ -268,7 +269,7 @@ void test_distance()
 
 /// A ball is an ellipsoid without a direction: the distance and, if the ellipsoid is a ball, μ² are
 /// known. A capsule of radius 0 is a segment.
-void test_degenerate()
+PW85_TEST("/capsule/degenerate")
 {
     Failures failures;
     Random random(963);
@@ -299,7 +300,7 @@ void test_degenerate()
 }
 
 /// Sizes that are far apart, and beyond squares.
-void test_range()
+PW85_TEST("/capsule/range")
 {
     for (int const size : {-500, 0, 500})
         for (int const radius : {-1000, -300, 0, 300, 1000}) {
@@ -320,7 +321,7 @@ void test_range()
         }
 }
 
-void test_bad_input()
+PW85_TEST("/capsule/bad_input")
 {
     double const nan = std::numeric_limits<double>::quiet_NaN(),
                  infinite = std::numeric_limits<double>::infinity();
@@ -349,7 +350,7 @@ void test_bad_input()
 }
 
 /// Rows are as one row, and a bad row is marked.
-void test_rows()
+PW85_TEST("/capsule/rows")
 {
     Random random(964);
     constexpr int rows = 9, bad = 4;
@@ -381,17 +382,3 @@ void test_rows()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/capsule/contact", test_contact);
-    g_test_add_func("/capsule/overlap", test_overlap);
-    g_test_add_func("/capsule/touching", test_touching);
-    g_test_add_func("/capsule/distance", test_distance);
-    g_test_add_func("/capsule/degenerate", test_degenerate);
-    g_test_add_func("/capsule/range", test_range);
-    g_test_add_func("/capsule/bad_input", test_bad_input);
-    g_test_add_func("/capsule/rows", test_rows);
-    return g_test_run();
-}

@@ -17,6 +17,7 @@
 #include <pw85_simulation.h>
 #include <pw85_systems.h>
 
+#include "cases.hpp"
 #include "causes.hpp"
 
 using namespace pw85_tests;
@@ -72,7 +73,7 @@ class Simulation {
 /// Two circles, in a plane without a cell.
 Simulation in_plane() { return Simulation({0, 0, 0, 4, 0, 0}, nullptr, {0, 0, 0}, 2); }
 
-void test_numbers()
+PW85_TEST("/causes/numbers")
 {
     double q[6];
     double const small[] = {1, 1e-200, 1}, flat[] = {1, 0, 0, 0, 1, 0, 0, 0, 0},
@@ -98,7 +99,7 @@ void test_numbers()
 }
 
 /// A cause that is not one entry has no value.
-void test_no_number()
+PW85_TEST("/causes/no_number")
 {
     double const r12[] = {3, 0, 0}, larger[] = {1 + 0x1p-52, 0, 0, 1, 0, 1},
                  twice[] = {4, 0, 0, 4, 0, 4};
@@ -117,7 +118,7 @@ void test_no_number()
     if (error.argument != nullptr || !std::isnan(error.value)) g_error("%a", error.value);
 }
 
-void test_lists()
+PW85_TEST("/causes/lists")
 {
     double const centers[] = {0, 0, 0, 3, 0, 0}, far[] = {0, 0, 0, 1e300, 0, 0},
                  two[] = {1, 0, 0, 1, 0, 1, 1, 0, 0, 1, 0, 1}, long_form[] = {90, 0, 0, 1, 0, 1};
@@ -150,7 +151,7 @@ void test_lists()
     pw85_neighbors_destroy(neighbors);
 }
 
-void test_meshes()
+PW85_TEST("/causes/meshes")
 {
     double const corners[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
     unsigned char overlap = 0;
@@ -198,7 +199,7 @@ void expect_member(char const *function, RefusedMember<Row> const &one, Set cons
     expect_cause(function, one.member, one.requirement, 1, one.entry, one.value);
 }
 
-void test_walls()
+PW85_TEST("/causes/walls")
 {
     Simulation const open({0, 0, 0}, nullptr, {0, 0, 0}), flat = in_plane(), periodic({4, 4, 4});
     auto const refuse = [](pw85_hard_ellipsoids *simulation, RefusedMember<pw85_wall> const &one,
@@ -267,7 +268,7 @@ void test_walls()
 }
 
 /// Walls that cut the first particle: with its centre in the wall, the wall's numbers are told.
-void test_cuts()
+PW85_TEST("/causes/cuts")
 {
     Simulation const open({5, 6, 7}, nullptr, {0, 0, 0}), flat = in_plane();
     constexpr char cut[] = "must not cut a particle: move one of them",
@@ -310,7 +311,7 @@ void test_cuts()
         pw85_hard_ellipsoids_set_mesh(open, 3, corners, 1, triangles, nullptr), PW85_EOVERLAP);
 }
 
-void test_fields()
+PW85_TEST("/causes/fields")
 {
     Simulation const one({4, 4, 4});
     constexpr char direction[] = "must be a direction whose square is finite and not 0";
@@ -352,7 +353,7 @@ double constant(void *context, int32_t, double const *, double const *, double c
     return *static_cast<double *>(context);
 }
 
-void test_potentials()
+PW85_TEST("/causes/potentials")
 {
     double energy = 1.0;
     auto const set = [&](pw85_hard_ellipsoids *one) {
@@ -387,7 +388,7 @@ void test_potentials()
     pw85_hard_ellipsoids_destroy(restored);
 }
 
-void test_laws()
+PW85_TEST("/causes/laws")
 {
     Simulation const one({4, 4, 4});
     auto const refuse = [&](std::initializer_list<double> x, char const *argument, char const *text,
@@ -412,7 +413,7 @@ void test_laws()
     refuse({1e30, 12, 4, 6, 2}, "law", "must have energies of pairs of at most 2²⁰ k_B T");
 }
 
-void test_trials()
+PW85_TEST("/causes/trials")
 {
     Simulation const one({4, 4, 4}), flat = in_plane();
     double const far[] = {1e300, 0, 0}, above[] = {0, 0, 1}, lying[] = {1, 1, 0, 0},
@@ -456,7 +457,7 @@ void test_trials()
                                    PW85_ECONVERGENCE);
 }
 
-void test_kinds()
+PW85_TEST("/causes/kinds")
 {
     Simulation const one({4, 4, 4});
     double const same[] = {1, 1, 1, 1, 1, 1}, steps[] = {0.1, 0.1, 0.1, 0.1},
@@ -476,7 +477,7 @@ void test_kinds()
         pw85_hard_ellipsoids_insertion_moves(one, 1, 0, same, activities, nullptr));
 }
 
-void test_insertions()
+PW85_TEST("/causes/insertions")
 {
     Simulation const one({4, 4, 4}), open({0, 0, 0}, nullptr, {0, 0, 0});
     double const large[] = {1, 1, 999}, far[] = {1e300, 0, 0}, lying[] = {1, 1, 0, 0},
@@ -500,7 +501,7 @@ void test_insertions()
         pw85_hard_ellipsoids_insert(in_plane(), away, lying, axes, 0, &is_free));
 }
 
-void test_states()
+PW85_TEST("/causes/states")
 {
     pw85_hard_ellipsoids *made = nullptr;
     pw85_system const many{too_many, origin, nullptr, cube, {1, 1, 1}};
@@ -524,22 +525,3 @@ void test_states()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/causes/numbers", test_numbers);
-    g_test_add_func("/causes/no_number", test_no_number);
-    g_test_add_func("/causes/lists", test_lists);
-    g_test_add_func("/causes/meshes", test_meshes);
-    g_test_add_func("/causes/walls", test_walls);
-    g_test_add_func("/causes/cuts", test_cuts);
-    g_test_add_func("/causes/fields", test_fields);
-    g_test_add_func("/causes/potentials", test_potentials);
-    g_test_add_func("/causes/laws", test_laws);
-    g_test_add_func("/causes/trials", test_trials);
-    g_test_add_func("/causes/kinds", test_kinds);
-    g_test_add_func("/causes/insertions", test_insertions);
-    g_test_add_func("/causes/states", test_states);
-    return g_test_run();
-}

@@ -8,6 +8,7 @@
 
 #include <glib.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -124,7 +125,7 @@ template <class T, int D> void test_random()
 
 // Pairs that the adjugate's solution errs most for, found by climbing: by 11 u, with h' = 7e-7, if
 // only h' were left out of the first condition, and by 3 u without the condition on the step.
-void test_recorded()
+PW85_TEST("/certainty/recorded")
 {
     Sample<double, 3> const flat{
         {0x1.18719e5004526p+0, 0x1.24b256e6ff744p-1, -0x1.18a82af38ff0dp-3},
@@ -145,15 +146,9 @@ void test_recorded()
     check(spheres, 1.0, tally);
 }
 
-} // namespace
+PW85_ADD_TEST("/certainty/random/float/2", test_random<float, 2>);
+PW85_ADD_TEST("/certainty/random/float/3", test_random<float, 3>);
+PW85_ADD_TEST("/certainty/random/double/2", test_random<double, 2>);
+PW85_ADD_TEST("/certainty/random/double/3", test_random<double, 3>);
 
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/certainty/random/float/2", (test_random<float, 2>));
-    g_test_add_func("/certainty/random/float/3", (test_random<float, 3>));
-    g_test_add_func("/certainty/random/double/2", (test_random<double, 2>));
-    g_test_add_func("/certainty/random/double/3", (test_random<double, 3>));
-    g_test_add_func("/certainty/recorded", test_recorded);
-    return g_test_run();
-}
+} // namespace

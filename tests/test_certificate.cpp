@@ -13,6 +13,7 @@
 #include "../src/enclosing/certificate.cpp"
 #include "../src/enclosing/frame.cpp"
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "oracle/multiprecision.hpp"
@@ -51,7 +52,7 @@ Number determinant(Matrix a)
 /// z² - q = 1 for z = 2^k s + 1 and q = 2^(k + 1) s (2^(k - 1) s + 1), which has the 53 bits of a
 /// double. The form is q L Lᵀ, with ones on the diagonal of L and 0, 1 or -1 next to it. The point
 /// z L e is outside by 2⁻¹⁰⁰ or so, and (z - 1) L e is inside by 2⁻⁵¹: all numbers are exact.
-void test_points_just_outside()
+PW85_TEST("/certificate/points_just_outside")
 {
     Failures failures;
     std::mt19937 random(1);
@@ -94,7 +95,7 @@ void test_points_just_outside()
 
 /// For any weights and any form near n S, the excess is at least √(det Q/(nⁿ det S)) - 1 in exact
 /// arithmetic, and close to that if the form has nearly the shape of S.
-void test_excess_of_any_weights()
+PW85_TEST("/certificate/excess_of_any_weights")
 {
     Failures failures;
     std::mt19937 random(2);
@@ -159,11 +160,3 @@ void test_excess_of_any_weights()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/certificate/points_just_outside", test_points_just_outside);
-    g_test_add_func("/certificate/excess_of_any_weights", test_excess_of_any_weights);
-    return g_test_run();
-}

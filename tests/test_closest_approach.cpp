@@ -7,6 +7,7 @@
 
 #include <pw85.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -20,7 +21,7 @@ constexpr double u = 0x1p-53;
 
 // μ² is quadratic in the separation: at the distance of closest approach μ² = 1. Half of the errors
 // of μ² (4 u cond each way) and a few roundings.
-void test_contact_at_that_distance()
+PW85_TEST("/closest_approach/contact")
 {
     Failures failures;
     Random random(90);
@@ -47,7 +48,7 @@ void test_contact_at_that_distance()
 
 // The plane z = 0 cuts two ellipsoids with a principal axis along z in two ellipses; separations in
 // the plane have the same contact function in two and three dimensions.
-void test_two_dimensions_are_a_section()
+PW85_TEST("/closest_approach/two_dimensions")
 {
     Failures failures;
     Random random(91);
@@ -73,7 +74,7 @@ void test_two_dimensions_are_a_section()
     }
 }
 
-void test_contact_2d_against_wide_type()
+PW85_TEST("/closest_approach/contact_2d")
 {
     Failures failures;
     Random random(92);
@@ -90,7 +91,7 @@ void test_contact_2d_against_wide_type()
     }
 }
 
-void test_by_hand()
+PW85_TEST("/closest_approach/by_hand")
 {
     double const x[3] = {2.0, 0.0, 0.0}, q1[6] = {9.0, 0.0, 0.0, 1.0, 0.0, 4.0},
                  q2[6] = {25.0, 0.0, 0.0, 1.0, 0.0, 1.0};
@@ -106,13 +107,3 @@ void test_by_hand()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/closest_approach/contact", test_contact_at_that_distance);
-    g_test_add_func("/closest_approach/two_dimensions", test_two_dimensions_are_a_section);
-    g_test_add_func("/closest_approach/contact_2d", test_contact_2d_against_wide_type);
-    g_test_add_func("/closest_approach/by_hand", test_by_hand);
-    return g_test_run();
-}

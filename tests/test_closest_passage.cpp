@@ -11,6 +11,7 @@
 #include <pw85/pw85.hpp>
 #include <pw85_batch.h>
 
+#include "cases.hpp"
 #include "condition_number.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
@@ -156,7 +157,7 @@ Passing random_passing(Random &random, int n, double largest_aspect)
     return p;
 }
 
-void test_random()
+PW85_TEST("/closest_passage/random/double")
 {
     Failures failures;
     Random random(700);
@@ -191,7 +192,7 @@ template <class T> void test_type()
 }
 
 // Forms along the axes and a way that is not: their shadows lose the digits of the short axes.
-void test_shadows_that_cancel()
+PW85_TEST("/closest_passage/shadows_that_cancel")
 {
     Failures failures;
     Random random(710);
@@ -209,7 +210,7 @@ void test_shadows_that_cancel()
 }
 
 // Spheres: |r × v|²/(|v| (a1 + a2))².
-void test_spheres()
+PW85_TEST("/closest_passage/spheres")
 {
     double mu2 = 7, t = 7;
     double const r12[3] = {-6, 2, 1}, q1[6] = {1, 0, 0, 1, 0, 1}, q2[6] = {4, 0, 0, 4, 0, 4},
@@ -228,7 +229,7 @@ void test_spheres()
 
 // Through the centre μ² is exactly 0, whether the time is a double or not; not if the way ends
 // before it.
-void test_center()
+PW85_TEST("/closest_passage/center")
 {
     Failures failures;
     Random random(720);
@@ -255,7 +256,7 @@ void test_center()
 }
 
 // Without motion the result is the contact function.
-void test_rest()
+PW85_TEST("/closest_passage/rest")
 {
     Random random(730);
     for (int n = 0; n < 50; ++n) {
@@ -277,7 +278,7 @@ void test_rest()
 }
 
 // Units of length and time change no bit.
-void test_units()
+PW85_TEST("/closest_passage/units")
 {
     Failures failures;
     Random random(740);
@@ -307,7 +308,7 @@ void test_units()
 }
 
 // Sizes 1e±150, and ellipsoids of very different sizes.
-void test_extremes()
+PW85_TEST("/closest_passage/extremes")
 {
     auto const ball = [](double a) {
         return pw85::SymmetricMatrix<double, 3>{a * a, 0, 0, a * a, 0, a * a};
@@ -325,7 +326,7 @@ void test_extremes()
 }
 
 // Ellipsoids that only translate meet if and only if the least μ² is at most 1.
-void test_first_contact()
+PW85_TEST("/closest_passage/first_contact")
 {
     Failures failures;
     Random random(750);
@@ -346,7 +347,7 @@ void test_first_contact()
 
 // Many pairs, one of them bad; most are computed in lanes, whose results agree with those of one
 // pair.
-void test_batch()
+PW85_TEST("/closest_passage/batch")
 {
     Failures failures;
     Random random(760);
@@ -395,21 +396,7 @@ void test_batch()
                     ==, PW85_EINVAL);
 }
 
-} // namespace
+PW85_ADD_TEST("/closest_passage/random/float", test_type<float>);
+PW85_ADD_TEST("/closest_passage/random/long_double", test_type<long double>);
 
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/closest_passage/random/double", test_random);
-    g_test_add_func("/closest_passage/random/float", test_type<float>);
-    g_test_add_func("/closest_passage/random/long_double", test_type<long double>);
-    g_test_add_func("/closest_passage/shadows_that_cancel", test_shadows_that_cancel);
-    g_test_add_func("/closest_passage/spheres", test_spheres);
-    g_test_add_func("/closest_passage/center", test_center);
-    g_test_add_func("/closest_passage/rest", test_rest);
-    g_test_add_func("/closest_passage/units", test_units);
-    g_test_add_func("/closest_passage/extremes", test_extremes);
-    g_test_add_func("/closest_passage/first_contact", test_first_contact);
-    g_test_add_func("/closest_passage/batch", test_batch);
-    return g_test_run();
-}
+} // namespace

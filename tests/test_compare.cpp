@@ -9,6 +9,7 @@
 #include <pw85.h>
 #include <pw85_batch.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -105,7 +106,7 @@ template <class T, int D> void test_random()
 }
 
 // Sizes from 1e-150 to 1e150, together and one against the other; m as large and as small as μ² is.
-void test_sizes()
+PW85_TEST("/compare/sizes")
 {
     Failures failures;
     Signs signs;
@@ -235,7 +236,7 @@ template <int D> void test_small_integers()
 }
 
 // All contact problems, with the doubles about μ².
-void test_problems()
+PW85_TEST("/compare/problems")
 {
     Failures failures;
     Signs signs;
@@ -273,7 +274,7 @@ template <class T> void test_widest()
 }
 
 // Zero and infinity, for the number and for the separation.
-void test_ends()
+PW85_TEST("/compare/ends")
 {
     double const tiny = std::numeric_limits<double>::denorm_min();
     Sample<double, 3> const s{{1, 2, 3}, {1, 0, 0, 1, 0, 1}, {2, 0.5, 0, 1, 0, 1}},
@@ -294,7 +295,7 @@ void test_ends()
     g_assert_cmpint(sign_in_c(small, 0.0), ==, 1);
 }
 
-void test_status()
+PW85_TEST("/compare/status")
 {
     Sample<double, 3> const good{{1, 2, 3}, {9, 0, 0, 9, 0, 9}, {2, 0, 0, 1, 0, 1}};
     double const *r12 = good.r12.coordinates, *q1 = good.q1.entries, *q2 = good.q2.entries;
@@ -331,7 +332,7 @@ void test_status()
 }
 
 // Many pairs with a number each, one of them bad.
-void test_batch()
+PW85_TEST("/compare/batch")
 {
     Random random(640);
     std::size_t const n = 1000, wrong = 600;
@@ -359,7 +360,7 @@ void test_batch()
 }
 
 // A number of 50 digits is compared to rounding.
-void test_wide()
+PW85_TEST("/compare/wide")
 {
     Sample<Wide, 3> const s =
         convert<Wide>(Sample<double, 3>{{3, 0, 4}, {1, 0, 0, 1, 0, 1}, {9, 0, 0, 9, 0, 9}});
@@ -369,26 +370,15 @@ void test_wide()
     g_assert_cmpint(pw85::compare(s.r12, s.q1, s.q2, Wide(-1)).sign, ==, 2);
 }
 
-} // namespace
+PW85_ADD_TEST("/compare/random/float", test_random<float, 3>);
+PW85_ADD_TEST("/compare/random/double", test_random<double, 3>);
+PW85_ADD_TEST("/compare/random/long_double", test_random<long double, 3>);
+PW85_ADD_TEST("/compare/random/2d", test_random<double, 2>);
+PW85_ADD_TEST("/compare/equal/2d", test_equal<2>);
+PW85_ADD_TEST("/compare/equal/3d", test_equal<3>);
+PW85_ADD_TEST("/compare/small_integers/2d", test_small_integers<2>);
+PW85_ADD_TEST("/compare/small_integers/3d", test_small_integers<3>);
+PW85_ADD_TEST("/compare/widest/float", test_widest<float>);
+PW85_ADD_TEST("/compare/widest/double", test_widest<double>);
 
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/compare/random/float", test_random<float, 3>);
-    g_test_add_func("/compare/random/double", test_random<double, 3>);
-    g_test_add_func("/compare/random/long_double", test_random<long double, 3>);
-    g_test_add_func("/compare/random/2d", test_random<double, 2>);
-    g_test_add_func("/compare/sizes", test_sizes);
-    g_test_add_func("/compare/equal/2d", test_equal<2>);
-    g_test_add_func("/compare/equal/3d", test_equal<3>);
-    g_test_add_func("/compare/small_integers/2d", test_small_integers<2>);
-    g_test_add_func("/compare/small_integers/3d", test_small_integers<3>);
-    g_test_add_func("/compare/problems", test_problems);
-    g_test_add_func("/compare/widest/float", test_widest<float>);
-    g_test_add_func("/compare/widest/double", test_widest<double>);
-    g_test_add_func("/compare/ends", test_ends);
-    g_test_add_func("/compare/status", test_status);
-    g_test_add_func("/compare/batch", test_batch);
-    g_test_add_func("/compare/wide", test_wide);
-    return g_test_run();
-}
+} // namespace

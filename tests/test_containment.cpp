@@ -11,6 +11,7 @@
 #include <pw85/pw85.hpp>
 #include <pw85_batch.h>
 
+#include "cases.hpp"
 #include "containment_truth.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
@@ -188,7 +189,7 @@ template <int D> void test_small_integers()
 
 // Balls: |r| + a2 <= a1, by Pythagorean quadruples. A linear map of integers makes ellipsoids of
 // them, which touch as they do.
-void test_touching_balls()
+PW85_TEST("/containment/touching_balls")
 {
     Failures failures;
     Random random(530);
@@ -220,7 +221,7 @@ void test_touching_balls()
 // Ellipsoids that touch where Q1 - Q2/ν is singular: a rim of radius √½ in the unit ball, at height
 // h. With half-thickness s the touch is at ν = ½ if s² = ½ (1 - 2 h²); for h = ½ the curvatures
 // agree there, too.
-void test_singular_touch()
+PW85_TEST("/containment/singular_touch")
 {
     Failures failures;
     double const heights[] = {0.125, 0.25, 0.375, 0.5, 0.625};
@@ -245,7 +246,7 @@ void test_singular_touch()
 }
 
 // Where Q1 - Q2 is singular only r = 0 is inside.
-void test_equal_extents()
+PW85_TEST("/containment/equal_extents")
 {
     Failures failures;
     Random random(540);
@@ -300,7 +301,7 @@ template <class T> void test_widest()
 }
 
 // Every kind of bad input, with the status and the answer.
-void test_status()
+PW85_TEST("/containment/status")
 {
     double const infinity = std::numeric_limits<double>::infinity(),
                  nan = std::numeric_limits<double>::quiet_NaN();
@@ -344,7 +345,7 @@ void test_status()
 }
 
 // Many pairs, one of them bad.
-void test_batch()
+PW85_TEST("/containment/batch")
 {
     Random random(550);
     std::vector<Sample<double, 3>> pairs;
@@ -373,25 +374,15 @@ void test_batch()
                     PW85_EINVAL);
 }
 
-} // namespace
+PW85_ADD_TEST("/containment/random/float", test_random<float, 3>);
+PW85_ADD_TEST("/containment/random/double", test_random<double, 3>);
+PW85_ADD_TEST("/containment/random/long_double", test_random<long double, 3>);
+PW85_ADD_TEST("/containment/random/2d", test_random<double, 2>);
+PW85_ADD_TEST("/containment/units/2d", test_units<2>);
+PW85_ADD_TEST("/containment/units/3d", test_units<3>);
+PW85_ADD_TEST("/containment/small_integers/2d", test_small_integers<2>);
+PW85_ADD_TEST("/containment/small_integers/3d", test_small_integers<3>);
+PW85_ADD_TEST("/containment/widest/float", test_widest<float>);
+PW85_ADD_TEST("/containment/widest/double", test_widest<double>);
 
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/containment/random/float", test_random<float, 3>);
-    g_test_add_func("/containment/random/double", test_random<double, 3>);
-    g_test_add_func("/containment/random/long_double", test_random<long double, 3>);
-    g_test_add_func("/containment/random/2d", test_random<double, 2>);
-    g_test_add_func("/containment/units/2d", test_units<2>);
-    g_test_add_func("/containment/units/3d", test_units<3>);
-    g_test_add_func("/containment/small_integers/2d", test_small_integers<2>);
-    g_test_add_func("/containment/small_integers/3d", test_small_integers<3>);
-    g_test_add_func("/containment/touching_balls", test_touching_balls);
-    g_test_add_func("/containment/singular_touch", test_singular_touch);
-    g_test_add_func("/containment/equal_extents", test_equal_extents);
-    g_test_add_func("/containment/widest/float", test_widest<float>);
-    g_test_add_func("/containment/widest/double", test_widest<double>);
-    g_test_add_func("/containment/status", test_status);
-    g_test_add_func("/containment/batch", test_batch);
-    return g_test_run();
-}
+} // namespace

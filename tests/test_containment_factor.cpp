@@ -11,6 +11,7 @@
 #include <pw85/pw85.hpp>
 #include <pw85_batch.h>
 
+#include "cases.hpp"
 #include "containment_truth.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
@@ -148,7 +149,7 @@ template <class T, int D> void test_random()
 
 // Balls: κ = (|r| + a2)/a1, by Pythagorean quadruples. A linear map of integers makes ellipsoids of
 // them, with the same κ.
-void test_touching_balls()
+PW85_TEST("/containment_factor/touching_balls")
 {
     Failures failures;
     Random random(610);
@@ -183,7 +184,7 @@ void test_touching_balls()
 
 // Where r is zero, or orthogonal to the longest axis: the factor is a ratio of axes, and the point
 // one of two.
-void test_several_points()
+PW85_TEST("/containment_factor/several_points")
 {
     using Form = pw85::SymmetricMatrix<double, 3>;
     Form const box{4, 0, 0, 9, 0, 16}, thin{4, 0, 0, 1, 0, 1};
@@ -207,7 +208,7 @@ void test_several_points()
 }
 
 // Units change no bit, and neither does the size of ellipsoid 1, except that of the result.
-void test_units()
+PW85_TEST("/containment_factor/units")
 {
     Failures failures;
     Random random(620);
@@ -238,7 +239,7 @@ void test_units()
 }
 
 // Sizes that differ by 1e±150 or more.
-void test_extremes()
+PW85_TEST("/containment_factor/extremes")
 {
     auto const ball = [](double a) {
         return pw85::SymmetricMatrix<double, 3>{a * a, 0, 0, a * a, 0, a * a};
@@ -258,7 +259,7 @@ void test_extremes()
 
 // pw85_contains() and the factor agree, outside of the error of the factor. The C functions give
 // the bits of the headers.
-void test_agreement()
+PW85_TEST("/containment_factor/agreement")
 {
     Failures failures;
     Random random(630);
@@ -298,7 +299,7 @@ void test_agreement()
 }
 
 // In two dimensions the C functions are those of the headers.
-void test_two_dimensions()
+PW85_TEST("/containment_factor/two_dimensions")
 {
     Failures failures;
     Random random(640);
@@ -322,7 +323,7 @@ void test_two_dimensions()
     }
 }
 
-void test_status()
+PW85_TEST("/containment_factor/status")
 {
     double const r12[3] = {0.1, 0.2, 0.3}, q1[6] = {9, 0, 0, 9, 0, 9}, flat[6] = {1, 1, 0, 1, 0, 1};
     double mu2 = 7, point[3] = {7, 7, 7};
@@ -338,21 +339,9 @@ void test_status()
     g_assert_cmpint(pw85_contains_2d(r12, q1, q1, nullptr), ==, PW85_EINVAL);
 }
 
-} // namespace
+PW85_ADD_TEST("/containment_factor/random/float", test_random<float, 3>);
+PW85_ADD_TEST("/containment_factor/random/double", test_random<double, 3>);
+PW85_ADD_TEST("/containment_factor/random/long_double", test_random<long double, 3>);
+PW85_ADD_TEST("/containment_factor/random/2d", test_random<double, 2>);
 
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/containment_factor/random/float", test_random<float, 3>);
-    g_test_add_func("/containment_factor/random/double", test_random<double, 3>);
-    g_test_add_func("/containment_factor/random/long_double", test_random<long double, 3>);
-    g_test_add_func("/containment_factor/random/2d", test_random<double, 2>);
-    g_test_add_func("/containment_factor/touching_balls", test_touching_balls);
-    g_test_add_func("/containment_factor/several_points", test_several_points);
-    g_test_add_func("/containment_factor/units", test_units);
-    g_test_add_func("/containment_factor/extremes", test_extremes);
-    g_test_add_func("/containment_factor/agreement", test_agreement);
-    g_test_add_func("/containment_factor/two_dimensions", test_two_dimensions);
-    g_test_add_func("/containment_factor/status", test_status);
-    return g_test_run();
-}
+} // namespace

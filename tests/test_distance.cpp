@@ -9,6 +9,7 @@
 #include <pw85.h>
 #include <pw85_batch.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -149,7 +150,7 @@ template <int D> void test_points()
 
 // The two bounds that need no trust, in double: that of the normal and that of the points enclose
 // the distance, and leave a gap of the square of the error of the points over the distance.
-void test_certificate()
+PW85_TEST("/distance/certificate")
 {
     Failures failures;
     Random random(330);
@@ -220,7 +221,7 @@ template <int D> void test_polynomials()
 }
 
 // The search alone, search_normal(), finds what Newton's method finds, and what it does not.
-void test_search()
+PW85_TEST("/distance/search")
 {
     Failures failures;
     Random random(340);
@@ -264,7 +265,7 @@ void assert_close(double actual, double expected, double tolerance)
 }
 
 // Spheres of radii 2 and 1: the gap on the line of the centres.
-void test_spheres()
+PW85_TEST("/distance/spheres")
 {
     Sample<double, 3> const p{
         {3.0, 6.0, 6.0}, {4.0, 0.0, 0.0, 4.0, 0.0, 4.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}};
@@ -291,7 +292,7 @@ void test_spheres()
 }
 
 // Two spheroids on one axis, end to end; and side by side.
-void test_coaxial()
+PW85_TEST("/distance/coaxial")
 {
     double const q1[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 16.0}, q2[6] = {9.0, 0.0, 0.0, 9.0, 0.0, 4.0};
     auto const axial = c_distance<3>(
@@ -315,7 +316,7 @@ bool all_nan(double const *x, int count)
 }
 
 // Overlapping pairs: zero and NaN. The decision is that of pw85_overlap().
-void test_overlapping()
+PW85_TEST("/distance/overlapping")
 {
     Failures failures;
     Random random(350);
@@ -345,7 +346,7 @@ void test_overlapping()
 }
 
 // Tangent spheres do not overlap.
-void test_tangent()
+PW85_TEST("/distance/tangent")
 {
     auto const d = c_distance<3>(
         {{3.0, 0.0, 0.0}, {4.0, 0.0, 0.0, 4.0, 0.0, 4.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}});
@@ -356,7 +357,7 @@ void test_tangent()
 
 // Exchanging the ellipsoids exchanges the points; a power of two on all lengths changes nothing but
 // the unit.
-void test_invariance()
+PW85_TEST("/distance/invariance")
 {
     Failures failures;
     Random random(360);
@@ -381,7 +382,7 @@ void test_invariance()
 }
 
 // Sizes and separations from 1e-150 to 1e150, in any combination that is apart: the contract holds.
-void test_extreme_sizes()
+PW85_TEST("/distance/extreme/sizes")
 {
     Failures failures;
     Random random(370);
@@ -425,7 +426,7 @@ void test_extreme_sizes()
 
 // Shapes up to the limit of what counts as positive definite, aligned with the axes so that the
 // forms are exact. The search must end, and its answer obey the contract.
-void test_extreme_shapes()
+PW85_TEST("/distance/extreme/shapes")
 {
     Failures failures;
     Random random(380);
@@ -462,7 +463,7 @@ template <class T> void check_scalar(Failures &failures, Random &random)
                    [&] { return hex_text(s); });
 }
 
-void test_scalars()
+PW85_TEST("/distance/scalars")
 {
     Failures failures;
     Random random(390);
@@ -484,7 +485,7 @@ Wide moved_distance(Sample<Wide, 3> p, Wide const (&change)[9])
 // Central differences, of second order in h: with h = 1e-10 truncation leaves 1e-20 times
 // derivatives of third and fourth order, which are below 1e5 for aspect ratios up to 4, gaps above
 // 1e-2 and sizes of one.
-void test_derivatives_by_differences()
+PW85_TEST("/distance/derivatives/differences")
 {
     Failures failures;
     Random random(400);
@@ -523,7 +524,7 @@ void test_derivatives_by_differences()
 // The C functions in double against the templates in the wide type. The normal errs as in
 // test_points(), and the curvatures (and with them the Hessian) by aspect² times as much, each
 // relative to its largest entry of the same unit.
-void test_derivatives_in_double()
+PW85_TEST("/distance/derivatives/double")
 {
     Failures failures;
     Random random(410);
@@ -558,7 +559,7 @@ void test_derivatives_in_double()
 
 // So far apart that the ellipsoids are points, and out of the range of the contract: still no
 // garbage.
-void test_far_apart()
+PW85_TEST("/distance/extreme/far_apart")
 {
     Sample<double, 3> const p{{0.0, 0x1p-508, 0x1p823},
                               {0x1p615, 0.0, 0x1p438, 0x1p438, 0.0, 0x1p438},
@@ -575,7 +576,7 @@ void test_far_apart()
 }
 
 // Rows of a batch keep the contract, and a bad one is marked; as many as make threads share them.
-void test_batch()
+PW85_TEST("/distance/batch")
 {
     Failures failures;
     Random random(420);
@@ -722,7 +723,7 @@ void check_points(Failures &failures, Sample<double, 3> const &s,
 }
 
 // Pairs for which the answer in double is not good enough, among others; and the same in lanes.
-void test_slender_points()
+PW85_TEST("/distance/slender_points")
 {
     Failures failures;
     Random random(430);
@@ -758,7 +759,7 @@ void test_slender_points()
 // Sums, products, quotients and roots of doubled numbers. With u = 2^-53, errors are below 4u²,
 // 8u², 16u² and 16u² of the terms of a sum, and of the others themselves (M. Joldes, J.-M. Muller
 // and V. Popescu, ACM Trans. Math. Softw. 44, 15 (2017): 3u², 7u², 15u²).
-void test_doubled()
+PW85_TEST("/distance/doubled")
 {
     using Doubled = pw85::detail::Doubled<double>;
     Failures failures;
@@ -794,7 +795,7 @@ void test_doubled()
     }
 }
 
-void test_statuses()
+PW85_TEST("/distance/statuses")
 {
     double const nan = std::numeric_limits<double>::quiet_NaN();
     double const r12[3] = {9.0, 0.0, 0.0}, zero[3] = {0.0, 0.0, 0.0}, bad_r12[3] = {9.0, nan, 0.0};
@@ -828,35 +829,13 @@ void test_statuses()
     g_assert_true(distance == 0.0 && all_nan(points, 4));
 }
 
-} // namespace
+PW85_ADD_TEST("/distance/optimality/3d", test_optimality<3>);
+PW85_ADD_TEST("/distance/optimality/2d", test_optimality<2>);
+PW85_ADD_TEST("/distance/rounding_errors/3d", test_rounding_errors<3>);
+PW85_ADD_TEST("/distance/rounding_errors/2d", test_rounding_errors<2>);
+PW85_ADD_TEST("/distance/points/3d", test_points<3>);
+PW85_ADD_TEST("/distance/points/2d", test_points<2>);
+PW85_ADD_TEST("/distance/polynomials/3d", test_polynomials<3>);
+PW85_ADD_TEST("/distance/polynomials/2d", test_polynomials<2>);
 
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/distance/optimality/3d", test_optimality<3>);
-    g_test_add_func("/distance/optimality/2d", test_optimality<2>);
-    g_test_add_func("/distance/rounding_errors/3d", test_rounding_errors<3>);
-    g_test_add_func("/distance/rounding_errors/2d", test_rounding_errors<2>);
-    g_test_add_func("/distance/points/3d", test_points<3>);
-    g_test_add_func("/distance/points/2d", test_points<2>);
-    g_test_add_func("/distance/certificate", test_certificate);
-    g_test_add_func("/distance/polynomials/3d", test_polynomials<3>);
-    g_test_add_func("/distance/polynomials/2d", test_polynomials<2>);
-    g_test_add_func("/distance/search", test_search);
-    g_test_add_func("/distance/spheres", test_spheres);
-    g_test_add_func("/distance/coaxial", test_coaxial);
-    g_test_add_func("/distance/overlapping", test_overlapping);
-    g_test_add_func("/distance/tangent", test_tangent);
-    g_test_add_func("/distance/invariance", test_invariance);
-    g_test_add_func("/distance/extreme/sizes", test_extreme_sizes);
-    g_test_add_func("/distance/extreme/shapes", test_extreme_shapes);
-    g_test_add_func("/distance/extreme/far_apart", test_far_apart);
-    g_test_add_func("/distance/scalars", test_scalars);
-    g_test_add_func("/distance/derivatives/differences", test_derivatives_by_differences);
-    g_test_add_func("/distance/derivatives/double", test_derivatives_in_double);
-    g_test_add_func("/distance/batch", test_batch);
-    g_test_add_func("/distance/slender_points", test_slender_points);
-    g_test_add_func("/distance/doubled", test_doubled);
-    g_test_add_func("/distance/statuses", test_statuses);
-    return g_test_run();
-}
+} // namespace

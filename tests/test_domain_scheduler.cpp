@@ -13,6 +13,7 @@
 #include <glib.h>
 
 #include "../src/simulation/domain_scheduler.hpp"
+#include "cases.hpp"
 #include "threads.hpp"
 
 using namespace pw85::detail;
@@ -180,7 +181,7 @@ void run(Configuration const &configuration, std::size_t least_domains, std::uin
     g_assert_cmpint(calls, >=, 3); // some stopped twice
 }
 
-void test_order()
+PW85_TEST("/domain_scheduler/order")
 {
     for (int n = 1; n <= 4; ++n) {
         pw85_tests::Threads const used(n);
@@ -194,7 +195,7 @@ void test_order()
 
 // Particles do not leave their domains in a sweep. So they could never pass a border that is always
 // at the same place. Each tenth of a part has the border for a tenth of the seeds.
-void test_borders()
+PW85_TEST("/domain_scheduler/borders")
 {
     constexpr int seeds = 200;
     constexpr std::size_t tenths = 10;
@@ -225,11 +226,3 @@ void test_borders()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/domain_scheduler/order", test_order);
-    g_test_add_func("/domain_scheduler/borders", test_borders);
-    return g_test_run();
-}

@@ -7,6 +7,7 @@
 #include <glib.h>
 
 #include "../src/simd/power.hpp"
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "oracle/multiprecision.hpp"
@@ -42,7 +43,7 @@ void check_angle(double angle, Failures &failures)
 
 // Angles of all sizes, and next to multiples of π/2. Beyond 2^100 the bound is of no use, but the
 // point is on the circle.
-void test_sine_cosine()
+PW85_TEST("/elementary/sine_cosine")
 {
     Failures failures;
     Random random(40);
@@ -81,7 +82,7 @@ double power_of(double x, double exponent)
 
 // Exponents that are no multiples of 1/2, or out of the range of products. Results that are
 // subnormal err by half a spacing more.
-void test_power()
+PW85_TEST("/elementary/power")
 {
     Failures failures;
     Random random(41);
@@ -107,7 +108,7 @@ void test_power()
 }
 
 // What the standard says of pow(), for zero, infinity, large exponents and what is no number.
-void test_special_powers()
+PW85_TEST("/elementary/special_powers")
 {
     Failures failures;
     double const numbers[] = {0.0,      0x1p-1074,     0.5,           1.0,       2.0,
@@ -125,12 +126,3 @@ void test_special_powers()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/elementary/sine_cosine", test_sine_cosine);
-    g_test_add_func("/elementary/power", test_power);
-    g_test_add_func("/elementary/special_powers", test_special_powers);
-    return g_test_run();
-}

@@ -13,6 +13,7 @@
 #include <pw85/enclosing.hpp>
 
 #include "any_dimension_truth.hpp"
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "oracle/multiprecision.hpp"
@@ -183,7 +184,7 @@ int random_dimension(std::mt19937 &random, int most = 16)
 constexpr double tolerances[] = {1.0, 1e-3, 1e-7, 1e-11};
 
 /// Images of all vertices of the cube, whose ellipsoid is the image of the ball of radius √n.
-void test_boxes()
+PW85_TEST("/enclosing/boxes")
 {
     Failures failures;
     std::mt19937 random(1);
@@ -201,7 +202,7 @@ void test_boxes()
 }
 
 /// Images of the vertices of the cross-polytope, each several times, and of points within.
-void test_cross_polytopes()
+PW85_TEST("/enclosing/cross_polytopes")
 {
     Failures failures;
     std::mt19937 random(2);
@@ -238,7 +239,7 @@ Matrix around_simplex(Cloud const &cloud)
     return form;
 }
 
-void test_simplices()
+PW85_TEST("/enclosing/simplices")
 {
     Failures failures;
     std::mt19937 random(3);
@@ -323,7 +324,7 @@ Cloud random_cloud(std::mt19937 &random, int n, int m)
     return cloud;
 }
 
-void test_iteration()
+PW85_TEST("/enclosing/iteration")
 {
     Failures failures;
     std::mt19937 random(4);
@@ -348,7 +349,7 @@ void test_iteration()
 
 /// Powers of two in each coordinate change the exponents alone; the order of the points changes the
 /// volume by the excess.
-void test_units_and_order()
+PW85_TEST("/enclosing/units_and_order")
 {
     Failures failures;
     std::mt19937 random(5);
@@ -387,7 +388,7 @@ void test_units_and_order()
 
 /// Clouds that double precision limits: thin ones, and ones that are far from 0. The ellipsoid
 /// holds them all the same.
-void test_limits()
+PW85_TEST("/enclosing/limits")
 {
     Failures failures;
     std::mt19937 random(6);
@@ -420,7 +421,7 @@ void test_limits()
 
 /// Thin simplices, whose least volume is known: the excess that the rounding of the form leaves is
 /// never larger than what is said.
-void test_thin_simplices()
+PW85_TEST("/enclosing/thin_simplices")
 {
     Failures failures;
     std::mt19937 random(14);
@@ -459,7 +460,7 @@ void test_thin_simplices()
     }
 }
 
-void test_flat()
+PW85_TEST("/enclosing/flat")
 {
     Failures failures;
     std::mt19937 random(7);
@@ -480,7 +481,7 @@ void test_flat()
     }
 }
 
-void test_status()
+PW85_TEST("/enclosing/status")
 {
     double const nan = std::numeric_limits<double>::quiet_NaN();
     double const plane[8] = {0, 0, 1, 0, 0, 1, 1, 1}, line[2] = {-1, 3},
@@ -513,7 +514,7 @@ void test_status()
 }
 
 /// The template calls the function of C.
-void test_template()
+PW85_TEST("/enclosing/template")
 {
     Failures failures;
     std::mt19937 random(9);
@@ -531,7 +532,7 @@ void test_template()
 }
 
 /// Many points on a sphere: dense candidates, all near the boundary.
-void test_dense()
+PW85_TEST("/enclosing/dense")
 {
     Failures failures;
     std::mt19937 random(8);
@@ -599,7 +600,7 @@ void check_inside(Failures &failures, Bodies const &bodies, Found const &found)
 
 /// Balls at the vertices of a cross-polytope, mapped: their ellipsoid is the image of a ball,
 /// because the symmetries of the vertices leave no other ellipsoid unchanged.
-void test_balls()
+PW85_TEST("/enclosing/balls")
 {
     Failures failures;
     std::mt19937 random(10);
@@ -636,7 +637,7 @@ void test_balls()
 
 /// Random ellipsoids of any size. Two results with different tolerances bound the least volume from
 /// both sides: volume/(1 + excess) of one is not above the volume of the other.
-void test_random_ellipsoids()
+PW85_TEST("/enclosing/random_ellipsoids")
 {
     Failures failures;
     Random random(11);
@@ -685,7 +686,7 @@ Numbers reflected(Numbers const &squares)
 
 /// Few ellipsoids with one centre and the same directions of the axes, in many dimensions: each
 /// touches the smallest ellipsoid, whose semi-axes are the longest ones, along several axes.
-void test_few_in_many_dimensions()
+PW85_TEST("/enclosing/few_in_many_dimensions")
 {
     Failures failures;
     std::mt19937 random(12);
@@ -724,7 +725,7 @@ void test_few_in_many_dimensions()
 }
 
 /// Ellipsoids with random axes: each touches at points in a subspace, which must be found.
-void test_few_of_any_directions()
+PW85_TEST("/enclosing/few_of_any_directions")
 {
     Failures failures;
     Random random(13);
@@ -750,7 +751,7 @@ void test_few_of_any_directions()
 }
 
 /// Powers of two in each coordinate change the exponents alone.
-void test_units_of_ellipsoids()
+PW85_TEST("/enclosing/units_of_ellipsoids")
 {
     Failures failures;
     Random random(14);
@@ -787,7 +788,7 @@ void test_units_of_ellipsoids()
 
 /// Needles and discs: the ellipsoid holds them, with an excess of some n u (aspect ratio)², the
 /// change of a form of double precision by rounding.
-void test_needles()
+PW85_TEST("/enclosing/needles")
 {
     Failures failures;
     Random random(15);
@@ -811,7 +812,7 @@ void test_needles()
     }
 }
 
-void test_status_of_ellipsoids()
+PW85_TEST("/enclosing/status_of_ellipsoids")
 {
     double const nan = std::numeric_limits<double>::quiet_NaN();
     double const centers[4] = {0, 0, 3, 0}, forms[6] = {1, 0, 1, 1, 0, 4},
@@ -841,27 +842,3 @@ void test_status_of_ellipsoids()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/enclosing/boxes", test_boxes);
-    g_test_add_func("/enclosing/cross_polytopes", test_cross_polytopes);
-    g_test_add_func("/enclosing/simplices", test_simplices);
-    g_test_add_func("/enclosing/iteration", test_iteration);
-    g_test_add_func("/enclosing/units_and_order", test_units_and_order);
-    g_test_add_func("/enclosing/limits", test_limits);
-    g_test_add_func("/enclosing/thin_simplices", test_thin_simplices);
-    g_test_add_func("/enclosing/flat", test_flat);
-    g_test_add_func("/enclosing/status", test_status);
-    g_test_add_func("/enclosing/template", test_template);
-    g_test_add_func("/enclosing/dense", test_dense);
-    g_test_add_func("/enclosing/balls", test_balls);
-    g_test_add_func("/enclosing/random_ellipsoids", test_random_ellipsoids);
-    g_test_add_func("/enclosing/few_in_many_dimensions", test_few_in_many_dimensions);
-    g_test_add_func("/enclosing/few_of_any_directions", test_few_of_any_directions);
-    g_test_add_func("/enclosing/units_of_ellipsoids", test_units_of_ellipsoids);
-    g_test_add_func("/enclosing/needles", test_needles);
-    g_test_add_func("/enclosing/status_of_ellipsoids", test_status_of_ellipsoids);
-    return g_test_run();
-}

@@ -6,6 +6,7 @@
 
 #include <pw85.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -48,7 +49,7 @@ template <class Visit> void for_all_of_f(Visit visit)
 
 // The tolerance of the manual, chapter 6, and the sharp one: f is a backward stable function of its
 // data, so that its error is at most 4 u cond, cond being that of f at λ.
-void test_f_against_reference()
+PW85_TEST("/evaluation/f/reference")
 {
     Failures failures;
     double worst = 0.0;
@@ -68,7 +69,7 @@ void test_f_against_reference()
 }
 
 // One evaluation lies behind all three.
-void test_f_of_residual_is_the_same()
+PW85_TEST("/evaluation/residual/f")
 {
     Failures failures;
     Random random(1);
@@ -85,7 +86,7 @@ void test_f_of_residual_is_the_same()
 // f' = μ1² - μ2² errs by at most a small multiple of u cond (μ1² + μ2²) and f'' by one of the
 // square of the condition number of the blend times its terms. At aspect 10 the latter is below
 // 1e4, hence the bounds, with room for constants.
-void test_residual_against_wide_type()
+PW85_TEST("/evaluation/residual/wide_type")
 {
     Failures failures;
     Random random(2);
@@ -109,7 +110,7 @@ void test_residual_against_wide_type()
 
 // The derivatives are those of f: central differences in the wide type, with an error of the square
 // of the step.
-void test_derivatives_against_differences()
+PW85_TEST("/evaluation/derivatives/differences")
 {
     Failures failures;
     Random random(3);
@@ -137,7 +138,7 @@ void test_derivatives_against_differences()
 
 // |A - L Lᵀ|_ij <= 4u |L||Lᵀ|_ij: at most three products and a subtraction each, a division or a
 // root.
-void test_cholesky_decomposition()
+PW85_TEST("/evaluation/cholesky/decomposition")
 {
     Failures failures;
     Random random(4);
@@ -159,7 +160,7 @@ void test_cholesky_decomposition()
     }
 }
 
-void test_cholesky_by_hand()
+PW85_TEST("/evaluation/cholesky/by_hand")
 {
     double const a[6] = {4.0, 2.0, 6.0, 17.0, 23.0, 70.0},
                  expected[6] = {2.0, 1.0, 3.0, 4.0, 5.0, 6.0};
@@ -176,7 +177,7 @@ void test_cholesky_by_hand()
 
 // |b - L Lᵀx|_i <= 8u (|L||Lᵀ||x|)_i: two substitutions of at most three terms (Higham, Accuracy
 // and Stability of Numerical Algorithms, theorem 8.5: 3u each).
-void test_cholesky_solution()
+PW85_TEST("/evaluation/cholesky/solution")
 {
     Failures failures;
     Random random(5);
@@ -202,16 +203,3 @@ void test_cholesky_solution()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/evaluation/f/reference", test_f_against_reference);
-    g_test_add_func("/evaluation/residual/f", test_f_of_residual_is_the_same);
-    g_test_add_func("/evaluation/residual/wide_type", test_residual_against_wide_type);
-    g_test_add_func("/evaluation/derivatives/differences", test_derivatives_against_differences);
-    g_test_add_func("/evaluation/cholesky/by_hand", test_cholesky_by_hand);
-    g_test_add_func("/evaluation/cholesky/decomposition", test_cholesky_decomposition);
-    g_test_add_func("/evaluation/cholesky/solution", test_cholesky_solution);
-    return g_test_run();
-}

@@ -16,6 +16,7 @@
 #include <pw85_simulation.h>
 #include <pw85_systems.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 
 using namespace pw85_tests;
@@ -119,7 +120,7 @@ void check_pressure(Lattice const &lattice, double const *direction)
 
 // Hard spheres; and parallel ellipsoids, which are spheres in other units along z, so that βP/ρ is
 // the same along all directions.
-void test_pressure()
+PW85_TEST("/event_chains/pressure")
 {
     double const oblique[3] = {1, 2, -2}, axis[3] = {0, 0, 3};
     check_pressure({7, 1.0, 0.3, 1.0}, nullptr);
@@ -130,7 +131,7 @@ void test_pressure()
 
 // The sum of all ways is the sum of the lengths: that of the centres along the direction, to
 // rounding. The other coordinates keep theirs.
-void test_length()
+PW85_TEST("/event_chains/length")
 {
     Lattice const lattice{6, 2.0, 0.4, 1.0};
     auto const simulation = lattice.make(2);
@@ -154,7 +155,7 @@ void test_length()
 
 // In a cell of one particle nothing is touched: its images move with it. If it could touch them by
 // turning, the pressure is unknown.
-void test_one_particle()
+PW85_TEST("/event_chains/one_particle")
 {
     auto const simulation = Lattice{1, 2.0, 0.5, 1.0}.make(3);
     double const direction[3] = {0, 0, 2};
@@ -185,7 +186,7 @@ double z_of_two(double unit, double const *vectors, std::array<int, 3> const &pe
 
 // The shortest vector of the lattice decides, wherever it is among the vectors of the cell, and
 // whether or not it is one of them.
-void test_own_images()
+PW85_TEST("/event_chains/own_images")
 {
     for (double const unit : {1.0, 0x1p40, 0x1p-40})
         for (bool const may_touch : {false, true}) {
@@ -204,7 +205,7 @@ void test_own_images()
 // Two spheres of diameter 1 on a line, in a cell of length 5: after a contact the other one moves
 // by 3 to the image of the first. So βP/ρ = 1 + 1/3, that of two rods on a line (Tonks): 1/2 + 1/2
 // · 5/(5 - 2).
-void test_line()
+PW85_TEST("/event_chains/line")
 {
     double const centers[6] = {0, 0, 0, 1.7, 0, 0}, semi_axes[6] = {0.5, 0.5, 0.5, 0.5, 0.5, 0.5},
                  quaternions[8] = {1, 0, 0, 0, 1, 0, 0, 0}, cell[9] = {5, 0, 0, 0, 9, 0, 0, 0, 9},
@@ -220,7 +221,7 @@ void test_line()
 
 // Without a cell, particles move a million times farther away than they are at the start, and small
 // ones still do not pass each other. The large third one makes stages long.
-void test_unbounded()
+PW85_TEST("/event_chains/unbounded")
 {
     double const centers[9] = {0, 0, 0, 1.7, 0, 0, 0, 0, 1e4},
                  semi_axes[9] = {0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 1e3, 1e3, 1e3},
@@ -242,7 +243,7 @@ void test_unbounded()
 
 // Chains, rotations and translations: long runs of slender ellipsoids in a dense system, never with
 // an overlap.
-void test_never_overlaps()
+PW85_TEST("/event_chains/never_overlaps")
 {
     auto const simulation = Lattice{5, 8.0, 0.5, 1.0}.make(5);
     for (int k = 0; k < draws(24); ++k) {
@@ -280,7 +281,7 @@ Simulation make_mixture(std::size_t seed)
 
 // Particles that touch without a way before: the plane between the two may not hide the first one
 // from the second. If it did, the second one could not move at all.
-void test_no_way()
+PW85_TEST("/event_chains/no_way")
 {
     double const direction[3] = {1, 0, 0};
     for (std::size_t seed = 1; seed <= 8; ++seed) {
@@ -328,7 +329,7 @@ struct Approach {
 
 // The way of a particle ends at the contact, as pw85_free_path() and the contact function say: not
 // later, and not before.
-void test_ways()
+PW85_TEST("/event_chains/ways")
 {
     std::mt19937_64 random(11);
     int touched = 0;
@@ -365,7 +366,7 @@ void test_ways()
 
 // Far from the origin, places are rounded by much more than free paths are. Ways end so many
 // roundings before a contact that particles stay free.
-void test_far_away()
+PW85_TEST("/event_chains/far_away")
 {
     auto const simulation = Lattice{4, 1.5, 0.4, 1.0, 0x1p30}.make(5);
     for (int k = 0; k < 500; ++k) {
@@ -376,7 +377,7 @@ void test_far_away()
 
 // A way passes another sphere by less than the place at its end is rounded. So the place may
 // overlap it, though the way has no contact.
-void test_passing_far_away()
+PW85_TEST("/event_chains/passing_far_away")
 {
     std::mt19937_64 random(13);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -412,7 +413,7 @@ void test_passing_far_away()
 // of the particle that moves before a contact, but the separation is rounded by those of the other
 // one: to multiples of 2⁻²⁶, of which 0.6 is none. A chain of 2⁻²¹ often ends that near to a
 // contact. The test of the place prevents overlaps.
-void test_far_partner()
+PW85_TEST("/event_chains/far_partner")
 {
     double const far = 2.5 * 0x1p25, cell[9] = {2.5, 0, 0, 0, 2.5, 0, 0, 0, 2.5},
                  direction[3] = {0.8, 0.6, 0}, centers[6] = {0, 0, 0, far + 0.6 + 0x1p-22, 0, 0},
@@ -432,7 +433,7 @@ void test_far_partner()
 // The same as passing_far_away, but only the other sphere is stored far away, so that its
 // translation is long and the coordinates of the particle that moves are short. Spheres that touch
 // within the rounding of places may block each other.
-void test_passing_far_partner()
+PW85_TEST("/event_chains/passing_far_partner")
 {
     std::mt19937_64 random(14);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -468,7 +469,7 @@ void test_passing_far_partner()
 
 // The seed determines each bit, also after the simulation is saved and restored between chains.
 // Another seed gives others.
-void test_reproducible()
+PW85_TEST("/event_chains/reproducible")
 {
     Lattice const lattice{5, 2.0, 0.4, 1.0};
     auto const first = lattice.make(6), second = lattice.make(6), third = lattice.make(7);
@@ -490,7 +491,7 @@ void test_reproducible()
 }
 
 // The members of C++ make the same chains.
-void test_members()
+PW85_TEST("/event_chains/members")
 {
     Lattice const lattice{4, 1.5, 0.3, 1.0};
     auto const in_c = lattice.make(9);
@@ -503,7 +504,7 @@ void test_members()
     g_assert_cmpfloat(z, ==, chain(in_c, 6, 3.0, direction.coordinates));
 }
 
-void test_bad_input()
+PW85_TEST("/event_chains/bad_input")
 {
     auto const simulation = Lattice{2, 1.0, 0.3, 1.0}.make(8);
     double const zero[3] = {0, 0, 0}, nan[3] = {1, NAN, 0}, good[3] = {1, 0, 0};
@@ -524,25 +525,3 @@ void test_bad_input()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/event_chains/pressure", test_pressure);
-    g_test_add_func("/event_chains/length", test_length);
-    g_test_add_func("/event_chains/one_particle", test_one_particle);
-    g_test_add_func("/event_chains/own_images", test_own_images);
-    g_test_add_func("/event_chains/line", test_line);
-    g_test_add_func("/event_chains/unbounded", test_unbounded);
-    g_test_add_func("/event_chains/never_overlaps", test_never_overlaps);
-    g_test_add_func("/event_chains/no_way", test_no_way);
-    g_test_add_func("/event_chains/ways", test_ways);
-    g_test_add_func("/event_chains/far_away", test_far_away);
-    g_test_add_func("/event_chains/passing_far_away", test_passing_far_away);
-    g_test_add_func("/event_chains/far_partner", test_far_partner);
-    g_test_add_func("/event_chains/passing_far_partner", test_passing_far_partner);
-    g_test_add_func("/event_chains/reproducible", test_reproducible);
-    g_test_add_func("/event_chains/members", test_members);
-    g_test_add_func("/event_chains/bad_input", test_bad_input);
-    return g_test_run();
-}

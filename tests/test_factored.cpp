@@ -11,6 +11,7 @@
 #include <pw85/pw85.hpp>
 #include <pw85_batch.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "factors.hpp"
 #include "failures.hpp"
@@ -61,7 +62,7 @@ template <class T, int D> void check_error(Factors<T, D> const &p, double bound,
 }
 
 /// The error is below 4 u c for factors of all kinds, aspect ratios to 1e12 and sizes to 2^±40.
-void test_error()
+PW85_TEST("/factored/error")
 {
     Failures failures;
     Random random(27);
@@ -91,7 +92,7 @@ Sample<TruthOfFactors, 3> exact_pair(pw85::Vector<double, 3> const &r12,
 
 /// The digits of slender ellipsoids: at aspect ratio 100, 1e4 and 1e6 the relative error against
 /// the truth for the semi-axes and quaternions as given is below 1e-14, 1e-12 and 1e-12.
-void test_digits()
+PW85_TEST("/factored/digits")
 {
     Failures failures;
     Random random(28);
@@ -130,7 +131,7 @@ void test_digits()
 }
 
 /// Needles that cross tip to tip, where h' is tiny.
-void test_crossed()
+PW85_TEST("/factored/crossed")
 {
     Failures failures;
     Random random(29);
@@ -151,7 +152,7 @@ void test_crossed()
 
 /// The corrected evaluation alone: it errs by less than 4 u c wherever it is certain, however far t
 /// is from the maximum and whatever h'' the search found.
-void test_corrected()
+PW85_TEST("/factored/corrected")
 {
     namespace d = pw85::detail;
     Failures failures;
@@ -200,7 +201,7 @@ template <class T, int D> void test_scalar()
 
 /// Powers of two change no bit; and sizes of both ellipsoids and the distance may be anywhere from
 /// 2^-490 to 2^490.
-void test_scales()
+PW85_TEST("/factored/scales")
 {
     Failures failures;
     Random random(31);
@@ -222,7 +223,7 @@ void test_scales()
 }
 
 /// Columns of a batch are those of single calls.
-void test_batch()
+PW85_TEST("/factored/batch")
 {
     constexpr int count = 100;
     double axes[3 * count], turns[4 * count], r12[3 * count], s[9 * count], mu2[count],
@@ -246,7 +247,7 @@ void test_batch()
     }
 }
 
-void test_status()
+PW85_TEST("/factored/status")
 {
     double const s[9] = {1.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 3.0}, r12[3] = {1.0, 2.0, 3.0},
                  zero[3] = {};
@@ -282,7 +283,7 @@ void test_status()
 
 /// The condition number against its definition in 200 digits, also for ellipsoids of unlike sizes
 /// in either order.
-void test_condition()
+PW85_TEST("/factored/condition")
 {
     Failures failures;
     Random random(33);
@@ -301,21 +302,8 @@ void test_condition()
     }
 }
 
-} // namespace
+PW85_ADD_TEST("/factored/scalars/float", test_scalar<float, 3>);
+PW85_ADD_TEST("/factored/scalars/long-double", test_scalar<long double, 3>);
+PW85_ADD_TEST("/factored/scalars/plane", test_scalar<double, 2>);
 
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/factored/error", test_error);
-    g_test_add_func("/factored/corrected", test_corrected);
-    g_test_add_func("/factored/digits", test_digits);
-    g_test_add_func("/factored/crossed", test_crossed);
-    g_test_add_func("/factored/scalars/float", test_scalar<float, 3>);
-    g_test_add_func("/factored/scalars/long-double", test_scalar<long double, 3>);
-    g_test_add_func("/factored/scalars/plane", test_scalar<double, 2>);
-    g_test_add_func("/factored/scales", test_scales);
-    g_test_add_func("/factored/batch", test_batch);
-    g_test_add_func("/factored/status", test_status);
-    g_test_add_func("/factored/condition", test_condition);
-    return g_test_run();
-}
+} // namespace

@@ -10,6 +10,7 @@
 #include <pw85.h>
 #include <pw85/pw85.hpp>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "factors.hpp"
 #include "failures.hpp"
@@ -161,7 +162,7 @@ void check(Factors<double, 3> const &p, double lambda, double bound, Failures &f
 
 /// The error of each result is at most 4 u times the change that units of the data can cause, for
 /// factors of all kinds, aspect ratios to 1e10 and sizes to 2^±40.
-void test_error()
+PW85_TEST("/factored_geometry/error")
 {
     Failures failures;
     Random random(70);
@@ -177,7 +178,7 @@ void test_error()
 }
 
 /// The derivatives against differences of μ² in 200 digits.
-void test_differences()
+PW85_TEST("/factored_geometry/differences")
 {
     Failures failures;
     Random random(71);
@@ -211,7 +212,7 @@ void test_differences()
 
 /// Exchanging the ellipsoids, and powers of two: the results follow by their dimensions, for all
 /// sizes that keep them in range.
-void test_symmetry()
+PW85_TEST("/factored_geometry/symmetry")
 {
     Failures failures;
     Random random(72);
@@ -254,7 +255,7 @@ void test_symmetry()
 
 /// Ellipsoids of very different sizes, in either order, so that the library exchanges them: against
 /// 200 digits.
-void test_unlike()
+PW85_TEST("/factored_geometry/unlike")
 {
     Failures failures;
     Random random(73);
@@ -268,7 +269,7 @@ void test_unlike()
     }
 }
 
-void test_status()
+PW85_TEST("/factored_geometry/status")
 {
     double const s[9] = {1.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 3.0}, r12[3] = {1.0, 2.0, 3.0},
                  zero[3] = {};
@@ -305,14 +306,3 @@ void test_status()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/factored_geometry/error", test_error);
-    g_test_add_func("/factored_geometry/differences", test_differences);
-    g_test_add_func("/factored_geometry/symmetry", test_symmetry);
-    g_test_add_func("/factored_geometry/unlike", test_unlike);
-    g_test_add_func("/factored_geometry/status", test_status);
-    return g_test_run();
-}

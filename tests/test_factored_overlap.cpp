@@ -11,6 +11,7 @@
 #include <pw85/pw85.hpp>
 #include <pw85_batch.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "factors.hpp"
 #include "failures.hpp"
@@ -92,7 +93,7 @@ Factors<double, 3> placed(Factors<double, 3> p, double excess)
 
 /// Pairs as near to contact as doubles allow, of all kinds, aspect ratios to 1e10 and sizes to
 /// 2^±40.
-void test_near_contact()
+PW85_TEST("/factored_overlap/near-contact")
 {
     Failures failures;
     Random random(60);
@@ -107,7 +108,7 @@ void test_near_contact()
 
 /// Integers are not needed for ordinary pairs, of any sizes: at |μ² - 1| = 1e-6, aspect ratios to
 /// 1e3, and kinds of factors whose columns are not nearly dependent.
-void test_bounds_suffice()
+PW85_TEST("/factored_overlap/bounds-suffice")
 {
     Failures failures;
     Random random(64);
@@ -127,7 +128,7 @@ void test_bounds_suffice()
 
 /// The bounds of the proofs hold in 200 digits: those on the residual, on the inverse of a factor,
 /// and on the gap along a direction.
-void test_bounds()
+PW85_TEST("/factored_overlap/bounds")
 {
     Failures failures;
     Random random(65);
@@ -209,7 +210,7 @@ Factors<double, 3> tangent_pair(Random &random)
 
 /// Tangent ellipsoids do not overlap. The last bit of any number decides otherwise or not, and so
 /// do tiny numbers.
-void test_tangent()
+PW85_TEST("/factored_overlap/tangent")
 {
     Failures failures;
     Random random(61);
@@ -255,7 +256,7 @@ template <class T, int D> void test_scalar()
 
 /// Factors whose rounded forms would be decided otherwise: some hundred of them, by the fusing of
 /// the processor.
-void test_rounded_forms()
+PW85_TEST("/factored_overlap/rounded-forms")
 {
     Random random(63);
     int differ = 0;
@@ -269,7 +270,7 @@ void test_rounded_forms()
 }
 
 /// The digits that integers have memory for.
-void test_memory()
+PW85_TEST("/factored_overlap/memory")
 {
     Factors<double, 3> p{};
     p.r12[0] = 0x1p601;
@@ -291,7 +292,7 @@ void test_memory()
     g_assert_cmpint(overlap_in_c(p), ==, 0);
 }
 
-void test_status()
+PW85_TEST("/factored_overlap/status")
 {
     double const s[9] = {1.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 3.0}, r12[3] = {1.0, 2.0, 3.0},
                  zero[3] = {};
@@ -326,20 +327,8 @@ void test_status()
         }
 }
 
-} // namespace
+PW85_ADD_TEST("/factored_overlap/scalars/float", test_scalar<float, 3>);
+PW85_ADD_TEST("/factored_overlap/scalars/long-double", test_scalar<long double, 3>);
+PW85_ADD_TEST("/factored_overlap/scalars/plane", test_scalar<double, 2>);
 
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/factored_overlap/near-contact", test_near_contact);
-    g_test_add_func("/factored_overlap/bounds-suffice", test_bounds_suffice);
-    g_test_add_func("/factored_overlap/bounds", test_bounds);
-    g_test_add_func("/factored_overlap/tangent", test_tangent);
-    g_test_add_func("/factored_overlap/scalars/float", test_scalar<float, 3>);
-    g_test_add_func("/factored_overlap/scalars/long-double", test_scalar<long double, 3>);
-    g_test_add_func("/factored_overlap/scalars/plane", test_scalar<double, 2>);
-    g_test_add_func("/factored_overlap/rounded-forms", test_rounded_forms);
-    g_test_add_func("/factored_overlap/memory", test_memory);
-    g_test_add_func("/factored_overlap/status", test_status);
-    return g_test_run();
-}
+} // namespace

@@ -13,6 +13,7 @@
 #include <pw85_batch.h>
 #include <pw85_systems.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "flights.hpp"
 #include "systems.hpp"
@@ -52,13 +53,13 @@ template <int D> void check_touching(int flights, Moving moving)
     }
 }
 
-void test_translation_touching()
+PW85_TEST("/first_contact/translation/touching")
 {
     check_touching<3>(300, Moving::centres);
     check_touching<2>(300, Moving::centres);
 }
 
-void test_motion_touching()
+PW85_TEST("/first_contact/motion/touching")
 {
     check_touching<3>(300, Moving::all);
     check_touching<2>(300, Moving::all);
@@ -91,7 +92,7 @@ template <int D> void check_slender(int flights)
     g_assert_cmpint(hits, >, flights / 3);
 }
 
-void test_slender()
+PW85_TEST("/first_contact/slender")
 {
     check_slender<3>(draws(600));
     check_slender<2>(draws(200));
@@ -99,7 +100,7 @@ void test_slender()
 
 // A needle that spins at a disc that passes. At a time at which μ² is 1.75e7 the rounding errors of
 // f are larger than 1.
-void test_needle_and_disc()
+PW85_TEST("/first_contact/needle_and_disc")
 {
     Flight<double, 3> f{{{0x1.dd067bd5825afp+0, -0x1.2a3a54dfaf9d0p-1, -0x1.62df24a41bb9bp+0},
                          {0x1.b929f2125fca9p-2, -0x1.bbd4a6324dd67p-3, 0x1.c7f03b134b22cp-2,
@@ -152,7 +153,7 @@ template <int D> void check_afar(int flights, Moving moving, double farthest)
     g_assert_cmpint(hits, >, flights / 10);
 }
 
-void test_afar()
+PW85_TEST("/first_contact/afar")
 {
     for (auto const moving : {Moving::centres, Moving::all}) {
         check_afar<3>(200, moving, 1e8);
@@ -162,7 +163,7 @@ void test_afar()
 
 // From so far that the rounding of a position is larger than the ellipsoids: only one of them
 // moves, so that the numbers given say exactly whether they meet.
-void test_remote()
+PW85_TEST("/first_contact/remote")
 {
     Failures failures;
     Random random(531);
@@ -187,7 +188,7 @@ void test_remote()
 }
 
 // Spheres: |r + v t| = (1 + g1 t) a + (1 + g2 t) b is a quadratic equation.
-void test_spheres()
+PW85_TEST("/first_contact/spheres")
 {
     Failures failures;
     Random random(540);
@@ -216,7 +217,7 @@ void test_spheres()
 }
 
 // A grain of dust and a globe, whose squared ratio is beyond the range of double.
-void test_sizes()
+PW85_TEST("/first_contact/sizes")
 {
     Sample<double, 3> const spheres{{3e120, 0.0, 0.0}, sphere(1e-120), sphere(1e120)};
     pw85::Motion<double, 3> const coming{{-1e120, 0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0}, still{};
@@ -231,7 +232,7 @@ void test_sizes()
 // Rods turning about the z axis, |r| apart: one stands across, and the other sweeps until it
 // touches. At the end of a quarter turn the tips meet where the sum of the lengths is the distance;
 // and spheroids that turn about their own axes do not change.
-void test_turning()
+PW85_TEST("/first_contact/turning")
 {
     Sample<double, 3> const rods{
         {3.0, 0.0, 0.0}, {0.01, 0.0, 0.0, 4.0, 0.0, 0.01}, {0.01, 0.0, 0.0, 1.0, 0.0, 0.01}};
@@ -259,7 +260,7 @@ void test_turning()
 }
 
 // Overlapping pairs touch at once, whatever their motion.
-void test_overlapping()
+PW85_TEST("/first_contact/overlapping")
 {
     Failures failures;
     Random random(550);
@@ -277,7 +278,7 @@ void test_overlapping()
 
 // A pair that touches to rounding is in contact if it approaches or rests, and not if it separates:
 // what collides does not collide again at once.
-void test_after_collision()
+PW85_TEST("/first_contact/after_collision")
 {
     Failures failures;
     Random random(560);
@@ -302,7 +303,7 @@ void test_after_collision()
 
 // Spheres that pass each other at the distance of contact touch; farther by more than rounding they
 // do not.
-void test_grazing()
+PW85_TEST("/first_contact/grazing")
 {
     for (double const growth : {0.0, 0x1p-60}) { // by either way
         pw85::Motion<double, 3> const still{}, passing{{-1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, growth};
@@ -319,7 +320,7 @@ void test_grazing()
 
 // Powers of two on all lengths, and on all times, change nothing but the units, not a bit;
 // exchanging the ellipsoids only rounding.
-void test_units()
+PW85_TEST("/first_contact/units")
 {
     Failures failures;
     Random random(570);
@@ -344,7 +345,7 @@ void test_units()
 // The root of the polynomial of extent() and its remainder bound the root of the form of a body
 // that turns and grows. Vectors along the axis, and such that the rotation leaves little of the
 // third order, make the growth's part of the remainder the largest.
-void test_remainder()
+PW85_TEST("/first_contact/remainder")
 {
     Failures failures;
     Random random(605);
@@ -377,7 +378,7 @@ void test_remainder()
 }
 
 // No difference of like numbers: 1e-15 + 2x - 3x² has the root 2/3, of an excess that is rounding.
-void test_first_root()
+PW85_TEST("/first_contact/first_root")
 {
     double const excess = 1e-15, time = pw85::detail::first_root(excess, -1.0, -3.0, 0.0);
     g_assert_cmpfloat(std::fabs(time - 2.0 / 3.0), <=, 1e-14);
@@ -385,7 +386,7 @@ void test_first_root()
 }
 
 // Products that cancel leave a difference that is right to rounding, however small it is.
-void test_difference_of_products()
+PW85_TEST("/first_contact/difference_of_products")
 {
     Failures failures;
     Random random(606);
@@ -418,7 +419,7 @@ template <class T, int D> void check_scalar(Failures &failures, Flight<double, D
                    [&] { return flight_text(f); });
 }
 
-void test_scalars()
+PW85_TEST("/first_contact/scalars")
 {
     Failures failures;
     Random random(580);
@@ -434,7 +435,7 @@ void test_scalars()
 }
 
 // Extreme sizes, shapes and rates: an answer, and no garbage.
-void test_extremes()
+PW85_TEST("/first_contact/extremes")
 {
     Failures failures;
     Random random(590);
@@ -464,7 +465,7 @@ void test_extremes()
 }
 
 // A periodic list: the times are those of single pairs, and next events the least of each particle.
-void test_lists()
+PW85_TEST("/first_contact/lists")
 {
     Failures failures;
     Random random(600);
@@ -550,7 +551,7 @@ void test_lists()
 
 // What leaves the range of double on the way is an error, never a wrong time; what stays in it is
 // right.
-void test_limits()
+PW85_TEST("/first_contact/limits")
 {
     pw85::Motion<double, 3> const still{}, growing{{}, {}, 1.0},
         spinning{{}, {0.0, 0.0, 1e-308}, 0.0};
@@ -600,7 +601,7 @@ void test_limits()
     }
 }
 
-void test_statuses()
+PW85_TEST("/first_contact/statuses")
 {
     double const r12[3] = {3.0, 0.0, 0.0}, q[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0},
                  nan = std::numeric_limits<double>::quiet_NaN();
@@ -676,30 +677,3 @@ void test_statuses()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/first_contact/translation/touching", test_translation_touching);
-    g_test_add_func("/first_contact/motion/touching", test_motion_touching);
-    g_test_add_func("/first_contact/slender", test_slender);
-    g_test_add_func("/first_contact/needle_and_disc", test_needle_and_disc);
-    g_test_add_func("/first_contact/afar", test_afar);
-    g_test_add_func("/first_contact/remote", test_remote);
-    g_test_add_func("/first_contact/remainder", test_remainder);
-    g_test_add_func("/first_contact/first_root", test_first_root);
-    g_test_add_func("/first_contact/difference_of_products", test_difference_of_products);
-    g_test_add_func("/first_contact/spheres", test_spheres);
-    g_test_add_func("/first_contact/sizes", test_sizes);
-    g_test_add_func("/first_contact/turning", test_turning);
-    g_test_add_func("/first_contact/overlapping", test_overlapping);
-    g_test_add_func("/first_contact/after_collision", test_after_collision);
-    g_test_add_func("/first_contact/grazing", test_grazing);
-    g_test_add_func("/first_contact/units", test_units);
-    g_test_add_func("/first_contact/scalars", test_scalars);
-    g_test_add_func("/first_contact/extremes", test_extremes);
-    g_test_add_func("/first_contact/lists", test_lists);
-    g_test_add_func("/first_contact/limits", test_limits);
-    g_test_add_func("/first_contact/statuses", test_statuses);
-    return g_test_run();
-}

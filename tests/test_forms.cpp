@@ -8,6 +8,7 @@
 
 #include <pw85.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -46,7 +47,7 @@ void check_form(Failures &failures, Form3 const &actual, Form3 const &expected, 
 }
 
 // No entry cancels: the diagonal is a sum of squares, the rest a product. Ten roundings at most.
-void test_spheroid()
+PW85_TEST("/forms/spheroid/random")
 {
     Failures failures;
     Random random(10);
@@ -59,7 +60,7 @@ void test_spheroid()
     }
 }
 
-void test_spheroids_of_reference()
+PW85_TEST("/forms/spheroid/reference")
 {
     auto const &grid = spheroid_grid();
     Failures failures;
@@ -73,7 +74,7 @@ void test_spheroids_of_reference()
             }
 }
 
-void test_ellipsoid_by_hand()
+PW85_TEST("/forms/ellipsoid/by_hand")
 {
     // The first axis along y, the second along z, the third along x.
     double const axes[3] = {1.0, 2.0, 3.0},
@@ -87,7 +88,7 @@ void test_ellipsoid_by_hand()
 }
 
 // A quaternion is the rotation whose matrix it stands for, whatever its length and sign.
-void test_quaternion_and_rotation()
+PW85_TEST("/forms/ellipsoid/quaternion")
 {
     Failures failures;
     Random random(11);
@@ -119,7 +120,7 @@ void check_zeros(Failures &failures, char const *what, double const *entries, in
 
 // Directions and turns along the axes, with zeros of both signs: a product of 0 and a negative
 // number is -0.
-void test_no_negative_zeros()
+PW85_TEST("/forms/no_negative_zeros")
 {
     Failures failures;
     double const numbers[] = {1.0, -1.0, 0.0, -0.0}, axes[3] = {2.0, 3.0, 5.0};
@@ -146,7 +147,7 @@ void test_no_negative_zeros()
     }
 }
 
-void test_spheroid_is_an_ellipsoid()
+PW85_TEST("/forms/ellipsoid/spheroid")
 {
     // A quarter turn about y takes the polar axis z to x.
     double const axes[3] = {2.0, 2.0, 5.0}, turn[4] = {1.0, 0.0, 1.0, 0.0}, n[3] = {1.0, 0.0, 0.0};
@@ -156,7 +157,7 @@ void test_spheroid_is_an_ellipsoid()
     for (int k = 0; k < 6; ++k) g_assert_cmpfloat(std::fabs(q[k] - expected[k]), <=, 25.0 * 8 * u);
 }
 
-void test_ellipse()
+PW85_TEST("/forms/ellipse")
 {
     double q[3];
     g_assert_cmpint(pw85_ellipse(3.0, 2.0, 0.0, q), ==, PW85_SUCCESS);
@@ -175,7 +176,7 @@ void assert_invalid(int status, double const *q, int count)
     for (int k = 0; k < count; ++k) g_assert_true(std::isnan(q[k]));
 }
 
-void test_invalid_lengths()
+PW85_TEST("/forms/invalid/lengths")
 {
     // Turned axes mix their squares, so that no entry of the form vanishes with the square of one
     // axis.
@@ -209,7 +210,7 @@ void test_invalid_lengths()
     }
 }
 
-void test_invalid_orientations()
+PW85_TEST("/forms/invalid/orientations")
 {
     double const axes[3] = {1.0, 2.0, 3.0}, zero[4] = {0.0, 0.0, 0.0, 0.0},
                  not_a_number[4] = {1.0, nan, 0.0, 0.0};
@@ -234,18 +235,3 @@ void test_invalid_orientations()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/forms/spheroid/random", test_spheroid);
-    g_test_add_func("/forms/spheroid/reference", test_spheroids_of_reference);
-    g_test_add_func("/forms/ellipsoid/by_hand", test_ellipsoid_by_hand);
-    g_test_add_func("/forms/ellipsoid/quaternion", test_quaternion_and_rotation);
-    g_test_add_func("/forms/ellipsoid/spheroid", test_spheroid_is_an_ellipsoid);
-    g_test_add_func("/forms/ellipse", test_ellipse);
-    g_test_add_func("/forms/no_negative_zeros", test_no_negative_zeros);
-    g_test_add_func("/forms/invalid/lengths", test_invalid_lengths);
-    g_test_add_func("/forms/invalid/orientations", test_invalid_orientations);
-    return g_test_run();
-}

@@ -8,6 +8,7 @@
 #include <pw85.h>
 #include <pw85/pw85.hpp>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "flights.hpp"
@@ -109,7 +110,7 @@ template <int D> void check_random(PairOptions const &options, int count)
     g_assert_cmpint(contacts, >, count / 2);
 }
 
-void test_random()
+PW85_TEST("/free_path/random")
 {
     check_random<3>({.aspect = 3.0}, draws(1000));
     check_random<3>({.aspect = 1e3}, draws(1000));
@@ -133,7 +134,7 @@ template <class T> void check_scalar(int count)
     }
 }
 
-void test_scalars()
+PW85_TEST("/free_path/scalars")
 {
     check_scalar<float>(draws(400));
     check_scalar<long double>(draws(400));
@@ -141,7 +142,7 @@ void test_scalars()
 
 // Units of length, and the length of the direction, change no bit; exchanging the ellipsoids and
 // turning the path only rounding.
-void test_units()
+PW85_TEST("/free_path/units")
 {
     Failures failures;
     Random random(820);
@@ -167,7 +168,7 @@ void test_units()
 }
 
 // From afar: r12 is up to 2⁵⁰ times as long as the ellipsoids.
-void test_remote()
+PW85_TEST("/free_path/remote")
 {
     Failures failures;
     Random random(830);
@@ -186,7 +187,7 @@ void test_remote()
 
 // Paths along the surface: of whole numbers that touch exactly, or miss or overlap by one or two
 // ulps, also turned. The contact follows within rounding errors of μ², as elsewhere.
-void test_grazing()
+PW85_TEST("/free_path/grazing")
 {
     Failures failures;
     Random random(850);
@@ -233,7 +234,7 @@ void test_grazing()
 }
 
 // Spheres: the root of |r - t d| = 2.
-void test_spheres()
+PW85_TEST("/free_path/spheres")
 {
     double const q[6] = {1, 0, 0, 1, 0, 1}, d[3] = {1, 0, 0}, r12[3] = {5, 1, 0},
                  touching[3] = {2, 0, 0}, back[3] = {-1, 0, 0}, across[3] = {0, 1, 0},
@@ -258,7 +259,7 @@ void test_spheres()
 
 // A chain of two: each ellipsoid moves up to the other, again and again. No pair of doubles on the
 // way overlaps, if each move stops short by the rounding of positions.
-void test_never_overlaps()
+PW85_TEST("/free_path/never_overlaps")
 {
     Failures failures;
     Random random(840);
@@ -274,7 +275,7 @@ void test_never_overlaps()
     }
 }
 
-void test_bad_input()
+PW85_TEST("/free_path/bad_input")
 {
     double const q[6] = {1, 0, 0, 1, 0, 1}, bad[6] = {1, 0, 0, -1, 0, 1}, r12[3] = {5, 1, 0},
                  d[3] = {1, 0, 0}, zero[3] = {0, 0, 0}, nan[3] = {0, NAN, 1};
@@ -287,19 +288,6 @@ void test_bad_input()
         g_assert_cmpint(pw85_free_path(r12, q, q, d, end, &t), ==, PW85_EINVAL);
 }
 
-} // namespace
+PW85_ADD_TEST("/free_path/sizes", test_sizes);
 
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/free_path/random", test_random);
-    g_test_add_func("/free_path/sizes", test_sizes);
-    g_test_add_func("/free_path/scalars", test_scalars);
-    g_test_add_func("/free_path/units", test_units);
-    g_test_add_func("/free_path/remote", test_remote);
-    g_test_add_func("/free_path/grazing", test_grazing);
-    g_test_add_func("/free_path/spheres", test_spheres);
-    g_test_add_func("/free_path/never_overlaps", test_never_overlaps);
-    g_test_add_func("/free_path/bad_input", test_bad_input);
-    return g_test_run();
-}
+} // namespace

@@ -12,6 +12,7 @@
 #include <pw85/pw85.hpp>
 #include <pw85_batch.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -258,7 +259,7 @@ template <int D, class TrueGap> void check_truth(int pairs, double aspect, TrueG
     }
 }
 
-void test_truth()
+PW85_TEST("/gap_inside/truth")
 {
     check_truth<2>(draws(400), 10.0, gap_of_points);
     check_truth<2>(draws(800), 1e3, gap_of_directions<2>);
@@ -295,7 +296,7 @@ template <int D> void check_room(int pairs, double aspect)
     }
 }
 
-void test_room()
+PW85_TEST("/gap_inside/room")
 {
     check_room<2>(draws(2000), 1e3);
     check_room<3>(draws(1000), 1e3);
@@ -366,13 +367,13 @@ template <int D> void check_cells(int pairs)
     g_assert_cmpint(proved, >, pairs / 8);
 }
 
-void test_cells()
+PW85_TEST("/gap_inside/cells")
 {
     check_cells<2>(draws(4000));
     check_cells<3>(draws(4000));
 }
 
-void test_caps()
+PW85_TEST("/gap_inside/caps")
 {
     check_caps<2>(draws(2000));
     check_caps<3>(draws(2000));
@@ -399,7 +400,7 @@ void check(char const *what, Sample<double, 3> const &p, double gap, double tole
 
 // Numbers from known geometry. Minima on circles, and on the curve of the last pair, are not
 // isolated.
-void test_closed_forms()
+PW85_TEST("/gap_inside/closed_forms")
 {
     double const close = 16 * u;
     check("balls", {{0.25, -0.5, 0.5}, form(3, 3, 3), form(1, 1, 1)}, 1.25, close);
@@ -435,7 +436,7 @@ pw85::SymmetricMatrix<double, 3> turned_form(double a, double b, double c)
 
 /// Concentric ellipsoids that touch where no axis of the outer one is: two of its axes are equal.
 /// Another minimum is found first.
-void test_touching_on_a_circle()
+PW85_TEST("/gap_inside/touching_on_a_circle")
 {
     for (double const size : {0x1p-40, 1.0, 0x1p40})
         for (int turn = 0; turn < 3; ++turn) {
@@ -451,7 +452,7 @@ void test_touching_on_a_circle()
 
 /// The number that users of another program found in the plane, by the distance of the curves: 25
 /// by 30 around 10 by 8 at (-10, 10).
-void test_published()
+PW85_TEST("/gap_inside/published")
 {
     Sample<double, 2> const p{{-10, 10}, {625, 0, 900}, {100, 0, 64}};
     auto const found = gap_inside(p);
@@ -460,7 +461,7 @@ void test_published()
 }
 
 // Touching from inside, by numbers for which that is exact, and what is not inside.
-void test_decision()
+PW85_TEST("/gap_inside/decision")
 {
     for (double const size : {0x1p-40, 1.0, 0x1p40}) {
         double const s2 = size * size;
@@ -521,25 +522,10 @@ template <int D> void check_scales(int pairs)
     }
 }
 
-void test_scales()
+PW85_TEST("/gap_inside/scales")
 {
     check_scales<2>(draws(400));
     check_scales<3>(draws(400));
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/gap_inside/truth", test_truth);
-    g_test_add_func("/gap_inside/room", test_room);
-    g_test_add_func("/gap_inside/cells", test_cells);
-    g_test_add_func("/gap_inside/caps", test_caps);
-    g_test_add_func("/gap_inside/closed_forms", test_closed_forms);
-    g_test_add_func("/gap_inside/touching_on_a_circle", test_touching_on_a_circle);
-    g_test_add_func("/gap_inside/published", test_published);
-    g_test_add_func("/gap_inside/decision", test_decision);
-    g_test_add_func("/gap_inside/scales", test_scales);
-    return g_test_run();
-}

@@ -7,6 +7,7 @@
 
 #include <pw85.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -84,7 +85,7 @@ void check_gradient_by_differences(Failures &failures, WideSample const &p)
     }
 }
 
-void test_gradient_by_differences()
+PW85_TEST("/geometry/gradient/differences")
 {
     Failures failures;
     Random random(80);
@@ -93,7 +94,7 @@ void test_gradient_by_differences()
             failures, convert<Wide>(random_pair<3>(random, {.aspect = 4.0, .mu2_min = 0.1})));
 }
 
-void test_torque_by_differences()
+PW85_TEST("/geometry/torque/differences")
 {
     Failures failures;
     Random random(81);
@@ -148,7 +149,7 @@ template <class T> double largest(T const *x, int count)
 // In double, at the same λ as in the wide type: s errs by at most 16u times the condition number of
 // the blend, 100² or less, relative to its largest coordinate; outputs are of first or second
 // degree in s.
-void test_rounding_errors()
+PW85_TEST("/geometry/rounding_errors")
 {
     Failures failures;
     Random random(82);
@@ -183,7 +184,7 @@ void test_rounding_errors()
 // <= 32u tr M |n|. By the adjugate, n errs by 108u/d in the norm of M (see the conditioning of M in
 // include/pw85/contact/rational.hpp), in which it measures √(rᵀn), so that |M n - r| <= √(tr M rᵀn)
 // 108u/d.
-void test_no_net_torque()
+PW85_TEST("/geometry/no_net_torque")
 {
     Failures failures;
     Random random(83);
@@ -210,7 +211,7 @@ void test_no_net_torque()
 
 // Forces are equal and opposite: exchanging the ellipsoids changes the sign of d_r12, and exchanges
 // the rest. The two computations differ by rounding, and in 1-λ.
-void test_exchange()
+PW85_TEST("/geometry/exchange")
 {
     Failures failures;
     Random random(84);
@@ -246,7 +247,7 @@ void assert_close(double actual, double expected, double tolerance)
 }
 
 // μ² = r²/(a1+a2)², touching at r a1/(a1+a2), with ∂μ²/∂r = 2r/(a1+a2)² and no torque.
-void test_spheres()
+PW85_TEST("/geometry/spheres")
 {
     Sample<double, 3> const p{
         {1.0, 2.0, 2.0}, {4.0, 0.0, 0.0, 4.0, 0.0, 4.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}};
@@ -261,7 +262,7 @@ void test_spheres()
 }
 
 // Two spheroids on one axis, end to end: μ = r/(c1+c2), at the ends.
-void test_end_to_end()
+PW85_TEST("/geometry/end_to_end")
 {
     // Semi-axes 1, 1, 3 and 2, 2, 5; r = 16, so μ = 2 and λ = 3/8.
     Sample<double, 3> const p{
@@ -291,7 +292,7 @@ void test_end_to_end()
 
 // A spheroid on the flank of another, as in a T: the end of one, c1 = 3, and the waist of the
 // other, a2 = 1.
-void test_t_shaped()
+PW85_TEST("/geometry/t_shaped")
 {
     Sample<double, 3> const p{
         {0.0, 0.0, 2.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 9.0}, {16.0, 0.0, 0.0, 1.0, 0.0, 1.0}};
@@ -312,7 +313,7 @@ void test_t_shaped()
 }
 
 // The pair of the tutorial, with the numbers of the manual.
-void test_tutorial()
+PW85_TEST("/geometry/tutorial")
 {
     Sample<double, 3> const p{
         {0.7, -0.7, 1.1}, {100.0, 0.0, 0.0, 100.0, 0.0, 0.01}, {25.0, 0.0, 0.0, 0.25, 0.0, 0.25}};
@@ -328,7 +329,7 @@ void test_tutorial()
 }
 
 // Outputs that are null are left out; the others do not change.
-void test_optional_outputs()
+PW85_TEST("/geometry/optional_outputs")
 {
     Sample<double, 3> const p{
         {1.0, 2.0, 3.0}, {2.0, 0.5, 0.0, 1.0, 0.0, 1.0}, {1.0, 0.0, 0.0, 3.0, 0.5, 1.0}};
@@ -359,19 +360,3 @@ void test_optional_outputs()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/geometry/gradient/differences", test_gradient_by_differences);
-    g_test_add_func("/geometry/torque/differences", test_torque_by_differences);
-    g_test_add_func("/geometry/rounding_errors", test_rounding_errors);
-    g_test_add_func("/geometry/no_net_torque", test_no_net_torque);
-    g_test_add_func("/geometry/exchange", test_exchange);
-    g_test_add_func("/geometry/spheres", test_spheres);
-    g_test_add_func("/geometry/end_to_end", test_end_to_end);
-    g_test_add_func("/geometry/t_shaped", test_t_shaped);
-    g_test_add_func("/geometry/tutorial", test_tutorial);
-    g_test_add_func("/geometry/optional_outputs", test_optional_outputs);
-    return g_test_run();
-}

@@ -15,6 +15,7 @@
 #include <pw85/pw85.hpp>
 #include <pw85_batch.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -113,7 +114,7 @@ void check_truth(Pair const &p, Contact const &c, double bound, Failures &failur
     check("radius", static_cast<double>(Wide(abs(Wide(c.radius) / w.radius - 1))), bound);
 }
 
-void test_truth()
+PW85_TEST("/grain_contact/truth")
 {
     Failures failures;
     Random random(900);
@@ -124,7 +125,7 @@ void test_truth()
 }
 
 // The curvatures, the point and the radius are those of pw85_hertz_contact for the normal.
-void test_equations()
+PW85_TEST("/grain_contact/equations")
 {
     Failures failures;
     Random random(910);
@@ -140,7 +141,7 @@ void test_equations()
 }
 
 // Two spheres: everything in closed form. The errors are those of some thirty operations.
-void test_spheres()
+PW85_TEST("/grain_contact/spheres")
 {
     Failures failures;
     Random random(915);
@@ -163,7 +164,7 @@ void test_spheres()
 // Ellipsoids tip to tip, whose curvatures have any ratio, also beyond that of the fit for the
 // radius. The fit errs by 7e-16, and the roundings of the five means and of the ratio of curvatures
 // by some 30 u. Thin needles and flat discs are among them.
-void test_ratios()
+PW85_TEST("/grain_contact/ratios")
 {
     Failures failures;
     Random random(920);
@@ -183,7 +184,7 @@ void test_ratios()
 
 // A contact does not depend on where the search starts, nor on the length of the start. In the
 // other order, ellipsoids have the same contact, seen from the other one.
-void test_starts()
+PW85_TEST("/grain_contact/starts")
 {
     Failures failures;
     Random random(930);
@@ -201,7 +202,7 @@ void test_starts()
 }
 
 // Units that are powers of two change no bit.
-void test_sizes()
+PW85_TEST("/grain_contact/sizes")
 {
     Failures failures;
     Random random(940);
@@ -240,7 +241,7 @@ Vector3 rotated_vector(Vector3 const &x, Vector3 const &omega)
            ((1.0 - std::cos(angle)) * pw85::dot(axis, x)) * axis;
 }
 
-void test_rotations()
+PW85_TEST("/grain_contact/rotations")
 {
     Failures failures;
     Random random(950);
@@ -260,7 +261,7 @@ void test_rotations()
 // While grains turn steadily, radius and depth have no jumps. Their second differences are h² times
 // second derivatives, which are below 500 for aspect ratios up to 4. Each search starts from the
 // normal before, as in a run.
-void test_path()
+PW85_TEST("/grain_contact/path")
 {
     Failures failures;
     Random random(960);
@@ -287,7 +288,7 @@ void test_path()
 
 // Central differences err by h²/6 times third derivatives, which may be some 10³, and by
 // accuracy/h. Derivatives by rotations scale with the unit, those by r12 do not.
-void test_gradient()
+PW85_TEST("/grain_contact/gradient")
 {
     Failures failures;
     Random random(970);
@@ -333,7 +334,7 @@ void test_gradient()
 
 // A wall is a plane, or curved along one direction like a cylinder. Along a principal direction of
 // the grain both curvatures add up, so that pw85_hertz gives R.
-void test_walls()
+PW85_TEST("/grain_contact/walls")
 {
     Failures failures;
     Random random(980);
@@ -443,7 +444,7 @@ double curvature_of_wall(Random &random, double const (&curvatures)[2], int n)
 
 // Curvatures of grain and wall that differ by up to 10⁸, in sizes that differ by 2^80: relative
 // errors below 1e-12, also of the smaller one.
-void test_unlike_curvatures()
+PW85_TEST("/grain_contact/walls/unlike_curvatures")
 {
     Failures failures;
     Random random(983);
@@ -481,7 +482,7 @@ void test_unlike_curvatures()
 }
 
 // The sharpest edge that a double can describe, and a wall of which the grain takes no notice.
-void test_extreme_walls()
+PW85_TEST("/grain_contact/walls/extreme")
 {
     Form3 const q{4.0, 0.0, 0.0, 1.0, 0.0, 9.0};
     Vector3 const up{0.0, 0.0, 1.0}, along{1.0, 0.0, 0.0};
@@ -499,7 +500,7 @@ void test_extreme_walls()
 }
 
 // Pairs that are so deep that the overlap has no minimum, and bad numbers.
-void test_no_contact()
+PW85_TEST("/grain_contact/no contact")
 {
     Form3 const sphere{1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, flat{1.0, 0.0, 0.0, 1.0, 0.0, -1.0};
     double const nan = std::numeric_limits<double>::quiet_NaN(),
@@ -554,7 +555,7 @@ void test_no_contact()
 }
 
 // Ellipsoids whose sizes differ by 10^200 have the contact of a point and a plane.
-void test_unlike_sizes()
+PW85_TEST("/grain_contact/unlike sizes")
 {
     Form3 const large{1e200, 0.0, 0.0, 1e200, 0.0, 1e200},
         small_{1e-200, 0.0, 0.0, 1e-200, 0.0, 1e-200};
@@ -569,7 +570,7 @@ void test_unlike_sizes()
 
 // Rows have the contacts of single pairs, to the accuracy of both, wherever they stand, and the
 // same bits in every place. Some rows are bad, some have curvatures beyond the fit.
-void test_rows()
+PW85_TEST("/grain_contact/rows")
 {
     Failures failures;
     Random random(990);
@@ -635,24 +636,3 @@ void test_rows()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/grain_contact/truth", test_truth);
-    g_test_add_func("/grain_contact/equations", test_equations);
-    g_test_add_func("/grain_contact/spheres", test_spheres);
-    g_test_add_func("/grain_contact/ratios", test_ratios);
-    g_test_add_func("/grain_contact/starts", test_starts);
-    g_test_add_func("/grain_contact/sizes", test_sizes);
-    g_test_add_func("/grain_contact/rotations", test_rotations);
-    g_test_add_func("/grain_contact/path", test_path);
-    g_test_add_func("/grain_contact/gradient", test_gradient);
-    g_test_add_func("/grain_contact/walls", test_walls);
-    g_test_add_func("/grain_contact/walls/unlike_curvatures", test_unlike_curvatures);
-    g_test_add_func("/grain_contact/walls/extreme", test_extreme_walls);
-    g_test_add_func("/grain_contact/no contact", test_no_contact);
-    g_test_add_func("/grain_contact/unlike sizes", test_unlike_sizes);
-    g_test_add_func("/grain_contact/rows", test_rows);
-    return g_test_run();
-}

@@ -7,6 +7,7 @@
 
 #include <pw85.h>
 
+#include "cases.hpp"
 #include "hard_particles.hpp"
 #include "saved_sections.hpp"
 
@@ -73,12 +74,6 @@ Plane mixture(int n)
     return plane;
 }
 
-double area_of(HardEllipsoids const &simulation)
-{
-    double const *const c = simulation.system().cell;
-    return std::fabs(c[0] * c[4] - c[1] * c[3]);
-}
-
 double angle_of(Quaternion const &q) { return 2.0 * std::atan2(q[3], q[0]); }
 
 /// Two unlike ellipses in a cell.
@@ -106,89 +101,46 @@ struct TwoEllipses {
     }
 };
 
-// All kinds of trials, against independent configurations of which those with overlaps are left
-// out.
-void test_two_ellipses()
+PW85_TEST("/hard_ellipses/two_ellipses")
 {
-    int const samples = g_test_perf() ? 400000 : 40000;
+    auto const &axes = TwoEllipses::axes;
+    Plane plane;
+    plane.add_ellipse({0.0, 0.0}, axes[0][0], axes[0][1]);
+    plane.add_ellipse({1.1, 1.1}, axes[1][0], axes[1][1]);
+    plane.set_cell(TwoEllipses::side, 0.0, TwoEllipses::side);
+    HardEllipsoids simulation = plane.ellipses();
     std::mt19937_64 random(5);
     std::uniform_real_distribution<double> uniform;
-    Blocks expected[3] = {Blocks(samples / 50), Blocks(samples / 50), Blocks(samples / 50)},
-           found[3] = {Blocks(samples / 50), Blocks(samples / 50), Blocks(samples / 50)};
-    auto const add = [](Blocks *means, std::array<double, 3> const &one) {
-        means[0].add(one[0] < 1.5);
-        means[1].add(one[1]);
-        means[2].add(one[2]);
-    };
-    for (int k = 0; k < samples;) {
+    auto const draw = [&] {
         Place const first = {0.0, 0.0, 2 * pi * uniform(random)},
                     second = {TwoEllipses::side * uniform(random),
                               TwoEllipses::side * uniform(random), 2 * pi * uniform(random)};
-        auto const one =
-            TwoEllipses::measure(first, second, TwoEllipses::axes[0], TwoEllipses::axes[1]);
-        if (one[0] < 1.0) continue;
-        add(expected, one);
-        ++k;
-    }
-    Plane plane;
-    plane.add_ellipse({0.0, 0.0}, TwoEllipses::axes[0][0], TwoEllipses::axes[0][1]);
-    plane.add_ellipse({1.1, 1.1}, TwoEllipses::axes[1][0], TwoEllipses::axes[1][1]);
-    plane.set_cell(TwoEllipses::side, 0.0, TwoEllipses::side);
-    HardEllipsoids simulation = plane.ellipses();
-    g_assert_true(simulation.set_steps({0.7, 0.6, 0.1}) == Status::success);
-    g_assert_true(simulation.set_fractions({0.3, 0.3, 0.2, 0.2}) == Status::success);
-    for (int k = 0; k < samples; ++k) {
-        g_assert_true(simulation.sweep(4) == Status::success);
-        double const *const c = simulation.system().centers;
-        auto const q = simulation.quaternions();
-        auto const axes = simulation.semi_axes();
-        auto const one =
-            TwoEllipses::measure({c[0], c[1], angle_of(q[0])}, {c[3], c[4], angle_of(q[1])},
-                                 axes[0].coordinates, axes[1].coordinates);
-        if (one[0] < 1.0 - 1e-12) g_test_fail_printf("overlap, mu2 = %a", one[0]);
-        add(found, one);
-    }
-    char const *const names[3] = {"near", "aligned", "along the cell"};
-    for (int k = 0; k < 3; ++k)
-        found[k].expect(names[k], expected[k].mean(), 4.0 * expected[k].error());
-    auto const counts = simulation.counts();
-    for (std::size_t k = 0; k < 4; ++k)
-        g_assert_true(0 < counts.accepted[k] && counts.accepted[k] < counts.trials[k]);
-}
-
-/// Which of 54 states an ellipse is in: its thirds of the cell along two axes, the third of a half
-/// turn, and its kind.
-std::vector<std::size_t> states_of(HardEllipsoids const &simulation)
-{
-    auto const system = simulation.system();
-    auto const third = [](double x) {
-        return static_cast<std::size_t>(std::floor(3.0 * (x - std::floor(x)))) % 3;
+        return TwoEllipses::measure(first, second, axes[0], axes[1]);
     };
-    std::vector<std::size_t> states(simulation.quaternions().size());
-    for (std::size_t k = 0; k < states.size(); ++k) {
-        double const y = system.centers[3 * k + 1] / system.cell[4],
-                     x = (system.centers[3 * k] - y * system.cell[3]) / system.cell[0];
-        std::size_t const kind = simulation.semi_axes()[k][1] == 1.0;
-        states[k] = third(x) + 3 * third(y) +
-                    9 * third(angle_of(simulation.quaternions()[k]) / pi) + 27 * kind;
-    }
-    return states;
+    expect_two_bodies<3>(simulation, {"near", "aligned", "along the cell"}, 40000, draw,
+                         [](HardEllipsoids const &all) {
+                             double const *const c = all.system().centers;
+                             auto const q = all.quaternions();
+                             auto const own = all.semi_axes();
+                             return TwoEllipses::measure({c[0], c[1], angle_of(q[0])},
+                                                         {c[3], c[4], angle_of(q[1])},
+                                                         own[0].coordinates, own[1].coordinates);
+                         });
 }
 
-// A drift, or a preferred sense of rotation, makes a current around a cycle of three states.
-void test_detailed_balance()
+PW85_TEST("/hard_ellipses/detailed_balance")
 {
     Plane plane = mixture(4);
     for (Vector3 &center : plane.centers) center = {1.3 * center[0], 1.3 * center[1], center[2]};
     for (Vector3 &vector : plane.cell) vector = 1.3 * vector;
     HardEllipsoids simulation = plane.ellipses();
     g_assert_true(simulation.set_steps({0.9, 0.7, 0.1}) == Status::success);
-    expect_detailed_balance(simulation, 12000, states_of);
+    expect_detailed_balance(simulation, 12000);
 }
 
 // An ellipse alone: translations are uniform in a disc, whose mean square is 1/2, and turns by 2
 // atan(v) have a uniform v.
-void test_steps()
+PW85_TEST("/hard_ellipses/steps")
 {
     constexpr double longest = 0.25, largest = 0.75;
     Plane plane;
@@ -216,7 +168,7 @@ void test_steps()
         v4.expect("fourth power of turns", 1.0 / 5);
 }
 
-void test_ideal_gas()
+PW85_TEST("/hard_ellipses/ideal_gas")
 {
     auto const make = [](double area, std::size_t seed) {
         double const side = std::sqrt(area);
@@ -231,11 +183,11 @@ void test_ideal_gas()
         g_assert_true(simulation.set_steps({0.1, 0.1, 0.9}) == Status::success);
         return simulation;
     };
-    expect_ideal_gas(4.0, make, area_of);
+    expect_ideal_gas(4.0, make);
 }
 
 // Shears change the tilt of a cell, scalings of one axis its shape; isotropic changes do neither.
-void test_kinds_of_changes()
+PW85_TEST("/hard_ellipses/kinds_of_changes")
 {
     for (CellChange const change :
          {CellChange::isotropic, CellChange::axis, CellChange::triclinic}) {
@@ -293,7 +245,7 @@ Blocks pressures_of_chains(HardEllipsoids &simulation, int blocks, std::size_t c
 // Discs; and parallel ellipses, which are discs in other units along y, so that βP/ρ is the same
 // along all directions. Beyond B6 the series has some 0.12 x⁶, and finite systems some 3/N of the
 // term of B3.
-void test_virials()
+PW85_TEST("/hard_ellipses/virials")
 {
     double const oblique[3] = {1, -2, 0}, axis[3] = {0, 3, 0};
     struct {
@@ -321,28 +273,18 @@ void test_virials()
 
 // At the pressure of the virials the density is that of the virials. That of N particles differs by
 // some (βP/ρ - 1)/N.
-void test_density()
+PW85_TEST("/hard_ellipses/density")
 {
     constexpr double eta = 0.2, density = 4 * eta / pi;
     constexpr int side = 12;
     double const z = virials(eta, HUGE_VAL);
     HardEllipsoids simulation = discs(side, eta, 1.0).ellipses();
-    g_assert_true(simulation.set_fractions({1, 0, 0, 0}) == Status::success);
-    g_assert_true(simulation.tune(300, 0.5, z * density) == Status::success);
-    int const sweeps = g_test_perf() ? 60000 : 8000;
-    Blocks densities(sweeps / 20);
-    for (int k = 0; k < sweeps; ++k) {
-        g_assert_true(simulation.sweep(1) == Status::success);
-        g_assert_true(simulation.volume_moves(2, z * density) == Status::success);
-        densities.add(side * side / area_of(simulation));
-    }
-    densities.expect("density", density, density * (z - 1) / (side * side));
-    expect_no_overlap(simulation);
+    expect_density(simulation, density, z, 0.5, 8000, density * (z - 1) / (side * side));
 }
 
 // Ellipses at constant area have a pressure, by chains; at this pressure they have their density
 // again.
-void test_chains_and_areas()
+PW85_TEST("/hard_ellipses/chains_and_areas")
 {
     constexpr int n = 8;
     Plane plane;
@@ -366,7 +308,7 @@ void test_chains_and_areas()
         for (int i = 0; i < 20; ++i) {
             g_assert_true(simulation.sweep(1) == Status::success);
             g_assert_true(simulation.volume_moves(3, pressure) == Status::success);
-            if (i == 19) densities.add(n * n / area_of(simulation));
+            if (i == 19) densities.add(n * n / measure_of(simulation));
         }
     // d ln ρ/d ln P is at most 1/(βP/ρ): pressures grow faster than densities.
     g_test_message("βP/ρ = %.4f +- %.4f", z, pressures.error());
@@ -393,7 +335,7 @@ std::vector<double> upright_numbers(HardEllipsoids const &simulation)
 }
 
 // Everything that a simulation can do, with zeros of both signs: not one bit leaves the plane.
-void test_nothing_leaves_the_plane()
+PW85_TEST("/hard_ellipses/nothing_leaves_the_plane")
 {
     for (int const size : sizes)
         for (double const height : {0.0, 0.3, -7.0}) {
@@ -468,7 +410,7 @@ bool overlaps_2d(HardEllipsoids const &simulation, std::size_t i, Vector3 const 
 
 // After sweeps, chains and changes of the area, no pair overlaps by the exact test of ellipses; and
 // that test agrees about each place.
-void test_overlap_2d()
+PW85_TEST("/hard_ellipses/overlap_2d")
 {
     std::mt19937_64 random(17);
     std::normal_distribution<double> normal;
@@ -524,7 +466,7 @@ std::vector<double> flat_numbers(HardEllipsoids const &simulation)
 }
 
 // The third semi-axes do not change a bit of what happens in it.
-void test_third_axes()
+PW85_TEST("/hard_ellipses/third_axes")
 {
     std::vector<double> expected;
     for (double const third : {0.7, 1e-4, 1e2, 1e7}) {
@@ -555,7 +497,7 @@ void test_third_axes()
     }
 }
 
-void test_threads_and_restart()
+PW85_TEST("/hard_ellipses/threads_and_restart")
 {
     expect_same_in_threads(mixture(40), 2, 12, [](HardEllipsoids &simulation) {
         double z;
@@ -565,75 +507,23 @@ void test_threads_and_restart()
     });
 }
 
-// Threads do not read particles in other domains of the colour that they work on. Here these are
-// little more than a diameter apart along the first axis, and trials are as long. Particles that
-// left their domains would meet unseen, and overlap after a few sweeps.
-void test_long_trials()
-{
-    constexpr int n = 120;
-    for (double const a : {1.5, 1.2}) {
-        Plane plane;
-        for (int k = 0; k < 3 * n; ++k) plane.add_ellipse({a * (k % 3), 1.2 * (k / 3)}, 0.5, 0.5);
-        plane.set_cell(3 * a, 0.0, 1.2 * n);
-        HardEllipsoids simulation = plane.ellipses();
-        expect_same_long_trials(simulation, 300);
-    }
-}
+PW85_TEST("/hard_ellipses/long_trials") { expect_same_long_trials(2, 120, 300); }
 
-// 1/μ of the closest pair, by the contact function of ellipses, is the factor of the lengths in the
-// plane.
-void test_compress()
+PW85_TEST("/hard_ellipses/compress")
 {
     for (int const size : sizes) {
         Plane plane = mixture(3);
         plane.scale(std::ldexp(1.0, size));
         HardEllipsoids simulation = plane.ellipses();
         g_assert_true(simulation.sweep(50) == Status::success);
-        auto const system = simulation.system();
-        double least = HUGE_VAL;
-        for (std::size_t i = 0; i < 9; ++i)
-            for (std::size_t j = 0; j < 9; ++j)
-                for (int k = 0; k < 9; ++k) {
-                    if (i == j && k == 4) continue;
-                    int const x = k % 3 - 1, y = k / 3 - 1;
-                    double const *const c = system.cell, *const a = system.centers + 3 * i,
-                                        *const b = system.centers + 3 * j;
-                    double const r[2] = {b[0] - a[0] + x * c[0] + y * c[3],
-                                         b[1] - a[1] + x * c[1] + y * c[4]};
-                    double out[2];
-                    pw85_contact_2d(r, form_of(simulation, i).data(), form_of(simulation, j).data(),
-                                    out);
-                    least = std::min(least, out[0]);
-                }
-        double const before = area_of(simulation), expected = 1.0 / std::sqrt(least);
-        double factor, again;
-        g_assert_true(simulation.compress(true, factor) == Status::success);
-        g_assert_cmpfloat(std::fabs(factor / expected - 1.0), <, 0x1p-40);
-        g_assert_cmpfloat(std::fabs(area_of(simulation) / before / (factor * factor) - 1.0), <,
-                          0x1p-48);
-        g_assert_true(simulation.compress(true, again) == Status::success &&
-                      again > 1.0 - 0x1p-38 && again <= 1.0);
-        expect_no_overlap(simulation);
+        expect_compression(std::move(simulation));
     }
 }
 
-// Tuned translations are short beside ellipses or beside their distance, and are accepted as often
-// as wanted.
-void test_tune()
+// Tuned translations are accepted as often as wanted, too.
+PW85_TEST("/hard_ellipses/tune")
 {
-    for (int const size : sizes)
-        for (double const spacing : {1.2, 3.0, 20.0}) {
-            Plane plane;
-            for (int k = 0; k < 100; ++k)
-                plane.add_ellipse({spacing * (k % 10), spacing * (k / 10)}, 0.5, 0.4);
-            plane.set_cell(10 * spacing, 0.0, 10 * spacing);
-            plane.scale(std::ldexp(1.0, size));
-            HardEllipsoids simulation = plane.ellipses();
-            g_assert_true(simulation.tune(200, 0.4) == Status::success);
-            double const translation = std::ldexp(simulation.steps().translation, -size);
-            g_assert_cmpfloat(translation, <=, std::max(0.25, (spacing - 1.0) / 3.0) * (1 + 1e-12));
-            if (spacing > 2.0) g_assert_cmpfloat(translation, >=, 0.25);
-        }
+    expect_tuned_translations(2, 1.2);
     HardEllipsoids simulation = mixture(8).ellipses();
     g_assert_true(simulation.tune(300, 0.4) == Status::success);
     g_assert_true(simulation.sweep(300) == Status::success);
@@ -647,7 +537,7 @@ void test_tune()
 
 // Without a cell, and in a channel: periodic along one vector of two, of which the area does not
 // change.
-void test_open_planes()
+PW85_TEST("/hard_ellipses/open_planes")
 {
     for (std::array<int, 3> const &periodic : {std::array{1, 0, 0}, std::array{0, 1, 0}}) {
         Plane plane = mixture(5);
@@ -689,7 +579,7 @@ void expect_refusal(char const *what, void (*change)(Plane &))
     g_assert_true(bytes_of(simulation) == before);
 }
 
-void test_bad_input()
+PW85_TEST("/hard_ellipses/bad_input")
 {
     expect_refusal("height", [](Plane &p) { p.centers[4][2] += 0x1p-50; });
     expect_refusal("turn about x", [](Plane &p) { p.quaternions[5][1] = 1e-300; });
@@ -729,7 +619,7 @@ void test_bad_input()
 }
 
 // A saved plane is one when it is read again, and bytes of a state that is none are refused.
-void test_changed_bytes()
+PW85_TEST("/hard_ellipses/changed_bytes")
 {
     Plane plane = mixture(3);
     plane.cell[2][2] = 0.12345; // numbers that occur once
@@ -752,7 +642,7 @@ void test_changed_bytes()
 }
 
 // Ellipsoids that were ellipses leave the plane, without overlaps.
-void test_back_to_space()
+PW85_TEST("/hard_ellipses/back_to_space")
 {
     Plane plane = mixture(5);
     HardEllipsoids simulation = plane.ellipses();
@@ -770,7 +660,7 @@ void test_back_to_space()
 }
 
 // In a closed plane, a translation is at most as long as the longest vector.
-void test_clipped_translation()
+PW85_TEST("/hard_ellipses/clipped_translation")
 {
     HardEllipsoids simulation = mixture(3).simulation();
     g_assert_true(simulation.set_steps({1e3, 0.1, 0.1}) == Status::success);
@@ -779,29 +669,3 @@ void test_clipped_translation()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/hard_ellipses/two_ellipses", test_two_ellipses);
-    g_test_add_func("/hard_ellipses/detailed_balance", test_detailed_balance);
-    g_test_add_func("/hard_ellipses/steps", test_steps);
-    g_test_add_func("/hard_ellipses/ideal_gas", test_ideal_gas);
-    g_test_add_func("/hard_ellipses/kinds_of_changes", test_kinds_of_changes);
-    g_test_add_func("/hard_ellipses/virials", test_virials);
-    g_test_add_func("/hard_ellipses/density", test_density);
-    g_test_add_func("/hard_ellipses/chains_and_areas", test_chains_and_areas);
-    g_test_add_func("/hard_ellipses/nothing_leaves_the_plane", test_nothing_leaves_the_plane);
-    g_test_add_func("/hard_ellipses/overlap_2d", test_overlap_2d);
-    g_test_add_func("/hard_ellipses/third_axes", test_third_axes);
-    g_test_add_func("/hard_ellipses/threads_and_restart", test_threads_and_restart);
-    g_test_add_func("/hard_ellipses/long_trials", test_long_trials);
-    g_test_add_func("/hard_ellipses/compress", test_compress);
-    g_test_add_func("/hard_ellipses/tune", test_tune);
-    g_test_add_func("/hard_ellipses/open_planes", test_open_planes);
-    g_test_add_func("/hard_ellipses/bad_input", test_bad_input);
-    g_test_add_func("/hard_ellipses/changed_bytes", test_changed_bytes);
-    g_test_add_func("/hard_ellipses/back_to_space", test_back_to_space);
-    g_test_add_func("/hard_ellipses/clipped_translation", test_clipped_translation);
-    return g_test_run();
-}

@@ -12,6 +12,7 @@
 #include <pw85/pw85.hpp>
 #include <pw85/simulation.hpp>
 
+#include "cases.hpp"
 #include "hard_particles.hpp"
 #include "saved_sections.hpp"
 #include "threads.hpp"
@@ -36,15 +37,8 @@ Start mixture(int n)
     return start;
 }
 
-double volume_of(HardEllipsoids const &simulation)
-{
-    double const *const c = simulation.system().cell;
-    return dot(Vector3{c[0], c[1], c[2]},
-               cross(Vector3{c[3], c[4], c[5]}, Vector3{c[6], c[7], c[8]}));
-}
-
 // The vectors of Random123's file kat_vectors, which Salmon and others publish with their paper.
-void test_philox()
+PW85_TEST("/hard_ellipsoids/philox")
 {
     struct {
         pw85::detail::PhiloxWords counter;
@@ -65,7 +59,7 @@ void test_philox()
     }
 }
 
-void test_ideal_gas()
+PW85_TEST("/hard_ellipsoids/ideal_gas")
 {
     auto const make = [](double volume, std::size_t seed) {
         double const side = std::cbrt(volume);
@@ -78,13 +72,13 @@ void test_ideal_gas()
         g_assert_true(simulation.set_steps({0.1, 0.1, 0.7}) == Status::success);
         return simulation;
     };
-    expect_ideal_gas(8.0, make, volume_of);
+    expect_ideal_gas(8.0, make);
 }
 
 // A sphere, or a disc, of diameter one does not overlap its images if all edges are at least one.
 // At constant volume the logarithms of the edges are uniform on a triangle, or a line: with their
 // sum S, the mean square of one of them is S²/6, or S²/3.
-void test_aspect()
+PW85_TEST("/hard_ellipsoids/aspect")
 {
     for (int const dimensions : {3, 2}) {
         Start start;
@@ -119,7 +113,7 @@ void test_aspect()
 // Carnahan and Starling's equation of state, J. Chem. Phys. 51, 635 (1969): it errs by less than
 // 0.3 % here. The density of 64 spheres at this pressure differs from that of infinitely many by
 // some tenths of a per cent.
-void test_hard_spheres()
+PW85_TEST("/hard_ellipsoids/hard_spheres")
 {
     constexpr double eta = 0.3, z = (1 + eta + eta * eta - eta * eta * eta) /
                                     ((1 - eta) * (1 - eta) * (1 - eta));
@@ -129,23 +123,13 @@ void test_hard_spheres()
         start.add(1.3 * Vector3{double(k % 4), double(k / 4 % 4), double(k / 16)}, {0.5, 0.5, 0.5});
     start.cell = box(5.2, 5.2, 5.2);
     HardEllipsoids simulation = start.simulation();
-    g_assert_true(simulation.set_fractions({1, 0, 0, 0}) == Status::success);
-    g_assert_true(simulation.tune(300, 0.3, z * density) == Status::success);
-    int const sweeps = g_test_perf() ? 100000 : 12000;
-    Blocks densities(sweeps / 20);
-    for (int k = 0; k < sweeps; ++k) {
-        g_assert_true(simulation.sweep(1) == Status::success);
-        g_assert_true(simulation.volume_moves(4, z * density) == Status::success);
-        densities.add(64.0 / volume_of(simulation));
-    }
-    densities.expect("density", density, 0.005 * density);
-    expect_no_overlap(simulation);
+    expect_density(simulation, density, z, 0.3, 12000, 0.005 * density);
 }
 
 // Trials of particles and the single trial of the volume of a sweep reach the acceptance that is
 // asked for, from steps far too long or too short. Steps scatter, so the mean over several is
 // compared.
-void test_tune()
+PW85_TEST("/hard_ellipsoids/tune")
 {
     constexpr std::size_t moves[3] = {0, 1, 4}; // translations, rotations, volume
     for (double const wanted : {0.2, 0.6})
@@ -194,7 +178,7 @@ struct TwoSizes {
 // The trials of each kind reach the acceptance that is asked for. A particle is chosen n times in a
 // sweep by Poisson's law, so that e^-a of them have not moved, with the acceptance a. Lengths of
 // translations are those of the kind.
-void test_kind_steps()
+PW85_TEST("/hard_ellipsoids/kind_steps")
 {
     Vector3 const kinds[] = {TwoSizes::large, TwoSizes::little};
     HardEllipsoids simulation = TwoSizes::start().simulation();
@@ -238,7 +222,7 @@ void test_kind_steps()
 
 // The same bits with any number of threads and after a restart, with exchanges, too. Bad steps
 // change nothing.
-void test_kind_steps_restart()
+PW85_TEST("/hard_ellipsoids/kind_steps_restart")
 {
     Vector3 const kinds[] = {TwoSizes::large, TwoSizes::little};
     pw85::TrialSteps const steps[] = {{0.05, 0.02, 0.0}, {0.3, 0.4, 0.0}};
@@ -296,26 +280,7 @@ void test_kind_steps_restart()
     g_assert_true(hard_ellipsoids_restore(changed, simulation) == Status::invalid_argument);
 }
 
-// At low density nearly every translation is accepted. Tuned ones stay short beside the particles,
-// or beside their distance, so that lists of neighbours do. A rotation that is as large as possible
-// adds nothing to the lists of spheres.
-void test_tuned_translations()
-{
-    for (double const unit : {1.0, 0x1p40, 0x1p-40})
-        for (double const spacing : {1.6, 3.0, 20.0}) {
-            Start start;
-            double const a = spacing * unit;
-            for (int k = 0; k < 125; ++k)
-                start.add({a * (k % 5), a * (k / 5 % 5), a * (k / 25)},
-                          {0.5 * unit, 0.5 * unit, 0.4 * unit});
-            start.cell = box(5 * a, 5 * a, 5 * a);
-            HardEllipsoids simulation = start.simulation();
-            g_assert_true(simulation.tune(100, 0.4, 0.0) == Status::success);
-            double const translation = simulation.steps().translation / unit;
-            if (spacing > 2.0) g_assert_cmpfloat(translation, >=, 0.25);
-            g_assert_cmpfloat(translation, <=, std::max(0.25, spacing / 4 - 1.0 / 3) * (1 + 1e-12));
-        }
-}
+PW85_TEST("/hard_ellipsoids/tuned_translations") { expect_tuned_translations(3, 1.6); }
 
 /// Two unlike ellipsoids in a cell.
 struct TwoEllipsoids {
@@ -344,58 +309,39 @@ struct TwoEllipsoids {
     }
 };
 
-// All kinds of trials, against independent configurations of which those with overlaps are left
-// out.
-void test_two_ellipsoids()
+PW85_TEST("/hard_ellipsoids/two_ellipsoids")
 {
-    int const samples = g_test_perf() ? 200000 : 20000;
+    constexpr double side = TwoEllipsoids::side;
+    auto const &axes = TwoEllipsoids::axes;
+    Start start;
+    start.add({0, 0, 0}, axes[0]);
+    start.add({1, 1, 1}, axes[1]);
+    start.cell = box(side, side, side);
+    HardEllipsoids simulation = start.simulation();
     std::mt19937_64 random(5);
     std::normal_distribution<double> normal;
-    std::uniform_real_distribution<double> uniform(0.0, TwoEllipsoids::side);
+    std::uniform_real_distribution<double> uniform(0.0, side);
     auto const turn = [&] {
         Quaternion const q = {normal(random), normal(random), normal(random), normal(random)};
         return q / std::sqrt(dot(q, q));
     };
-    Blocks near(samples / 50), aligned(samples / 50), near_mc(samples / 50),
-        aligned_mc(samples / 50);
-    for (int k = 0; k < samples;) {
+    auto const draw = [&] {
         Vector3 const r = {uniform(random), uniform(random), uniform(random)};
-        auto const [mu2, cosine] = TwoEllipsoids::measure(r, turn(), turn(), TwoEllipsoids::axes[0],
-                                                          TwoEllipsoids::axes[1]);
-        if (mu2 < 1.0) continue;
-        near.add(mu2 < 1.5);
-        aligned.add(cosine);
-        ++k;
-    }
-    Start start;
-    start.add({0, 0, 0}, TwoEllipsoids::axes[0]);
-    start.add({1, 1, 1}, TwoEllipsoids::axes[1]);
-    start.cell = box(TwoEllipsoids::side, TwoEllipsoids::side, TwoEllipsoids::side);
-    HardEllipsoids simulation = start.simulation();
-    g_assert_true(simulation.set_steps({0.7, 0.6, 0.1}) == Status::success);
-    g_assert_true(simulation.set_fractions({0.3, 0.3, 0.2, 0.2}) == Status::success);
-    for (int k = 0; k < samples; ++k) {
-        g_assert_true(simulation.sweep(4) == Status::success);
-        auto const *const centers = reinterpret_cast<Vector3 const *>(simulation.system().centers);
-        auto const q = simulation.quaternions();
-        auto const axes = simulation.semi_axes();
-        auto const [mu2, cosine] =
-            TwoEllipsoids::measure(centers[1] - centers[0], q[0], q[1], axes[0], axes[1]);
-        if (mu2 < 1.0) g_test_fail_printf("overlap, mu2 = %a", mu2);
-        near_mc.add(mu2 < 1.5);
-        aligned_mc.add(cosine);
-    }
-    near_mc.expect("near", near.mean(), 4.0 * near.error());
-    aligned_mc.expect("aligned", aligned.mean(), 4.0 * aligned.error());
-    auto const counts = simulation.counts();
-    for (std::size_t k = 0; k < 4; ++k)
-        g_assert_true(0 < counts.accepted[k] && counts.accepted[k] < counts.trials[k]);
+        return TwoEllipsoids::measure(r, turn(), turn(), axes[0], axes[1]);
+    };
+    expect_two_bodies<2>(
+        simulation, {"near", "aligned"}, 20000, draw, [](HardEllipsoids const &all) {
+            auto const *const centers = reinterpret_cast<Vector3 const *>(all.system().centers);
+            auto const q = all.quaternions();
+            auto const own = all.semi_axes();
+            return TwoEllipsoids::measure(centers[1] - centers[0], q[0], q[1], own[0], own[1]);
+        });
 }
 
 // A particle alone turns by (1, v), in which v and -v are equally probable: the mean of v is 0. The
 // parts of the quaternion after a turn, multiplied by the conjugate of the one before, are in the
 // ratio 1 : v.
-void test_domain_scheduler()
+PW85_TEST("/hard_ellipsoids/domain_scheduler")
 {
     constexpr double largest = 0.25;
     Start start;
@@ -420,56 +366,19 @@ void test_domain_scheduler()
     square.expect("mean square of a point of a ball", 0.6);
 }
 
-/// Which of 54 states a particle is in: its third of the cell along two axes, the third of a turn
-/// about the third axis, and its kind. A drift or a preferred sense of rotation makes a current
-/// around a cycle of three states.
-std::vector<std::size_t> states_of(HardEllipsoids const &simulation)
-{
-    auto const system = simulation.system();
-    auto const third = [](double x) {
-        return static_cast<std::size_t>(std::floor(3.0 * (x - std::floor(x)))) % 3;
-    };
-    std::vector<std::size_t> states(simulation.quaternions().size());
-    for (std::size_t k = 0; k < states.size(); ++k) {
-        auto const [w, x, y, z] = simulation.quaternions()[k].coordinates;
-        double const angle = std::atan2(2 * (x * y + w * z), 1 - 2 * (y * y + z * z));
-        std::size_t const kind = simulation.semi_axes()[k][2] > 1.0;
-        states[k] = third(system.centers[3 * k + 1] / system.cell[4]) +
-                    3 * third(system.centers[3 * k + 2] / system.cell[8]) +
-                    9 * third(angle / (2 * pi)) + 27 * kind;
-    }
-    return states;
-}
-
-void test_detailed_balance()
+PW85_TEST("/hard_ellipsoids/detailed_balance")
 {
     Start start = mixture(3);
     for (auto &center : start.centers) center = 1.3 * center;
     for (auto &vector : start.cell) vector = 1.3 * vector;
     HardEllipsoids simulation = start.simulation();
     g_assert_true(simulation.set_steps({0.7, 0.7, 0.1}) == Status::success);
-    expect_detailed_balance(simulation, 8000, states_of);
+    expect_detailed_balance(simulation, 8000);
 }
 
-// Threads do not read particles in other domains of the colour that they work on. Here these are
-// little more than a diameter apart along the first axis, and trials are as long. Particles that
-// left their domains would meet unseen, and overlap after a few sweeps. So would those in four
-// domains of a cell that is not wide enough for more than two.
-void test_long_trials()
-{
-    constexpr int n = 27;
-    constexpr double b = 1.2;
-    for (double const a : {1.5, 1.2}) {
-        Start start;
-        for (int k = 0; k < 3 * n * n; ++k)
-            start.add({a * (k % 3), b * (k / 3 % n), b * (k / 3 / n)}, {0.5, 0.5, 0.5});
-        start.cell = box(3 * a, b * n, b * n);
-        HardEllipsoids simulation = start.simulation();
-        expect_same_long_trials(simulation, 1000);
-    }
-}
+PW85_TEST("/hard_ellipsoids/long_trials") { expect_same_long_trials(3, 27, 1000); }
 
-void test_threads_and_restart()
+PW85_TEST("/hard_ellipsoids/threads_and_restart")
 {
     Start const start = mixture(13);
     expect_same_in_threads(start, 3, 24, [](HardEllipsoids &simulation) {
@@ -483,7 +392,7 @@ void test_threads_and_restart()
 
 // An exchange leaves the semi-axes of all particles together as they are, and does not move or turn
 // any particle.
-void test_exchange()
+PW85_TEST("/hard_ellipsoids/exchange")
 {
     Start start = mixture(6);
     for (std::size_t i = 0; i < start.quaternions.size(); ++i)
@@ -513,7 +422,7 @@ void test_exchange()
 }
 
 // At a pressure whose factor exp(-βPΔV) is below all numbers, no trial makes the volume larger.
-void test_immense_pressures()
+PW85_TEST("/hard_ellipsoids/immense_pressures")
 {
     for (double const pressure : {1e3, 1e5, 1e9, 1e100, 1e300}) {
         Start start;
@@ -533,7 +442,7 @@ void test_immense_pressures()
 
 // The rounded form of a needle with the aspect ratio 2³⁰ is positive definite in some orientations
 // only. Trials do not lead to the others.
-void test_needles()
+PW85_TEST("/hard_ellipsoids/needles")
 {
     Start start;
     start.add({0, 0, 0}, {1.0, 0x1p-30, 0x1p-30});
@@ -551,7 +460,7 @@ void test_needles()
 
 // A small sphere that becomes a large one leaves the box that it has had. The skin of the rows has
 // room for that, or the sweep would make rows without end.
-void test_exchange_of_sizes()
+PW85_TEST("/hard_ellipsoids/exchange_of_sizes")
 {
     Start start;
     start.add({0, 0, 0}, {1.0, 1.0, 1.0});
@@ -568,7 +477,7 @@ void test_exchange_of_sizes()
 
 // A rod that is longer than two sides of its cell meets its own images. Periodic along two vectors,
 // it is on its own along the third.
-void test_small_cell()
+PW85_TEST("/hard_ellipsoids/small_cell")
 {
     Start start;
     start.add({0, 0, 0}, {0.2, 0.2, 2.0});
@@ -588,60 +497,6 @@ void test_small_cell()
     expect_no_overlap(simulation);
     g_assert_true(simulation.volume_moves(1, 1.0) == Status::invalid_argument);
 }
-
-/// All images that can be near, with the least |r_d| / (half-widths) and μ² of each.
-struct AllImages {
-    explicit AllImages(HardEllipsoids const &simulation)
-        : system(simulation.system()), half_widths(system.num_particles)
-    {
-        for (std::size_t i = 0; i < half_widths.size(); ++i)
-            for (int d = 0; d < 3; ++d)
-                half_widths[i][d] = std::sqrt(system.q[6 * i + (d == 0 ? 0 : d == 1 ? 3 : 5)]);
-    }
-
-    Vector3 center(std::size_t i) const
-    {
-        return {system.centers[3 * i], system.centers[3 * i + 1], system.centers[3 * i + 2]};
-    }
-    pw85::SymmetricMatrix<double, 3> form(std::size_t i) const
-    {
-        pw85::SymmetricMatrix<double, 3> q;
-        std::copy_n(system.q + 6 * i, 6, q.entries);
-        return q;
-    }
-
-    /// Calls visit(j, image, translation) for the images at most four vectors away, but not for
-    /// particle i itself.
-    template <class Visit> void visit(std::size_t i, Visit const &visit_one) const
-    {
-        int const reach = system.cell == nullptr ? 0 : 4;
-        for (std::size_t j = 0; j < system.num_particles; ++j)
-            for (int x = -reach; x <= reach; ++x)
-                for (int y = -reach; y <= reach; ++y)
-                    for (int z = -reach; z <= reach; ++z) {
-                        if (i == j && x == 0 && y == 0 && z == 0) continue;
-                        Vector3 translation{};
-                        for (int d = 0; d < 3 && reach > 0; ++d)
-                            translation[d] = x * system.cell[d] + y * system.cell[3 + d] +
-                                             z * system.cell[6 + d];
-                        visit_one(j, std::array<std::int32_t, 3>{x, y, z}, translation);
-                    }
-    }
-
-    double least_mu2() const
-    {
-        double least = HUGE_VAL;
-        for (std::size_t i = 0; i < system.num_particles; ++i)
-            visit(i, [&](std::size_t j, auto const &, Vector3 const &translation) {
-                Vector3 const r = center(j) - center(i) + translation;
-                least = std::min(least, pw85::contact(r, form(i), form(j)).mu2);
-            });
-        return least;
-    }
-
-    pw85_system system;
-    std::vector<Vector3> half_widths;
-};
 
 /// A few particles of two kinds in a sheared cell, times a power of two, after some sweeps; or one
 /// in a cell smaller than itself.
@@ -695,7 +550,7 @@ void expect_neighbors(HardEllipsoids &simulation, std::size_t i)
     g_assert_cmpuint(k, ==, count);
 }
 
-void test_neighbors()
+PW85_TEST("/hard_ellipsoids/neighbors")
 {
     for (int const size : sizes) {
         HardEllipsoids simulation = small_system(size, false);
@@ -731,7 +586,7 @@ double rejection_of_volume(double n, double pressure, double volume, double larg
 // 0.98, and of longer ones. The cell is at first larger than on average. The number of rejected
 // trials, less the sum of the probabilities p, has the variance Σ p (1 - p), whatever volumes
 // occur.
-void test_rejected_volumes()
+PW85_TEST("/hard_ellipsoids/rejected_volumes")
 {
     constexpr double n = 8.0, pressure = 5.0;
     for (double const largest : {0.001, 0.02, 0.3}) {
@@ -743,7 +598,7 @@ void test_rejected_volumes()
         g_assert_true(simulation.set_steps({0.1, 0.1, largest}) == Status::success);
         double expected = 0.0, variance = 0.0;
         for (int k = 0; k < 10000; ++k) {
-            double const p = rejection_of_volume(n, pressure, volume_of(simulation), largest);
+            double const p = rejection_of_volume(n, pressure, measure_of(simulation), largest);
             expected += p;
             variance += p * (1.0 - p);
             g_assert_true(simulation.volume_moves(1, pressure) == Status::success);
@@ -760,7 +615,7 @@ void test_rejected_volumes()
 }
 
 // A single particle is compressed until it meets its own images, and never overlaps them.
-void test_own_images()
+PW85_TEST("/hard_ellipsoids/own_images")
 {
     for (CellChange const change :
          {CellChange::isotropic, CellChange::axis, CellChange::triclinic}) {
@@ -816,7 +671,7 @@ void expect_near_pairs(HardEllipsoids &simulation, Vector3 const &place, double 
 // Far from the first particle, coordinates in single precision are multiples of an eighth of the
 // longest semi-axis, and so are the translations of a large cell. Spheres that overlap by less are
 // found nevertheless.
-void test_far_spheres()
+PW85_TEST("/hard_ellipsoids/far_spheres")
 {
     for (int const size : sizes)
         for (double const period : {0.0, 0x1.1999ap+20}) {
@@ -841,7 +696,7 @@ void test_far_spheres()
 
 // Sizes at which products underflow. Lanes then show overlaps that are none, so that the answers
 // for pairs that fail the fast checks are left to the function for one pair.
-void test_tiny_pairs()
+PW85_TEST("/hard_ellipsoids/tiny_pairs")
 {
     Vector3 const pairs[][3] = {
         // semi-axes of the first and of the second, and the separation
@@ -889,7 +744,7 @@ bool is_free(AllImages const &all, std::size_t i, Vector3 const &center,
 }
 
 // A large sphere among hundreds of small ones, which its bounding box meets at once.
-void test_many_candidates()
+PW85_TEST("/hard_ellipsoids/many_candidates")
 {
     Start start;
     start.add({0, 0, 0}, {2, 2, 2});
@@ -913,7 +768,7 @@ void test_many_candidates()
 }
 
 // Small, large and very large motions, of which only some are taken.
-void test_try()
+PW85_TEST("/hard_ellipsoids/try")
 {
     std::mt19937_64 random(3);
     std::normal_distribution<double> normal;
@@ -967,47 +822,7 @@ void test_try()
     g_assert_true(simulation.sweep(1) == Status::success);
 }
 
-/// The particles and the cell of a simulation, its lengths times a factor.
-Start scaled(HardEllipsoids const &simulation, double factor)
-{
-    AllImages const all(simulation);
-    Start start;
-    for (std::size_t i = 0; i < all.system.num_particles; ++i)
-        start.add(factor * all.center(i), simulation.semi_axes()[i], simulation.quaternions()[i]);
-    for (std::size_t k = 0; k < 3; ++k)
-        for (int d = 0; d < 3; ++d)
-            start.cell[k][d] = factor * all.system.cell[3 * k + static_cast<std::size_t>(d)];
-    return start;
-}
-
-// The least μ of pairs of a few semi-axes has a relative rounding error of some 2⁻⁵⁰. The
-// quaternions of `scaled` are rounded again.
-void expect_compression(HardEllipsoids simulation)
-{
-    double const expected = 1.0 / std::sqrt(AllImages(simulation).least_mu2());
-    auto const before = bytes_of(simulation);
-    double factor;
-    g_assert_true(simulation.compress(false, factor) == Status::success);
-    if (!(std::fabs(factor / expected - 1.0) <= 0x1p-40))
-        g_test_fail_printf("%a instead of %a", factor, expected);
-    g_assert_true(bytes_of(simulation) == before);
-    HardEllipsoids other;
-    pw85::IndexPair pair;
-    g_assert_true(scaled(simulation, factor * (1.0 + 0x1p-38)).create(other, pair) ==
-                  Status::success);
-    g_assert_true(scaled(simulation, factor * (1.0 - 0x1p-38)).create(other, pair) ==
-                  Status::overlap);
-    double taken, again;
-    g_assert_true(simulation.compress(true, taken) == Status::success && taken == factor);
-    expect_no_overlap(simulation);
-    g_assert_true(simulation.compress(true, again) == Status::success);
-    g_assert_true(1.0 - 0x1p-38 < again && again <= 1.0);
-    expect_no_overlap(simulation);
-    g_assert_true(simulation.sweep(2) == Status::success);
-    expect_no_overlap(simulation);
-}
-
-void test_compress()
+PW85_TEST("/hard_ellipsoids/compress")
 {
     for (int const size : sizes)
         for (bool const is_single : {false, true})
@@ -1035,7 +850,7 @@ void test_compress()
                   std::isnan(factor));
 }
 
-void test_bad_input()
+PW85_TEST("/hard_ellipsoids/bad_input")
 {
     Start start = mixture(2);
     HardEllipsoids simulation;
@@ -1058,7 +873,7 @@ void test_bad_input()
 }
 
 // Lists for a translation that is longer than the cell would need gigabytes for a few particles.
-void test_bad_steps()
+PW85_TEST("/hard_ellipsoids/bad_steps")
 {
     for (int const size : {0, 40, -40}) {
         double const unit = std::ldexp(1.0, size);
@@ -1086,7 +901,7 @@ void test_bad_steps()
 }
 
 // Sweeps with these numbers would never end, or would make no trials.
-void test_changed_bytes()
+PW85_TEST("/hard_ellipsoids/changed_bytes")
 {
     constexpr double steps[3] = {0.0123, 0.0456, 0.0789}, fraction = 0.25, other = 0.75;
     HardEllipsoids simulation = mixture(2).simulation();
@@ -1108,38 +923,3 @@ void test_changed_bytes()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/hard_ellipsoids/philox", test_philox);
-    g_test_add_func("/hard_ellipsoids/ideal_gas", test_ideal_gas);
-    g_test_add_func("/hard_ellipsoids/aspect", test_aspect);
-    g_test_add_func("/hard_ellipsoids/hard_spheres", test_hard_spheres);
-    g_test_add_func("/hard_ellipsoids/tune", test_tune);
-    g_test_add_func("/hard_ellipsoids/kind_steps", test_kind_steps);
-    g_test_add_func("/hard_ellipsoids/kind_steps_restart", test_kind_steps_restart);
-    g_test_add_func("/hard_ellipsoids/tuned_translations", test_tuned_translations);
-    g_test_add_func("/hard_ellipsoids/two_ellipsoids", test_two_ellipsoids);
-    g_test_add_func("/hard_ellipsoids/domain_scheduler", test_domain_scheduler);
-    g_test_add_func("/hard_ellipsoids/detailed_balance", test_detailed_balance);
-    g_test_add_func("/hard_ellipsoids/long_trials", test_long_trials);
-    g_test_add_func("/hard_ellipsoids/threads_and_restart", test_threads_and_restart);
-    g_test_add_func("/hard_ellipsoids/exchange", test_exchange);
-    g_test_add_func("/hard_ellipsoids/immense_pressures", test_immense_pressures);
-    g_test_add_func("/hard_ellipsoids/needles", test_needles);
-    g_test_add_func("/hard_ellipsoids/exchange_of_sizes", test_exchange_of_sizes);
-    g_test_add_func("/hard_ellipsoids/small_cell", test_small_cell);
-    g_test_add_func("/hard_ellipsoids/neighbors", test_neighbors);
-    g_test_add_func("/hard_ellipsoids/rejected_volumes", test_rejected_volumes);
-    g_test_add_func("/hard_ellipsoids/own_images", test_own_images);
-    g_test_add_func("/hard_ellipsoids/far_spheres", test_far_spheres);
-    g_test_add_func("/hard_ellipsoids/tiny_pairs", test_tiny_pairs);
-    g_test_add_func("/hard_ellipsoids/many_candidates", test_many_candidates);
-    g_test_add_func("/hard_ellipsoids/try", test_try);
-    g_test_add_func("/hard_ellipsoids/compress", test_compress);
-    g_test_add_func("/hard_ellipsoids/bad_input", test_bad_input);
-    g_test_add_func("/hard_ellipsoids/bad_steps", test_bad_steps);
-    g_test_add_func("/hard_ellipsoids/changed_bytes", test_changed_bytes);
-    return g_test_run();
-}

@@ -7,6 +7,7 @@
 
 #include <pw85/simulation.hpp>
 
+#include "cases.hpp"
 #include "refused_memory.hpp"
 
 using pw85::HardEllipsoids;
@@ -79,7 +80,7 @@ template <class Call> void refuse_each(long least, int dimensions, Call const &c
     }
 }
 
-void test_sweep()
+PW85_TEST("/hard_ellipsoids_memory/sweep")
 {
     for (int const dimensions : {3, 2})
         refuse_each(13, dimensions,
@@ -87,7 +88,7 @@ void test_sweep()
 }
 
 // The trial for which memory is refused changes nothing.
-void test_volume()
+PW85_TEST("/hard_ellipsoids_memory/volume")
 {
     auto const change_volumes = [](HardEllipsoids &simulation) {
         Status status = Status::success;
@@ -101,7 +102,7 @@ void test_volume()
     for (int const dimensions : {3, 2}) refuse_each(13, dimensions, change_volumes);
 }
 
-void test_chain()
+PW85_TEST("/hard_ellipsoids_memory/chain")
 {
     auto const make_chains = [](HardEllipsoids &simulation) {
         double z;
@@ -111,7 +112,7 @@ void test_chain()
 }
 
 // The trials that were made before the refusal remain. The arrays grow several times.
-void test_insertions()
+PW85_TEST("/hard_ellipsoids_memory/insertions")
 {
     pw85::Vector<double, 3> const kind = {0.05, 0.05, 0.05};
     double const activity = 50.0;
@@ -142,13 +143,3 @@ void test_insertions()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/hard_ellipsoids_memory/sweep", test_sweep);
-    g_test_add_func("/hard_ellipsoids_memory/volume", test_volume);
-    g_test_add_func("/hard_ellipsoids_memory/chain", test_chain);
-    g_test_add_func("/hard_ellipsoids_memory/insertions", test_insertions);
-    return g_test_run();
-}

@@ -10,6 +10,7 @@
 #include <pw85.h>
 #include <pw85/pw85.hpp>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -246,7 +247,7 @@ Found by_c(Grains const &g)
     return f;
 }
 
-void test_contact()
+PW85_TEST("/hertz/contact")
 {
     Failures failures;
     Random random(820);
@@ -307,7 +308,7 @@ Wide turning(Sample<Wide, 3> const &p, WideVector const &n, WideVector const &x)
 // With the normal of the scaled pair the depth is δ = (1/μ - 1) n·r. It exceeds the depth of
 // pw85_penetration() by ½ δ² tᵀ(A1 + A2)⁻¹t, with the slope t, plus terms of third order, whose
 // factor is some power of the aspect ratio.
-void test_depths()
+PW85_TEST("/hertz/depths")
 {
     Failures failures;
     Random random(830);
@@ -340,7 +341,7 @@ void check_close(double found, double wanted)
 
 // Closed forms: spheres, the pole and the equator of spheroids, the three axes of an ellipsoid,
 // spheroids that cross.
-void test_closed_forms()
+PW85_TEST("/hertz/closed_forms")
 {
     double k[2], d[6];
     auto const curvature = [&](Vector3 const &normal, Form3 const &q) {
@@ -375,7 +376,7 @@ void test_closed_forms()
 
 // The radius is the largest value of 2 agm(1, k)²/(κ1 + κ2 k²) over k: Hertz's pressure has the
 // least energy.
-void test_least_energy()
+PW85_TEST("/hertz/least_energy")
 {
     Failures failures;
     Random random(840);
@@ -396,7 +397,7 @@ void test_least_energy()
 
 // Units that are powers of two change no bit; the ellipsoids in the other order give the same
 // contact.
-void test_units_and_order()
+PW85_TEST("/hertz/units_and_order")
 {
     Failures failures;
     Random random(850);
@@ -437,7 +438,7 @@ void test_units_and_order()
 }
 
 // Sizes 1e±150 in any combination, and r12 = 0.
-void test_extremes()
+PW85_TEST("/hertz/extremes")
 {
     for (double const a : {1e-150, 1.0, 1e150})
         for (double const b : {1e-150, 1.0, 1e150}) {
@@ -457,7 +458,7 @@ void test_extremes()
 }
 
 // Normals that are no normals; curvatures that are none.
-void test_refusals()
+PW85_TEST("/hertz/refusals")
 {
     Form3 const q = diagonal(1, 2, 3), flat{1, 0, 0, 1, 0, 0};
     double k[2], nothing[3] = {0, 0, 0}, some[3] = {1, 0, 0};
@@ -478,23 +479,11 @@ void test_refusals()
     }
 }
 
-} // namespace
+PW85_ADD_TEST("/hertz/curvature/double", test_curvature<double>);
+PW85_ADD_TEST("/hertz/curvature/float", test_curvature<float>);
+PW85_ADD_TEST("/hertz/curvature/long_double", test_curvature<long double>);
+PW85_ADD_TEST("/hertz/theory/double", test_hertz<double>);
+PW85_ADD_TEST("/hertz/theory/float", test_hertz<float>);
+PW85_ADD_TEST("/hertz/theory/long_double", test_hertz<long double>);
 
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/hertz/curvature/double", test_curvature<double>);
-    g_test_add_func("/hertz/curvature/float", test_curvature<float>);
-    g_test_add_func("/hertz/curvature/long_double", test_curvature<long double>);
-    g_test_add_func("/hertz/theory/double", test_hertz<double>);
-    g_test_add_func("/hertz/theory/float", test_hertz<float>);
-    g_test_add_func("/hertz/theory/long_double", test_hertz<long double>);
-    g_test_add_func("/hertz/contact", test_contact);
-    g_test_add_func("/hertz/depths", test_depths);
-    g_test_add_func("/hertz/closed_forms", test_closed_forms);
-    g_test_add_func("/hertz/least_energy", test_least_energy);
-    g_test_add_func("/hertz/units_and_order", test_units_and_order);
-    g_test_add_func("/hertz/extremes", test_extremes);
-    g_test_add_func("/hertz/refusals", test_refusals);
-    return g_test_run();
-}
+} // namespace

@@ -7,6 +7,7 @@
 
 #include <pw85.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -164,7 +165,7 @@ Sample<double, 3> unlike_pair(Random &random, int exponent)
 }
 
 // An ellipsoid 2 that is much the larger: λ is small, and known as well as ever.
-void test_unlike_sizes()
+PW85_TEST("/hessian/unlike_sizes")
 {
     Failures failures;
     Random random(730);
@@ -192,7 +193,7 @@ void test_unlike_sizes()
 
 // What follows from the scalings of μ² and from turning everything: with x = (r12, ω1, ω2), H r12 =
 // ∂μ²/∂r12 and twice the torques, as these are of degree 1 and 2 in r12.
-void test_homogeneity()
+PW85_TEST("/hessian/homogeneity")
 {
     Failures failures;
     Random random(740);
@@ -215,7 +216,7 @@ void test_homogeneity()
 }
 
 // Spheres with radii a and b: μ² = r²/(a+b)², whatever their orientation.
-void test_spheres()
+PW85_TEST("/hessian/spheres")
 {
     double const r12[3] = {1.0, 2.0, 2.0}, q1[6] = {4.0, 0.0, 0.0, 4.0, 0.0, 4.0},
                  q2[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
@@ -231,7 +232,7 @@ void test_spheres()
 // changes its half-width along z to √(c² cos²θ + a² sin²θ), and that of the pair along any other
 // direction by symmetry: with both turned alike, μ² = r²/(4 h²), where 1/h² = cos²θ/c² + sin²θ/a²,
 // the form's inverse along z.
-void test_turned_alike()
+PW85_TEST("/hessian/turned_alike")
 {
     double const a = 1.0, c = 2.0, r = 6.0;
     double const r12[3] = {0.0, 0.0, r}, q[6] = {a * a, 0.0, 0.0, a * a, 0.0, c * c};
@@ -244,7 +245,7 @@ void test_turned_alike()
 }
 
 // λ at the ends, which no maximiser is; concentric ellipsoids have no second derivatives.
-void test_ends()
+PW85_TEST("/hessian/ends")
 {
     double const r12[3] = {1.0, -2.0, 2.0}, zero[3] = {0.0, 0.0, 0.0},
                  q[6] = {4.0, 0.5, 0.0, 3.0, 0.0, 2.0};
@@ -257,19 +258,9 @@ void test_ends()
     for (double const x : h) g_assert_true(std::isnan(x));
 }
 
-} // namespace
+PW85_ADD_TEST("/hessian/differences/3d", test_differences<3>);
+PW85_ADD_TEST("/hessian/differences/2d", test_differences<2>);
+PW85_ADD_TEST("/hessian/rounding_errors/3d", test_rounding_errors<3>);
+PW85_ADD_TEST("/hessian/rounding_errors/2d", test_rounding_errors<2>);
 
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/hessian/differences/3d", test_differences<3>);
-    g_test_add_func("/hessian/differences/2d", test_differences<2>);
-    g_test_add_func("/hessian/rounding_errors/3d", test_rounding_errors<3>);
-    g_test_add_func("/hessian/rounding_errors/2d", test_rounding_errors<2>);
-    g_test_add_func("/hessian/unlike_sizes", test_unlike_sizes);
-    g_test_add_func("/hessian/homogeneity", test_homogeneity);
-    g_test_add_func("/hessian/spheres", test_spheres);
-    g_test_add_func("/hessian/turned_alike", test_turned_alike);
-    g_test_add_func("/hessian/ends", test_ends);
-    return g_test_run();
-}
+} // namespace

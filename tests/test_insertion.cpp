@@ -11,6 +11,7 @@
 #include <pw85/pw85.hpp>
 #include <pw85/simulation.hpp>
 
+#include "cases.hpp"
 #include "hard_particles.hpp"
 #include "threads.hpp"
 
@@ -52,7 +53,7 @@ double count_of(HardEllipsoids const &simulation, Vector3 const &axes)
 
 // Points: the numbers of both kinds have Poisson's distribution with the means zV, and are
 // independent.
-void test_ideal_gas()
+PW85_TEST("/insertion/ideal_gas")
 {
     std::vector<Vector3> const axes = {{1e-9, 2e-9, 1e-9}, {1e-9, 1e-9, 1e-9}};
     std::vector<double> const activities = {2.0, 0.5};
@@ -84,7 +85,7 @@ double excess_of_spheres(double eta)
 // At constant volume -ln w is the difference of the free energies of N + 1 and N spheres, which is
 // μ of N + 1/2 spheres up to 1/N². With this μ as activity, there are N spheres on average, up to
 // 1/N. Both are some 0.1 % here.
-void test_hard_spheres()
+PW85_TEST("/insertion/hard_spheres")
 {
     constexpr int n = 125;
     double const eta = 0.25, side = std::cbrt(n * pi / 6.0 / eta);
@@ -161,7 +162,7 @@ double mean_of_second(double side)
 }
 
 // An attractive sphere in a cube that is wider than the law reaches.
-void test_reach()
+PW85_TEST("/insertion/reach")
 {
     constexpr double side = 3.2;
     Vector3 const axes = {0.5, 0.5, 0.5};
@@ -189,7 +190,7 @@ void test_reach()
 // Attractive spheres in a cube with room for two. Each has six images of itself within the cutoff,
 // and so the energy of three pairs. Among three points of a cube some are nearer to each other than
 // the half of a diagonal of a face, 0.98 here.
-void test_attraction()
+PW85_TEST("/insertion/attraction")
 {
     constexpr double side = 1.38, volume = side * side * side, activity = 1.0;
     Vector3 const axes = {0.5, 0.5, 0.5};
@@ -226,7 +227,7 @@ void test_attraction()
 }
 
 // ⟨N⟩ = zV⟨w⟩ holds exactly for each kind, in any field, with any law, and in the plane.
-void test_identity()
+PW85_TEST("/insertion/identity")
 {
     auto const potential = [](std::int32_t, Vector3 const &x, Quaternion const &,
                               Vector3 const &axes) {
@@ -262,7 +263,7 @@ void test_identity()
 
 // A cell with room for one particle is empty or full. It may touch its own images, and more so in
 // some orientations.
-void test_full_cell()
+PW85_TEST("/insertion/full_cell")
 {
     auto const potential = [](std::int32_t, Vector3 const &x, Quaternion const &, Vector3 const &) {
         return 2.0 * std::cos(2.0 * pi * x[2]);
@@ -316,7 +317,7 @@ HardEllipsoids crowded(int dimensions, std::size_t seed)
 
 // Insertions and removals beside sweeps: the same bits with any number of threads and after a
 // restart, and no overlap.
-void test_threads_and_restart()
+PW85_TEST("/insertion/threads_and_restart")
 {
     for (int const dimensions : {3, 2}) {
         auto const run = [&](int threads, int restarts, std::size_t at_once) {
@@ -365,7 +366,7 @@ bool is_free_of(HardEllipsoids const &simulation, Vector3 const &center,
 }
 
 // Particles of all sizes at places in many images, one after the other, with removals between.
-void test_insert_and_remove()
+PW85_TEST("/insertion/insert_and_remove")
 {
     std::mt19937_64 random(9);
     std::normal_distribution<double> normal;
@@ -419,7 +420,7 @@ void test_insert_and_remove()
 
 // A sphere among hundreds of points in the corners of its bounding box, of which at most one is
 // inside.
-void test_many_neighbors()
+PW85_TEST("/insertion/many_neighbors")
 {
     std::mt19937_64 random(4);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -445,7 +446,7 @@ void test_many_neighbors()
 // A slit that exchanges spheres with a reservoir, in a field that aligns nothing and pulls them
 // down: for points ⟨N⟩ = z ∫ e^(-U). The walls of the second slit let particles leave the cell,
 // where they are neither inserted nor removed. There, U = 0 and the density is z, too.
-void test_slit()
+PW85_TEST("/insertion/slit")
 {
     constexpr double g = 0.8, height = 3.0, radius = 1e-6, activity = 0.7;
     for (bool const is_wide : {false, true}) {
@@ -481,7 +482,7 @@ void test_slit()
 }
 
 // Walls and potentials forbid places, in a system without a cell, too.
-void test_walls()
+PW85_TEST("/insertion/walls")
 {
     Start start;
     start.add({0, 0, 0}, {0.5, 0.5, 0.5});
@@ -511,7 +512,7 @@ void test_walls()
 }
 
 // e^-U of wells and barriers beyond the range of double.
-void test_range_of_weights()
+PW85_TEST("/insertion/range_of_weights")
 {
     HardEllipsoids simulation = empty(box(2, 2, 2));
     for (double const energy : {-1e300, -5000.0, -1450.0, -720.0, 0.0, 701.0, 1e300, HUGE_VAL}) {
@@ -524,7 +525,7 @@ void test_range_of_weights()
     }
 }
 
-void test_bad_input()
+PW85_TEST("/insertion/bad_input")
 {
     Vector3 const axes = {0.3, 0.4, 0.5};
     Quaternion const upright = {1, 0, 0, 0};
@@ -605,22 +606,3 @@ void test_bad_input()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/insertion/ideal_gas", test_ideal_gas);
-    g_test_add_func("/insertion/hard_spheres", test_hard_spheres);
-    g_test_add_func("/insertion/reach", test_reach);
-    g_test_add_func("/insertion/attraction", test_attraction);
-    g_test_add_func("/insertion/identity", test_identity);
-    g_test_add_func("/insertion/full_cell", test_full_cell);
-    g_test_add_func("/insertion/threads_and_restart", test_threads_and_restart);
-    g_test_add_func("/insertion/insert_and_remove", test_insert_and_remove);
-    g_test_add_func("/insertion/many_neighbors", test_many_neighbors);
-    g_test_add_func("/insertion/slit", test_slit);
-    g_test_add_func("/insertion/walls", test_walls);
-    g_test_add_func("/insertion/range_of_weights", test_range_of_weights);
-    g_test_add_func("/insertion/bad_input", test_bad_input);
-    return g_test_run();
-}

@@ -10,6 +10,7 @@
 #include <pw85/history/legacy.hpp>
 #include <pw85_legacy.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -118,7 +119,7 @@ RationalErrors rational_errors(Sample<double, 3> const &p, double x)
 constexpr double second_order = 1.05;
 
 // Exact in integers, so exact in doubles.
-void test_by_hand()
+PW85_TEST("/legacy/adjugate/by_hand")
 {
     double const a[6] = {2.0, 1.0, -1.0, 3.0, 0.5, 4.0}, x[3] = {1.0, -2.0, 3.0};
     // det by the first row; adj(A) = (11.75, -4.5, 3.5, 7, -2, 5).
@@ -128,7 +129,7 @@ void test_by_hand()
 }
 
 // With diagonal forms the polynomials are products of their entries.
-void test_polynomials_by_hand()
+PW85_TEST("/legacy/polynomials/by_hand")
 {
     double const q1[6] = {1.0, 0.0, 0.0, 2.0, 0.0, 4.0}, q2[6] = {4.0, 0.0, 0.0, 5.0, 0.0, 1.0};
     double q3[6], q4[6], b[4], a[3];
@@ -147,7 +148,7 @@ void test_polynomials_by_hand()
     for (int k = 0; k < 3; ++k) g_assert_cmpfloat(std::fabs(a[k] - expected_a[k]), <=, 1e-13);
 }
 
-void test_polynomials_random()
+PW85_TEST("/legacy/polynomials/random")
 {
     Failures failures;
     Random random(70);
@@ -186,7 +187,7 @@ template <class Visit> void for_all_of_f(Visit visit)
                         grid.lambdas[l], grid.f_at(i, j, k, l));
 }
 
-void test_f1_against_reference()
+PW85_TEST("/legacy/f1/reference")
 {
     Failures failures;
     for_all_of_f([&](Sample<double, 3> const &p, double x, double expected) {
@@ -198,7 +199,7 @@ void test_f1_against_reference()
     });
 }
 
-void test_f2_against_reference()
+PW85_TEST("/legacy/f2/reference")
 {
     Failures failures;
     for_all_of_f([&](Sample<double, 3> const &p, double x, double expected) {
@@ -229,7 +230,7 @@ void check_derivatives(Failures &failures, Sample<double, 3> const &p, double x)
                        });
 }
 
-void test_derivatives_of_f2()
+PW85_TEST("/legacy/f2/derivatives")
 {
     Failures failures;
     Random random(71);
@@ -240,7 +241,7 @@ void test_derivatives_of_f2()
     g_assert_cmpint(failures.checked(), >, draws(3000));
 }
 
-void test_derivatives_of_f1()
+PW85_TEST("/legacy/f1/derivatives")
 {
     Failures failures;
     Random random(72);
@@ -260,7 +261,7 @@ void test_derivatives_of_f1()
 // Newton's method: right when it claims to be, and NaN when it does not. λ may be off by the square
 // root of u times the distance to the nearer end, which costs u/2 of f, since f is concave and zero
 // at the ends.
-void test_newton()
+PW85_TEST("/legacy/contact_function1")
 {
     Failures failures;
     int converged = 0, failed = 0;
@@ -288,7 +289,7 @@ void test_newton()
 
 // Bisection: f is concave, so that f(λ) falls short of μ² by at most |f'(λ)| |λ* - λ|; f' vanishes
 // there but for its error. To this comes the error of f itself.
-void test_bisection()
+PW85_TEST("/legacy/contact_function2")
 {
     Failures failures;
     long judged = 0;
@@ -316,7 +317,7 @@ void test_bisection()
     g_assert_cmpint(static_cast<int>(judged), >, 3000);
 }
 
-void test_invalid()
+PW85_TEST("/legacy/invalid")
 {
     double const nan = std::numeric_limits<double>::quiet_NaN();
     double const r12[3] = {1.0, 0.0, 0.0}, q[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0},
@@ -365,19 +366,3 @@ void test_invalid()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/legacy/adjugate/by_hand", test_by_hand);
-    g_test_add_func("/legacy/polynomials/by_hand", test_polynomials_by_hand);
-    g_test_add_func("/legacy/polynomials/random", test_polynomials_random);
-    g_test_add_func("/legacy/f1/reference", test_f1_against_reference);
-    g_test_add_func("/legacy/f1/derivatives", test_derivatives_of_f1);
-    g_test_add_func("/legacy/f2/reference", test_f2_against_reference);
-    g_test_add_func("/legacy/f2/derivatives", test_derivatives_of_f2);
-    g_test_add_func("/legacy/contact_function1", test_newton);
-    g_test_add_func("/legacy/contact_function2", test_bisection);
-    g_test_add_func("/legacy/invalid", test_invalid);
-    return g_test_run();
-}

@@ -12,6 +12,7 @@
 
 #include <pw85/linked.hpp>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -177,7 +178,7 @@ template <int D> Sample<double, D> scaled(double size, Sample<double, D> const &
     return {size * p.r12, size * size * p.q1, size * size * p.q2};
 }
 
-void test_same_results()
+PW85_TEST("/linked/results")
 {
     Failures failures;
     Random random(1600);
@@ -192,7 +193,7 @@ void test_same_results()
     }
 }
 
-void test_same_statuses()
+PW85_TEST("/linked/statuses")
 {
     Failures failures;
     Random random(1601);
@@ -212,7 +213,7 @@ void test_same_statuses()
 }
 
 // The tier is what the C API does not give out: that it is unknown says that the library decided.
-void test_library_decides()
+PW85_TEST("/linked/library")
 {
     auto const p = pw85::ellipse(2.0, 1.0, 0.5).q;
     g_assert_true(pw85::overlap(pw85::Vector<double, 2>{1.0, 1.0}, p, p).tier ==
@@ -223,12 +224,3 @@ void test_library_decides()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/linked/results", test_same_results);
-    g_test_add_func("/linked/statuses", test_same_statuses);
-    g_test_add_func("/linked/library", test_library_decides);
-    return g_test_run();
-}

@@ -10,6 +10,7 @@
 
 #include <pw85/systems.hpp>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "mesh_cases.hpp"
@@ -76,28 +77,20 @@ void expect_overlap(pw85::Mesh const &mesh, Case const &c, bool expected, Failur
 }
 
 // The bits of the least of all triangles.
-void test_nearest()
+PW85_TEST("/mesh/nearest")
 {
     Failures failures;
     Random random(700);
-    for (int n = 0; n < draws(240); ++n) {
-        int const exponent = exponents[n % 5];
-        Soup const soup = soup_of(random, n, exponent);
-        auto const mesh = soup.mesh();
-        for (int k = 0; k < 12; ++k) {
-            Case c = random_case(random, k);
-            c.center = pw85::detail::times_power_of_two(c.center, exponent);
-            c.q = pw85::detail::times_power_of_two(c.q, 2 * exponent);
-            if (k % 4 == 3) c.center[2] = 0.0; // in the plane of a grid
-            expect_nearest(soup, mesh, c, failures);
-        }
-    }
+    for_each_case(random, draws(240), 12,
+                  [&](Soup const &soup, pw85::Mesh const &mesh, Case const &c, int) {
+                      expect_nearest(soup, mesh, c, failures);
+                  });
 }
 
 // The same where the ellipsoid touches many triangles at equal distances up to rounding errors: an
 // ellipsoid that an integer map makes of a ball above a grid, and centres on the axis of a sphere
 // of triangles.
-void test_equally_near()
+PW85_TEST("/mesh/equally_near")
 {
     Failures failures;
     Random random(701);
@@ -114,7 +107,7 @@ void test_equally_near()
 
 // Ellipsoids of which the box that is in the way can only be skipped if no margin is kept: sizes
 // that differ much.
-void test_far_and_small()
+PW85_TEST("/mesh/far_and_small")
 {
     Failures failures;
     Random random(702);
@@ -131,27 +124,21 @@ void test_far_and_small()
 }
 
 // Against integers, and against 50 digits where these can tell.
-void test_overlap()
+PW85_TEST("/mesh/overlap")
 {
     Failures failures;
     Random random(703);
     int overlapping = 0, checked = 0;
-    for (int n = 0; n < draws(160); ++n) {
-        int const exponent = exponents[n % 5];
-        Soup const soup = soup_of(random, n, exponent);
-        auto const mesh = soup.mesh();
-        for (int k = 0; k < 8; ++k, ++checked) {
-            Case c = random_case(random, k);
-            c.center = pw85::detail::times_power_of_two(c.center, exponent);
-            c.q = pw85::detail::times_power_of_two(c.q, 2 * exponent);
-            auto const near = nearest_of_all(soup, c);
-            // The ellipsoid that touches, up to rounding errors.
-            if (k % 2 == 0 && near.mu2 > 1e-12 && near.mu2 < 1e12) c.q = near.mu2 * c.q;
-            bool const expected = overlaps_any(soup, c);
-            expect_overlap(mesh, c, expected, failures);
-            overlapping += expected;
-        }
-    }
+    auto const check = [&](Soup const &soup, pw85::Mesh const &mesh, Case c, int k) {
+        auto const near = nearest_of_all(soup, c);
+        // The ellipsoid that touches, up to rounding errors.
+        if (k % 2 == 0 && near.mu2 > 1e-12 && near.mu2 < 1e12) c.q = near.mu2 * c.q;
+        bool const expected = overlaps_any(soup, c);
+        expect_overlap(mesh, c, expected, failures);
+        overlapping += expected;
+        ++checked;
+    };
+    for_each_case(random, draws(160), 8, check);
     g_test_message("%d of %d overlap", overlapping, checked);
     g_assert_cmpint(overlapping, >, checked / 8);
     g_assert_cmpint(overlapping, <, 7 * checked / 8);
@@ -159,7 +146,7 @@ void test_overlap()
 
 // A sphere that touches the plane of a grid exactly, and its neighbours by one unit in the last
 // place.
-void test_touching()
+PW85_TEST("/mesh/touching")
 {
     Failures failures;
     Soup const soup = grid(20, false);
@@ -177,7 +164,7 @@ void test_touching()
 }
 
 // Against 50 digits: the distance of a ball from the corner, edges and faces of a cube.
-void test_wide()
+PW85_TEST("/mesh/wide")
 {
     Failures failures;
     Random random(704);
@@ -202,7 +189,7 @@ void test_wide()
 }
 
 // The bits of many are those of one, and bad rows are marked.
-void test_batch()
+PW85_TEST("/mesh/batch")
 {
     constexpr std::size_t rows = 1000, bad = 600;
     Random random(705);
@@ -253,7 +240,7 @@ Status create(std::vector<Vector3> const &vertices, std::vector<Indices> const &
     return status;
 }
 
-void test_bad_input()
+PW85_TEST("/mesh/bad_input")
 {
     std::vector<Vector3> const vertices{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
     g_assert_true(create(vertices, {{0, 1, 2}}) == Status::success);
@@ -272,7 +259,7 @@ void test_bad_input()
 }
 
 // A mesh without triangles; vertices whose distance from the centre overflows; a μ² that overflows.
-void test_ends_of_range()
+PW85_TEST("/mesh/ends_of_range")
 {
     pw85::Mesh const empty = Soup{}.mesh();
     auto const none = pw85::mesh_contact(empty, {0, 0, 0}, unit_sphere);
@@ -294,7 +281,7 @@ void test_ends_of_range()
 
 // One far vertex makes a sliver, of which the nearest point is inside. The other triangle is
 // farther away.
-void test_far_vertex()
+PW85_TEST("/mesh/far_vertex")
 {
     Soup const soup{{{799999995, -599999992, -900000007},
                      {-1, 2, 9},
@@ -317,19 +304,3 @@ void test_far_vertex()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/mesh/nearest", test_nearest);
-    g_test_add_func("/mesh/equally_near", test_equally_near);
-    g_test_add_func("/mesh/far_and_small", test_far_and_small);
-    g_test_add_func("/mesh/overlap", test_overlap);
-    g_test_add_func("/mesh/touching", test_touching);
-    g_test_add_func("/mesh/wide", test_wide);
-    g_test_add_func("/mesh/batch", test_batch);
-    g_test_add_func("/mesh/far_vertex", test_far_vertex);
-    g_test_add_func("/mesh/bad_input", test_bad_input);
-    g_test_add_func("/mesh/ends_of_range", test_ends_of_range);
-    return g_test_run();
-}

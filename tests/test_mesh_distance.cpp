@@ -6,6 +6,7 @@
 
 #include <pw85/distance/solids.hpp>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "mesh_cases.hpp"
 #include "shapes_truth.hpp"
@@ -60,27 +61,19 @@ void expect_nearest(Soup const &soup, pw85::Mesh const &mesh, Case const &c, Fai
 }
 
 // The bits of the least of all triangles.
-void test_nearest()
+PW85_TEST("/mesh_distance/nearest")
 {
     Failures failures;
     Random random(800);
-    for (int n = 0; n < draws(120); ++n) {
-        int const exponent = exponents[n % 5];
-        Soup const soup = soup_of(random, n, exponent);
-        auto const mesh = soup.mesh();
-        for (int k = 0; k < 8; ++k) {
-            Case c = random_case(random, k);
-            c.center = pw85::detail::times_power_of_two(c.center, exponent);
-            c.q = pw85::detail::times_power_of_two(c.q, 2 * exponent);
-            if (k % 4 == 3) c.center[2] = 0.0; // in the plane of a grid
-            expect_nearest(soup, mesh, c, failures);
-        }
-    }
+    for_each_case(random, draws(120), 8,
+                  [&](Soup const &soup, pw85::Mesh const &mesh, Case const &c, int) {
+                      expect_nearest(soup, mesh, c, failures);
+                  });
 }
 
 // Many triangles at equal distances up to rounding errors: a ball in the middle of a sphere of
 // triangles, and one above a grid.
-void test_equally_near()
+PW85_TEST("/mesh_distance/equally_near")
 {
     Failures failures;
     Random random(801);
@@ -100,7 +93,7 @@ void test_equally_near()
 
 // In 50 digits, with the bound of pw85_distance_triangle(): R of the triangle that is nearest in
 // these digits, and the normal there.
-void test_wide()
+PW85_TEST("/mesh_distance/wide")
 {
     Failures failures;
     Random random(802);
@@ -219,7 +212,7 @@ Soup closed_soup(int n)
 
 // Inside and outside for points anywhere, and for those with coordinates of vertices, above and
 // below edges and corners.
-void test_inside()
+PW85_TEST("/mesh_distance/inside")
 {
     Failures failures;
     Random random(803);
@@ -255,7 +248,7 @@ void test_inside()
 }
 
 // A mesh is not closed if a triangle is missing, doubled or turned.
-void test_closed()
+PW85_TEST("/mesh_distance/closed")
 {
     Soup const soup = cube();
     auto const inside_of = [](Soup const &one) {
@@ -278,7 +271,7 @@ void test_closed()
 }
 
 // A ball of radius 1/2 in and about the cube.
-void test_by_hand()
+PW85_TEST("/mesh_distance/by_hand")
 {
     auto const mesh = cube().mesh();
     Form3 const ball{0.25, 0, 0, 0.25, 0, 0.25};
@@ -292,7 +285,7 @@ void test_by_hand()
 }
 
 // The bits of many are those of one, and bad rows are marked.
-void test_batch()
+PW85_TEST("/mesh_distance/batch")
 {
     constexpr std::size_t rows = 100, bad = 60;
     Random random(805);
@@ -330,7 +323,7 @@ void test_batch()
 }
 
 // A mesh without triangles; vertices whose distance from the centre overflows.
-void test_ends_of_range()
+PW85_TEST("/mesh_distance/ends_of_range")
 {
     Form3 const ball{1, 0, 0, 1, 0, 1};
     auto const none = pw85::mesh_distance(Soup{}.mesh(), {0, 0, 0}, ball);
@@ -345,17 +338,3 @@ void test_ends_of_range()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/mesh_distance/nearest", test_nearest);
-    g_test_add_func("/mesh_distance/equally_near", test_equally_near);
-    g_test_add_func("/mesh_distance/wide", test_wide);
-    g_test_add_func("/mesh_distance/inside", test_inside);
-    g_test_add_func("/mesh_distance/closed", test_closed);
-    g_test_add_func("/mesh_distance/by_hand", test_by_hand);
-    g_test_add_func("/mesh_distance/batch", test_batch);
-    g_test_add_func("/mesh_distance/ends_of_range", test_ends_of_range);
-    return g_test_run();
-}

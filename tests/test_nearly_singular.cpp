@@ -7,6 +7,7 @@
 #include <glib.h>
 
 #include "batch/batch_data.hpp"
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "nearly_singular.hpp"
@@ -87,7 +88,7 @@ void for_each_status(pw85::SymmetricMatrix<double, 3> const &form, Check const &
 }
 
 // All functions say the same of a form, and it is the truth: in either order, alone and in a batch.
-void test_definiteness()
+PW85_TEST("/nearly_singular/definiteness")
 {
     Failures failures;
     auto const pairs = draw_pairs(310, draws(1600), 2.5e7, 4e8);
@@ -145,7 +146,7 @@ Wide sensitivity(Sample<Wide, 3> const &p, pw85::Vector<Wide, 3> const &n)
 double length(pw85::Vector<double, 3> const &x) { return std::sqrt(dot(x, x)); }
 
 // Distances and points are right to their bounds, or there is an error.
-void test_distances()
+PW85_TEST("/nearly_singular/distances")
 {
     Failures failures;
     int right = 0;
@@ -205,7 +206,7 @@ void check_contact(Pair3 const &p, double batch_mu2, int batch_overlap, Failures
     expect("closest_approach", static_cast<double>(Precise(relative / (u * (exact.cond + 1)))));
 }
 
-void test_accuracy()
+PW85_TEST("/nearly_singular/accuracy")
 {
     Failures failures;
     for (double aspect = 1e6; aspect < 1e8; aspect *= 20.0) {
@@ -218,7 +219,7 @@ void test_accuracy()
 }
 
 // Ellipses, as sections of ellipsoids whose third semi-axis is 1.
-void test_two_dimensions()
+PW85_TEST("/nearly_singular/two_dimensions")
 {
     Failures failures;
     Random random(312);
@@ -254,13 +255,3 @@ void test_two_dimensions()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/nearly_singular/definiteness", test_definiteness);
-    g_test_add_func("/nearly_singular/accuracy", test_accuracy);
-    g_test_add_func("/nearly_singular/two_dimensions", test_two_dimensions);
-    g_test_add_func("/nearly_singular/distances", test_distances);
-    return g_test_run();
-}

@@ -10,6 +10,7 @@
 
 #include <pw85/pw85.hpp>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -159,16 +160,11 @@ template <int D> void test_inside()
     g_assert_cmpint(shown, >, count / 10);
 }
 
-} // namespace
+PW85_ADD_TEST("/nesting/exceeds/float", test_exceeds<float>);
+PW85_ADD_TEST("/nesting/exceeds/double", test_exceeds<double>);
+PW85_ADD_TEST("/nesting/outside/2d", test_outside<2>);
+PW85_ADD_TEST("/nesting/outside/3d", test_outside<3>);
+PW85_ADD_TEST("/nesting/inside/2d", test_inside<2>);
+PW85_ADD_TEST("/nesting/inside/3d", test_inside<3>);
 
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/nesting/exceeds/float", test_exceeds<float>);
-    g_test_add_func("/nesting/exceeds/double", test_exceeds<double>);
-    g_test_add_func("/nesting/outside/2d", test_outside<2>);
-    g_test_add_func("/nesting/outside/3d", test_outside<3>);
-    g_test_add_func("/nesting/inside/2d", test_inside<2>);
-    g_test_add_func("/nesting/inside/3d", test_inside<3>);
-    return g_test_run();
-}
+} // namespace

@@ -8,6 +8,7 @@
 #include <glib.h>
 
 #include "call_checks.hpp"
+#include "cases.hpp"
 
 using namespace pw85_tests;
 
@@ -18,7 +19,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
 
 // The first pair is apart: of all numbers, only the direction of its depth and a point in both are
 // NaN.
-void test_valid()
+PW85_TEST("/outputs/valid")
 {
     Failures failures;
     for (Function const &function : declared_functions()) {
@@ -45,7 +46,7 @@ void test_valid()
 
 // No number may be NaN or infinite, but for a time. Sums of forces are NaN where a number that goes
 // into them is.
-void test_not_finite()
+PW85_TEST("/outputs/not_finite")
 {
     Failures failures;
     for_each_real_input([&](Function const &function, std::size_t k) {
@@ -63,7 +64,7 @@ void test_not_finite()
     });
 }
 
-void test_null()
+PW85_TEST("/outputs/null")
 {
     Failures failures;
     for (Function const &function : declared_functions()) {
@@ -79,7 +80,7 @@ void test_null()
 
 // All that may be null is, and each of them: `images` go with a cell, `next_pair` with `next`,
 // derivatives with the outputs that need them, and a cell with a list that was made with one.
-void test_optional()
+PW85_TEST("/outputs/optional")
 {
     Failures failures;
     for (Function const &function : declared_functions()) {
@@ -106,13 +107,3 @@ void test_optional()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/outputs/valid", test_valid);
-    g_test_add_func("/outputs/not_finite", test_not_finite);
-    g_test_add_func("/outputs/null", test_null);
-    g_test_add_func("/outputs/optional", test_optional);
-    return g_test_run();
-}

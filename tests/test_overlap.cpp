@@ -8,6 +8,7 @@
 #include <pw85.h>
 #include <pw85/pw85.hpp>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -30,7 +31,7 @@ int overlap(Sample<double, 3> const &p)
 
 /// The answer for a pair whose exact μ² - 1 is known at least by its sign, tangent pairs (0)
 /// included.
-void test_problems()
+PW85_TEST("/overlap/problems")
 {
     Failures failures;
     long near = 0;
@@ -50,7 +51,7 @@ void test_problems()
 // What is decided without exact arithmetic is right, and all is decided that is not near contact:
 // the second tier compares with a margin of 8 u cond a value that errs by no more. Left are pairs
 // so slender that the value is not proved.
-void test_decisions()
+PW85_TEST("/overlap/decisions/problems")
 {
     Failures failures;
     std::size_t undecided = 0, slender = 0;
@@ -76,7 +77,7 @@ void test_decisions()
 }
 
 // Pairs that are not valid are not decided, and are told from those that cannot be.
-void test_decisions_on_bad_pairs()
+PW85_TEST("/overlap/decisions/bad")
 {
     Sample<double, 3> const good{
         {1.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}};
@@ -97,7 +98,7 @@ void test_decisions_on_bad_pairs()
 }
 
 // Spheres with integer data: |r|² = (a1+a2)² exactly, by Pythagorean quadruples.
-void test_tangent_spheres()
+PW85_TEST("/overlap/tangent/spheres")
 {
     double const quadruples[][4] = {{1, 2, 2, 3},  {2, 3, 6, 7},  {1, 4, 8, 9},
                                     {2, 6, 9, 11}, {6, 6, 7, 11}, {3, 4, 12, 13}};
@@ -118,7 +119,7 @@ void test_tangent_spheres()
 
 // Tangent pairs answer 0 and stay so under an exchange; moved by the last bit of one coordinate
 // they answer for that.
-void test_neighbours_of_tangent_pairs()
+PW85_TEST("/overlap/tangent/neighbours")
 {
     Failures failures;
     for (auto const &p : contact_problems()) {
@@ -138,7 +139,7 @@ void test_neighbours_of_tangent_pairs()
 }
 
 // Random pairs over the whole range, against the wide type.
-void test_random()
+PW85_TEST("/overlap/random")
 {
     Failures failures;
     Random random(100);
@@ -213,7 +214,7 @@ Wide level(pw85::SymmetricMatrix<Wide, 3> const &q, pw85::Vector<Wide, 3> const 
 
 // What is returned as a proof is one: a plane that separates the ellipsoids, or a point that is
 // inside both.
-void test_witness()
+PW85_TEST("/overlap/witness/random")
 {
     Failures failures;
     Random random(103);
@@ -245,7 +246,7 @@ void test_witness()
     }
 }
 
-void test_witness_of_special_pairs()
+PW85_TEST("/overlap/witness/special")
 {
     Sample<double, 3> p{
         {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, {4.0, 0.0, 0.0, 1.0, 0.0, 1.0}};
@@ -258,7 +259,7 @@ void test_witness_of_special_pairs()
     g_assert_true(std::isnan(invalid.point[0]) && std::isnan(invalid.direction[0]));
 }
 
-void test_extreme_scales()
+PW85_TEST("/overlap/extreme_scales")
 {
     Failures failures;
     Random random(101);
@@ -278,7 +279,7 @@ void test_extreme_scales()
 }
 
 // Separations and sizes that have nothing to do with each other.
-void test_distances()
+PW85_TEST("/overlap/distances")
 {
     double const tiny = std::numeric_limits<double>::denorm_min(),
                  large = std::numeric_limits<double>::max();
@@ -291,14 +292,14 @@ void test_distances()
         }
 }
 
-void test_concentric()
+PW85_TEST("/overlap/concentric")
 {
     Sample<double, 3> const p{
         {0.0, -0.0, 0.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, {1e-300, 0.0, 0.0, 1e-300, 0.0, 1e-300}};
     g_assert_cmpint(overlap(p), ==, 1);
 }
 
-void test_status()
+PW85_TEST("/overlap/status")
 {
     double const infinity = std::numeric_limits<double>::infinity(),
                  nan = std::numeric_limits<double>::quiet_NaN();
@@ -340,25 +341,8 @@ void test_status()
     }
 }
 
-} // namespace
+PW85_ADD_TEST("/overlap/margins/float", test_margins<float>);
+PW85_ADD_TEST("/overlap/margins/double", test_margins<double>);
+PW85_ADD_TEST("/overlap/margins/long_double", test_margins<long double>);
 
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/overlap/problems", test_problems);
-    g_test_add_func("/overlap/decisions/problems", test_decisions);
-    g_test_add_func("/overlap/decisions/bad", test_decisions_on_bad_pairs);
-    g_test_add_func("/overlap/tangent/spheres", test_tangent_spheres);
-    g_test_add_func("/overlap/tangent/neighbours", test_neighbours_of_tangent_pairs);
-    g_test_add_func("/overlap/random", test_random);
-    g_test_add_func("/overlap/margins/float", test_margins<float>);
-    g_test_add_func("/overlap/margins/double", test_margins<double>);
-    g_test_add_func("/overlap/margins/long_double", test_margins<long double>);
-    g_test_add_func("/overlap/witness/random", test_witness);
-    g_test_add_func("/overlap/witness/special", test_witness_of_special_pairs);
-    g_test_add_func("/overlap/extreme_scales", test_extreme_scales);
-    g_test_add_func("/overlap/distances", test_distances);
-    g_test_add_func("/overlap/concentric", test_concentric);
-    g_test_add_func("/overlap/status", test_status);
-    return g_test_run();
-}
+} // namespace

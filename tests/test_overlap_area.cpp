@@ -6,6 +6,7 @@
 
 #include <pw85.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -93,7 +94,7 @@ constexpr Pair2 crossed_needles[] = {
      {{0x1.d957c006abb05p-13, 0x1.5ef6d81ce9bc9p-7, 0x1.05cf0aaa0fd4bp-1}}},
 };
 
-void test_extremes()
+PW85_TEST("/overlap_area/extremes")
 {
     Failures failures;
     for (auto const &p : crossed_needles)
@@ -106,7 +107,7 @@ void test_extremes()
 }
 
 /// Pairs that touch from inside, or nearly, with surfaces that osculate among them.
-void test_touching()
+PW85_TEST("/overlap_area/touching")
 {
     Failures failures;
     Random random(931);
@@ -125,7 +126,7 @@ void test_touching()
 
 /// The chords are used for nearly all pairs, with the bits of the C function, and for none of which
 /// one is inside the other one.
-void test_certain()
+PW85_TEST("/overlap_area/certain")
 {
     Failures failures;
     Random random(932);
@@ -158,7 +159,7 @@ void test_certain()
 }
 
 /// Exactly 0 or a whole ellipse where the exact decisions say so, in any order of the two.
-void test_decisions()
+PW85_TEST("/overlap_area/decisions")
 {
     Failures failures;
     Random random(933);
@@ -188,7 +189,7 @@ void test_decisions()
 }
 
 /// No two directions show that an ellipse inside the other one reaches beyond it.
-void test_directions()
+PW85_TEST("/overlap_area/directions")
 {
     Failures failures;
     Random random(936);
@@ -210,7 +211,7 @@ void test_directions()
 }
 
 /// Segments of all angles against α - sin α cos α in 50 digits.
-void test_segment()
+PW85_TEST("/overlap_area/segment")
 {
     Failures failures;
     Random random(934);
@@ -230,7 +231,7 @@ void test_segment()
 }
 
 /// The first approximation of a root of y³ + 3py + 2q against that root in 38 digits.
-void test_rough_root()
+PW85_TEST("/overlap_area/rough_root")
 {
     Failures failures;
     Random random(935);
@@ -254,16 +255,3 @@ void test_rough_root()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/overlap_area/extremes", test_extremes);
-    g_test_add_func("/overlap_area/touching", test_touching);
-    g_test_add_func("/overlap_area/certain", test_certain);
-    g_test_add_func("/overlap_area/decisions", test_decisions);
-    g_test_add_func("/overlap_area/directions", test_directions);
-    g_test_add_func("/overlap_area/segment", test_segment);
-    g_test_add_func("/overlap_area/rough_root", test_rough_root);
-    return g_test_run();
-}

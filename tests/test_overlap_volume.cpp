@@ -11,6 +11,7 @@
 #include <pw85.h>
 #include <pw85_systems.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -118,7 +119,7 @@ void check_bound(Failures &failures, Sample<double, D> const &p, double actual, 
 
 /// Two balls, q = radius², by the formula of two caps in twice as many digits. The radii are roots
 /// of doubles, and both bodies are given as doubles exactly.
-void test_balls()
+PW85_TEST("/overlap_volume/balls")
 {
     Failures failures;
     Random random(900);
@@ -186,7 +187,7 @@ void check_record(Failures &failures, Sample<double, D> const &p, char const *te
 }
 
 /// Values to 30 digits by two other ways (scripts/volume_truths.py).
-void test_record()
+PW85_TEST("/overlap_volume/record")
 {
     Failures failures;
     for (auto const &t : volume_truths)
@@ -196,7 +197,7 @@ void test_record()
 }
 
 /// Values that others have published.
-void test_published()
+PW85_TEST("/overlap_volume/published")
 {
     double volume = 0.0;
     double const axes[2][3] = {{1.0, 1.0, 0.2}, {0.5, 1.0, 2.0}},
@@ -267,7 +268,7 @@ constexpr Sample<double, 3> far_ends[] = {
 
 /// The end of a long needle, or the edge of a large disc, in a small body. The numbers of the rim
 /// are then small differences of those of the joint frame.
-void test_ends()
+PW85_TEST("/overlap_volume/ends")
 {
     Failures failures;
     auto const check = [&](Sample<double, 3> const &p) {
@@ -377,7 +378,7 @@ Fine support(Form3 const &q, Vector3 const &normal, pw85::Vector<Fine, 3> &point
 
 /// Turned needles and discs of aspect ratios to 10⁷ that overlap by 10⁻¹² to 10⁻² of the thinner
 /// one along a normal, beside each other and beside round bodies.
-void test_thin_lenses()
+PW85_TEST("/overlap_volume/thin_lenses")
 {
     Failures failures;
     for (auto const &[p, share] : thin_lenses) {
@@ -426,7 +427,7 @@ void test_thin_lenses()
 
 /// Surfaces that touch from inside at a point, or nearly. Many of their rims cross themselves
 /// there, or would.
-void test_touching()
+PW85_TEST("/overlap_volume/touching")
 {
     Failures failures;
     Random random(913);
@@ -445,7 +446,7 @@ void test_touching()
 
 /// Needles and discs with aspect ratios to 10⁶ whose axes are the coordinate axes, so that the data
 /// lose nothing.
-void test_slender()
+PW85_TEST("/overlap_volume/slender")
 {
     Failures failures;
     Random random(902);
@@ -470,7 +471,7 @@ void test_slender()
 
 /// A mean whose rule does not converge says so: the nodes of each rule give another value. A
 /// constant converges at once, and a change below rounding counts as none.
-void test_convergence()
+PW85_TEST("/overlap_volume/convergence")
 {
     pw85::detail::EllipticRule<double> rule{{},  {},  0,     1.0,   1.0, 1.0, {},
                                             0.0, 0.0, false, false, 0.0, 0.0};
@@ -495,7 +496,7 @@ void test_convergence()
 }
 
 /// 0 and whole volumes where the exact decisions say so, also next to tangency.
-void test_decisions()
+PW85_TEST("/overlap_volume/decisions")
 {
     Failures failures;
     Random random(903);
@@ -528,7 +529,7 @@ void test_decisions()
 }
 
 /// Tangent ellipsoids by exact numbers, and one inside the other by one unit in the last place.
-void test_tangency()
+PW85_TEST("/overlap_volume/tangency")
 {
     double const ball[6] = {1, 0, 0, 1, 0, 1}, quarter[6] = {0.25, 0, 0, 0.25, 0, 0.25};
     double const apart[3] = {1.5, 0, 0}, inside[3] = {0.5, 0, 0};
@@ -623,7 +624,7 @@ template <int D> void test_concave()
 }
 
 /// The share of random points of the smaller body's box that are in both, within 5 σ.
-void test_monte_carlo()
+PW85_TEST("/overlap_volume/monte_carlo")
 {
     Failures failures;
     Random random(906);
@@ -651,7 +652,7 @@ void test_monte_carlo()
 }
 
 /// Derivatives against difference quotients of order four in 38 digits.
-void test_gradient()
+PW85_TEST("/overlap_volume/gradient")
 {
     Failures failures;
     Random random(907);
@@ -700,7 +701,7 @@ void test_gradient()
 
 /// A joint linear map I + ε changes the volume by tr ε times itself: r12 Fᵀ + 2(Q1 G1 + Q2 G2) = V
 /// I. Its antisymmetric part says that torques and the moment of the force add up to zero.
-void test_balance()
+PW85_TEST("/overlap_volume/balance")
 {
     Failures failures;
     Random random(908);
@@ -733,7 +734,7 @@ void test_balance()
 }
 
 /// Two circles by the formula of two segments, in many digits.
-void test_circles()
+PW85_TEST("/overlap_volume/circles")
 {
     Failures failures;
     Random random(909);
@@ -758,7 +759,7 @@ void test_circles()
 }
 
 /// The share h²(3 - h)/4, the whole and nothing, and both sides together.
-void test_plane()
+PW85_TEST("/overlap_volume/plane")
 {
     Failures failures;
     Random random(910);
@@ -791,7 +792,7 @@ void test_plane()
 
 /// Where volumes leave the range of double, what is zero stays zero: a half-space without the
 /// ellipsoid, and torques of a pair that a mirror maps to itself.
-void test_out_of_range()
+PW85_TEST("/overlap_volume/out_of_range")
 {
     double const ball[6] = {0x1p1000, 0, 0, 0x1p1000, 0, 0x1p1000},
                  other[6] = {0x1p1002, 0, 0, 0x1p1000, 0, 0x1p1000}, axis[3] = {1, 0, 0},
@@ -806,7 +807,7 @@ void test_out_of_range()
 }
 
 /// Volumes of ellipsoids by products of semi-axes.
-void test_whole()
+PW85_TEST("/overlap_volume/whole")
 {
     Failures failures;
     Random random(911);
@@ -823,7 +824,7 @@ void test_whole()
 }
 
 /// The functions of many pairs give the bits of those of one.
-void test_many()
+PW85_TEST("/overlap_volume/many")
 {
     Random random(912);
     constexpr int n = 8;
@@ -851,34 +852,11 @@ void test_many()
     g_assert_cmpint(pw85_overlap_volume_pairs(nullptr, &system, volumes), ==, PW85_EINVAL);
 }
 
-} // namespace
+PW85_ADD_TEST("/overlap_volume/bound", test_bound<3>);
+PW85_ADD_TEST("/overlap_volume/invariance", test_invariance<3>);
+PW85_ADD_TEST("/overlap_volume/invariance_2d", test_invariance<2>);
+PW85_ADD_TEST("/overlap_volume/concave", test_concave<3>);
+PW85_ADD_TEST("/overlap_volume/concave_2d", test_concave<2>);
+PW85_ADD_TEST("/overlap_volume/bound_2d", test_bound<2>);
 
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/overlap_volume/balls", test_balls);
-    g_test_add_func("/overlap_volume/record", test_record);
-    g_test_add_func("/overlap_volume/published", test_published);
-    g_test_add_func("/overlap_volume/bound", test_bound<3>);
-    g_test_add_func("/overlap_volume/ends", test_ends);
-    g_test_add_func("/overlap_volume/thin_lenses", test_thin_lenses);
-    g_test_add_func("/overlap_volume/touching", test_touching);
-    g_test_add_func("/overlap_volume/slender", test_slender);
-    g_test_add_func("/overlap_volume/convergence", test_convergence);
-    g_test_add_func("/overlap_volume/decisions", test_decisions);
-    g_test_add_func("/overlap_volume/tangency", test_tangency);
-    g_test_add_func("/overlap_volume/invariance", test_invariance<3>);
-    g_test_add_func("/overlap_volume/invariance_2d", test_invariance<2>);
-    g_test_add_func("/overlap_volume/concave", test_concave<3>);
-    g_test_add_func("/overlap_volume/concave_2d", test_concave<2>);
-    g_test_add_func("/overlap_volume/monte_carlo", test_monte_carlo);
-    g_test_add_func("/overlap_volume/gradient", test_gradient);
-    g_test_add_func("/overlap_volume/balance", test_balance);
-    g_test_add_func("/overlap_volume/circles", test_circles);
-    g_test_add_func("/overlap_volume/bound_2d", test_bound<2>);
-    g_test_add_func("/overlap_volume/plane", test_plane);
-    g_test_add_func("/overlap_volume/out_of_range", test_out_of_range);
-    g_test_add_func("/overlap_volume/whole", test_whole);
-    g_test_add_func("/overlap_volume/many", test_many);
-    return g_test_run();
-}
+} // namespace

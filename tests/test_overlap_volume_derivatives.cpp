@@ -10,6 +10,7 @@
 
 #include <pw85.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -250,7 +251,7 @@ constexpr VolumeTruth truths[] = {
 };
 
 /// Values by surface integrals in half-planes (scripts/volume_truths.py).
-void test_record()
+PW85_TEST("/overlap_volume_derivatives/record")
 {
     Failures failures;
     for (auto const &t : truths) {
@@ -291,7 +292,7 @@ void check_chords(Failures &failures, Sample<double, 2> const &p)
 
 /// Chords of pairs of all kinds and of sizes 2^±40. Nearly all pairs with moderate aspect ratios
 /// have them.
-void test_chords_2d()
+PW85_TEST("/overlap_volume_derivatives/chords_2d")
 {
     Failures failures;
     for (auto const &p : beyond_limits) check_chords(failures, p);
@@ -318,7 +319,7 @@ void test_chords_2d()
 
 /// Derivatives are limits of difference quotients of the area, whose formula is another one. The
 /// third derivative is multiplied by the square of a step of 2⁻³⁰.
-void test_quotients_2d()
+PW85_TEST("/overlap_volume_derivatives/quotients_2d")
 {
     Failures failures;
     Random random(936);
@@ -367,7 +368,7 @@ template <int D> void test_falls()
 
 /// Rotations of an ellipse by its angle and its form: a torque is the derivative of the area of a
 /// turned one. With the moment of the force all torques add up to zero.
-void test_torques_2d()
+PW85_TEST("/overlap_volume_derivatives/torques_2d")
 {
     Failures failures;
     Random random(934);
@@ -394,18 +395,9 @@ void test_torques_2d()
     }
 }
 
-} // namespace
+PW85_ADD_TEST("/overlap_volume_derivatives/bound", test_bound<3>);
+PW85_ADD_TEST("/overlap_volume_derivatives/bound_2d", test_bound<2>);
+PW85_ADD_TEST("/overlap_volume_derivatives/falls", test_falls<3>);
+PW85_ADD_TEST("/overlap_volume_derivatives/falls_2d", test_falls<2>);
 
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/overlap_volume_derivatives/bound", test_bound<3>);
-    g_test_add_func("/overlap_volume_derivatives/bound_2d", test_bound<2>);
-    g_test_add_func("/overlap_volume_derivatives/chords_2d", test_chords_2d);
-    g_test_add_func("/overlap_volume_derivatives/record", test_record);
-    g_test_add_func("/overlap_volume_derivatives/falls", test_falls<3>);
-    g_test_add_func("/overlap_volume_derivatives/falls_2d", test_falls<2>);
-    g_test_add_func("/overlap_volume_derivatives/quotients_2d", test_quotients_2d);
-    g_test_add_func("/overlap_volume_derivatives/torques_2d", test_torques_2d);
-    return g_test_run();
-}
+} // namespace

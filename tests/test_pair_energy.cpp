@@ -11,6 +11,7 @@
 #include <pw85/pw85.hpp>
 #include <pw85/simulation.hpp>
 
+#include "cases.hpp"
 #include "hard_particles.hpp"
 #include "threads.hpp"
 
@@ -58,7 +59,7 @@ template <class Function> double integral(double from, double to, Function const
 }
 
 // Two unit spheres in a cube: their distance has the density r² e^-U.
-void test_two_spheres()
+PW85_TEST("/pair_energy/two_spheres")
 {
     LennardJones const attraction{1.5, 4.0}, repulsion{-1.0, 3.0};
     // A ramp: U falls from 1.5 at μ² = 1 to 0 at μ² = 4, linear in μ².
@@ -96,7 +97,7 @@ template <class Random> Quaternion any_turn(Random &random)
 }
 
 // Two ellipsoids against independent configurations of their density.
-void test_two_ellipsoids()
+PW85_TEST("/pair_energy/two_ellipsoids")
 {
     LennardJones const u{1.5, 2.25};
     Vector3 const axes[2] = {{0.4, 0.5, 0.9}, {0.6, 0.6, 0.4}};
@@ -132,7 +133,7 @@ void test_two_ellipsoids()
 }
 
 // One ellipsoid and its own images: each pair of opposite ones counts once.
-void test_own_images()
+PW85_TEST("/pair_energy/own_images")
 {
     LennardJones const u{-2.0, 4.0};
     Vector3 const axes{0.4, 0.5, 1.0};
@@ -166,7 +167,7 @@ void test_own_images()
 }
 
 // A sphere in a cube of images: the volume has the density V e^(-βPV - U).
-void test_volume()
+PW85_TEST("/pair_energy/volume")
 {
     LennardJones const u{1.0, 6.25};
     double const pressure = 0.7;
@@ -226,7 +227,7 @@ HardEllipsoids scaled(HardEllipsoids const &simulation, double factor)
 // The virial is the derivative of the energy by the logarithm of a length, with the other sign. The
 // energies are rounded to 2⁻³² for each of some hundred pairs, and the central difference over ±δ
 // errs by δ²/6 of the third derivative, which is some 12³ times the energy.
-void test_virial()
+PW85_TEST("/pair_energy/virial")
 {
     LennardJones const u{0.8, 2.5};
     for (int dimensions : {3, 2}) {
@@ -284,7 +285,7 @@ void test_virial()
 // configuration and any repulsion that lets hardly any pairs touch. By parts, the integral of
 // d(V^N e^(-βPV - U))/dV over all volumes is zero, so βP = <N/V + W/(3V)> without contacts. Those
 // add up to U(1) = 15 where less than e^-15 of the pairs are.
-void test_virial_at_constant_pressure()
+PW85_TEST("/pair_energy/virial_at_constant_pressure")
 {
     double const pressure = 0.9, parameters[] = {16.0, 8.0, 0.0, 4.0, 3.0};
     HardEllipsoids simulation = loose(3, 1.7, 2.2).simulation();
@@ -309,7 +310,7 @@ void test_virial_at_constant_pressure()
 
 // The factor of a compression is that of the hard cores. Afterwards all is as if the simulation
 // had begun there.
-void test_compression()
+PW85_TEST("/pair_energy/compression")
 {
     LennardJones const u{0.8, 2.5};
     HardEllipsoids simulation = loose(5, 1.2, 1.8).simulation();
@@ -335,7 +336,7 @@ void test_compression()
 }
 
 // Two particles that exchange their semi-axes and nothing else are in either of two states.
-void test_exchange()
+PW85_TEST("/pair_energy/exchange")
 {
     LennardJones const u{2.0, 6.25};
     Vector3 const axes[2] = {{0.5, 0.5, 0.8}, {0.6, 0.4, 0.4}};
@@ -423,7 +424,7 @@ Blocks plain_energies(std::vector<Vector3> centers, int sweeps)
 }
 
 // Many spheres, in a cell that is divided into domains. Spheres that are far apart have energies.
-void test_many_spheres()
+PW85_TEST("/pair_energy/many_spheres")
 {
     Shell const shell;
     Start start;
@@ -453,7 +454,7 @@ void test_many_spheres()
 
 // Domains are wider than the law reaches. Trials that leave their domain are rejected, and tell its
 // width: without energies, a fourth of the edge would be enough for so many small spheres.
-void test_width_of_domains()
+PW85_TEST("/pair_energy/width_of_domains")
 {
     double const nothing[] = {1.0, 24.0 * 24.0, 0.0, 0.0, 0.0, 0.0}, edge = 10.0, step = 0.5;
     Start start;
@@ -491,7 +492,7 @@ Start lattice(int n)
 }
 
 // The same bits with any number of threads, and from a saved state on.
-void test_threads_and_restart()
+PW85_TEST("/pair_energy/threads_and_restart")
 {
     LennardJones const u{0.8, 1.7};
     pw85::Field const field = pw85::Field::aligning({0, 1, 2}, 1.5);
@@ -525,7 +526,7 @@ void test_threads_and_restart()
 }
 
 // The energy is that of pw85_law_forces_pairs(). Without the law the simulation is as it was.
-void test_energy()
+PW85_TEST("/pair_energy/energy")
 {
     LennardJones const u{0.8, 1.7};
     HardEllipsoids simulation = lattice(6).simulation();
@@ -564,7 +565,7 @@ constexpr double steep_end[] = {1.0, 4.0, 0.0, 0.0, 0.0, -10.0};
 
 // Two spheres that are as far apart along x as the law reaches, nearly, and a law that is set
 // between sweeps and trials of the volume.
-void test_reach()
+PW85_TEST("/pair_energy/reach")
 {
     Start start;
     start.add({0, 0, 0}, {0.5, 0.5, 0.5});
@@ -582,7 +583,7 @@ void test_reach()
     g_assert_true(bytes_of(simulation) == bytes_of(again));
 }
 
-void test_bad_input()
+PW85_TEST("/pair_energy/bad_input")
 {
     HardEllipsoids simulation = lattice(3).simulation(), none;
     auto const before = bytes_of(simulation);
@@ -616,23 +617,3 @@ void test_bad_input()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/pair_energy/two_spheres", test_two_spheres);
-    g_test_add_func("/pair_energy/two_ellipsoids", test_two_ellipsoids);
-    g_test_add_func("/pair_energy/own_images", test_own_images);
-    g_test_add_func("/pair_energy/volume", test_volume);
-    g_test_add_func("/pair_energy/virial", test_virial);
-    g_test_add_func("/pair_energy/virial_at_constant_pressure", test_virial_at_constant_pressure);
-    g_test_add_func("/pair_energy/compression", test_compression);
-    g_test_add_func("/pair_energy/exchange", test_exchange);
-    g_test_add_func("/pair_energy/many_spheres", test_many_spheres);
-    g_test_add_func("/pair_energy/width_of_domains", test_width_of_domains);
-    g_test_add_func("/pair_energy/threads_and_restart", test_threads_and_restart);
-    g_test_add_func("/pair_energy/energy", test_energy);
-    g_test_add_func("/pair_energy/reach", test_reach);
-    g_test_add_func("/pair_energy/bad_input", test_bad_input);
-    return g_test_run();
-}

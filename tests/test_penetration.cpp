@@ -12,6 +12,7 @@
 #include <pw85/distance/penetration.hpp>
 #include <pw85_batch.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -87,7 +88,7 @@ template <int D> void check_touching(int pairs)
     }
 }
 
-void test_touching()
+PW85_TEST("/penetration/touching")
 {
     check_touching<3>(1000);
     check_touching<2>(500);
@@ -127,7 +128,7 @@ double dense_search(Sample<double, 3> const &p, Random &random)
 }
 
 // The global minimum: that of a dense search, and no less; the search ends near enough for 1e-11.
-void test_dense_search()
+PW85_TEST("/penetration/dense_search")
 {
     Failures failures;
     Random random(710);
@@ -166,14 +167,14 @@ template <int D> void check_none_shorter(int pairs)
     }
 }
 
-void test_none_shorter()
+PW85_TEST("/penetration/none_shorter")
 {
     check_none_shorter<3>(1000);
     check_none_shorter<2>(1000);
 }
 
 // In a wider type the proof is to its rounding: the same depth, to the contract.
-void test_wide()
+PW85_TEST("/penetration/wide")
 {
     Failures failures;
     Random random(730);
@@ -200,7 +201,7 @@ void assert_depth(Sample<double, 3> const &p, double expected)
 
 // Minima that are not isolated: spheres, concentric or not; ellipsoids of revolution on one axis,
 // whose best directions are circles; ellipsoids of one shape, whose sum is one.
-void test_degenerate()
+PW85_TEST("/penetration/degenerate")
 {
     pw85::SymmetricMatrix<double, 3> const one{1.0, 0.0, 0.0, 1.0, 0.0, 1.0},
         two{4.0, 0.0, 0.0, 4.0, 0.0, 4.0}, prolate{1.0, 0.0, 0.0, 1.0, 0.0, 9.0},
@@ -223,7 +224,7 @@ void test_degenerate()
 }
 
 // A small sphere in an ellipsoid: the depth of the point, which nearest.hpp has, plus the radius.
-void test_sphere()
+PW85_TEST("/penetration/sphere")
 {
     Failures failures;
     Random random(740);
@@ -249,7 +250,7 @@ void test_sphere()
 
 // Exchanging the ellipsoids turns the direction round; a power of two on all lengths changes
 // nothing but the unit.
-void test_invariance()
+PW85_TEST("/penetration/invariance")
 {
     Failures failures;
     Random random(750);
@@ -272,7 +273,7 @@ void test_invariance()
 }
 
 // Any size and shape: an answer that is true to the contract for its own direction.
-void test_extremes()
+PW85_TEST("/penetration/extremes")
 {
     Failures failures;
     Random random(760);
@@ -303,7 +304,7 @@ void test_extremes()
 }
 
 // The ends of the range at once: axes of 1e150 and 1e121, whose ratio must not meet their squares.
-void test_widest()
+PW85_TEST("/penetration/widest")
 {
     Sample<double, 3> const s{{0.0, 0.0, 0x1.ep472},
                               {0x1p1000, 0.0, 0.0, 0x1p808, 0.0, 0x1p807},
@@ -327,7 +328,7 @@ template <class T> void check_scalar(Failures &failures, Random &random)
                    [&] { return hex_text(s); });
 }
 
-void test_scalars()
+PW85_TEST("/penetration/scalars")
 {
     Failures failures;
     Random random(770);
@@ -337,7 +338,7 @@ void test_scalars()
     }
 }
 
-void test_batch()
+PW85_TEST("/penetration/batch")
 {
     Random random(780);
     constexpr std::size_t n = 20;
@@ -365,7 +366,7 @@ void test_batch()
 // Where none_deeper() says so, no c of the interval gives less than the best that is known, which
 // is set between what the two ends give. Each of the ends is the one that matters for half of the
 // intervals.
-void test_proof()
+PW85_TEST("/penetration/proof")
 {
     Failures failures;
     Random random(790);
@@ -406,7 +407,7 @@ double depth_in(pw85::SymmetricMatrix<Wide, 3> const &form, pw85::Vector<Wide, 3
 // A vertex (c, y) is found deep only if r has the depth in W(c, y), whatever σ the test begins
 // with. A quarter of the levels is below 0.9 of the depth, where at most one vertex of a hundred
 // may be missed (0.2 % of a million are). A miss halves a tangent and costs nothing else.
-void test_vertices()
+PW85_TEST("/penetration/vertices")
 {
     Failures failures;
     Random random(792);
@@ -437,7 +438,7 @@ void test_vertices()
 }
 
 // The line from a vertex to the next one is below the hyperbola y = 1/c and touches it.
-void test_tangents()
+PW85_TEST("/penetration/tangents")
 {
     Failures failures;
     Random random(791);
@@ -480,7 +481,7 @@ template <int D> void check_axis_bounds()
     }
 }
 
-void test_axis_bounds()
+PW85_TEST("/penetration/axis_bounds")
 {
     check_axis_bounds<2>();
     check_axis_bounds<3>();
@@ -488,7 +489,7 @@ void test_axis_bounds()
 
 // Around a local minimum, from any start, no c of the proved range gives less. Global minima in the
 // range, and ranges that go too far, would show. Most minima have such a range.
-void test_minimum_proof()
+PW85_TEST("/penetration/minimum_proof")
 {
     Failures failures;
     Random random(795);
@@ -554,7 +555,7 @@ bool check_certificate(Failures &failures, pw85::detail::DepthSearch<double, 3> 
 
 // A certified minimum is the global one: other local minima, which turns from random directions
 // find, do not need less. Most minima of the C API have a certificate, at any scale.
-void test_certificate()
+PW85_TEST("/penetration/certificate")
 {
     Failures failures;
     Random random(796);
@@ -584,7 +585,7 @@ void test_certificate()
 
 // Of two minima that are nearly equally good, the higher one has no certificate. r12 is moved until
 // they differ by a given length.
-void test_certificate_at_ties()
+PW85_TEST("/penetration/certificate_at_ties")
 {
     Failures failures;
     Random random(797);
@@ -614,7 +615,7 @@ void test_certificate_at_ties()
 // A quartic is found positive only if it is. Its least value over c² is near zero, relative to its
 // terms: (ac + b/c - m)² + (x√c - y/√c)² + rest, with m = ac + b/c and y = xc at a random c. If the
 // rest is half of the terms, it mostly is found.
-void test_quartic()
+PW85_TEST("/penetration/quartic")
 {
     Failures failures;
     Random random(798);
@@ -642,7 +643,7 @@ void test_quartic()
 
 // The ellipse of R is found inside of the sum of those of B1 and B2 only if it is, in all of 256
 // directions and near the worst of them. If there are two per cent to spare, it mostly is found.
-void test_inside_sum()
+PW85_TEST("/penetration/inside_sum")
 {
     Failures failures;
     Random random(799);
@@ -682,7 +683,7 @@ void test_inside_sum()
 
 // step_below() finds a direction that needs less wherever it says so, from some of the minima that
 // are not global.
-void test_step_below()
+PW85_TEST("/penetration/step_below")
 {
     Failures failures;
     Random random(800);
@@ -700,7 +701,7 @@ void test_step_below()
     g_assert_cmpint(steps, >, draws(80));
 }
 
-void test_statuses()
+PW85_TEST("/penetration/statuses")
 {
     double const nan = std::numeric_limits<double>::quiet_NaN();
     double const r12[3] = {1.0, 0.0, 0.0}, apart[3] = {9.0, 0.0, 0.0}, bad_r12[3] = {1.0, nan, 0.0};
@@ -724,31 +725,3 @@ void test_statuses()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/penetration/touching", test_touching);
-    g_test_add_func("/penetration/dense_search", test_dense_search);
-    g_test_add_func("/penetration/none_shorter", test_none_shorter);
-    g_test_add_func("/penetration/wide", test_wide);
-    g_test_add_func("/penetration/degenerate", test_degenerate);
-    g_test_add_func("/penetration/sphere", test_sphere);
-    g_test_add_func("/penetration/invariance", test_invariance);
-    g_test_add_func("/penetration/extremes", test_extremes);
-    g_test_add_func("/penetration/widest", test_widest);
-    g_test_add_func("/penetration/scalars", test_scalars);
-    g_test_add_func("/penetration/proof", test_proof);
-    g_test_add_func("/penetration/tangents", test_tangents);
-    g_test_add_func("/penetration/vertices", test_vertices);
-    g_test_add_func("/penetration/axis_bounds", test_axis_bounds);
-    g_test_add_func("/penetration/minimum_proof", test_minimum_proof);
-    g_test_add_func("/penetration/certificate", test_certificate);
-    g_test_add_func("/penetration/certificate_at_ties", test_certificate_at_ties);
-    g_test_add_func("/penetration/quartic", test_quartic);
-    g_test_add_func("/penetration/inside_sum", test_inside_sum);
-    g_test_add_func("/penetration/step_below", test_step_below);
-    g_test_add_func("/penetration/batch", test_batch);
-    g_test_add_func("/penetration/statuses", test_statuses);
-    return g_test_run();
-}

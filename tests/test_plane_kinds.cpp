@@ -9,6 +9,7 @@
 
 #include <pw85_batch.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "plane_truth.hpp"
@@ -191,9 +192,6 @@ class Checks {
         if (!good) counts.add_wrong();
     }
 
-    /// Whether ellipses of this pair touch.
-    static bool is_touching(PlaneTruth const &t) { return t.touches > 0; }
-
     Counts counts;
 
   private:
@@ -248,7 +246,7 @@ void check_whole_numbers(double c, double s, std::initializer_list<char const *>
     checks.counts.expect(kinds);
 }
 
-void test_along_axes()
+PW85_TEST("/plane_kinds/along_axes")
 {
     check_whole_numbers(5, 0,
                         {"apart", "apart, touching once", "inside", "inside, touching once",
@@ -309,7 +307,7 @@ Pair2 scaled(Pair2 p, int exponent)
 
 /// Tangencies as they are, turned, sheared, exchanged, in other units, and with one entry moved by
 /// units in the last place.
-void test_tangencies()
+PW85_TEST("/plane_kinds/tangencies")
 {
     Checks checks;
     Random random(6801);
@@ -332,7 +330,7 @@ void test_tangencies()
 }
 
 /// Slender ellipses, and ellipses of different sizes, that touch from inside but for rounding.
-void test_slender()
+PW85_TEST("/plane_kinds/slender")
 {
     Checks checks;
     Random random(6802);
@@ -353,7 +351,7 @@ void test_slender()
 }
 
 /// Circles, equal forms, and equal centres.
-void test_equal()
+PW85_TEST("/plane_kinds/equal")
 {
     Checks checks;
     Random random(6803);
@@ -377,7 +375,7 @@ void test_equal()
 
 /// ∂A/∂r12 of an ellipse and its copy at a small distance r: -2 √det Q Q⁻¹r/√(rᵀQ⁻¹r), as two unit
 /// circles have the area π - 2|r| + O(|r|³) in common. No distance is too small.
-void test_copies()
+PW85_TEST("/plane_kinds/copies")
 {
     Failures failures;
     Random random(6804);
@@ -413,7 +411,7 @@ constexpr Pair2 specimens[] = {
     {{{35.0, -35.0}}, {{10000.0, 0.0, 5625.0}}, {{0x1.5f90000000002p+12, 0.0, 10000.0}}},
 };
 
-void test_specimens()
+PW85_TEST("/plane_kinds/specimens")
 {
     Checks checks;
     for (auto const &p : specimens) checks.check(p, true);
@@ -424,7 +422,7 @@ void test_specimens()
 }
 
 /// Many rows at once give the same numbers.
-void test_rows()
+PW85_TEST("/plane_kinds/rows")
 {
     Failures failures;
     auto pairs = rational_tangencies();
@@ -456,18 +454,6 @@ void test_rows()
     }
 }
 
-} // namespace
+PW85_ADD_TEST("/plane_kinds/turned", test_turned);
 
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/plane_kinds/specimens", test_specimens);
-    g_test_add_func("/plane_kinds/along_axes", test_along_axes);
-    g_test_add_func("/plane_kinds/turned", test_turned);
-    g_test_add_func("/plane_kinds/tangencies", test_tangencies);
-    g_test_add_func("/plane_kinds/slender", test_slender);
-    g_test_add_func("/plane_kinds/equal", test_equal);
-    g_test_add_func("/plane_kinds/copies", test_copies);
-    g_test_add_func("/plane_kinds/rows", test_rows);
-    return g_test_run();
-}
+} // namespace

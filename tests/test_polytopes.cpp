@@ -11,6 +11,7 @@
 #include <pw85.h>
 #include <pw85_batch.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -244,7 +245,7 @@ bool is_definite(Form3 const &q) { return pw85::detail::validate(q) == pw85::Sta
 
 // Small integers: many polytopes touch exactly, are flat or empty, or have more than three planes
 // at a vertex.
-void test_small_integers()
+PW85_TEST("/polytopes/small_integers")
 {
     Failures failures;
     Random random(701);
@@ -295,7 +296,7 @@ Case nearly_touching(Random &random, int n)
     return c;
 }
 
-void test_nearly_touching()
+PW85_TEST("/polytopes/nearly_touching")
 {
     Failures failures;
     Random random(702);
@@ -343,7 +344,7 @@ Case touching(Random &random, int n)
     return c;
 }
 
-void test_touching()
+PW85_TEST("/polytopes/touching")
 {
     Failures failures;
     Random random(703);
@@ -360,7 +361,7 @@ void test_touching()
 }
 
 // Numbers from one end of the range of double to the other.
-void test_widest()
+PW85_TEST("/polytopes/widest")
 {
     Failures failures;
     double const tiny = std::numeric_limits<double>::denorm_min(), huge = 0x1p1000;
@@ -380,7 +381,7 @@ void test_widest()
 }
 
 // 40 u Σ λ_k (|g_k|·r + m_k).
-void test_moved_contact()
+PW85_TEST("/polytopes/moved_contact")
 {
     Failures failures;
     Random random(704);
@@ -474,7 +475,7 @@ void check_contact(Case const &c, RationalContact const &truth, int length, Fail
 }
 
 // Whether a polytope is empty, its μ² and the point do not depend on how slender the ellipsoid is.
-void test_empty()
+PW85_TEST("/polytopes/empty")
 {
     Failures failures;
     Random random(705);
@@ -493,7 +494,7 @@ void test_empty()
 }
 
 // Planes that are nearly parallel meet far away: μ² is large, but the polytope is not empty.
-void test_far_away()
+PW85_TEST("/polytopes/far_away")
 {
     double const q[6] = {1, 0, 0, 1, 0, 1}, tilt = 0x1p-40;
     double const wedge[6] = {1, tilt, 0, -1, tilt, 0}, offsets[2] = {-1, -1};
@@ -502,7 +503,7 @@ void test_far_away()
     g_assert_true(mu2 == 0x1p80 && point[0] == 0 && point[1] == -0x1p40 && point[2] == 0);
 }
 
-void test_status()
+PW85_TEST("/polytopes/status")
 {
     double const q[6] = {4, 0, 0, 1, 0, 16}, flat[6] = {1, 0, 0, 1, 0, 0},
                  nan = std::numeric_limits<double>::quiet_NaN();
@@ -530,7 +531,7 @@ void test_status()
 }
 
 // A bad ellipsoid spoils its own row only.
-void test_bad_row()
+PW85_TEST("/polytopes/bad_row")
 {
     double const centers[9] = {0, 0, 0, 0, 0, 0, 9, 0, 0}, normal[3] = {1, 0, 0}, offset[1] = {2};
     double const q[18] = {1, 0, 0, 1, 0, 1, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 1};
@@ -549,18 +550,3 @@ void test_bad_row()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/polytopes/small_integers", test_small_integers);
-    g_test_add_func("/polytopes/nearly_touching", test_nearly_touching);
-    g_test_add_func("/polytopes/touching", test_touching);
-    g_test_add_func("/polytopes/widest", test_widest);
-    g_test_add_func("/polytopes/moved_contact", test_moved_contact);
-    g_test_add_func("/polytopes/empty", test_empty);
-    g_test_add_func("/polytopes/far_away", test_far_away);
-    g_test_add_func("/polytopes/status", test_status);
-    g_test_add_func("/polytopes/bad_row", test_bad_row);
-    return g_test_run();
-}

@@ -13,6 +13,7 @@
 #include <pw85/enclosing.hpp>
 #include <pw85/pw85.hpp>
 
+#include "cases.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
 #include "wide.hpp"
@@ -73,7 +74,7 @@ std::size_t cell_of_ball(Vector3 const &x)
 }
 
 /// Points of the body are those of the ball, after any map that turns one into the other.
-void test_body()
+PW85_TEST("/random_points/body")
 {
     Failures failures;
     for (double const size : {0x1p-40, 1.0, 0x1p40})
@@ -102,7 +103,7 @@ double area_below(double t, double a, double c)
 }
 
 /// 64 cells of spheroids: eight slices of each half, in four quadrants of the same area.
-void test_surface()
+PW85_TEST("/random_points/surface")
 {
     Failures failures;
     for (double const size : {0x1p-40, 1.0, 0x1p40})
@@ -125,7 +126,7 @@ void test_surface()
 /// Second moments of points of any ellipsoids. |x_i x_j| is at most √(q_ii q_jj) on an ellipsoid,
 /// so a mean of independent products differs by this times √(2·20/N) with a probability below 2
 /// e⁻²⁰ (Hoeffding).
-void test_moments()
+PW85_TEST("/random_points/moments")
 {
     Failures failures;
     Random random(20261129);
@@ -152,7 +153,7 @@ void test_moments()
 /// xᵀQ⁻¹x is 1 on the surface, and at most 1 in the body, up to the errors of x. A vector e of
 /// errors changes it by 2 ε + ε² at most, with ε² = eᵀQ⁻¹e <= |e|² tr(Q⁻¹), and |e| is below
 /// √3 · 10 u times the longest semi-axis.
-void test_distance()
+PW85_TEST("/random_points/distance")
 {
     Failures failures;
     Random random(20261130);
@@ -179,7 +180,7 @@ void test_distance()
 }
 
 /// Fewer points are the first ones of more, other seeds give others, and sizes are exact.
-void test_seeds()
+PW85_TEST("/random_points/seeds")
 {
     Form3 const q{1, 0.25, 0.5, 4, -0.125, 9}, large = pw85::detail::times_power_of_two(q, 80);
     for (bool const surface : {false, true}) {
@@ -194,7 +195,7 @@ void test_seeds()
     }
 }
 
-void test_refusals()
+PW85_TEST("/random_points/refusals")
 {
     double const flat[] = {1, 0, 0, 1, 0, 0}, nan_form[] = {1, 0, 0, std::nan(""), 0, 1},
                  ball[] = {1, 0, 0, 1, 0, 1};
@@ -213,15 +214,3 @@ void test_refusals()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/random_points/body", test_body);
-    g_test_add_func("/random_points/surface", test_surface);
-    g_test_add_func("/random_points/moments", test_moments);
-    g_test_add_func("/random_points/distance", test_distance);
-    g_test_add_func("/random_points/seeds", test_seeds);
-    g_test_add_func("/random_points/refusals", test_refusals);
-    return g_test_run();
-}

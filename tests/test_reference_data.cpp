@@ -2,6 +2,7 @@
 // Tests of the reference data: its checksum, its shape, and the relations between its values.
 #include <glib.h>
 
+#include "cases.hpp"
 #include "failures.hpp"
 #include "reference_data.hpp"
 
@@ -9,7 +10,7 @@ using namespace pw85_tests;
 
 namespace {
 
-void test_checksum()
+PW85_TEST("/reference_data/checksum")
 {
     gchar *contents = nullptr, *expected = nullptr;
     gsize length = 0;
@@ -25,7 +26,7 @@ void test_checksum()
     g_free(contents);
 }
 
-void test_grid_shape()
+PW85_TEST("/reference_data/grid/shape")
 {
     auto const &grid = spheroid_grid();
     g_assert_cmpuint(grid.radii.size(), ==, 3);
@@ -38,7 +39,7 @@ void test_grid_shape()
     g_assert_cmpuint(grid.f.size(), ==, 108u * 108u * 12u * 11u);
 }
 
-void test_problems_cover()
+PW85_TEST("/reference_data/contact/coverage")
 {
     auto const &problems = contact_problems();
     g_assert_cmpuint(problems.size(), >=, 10000);
@@ -57,7 +58,7 @@ void test_problems_cover()
 
 // Crossed pairs are tip to tip, near contact, and among those found are the three that showed what
 // was wrong with λ on a plateau: in the batch, in its overlaps, and for one pair.
-void test_crossed_pairs()
+PW85_TEST("/reference_data/contact/crossed")
 {
     int drawn = 0, found = 0, known = 0;
     for (auto const &p : contact_problems()) {
@@ -76,7 +77,7 @@ void test_crossed_pairs()
 
 // What follows from the definitions: λ inside (0, 1), cond >= 1, and mu2 and mu2_minus_1 one
 // number.
-void test_problems_are_consistent()
+PW85_TEST("/reference_data/contact/consistency")
 {
     Failures failures;
     for (auto const &p : contact_problems()) {
@@ -90,14 +91,3 @@ void test_problems_are_consistent()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/reference_data/checksum", test_checksum);
-    g_test_add_func("/reference_data/grid/shape", test_grid_shape);
-    g_test_add_func("/reference_data/contact/coverage", test_problems_cover);
-    g_test_add_func("/reference_data/contact/crossed", test_crossed_pairs);
-    g_test_add_func("/reference_data/contact/consistency", test_problems_are_consistent);
-    return g_test_run();
-}

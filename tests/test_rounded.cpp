@@ -14,6 +14,7 @@
 #include <pw85.h>
 #include <pw85_batch.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "extreme_pairs.hpp"
 #include "failures.hpp"
@@ -215,7 +216,7 @@ template <class T, int D> void test_random()
 }
 
 // Needles, ribbons and discs whose forms are singular to working precision.
-void test_singular()
+PW85_TEST("/rounded/singular")
 {
     Failures failures;
     Steps steps;
@@ -229,7 +230,7 @@ void test_singular()
 
 // Sizes from 1e-150 to 1e150, of both ellipsoids and of one against the other, and any shape that
 // doubles can have.
-void test_sizes()
+PW85_TEST("/rounded/sizes")
 {
     Failures failures;
     Steps steps;
@@ -252,7 +253,7 @@ void test_sizes()
 }
 
 // Axes along the coordinates, with lengths that span the whole range of doubles.
-void test_span()
+PW85_TEST("/rounded/span")
 {
     Failures failures;
     Steps steps;
@@ -274,7 +275,7 @@ void test_span()
 }
 
 // Other units that are powers of two change no bit of μ² and of λ.
-void test_units()
+PW85_TEST("/rounded/units")
 {
     Failures failures;
     Random random(730);
@@ -297,7 +298,7 @@ void test_units()
 }
 
 // All contact problems.
-void test_problems()
+PW85_TEST("/rounded/problems")
 {
     Failures failures;
     Steps steps;
@@ -333,7 +334,7 @@ Sample<double, 3> balls(Random &random, Integer const &numerator, int below)
 
 // μ² is the middle of two doubles, or next to it by up to 2^-90 of itself. An odd x of 27 bits has
 // a square of 53 or 54 bits.
-void test_middles()
+PW85_TEST("/rounded/middles")
 {
     Failures failures;
     Steps steps;
@@ -362,7 +363,7 @@ void test_middles()
 }
 
 // μ² is a double: balls of integers.
-void test_doubles()
+PW85_TEST("/rounded/doubles")
 {
     Failures failures;
     Steps steps;
@@ -400,7 +401,7 @@ std::vector<Sample<double, 3>> worst_roundings()
 
 // The worst pairs known: μ² is so near to the middle of two doubles that doubled numbers leave the
 // rounding open for most of them.
-void test_worst()
+PW85_TEST("/rounded/worst")
 {
     Failures failures;
     Steps steps;
@@ -412,7 +413,7 @@ void test_worst()
 
 // The ends of the range: subnormal μ², middles of subnormal numbers, and the middle between the
 // largest number and 2^1024.
-void test_ends()
+PW85_TEST("/rounded/ends")
 {
     Failures failures;
     Steps steps;
@@ -450,7 +451,7 @@ void test_ends()
 
 // The bounds of the enclosure contain μ² and λ: at the maximum, off it, and with an s that is off
 // as well.
-void test_enclosure()
+PW85_TEST("/rounded/enclosure")
 {
     Failures failures;
     Random random(770);
@@ -488,7 +489,7 @@ void test_enclosure()
     g_assert_cmpfloat(used_above, >, 0.1);
 }
 
-void test_status()
+PW85_TEST("/rounded/status")
 {
     Sample<double, 3> const good{{1, 2, 3}, {9, 0, 0, 9, 0, 9}, {2, 0, 0, 1, 0, 1}};
     auto const refused = [](Sample<double, 3> const &s, int status) {
@@ -533,7 +534,7 @@ void test_status()
 }
 
 // A number of 50 digits is computed to rounding.
-void test_wide()
+PW85_TEST("/rounded/wide")
 {
     auto const s =
         convert<Wide>(Sample<double, 3>{{3, 0, 4}, {1, 0, 0, 1, 0, 1}, {9, 0, 0, 9, 0, 9}});
@@ -542,26 +543,9 @@ void test_wide()
     g_assert_true(abs(Wide(c.lambda - Wide(1) / 4)) < Wide("1e-20"));
 }
 
-} // namespace
+PW85_ADD_TEST("/rounded/random/float", test_random<float, 3>);
+PW85_ADD_TEST("/rounded/random/double", test_random<double, 3>);
+PW85_ADD_TEST("/rounded/random/long_double", test_random<long double, 3>);
+PW85_ADD_TEST("/rounded/random/2d", test_random<double, 2>);
 
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/rounded/random/float", test_random<float, 3>);
-    g_test_add_func("/rounded/random/double", test_random<double, 3>);
-    g_test_add_func("/rounded/random/long_double", test_random<long double, 3>);
-    g_test_add_func("/rounded/random/2d", test_random<double, 2>);
-    g_test_add_func("/rounded/singular", test_singular);
-    g_test_add_func("/rounded/sizes", test_sizes);
-    g_test_add_func("/rounded/span", test_span);
-    g_test_add_func("/rounded/units", test_units);
-    g_test_add_func("/rounded/problems", test_problems);
-    g_test_add_func("/rounded/middles", test_middles);
-    g_test_add_func("/rounded/doubles", test_doubles);
-    g_test_add_func("/rounded/worst", test_worst);
-    g_test_add_func("/rounded/ends", test_ends);
-    g_test_add_func("/rounded/enclosure", test_enclosure);
-    g_test_add_func("/rounded/status", test_status);
-    g_test_add_func("/rounded/wide", test_wide);
-    return g_test_run();
-}
+} // namespace

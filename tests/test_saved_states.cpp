@@ -6,6 +6,7 @@
 
 #include <glib.h>
 
+#include "cases.hpp"
 #include "failures.hpp"
 #include "saved_sections.hpp"
 #include "saved_simulations.hpp"
@@ -54,7 +55,7 @@ std::vector<Bytes> states()
     return {state_of(simulation_in_space()), state_of(simulation_in_plane())};
 }
 
-void test_numbers()
+PW85_TEST("/saved_states/numbers")
 {
     SimulationPointer const simulation = simulation_in_space();
     SavedSections state(state_of(simulation));
@@ -100,7 +101,7 @@ void test_numbers()
 }
 
 // The first numbers of a state are the bytes that the manual names.
-void test_head()
+PW85_TEST("/saved_states/head")
 {
     unsigned char const head[] = {0x89, 'P', 'W', '8', '5', '\r', '\n', 0x1a,
                                   1,    0,   0,   0,   0,   0,    0,    0};
@@ -115,7 +116,7 @@ void test_head()
                      0xcbf43926); // the check value of this CRC in the catalogue of Cook
 }
 
-void test_each_byte()
+PW85_TEST("/saved_states/each_byte")
 {
     for (Bytes const &state : states())
         for (std::size_t k = 0; k < state.size(); ++k)
@@ -128,7 +129,7 @@ void test_each_byte()
             }
 }
 
-void test_lengths()
+PW85_TEST("/saved_states/lengths")
 {
     for (Bytes const &state : states()) {
         for (std::size_t size = 0; size < state.size(); ++size)
@@ -146,7 +147,7 @@ void test_lengths()
 }
 
 // With the right checksum, and other lengths of sections and counts of vertices.
-void test_huge_lengths()
+PW85_TEST("/saved_states/huge_lengths")
 {
     for (Bytes const &state : states())
         for (std::size_t at = 24; at < state.size() - 8;
@@ -169,7 +170,7 @@ void test_huge_lengths()
         }
 }
 
-void test_order()
+PW85_TEST("/saved_states/order")
 {
     for (Bytes const &state : states()) {
         SavedSections reversed(state);
@@ -196,7 +197,7 @@ void test_order()
     }
 }
 
-void test_unknown_sections()
+PW85_TEST("/saved_states/unknown_sections")
 {
     for (Bytes const &state : states())
         for (std::size_t place = 0; place <= SavedSections(state).sections.size(); ++place)
@@ -213,7 +214,7 @@ void test_unknown_sections()
             }
 }
 
-void test_missing_sections()
+PW85_TEST("/saved_states/missing_sections")
 {
     Bytes const state = state_of(simulation_in_space());
     for (std::size_t k = 0; k < SavedSections(state).sections.size(); ++k) {
@@ -229,7 +230,7 @@ void test_missing_sections()
 }
 
 // Bytes of other versions.
-void test_formats()
+PW85_TEST("/saved_states/formats")
 {
     for (Bytes const &state : states())
         for (std::uint64_t const format : {std::uint64_t{0}, std::uint64_t{2}, ~std::uint64_t{0}}) {
@@ -251,7 +252,7 @@ void test_formats()
 }
 
 // Numbers that no simulation has, with the right checksum.
-void test_impossible_numbers()
+PW85_TEST("/saved_states/impossible_numbers")
 {
     Bytes const state = state_of(simulation_in_space());
     std::uint64_t const nan = word_of(double{NAN}), minus_one = ~std::uint64_t{0},
@@ -338,7 +339,7 @@ Words triangle()
 }
 
 // pw85_hard_ellipsoids_create() refuses such cells, too. Without walls nothing reads the vector.
-void test_infinite_vector()
+PW85_TEST("/saved_states/infinite_vector")
 {
     Bytes const state = changed_state({});
     for (double const bad : {double{NAN}, HUGE_VAL})
@@ -349,7 +350,7 @@ void test_infinite_vector()
 
 // The box of the ball has some 10¹⁶ images of the mesh. They need not be tested: it overlaps its
 // own images.
-void test_large_particle_and_mesh()
+PW85_TEST("/saved_states/large_particle_and_mesh")
 {
     double const a = 0x1p20;
     Bytes bytes =
@@ -363,7 +364,7 @@ void test_large_particle_and_mesh()
 }
 
 // After a sweep without memory for its rows there are none, which trials of the volume need.
-void test_rows_without_memory()
+PW85_TEST("/saved_states/rows_without_memory")
 {
     Bytes bytes = changed_state(
         {{"LAW     ",
@@ -380,7 +381,7 @@ void test_rows_without_memory()
 }
 
 // The disc is so thin that no translation is free of the mesh. Its step stays > 0.
-void test_tuned_thin_disc()
+PW85_TEST("/saved_states/tuned_thin_disc")
 {
     SimulationPointer const simulation = restored(changed_state(
         {{"MESH    ", triangle()},
@@ -449,7 +450,7 @@ void test_each_number(Bytes const &state)
             }
 }
 
-void test_each_number_of_all_sections()
+PW85_TEST("/saved_states/each_number_of_all_sections")
 {
     SavedSections state(state_of(simulation_in_space()));
     std::erase_if(state.sections, [](auto const &one) { return one.first == "POTENTIA"; });
@@ -458,7 +459,7 @@ void test_each_number_of_all_sections()
 }
 
 // Of hard particles in a cell that is periodic along all vectors, and of those with a law.
-void test_each_number_of_closed_cells()
+PW85_TEST("/saved_states/each_number_of_closed_cells")
 {
     for (auto const &changes :
          {std::vector<std::pair<std::string, Words>>{},
@@ -481,7 +482,7 @@ void expect_refusal(int status, int wanted, char const *requirement)
 Bytes closed_state() { return with_word(changed_state({}), "CELL", 11, 1); }
 
 // Lists of neighbours of such lengths would take hours and all memory.
-void test_long_lists()
+PW85_TEST("/saved_states/long_lists")
 {
     char const *const too_long =
         "particles, steps and the cutoff must not be so long that lists of neighbours exceed the "
@@ -497,7 +498,7 @@ void test_long_lists()
 }
 
 // Steps that pw85_hard_ellipsoids_set_steps() refuses are no state.
-void test_long_steps()
+PW85_TEST("/saved_states/long_steps")
 {
     Bytes const state = closed_state();
     char const *const too_long = "must be at most the longest vector of the cell";
@@ -525,7 +526,7 @@ void test_long_steps()
 }
 
 // A step as long as the cell becomes shorter with it, so that the state can be restored.
-void test_steps_of_smaller_cells()
+PW85_TEST("/saved_states/steps_of_smaller_cells")
 {
     double const steps[] = {9.25, 0.1, 0.1}, kind[] = {0.5, 0.75, 1.25}, of_kind[] = {9.25, 0.1};
     SimulationPointer const simulation = restored(closed_state());
@@ -549,7 +550,7 @@ void test_steps_of_smaller_cells()
 }
 
 // The rounding errors of the places of such particles and vertices are many periods of the cell.
-void test_far_mesh()
+PW85_TEST("/saved_states/far_mesh")
 {
     char const *const too_many = "particles must not be so long or so far away that more than 2¹⁴ "
                                  "of their images may meet the mesh";
@@ -562,7 +563,7 @@ void test_far_mesh()
 }
 
 // The bins of event chains.
-void test_skewed_and_long_cells()
+PW85_TEST("/saved_states/skewed_and_long_cells")
 {
     Bytes const state = closed_state();
     SimulationPointer const skewed = restored(with_word(state, "CELL", 7, word_of(1e9)));
@@ -576,30 +577,3 @@ void test_skewed_and_long_cells()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/saved_states/numbers", test_numbers);
-    g_test_add_func("/saved_states/head", test_head);
-    g_test_add_func("/saved_states/each_byte", test_each_byte);
-    g_test_add_func("/saved_states/lengths", test_lengths);
-    g_test_add_func("/saved_states/huge_lengths", test_huge_lengths);
-    g_test_add_func("/saved_states/order", test_order);
-    g_test_add_func("/saved_states/unknown_sections", test_unknown_sections);
-    g_test_add_func("/saved_states/missing_sections", test_missing_sections);
-    g_test_add_func("/saved_states/formats", test_formats);
-    g_test_add_func("/saved_states/impossible_numbers", test_impossible_numbers);
-    g_test_add_func("/saved_states/infinite_vector", test_infinite_vector);
-    g_test_add_func("/saved_states/large_particle_and_mesh", test_large_particle_and_mesh);
-    g_test_add_func("/saved_states/rows_without_memory", test_rows_without_memory);
-    g_test_add_func("/saved_states/tuned_thin_disc", test_tuned_thin_disc);
-    g_test_add_func("/saved_states/each_number_of_all_sections", test_each_number_of_all_sections);
-    g_test_add_func("/saved_states/each_number_of_closed_cells", test_each_number_of_closed_cells);
-    g_test_add_func("/saved_states/long_lists", test_long_lists);
-    g_test_add_func("/saved_states/long_steps", test_long_steps);
-    g_test_add_func("/saved_states/steps_of_smaller_cells", test_steps_of_smaller_cells);
-    g_test_add_func("/saved_states/far_mesh", test_far_mesh);
-    g_test_add_func("/saved_states/skewed_and_long_cells", test_skewed_and_long_cells);
-    return g_test_run();
-}

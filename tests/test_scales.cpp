@@ -1,36 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every function that takes lengths gives corresponding results at other scales. Pairs of various
-// sizes and size ratios are multiplied by a power of two; the results must change by the powers of
-// it that belong to their units. Functions of time have another unit of time, too.
+// Every function that takes lengths or times gives corresponding results in other units. Pairs of
+// various sizes and size ratios, walls, cells and motions are multiplied by powers of two; the
+// results must change by the powers of it that belong to the units of their declarations.
+#include <algorithm>
 #include <cmath>
-#include <functional>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <glib.h>
 
 #include <pw85.h>
-#include <pw85_batch.h>
 #include <pw85_systems.h>
 
+#include "calls.hpp"
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "flights.hpp"
-#include "systems.hpp"
+#include "marks.hpp"
+#include "rows_of_calls.hpp"
 
 using namespace pw85_tests;
 
 namespace {
 
-/// What functions are called with: a pair, a pair in two dimensions, how they move, and what is
-/// made of them.
-struct Problem {
-    Flight<double, 3> flight;
-    Sample<double, 2> plane;
-    double cell; ///< the side of a cubic one
-    double direction[3];
-    std::vector<double> centers, forms; ///< of particles
-    std::vector<pw85_motion> motions;
-};
+using Pairs = std::vector<Sample<double, 3>>;
+
+constexpr std::size_t num_pairs = 4;
 
 /// The largest aspect ratio, and what two results of lanes, which may be more or less exact than
 /// those of one pair, may differ by: 64 u aspect² of the largest coordinate each
@@ -38,708 +37,334 @@ struct Problem {
 constexpr double largest_aspect = 20.0,
                  difference_of_lanes = 2.0 * 64.0 * 0x1p-53 * largest_aspect * largest_aspect;
 
-/// Results, each with the powers of length and of time in its unit, and by how much it may differ:
-/// 0 where the bits are the same.
-struct Results {
-    struct Result {
-        double value;
-        int length, time;
-        double difference;
-    };
-    std::vector<Result> all;
-
-    void add(double const *values, std::size_t count, int length, int time = 0)
-    {
-        for (std::size_t i = 0; i < count; ++i) all.push_back({values[i], length, time, 0.0});
-    }
-    void add(int value) { all.push_back({static_cast<double>(value), 0, 0, 0.0}); }
-
-    /// Results of lanes; `size` is that of what they are made of.
-    void add_lanes(double const *values, std::size_t count, int length, double size = 0.0)
-    {
-        for (std::size_t i = 0; i < count; ++i) size = std::fmax(size, std::fabs(values[i]));
-        for (std::size_t i = 0; i < count; ++i)
-            all.push_back({values[i], length, 0, difference_of_lanes * size});
-    }
+/// A factor 2^length of lengths, and 2^time of times.
+struct Units {
+    int length, time;
 };
 
-constexpr std::size_t particles = 12, pairs_of_all = particles * (particles - 1) / 2;
-
-/// All pairs of particles.
-std::vector<int32_t> all_pairs()
+/// Ellipsoid 2 is larger than the other by some power of two.
+Pairs unlike_pairs(Random &random, int size_ratio)
 {
-    std::vector<int32_t> pairs;
-    for (int i = 0; i < static_cast<int>(particles); ++i)
-        for (int j = 0; j < i; ++j) pairs.insert(pairs.end(), {i, j});
+    Pairs pairs;
+    for (std::size_t i = 0; i < num_pairs; ++i) {
+        auto const q1 = random_form<3>(random, 1.0, random.log_uniform(1.0, largest_aspect));
+        auto const q2 = random_form<3>(random, std::ldexp(random.uniform(1.0, 2.0), size_ratio),
+                                       random.log_uniform(1.0, largest_aspect));
+        pairs.push_back(placed<3>(random.direction<3>(), random.log_uniform(0.02, 9.0), q1, q2));
+    }
     return pairs;
 }
 
-struct Function {
-    char const *name;
-    std::function<void(Problem const &, Results &)> call;
-};
-
-using Table = std::vector<Function>;
-
-double const *r12(Problem const &p) { return p.flight.start.r12.coordinates; }
-double const *q1(Problem const &p) { return p.flight.start.q1.entries; }
-double const *q2(Problem const &p) { return p.flight.start.q2.entries; }
-
-double lambda_of(Problem const &p)
-{
-    double out[2];
-    pw85_contact(r12(p), q1(p), q2(p), out);
-    return out[1];
-}
-
-double lambda_in_plane(Problem const &p)
-{
-    double out[2];
-    pw85_contact_2d(p.plane.r12.coordinates, p.plane.q1.entries, p.plane.q2.entries, out);
-    return out[1];
-}
-
-/// Second derivatives with respect to r12 and rotations, of what has a power of length.
-void add_hessian(Results &out, double const *hessian, int dimension, int axes, int power)
-{
-    int const size = dimension + 2 * axes;
-    for (int i = 0; i < size; ++i)
-        for (int j = 0; j < size; ++j)
-            out.add(hessian + size * i + j, 1,
-                    power - (i < dimension ? 1 : 0) - (j < dimension ? 1 : 0));
-}
-
-Table const functions_of_pairs = {
-    {"contact",
-     [](Problem const &p, Results &out) {
-         double value[2];
-         out.add(pw85_contact(r12(p), q1(p), q2(p), value));
-         out.add(value, 2, 0);
-     }},
-    {"contact_function",
-     [](Problem const &p, Results &out) {
-         double value[2];
-         out.add(pw85_contact_function(r12(p), q1(p), q2(p), value));
-         out.add(value, 2, 0);
-     }},
-    {"contact_geometry",
-     [](Problem const &p, Results &out) {
-         double point[3], normal[3];
-         out.add(pw85_contact_geometry(r12(p), q1(p), q2(p), lambda_of(p), point, normal));
-         out.add(point, 3, 1);
-         out.add(normal, 3, 0);
-     }},
-    {"contact_gradient",
-     [](Problem const &p, Results &out) {
-         double r[3], d1[6], d2[6];
-         out.add(pw85_contact_gradient(r12(p), q1(p), q2(p), lambda_of(p), r, d1, d2));
-         out.add(r, 3, -1);
-         out.add(d1, 6, -2);
-         out.add(d2, 6, -2);
-     }},
-    {"contact_torque",
-     [](Problem const &p, Results &out) {
-         double d1[3], d2[3];
-         out.add(pw85_contact_torque(r12(p), q1(p), q2(p), lambda_of(p), d1, d2));
-         out.add(d1, 3, 0);
-         out.add(d2, 3, 0);
-     }},
-    {"contact_hessian",
-     [](Problem const &p, Results &out) {
-         double hessian[81];
-         out.add(pw85_contact_hessian(r12(p), q1(p), q2(p), lambda_of(p), hessian));
-         add_hessian(out, hessian, 3, 3, 0);
-     }},
-    {"overlap",
-     [](Problem const &p, Results &out) {
-         int overlap;
-         out.add(pw85_overlap(r12(p), q1(p), q2(p), &overlap));
-         out.add(overlap);
-     }},
-    {"closest_approach",
-     [](Problem const &p, Results &out) {
-         double distance;
-         out.add(pw85_closest_approach(p.direction, q1(p), q2(p), &distance));
-         out.add(&distance, 1, 1);
-     }},
-    {"closest_approach along r12",
-     [](Problem const &p, Results &out) {
-         double distance;
-         out.add(pw85_closest_approach(r12(p), q1(p), q2(p), &distance));
-         out.add(&distance, 1, 1);
-     }},
-    {"distance",
-     [](Problem const &p, Results &out) {
-         double distance, point1[3], point2[3];
-         out.add(pw85_distance(r12(p), q1(p), q2(p), &distance, point1, point2));
-         out.add(&distance, 1, 1);
-         out.add(point1, 3, 1);
-         out.add(point2, 3, 1);
-     }},
-    {"distance_derivatives",
-     [](Problem const &p, Results &out) {
-         double r[3], d1[3], d2[3], hessian[81];
-         out.add(pw85_distance_derivatives(r12(p), q1(p), q2(p), r, d1, d2, hessian));
-         out.add(r, 3, 0);
-         out.add(d1, 3, 1);
-         out.add(d2, 3, 1);
-         add_hessian(out, hessian, 3, 3, 1);
-     }},
-    {"penetration",
-     [](Problem const &p, Results &out) {
-         double depth, direction[3];
-         out.add(pw85_penetration(r12(p), q1(p), q2(p), &depth, direction));
-         out.add(&depth, 1, 1);
-         out.add(direction, 3, 0);
-     }},
-    {"signed_distance",
-     [](Problem const &p, Results &out) {
-         double distance, point1[3], point2[3];
-         out.add(pw85_signed_distance(r12(p), q1(p), q2(p), &distance, point1, point2));
-         out.add(&distance, 1, 1);
-         out.add(point1, 3, 1);
-         out.add(point2, 3, 1);
-     }},
-    {"signed_distance_derivatives",
-     [](Problem const &p, Results &out) {
-         double r[3], d1[3], d2[3], hessian[81];
-         out.add(pw85_signed_distance_derivatives(r12(p), q1(p), q2(p), r, d1, d2, hessian));
-         out.add(r, 3, 0);
-         out.add(d1, 3, 1);
-         out.add(d2, 3, 1);
-         add_hessian(out, hessian, 3, 3, 1);
-     }},
-};
-
-Table const functions_of_motion = {
-    {"first_contact",
-     [](Problem const &p, Results &out) {
-         auto const c = first_contact(p.flight);
-         out.add(static_cast<int>(c.status));
-         out.add(&c.time, 1, 0, 1);
-     }},
-    {"first_contact of translation",
-     [](Problem const &p, Results &out) {
-         auto f = p.flight;
-         f.motion1.angular_velocity = f.motion2.angular_velocity = {};
-         f.motion1.growth = f.motion2.growth = 0.0;
-         auto const c = first_contact(f);
-         out.add(static_cast<int>(c.status));
-         out.add(&c.time, 1, 0, 1);
-     }},
-    {"first_contact of rotation",
-     [](Problem const &p, Results &out) {
-         auto f = p.flight;
-         f.motion1.growth = f.motion2.growth = 0.0;
-         auto const c = first_contact(f);
-         out.add(static_cast<int>(c.status));
-         out.add(&c.time, 1, 0, 1);
-     }},
-    {"first_contact of growth, without an end",
-     [](Problem const &p, Results &out) {
-         auto f = p.flight;
-         f.motion1 = f.motion2 = {{}, {}, std::fabs(f.motion1.growth)};
-         f.end = std::numeric_limits<double>::infinity();
-         auto const c = first_contact(f);
-         out.add(static_cast<int>(c.status));
-         out.add(&c.time, 1, 0, 1);
-     }},
-    {"first_contact_batch",
-     [](Problem const &p, Results &out) {
-         pw85_motion const motion1 = c_motion(p.flight.motion1),
-                           motion2 = c_motion(p.flight.motion2);
-         double time;
-         out.add(pw85_first_contact_batch(1, r12(p), q1(p), q2(p), &motion1, &motion2, p.flight.end,
-                                          &time));
-         out.add(&time, 1, 0, 1);
-     }},
-};
-
-Table const functions_of_plane = {
-    {"contact_2d",
-     [](Problem const &p, Results &out) {
-         double value[2];
-         out.add(pw85_contact_2d(p.plane.r12.coordinates, p.plane.q1.entries, p.plane.q2.entries,
-                                 value));
-         out.add(value, 2, 0);
-     }},
-    {"contact_geometry_2d",
-     [](Problem const &p, Results &out) {
-         double point[2], normal[2];
-         out.add(pw85_contact_geometry_2d(p.plane.r12.coordinates, p.plane.q1.entries,
-                                          p.plane.q2.entries, lambda_in_plane(p), point, normal));
-         out.add(point, 2, 1);
-         out.add(normal, 2, 0);
-     }},
-    {"contact_gradient_2d",
-     [](Problem const &p, Results &out) {
-         double r[2], d1[3], d2[3];
-         out.add(pw85_contact_gradient_2d(p.plane.r12.coordinates, p.plane.q1.entries,
-                                          p.plane.q2.entries, lambda_in_plane(p), r, d1, d2));
-         out.add(r, 2, -1);
-         out.add(d1, 3, -2);
-         out.add(d2, 3, -2);
-     }},
-    {"contact_torque_2d",
-     [](Problem const &p, Results &out) {
-         double d1, d2;
-         out.add(pw85_contact_torque_2d(p.plane.r12.coordinates, p.plane.q1.entries,
-                                        p.plane.q2.entries, lambda_in_plane(p), &d1, &d2));
-         out.add(&d1, 1, 0);
-         out.add(&d2, 1, 0);
-     }},
-    {"contact_hessian_2d",
-     [](Problem const &p, Results &out) {
-         double hessian[16];
-         out.add(pw85_contact_hessian_2d(p.plane.r12.coordinates, p.plane.q1.entries,
-                                         p.plane.q2.entries, lambda_in_plane(p), hessian));
-         add_hessian(out, hessian, 2, 1, 0);
-     }},
-    {"overlap_2d",
-     [](Problem const &p, Results &out) {
-         int overlap;
-         out.add(pw85_overlap_2d(p.plane.r12.coordinates, p.plane.q1.entries, p.plane.q2.entries,
-                                 &overlap));
-         out.add(overlap);
-     }},
-    {"closest_approach_2d",
-     [](Problem const &p, Results &out) {
-         double distance;
-         out.add(pw85_closest_approach_2d(p.direction, p.plane.q1.entries, p.plane.q2.entries,
-                                          &distance));
-         out.add(&distance, 1, 1);
-     }},
-    {"distance_2d",
-     [](Problem const &p, Results &out) {
-         double distance, point1[2], point2[2];
-         out.add(pw85_distance_2d(p.plane.r12.coordinates, p.plane.q1.entries, p.plane.q2.entries,
-                                  &distance, point1, point2));
-         out.add(&distance, 1, 1);
-         out.add(point1, 2, 1);
-         out.add(point2, 2, 1);
-     }},
-    {"contact_batch_2d",
-     [](Problem const &p, Results &out) {
-         double mu2, lambda;
-         out.add(pw85_contact_batch_2d(1, p.plane.r12.coordinates, p.plane.q1.entries,
-                                       p.plane.q2.entries, &mu2, &lambda));
-         out.add_lanes(&mu2, 1, 0);
-         out.add_lanes(&lambda, 1, 0);
-     }},
-    {"overlap_batch_2d",
-     [](Problem const &p, Results &out) {
-         unsigned char overlap;
-         out.add(pw85_overlap_batch_2d(1, p.plane.r12.coordinates, p.plane.q1.entries,
-                                       p.plane.q2.entries, &overlap));
-         out.add(overlap);
-     }},
-};
-
-// One ellipsoid, with a wall at the place, and of the size, of the other.
-Table const functions_of_walls = {
-    {"distance_plane",
-     [](Problem const &p, Results &out) {
-         double distance, point[3];
-         out.add(pw85_distance_plane(p.direction, r12(p)[0], q1(p), &distance, point));
-         out.add(&distance, 1, 1);
-         out.add(point, 3, 1);
-     }},
-    {"distance_plane_derivatives",
-     [](Problem const &p, Results &out) {
-         double center[3], rotation[3];
-         out.add(pw85_distance_plane_derivatives(p.direction, q1(p), center, rotation));
-         out.add(center, 3, 0);
-         out.add(rotation, 3, 1);
-     }},
-    {"contact_plane",
-     [](Problem const &p, Results &out) {
-         double mu2, point[3];
-         out.add(pw85_contact_plane(p.direction, std::fabs(r12(p)[0]), q1(p), &mu2, point));
-         out.add(&mu2, 1, 0);
-         out.add(point, 3, 1);
-     }},
-    {"contact_plane_derivatives",
-     [](Problem const &p, Results &out) {
-         double center[3], rotation[3];
-         out.add(pw85_contact_plane_derivatives(p.direction, std::fabs(r12(p)[0]), q1(p), center,
-                                                rotation));
-         out.add(center, 3, -1);
-         out.add(rotation, 3, 0);
-     }},
-    {"distance_box",
-     [](Problem const &p, Results &out) {
-         double lower[3], upper[3], distance, point[3], normal[3];
-         for (int i = 0; i < 3; ++i) {
-             double const half = std::sqrt(p.flight.start.q2(i, i));
-             lower[i] = r12(p)[i] - half, upper[i] = r12(p)[i] + half;
-         }
-         out.add(pw85_distance_box(lower, upper, q1(p), &distance, point, normal));
-         out.add(&distance, 1, 1);
-         out.add(point, 3, 1);
-         out.add(normal, 3, 0);
-     }},
-    {"distance_segment",
-     [](Problem const &p, Results &out) {
-         double const end2[3] = {r12(p)[1], r12(p)[2], r12(p)[0]};
-         double distance, point1[3], point2[3], normal[3];
-         out.add(pw85_distance_segment(r12(p), end2, q1(p), &distance, point1, point2, normal));
-         out.add(&distance, 1, 1);
-         out.add(point1, 3, 1);
-         out.add(point2, 3, 1);
-         out.add(normal, 3, 0);
-     }},
-    {"distance_solid_box",
-     [](Problem const &p, Results &out) {
-         double lower[3], upper[3], distance, point1[3], point2[3], normal[3];
-         for (int i = 0; i < 3; ++i) {
-             double const half = std::sqrt(p.flight.start.q2(i, i));
-             lower[i] = r12(p)[i] - half, upper[i] = r12(p)[i] + half;
-         }
-         out.add(pw85_distance_solid_box(lower, upper, q1(p), &distance, point1, point2, normal));
-         out.add(&distance, 1, 1);
-         out.add(point1, 3, 1);
-         out.add(point2, 3, 1);
-         out.add(normal, 3, 0);
-     }},
-    {"distance_cylinder",
-     [](Problem const &p, Results &out) {
-         double distance, point[3], normal[3], radius = std::sqrt(q2(p)[0]);
-         out.add(
-             pw85_distance_cylinder(p.direction, radius, r12(p), q1(p), &distance, point, normal));
-         out.add(&distance, 1, 1);
-         out.add(point, 3, 1);
-         out.add(normal, 3, 0);
-     }},
-    {"distance_point",
-     [](Problem const &p, Results &out) {
-         double distance, point[3], normal[3];
-         out.add(pw85_distance_point(r12(p), q1(p), &distance, point, normal));
-         out.add(&distance, 1, 1);
-         out.add(point, 3, 1);
-         out.add(normal, 3, 0);
-     }},
-    {"intersect_line",
-     [](Problem const &p, Results &out) {
-         double t[2];
-         double const towards[3] = {p.direction[0] - r12(p)[0] / norm(p.flight.start.r12),
-                                    p.direction[1] - r12(p)[1] / norm(p.flight.start.r12),
-                                    p.direction[2]};
-         out.add(pw85_intersect_line(r12(p), towards, q1(p), t));
-         out.add(t, 2, 1);
-     }},
-};
-
-Table const functions_of_batches = {
-    {"contact_batch",
-     [](Problem const &p, Results &out) {
-         double mu2, lambda;
-         out.add(pw85_contact_batch(1, r12(p), q1(p), q2(p), &mu2, &lambda));
-         out.add_lanes(&mu2, 1, 0);
-         out.add_lanes(&lambda, 1, 0);
-     }},
-    {"overlap_batch",
-     [](Problem const &p, Results &out) {
-         unsigned char overlap;
-         out.add(pw85_overlap_batch(1, r12(p), q1(p), q2(p), &overlap));
-         out.add(overlap);
-     }},
-    {"closest_approach_batch",
-     [](Problem const &p, Results &out) {
-         double distance;
-         out.add(pw85_closest_approach_batch(1, p.direction, q1(p), q2(p), &distance));
-         out.add_lanes(&distance, 1, 1);
-     }},
-    {"contact_derivatives_batch",
-     [](Problem const &p, Results &out) {
-         double mu2, lambda, point[3], normal[3], r[3], d1[3], d2[3];
-         out.add(pw85_contact_derivatives_batch(1, r12(p), q1(p), q2(p), &mu2, &lambda, point,
-                                                normal, r, d1, d2));
-         double const arm = std::hypot(r[0], r[1], r[2]) * norm(p.flight.start.r12);
-         out.add_lanes(&mu2, 1, 0);
-         out.add_lanes(&lambda, 1, 0);
-         out.add_lanes(point, 3, 1);
-         out.add_lanes(normal, 3, 0);
-         out.add_lanes(r, 3, -1);
-         out.add_lanes(d1, 3, 0, arm);
-         out.add_lanes(d2, 3, 0, arm);
-     }},
-    {"distance_batch",
-     [](Problem const &p, Results &out) {
-         double distance, point1[3], point2[3];
-         out.add(pw85_distance_batch(1, r12(p), q1(p), q2(p), &distance, point1, point2));
-         out.add_lanes(&distance, 1, 1);
-         out.add_lanes(point1, 3, 1, norm(p.flight.start.r12));
-         out.add_lanes(point2, 3, 1, norm(p.flight.start.r12));
-     }},
-    {"penetration_batch",
-     [](Problem const &p, Results &out) {
-         double depth, direction[3];
-         out.add(pw85_penetration_batch(1, r12(p), q1(p), q2(p), &depth, direction));
-         out.add(&depth, 1, 1);
-         out.add(direction, 3, 0);
-     }},
-    {"signed_distance_batch",
-     [](Problem const &p, Results &out) {
-         double distance, point1[3], point2[3];
-         out.add(pw85_signed_distance_batch(1, r12(p), q1(p), q2(p), &distance, point1, point2));
-         out.add(&distance, 1, 1);
-         out.add(point1, 3, 1);
-         out.add(point2, 3, 1);
-     }},
-    {"signed_distance_derivatives_batch",
-     [](Problem const &p, Results &out) {
-         double r[3], d1[3], d2[3], hessian[81];
-         out.add(
-             pw85_signed_distance_derivatives_batch(1, r12(p), q1(p), q2(p), r, d1, d2, hessian));
-         out.add(r, 3, 0);
-         out.add(d1, 3, 1);
-         out.add(d2, 3, 1);
-         add_hessian(out, hessian, 3, 3, 1);
-     }},
-    {"distance_plane_batch",
-     [](Problem const &p, Results &out) {
-         double distance, point[3];
-         out.add(pw85_distance_plane_batch(1, p.direction, r12(p), q1(p), &distance, point));
-         out.add(&distance, 1, 1);
-         out.add(point, 3, 1);
-     }},
-    {"overlap_any",
-     [](Problem const &p, Results &out) {
-         int any;
-         out.add(pw85_overlap_any(q1(p), 1, r12(p), q2(p), &any));
-         out.add(any);
-     }},
-    {"bounding_boxes",
-     [](Problem const &p, Results &out) {
-         double half[3];
-         out.add(pw85_bounding_boxes(1, q2(p), half));
-         out.add(half, 3, 1);
-     }},
-};
-
-/// A cubic cell, and one that is not reduced.
-std::vector<double> cubic(Problem const &p)
-{
-    return {p.cell, 0.0, 0.0, 0.0, p.cell, 0.0, 0.0, 0.0, p.cell};
-}
-std::vector<double> skewed(Problem const &p)
-{
-    return {p.cell, 0.0, 0.0, 2.5 * p.cell, p.cell, 0.0, 0.25 * p.cell, -3.0 * p.cell, p.cell};
-}
-
-Table const functions_of_systems = {
-    {"contact_pairs",
-     [](Problem const &p, Results &out) {
-         std::vector<double> mu2(pairs_of_all), lambda(pairs_of_all);
-         out.add(pw85_contact_pairs(
-             list_of(pairs_of_all, all_pairs().data()),
-             system_of(particles, p.centers.data(), p.forms.data(), skewed(p).data()), mu2.data(),
-             lambda.data()));
-         for (double const &x : mu2) out.add_lanes(&x, 1, 0);
-         out.add_lanes(lambda.data(), pairs_of_all, 0);
-     }},
-    {"overlap_pairs",
-     [](Problem const &p, Results &out) {
-         std::vector<unsigned char> overlap(pairs_of_all);
-         out.add(pw85_overlap_pairs(
-             list_of(pairs_of_all, all_pairs().data()),
-             system_of(particles, p.centers.data(), p.forms.data(), cubic(p).data()),
-             overlap.data()));
-         for (int const o : overlap) out.add(o);
-     }},
-    {"contact_derivatives_pairs and contact_forces_pairs",
-     [](Problem const &p, Results &out) {
-         std::vector<double> mu2(pairs_of_all), lambda(pairs_of_all), point(3 * pairs_of_all),
-             normal(3 * pairs_of_all), r(3 * pairs_of_all), d1(3 * pairs_of_all),
-             d2(3 * pairs_of_all), ones(pairs_of_all, 1.0), forces(3 * particles),
-             torques(3 * particles), virial(9);
-         out.add(pw85_contact_derivatives_pairs(
-             list_of(pairs_of_all, all_pairs().data()),
-             system_of(particles, p.centers.data(), p.forms.data(), cubic(p).data()), mu2.data(),
-             lambda.data(), point.data(), normal.data(), r.data(), d1.data(), d2.data()));
-         out.add_lanes(point.data(), point.size(), 1);
-         out.add_lanes(r.data(), r.size(), -1);
-         out.add(pw85_contact_forces_pairs(
-             list_of(pairs_of_all, all_pairs().data()),
-             system_of(particles, p.centers.data(), nullptr, cubic(p).data()), ones.data(),
-             r.data(), d1.data(), d2.data(), forces.data(), torques.data(), virial.data()));
-         double largest = 0.0; // of the forces of pairs
-         for (double const x : r) largest = std::fmax(largest, std::fabs(x));
-         out.add_lanes(forces.data(), forces.size(), -1, largest);
-         out.add_lanes(torques.data(), torques.size(), 0, largest * p.cell);
-         out.add_lanes(virial.data(), virial.size(), 0, largest * p.cell);
-     }},
-    {"first_contact_pairs",
-     [](Problem const &p, Results &out) {
-         std::vector<double> times(pairs_of_all), next(particles);
-         std::vector<int64_t> next_pair(particles);
-         out.add(pw85_first_contact_pairs(
-             list_of(pairs_of_all, all_pairs().data()),
-             system_of(particles, p.centers.data(), p.forms.data(), cubic(p).data()),
-             p.motions.data(), p.flight.end, times.data(), next.data(), next_pair.data()));
-         out.add(times.data(), times.size(), 0, 1);
-         out.add(next.data(), next.size(), 0, 1);
-         for (int64_t const pair : next_pair) out.add(static_cast<int>(pair));
-     }},
-    {"overlap_any_indices",
-     [](Problem const &p, Results &out) {
-         std::vector<int32_t> indices;
-         for (int i = 1; i < static_cast<int>(particles); ++i) indices.push_back(i);
-         int any;
-         out.add(pw85_overlap_any_indices(
-             p.centers.data(), p.forms.data(),
-             system_of(particles, p.centers.data(), p.forms.data(), cubic(p).data()),
-             indices.size(), indices.data(), nullptr, &any));
-         out.add(any);
-     }},
-    {"cell_reduce",
-     [](Problem const &p, Results &out) {
-         double reduced[9];
-         out.add(pw85_cell_reduce(skewed(p).data(), reduced));
-         out.add(reduced, 9, 1);
-     }},
-    {"nearest_images",
-     [](Problem const &p, Results &out) {
-         std::vector<double> r(3 * pairs_of_all);
-         std::vector<int32_t> images(3 * pairs_of_all);
-         out.add(
-             pw85_nearest_images(pairs_of_all, all_pairs().data(),
-                                 system_of(particles, p.centers.data(), nullptr, skewed(p).data()),
-                                 r.data(), images.data()));
-         out.add(r.data(), r.size(), 1);
-         for (int const image : images) out.add(image);
-     }},
-    {"nearest_image_limit",
-     [](Problem const &p, Results &out) {
-         double mu2;
-         out.add(pw85_nearest_image_limit(
-             system_of(particles, nullptr, p.forms.data(), skewed(p).data()), &mu2));
-         out.add(&mu2, 1, 0);
-     }},
-    {"neighbors",
-     [](Problem const &p, Results &out) {
-         pw85_neighbors *list = nullptr;
-         out.add(pw85_neighbors_create(
-             system_of(particles, p.centers.data(), p.forms.data(), cubic(p).data()), 1.5,
-             0.125 * p.cell, &list));
-         pw85_pair_list const found = pw85_neighbors_list(list);
-         std::size_t const size = found.num_pairs;
-         out.add(static_cast<int>(size));
-         for (std::size_t n = 0; n < 2 * size; ++n) out.add(found.pairs[n]);
-         for (std::size_t n = 0; n < 3 * size; ++n) out.add(found.images[n]);
-         int holds = -1;
-         out.add(pw85_neighbors_holds(
-             list, system_of(particles, p.centers.data(), p.forms.data(), cubic(p).data()),
-             &holds));
-         out.add(holds);
-         pw85_neighbors_destroy(list);
-     }},
-};
-
-template <int D> Sample<double, D> unlike_pair(Random &random, int size_ratio)
-{
-    auto const q1 = random_form<D>(random, 1.0, random.log_uniform(1.0, largest_aspect));
-    auto const q2 = random_form<D>(random, std::ldexp(random.uniform(1.0, 2.0), size_ratio),
-                                   random.log_uniform(1.0, largest_aspect));
-    return placed<D>(random.direction<D>(), random.log_uniform(0.5, 9.0), q1, q2);
-}
-
-/// Ellipsoid 2 is larger than the other by some power of two. It comes near within one or two units
-/// of time, turns and grows, and so do particles in a cell.
-Problem random_problem(Random &random, int size_ratio)
-{
-    Problem p{{unlike_pair<3>(random, size_ratio), {}, {}, 3.0},
-              unlike_pair<2>(random, size_ratio),
-              0.0,
-              {},
-              {},
-              {},
-              {}};
-    double const distance = norm(p.flight.start.r12);
-    auto const direction = random.direction<3>();
-    std::copy_n(direction.coordinates, 3, p.direction);
-    p.flight.motion1 = random_motion<3>(random, 0.2 * distance, Moving::all);
-    p.flight.motion2 = random_motion<3>(random, 0.2 * distance, Moving::all);
-    for (int i = 0; i < 3; ++i)
-        p.flight.motion2.velocity[i] -= random.uniform(0.5, 1.0) * r12(p)[i];
-    if (random.sign() < 0.0) p.flight.end = random.log_uniform(0.1, 100.0);
-    p.flight.motion1.growth = std::fmax(p.flight.motion1.growth, -0.5 / p.flight.end);
-    p.flight.motion2.growth = std::fmax(p.flight.motion2.growth, -0.5 / p.flight.end);
-    p.cell = 4.0 * (std::sqrt(pw85::detail::largest_diagonal(p.flight.start.q1)) +
-                    std::sqrt(pw85::detail::largest_diagonal(p.flight.start.q2)));
-    for (std::size_t n = 0; n < particles; ++n) {
-        for (int i = 0; i < 3; ++i) p.centers.push_back(random.uniform(0.0, p.cell));
-        double const *q = n % 2 == 0 ? q1(p) : q2(p);
-        p.forms.insert(p.forms.end(), q, q + 6);
-        p.motions.push_back(c_motion(n % 2 == 0 ? p.flight.motion1 : p.flight.motion2));
+/// Fills the inputs of a call that its pairs do not determine. What moves comes near within one or
+/// two units of time, turns and grows; walls and ends are at the distance of the other ellipsoid.
+class Filling {
+  public:
+    Filling(Call &call, Pairs const &pairs, int size_ratio, Random &random)
+        : call_(call), pairs_(pairs), factor_(std::ldexp(1.0, size_ratio)), random_(random)
+    {
+        if (random.sign() < 0.0) end_ = random.log_uniform(0.1, 100.0);
+        if (random.uniform(0.0, 1.0) < 0.125) end_ = std::numeric_limits<double>::infinity();
+        moving_ = random.uniform(0.0, 1.0) < 0.25 ? Moving::centres : Moving::all;
+        for (std::size_t k = 0; k < call.size(); ++k)
+            if (!call.parameter(k).output) fill(k);
+        for (std::size_t k = 0; k < call.size(); ++k)
+            if (!call.parameter(k).output && call.parameter(k).name == std::string_view("lambda"))
+                fill_lambda(k);
     }
-    return p;
-}
 
-/// The same in units that are smaller by powers of two.
-Problem in_other_units(Problem p, int length, int time)
-{
-    p.flight = in_units(p.flight, length, time);
-    p.plane = {pw85::detail::times_power_of_two(p.plane.r12, length),
-               pw85::detail::times_power_of_two(p.plane.q1, 2 * length),
-               pw85::detail::times_power_of_two(p.plane.q2, 2 * length)};
-    p.cell = std::ldexp(p.cell, length);
-    for (double &x : p.centers) x = std::ldexp(x, length);
-    for (double &x : p.forms) x = std::ldexp(x, 2 * length);
-    for (std::size_t n = 0; n < particles; ++n)
-        p.motions[n] = c_motion(n % 2 == 0 ? p.flight.motion1 : p.flight.motion2);
-    return p;
-}
-
-void check_function(Failures &failures, Function const &function, Problem const &p, int length,
-                    int time)
-{
-    Results own, scaled;
-    function.call(p, own);
-    auto const image = in_other_units(p, length, time);
-    function.call(image, scaled);
-    auto const describe = [&] {
-        return std::string(function.name) + ", " + flight_text(image.flight) +
-               ", plane: " + hex_text(image.plane);
-    };
-    if (!failures.check(own.all.size() == scaled.all.size(), "number of results",
-                        static_cast<double>(scaled.all.size()), static_cast<double>(own.all.size()),
-                        describe))
-        return;
-    for (std::size_t i = 0; i < own.all.size(); ++i) {
-        auto const &[value, of_length, of_time, difference] = own.all[i];
-        int const unit = of_length * length + of_time * time;
-        double const expected = std::ldexp(value, unit), actual = scaled.all[i].value;
-        bool const same = std::fabs(actual - expected) <= std::ldexp(difference, unit) ||
-                          actual == expected || (std::isnan(actual) && std::isnan(expected));
-        if (!failures.check(same, function.name, actual, expected, describe)) return;
+  private:
+    double side() const
+    {
+        return 4.0 * (std::sqrt(pw85::detail::largest_diagonal(pairs_[0].q1)) +
+                      std::sqrt(pw85::detail::largest_diagonal(pairs_[0].q2)));
     }
+
+    double *find(std::string_view name)
+    {
+        for (std::size_t k = 0; k < call_.size(); ++k)
+            if (call_.parameter(k).name == name) return call_.elements<double>(k);
+        return nullptr;
+    }
+
+    void fill(std::size_t k)
+    {
+        Parameter const &p = call_.parameter(k);
+        if (p.type == Type::motion)
+            for (std::size_t i = 0; i < call_.length(k); ++i)
+                call_.elements<pw85_motion>(k)[i] =
+                    motion(i, p.name == std::string_view("motion2"));
+        if (p.name == std::string_view("images") && random_.sign() < 0.0)
+            call_[k].pointer = nullptr; // the nearest ones
+        if (p.type != Type::real) return;
+        if (!p.pointer) call_[k].real = number(p, norm(pairs_[0].r12), call_[k].real);
+        std::size_t const width = p.pointer ? call_.row_length(k) : 1;
+        for (std::size_t i = 0; p.pointer && i < call_.length(k) / width; ++i)
+            fill_row(p, i, width, call_.elements<double>(k) + i * width);
+    }
+
+    double number(Parameter const &p, double distance, double given)
+    {
+        std::string_view const name = p.name;
+        if (name == "t_max" && p.time == 1) return end_;
+        if (name == "mu2") return random_.log_uniform(0.1, 10.0);
+        if (name == "skin") return 0.125 * side();
+        if (name == "curvature") return random_.log_uniform(0.1, 1.0) / distance;
+        if (p.length == 1) return random_.log_uniform(0.1, 1.0) * distance;
+        return given;
+    }
+
+    void fill_row(Parameter const &p, std::size_t i, std::size_t width, double *row)
+    {
+        std::string_view const name = p.name;
+        auto const &pair = pairs_[i % pairs_.size()];
+        double const distance = norm(pair.r12);
+        if (width == 1) row[0] = number(p, distance, row[0]);
+        if (name == "offsets" && random_.uniform(0.0, 1.0) < 0.25) row[0] = -row[0];
+        bool const is_direction = p.length == 0 && (width == 2 || width == 3);
+        double const towards = name == "direction" || name == "directions" ? -1.5 : 0.0;
+        for (std::size_t d = 0; d < width && is_direction; ++d)
+            row[d] = random_.normal() + towards * pair.r12[static_cast<int>(d)] / distance;
+        for (std::size_t d = 0; d < width && name == "velocity"; ++d)
+            row[d] = velocity(pair, static_cast<int>(d), 1.0);
+        for (std::size_t d = 0; d < width && name == "centers"; ++d)
+            row[d] = random_.uniform(0.0, side());
+        for (std::size_t d = 0; d < width && name == "s2"; ++d) row[d] *= factor_;
+        if (name == "lower" || name == "upper")
+            fill_corner(pair, name == "lower" ? -1.0 : 1.0, row);
+        if (name == "cell") fill_cell(row);
+    }
+
+    /// Of the box around ellipsoid 2, where this is, or around the origin.
+    void fill_corner(Sample<double, 3> const &pair, double sign, double *row) const
+    {
+        for (int d = 0; d < 3; ++d)
+            row[d] = (end_ > 3.0 ? 0.0 : pair.r12[d]) + sign * std::sqrt(pair.q2(d, d));
+    }
+
+    /// A cubic one, or one that is not reduced.
+    void fill_cell(double *row) const
+    {
+        double const skew = end_ > 3.0 ? 0.0 : side(),
+                     all[9] = {side(), 0.0,         0.0,         2.5 * skew, side(),
+                               0.0,    0.25 * skew, -3.0 * skew, side()};
+        std::copy_n(all, 9, row);
+    }
+
+    double velocity(Sample<double, 3> const &pair, int d, double towards)
+    {
+        return 0.2 * norm(pair.r12) * random_.uniform(-1.0, 1.0) -
+               towards * random_.uniform(0.5, 1.0) * pair.r12[d];
+    }
+
+    pw85_motion motion(std::size_t i, bool is_second)
+    {
+        auto const &pair = pairs_[i % pairs_.size()];
+        auto m = random_motion<3>(random_, 1.0, moving_);
+        for (int d = 0; d < 3; ++d) m.velocity[d] = velocity(pair, d, is_second ? 1.0 : 0.0);
+        m.growth = end_ < HUGE_VAL ? std::fmax(m.growth, -0.5 / end_) : std::fabs(m.growth);
+        if (end_ == HUGE_VAL && random_.sign() < 0.0) m = {{}, {}, m.growth};
+        return c_motion(m);
+    }
+
+    /// Where derivatives are those of the contact function.
+    void fill_lambda(std::size_t k)
+    {
+        double const *const r12 = find("r12"), *const q1 = find("q1"), *const q2 = find("q2"),
+                            *const s1 = find("s1"), *const s2 = find("s2");
+        bool const is_flat = std::string_view(call_.function().name).ends_with("_2d");
+        for (std::size_t i = 0; i < (call_.parameter(k).pointer ? call_.length(k) : 1); ++i) {
+            double out[2];
+            if (s1 != nullptr)
+                pw85_contact_factored(r12 + 3 * i, s1 + 9 * i, s2 + 9 * i, out);
+            else if (is_flat)
+                pw85_contact_2d(r12 + 2 * i, q1 + 3 * i, q2 + 3 * i, out);
+            else
+                pw85_contact(r12 + 3 * i, q1 + 6 * i, q2 + 6 * i, out);
+            if (call_.parameter(k).pointer)
+                call_.elements<double>(k)[i] = out[1];
+            else
+                call_[k].real = out[1];
+        }
+    }
+
+    Call &call_;
+    Pairs const &pairs_;
+    double factor_, end_ = 3.0;
+    Moving moving_;
+    Random &random_;
+};
+
+bool names(Function const &function, std::string_view part)
+{
+    return std::string_view(function.name).find(part) < std::string_view::npos;
 }
 
-void test_table(void const *data)
+/// Sets the inputs of a call to those of another, in units that are smaller by powers of two.
+void copy_inputs(Call &from, Units units, Call &to)
 {
-    for (Function const &function : *static_cast<Table const *>(data)) {
-        Failures failures;
-        Random random(700);
-        for (int const size_ratio : {-30, -20, -3, 0, 3, 20, 30})
-            for (int n = 0; n < draws(8); ++n) {
-                auto const p = random_problem(random, size_ratio);
-                for (int const length : {-40, -20, 20, 40})
-                    check_function(failures, function, p, length, 7 * (n % 5 - 2));
+    for (std::size_t k = 0; k < from.size(); ++k) {
+        Parameter const &p = from.parameter(k);
+        if (p.output) continue;
+        int const power = p.length * units.length + p.time * units.time;
+        if (!p.pointer) {
+            to[k] = from[k];
+            if (p.type == Type::real) to[k].real = std::ldexp(from[k].real, power);
+        } else if (from[k].pointer == nullptr)
+            to[k].pointer = nullptr;
+        else if (p.type == Type::real)
+            for (std::size_t i = 0; i < from.length(k); ++i)
+                to.elements<double>(k)[i] = std::ldexp(from.elements<double>(k)[i], power);
+        else if (p.type == Type::motion)
+            for (std::size_t i = 0; i < from.length(k); ++i) {
+                pw85_motion &m = to.elements<pw85_motion>(k)[i] = from.elements<pw85_motion>(k)[i];
+                for (double &x : m.velocity) x = std::ldexp(x, units.length - units.time);
+                for (double &x : m.angular_velocity) x = std::ldexp(x, -units.time);
+                m.growth = std::ldexp(m.growth, -units.time);
             }
     }
 }
 
-} // namespace
-
-int main(int argc, char **argv)
+/// The power of two of a number of an output. In second derivatives those with respect to r12 are
+/// per length; moments of inertia are of unit density.
+int power_of(Function const &function, Parameter const &p, std::size_t i, Units units)
 {
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_data_func("/scales/pairs", &functions_of_pairs, test_table);
-    g_test_add_data_func("/scales/motion", &functions_of_motion, test_table);
-    g_test_add_data_func("/scales/plane", &functions_of_plane, test_table);
-    g_test_add_data_func("/scales/walls", &functions_of_walls, test_table);
-    g_test_add_data_func("/scales/batches", &functions_of_batches, test_table);
-    g_test_add_data_func("/scales/systems", &functions_of_systems, test_table);
-    return g_test_run();
+    if (!p.mixed_units) return p.length * units.length + p.time * units.time;
+    if (p.name == std::string_view("inertia")) return 5 * units.length;
+    std::size_t const n = p.shape.back().number, d = n == 9 ? 3 : 2, row = i / n % n,
+                      column = i % n;
+    int const of_value = names(function, "distance");
+    return units.length * (of_value - (row < d) - (column < d));
 }
+
+/// By how much numbers may differ, relative to the largest of their row: 0 where bits are the
+/// same. In other units, pairs may go to lanes that others leave, or to another formula. Of areas,
+/// which are relative to those of the ellipses, and of witnesses, of which there are many, only the
+/// units are compared.
+double difference_of(Function const &function)
+{
+    bool const has_lanes =
+        std::find(with_lanes.begin(), with_lanes.end(), function.name) != with_lanes.end() ||
+        is_one_of(function.name, {"pw85_contact_derivatives_batch", "pw85_contact_pairs",
+                                  "pw85_contact_derivatives_pairs", "pw85_law_forces_pairs"});
+    bool const has_formulas = is_one_of(
+        function.name, {"pw85_contact_segment", "pw85_contact_triangle", "pw85_contact_box"});
+    if (names(function, "witness") || names(function, "overlap_area")) return 0.25;
+    return has_lanes || has_formulas ? difference_of_lanes : 0.0;
+}
+
+double largest_of_row(Call &call, std::size_t k, std::size_t i)
+{
+    std::size_t const width = call.row_length(k);
+    double const *const row = call.elements<double>(k) + i / width * width;
+    return std::abs(*std::max_element(
+        row, row + width, [](double x, double y) { return std::fabs(x) < std::fabs(y); }));
+}
+
+/// Compares the outputs of a call with those of one in other units.
+void compare(Failures &failures, Call &own, Call &other, Units units)
+{
+    Function const &function = own.function();
+    for (std::size_t k = 0; k < own.size(); ++k) {
+        Parameter const &p = own.parameter(k);
+        if (!p.output || p.type == Type::handle) continue;
+        auto const describe = [&] { return std::string(p.name) + " of " + other.text(); };
+        std::size_t const bytes = size_of(p.type) * own.length(k);
+        if (p.type != Type::real) {
+            bool const same =
+                std::memcmp(own.elements<void>(k), other.elements<void>(k), bytes) == 0;
+            if (!failures.check(same, function.name, 0.0, 1.0, describe)) return;
+            continue;
+        }
+        for (std::size_t i = 0; i < own.length(k); ++i) {
+            int const power = power_of(function, p, i, units);
+            double const expected = std::ldexp(own.elements<double>(k)[i], power),
+                         actual = other.elements<double>(k)[i],
+                         most = difference_of(function) * largest_of_row(other, k, i);
+            bool const same = std::fabs(actual - expected) <= most || actual == expected ||
+                              (std::isnan(actual) && std::isnan(expected));
+            if (!failures.check(same, function.name, actual, expected, describe)) return;
+        }
+    }
+}
+
+/// Functions of one to several rows with units, without objects.
+bool is_tested(Function const &function)
+{
+    bool has_unit = false;
+    for (Parameter const &p : function.parameters) {
+        bool const is_unknown = p.mixed_units && !p.output && p.type == Type::real;
+        if (p.type == Type::handle || is_unknown) return false;
+        has_unit = has_unit || p.length != 0 || p.time != 0;
+    }
+    return has_unit;
+}
+
+/// Calls `visit` with calls of a function that differ by units.
+template <class Visit> void for_each_problem(Function const &function, Visit const &visit)
+{
+    Random random(700);
+    for (int const size_ratio : {-30, -20, -3, 0, 3, 20, 30})
+        for (int n = 0; n < draws(8); ++n) {
+            auto const pairs = unlike_pairs(random, size_ratio);
+            Call own(function, pairs);
+            Filling(own, pairs, size_ratio, random);
+            for (int const length : {-40, -20, 20, 40}) {
+                Units const units = {length, 7 * (n % 5 - 2)};
+                Call other(function, pairs);
+                copy_inputs(own, units, other);
+                visit(own, other, units);
+            }
+        }
+}
+
+void check_function(Failures &failures, Function const &function)
+{
+    for_each_problem(function, [&](Call &own, Call &other, Units units) {
+        int const status = own().status, found = other().status;
+        if (failures.check(found == status, function.name, found, status,
+                           [&] { return other.text(); }))
+            compare(failures, own, other, units);
+    });
+}
+
+PW85_TEST("/scales/functions")
+{
+    int tested = 0;
+    for (Function const &function : declared_functions()) {
+        if (!is_tested(function)) continue;
+        Failures failures;
+        check_function(failures, function);
+        ++tested;
+    }
+    g_assert_cmpint(tested, >=, 180);
+}
+
+/// The pairs and images of a Verlet list, and whether it holds for these particles.
+std::vector<std::int32_t> entries_of(Call &create)
+{
+    std::size_t const last = create.size() - 1;
+    g_assert_cmpint(create().status, ==, PW85_SUCCESS);
+    auto *const list = *create.elements<pw85_neighbors *>(last);
+    pw85_pair_list const found = pw85_neighbors_list(list);
+    std::vector<std::int32_t> all(found.pairs, found.pairs + 2 * found.num_pairs);
+    all.insert(all.end(), found.images, found.images + 3 * found.num_pairs);
+    return all;
+}
+
+PW85_TEST("/scales/neighbors")
+{
+    auto const &all = declared_functions();
+    auto const create = std::find_if(
+        all.begin(), all.end(), [](Function const &f) { return names(f, "neighbors_create"); });
+    std::size_t entries = 0;
+    Failures failures;
+    for_each_problem(*create, [&](Call &own, Call &other, Units) {
+        auto const expected = entries_of(own), found = entries_of(other);
+        failures.check(found == expected, "entries", static_cast<double>(found.size()),
+                       static_cast<double>(expected.size()), [&] { return other.text(); });
+        entries += found.size();
+    });
+    g_assert_cmpuint(entries, >, 1000);
+}
+
+} // namespace

@@ -9,6 +9,7 @@
 
 #include <pw85.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -205,7 +206,7 @@ template <class Shape> void check_tie(Failures &failures, Case2 const &c)
 
 /// The ellipse 5 S(unit circle) with S = (p s; 0 q), a segment through S(4, 3) along S(-3, 4), and
 /// a box above the highest point, S(0, 5). All numbers are integers, so that they touch exactly.
-void test_ties()
+PW85_TEST("/shapes_in_plane/ties")
 {
     Failures failures;
     Random random(7403);
@@ -339,7 +340,7 @@ void check_point(Failures &failures, Form2 const &q, Vector2 const &r)
     check_support(failures, q, r, point, normal, {exact.distance, 8 * u * sum});
 }
 
-void test_distance()
+PW85_TEST("/shapes_in_plane/point/distance")
 {
     Failures failures;
     Random random(7404);
@@ -354,7 +355,7 @@ void test_distance()
 }
 
 /// Numbers that a reader can check, and the centre of a circle.
-void test_by_hand()
+PW85_TEST("/shapes_in_plane/by_hand")
 {
     double const q[3] = {9.0, 0.0, 4.0}, inside[2] = {0.0, 1.0}, center[2] = {0.0, 0.0};
     double distance, point[2], normal[2], mu2;
@@ -375,7 +376,7 @@ void test_by_hand()
     g_assert_cmpfloat(mu2, ==, 0.0);
 }
 
-void test_statuses()
+PW85_TEST("/shapes_in_plane/statuses")
 {
     double const good[3] = {1.0, 0.5, 2.0}, a[2] = {1.0, 2.0}, b[2] = {3.0, 1.0};
     double const bad[4][3] = {{1.0, 2.0, 1.0}, {-1.0, 0.0, -1.0}, {0.0, 0.0, 0.0}, {NAN, 0.0, 1.0}};
@@ -398,18 +399,9 @@ void test_statuses()
                     PW85_EINVAL);
 }
 
-} // namespace
+PW85_ADD_TEST("/shapes_in_plane/segment/contact", test_contact<Segment>);
+PW85_ADD_TEST("/shapes_in_plane/segment/overlap", test_overlap<Segment>);
+PW85_ADD_TEST("/shapes_in_plane/box/contact", test_contact<Box>);
+PW85_ADD_TEST("/shapes_in_plane/box/overlap", test_overlap<Box>);
 
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/shapes_in_plane/segment/contact", test_contact<Segment>);
-    g_test_add_func("/shapes_in_plane/segment/overlap", test_overlap<Segment>);
-    g_test_add_func("/shapes_in_plane/box/contact", test_contact<Box>);
-    g_test_add_func("/shapes_in_plane/box/overlap", test_overlap<Box>);
-    g_test_add_func("/shapes_in_plane/ties", test_ties);
-    g_test_add_func("/shapes_in_plane/point/distance", test_distance);
-    g_test_add_func("/shapes_in_plane/by_hand", test_by_hand);
-    g_test_add_func("/shapes_in_plane/statuses", test_statuses);
-    return g_test_run();
-}
+} // namespace

@@ -11,6 +11,7 @@
 #include <pw85.h>
 #include <pw85/distance/signed_distance.hpp>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -55,7 +56,7 @@ Sample<double, 3> pair_on_either_side(Random &random, int n, double aspect)
 }
 
 // The value is that of the function for the side on which the pair is, and the sign tells the side.
-void test_sides()
+PW85_TEST("/signed_distance/sides")
 {
     Failures failures;
     Random random(1500);
@@ -83,7 +84,7 @@ pw85::SymmetricMatrix<double, 3> upright(pw85::SymmetricMatrix<double, 2> const 
 
 // Ellipses are sections of ellipsoids, so tall that no way out of the plane is shorter: the
 // distance and the depth are the same, to the bounds of both.
-void test_plane()
+PW85_TEST("/signed_distance/plane")
 {
     Failures failures;
     Random random(1505);
@@ -129,7 +130,7 @@ void test_plane()
 
 // Item 2, in a wider type: the points are those of the surfaces with the normals n and -n, and they
 // differ by d n.
-void test_points()
+PW85_TEST("/signed_distance/points")
 {
     Failures failures;
     Random random(1510);
@@ -160,7 +161,7 @@ void test_points()
 
 // Item 1: no direction has a larger width, and the function is convex along lines that pass through
 // both sides, with the slope of the normal as a lower bound.
-void test_convexity()
+PW85_TEST("/signed_distance/convexity")
 {
     Failures failures;
     Random random(1520);
@@ -206,7 +207,7 @@ double isolation(Sample<double, 3> const &s, Result const &d)
 // and fourth derivatives, which are below 1e6 for sizes of one and normals that are isolated by
 // 0.05. The normal errs by some u, the curvatures by aspect² times as much, and the Hessian by that
 // over the square of the isolation.
-void test_derivatives()
+PW85_TEST("/signed_distance/derivatives")
 {
     Failures failures;
     Random random(1530);
@@ -260,7 +261,7 @@ void assert_close(double actual, double expected, double bound)
 // Pairs that touch in exact arithmetic, and pairs on both sides of contact: the value passes
 // through zero, and the derivatives do not jump. For spheres the second derivative with respect to
 // r12 is (I - nnᵀ)/|r12|.
-void test_touching()
+PW85_TEST("/signed_distance/touching")
 {
     pw85::SymmetricMatrix<double, 3> const one{1.0, 0.0, 0.0, 1.0, 0.0, 1.0},
         long_one{4.0, 0.0, 0.0, 1.0, 0.0, 1.0};
@@ -286,7 +287,7 @@ void test_touching()
 
 // Where no direction is best the Hessian is NaN, and everything else is that of one of the best
 // directions.
-void test_not_isolated()
+PW85_TEST("/signed_distance/not_isolated")
 {
     pw85::SymmetricMatrix<double, 3> const one{1.0, 0.0, 0.0, 1.0, 0.0, 1.0},
         prolate{1.0, 0.0, 0.0, 1.0, 0.0, 9.0};
@@ -306,7 +307,7 @@ void test_not_isolated()
 
 // Other units by the C API, far out of those that need no scaling, and other scalars by the
 // templates.
-void test_units_and_scalars()
+PW85_TEST("/signed_distance/units_and_scalars")
 {
     Failures failures;
     Random random(1540);
@@ -338,7 +339,7 @@ void test_units_and_scalars()
     }
 }
 
-void test_statuses()
+PW85_TEST("/signed_distance/statuses")
 {
     double const nan = std::numeric_limits<double>::quiet_NaN();
     double const r12[3] = {1.0, 0.0, 0.0}, bad_r12[3] = {1.0, nan, 0.0};
@@ -367,18 +368,3 @@ void test_statuses()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/signed_distance/sides", test_sides);
-    g_test_add_func("/signed_distance/plane", test_plane);
-    g_test_add_func("/signed_distance/points", test_points);
-    g_test_add_func("/signed_distance/convexity", test_convexity);
-    g_test_add_func("/signed_distance/derivatives", test_derivatives);
-    g_test_add_func("/signed_distance/touching", test_touching);
-    g_test_add_func("/signed_distance/not_isolated", test_not_isolated);
-    g_test_add_func("/signed_distance/units_and_scalars", test_units_and_scalars);
-    g_test_add_func("/signed_distance/statuses", test_statuses);
-    return g_test_run();
-}

@@ -14,6 +14,7 @@
 #include <pw85.h>
 #include <pw85/pw85.hpp>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -113,7 +114,7 @@ void check_all(Failures &failures, Pair const &p, double volume_bound, double gr
 /// Two spheroids that touch at a pole and cross at a circle: 112π/27. A rim that crosses itself
 /// where the surfaces touch. The same with the other body inside. The last two have a vertex of the
 /// rim at a root of a function whose second derivative is exactly zero in the middle of two poles.
-void test_specimens()
+PW85_TEST("/space_kinds/specimens")
 {
     Failures failures;
     Pair const caps = aligned({0, 0, 1}, {2, 2, 2}, {2, 2, 1});
@@ -140,7 +141,7 @@ void test_specimens()
 
 /// Semi-axes of 1 to 5 and offsets of 0 to 4: whole numbers, so that ties are exact. Every second
 /// offset is along one axis.
-void test_integers()
+PW85_TEST("/space_kinds/integers")
 {
     Failures failures;
     Random random(1701);
@@ -259,7 +260,7 @@ void check_balance(Failures &failures, Pair const &p, double volume)
 /// Every 41st (fewer if the test takes fewer inputs) of all whole semi-axes from 1 to 5 and offsets
 /// from 0 to 4: none is refused, those that are apart or inside have the volume 0 or that of the
 /// smaller body, and the volumes and derivatives of the others agree.
-void test_list()
+PW85_TEST("/space_kinds/list")
 {
     Failures failures;
     long counts[static_cast<int>(Contact::size)] = {};
@@ -395,7 +396,7 @@ struct Coaxial {
 
 /// Surfaces that touch at an end of an axis, moved by up to two ulps, mapped, scaled by 2^±300, and
 /// exchanged. The volume changes by far less than the bound.
-void test_tangencies()
+PW85_TEST("/space_kinds/tangencies")
 {
     Failures failures;
     Random random(1702);
@@ -453,7 +454,7 @@ Real coaxial_volume(Real a, Real c1, Real c2, Real d)
     return sections::pi * a * a * sum;
 }
 
-void test_equators()
+PW85_TEST("/space_kinds/equators")
 {
     Failures failures;
     Random random(1703);
@@ -477,7 +478,7 @@ void test_equators()
 
 /// Identical bodies, and one inside the other about the same centre: exactly the smaller one, also
 /// where the surfaces touch along a curve.
-void test_nested()
+PW85_TEST("/space_kinds/nested")
 {
     Failures failures;
     Random random(1704);
@@ -498,15 +499,3 @@ void test_nested()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/space_kinds/specimens", test_specimens);
-    g_test_add_func("/space_kinds/integers", test_integers);
-    g_test_add_func("/space_kinds/list", test_list);
-    g_test_add_func("/space_kinds/tangencies", test_tangencies);
-    g_test_add_func("/space_kinds/equators", test_equators);
-    g_test_add_func("/space_kinds/nested", test_nested);
-    return g_test_run();
-}

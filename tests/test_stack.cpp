@@ -21,6 +21,7 @@
 #include <pw85/systems.hpp>
 
 #include "calls.hpp"
+#include "cases.hpp"
 #include "random_pairs.hpp"
 #include "reference_data.hpp"
 
@@ -217,12 +218,7 @@ void test_cases(std::vector<Case> const &cases)
 void test_functions() { test_cases(cases_of_functions()); }
 void test_headers() { test_cases(cases_of_headers()); }
 
-} // namespace
+PW85_ADD_TEST("/stack/functions", test_functions);
+PW85_ADD_TEST("/stack/headers", test_headers);
 
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/stack/functions", test_functions);
-    g_test_add_func("/stack/headers", test_headers);
-    return g_test_run();
-}
+} // namespace

@@ -23,6 +23,7 @@
 #include <pw85/distance/bounding_box.hpp>
 
 #include "call_checks.hpp"
+#include "cases.hpp"
 #include "causes.hpp"
 
 using namespace pw85_tests;
@@ -56,7 +57,7 @@ void expect_not_definite(Failures &failures, double const *form, double const *f
 // Negative, indefinite, singular and zero forms; also at magnitudes where products leave the range
 // of double. Factors are powers of two, so that the pivots of singular forms are zero without a
 // rounding error.
-void test_not_positive_definite()
+PW85_TEST("/status/enotpd")
 {
     double const bad[][6] = {{-4.0, 0.0, 0.0, -3.0, 0.0, -2.0}, {1.0, 0.0, 0.0, 1.0, 0.0, -1.0},
                              {1.0, 2.0, 0.0, 1.0, 0.0, 1.0},    {1.0, 0.0, 0.0, 1.0, 1.0, 1.0},
@@ -75,7 +76,7 @@ void test_not_positive_definite()
 }
 
 // Entries beside a small diagonal that overflow when the diagonal is scaled to order one.
-void test_overflow_beside_diagonal()
+PW85_TEST("/status/enotpd/overflow")
 {
     constexpr int beside_diagonal[] = {1, 2, 4};
     Failures failures;
@@ -103,7 +104,7 @@ template <class T> void expect_overflow_refused()
     g_assert_true(pw85::bounding_box(flat).status == pw85::Status::not_positive_definite);
 }
 
-void test_overflow_in_headers()
+PW85_TEST("/status/enotpd/overflow_in_headers")
 {
     expect_overflow_refused<float>();
     expect_overflow_refused<double>();
@@ -129,7 +130,7 @@ bool takes_direction(Function const &function)
 }
 
 // Not even r12 = 0 hides a bad form.
-void test_concentric_and_bad()
+PW85_TEST("/status/enotpd/concentric")
 {
     double const bad[6] = {1.0, 2.0, 0.0, 1.0, 0.0, 1.0};
     Sample<double, 3> concentric = three_pairs.front();
@@ -149,7 +150,7 @@ void test_concentric_and_bad()
 }
 
 // Directions may not be zero, and a separation only where the answer has none.
-void test_zero_vectors()
+PW85_TEST("/status/einval/zero_vectors")
 {
     Failures failures;
     for_each_real_input([&](Function const &function, std::size_t k) {
@@ -172,7 +173,7 @@ void test_zero_vectors()
     });
 }
 
-void test_lambda()
+PW85_TEST("/status/einval/lambda")
 {
     Failures failures;
     for_each_real_input([&](Function const &function, std::size_t k) {
@@ -190,7 +191,7 @@ void test_lambda()
     });
 }
 
-void test_building_blocks()
+PW85_TEST("/status/building_blocks")
 {
     double const r12[3] = {1.0, -2.0, 3.0}, bad[6] = {1.0, 2.0, 0.0, 1.0, 0.0, 1.0},
                  not_a_number[6] = {nan};
@@ -208,7 +209,7 @@ void test_building_blocks()
 }
 
 // One list makes the enumerations and the texts.
-void test_texts()
+PW85_TEST("/status/texts")
 {
     g_assert_cmpint(PW85_SUCCESS, ==, 0);
     g_assert_cmpint(PW85_EINVAL, ==, 1);
@@ -233,7 +234,7 @@ void test_texts()
         for (int j = i + 1; j < 8; ++j) g_assert_cmpstr(pw85_strerror(i), !=, pw85_strerror(j));
 }
 
-void test_version()
+PW85_TEST("/status/version")
 {
     gchar *expected =
         g_strdup_printf("%d.%d.%d", PW85_VERSION_MAJOR, PW85_VERSION_MINOR, PW85_VERSION_PATCH);
@@ -243,7 +244,7 @@ void test_version()
 }
 
 // The reproducible mode is on or off, and nothing else.
-void test_reproducible()
+PW85_TEST("/status/reproducible")
 {
     int on = 7;
     g_assert_cmpint(pw85_set_reproducible(2), ==, PW85_EINVAL);
@@ -256,7 +257,7 @@ void test_reproducible()
     g_assert_cmpint(pw85_is_reproducible(nullptr), ==, PW85_EINVAL);
 }
 
-void test_cause_of_one_row()
+PW85_TEST("/status/last_error")
 {
     double const r12[] = {3.0, nan, 0.0}, q[] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, zero[6] = {};
     double out[2];
@@ -285,7 +286,7 @@ void test_cause_of_one_row()
 
 /// The first of two bad rows, in one block or in many, which threads share: with lanes, by a
 /// function of one row, and of a list, with the record of the caller's thread.
-void test_cause_of_rows()
+PW85_TEST("/status/last_error/rows")
 {
     for (std::size_t const n : {std::size_t{3}, std::size_t{50000}}) {
         std::vector<double> r12(3 * n, 2.0), q(6 * n), mu2(n), distance(n);
@@ -313,7 +314,7 @@ void test_cause_of_rows()
 }
 
 /// Neighbour lists and meshes: the first bad row, and causes that an array alone does not show.
-void test_cause_of_lists_and_meshes()
+PW85_TEST("/status/last_error/lists_and_meshes")
 {
     double const q[] = {1, 0, 0, 1, 0, 1, 1, 0, 0, 1, 0, 0}, far[] = {0, 0, 0, 1e15, 0, 0},
                  flat[9] = {1, 0, 0, 0, 1, 0, 1, 1, 0};
@@ -346,7 +347,7 @@ void test_cause_of_lists_and_meshes()
 }
 
 /// Simulations: causes by the declarations, and by the state.
-void test_cause_of_simulations()
+PW85_TEST("/status/last_error/simulations")
 {
     double const centers[] = {0, 0, 0, 3, 0, 0}, turns[] = {1, 0, 0, 0, 0, 0, 0, 0},
                  upright[] = {1, 0, 0, 0, 1, 0, 0, 0}, steps[] = {1.0, 2.0, 0.5},
@@ -377,7 +378,7 @@ void test_cause_of_simulations()
 }
 
 /// A call that is refused as a whole names the array that is null, or the size.
-void test_cause_of_whole_calls()
+PW85_TEST("/status/last_error/whole_calls")
 {
     double const x[] = {3.0, 0.0, 0.0, 1.0, 0.0, 1.0}, q[] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
     double out[18];
@@ -414,7 +415,7 @@ void test_cause_of_whole_calls()
     g_assert_cmpint(pw85_is_reproducible(&on), ==, PW85_SUCCESS);
 }
 
-void test_cause_of_systems()
+PW85_TEST("/status/last_error/systems")
 {
     double const centers[] = {0.0, 0.0, 0.0, 3.0, 0.0, 0.0},
                  q[] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
@@ -443,7 +444,7 @@ void test_cause_of_systems()
 }
 
 /// Calls with one of the ways in which a law can be wrong.
-void test_cause_of_laws()
+PW85_TEST("/status/last_error/laws")
 {
     double const centers[6] = {}, q[12] = {};
     pw85_pair_list const none{0, nullptr, nullptr};
@@ -478,7 +479,7 @@ void test_cause_of_laws()
 }
 
 /// Causes of functions in n dimensions, of one pair and of rows.
-void test_cause_in_any_dimension()
+PW85_TEST("/status/last_error/any_dimension")
 {
     double const r12[] = {3, 0, 0, 0}, zero[4] = {}, bad[] = {3, 0, nan, 0},
                  form[] = {1, 0, 0, 0, 1, 0, 0, 1, 0, 1}, flat[] = {1, 1, 0, 0, 1, 0, 0, 1, 0, 1};
@@ -521,7 +522,7 @@ void test_cause_in_any_dimension()
 }
 
 /// Causes of the functions for ellipsoids around points and around ellipsoids.
-void test_cause_of_clouds()
+PW85_TEST("/status/last_error/clouds")
 {
     double const points[] = {0, 0, 1, 0, 0, 1, 1, HUGE_VAL}, line[] = {0, 0, 1, 1, 2, 2},
                  wide[] = {-1e300, 1e300, 0}, forms[] = {1, 0, 1, 1, 0, 1, 1, 1, 1, 1, 0, 1};
@@ -562,28 +563,3 @@ void test_cause_of_clouds()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/status/enotpd", test_not_positive_definite);
-    g_test_add_func("/status/enotpd/overflow", test_overflow_beside_diagonal);
-    g_test_add_func("/status/enotpd/overflow_in_headers", test_overflow_in_headers);
-    g_test_add_func("/status/enotpd/concentric", test_concentric_and_bad);
-    g_test_add_func("/status/einval/zero_vectors", test_zero_vectors);
-    g_test_add_func("/status/einval/lambda", test_lambda);
-    g_test_add_func("/status/building_blocks", test_building_blocks);
-    g_test_add_func("/status/last_error", test_cause_of_one_row);
-    g_test_add_func("/status/last_error/rows", test_cause_of_rows);
-    g_test_add_func("/status/last_error/lists_and_meshes", test_cause_of_lists_and_meshes);
-    g_test_add_func("/status/last_error/simulations", test_cause_of_simulations);
-    g_test_add_func("/status/last_error/whole_calls", test_cause_of_whole_calls);
-    g_test_add_func("/status/last_error/systems", test_cause_of_systems);
-    g_test_add_func("/status/last_error/laws", test_cause_of_laws);
-    g_test_add_func("/status/last_error/any_dimension", test_cause_in_any_dimension);
-    g_test_add_func("/status/last_error/clouds", test_cause_of_clouds);
-    g_test_add_func("/status/texts", test_texts);
-    g_test_add_func("/status/version", test_version);
-    g_test_add_func("/status/reproducible", test_reproducible);
-    return g_test_run();
-}

@@ -16,6 +16,7 @@
 #include <pw85/simulation.hpp>
 #include <pw85_systems.h>
 
+#include "cases.hpp"
 #include "hard_particles.hpp"
 #include "saved_sections.hpp"
 #include "threads.hpp"
@@ -228,7 +229,7 @@ std::vector<Confined> confinements()
     return all;
 }
 
-void test_walls()
+PW85_TEST("/surroundings/walls")
 {
     for (Confined const &confined : confinements()) {
         expect_moments(confined, {{0.2, 0.5, 0.8}}, {{0, 0, 0}});
@@ -288,7 +289,7 @@ bool have_same_places(HardEllipsoids const &a, HardEllipsoids const &b)
 
 // A mesh decides as the box of its faces does, for centres inside: in thousands of placements, and
 // in sweeps, bit by bit.
-void test_mesh()
+PW85_TEST("/surroundings/mesh")
 {
     Start start;
     start.add({-0.3, 0, 0}, {0.2, 0.3, 0.6});
@@ -318,7 +319,7 @@ void test_mesh()
 }
 
 // Trials of any length lead through no surface, and tune() does not ask for longer ones.
-void test_steps_in_mesh()
+PW85_TEST("/surroundings/steps_in_mesh")
 {
     Start start;
     start.add({-0.3, 0, 0}, {0.2, 0.3, 0.6});
@@ -353,7 +354,7 @@ void test_steps_in_mesh()
 }
 
 // Where rounding errors may have left no ball in the particle, it stays where it is.
-void test_flat_particle_in_mesh()
+PW85_TEST("/surroundings/flat_particle_in_mesh")
 {
     HardEllipsoids simulation = one_particle({1e-9, 1.0, 1.0});
     set_mesh(simulation, cube({}, 5.0));
@@ -364,7 +365,7 @@ void test_flat_particle_in_mesh()
 
 // A cube at the corner of a sheared cell that is repeated along some of its vectors: places
 // anywhere, against the meshes of all images, one by one.
-void test_mesh_of_cell()
+PW85_TEST("/surroundings/mesh_of_cell")
 {
     std::mt19937_64 random(6);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -420,7 +421,7 @@ void test_mesh_of_cell()
 
 // A floor and a ceiling of one cell are those of all cells: the same bits as with planes, with
 // insertions, any number of threads, and after restarts.
-void test_mesh_of_slab()
+PW85_TEST("/surroundings/mesh_of_slab")
 {
     double const width = 4.0, height = 5.0;
     auto const run = [&](bool has_mesh, int threads, bool restarts) {
@@ -469,7 +470,7 @@ void test_mesh_of_slab()
 }
 
 // What is refused leaves the simulation as it was.
-void test_bad_mesh()
+PW85_TEST("/surroundings/bad_mesh")
 {
     Start start;
     start.add({0, 0, 0}, {0.2, 0.3, 0.6});
@@ -511,7 +512,7 @@ void test_bad_mesh()
 }
 
 // The third semi-axes have no influence: they are longer than the walls are wide.
-void test_walls_of_the_plane()
+PW85_TEST("/surroundings/walls_of_the_plane")
 {
     auto const flat = [](Form const &q) {
         return pw85::SymmetricMatrix<double, 2>{{q(0, 0), q(0, 1), q(1, 1)}};
@@ -541,7 +542,7 @@ void test_walls_of_the_plane()
 }
 
 // What touches a wall is free; what is beyond it by the last bit is not.
-void test_touching()
+PW85_TEST("/surroundings/touching")
 {
     double const beyond = 1.0 + 0x1p-52;
     struct {
@@ -574,7 +575,7 @@ void test_touching()
 }
 
 // The centre is beyond the plane, by products below the least double.
-void test_tiny_plane()
+PW85_TEST("/surroundings/tiny_plane")
 {
     HardEllipsoids simulation =
         one_particle({0x1p-80, 0x1p-80, 0x1p-80}, {0x1p-75, 0x1p-75, 0x1p-75});
@@ -586,7 +587,7 @@ void test_tiny_plane()
 double second_legendre(double c) { return 1.5 * c * c - 0.5; }
 
 // One particle in each field, against integrals.
-void test_fields()
+PW85_TEST("/surroundings/fields")
 {
     int const samples = g_test_perf() ? 1000000 : 200000;
     Blocks height(samples / 50), weighed(samples / 50), square(samples / 50), order(samples / 50);
@@ -638,7 +639,7 @@ void test_fields()
 
 // Two spheres in a harmonic field: their distance has the density r² e^(-kr²/4) from contact on,
 // and their centre of mass is not disturbed by contacts.
-void test_two_spheres()
+PW85_TEST("/surroundings/two_spheres")
 {
     int const samples = g_test_perf() ? 400000 : 40000;
     constexpr double k = 3.0;
@@ -670,7 +671,7 @@ void test_two_spheres()
 }
 
 // Two unlike particles at fixed places exchange their semi-axes: the states have the weights e^-U.
-void test_exchange()
+PW85_TEST("/surroundings/exchange")
 {
     Start start;
     start.add({0, 0, 0}, {0.3, 0.3, 0.3});
@@ -714,7 +715,7 @@ Start slab(int n, bool along_z)
 }
 
 // The same bits with any number of threads, and from a saved state on.
-void test_threads_and_restart()
+PW85_TEST("/surroundings/threads_and_restart")
 {
     constexpr int n = 12;
     Waves const waves{2.6 * n, 0.5};
@@ -759,7 +760,7 @@ void test_threads_and_restart()
 }
 
 // A potential that computes what a field does gives the same trajectory.
-void test_potential_as_field()
+PW85_TEST("/surroundings/potential_as_field")
 {
     Start const start = slab(4, false);
     std::vector<Wall> const walls = {Wall::plane({0, 0, -1}, 2.0), Wall::plane({0, 0, 1}, 10.4)};
@@ -782,7 +783,7 @@ void test_potential_as_field()
 
 // One particle that keeps its place in the cell: with it, its energy changes. V has the density V
 // e^-PV e^-U(V).
-void test_volume()
+PW85_TEST("/surroundings/volume")
 {
     constexpr double pressure = 2.0, g = 4.0;
     Start start;
@@ -810,7 +811,7 @@ void test_volume()
 
 // Each point has a site of its own, by its index: an Einstein crystal, whose mean energy is 3/2 for
 // each point.
-void test_sites()
+PW85_TEST("/surroundings/sites")
 {
     Start start;
     for (int k = 0; k < 216; ++k)
@@ -837,7 +838,7 @@ void test_sites()
 }
 
 // NaN in the second sweep of a call: the state is that between the two.
-void test_nan_in_second_sweep()
+PW85_TEST("/surroundings/nan_in_second_sweep")
 {
     std::atomic<int> calls = 0, most = INT_MAX;
     auto const potential = [&](std::int32_t, Vector3 const &x, Quaternion const &,
@@ -864,7 +865,7 @@ void test_nan_in_second_sweep()
 }
 
 // A sweep with NaN leaves the state before it, whichever thread finds it.
-void test_nan()
+PW85_TEST("/surroundings/nan")
 {
     Threads const used(2);
     Start const start = slab(6, true);
@@ -900,7 +901,7 @@ void test_nan()
 }
 
 // Places where the potential is infinite are forbidden.
-void test_infinity()
+PW85_TEST("/surroundings/infinity")
 {
     HardEllipsoids simulation = one_particle({0.5, 0.5, 0.5});
     auto const potential = [](std::int32_t, Vector3 const &x, Quaternion const &, Vector3 const &) {
@@ -943,7 +944,7 @@ void expect_refused(HardEllipsoids &simulation, Field const &field)
                            field.vector[2], field.strength);
 }
 
-void test_bad_input()
+PW85_TEST("/surroundings/bad_input")
 {
     HardEllipsoids simulation = make(slab(2, false), true);
     for (Wall const &wall :
@@ -999,7 +1000,7 @@ void test_bad_input()
 
 // What does not know of walls and energies is refused, and walls of one number of dimensions are
 // not those of another.
-void test_refusals()
+PW85_TEST("/surroundings/refusals")
 {
     double number;
     Wall const walls[] = {Wall::plane({0, 0, 1}, 9.0), Wall::sphere({0, 0, 3}, 4.0)};
@@ -1026,7 +1027,7 @@ void test_refusals()
 }
 
 // Bytes that say something else about walls, fields or the potential.
-void test_changed_bytes()
+PW85_TEST("/surroundings/changed_bytes")
 {
     HardEllipsoids simulation = one_particle({0.5, 0.5, 0.5});
     Wall const walls[] = {Wall::plane({0, 0, 1}, 9.0), Wall::sphere({}, 4.0)};
@@ -1049,32 +1050,3 @@ void test_changed_bytes()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/surroundings/walls", test_walls);
-    g_test_add_func("/surroundings/mesh", test_mesh);
-    g_test_add_func("/surroundings/steps_in_mesh", test_steps_in_mesh);
-    g_test_add_func("/surroundings/flat_particle_in_mesh", test_flat_particle_in_mesh);
-    g_test_add_func("/surroundings/mesh_of_cell", test_mesh_of_cell);
-    g_test_add_func("/surroundings/mesh_of_slab", test_mesh_of_slab);
-    g_test_add_func("/surroundings/bad_mesh", test_bad_mesh);
-    g_test_add_func("/surroundings/walls_of_the_plane", test_walls_of_the_plane);
-    g_test_add_func("/surroundings/touching", test_touching);
-    g_test_add_func("/surroundings/tiny_plane", test_tiny_plane);
-    g_test_add_func("/surroundings/fields", test_fields);
-    g_test_add_func("/surroundings/two_spheres", test_two_spheres);
-    g_test_add_func("/surroundings/exchange", test_exchange);
-    g_test_add_func("/surroundings/threads_and_restart", test_threads_and_restart);
-    g_test_add_func("/surroundings/potential_as_field", test_potential_as_field);
-    g_test_add_func("/surroundings/volume", test_volume);
-    g_test_add_func("/surroundings/nan", test_nan);
-    g_test_add_func("/surroundings/nan_in_second_sweep", test_nan_in_second_sweep);
-    g_test_add_func("/surroundings/sites", test_sites);
-    g_test_add_func("/surroundings/infinity", test_infinity);
-    g_test_add_func("/surroundings/bad_input", test_bad_input);
-    g_test_add_func("/surroundings/refusals", test_refusals);
-    g_test_add_func("/surroundings/changed_bytes", test_changed_bytes);
-    return g_test_run();
-}

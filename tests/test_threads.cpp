@@ -9,6 +9,7 @@
 
 #include <pw85_legacy.h>
 
+#include "cases.hpp"
 #include "random_pairs.hpp"
 
 using namespace pw85_tests;
@@ -52,7 +53,7 @@ Row call_everything(Sample<double, 3> const &p)
     return row;
 }
 
-void test_same_bits()
+PW85_TEST("/threads/same_bits")
 {
     Random random(110);
     std::vector<Sample<double, 3>> pairs;
@@ -77,10 +78,3 @@ void test_same_bits()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/threads/same_bits", test_same_bits);
-    return g_test_run();
-}

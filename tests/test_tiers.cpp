@@ -7,6 +7,7 @@
 
 #include <glib.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -107,13 +108,13 @@ pw85::detail::QuarticEvaluation<float> evaluate(Recorded const &p)
     return pw85::detail::evaluate_quartic(to_pair(p.pair), p.t);
 }
 
-void test_apart_margin()
+PW85_TEST("/tiers/margins/apart")
 {
     g_assert_true(true_mu2(apart_pair.pair) < 1);
     g_assert_false(pw85::detail::test_quartic(evaluate(apart_pair), apart_pair.t).apart);
 }
 
-void test_inside_margins()
+PW85_TEST("/tiers/margins/inside")
 {
     g_assert_true(exact(inside1_pair).square1 >= 1 &&
                   pw85::detail::is_well_conditioned(evaluate(inside1_pair)));
@@ -124,7 +125,7 @@ void test_inside_margins()
 }
 
 // Here a errs by 10 %, more than the margins allow for.
-void test_conditioning()
+PW85_TEST("/tiers/margins/conditioning")
 {
     auto const e = evaluate(separation_pair);
     auto const x = exact(separation_pair);
@@ -145,7 +146,7 @@ void test_conditioning()
 }
 
 // At a negative t, M may be indefinite, and t a - (1 + t) b positive for ellipsoids that overlap.
-void test_negative_t()
+PW85_TEST("/tiers/margins/negative_t")
 {
     Sample<double, 3> const s{
         {0.0, 1.0, 0.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, {1.0, 0.0, 0.0, 0.01, 0.0, 0.01}};
@@ -166,7 +167,7 @@ double error_across(Exact const &x, pw85::Vector<float, 3> const &computed)
     return static_cast<double>(sqrt(Wide(pw85::detail::quadratic_form(x.m, error) / square)));
 }
 
-void test_errors_of_solutions()
+PW85_TEST("/tiers/margins/solutions")
 {
     double const u = pw85::detail::unit_roundoff<float>();
     auto const &a = adjugate_pair, &f = factorization_pair;
@@ -184,7 +185,7 @@ void test_errors_of_solutions()
     g_assert_cmpfloat(by_factors, <=, pw85::detail::factorization_error);
 }
 
-void test_value_margin()
+PW85_TEST("/tiers/margins/value")
 {
     g_assert_true(true_mu2(value_pair.pair) < 1);
     auto const pair = to_pair(value_pair.pair);
@@ -194,7 +195,7 @@ void test_value_margin()
 
 // A form of positive determinant that is indefinite, and definite forms for which rounded pivots
 // are not positive.
-void test_definiteness()
+PW85_TEST("/tiers/margins/definiteness")
 {
     g_assert_false(pw85::detail::is_clearly_definite(
         pw85::SymmetricMatrix<double, 3>{1.0, 2.0, 2.0, 1.0, 2.0, 1.0}));
@@ -269,23 +270,11 @@ template <class T, int D> void test_alone()
     }
 }
 
-} // namespace
+PW85_ADD_TEST("/tiers/alone/float/2", test_alone<float, 2>);
+PW85_ADD_TEST("/tiers/alone/float/3", test_alone<float, 3>);
+PW85_ADD_TEST("/tiers/alone/double/2", test_alone<double, 2>);
+PW85_ADD_TEST("/tiers/alone/double/3", test_alone<double, 3>);
+PW85_ADD_TEST("/tiers/alone/long_double/2", test_alone<long double, 2>);
+PW85_ADD_TEST("/tiers/alone/long_double/3", test_alone<long double, 3>);
 
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/tiers/margins/apart", test_apart_margin);
-    g_test_add_func("/tiers/margins/inside", test_inside_margins);
-    g_test_add_func("/tiers/margins/conditioning", test_conditioning);
-    g_test_add_func("/tiers/margins/negative_t", test_negative_t);
-    g_test_add_func("/tiers/margins/solutions", test_errors_of_solutions);
-    g_test_add_func("/tiers/margins/value", test_value_margin);
-    g_test_add_func("/tiers/margins/definiteness", test_definiteness);
-    g_test_add_func("/tiers/alone/float/2", test_alone<float, 2>);
-    g_test_add_func("/tiers/alone/float/3", test_alone<float, 3>);
-    g_test_add_func("/tiers/alone/double/2", test_alone<double, 2>);
-    g_test_add_func("/tiers/alone/double/3", test_alone<double, 3>);
-    g_test_add_func("/tiers/alone/long_double/2", test_alone<long double, 2>);
-    g_test_add_func("/tiers/alone/long_double/3", test_alone<long double, 3>);
-    return g_test_run();
-}
+} // namespace

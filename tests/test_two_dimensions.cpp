@@ -9,6 +9,7 @@
 
 #include <pw85/batch.hpp>
 
+#include "cases.hpp"
 #include "condition_number.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
@@ -75,7 +76,7 @@ template <std::size_t n> void check_close(Failures &failures, char const *what,
 // Both solve the same equations, in another order, so that they differ by roundings over the
 // conditioning, aspect²; a torque is a difference of products that are larger than it by the aspect
 // ratio.
-void test_sections()
+PW85_TEST("/two_dimensions/sections")
 {
     Failures failures;
     Random random(800);
@@ -100,7 +101,7 @@ void test_sections()
 }
 
 // An overlap of sections is one of the ellipsoids, exactly.
-void test_overlap()
+PW85_TEST("/two_dimensions/overlap")
 {
     Failures failures;
     Random random(810);
@@ -136,7 +137,7 @@ Sample<double, 2> any_pair(Random &random)
 }
 
 // Batches against single calls: overlaps are the same; of μ², each errs by at most 4 u cond.
-void test_batches()
+PW85_TEST("/two_dimensions/batches")
 {
     Failures failures;
     Random random(820);
@@ -188,7 +189,7 @@ void test_batches()
                     ==, PW85_EINVAL);
 }
 
-void test_optional_outputs()
+PW85_TEST("/two_dimensions/optional_outputs")
 {
     double const r12[2] = {3.0, 1.0}, q[3] = {4.0, 0.5, 1.0};
     g_assert_cmpint(pw85_contact_geometry_2d(r12, q, q, 0.5, nullptr, nullptr), ==, PW85_SUCCESS);
@@ -203,13 +204,3 @@ void test_optional_outputs()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/two_dimensions/sections", test_sections);
-    g_test_add_func("/two_dimensions/overlap", test_overlap);
-    g_test_add_func("/two_dimensions/batches", test_batches);
-    g_test_add_func("/two_dimensions/optional_outputs", test_optional_outputs);
-    return g_test_run();
-}

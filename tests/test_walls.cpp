@@ -10,6 +10,7 @@
 #include <pw85.h>
 #include <pw85_batch.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -53,7 +54,7 @@ Form3 random_form_of_any_size(Random &random)
 double size_of(Form3 const &q) { return std::sqrt(q[0] + q[3] + q[5]); }
 
 // (offset - α)/|n| in the wide type; the sign agrees with μ² < 1.
-void test_plane()
+PW85_TEST("/walls/plane")
 {
     Failures failures;
     Random random(500);
@@ -97,7 +98,7 @@ void test_plane()
 }
 
 // Differences in the wide type: h = 1e-15 leaves 1e-30.
-void test_plane_derivatives()
+PW85_TEST("/walls/plane/derivatives")
 {
     Failures failures;
     Random random(510);
@@ -128,7 +129,7 @@ void test_plane_derivatives()
 
 // The same for μ², whose factors 2μ/α and 2μ²/α have the relative errors of two half-widths, 16 u
 // of their terms with the rounding of products; and the nearest point of 16 u more.
-void test_contact_plane_derivatives()
+PW85_TEST("/walls/plane/contact_derivatives")
 {
     Failures failures;
     Random random(511);
@@ -223,7 +224,7 @@ void test_point_optimality()
 
 // In double, of any size. Normals of double precision: the value is stationary, so that their error
 // counts squared.
-void test_point_rounding_errors()
+PW85_TEST("/walls/point/rounding_errors")
 {
     Failures failures;
     Random random(530);
@@ -259,7 +260,7 @@ void assert_close(double actual, double expected, double tolerance)
 
 // The centre, points of the axes inside and outside, and beyond the evolute, where the nearest
 // point leaves the axis.
-void test_point_by_hand()
+PW85_TEST("/walls/point/by_hand")
 {
     double const q[6] = {9.0, 0.0, 0.0, 4.0, 0.0, 1.0};
     auto const distance = [&](double x, double y, double z) {
@@ -284,7 +285,7 @@ void test_point_by_hand()
 }
 
 // The nearest of six half-spaces.
-void test_box()
+PW85_TEST("/walls/box")
 {
     Failures failures;
     Random random(540);
@@ -322,7 +323,7 @@ void test_box()
 
 // The farthest point of the projection, p: with c + p = ν Q⁻¹p in the plane across the axis, it is
 // farthest if ν I - Q is semidefinite there (the counterpart of test_point_optimality()).
-void test_cylinder()
+PW85_TEST("/walls/cylinder")
 {
     Failures failures;
     Random random(550);
@@ -375,7 +376,7 @@ void test_cylinder()
 }
 
 // A spheroid across a cylinder, off its axis; and along it.
-void test_cylinder_by_hand()
+PW85_TEST("/walls/cylinder/by_hand")
 {
     double const axis[3] = {0.0, 0.0, 2.0}, q[6] = {9.0, 0.0, 0.0, 1.0, 0.0, 1.0},
                  long_one[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 400.0};
@@ -394,7 +395,7 @@ void test_cylinder_by_hand()
 
 // Both ends of the chord are on the surface, and its middle is inside; the wide type decides which
 // lines miss.
-void test_line()
+PW85_TEST("/walls/line")
 {
     Failures failures;
     Random random(560);
@@ -451,7 +452,7 @@ void test_line()
     g_assert_cmpint(misses, >, draws(1000));
 }
 
-void test_line_by_hand()
+PW85_TEST("/walls/line/by_hand")
 {
     double const q[6] = {4.0, 0.0, 0.0, 1.0, 0.0, 1.0}, direction[3] = {2.0, 0.0, 0.0};
     double const before[3] = {-6.0, 0.0, 0.0}, tangent[3] = {-6.0, 1.0, 0.0},
@@ -476,7 +477,7 @@ bool all_nan(double const *x, int count)
 
 // As far away as doubles reach, in units of the ellipsoid: along r, with the half-width that it has
 // there.
-void test_point_far_away()
+PW85_TEST("/walls/point/far_away")
 {
     double const r[3] = {0x1p900, 0x1p900, 0.0},
                  q[6] = {0x1p-1000, 0.0, 0.0, 0x1p-998, 0.0, 0x1p-1002};
@@ -523,7 +524,7 @@ void expect(Function const &f, double const *x, double const *q, int expected)
     for (int i = f.count; i < 7; ++i) g_assert_cmpfloat(out[i], ==, 0.0);
 }
 
-void test_statuses()
+PW85_TEST("/walls/statuses")
 {
     double const x[3] = {1.0, 1.0, 1.0}, bad_x[3] = {1.0, nan, 1.0},
                  infinite[3] = {1.0, 1.0, HUGE_VAL};
@@ -555,7 +556,7 @@ void test_statuses()
 
 // Forms whose entries lie so far apart that products of them leave the range of double, and hide
 // that they are not definite.
-void test_forms_out_of_range()
+PW85_TEST("/walls/forms_out_of_range")
 {
     double const x[3] = {1.0, 1.0, 1.0};
     double const forms[][6] = {
@@ -572,7 +573,7 @@ void test_forms_out_of_range()
 }
 
 // Semi-axes below the range of the contract: nothing that underflows makes an answer NaN.
-void test_tiny_form()
+PW85_TEST("/walls/tiny_form")
 {
     double const x[3] = {0.0, 0x1p-15, 0.0};
     double const q[6] = {0x1p-1054, 0.0, 0.0, 0x1p-1052, 0.0, 0x1p-1008};
@@ -585,7 +586,7 @@ void test_tiny_form()
 
 // μ² beyond the range of double is infinity, derivatives are not below its largest number, and no
 // coordinate is NaN.
-void test_plane_out_of_range()
+PW85_TEST("/walls/plane/out_of_range")
 {
     double const normal[3] = {0x1p-950, 0.0, 0.0}, q[6] = {4.0, 0.0, 0.0, 3.0, 0.0, 2.0};
     double mu2, point[3];
@@ -601,7 +602,7 @@ void test_plane_out_of_range()
                   d_rot[2] == 0.0);
 }
 
-void test_null_outputs()
+PW85_TEST("/walls/null_outputs")
 {
     double const x[3] = {1.0, 1.0, 1.0}, q[6] = {4.0, 0.5, 0.0, 3.0, 0.0, 2.0};
     g_assert_cmpint(pw85_distance_plane(x, 1.0, q, nullptr, nullptr), ==, PW85_SUCCESS);
@@ -616,7 +617,7 @@ void test_null_outputs()
 }
 
 // The templates in two dimensions and other scalars agree with three dimensions and double.
-void test_templates()
+PW85_TEST("/walls/templates")
 {
     pw85::SymmetricMatrix<float, 2> const flat{4.0f, 0.0f, 1.0f};
     auto const d = pw85::distance_point(pw85::Vector<float, 2>{3.0f, 0.0f}, flat);
@@ -633,7 +634,7 @@ void test_templates()
     assert_close(static_cast<double>(chord.leave), 6.0, 8 * u);
 }
 
-void test_batch()
+PW85_TEST("/walls/batch")
 {
     double const normals[9] = {0.0, 0.0, 2.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0},
                  offsets[3] = {6.0, -1.0, 1.0};
@@ -654,29 +655,6 @@ void test_batch()
                     PW85_EINVAL);
 }
 
-} // namespace
+PW85_ADD_TEST("/walls/point/optimality", test_point_optimality);
 
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/walls/plane", test_plane);
-    g_test_add_func("/walls/plane/derivatives", test_plane_derivatives);
-    g_test_add_func("/walls/plane/contact_derivatives", test_contact_plane_derivatives);
-    g_test_add_func("/walls/plane/out_of_range", test_plane_out_of_range);
-    g_test_add_func("/walls/box", test_box);
-    g_test_add_func("/walls/cylinder", test_cylinder);
-    g_test_add_func("/walls/cylinder/by_hand", test_cylinder_by_hand);
-    g_test_add_func("/walls/point/optimality", test_point_optimality);
-    g_test_add_func("/walls/point/rounding_errors", test_point_rounding_errors);
-    g_test_add_func("/walls/point/by_hand", test_point_by_hand);
-    g_test_add_func("/walls/point/far_away", test_point_far_away);
-    g_test_add_func("/walls/line", test_line);
-    g_test_add_func("/walls/line/by_hand", test_line_by_hand);
-    g_test_add_func("/walls/statuses", test_statuses);
-    g_test_add_func("/walls/forms_out_of_range", test_forms_out_of_range);
-    g_test_add_func("/walls/tiny_form", test_tiny_form);
-    g_test_add_func("/walls/null_outputs", test_null_outputs);
-    g_test_add_func("/walls/templates", test_templates);
-    g_test_add_func("/walls/batch", test_batch);
-    return g_test_run();
-}
+} // namespace

@@ -11,6 +11,7 @@
 #include <pw85.h>
 #include <pw85_batch.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -194,8 +195,9 @@ template <class T, int D> void test_random()
 
 // A million pairs, with `-m perf`: aspect ratios to 1e8, crossed needles and ribbons, unlike sizes,
 // |μ² - 1| from 1e-16 on. Prints where no proof was found, by |μ² - 1|.
-void test_million()
+PW85_TEST("/witness/million")
 {
+    if (!g_test_perf()) return;
     Failures failures;
     Found found;
     Random random(705);
@@ -239,7 +241,7 @@ void test_million()
 }
 
 // Sizes from 1e-150 to 1e150.
-void test_sizes()
+PW85_TEST("/witness/sizes")
 {
     Failures failures;
     Found found;
@@ -293,7 +295,7 @@ Sample<double, 3> touching_pair(Random &random, int n)
 }
 
 // Tangent pairs have no proof, and pairs as near to them as doubles are have one, or none is found.
-void test_tangent()
+PW85_TEST("/witness/tangent")
 {
     Failures failures;
     Found found;
@@ -319,7 +321,7 @@ void test_tangent()
 }
 
 // Balls at λ = 1/2 that are apart by the smallest numbers: λ = 1/2 proves it.
-void test_barely_apart()
+PW85_TEST("/witness/barely_apart")
 {
     Failures failures;
     Found found;
@@ -371,7 +373,7 @@ template <int D> void test_tiers()
 }
 
 // All contact problems: a proof, or they touch, or they nearly do.
-void test_problems()
+PW85_TEST("/witness/problems")
 {
     Failures failures;
     Found found;
@@ -387,7 +389,7 @@ void test_problems()
 }
 
 // Many pairs, with and without the outputs that may be null.
-void test_batch()
+PW85_TEST("/witness/batch")
 {
     Random random(740);
     std::size_t const n = 700, wrong = 300;
@@ -416,21 +418,10 @@ void test_batch()
     }
 }
 
-} // namespace
+PW85_ADD_TEST("/witness/random/float", test_random<float, 3>);
+PW85_ADD_TEST("/witness/random/double", test_random<double, 3>);
+PW85_ADD_TEST("/witness/random/2d", test_random<double, 2>);
+PW85_ADD_TEST("/witness/tiers/2d", test_tiers<2>);
+PW85_ADD_TEST("/witness/tiers/3d", test_tiers<3>);
 
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/witness/random/float", test_random<float, 3>);
-    g_test_add_func("/witness/random/double", test_random<double, 3>);
-    g_test_add_func("/witness/random/2d", test_random<double, 2>);
-    if (g_test_perf()) g_test_add_func("/witness/million", test_million);
-    g_test_add_func("/witness/sizes", test_sizes);
-    g_test_add_func("/witness/tangent", test_tangent);
-    g_test_add_func("/witness/barely_apart", test_barely_apart);
-    g_test_add_func("/witness/tiers/2d", test_tiers<2>);
-    g_test_add_func("/witness/tiers/3d", test_tiers<3>);
-    g_test_add_func("/witness/problems", test_problems);
-    g_test_add_func("/witness/batch", test_batch);
-    return g_test_run();
-}
+} // namespace

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs a random search for pairs on which a function exceeds its bound, and tests the reference of
 // this search.
-#include <glib.h>
 
+#include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "reference_data.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 // The judge, which is the core itself in a wide type, against the reference data: it is off by
 // their rounding only.
-void test_truth()
+PW85_TEST("/worst_pairs/truth")
 {
     Failures failures;
     for (auto const &p : contact_problems()) {
@@ -32,7 +32,7 @@ void test_truth()
     }
 }
 
-void test_bounds()
+PW85_TEST("/worst_pairs/bounds")
 {
     Failures failures;
     for (double aspect = 1.0; aspect < 1e6; aspect *= 10.0) {
@@ -47,11 +47,3 @@ void test_bounds()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/worst_pairs/truth", test_truth);
-    g_test_add_func("/worst_pairs/bounds", test_bounds);
-    return g_test_run();
-}

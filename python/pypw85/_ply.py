@@ -17,7 +17,6 @@ _END = re.compile(rb"^end_header[ \t\r]*\n", re.MULTILINE)
 _KINDS = dict(zip("char int8 uchar uint8 short int16 ushort uint16 int int32 uint uint32 float float32 double float64".split(),
                   "i1 i1 u1 u1 i2 i2 u2 u2 i4 i4 u4 u4 f4 f4 f8 f8".split()))  # fmt: skip
 _ORDERS = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">"}
-_MOST_ELEMENTS = 1 << 18
 
 
 class Property(NamedTuple):

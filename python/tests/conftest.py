@@ -2,6 +2,7 @@
 """What the tests share: the files that they need, random pairs, and a way to name a failing row."""
 
 import compileall
+import functools
 import os
 import pathlib
 
@@ -9,6 +10,7 @@ import numpy as np
 import pytest
 
 import pypw85
+from systems import command
 
 # The variables that name files of the sources, the file that shows that a value is right, and the value where the tests lie in the
 # sources. Meson sets both.
@@ -37,6 +39,27 @@ np.set_printoptions(legacy="1.21")
 @pytest.fixture
 def rng():
     return np.random.default_rng(20240229)
+
+
+@pytest.fixture
+def run(capsys, monkeypatch):
+    """The command as a function of its arguments."""
+    return functools.partial(command, capsys, monkeypatch)
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    """An empty folder, which is the current one."""
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.fixture
+def usual_mode():
+    """Leaves the reproducible mode as it was."""
+    before = pypw85.is_reproducible()
+    yield
+    pypw85.set_reproducible(before)
 
 
 @pytest.fixture

@@ -8,6 +8,7 @@ import re
 import signal
 import subprocess
 import sys
+import warnings
 
 import numpy as np
 
@@ -33,6 +34,19 @@ def random_system(seed=1, count=40, cell=CELL, **others):
     return pypw85.System.from_axes(centers, axes, quaternions, **options)
 
 
+def read(path, **options):
+    """A file, without warnings."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return pypw85.read(path, **options)
+
+
+def read_text(path, text, **options):
+    """A file that is made of a text."""
+    path.write_text(text)
+    return read(path, **options)
+
+
 @dataclasses.dataclass
 class Outcome:
     status: int
@@ -47,6 +61,22 @@ def command(capsys, monkeypatch, *arguments):
     status = cli._run()
     out, err = capsys.readouterr()
     return Outcome(status, out, re.sub(r"\r[^\r\n]*\[[\d:]+\] *|\r *", "", err))
+
+
+def expect_resumed(program, states, table, monkeypatch, capsys):
+    """Runs a program of the folder reference for three states: of a table without the second one it makes this row alone."""
+    monkeypatch.setattr(program, "states", lambda: states)
+    monkeypatch.setattr(sys, "argv", [program.__file__, str(table)])
+    program.main()
+    whole = table.read_text()
+    lines = whole.splitlines(keepends=True)
+    table.write_text(lines[0] + lines[1] + lines[3])
+    capsys.readouterr()
+    program.main()
+    assert table.read_text() == whole
+    assert capsys.readouterr().out.startswith(" ".join(states[1]) + " ")
+    program.main()
+    assert capsys.readouterr().out == ""
 
 
 def heed_interrupts():

@@ -2,7 +2,6 @@
 """The command pw85: what it prints and writes, its statuses, and one sentence for bad input."""
 
 import errno
-import functools
 import json
 import os
 import pathlib
@@ -16,18 +15,7 @@ import pytest
 
 import pypw85
 from pypw85 import cli
-from systems import PW85, SUFFIXES, command, on_terminal, random_system
-
-
-@pytest.fixture
-def run(capsys, monkeypatch):
-    return functools.partial(command, capsys, monkeypatch)
-
-
-@pytest.fixture
-def folder(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
+from systems import PW85, SUFFIXES, on_terminal, random_system
 
 
 def all_images(system, reach=2):

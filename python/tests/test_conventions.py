@@ -4,13 +4,11 @@
 With PYPW85_FORMATS the programs first write their tables.
 """
 
-import functools
 import json
 import os
 import pathlib
 import subprocess
 import sys
-import warnings
 
 import numpy as np
 import pytest
@@ -19,7 +17,7 @@ import headers
 import pypw85
 from pypw85._words import counted
 from pypw85.formats import _conventions
-from systems import command
+from systems import read, read_text
 
 MEASURED = pathlib.Path(__file__).resolve().parent / "measured"
 sys.path.insert(0, str(MEASURED))
@@ -32,12 +30,6 @@ TABLES = {
     "octave.csv": ({}, 0.5),
     "opencv.csv": ({"convention": "opencv"}, 1.0), "ds9.reg": ({}, 1e-6), "cellprofiler.csv": ({"convention": "cellprofiler"}, 1e-9),
 }  # fmt: skip
-
-
-def read(path, **options):
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        return pypw85.read(path, **options)
 
 
 def rotation(axis, degrees):
@@ -60,11 +52,6 @@ def form(axes, matrix):
     """Six numbers of Q = R diag(axes²) Rᵀ."""
     q = matrix @ np.diag(np.square(axes)) @ matrix.T
     return q[np.triu_indices(3)]
-
-
-@pytest.fixture
-def run(capsys, monkeypatch):
-    return functools.partial(command, capsys, monkeypatch)
 
 
 @pytest.fixture(scope="module")
@@ -100,8 +87,7 @@ def test_measured(name, tables):
 def test_matgeom(tables, tmp_path):
     """Rows without names; the matrix beside them is that of matGeom."""
     row, matrix = (tables / "matgeom.txt").read_text().splitlines()
-    (tmp_path / "a.txt").write_text(row + "\n")
-    system = read(tmp_path / "a.txt", format="csv", convention="matgeom")
+    system = read_text(tmp_path / "a.txt", row + "\n", format="csv", convention="matgeom")
     q = form([3, 2, 1], np.reshape([float(word) for word in matrix.strip("# ").split(",")], (3, 3)))
     np.testing.assert_allclose(system.q[0], q, rtol=0, atol=1e-14)
     np.testing.assert_array_equal(system.centers, [[1, 2, 3]])
@@ -157,8 +143,7 @@ PAIRS = {
 @pytest.mark.parametrize("name", PAIRS)
 def test_pairs(name, tmp_path):
     text, options, mu = PAIRS[name]
-    (tmp_path / "a.csv").write_text(text + "\n")
-    np.testing.assert_allclose(read(tmp_path / "a.csv", **options).check(below=9).smallest_mu, mu, rtol=4e-15)
+    np.testing.assert_allclose(read_text(tmp_path / "a.csv", text + "\n", **options).check(below=9).smallest_mu, mu, rtol=4e-15)
 
 
 REFUSED = {
@@ -190,9 +175,8 @@ REFUSED = {
 
 @pytest.mark.parametrize("header", REFUSED)
 def test_refused(header, tmp_path):
-    (tmp_path / "a.csv").write_text(f"{header}\n{','.join('1' for _ in header.split(','))}\n")
     with pytest.raises(pypw85.FileError, match=f"line 1: {REFUSED[header]}"):
-        read(tmp_path / "a.csv")
+        read_text(tmp_path / "a.csv", f"{header}\n{','.join('1' for _ in header.split(','))}\n")
 
 
 # Tables, and the sentence that refuses them
@@ -289,9 +273,8 @@ def test_tables_of_spreadsheets(text, tmp_path):
 @pytest.mark.parametrize("names", ["Dmax,Dint,Dmin", "l,h,w", "feret1,feret2,feret3"])
 def test_named_columns_that_sound_like_whole_lengths(names, tmp_path):
     """The default of tables is radii; it decides only where the names say nothing."""
-    (tmp_path / "a.csv").write_text(f"x,y,z,{names},qw,qx,qy,qz\n0,0,0,4,1,1,{UP}\n0,1.5,0,4,1,1,{UP}\n")
     with pytest.raises(pypw85.FileError, match=f"{names.replace(',', ' ')} may be whole axes or semi-axes: use --lengths"):
-        read(tmp_path / "a.csv", shape_columns=names.split(","))
+        read_text(tmp_path / "a.csv", f"x,y,z,{names},qw,qx,qy,qz\n0,0,0,4,1,1,{UP}\n0,1.5,0,4,1,1,{UP}\n", shape_columns=names.split(","))
     system = read(tmp_path / "a.csv", shape_columns=names.split(","), lengths="diameters")
     np.testing.assert_allclose(system.check().smallest_mu, 0.375, rtol=4e-15)
 
@@ -302,9 +285,8 @@ IDLE = [("x,y,z,radius", {"quaternion": "xyzw"}), ("x,y,z,radius", {"angle": "de
 
 @pytest.mark.parametrize("header, options", IDLE)
 def test_options_that_do_not_apply(header, options, tmp_path):
-    (tmp_path / "a.csv").write_text(f"{header}\n{','.join('1' for _ in header.split(','))}\n")
     with pytest.raises(pypw85.FileError, match=f"--{next(iter(options)).replace('_', '-')} "):
-        read(tmp_path / "a.csv", **options)
+        read_text(tmp_path / "a.csv", f"{header}\n{','.join('1' for _ in header.split(','))}\n", **options)
 
 
 @pytest.mark.parametrize("sequence", ["zyx", "ZYX", "zxz", "ZXZ", "xyz", "XZY", "yz", "X"])
@@ -318,8 +300,7 @@ def test_euler(sequence, rng, tmp_path):
     names = ["phi", "theta", "psi"][: len(sequence)]
     rows = ["x,y,z,a,b,c," + ",".join(names[::-1])]
     rows += [",".join(f"{value:.17g}" for value in (0, 0, 0, *one, *turns[::-1])) for one, turns in zip(axes, angles)]
-    (tmp_path / "a.csv").write_text("\n".join(rows) + "\n")
-    found = read(tmp_path / "a.csv", euler=sequence, angle="degrees", angle_columns=names)
+    found = read_text(tmp_path / "a.csv", "\n".join(rows) + "\n", euler=sequence, angle="degrees", angle_columns=names)
     np.testing.assert_allclose(found.q / scale, expected / scale, rtol=0, atol=64 * U)
 
 
@@ -335,8 +316,7 @@ def test_names_by_axes(tmp_path):
 
 @pytest.mark.parametrize("zero, sense, degrees", [("x", "xy", 30), ("x", "yx", -30), ("y", "xy", 120), ("y", "yx", 60)])
 def test_sense_and_zero(zero, sense, degrees, tmp_path):
-    (tmp_path / "a.csv").write_text("x,y,a,b,angle_deg\n0,0,3,1,30\n")
-    found = read(tmp_path / "a.csv", angle_zero=zero, angle_sense=sense)
+    found = read_text(tmp_path / "a.csv", "x,y,a,b,angle_deg\n0,0,3,1,30\n", angle_zero=zero, angle_sense=sense)
     np.testing.assert_allclose(found.q[0, :2], form([3, 1, 1], rotation("z", degrees))[:2], rtol=0, atol=32 * U)
 
 
@@ -411,8 +391,7 @@ def test_standard_output_holds_the_file_alone(line, run, tmp_path, monkeypatch):
     (tmp_path / "a.csv").write_text("# cell 9 0 0 0 9 0 0 0 9\nx,y,z,radius\n0,0,0,1\n4,0,0,1\n2,4,0,1\n2,4,4,1\n")
     done = run(*line.split())
     assert (done.status == 0 and "4 particles" in done.err) or "4 ellipsoids without overlaps" in done.err
-    (tmp_path / "b.csv").write_text(done.out)
-    assert len(read(tmp_path / "b.csv")) == 4
+    assert len(read_text(tmp_path / "b.csv", done.out)) == 4
     assert "-: files are read more than once, so the standard input is not read: name a file" in run("check", "-").err
 
 

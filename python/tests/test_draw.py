@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of systems: pixels against the quadratic equation, and the page in a browser without a screen."""
 
-import functools
 import shutil
 
 import numpy as np
@@ -9,16 +8,11 @@ import pytest
 
 import pypw85
 from pypw85 import _drawing
-from systems import command, random_system
+from systems import random_system
 
 CHROMIUM = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-sync",
             "--disable-background-networking", "--disable-component-update", "--use-angle=swiftshader",
             "--enable-unsafe-swiftshader", "--window-size=800,600", "--host-resolver-rules=MAP * ~NOTFOUND"]  # fmt: skip
-
-
-@pytest.fixture
-def run(capsys, monkeypatch):
-    return functools.partial(command, capsys, monkeypatch)
 
 
 @pytest.fixture

@@ -9,25 +9,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import pypw85
-
 pytest.importorskip("scipy")
 sys.path.insert(0, str(Path(os.environ["PYPW85_SOURCE"]) / "reference" / "ellipses"))
 import ellipses
 from ellipses import Effort, State
 from scipy.special import ellipe
 from scipy.stats import chi2
+from systems import expect_resumed
 
+pytestmark = pytest.mark.usefixtures("usual_mode")  # the programs leave the reproducible mode on
 ROWS = ellipses.read_table()
 AT_CONSTANT_AREA = [state for state in ROWS if state.ensemble == "NVT"]
-
-
-@pytest.fixture(autouse=True)
-def usual_mode():
-    """The program leaves the reproducible mode on."""
-    before = pypw85.is_reproducible()
-    yield
-    pypw85.set_reproducible(before)
 
 
 def numbers(state, *names):
@@ -134,15 +126,5 @@ def test_start():
 def test_resumed(tmp_path, monkeypatch, capsys):
     """Rows that are there stay; what is missing is measured, and written in order."""
     states = [State("2", "NVT", fraction) for fraction in ("0.1", "0.2", "0.3")]
-    table = tmp_path / "table.csv"
-    monkeypatch.setattr(ellipses, "states", lambda: states)
     monkeypatch.setattr(ellipses, "effort", lambda _: Effort(cells=(5, 3), tuning=1, equilibration=1, cycles=64, sweeps=1))
-    monkeypatch.setattr(sys, "argv", ["ellipses.py", str(table)])
-    ellipses.main()
-    whole = table.read_text()
-    lines = whole.splitlines(keepends=True)
-    table.write_text(lines[0] + lines[1] + lines[3])
-    capsys.readouterr()
-    ellipses.main()
-    assert table.read_text() == whole
-    assert capsys.readouterr().out.startswith("2 NVT 0.2 ")
+    expect_resumed(ellipses, states, tmp_path / "table.csv", monkeypatch, capsys)

@@ -18,7 +18,9 @@ import equation_of_state as eos
 import formulas
 from equation_of_state import Effort, State
 from scipy.stats import chi2
+from systems import expect_resumed
 
+pytestmark = pytest.mark.usefixtures("usual_mode")  # the programs leave the reproducible mode on
 ROWS = eos.read_table()
 
 
@@ -245,14 +247,6 @@ def test_aligned_start(ensemble, aspect):
     assert edges.max() < 1.7 * edges.min(), edges
 
 
-@pytest.fixture(autouse=True)
-def usual_mode():
-    """The program, and what it calls, leave the reproducible mode on."""
-    before = pypw85.is_reproducible()
-    yield
-    pypw85.set_reproducible(before)
-
-
 def digest_of_sines():
     angles = np.linspace(0, 3, 1000)
     return hashlib.md5(np.cos(angles).tobytes() + np.sin(angles).tobytes()).hexdigest()
@@ -300,17 +294,5 @@ def test_estimates():
 def test_resumed(tmp_path, monkeypatch, capsys):
     """Rows that are there stay; what is missing is measured, and written in order."""
     states = [State("2", "random", "NVT", phi) for phi in ("0.1", "0.2", "0.3")]
-    table = tmp_path / "table.csv"
-    monkeypatch.setattr(eos, "states", lambda: states)
     monkeypatch.setattr(eos, "effort", lambda state: Effort(particles=8, tuning=1, equilibration=1, cycles=128, sweeps=1))
-    monkeypatch.setattr(sys, "argv", ["equation_of_state.py", str(table)])
-    eos.main()
-    whole = table.read_text()
-    lines = whole.splitlines(keepends=True)
-    table.write_text(lines[0] + lines[1] + lines[3])
-    capsys.readouterr()
-    eos.main()
-    assert table.read_text() == whole
-    assert capsys.readouterr().out.startswith("2 random NVT 0.2 ")
-    eos.main()
-    assert capsys.readouterr().out == ""
+    expect_resumed(eos, states, tmp_path / "table.csv", monkeypatch, capsys)

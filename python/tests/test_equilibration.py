@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Sweeps before a run, until its averages stop drifting."""
 
-import functools
 import itertools
 import re
 
@@ -10,15 +9,11 @@ import pytest
 
 import pypw85
 from pypw85._equilibration import Equilibration
-from systems import command
 
 h5py = pytest.importorskip("h5py")
 
 
-@pytest.fixture
-def run(capsys, monkeypatch, tmp_path):
-    monkeypatch.chdir(tmp_path)
-    return functools.partial(command, capsys, monkeypatch)
+pytestmark = pytest.mark.usefixtures("folder")
 
 
 def spheres(number=32, fraction=0.2):

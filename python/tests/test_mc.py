@@ -23,7 +23,7 @@ from pypw85 import formats
 from pypw85.cli import _runs as runs, _series
 from pypw85.formats import _files
 from pypw85.formats import gsd as gsd_files
-from systems import PW85, command, heed_interrupts, of_run, on_terminal, random_system
+from systems import PW85, heed_interrupts, of_run, on_terminal, random_system
 
 gsd = pytest.importorskip("gsd")
 pytest.importorskip("gsd.hoomd")
@@ -41,15 +41,9 @@ TAKEN = "start.xyz: xyz, lengths aspherical_shape[1..3] as radii, quaternions or
 
 
 @pytest.fixture
-def run(capsys, monkeypatch):
-    return functools.partial(command, capsys, monkeypatch)
-
-
-@pytest.fixture
-def folder(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
+def folder(folder):
     pypw85.write("start.xyz", START)
-    return tmp_path
+    return folder
 
 
 def content(path):

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Walls, fields and laws of pairs of the command pw85 mc: the bits of pypw85.HardEllipsoids, what is said of them, and bad input."""
 
-import functools
 import pathlib
 import re
 
@@ -10,7 +9,7 @@ import pytest
 
 import pypw85
 from pypw85 import Field, HardEllipsoids, Law, Wall
-from systems import command, of_run
+from systems import of_run
 
 h5py = pytest.importorskip("h5py")
 
@@ -28,11 +27,7 @@ def start(periodic="none", cell=True):
     return pypw85.System.from_axes(PLACES, np.tile([0.5, 0.5, 1.0], (n, 1)), np.tile([1.0, 0, 0, 0], (n, 1)), **others)
 
 
-@pytest.fixture
-def run(capsys, monkeypatch, tmp_path):
-    monkeypatch.chdir(tmp_path)
-    return functools.partial(command, capsys, monkeypatch)
-
+pytestmark = pytest.mark.usefixtures("folder")
 
 # Each kind of walls and fields, in a cell that may have it: periodic directions, options, walls, fields
 CASES = {

@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Files that could be misread without a word: what could change the bodies and has two meanings is refused, and what is not used said."""
 
-import functools
 import os
 import subprocess
 import sys
-import warnings
 
 import gsd.fl
 import gsd.hoomd
@@ -14,21 +12,10 @@ import numpy as np
 import pytest
 
 import pypw85
-from systems import command, random_system
+from systems import random_system, read, read_text
 
 HALF = 2**-0.5
 UP = f"{HALF!r},0,0,{HALF!r}"  # the quaternion that turns x to y
-
-
-def read(path, **options):
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        return pypw85.read(path, **options)
-
-
-@pytest.fixture
-def run(capsys, monkeypatch):
-    return functools.partial(command, capsys, monkeypatch)
 
 
 # Headers of tables and their options, the values of a row, and the sentence that refuses them
@@ -82,9 +69,8 @@ REFUSED = {
 @pytest.mark.parametrize("header", REFUSED)
 def test_columns(header, tmp_path):
     options, row, sentence = REFUSED[header]
-    (tmp_path / "a.csv").write_text(f"{header}\n{row}\n")
     with pytest.raises(pypw85.FileError, match=sentence):
-        read(tmp_path / "a.csv", **options)
+        read_text(tmp_path / "a.csv", f"{header}\n{row}\n", **options)
 
 
 # Tables, and the sentence that refuses them
@@ -113,9 +99,8 @@ TABLES = {
 
 @pytest.mark.parametrize("text", TABLES)
 def test_tables(text, tmp_path):
-    (tmp_path / "a.csv").write_text(text + "\n")
     with pytest.raises(pypw85.FileError, match=TABLES[text]):
-        read(tmp_path / "a.csv")
+        read_text(tmp_path / "a.csv", text + "\n")
 
 
 # Tables that are read, their options, and the smallest μ by closed forms: long axes 2 along y at the distance 1.5 along y have 0.375
@@ -155,29 +140,25 @@ PAIRS = {
 @pytest.mark.parametrize("name", PAIRS)
 def test_pairs(name, tmp_path):
     text, options, mu = PAIRS[name]
-    (tmp_path / "a.csv").write_text(text + "\n")
-    np.testing.assert_allclose(read(tmp_path / "a.csv", **options).check(below=9).smallest_mu, mu, rtol=8e-15)
+    np.testing.assert_allclose(read_text(tmp_path / "a.csv", text + "\n", **options).check(below=9).smallest_mu, mu, rtol=8e-15)
 
 
 def test_several_planes(tmp_path):
     """Ellipses with centres at several z, which the convention does not use."""
     names = [f"AreaShape_{name}" for name in ("Center_X", "Center_Y", "Center_Z", "MajorAxisLength", "MinorAxisLength", "Orientation")]
-    (tmp_path / "a.csv").write_text(",".join(names) + "\n1,2,0,4,2,30\n1,9,5,4,2,30\n")
     with pytest.raises(pypw85.FileError, match="line 3: the column AreaShape_Center_Z has several values, 0.* and 5"):
-        read(tmp_path / "a.csv", convention="cellprofiler")
+        read_text(tmp_path / "a.csv", ",".join(names) + "\n1,2,0,4,2,30\n1,9,5,4,2,30\n", convention="cellprofiler")
     assert len(read(tmp_path / "a.csv", convention="cellprofiler", ignore_columns=["AreaShape_Center_Z"])) == 2
 
 
 @pytest.mark.parametrize("separator", [",", ";"])
 def test_ids_that_are_words(separator, tmp_path):
     rows = "id,x,y,z,radius\nP-1,0,0,0,1\nP-2,0,9,0,1\n"
-    (tmp_path / "a.csv").write_text(rows.replace(",", separator))
-    system = read(tmp_path / "a.csv")
+    system = read_text(tmp_path / "a.csv", rows.replace(",", separator))
     assert system.ids.tolist() == [1, 2]
     assert system.source == "lengths radius as radii, columns that are not used: id"
     assert "the column id has words, not numbers: the particles are numbered from 1 in their order" in system.notes
-    (tmp_path / "a.csv").write_text(rows.replace("P-1", "1").replace(",", separator))
-    assert read(tmp_path / "a.csv", ignore_columns=["id"]).ids.tolist() == [1, 2]
+    assert read_text(tmp_path / "a.csv", rows.replace("P-1", "1").replace(",", separator), ignore_columns=["id"]).ids.tolist() == [1, 2]
 
 
 def test_quoted_names(tmp_path):
@@ -201,15 +182,13 @@ def test_names_with_commas(run, tmp_path):
 
 def test_types_as_options(tmp_path):
     """Names of types are quoted for the shell."""
-    (tmp_path / "a.csv").write_text("x,y,z,type\n0,0,0,my rod\n0,0,9,your rod\n")
     with pytest.raises(pypw85.FileError, match=r"\(--shape 'my rod:A,B,C'\)"):
-        read(tmp_path / "a.csv", shape=(1, 1, 1))
+        read_text(tmp_path / "a.csv", "x,y,z,type\n0,0,0,my rod\n0,0,9,your rod\n", shape=(1, 1, 1))
     assert len(read(tmp_path / "a.csv", shapes={"my rod": (1, 1, 1)}, points=["your rod"])) == 1
 
 
 def test_ids_and_types_by_other_names(tmp_path):
-    (tmp_path / "a.csv").write_text("index,class,x,y,z,radius\n7,sand,0,0,0,1\n")
-    system = read(tmp_path / "a.csv")
+    system = read_text(tmp_path / "a.csv", "index,class,x,y,z,radius\n7,sand,0,0,0,1\n")
     assert system.ids.tolist() == [7] and system.types.tolist() == ["sand"]
     assert system.source == "ids index, types class, lengths radius as radii"
 
@@ -224,8 +203,7 @@ HARMLESS = ("rotational_energy", "Rotational Kinetic Energy", "rotational_veloci
 
 @pytest.mark.parametrize("name", HARMLESS)
 def test_harmless_columns(name, tmp_path):
-    (tmp_path / "a.csv").write_text(f"type,x,y,z,a,b,c,qw,qx,qy,qz,{name}\n1,0,0,0,2,.5,.5,{UP},7\n")
-    system = read(tmp_path / "a.csv")
+    system = read_text(tmp_path / "a.csv", f"type,x,y,z,a,b,c,qw,qx,qy,qz,{name}\n1,0,0,0,2,.5,.5,{UP},7\n")
     assert system.semi_axes.tolist() == [[2, 0.5, 0.5]]
     assert system.source.endswith(f", columns that are not used: {name}")
 
@@ -236,14 +214,12 @@ def test_material_of_spheres(tmp_path):
 
 
 def test_inertia_of_what_may_be_turned(tmp_path):
-    (tmp_path / "a.csv").write_text("x,y,z,a,b,c,inertia_xx,inertia_xy\n0,0,0,2,.5,.5,1,1\n")
     with pytest.raises(pypw85.FileError, match="lacks an orientation: .*, or name columns .--quaternion-columns, --direction-columns"):
-        read(tmp_path / "a.csv")
+        read_text(tmp_path / "a.csv", "x,y,z,a,b,c,inertia_xx,inertia_xy\n0,0,0,2,.5,.5,1,1\n")
 
 
 def test_lengths_of_a_column_are_said_once(tmp_path):
-    (tmp_path / "a.csv").write_text(f"x,y,z,radius,qw,qx,qy,qz\n0,0,0,1,{UP}\n")
-    source = read(tmp_path / "a.csv", shape_columns=3 * ["radius"]).source
+    source = read_text(tmp_path / "a.csv", f"x,y,z,radius,qw,qx,qy,qz\n0,0,0,1,{UP}\n", shape_columns=3 * ["radius"]).source
     assert source == "lengths radius radius radius as radii, quaternions qw qx qy qz as w x y z"
 
 
@@ -258,8 +234,7 @@ def test_unused_columns_are_said(tmp_path):
 
 
 def test_notes(tmp_path):
-    (tmp_path / "a.csv").write_text("x_um,y_um,angle_rad,a_um,b\n0,0,90,2,1\n")
-    notes = read(tmp_path / "a.csv").notes
+    notes = read_text(tmp_path / "a.csv", "x_um,y_um,angle_rad,a_um,b\n0,0,90,2,1\n").notes
     assert "b without a unit are taken in that of x_um" in notes
     assert any(note.startswith("angle_rad is taken in radians, and is up to 90, more than a whole turn") for note in notes)
 
@@ -267,42 +242,34 @@ def test_notes(tmp_path):
 def test_seeds_with_two_centres(tmp_path):
     """Of MicroStructPy."""
     seed = "Geometry: sphere\nRadius: 1\nPosition: (5, 5, 5)\nCenter: (5, 5, {})\n"
-    (tmp_path / "a.txt").write_text(seed.format(5))
-    assert read(tmp_path / "a.txt").centers.tolist() == [[5, 5, 5]]
-    (tmp_path / "a.txt").write_text(seed.format(4))
+    assert read_text(tmp_path / "a.txt", seed.format(5)).centers.tolist() == [[5, 5, 5]]
     with pytest.raises(pypw85.FileError, match="the keys position and center of a seed differ"):
-        read(tmp_path / "a.txt")
+        read_text(tmp_path / "a.txt", seed.format(4))
 
 
 def test_keys_of_extended_xyz(tmp_path):
     text = '1\n{}="9 0 0 0 9 0 0 0 9" units=nm Properties=species:S:1:pos:R:3:radius:R:1\nA 0 0 0 1\n'
     for name in ("lattice", "cell", "Box", "cell_origin", "periodic"):
-        (tmp_path / "a.xyz").write_text(text.format(name))
         with pytest.raises(pypw85.FileError, match=f"line 2: the key {name} could be the cell, and is not used"):
-            read(tmp_path / "a.xyz")
+            read_text(tmp_path / "a.xyz", text.format(name))
         assert read(tmp_path / "a.xyz", cell=9 * np.eye(3)).source == f"lengths radius as radii, keys that are not used: {name} units"
     for name in ("cell_energy", "Box_volume"):
-        (tmp_path / "a.xyz").write_text(text.format(name))
-        assert read(tmp_path / "a.xyz").source == f"lengths radius as radii, keys that are not used: {name} units"
-    (tmp_path / "a.xyz").write_text(text.format("Lattice"))
-    assert read(tmp_path / "a.xyz").source == "lengths radius as radii, keys that are not used: units"
+        assert read_text(tmp_path / "a.xyz", text.format(name)).source == f"lengths radius as radii, keys that are not used: {name} units"
+    assert read_text(tmp_path / "a.xyz", text.format("Lattice")).source == "lengths radius as radii, keys that are not used: units"
 
 
 def test_words_of_extended_xyz(tmp_path):
     text = "1\nProperties=species:S:1:pos:R:3:radius:R:1:{}:S:1\nA 0 0 0 1 cube\n"
-    (tmp_path / "a.xyz").write_text(text.format("group"))
-    assert read(tmp_path / "a.xyz").source == "lengths radius as radii, columns that are not used: group"
-    (tmp_path / "a.xyz").write_text(text.format("shape_type"))
+    assert read_text(tmp_path / "a.xyz", text.format("group")).source == "lengths radius as radii, columns that are not used: group"
     with pytest.raises(pypw85.FileError, match="the column shape_type could change the shapes"):
-        read(tmp_path / "a.xyz")
+        read_text(tmp_path / "a.xyz", text.format("shape_type"))
 
 
 def test_letters_of_quaternions(tmp_path):
     """Of extended XYZ: a property of four columns has no letters, and no order of its own unless OVITO named it."""
     row = "A 0 0 0 2 1 1 1 0 0 0\n"
-    (tmp_path / "a.xyz").write_text(f"1\nProperties=species:S:1:pos:R:3:aspherical_shape:R:3:quaternion:R:4\n{row}")
     with pytest.raises(pypw85.FileError, match=r"quaternion\[1..4\] is x y z w for"):
-        read(tmp_path / "a.xyz")
+        read_text(tmp_path / "a.xyz", f"1\nProperties=species:S:1:pos:R:3:aspherical_shape:R:3:quaternion:R:4\n{row}")
     assert read(tmp_path / "a.xyz", quaternion="wxyz").quaternions.tolist() == [[1, 0, 0, 0]]
 
 
@@ -312,11 +279,9 @@ def test_directions_in_turned_boxes(tmp_path):
     text += "ITEM: ATOMS id type x y z shapex shapey shapez c_n[1] c_n[2] c_n[3]\n1 1 0 0 0 1 1 2 0 1 0\n"
     for options in ({"direction_columns": ["c_n[1]", "c_n[2]", "c_n[3]"]},
                     {"euler": "zyx", "angle": "degrees", "angle_columns": ["c_n[1]", "c_n[2]", "c_n[3]"]}):  # fmt: skip
-        (tmp_path / "a.dump").write_text(text.format("9 0 0 0\n0 9 0 0\n"))
-        assert len(read(tmp_path / "a.dump", **options)) == 1
-        (tmp_path / "a.dump").write_text(text.format("0 9 0 0\n-9 0 0 0\n"))
+        assert len(read_text(tmp_path / "a.dump", text.format("9 0 0 0\n0 9 0 0\n"), **options)) == 1
         with pytest.raises(pypw85.FileError, match=r"the box is turned .* but not the angles or directions c_n\[1\] of a compute"):
-            read(tmp_path / "a.dump", **options)
+            read_text(tmp_path / "a.dump", text.format("0 9 0 0\n-9 0 0 0\n"), **options)
 
 
 def test_two_boxes_of_lammps(tmp_path):
@@ -324,12 +289,10 @@ def test_two_boxes_of_lammps(tmp_path):
     text = "of a test\n\n1 atoms\n1 ellipsoids\n{}\nAtoms\n\n1 1 1 1 0 0 0\n\nEllipsoids\n\n1 1 1 1 1 0 0 0\n"
     vectors = "9 0 0 avec\n0 9 0 bvec\n0 0 9 cvec\n0 0 0 abc origin\n"
     for box in (bounds, vectors):
-        (tmp_path / "a.data").write_text(text.format(box))
-        assert len(read(tmp_path / "a.data")) == 1
+        assert len(read_text(tmp_path / "a.data", text.format(box))) == 1
     for other in (bounds, "1 0 0 xy xz yz\n"):
-        (tmp_path / "a.data").write_text(text.format(other + vectors))
         with pytest.raises(pypw85.FileError, match="the header gives the box twice"):
-            read(tmp_path / "a.data")
+            read_text(tmp_path / "a.data", text.format(other + vectors))
 
 
 # Rows of the section Atoms, and the sentence that refuses them: they may be those of other styles with seven columns
@@ -368,15 +331,13 @@ COMMENTS = {
 
 @pytest.mark.parametrize("comment", COMMENTS)
 def test_second_lines_of_xyz(comment, tmp_path):
-    (tmp_path / "a.xyz").write_text(f"1\n{comment}\nA 0 0 0\n")
     with pytest.raises(pypw85.FileError, match=f"line 2: {COMMENTS[comment]}"):
-        read(tmp_path / "a.xyz", shape=(1, 1, 1))
+        read_text(tmp_path / "a.xyz", f"1\n{comment}\nA 0 0 0\n", shape=(1, 1, 1))
 
 
 @pytest.mark.parametrize("comment", ["a cell of 9 molecules", "Step 3 in the box", "", "cells"])
 def test_comments_of_xyz(comment, tmp_path):
-    (tmp_path / "a.xyz").write_text(f"1\n{comment}\nA 0 0 0\n")
-    assert len(read(tmp_path / "a.xyz", shape=(1, 1, 1))) == 1
+    assert len(read_text(tmp_path / "a.xyz", f"1\n{comment}\nA 0 0 0\n", shape=(1, 1, 1))) == 1
     (tmp_path / "a.xyz").write_text("1\ncell 9 9 9\nA 0 0 0\n")
     assert read(tmp_path / "a.xyz", shape=(1, 1, 1), cell=9 * np.eye(3)).cell.tolist() == (9 * np.eye(3)).tolist()
 
@@ -531,17 +492,15 @@ REGIONS = {
 
 @pytest.mark.parametrize("text", REGIONS)
 def test_systems_of_regions(text, tmp_path):
-    (tmp_path / "a.reg").write_text(f"# Region file format: DS9 version 4.1\n{text}\n")
     with pytest.raises(pypw85.FileError, match=REGIONS[text]):
-        read(tmp_path / "a.reg")
+        read_text(tmp_path / "a.reg", f"# Region file format: DS9 version 4.1\n{text}\n")
 
 
 def test_included_regions(tmp_path):
     (tmp_path / "a.reg").write_text("# Region file format: DS9 version 4.1\nimage\n+ellipse(1,2,4,1,0)\nellipse(1,6,4,1,0)\n")
     assert read(tmp_path / "a.reg").semi_axes[:, :2].tolist() == [[4, 1], [4, 1]]
-    (tmp_path / "a.reg").write_text("# Region file format: DS9 version 4.1\nimage\n-ellipse(1,2,4,1,0)\n")
     with pytest.raises(pypw85.FileError, match="is not an ellipse or circle, and only these"):
-        read(tmp_path / "a.reg")
+        read_text(tmp_path / "a.reg", "# Region file format: DS9 version 4.1\nimage\n-ellipse(1,2,4,1,0)\n")
 
 
 def test_splats_of_whole_numbers(tmp_path):
@@ -549,9 +508,8 @@ def test_splats_of_whole_numbers(tmp_path):
     names = ["x", "y", "z", "scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2", "rot_3"]
     kinds = {name: "uchar" if name.startswith("rot") else "float" for name in names}
     header = "".join(f"property {kinds[name]} {name}\n" for name in names)
-    (tmp_path / "a.ply").write_text(f"ply\nformat ascii 1.0\nelement vertex 1\n{header}end_header\n0 0 0 -1 -2 -3 255 128 128 128\n")
     with pytest.raises(pypw85.FileError, match="the property rot_0 has whole numbers, which are packed in a way that is not known"):
-        read(tmp_path / "a.ply")
+        read_text(tmp_path / "a.ply", f"ply\nformat ascii 1.0\nelement vertex 1\n{header}end_header\n0 0 0 -1 -2 -3 255 128 128 128\n")
 
 
 def test_commands_say_what_they_take(run, tmp_path, monkeypatch):
@@ -642,5 +600,4 @@ def test_properties_of_faces_of_ply(properties, row, sentence, tmp_path):
     "Geometry: sphere\nRadius: 1\nPosition: (5, 5, 5)\n",
 ])  # fmt: skip
 def test_byte_order_marks(text, tmp_path):
-    (tmp_path / "a").write_text("\ufeff" + text)
-    assert read(tmp_path / "a").semi_axes[0, :2].tolist() == [1, 1]
+    assert read_text(tmp_path / "a", "\ufeff" + text).semi_axes[0, :2].tolist() == [1, 1]

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Packings, relaxation, voxels, statistics, conversion."""
 
-import functools
 import pickle
 import re
 
@@ -11,12 +10,7 @@ import pytest
 import pypw85
 from pypw85 import _packing, _statistics, _voxels
 from pypw85._system import quaternions_of
-from systems import CELL, command, random_system
-
-
-@pytest.fixture
-def run(capsys, monkeypatch):
-    return functools.partial(command, capsys, monkeypatch)
+from systems import CELL, random_system
 
 
 def rotations(quaternions):

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Systems of ellipses in the plane: numbers by independent formulas, files, and what is refused."""
 
-import functools
 import json
 import os
 import pathlib
@@ -11,16 +10,10 @@ import numpy as np
 import pytest
 
 import pypw85
-from systems import command
 
 FILES = pathlib.Path(os.environ["PYPW85_SOURCE"]) / "fuzz" / "files"
 SUFFIXES = ("dump", "data", "gsd", "xyz", "h5", "csv")
 U = 2.0**-53
-
-
-@pytest.fixture
-def run(capsys, monkeypatch):
-    return functools.partial(command, capsys, monkeypatch)
 
 
 def gas(rng, n=400, axes=(1.0, 0.5), edges=(40.0, 30.0), origin=(0.0, 0.0), **others):

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Random sequential addition, against brute force and known fractions."""
 
-import functools
 import itertools
 import os
 import re
@@ -16,14 +15,8 @@ import pytest
 
 import pypw85
 from pypw85 import _core
-from systems import command
 
 SHAPES = {"discs": [[1, 1]], "ellipses": [[2, 1]], "mixture": [[1, 2.5], [0.7, 0.7]], "balls": [[1, 1, 1]]}
-
-
-@pytest.fixture
-def run(capsys, monkeypatch):
-    return functools.partial(command, capsys, monkeypatch)
 
 
 def cell_of(axes, edge=14.0):

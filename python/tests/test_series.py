@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of the time series of runs."""
 
-import functools
 import sys
 
 import matplotlib
@@ -10,17 +9,15 @@ import pytest
 
 import pypw85
 from pypw85.cli import _series
-from systems import command
 
 matplotlib.use("Agg")
 pytest.importorskip("h5py")
 
 
 @pytest.fixture
-def run(capsys, monkeypatch, tmp_path):
-    monkeypatch.chdir(tmp_path)
+def run(run, folder):
     pypw85.write("start.xyz", pypw85.pack(np.tile([0.5, 0.5, 1.0], (20, 1)), 0.2, seed=1))
-    return functools.partial(command, capsys, monkeypatch)
+    return run
 
 
 def test_series(run, tmp_path):

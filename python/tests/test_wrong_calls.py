@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Wrong calls of the command: status 2, a sentence that says what is wrong with the value and what to do, and no traceback."""
 
-import functools
 import os
 import re
 
@@ -9,7 +8,6 @@ import numpy as np
 import pytest
 
 import pypw85
-from systems import command
 
 PACK = "pack new.xyz -n 8 --axes 1,1,2 --fraction 0.2"
 MC = "mc start.xyz --sweeps 10 --out run.h5"
@@ -153,10 +151,10 @@ def folder(tmp_path_factory):
 
 
 @pytest.mark.parametrize("call, sentence", WRONG, ids=[call for call, _ in WRONG])
-def test_wrong_call(call, sentence, folder, capsys, monkeypatch):
+def test_wrong_call(call, sentence, folder, run, monkeypatch):
     monkeypatch.chdir(folder)
     before = sorted(os.listdir())
-    done = functools.partial(command, capsys, monkeypatch)(*call.split())
+    done = run(*call.split())
     assert done.status == 2, done
     lines = done.err.strip().splitlines()
     assert re.search(sentence, lines[-1]) and re.match(r"(pw85|Error): \S", lines[-1]), done

@@ -10,6 +10,7 @@
 
 #include <pw85_batch.h>
 
+#include "../cases.hpp"
 #include "../random_pairs.hpp"
 
 using namespace pw85_tests;
@@ -18,7 +19,7 @@ namespace {
 
 /// Rows of all kinds, bad ones among them, give the bits and the statuses of single pairs, for any
 /// number of rows.
-void test_rows()
+PW85_TEST("/areas/rows")
 {
     Random random(935);
     constexpr std::size_t n = 1100;
@@ -57,10 +58,3 @@ void test_rows()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/areas/rows", test_rows);
-    return g_test_run();
-}

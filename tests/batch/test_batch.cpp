@@ -10,6 +10,7 @@
 #include <pw85/batch.hpp>
 #include <pw85/systems.hpp>
 
+#include "../cases.hpp"
 #include "../condition_number.hpp"
 #include "../draws.hpp"
 #include "../failures.hpp"
@@ -30,7 +31,7 @@ constexpr double u = 0x1p-53;
 
 // The reference data, with the bound of the functions for one pair: 4 u cond for μ² (half an ulp
 // more for the rounding of the reference itself is far below it).
-void test_problems()
+PW85_TEST("/batch/problems")
 {
     Failures accuracy, overlaps;
     std::vector<Pair3> pairs;
@@ -50,7 +51,7 @@ void test_problems()
 }
 
 // λ from a batch is good enough for f there to be μ² to within the same bound.
-void test_lambda()
+PW85_TEST("/batch/lambda")
 {
     Failures failures;
     Random random(1);
@@ -85,7 +86,7 @@ Expected one_by_one(Pair3 const &p)
 
 // Hard, easy and invalid pairs in one block: the same marks and statuses, the same answers, and
 // numbers that differ by no more than twice the 4 u cond of either.
-void test_mixed()
+PW85_TEST("/batch/mixed")
 {
     Failures failures;
     Random random(2);
@@ -117,7 +118,7 @@ void test_mixed()
 }
 
 // Every size up to 40, at every position of a larger batch: the same bits.
-void test_sizes_and_positions()
+PW85_TEST("/batch/sizes_and_positions")
 {
     Failures failures;
     Random random(3);
@@ -133,7 +134,7 @@ void test_sizes_and_positions()
 }
 
 // Any order, large batches: the same bits.
-void test_order()
+PW85_TEST("/batch/order")
 {
     Failures failures;
     Random random(4);
@@ -165,7 +166,7 @@ class Unaligned {
     double *start_;
 };
 
-void test_unaligned()
+PW85_TEST("/batch/unaligned")
 {
     Random random(5);
     std::size_t const n = 333;
@@ -189,7 +190,7 @@ void test_unaligned()
     assert_same_bytes(alone.data(), expected.mu2.data(), n * sizeof(double));
 }
 
-void test_arguments()
+PW85_TEST("/batch/arguments")
 {
     double const x[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
     double mu2 = 7.0, lambda = 7.0;
@@ -216,7 +217,7 @@ void test_arguments()
 }
 
 // The status is that of the first bad pair, whatever comes after, in blocks of other threads too.
-void test_first_status()
+PW85_TEST("/batch/first_status")
 {
     Random random(6);
     std::vector<Pair3> pairs;
@@ -240,7 +241,7 @@ void test_first_status()
     }
 }
 
-void test_spans()
+PW85_TEST("/batch/spans")
 {
     Random random(7);
     std::size_t const n = 700;
@@ -268,7 +269,7 @@ void test_spans()
     g_assert_true(pw85::contact_batch(pw85::Vectors{}, {}, {}, {}) == pw85::Status::success);
 }
 
-void test_float_spans()
+PW85_TEST("/batch/float_spans")
 {
     Failures failures;
     Random random(8);
@@ -295,19 +296,3 @@ void test_float_spans()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/batch/problems", test_problems);
-    g_test_add_func("/batch/lambda", test_lambda);
-    g_test_add_func("/batch/mixed", test_mixed);
-    g_test_add_func("/batch/sizes_and_positions", test_sizes_and_positions);
-    g_test_add_func("/batch/order", test_order);
-    g_test_add_func("/batch/unaligned", test_unaligned);
-    g_test_add_func("/batch/arguments", test_arguments);
-    g_test_add_func("/batch/first_status", test_first_status);
-    g_test_add_func("/batch/spans", test_spans);
-    g_test_add_func("/batch/float_spans", test_float_spans);
-    return g_test_run();
-}

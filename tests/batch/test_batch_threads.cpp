@@ -10,6 +10,7 @@
 #include <pw85/simulation.hpp>
 
 #include "../../src/base/parallel.hpp"
+#include "../cases.hpp"
 #include "batch_data.hpp"
 
 #ifdef _OPENMP
@@ -58,7 +59,7 @@ void simulate_few()
 
 // A parallel region costs a microsecond, or a time slice of the system if the other threads have to
 // wait for a processor. To be called before any other test has started the threads of OpenMP.
-void test_small_work()
+PW85_TEST("/batch_threads/small_work")
 {
 #ifdef _OPENMP
     if (!std::filesystem::exists("/proc/self/task")) return g_test_skip("no list of threads");
@@ -75,7 +76,7 @@ void test_small_work()
 #endif
 }
 
-void test_number_of_threads()
+PW85_TEST("/batch_threads/number_of_threads")
 {
 #ifdef _OPENMP
     Random random(21);
@@ -95,7 +96,7 @@ void test_number_of_threads()
 
 // Each block may have a 64th part of the largest block too many, since its rows are rounded up.
 // Blocks are not shorter than an eighth of the largest.
-void test_even_shares()
+PW85_TEST("/batch_threads/even_shares")
 {
 #ifdef _OPENMP
     using namespace pw85::detail;
@@ -119,7 +120,7 @@ void test_even_shares()
 
 // Small batches, each on the thread that calls: for ThreadSanitizer, which does not know the
 // barriers of OpenMP.
-void test_concurrent_calls()
+PW85_TEST("/batch_threads/concurrent_calls")
 {
     Random random(22);
     auto const pairs = mixed_pairs(random, 1000);
@@ -135,13 +136,3 @@ void test_concurrent_calls()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/batch_threads/small_work", test_small_work);
-    g_test_add_func("/batch_threads/concurrent_calls", test_concurrent_calls);
-    g_test_add_func("/batch_threads/number_of_threads", test_number_of_threads);
-    g_test_add_func("/batch_threads/even_shares", test_even_shares);
-    return g_test_run();
-}

@@ -8,6 +8,7 @@
 #include <pw85/batch.hpp>
 #include <pw85/systems.hpp>
 
+#include "../cases.hpp"
 #include "../draws.hpp"
 #include "../failures.hpp"
 #include "../systems.hpp"
@@ -94,7 +95,7 @@ double error_of_adjugate(Pair3 const &p, double lambda)
 // At the λ that is given back, in a wider type: with the bound of the functions for one pair, 64 u
 // aspect² of the largest coordinate by factorisation (see test_geometry.cpp), and what the adjugate
 // adds. Torques are products of two vectors of which each may err by so much.
-void test_accuracy()
+PW85_TEST("/derivatives/accuracy")
 {
     Failures failures;
     Random random(51);
@@ -138,7 +139,7 @@ void test_accuracy()
 
 // μ² and λ have the bits of pw85_contact_batch(); vectors are NaN exactly where those of one pair
 // are at this λ.
-void test_mixed()
+PW85_TEST("/derivatives/mixed")
 {
     Failures failures;
     Random random(52);
@@ -169,7 +170,7 @@ void test_mixed()
 }
 
 // Any number, at any position, in threads too: the same bits.
-void test_sizes_and_positions()
+PW85_TEST("/derivatives/sizes_and_positions")
 {
     Random random(53);
     auto const pairs = mixed_pairs(random, 9000);
@@ -184,7 +185,7 @@ void test_sizes_and_positions()
 }
 
 // A list gives what a batch of its separations gives, with images and without.
-void test_pairs()
+PW85_TEST("/derivatives/pairs")
 {
     Random random(54);
     std::size_t const n = 1000;
@@ -219,7 +220,7 @@ void test_pairs()
 }
 
 // Each output may be left out, and the others stay as they are.
-void test_outputs()
+PW85_TEST("/derivatives/outputs")
 {
     Random random(55);
     std::size_t const n = 300;
@@ -251,7 +252,7 @@ void test_outputs()
 }
 
 // Concentric ellipsoids attract and turn nothing.
-void test_concentric()
+PW85_TEST("/derivatives/concentric")
 {
     std::vector<Pair3> const pairs = {{{0, 0, 0}, {1, 0, 0, 2, 0, 3}, {1, 0.5, 0, 1, 0, 1}}};
     Result const result = run(pairs);
@@ -263,7 +264,7 @@ void test_concentric()
     }
 }
 
-void test_arguments()
+PW85_TEST("/derivatives/arguments")
 {
     double const x[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
     double out = 7.0;
@@ -301,16 +302,3 @@ void test_arguments()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/derivatives/accuracy", test_accuracy);
-    g_test_add_func("/derivatives/mixed", test_mixed);
-    g_test_add_func("/derivatives/sizes_and_positions", test_sizes_and_positions);
-    g_test_add_func("/derivatives/pairs", test_pairs);
-    g_test_add_func("/derivatives/outputs", test_outputs);
-    g_test_add_func("/derivatives/concentric", test_concentric);
-    g_test_add_func("/derivatives/arguments", test_arguments);
-    return g_test_run();
-}

@@ -10,6 +10,7 @@
 #include "../../src/simd/lanes.hpp"
 #include "../../src/simd/lanes/overlap.hpp"
 #include "../../src/simd/vector_length.hpp"
+#include "../cases.hpp"
 
 namespace {
 
@@ -38,7 +39,7 @@ bool has_lanes_of_baseline()
            &baseline::compute<PairArrays<3>, OverlapArray>;
 }
 
-void test_choice()
+PW85_TEST("/dispatch/choice")
 {
     char const *const wanted = std::getenv("PW85_TARGET"), *const chosen =
                                                                pw85::detail::kernels::chosen().name;
@@ -66,10 +67,3 @@ void test_choice()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/dispatch/choice", test_choice);
-    return g_test_run();
-}

@@ -12,6 +12,7 @@
 #include <pw85/pw85.hpp>
 #include <pw85/systems.hpp>
 
+#include "../cases.hpp"
 #include "../failures.hpp"
 #include "../random_pairs.hpp"
 #include "../systems.hpp"
@@ -151,7 +152,7 @@ void test_energy()
                    sums.scalar_virial, none);
 }
 
-void test_threads()
+PW85_TEST("/forces/threads")
 {
     System const system = make_system(400, 1.0);
     g_assert_cmpuint(system.list.pairs().size(), >, 5000);
@@ -169,7 +170,7 @@ void test_threads()
 }
 
 // Nothing is zero; what an output needs must be there; indices are checked.
-void test_arguments()
+PW85_TEST("/forces/arguments")
 {
     double x[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, forces[6], torques[6], virial[9];
     std::int32_t const pairs[2] = {0, 1}, outside[2] = {0, 2};
@@ -293,7 +294,7 @@ struct OnePair {
 
 // Energies and forces of two spheres, for which μ² = x and its derivative is 2 sqrt(x)/(2 size);
 // virial -2 x U'.
-void test_laws()
+PW85_TEST("/forces/laws")
 {
     Failures failures;
     for (KnownLaw const &law : known_laws())
@@ -331,7 +332,7 @@ void test_laws()
 }
 
 /// Sums of a law, and the same sums in two steps from the same U', which one pair of each μ² gives.
-void test_two_steps()
+PW85_TEST("/forces/law and two steps")
 {
     System const system = make_system(400, 1.0);
     std::size_t const n = system.list.pairs().size();
@@ -369,7 +370,7 @@ void test_two_steps()
 }
 
 // The forces of a soft repulsion are the derivatives of its energy.
-void test_law_energy()
+PW85_TEST("/forces/energy of a law")
 {
     Failures failures;
     System system = make_system(60, 1.2);
@@ -403,7 +404,7 @@ void test_law_energy()
         }
 }
 
-void test_law_threads()
+PW85_TEST("/forces/threads of a law")
 {
     constexpr std::size_t n = 800;
     System const system = make_system(n, 1.0);
@@ -439,7 +440,7 @@ void test_law_threads()
 
 // Laws are checked before anything is written; bad pairs make their sums NaN; concentric ellipsoids
 // have no force.
-void test_law_arguments()
+PW85_TEST("/forces/arguments of a law")
 {
     double const x[6] = {0, 0, 0, 1, 0, 0}, same[6] = {},
                  q[12] = {1, 0, 0, 1, 0, 1, 1, 0, 0, 1, 0, 1};
@@ -484,18 +485,6 @@ void test_law_arguments()
     }
 }
 
-} // namespace
+PW85_ADD_TEST("/forces/energy", test_energy);
 
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/forces/energy", test_energy);
-    g_test_add_func("/forces/threads", test_threads);
-    g_test_add_func("/forces/arguments", test_arguments);
-    g_test_add_func("/forces/laws", test_laws);
-    g_test_add_func("/forces/law and two steps", test_two_steps);
-    g_test_add_func("/forces/energy of a law", test_law_energy);
-    g_test_add_func("/forces/threads of a law", test_law_threads);
-    g_test_add_func("/forces/arguments of a law", test_law_arguments);
-    return g_test_run();
-}
+} // namespace

@@ -10,6 +10,7 @@
 
 #include <pw85/systems.hpp>
 
+#include "../cases.hpp"
 #include "../draws.hpp"
 #include "../failures.hpp"
 #include "../systems.hpp"
@@ -110,7 +111,7 @@ void check_same_lattice(Failures &failures, pw85::Cell const &cell, pw85::Cell c
 }
 
 // Cells of all shapes, flat ones too, by many kinds of vectors.
-void test_reduce()
+PW85_TEST("/lattice/reduce")
 {
     Failures failures;
     Random random(31);
@@ -132,7 +133,7 @@ void test_reduce()
 
 // Three vectors of like length at almost 120 degrees in almost one plane: only their sum is
 // shorter.
-void test_reduce_triples()
+PW85_TEST("/lattice/reduce_triples")
 {
     Failures failures;
     for (double const height : {0.25, 0x1p-8, 0x1p-16})
@@ -148,7 +149,7 @@ void test_reduce_triples()
 }
 
 // Lengths as extreme as those of particles may be; and what is not a cell.
-void test_reduce_range()
+PW85_TEST("/lattice/reduce_range")
 {
     for (double const scale : {0x1p-498, 0x1p-101, 0x1p-99, 1.0, 0x1p99, 0x1p101, 0x1p498}) {
         double const cell[9] = {scale, 0, 0, 5 * scale, scale, 0, -3 * scale, 7 * scale, scale};
@@ -231,7 +232,7 @@ void check_shifts(Failures &failures, Random &random, pw85::Cell const &cell,
 }
 
 // Each lattice vector that a separation may be moved by is the only right one for some.
-void test_every_shift()
+PW85_TEST("/lattice/every_shift")
 {
     Failures failures;
     Random random(32);
@@ -245,7 +246,7 @@ void test_every_shift()
 }
 
 // One vector orthogonal to both others: two couples, whichever vector it is.
-void test_shifts_of_prisms()
+PW85_TEST("/lattice/shifts_of_prisms")
 {
     Failures failures;
     Random random(33);
@@ -265,7 +266,7 @@ void test_shifts_of_prisms()
 
 // Two vectors orthogonal to each other, but not to the third: all nine couples, whichever vector it
 // is.
-void test_shifts_of_oblique_cells()
+PW85_TEST("/lattice/shifts_of_oblique_cells")
 {
     Failures failures;
     Random random(36);
@@ -283,7 +284,7 @@ void test_shifts_of_oblique_cells()
 }
 
 // A list with images is a batch of the separations that they mean, for any cell that is finite.
-void test_images()
+PW85_TEST("/lattice/images")
 {
     Random random(34);
     pw85::Cell const cells[] = {skew(random, random_cell(random, 1.0), 3),
@@ -333,7 +334,7 @@ void test_images()
 // The images, added to the second particles, give the vectors; the vectors are the shortest of
 // those around; and functions of lists find the same images. Cells by skewed vectors, particles
 // many cells apart.
-void test_nearest_images()
+PW85_TEST("/lattice/nearest_images")
 {
     Failures failures;
     Random random(36);
@@ -367,7 +368,7 @@ void test_nearest_images()
     }
 }
 
-void test_nearest_image_arguments()
+PW85_TEST("/lattice/nearest_images/arguments")
 {
     double const nan = std::numeric_limits<double>::quiet_NaN();
     double const cell[9] = {2, 0, 0, 0, 2, 0, 0, 0, 2}, flat[9] = {2, 0, 0, 0, 2, 0, 2, 2, 0};
@@ -409,7 +410,7 @@ void test_nearest_image_arguments()
         PW85_EINVAL);
 }
 
-void test_image_arguments()
+PW85_TEST("/lattice/image_arguments")
 {
     double const x[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, cell[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     std::int32_t const pairs[2] = {0, 0}, image[3] = {3, 0, 0};
@@ -506,7 +507,7 @@ struct CellAnswers {
 
 // Powers of two change nothing but the unit, up to the sizes that particles may have, nor does
 // skewness: what is right for one size, which other tests check, is for all.
-void test_units()
+PW85_TEST("/lattice/units")
 {
     Failures failures;
     Random random(37);
@@ -554,7 +555,7 @@ double expected_limit(pw85::Cell const &reduced, std::vector<Form3> const &q)
 }
 
 // The limit is what it is said to be, and no image that is not the nearest is below it.
-void test_limit()
+PW85_TEST("/lattice/limit")
 {
     Failures failures;
     Random random(35);
@@ -596,7 +597,7 @@ void test_limit()
 // Needles along each of the lattice vectors that can be half-way through a face: of the
 // body-centred lattice, by bases of all signs, they are the vectors of the basis, three sums of two
 // and one of three.
-void test_limit_of_needles()
+PW85_TEST("/lattice/limit_of_needles")
 {
     Failures failures;
     for (int signs = 0; signs < 8; ++signs) {
@@ -616,7 +617,7 @@ void test_limit_of_needles()
     }
 }
 
-void test_limit_arguments()
+PW85_TEST("/lattice/limit_arguments")
 {
     double const cell[9] = {8, 0, 0, 0, 4, 0, 0, 0, 6}, singular[9] = {1, 0, 0, 0, 1, 0, 1, 1, 0};
     double const q[12] = {1, 0, 0, 1, 0, 1, 4, 0, 0, 0.25, 0, 1};
@@ -654,23 +655,3 @@ void test_limit_arguments()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/lattice/reduce", test_reduce);
-    g_test_add_func("/lattice/reduce_triples", test_reduce_triples);
-    g_test_add_func("/lattice/reduce_range", test_reduce_range);
-    g_test_add_func("/lattice/every_shift", test_every_shift);
-    g_test_add_func("/lattice/shifts_of_prisms", test_shifts_of_prisms);
-    g_test_add_func("/lattice/shifts_of_oblique_cells", test_shifts_of_oblique_cells);
-    g_test_add_func("/lattice/units", test_units);
-    g_test_add_func("/lattice/images", test_images);
-    g_test_add_func("/lattice/image_arguments", test_image_arguments);
-    g_test_add_func("/lattice/nearest_images", test_nearest_images);
-    g_test_add_func("/lattice/nearest_images/arguments", test_nearest_image_arguments);
-    g_test_add_func("/lattice/limit", test_limit);
-    g_test_add_func("/lattice/limit_of_needles", test_limit_of_needles);
-    g_test_add_func("/lattice/limit_arguments", test_limit_arguments);
-    return g_test_run();
-}

@@ -14,6 +14,7 @@
 
 #include <pw85/systems.hpp>
 
+#include "../cases.hpp"
 #include "../draws.hpp"
 #include "../failures.hpp"
 #include "../random_pairs.hpp"
@@ -239,7 +240,7 @@ System random_system(Random &random, std::size_t n, Kind kind, double side)
 
 // Every kind of cell, smaller and larger than the particles, periodic along any of its vectors;
 // centres outside of it, too.
-void test_brute_force()
+PW85_TEST("/neighbors/brute_force")
 {
     Failures failures;
     Random random(101);
@@ -256,7 +257,7 @@ void test_brute_force()
 }
 
 // Enough for several tasks and levels.
-void test_many()
+PW85_TEST("/neighbors/many")
 {
     Failures failures;
     Random random(102);
@@ -295,7 +296,7 @@ Neighbor next_in_row(std::vector<std::int32_t> const &number_at, int side, int k
 
 // More than what threads find before they add it to the list, which so has to grow, and parts of
 // space.
-void test_growing()
+PW85_TEST("/neighbors/growing")
 {
     Threads const one(1);
     constexpr int side = 52;
@@ -316,7 +317,7 @@ void test_growing()
 }
 
 // Sizes that differ by 10⁴, and crowds in a vast space.
-void test_sizes()
+PW85_TEST("/neighbors/sizes")
 {
     Failures failures;
     Random random(103);
@@ -332,7 +333,7 @@ void test_sizes()
 }
 
 // Boxes that touch exactly are pairs, as they are after many cells.
-void test_touching()
+PW85_TEST("/neighbors/touching")
 {
     System system;
     system.add({0.0, 0.0, 0.0}, unit_sphere);
@@ -372,7 +373,7 @@ void test_touching()
 }
 
 // The same bytes from any number of threads.
-void test_threads()
+PW85_TEST("/neighbors/threads")
 {
     Random random(104);
     System const system = random_system(random, 20000, Kind::triclinic, 30.0);
@@ -391,7 +392,7 @@ void test_threads()
 }
 
 // Particles that move and turn within the skin bring no new pair; those that leave it are noticed.
-void test_holds()
+PW85_TEST("/neighbors/holds")
 {
     Failures failures;
     Random random(105);
@@ -539,7 +540,7 @@ void check_held(Failures &failures, pw85::Neighbors const &list, System const &t
 
 // Cells that shrink, grow, are sheared and turned, with the centres and without them: as far as the
 // list holds nothing is missing.
-void test_holds_cell()
+PW85_TEST("/neighbors/holds_cell")
 {
     Failures failures;
     Random random(108);
@@ -562,7 +563,7 @@ void test_holds_cell()
 
 // A large cell that shrinks with its centres, about whatever point, takes no more of the skin than
 // its particles become larger by comparison: half-widths are 1, half the skin is 0.1.
-void test_holds_scaled()
+PW85_TEST("/neighbors/holds_scaled")
 {
     Random random(109);
     System system;
@@ -585,7 +586,7 @@ void test_holds_scaled()
 }
 
 // Two spheres that met no image in a cell of side 6 meet several in one of side 5.
-void test_holds_smaller_cell()
+PW85_TEST("/neighbors/holds_smaller_cell")
 {
     System system;
     for (int i = 0; i < 2; ++i)
@@ -616,7 +617,7 @@ void test_holds_smaller_cell()
 
 // A list does not see where all particles are, nor take motion beyond the range of numbers for one
 // that they share.
-void test_holds_shared_motion()
+PW85_TEST("/neighbors/holds_shared_motion")
 {
     Random random(110);
     System system = random_system(random, 5000, Kind::none, 30.0);
@@ -638,7 +639,7 @@ void test_holds_shared_motion()
 }
 
 // Turning alone can take a particle out of its box.
-void test_holds_turned()
+PW85_TEST("/neighbors/holds_turned")
 {
     System system;
     system.add({0.0, 0.0, 0.0}, {9.0, 0.0, 0.0, 1.0, 0.0, 1.0});
@@ -682,7 +683,7 @@ System three_spheres()
     return system;
 }
 
-void test_bad_particles()
+PW85_TEST("/neighbors/bad_particles")
 {
     for (double const bad : {nan, infinity, -infinity, 1e300}) {
         System system = three_spheres();
@@ -703,7 +704,7 @@ void test_bad_particles()
     expect(system, Status::invalid_argument, 1);
 }
 
-void test_bad_cells()
+PW85_TEST("/neighbors/bad_cells")
 {
     System system = three_spheres();
     for (Vector3 const &row : {Vector3{}, Vector3{nan, 0.0, 0.0}, Vector3{9.0, 0.0, 0.0},
@@ -722,7 +723,7 @@ void test_bad_cells()
 
 // Options out of range, null pointers, counts that overflow; images beyond the numbers that there
 // are.
-void test_arguments()
+PW85_TEST("/neighbors/arguments")
 {
     for (double const bad : {0.0, -1.0, nan, infinity}) {
         System system = three_spheres();
@@ -772,7 +773,7 @@ void test_arguments()
 }
 
 // More images than memory can hold, or than fit into their numbers: refused at once.
-void test_too_many()
+PW85_TEST("/neighbors/too_many")
 {
     System system = three_spheres();
     for (std::size_t k = 0; k < 3; ++k) system.cell[k][static_cast<int>(k)] = 1e-5;
@@ -789,7 +790,7 @@ void test_too_many()
 }
 
 // Nothing at all, with and without a cell.
-void test_empty()
+PW85_TEST("/neighbors/empty")
 {
     System const system = three_spheres();
     for (bool const has_cell : {false, true}) {
@@ -809,26 +810,3 @@ void test_empty()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/neighbors/brute_force", test_brute_force);
-    g_test_add_func("/neighbors/many", test_many);
-    g_test_add_func("/neighbors/growing", test_growing);
-    g_test_add_func("/neighbors/sizes", test_sizes);
-    g_test_add_func("/neighbors/touching", test_touching);
-    g_test_add_func("/neighbors/threads", test_threads);
-    g_test_add_func("/neighbors/holds", test_holds);
-    g_test_add_func("/neighbors/holds_cell", test_holds_cell);
-    g_test_add_func("/neighbors/holds_scaled", test_holds_scaled);
-    g_test_add_func("/neighbors/holds_smaller_cell", test_holds_smaller_cell);
-    g_test_add_func("/neighbors/holds_shared_motion", test_holds_shared_motion);
-    g_test_add_func("/neighbors/holds_turned", test_holds_turned);
-    g_test_add_func("/neighbors/bad_particles", test_bad_particles);
-    g_test_add_func("/neighbors/bad_cells", test_bad_cells);
-    g_test_add_func("/neighbors/arguments", test_arguments);
-    g_test_add_func("/neighbors/too_many", test_too_many);
-    g_test_add_func("/neighbors/empty", test_empty);
-    return g_test_run();
-}

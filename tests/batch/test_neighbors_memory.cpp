@@ -8,6 +8,7 @@
 
 #include <pw85/systems.hpp>
 
+#include "../cases.hpp"
 #include "../random_pairs.hpp"
 #include "../refused_memory.hpp"
 
@@ -15,7 +16,7 @@ using pw85_tests::granted;
 
 namespace {
 
-void test_refused()
+PW85_TEST("/neighbors_memory/refused")
 {
     pw85_tests::Random random(111);
     std::vector<pw85::Vector<double, 3>> centers;
@@ -43,10 +44,3 @@ void test_refused()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/neighbors_memory/refused", test_refused);
-    return g_test_run();
-}

@@ -10,6 +10,7 @@
 #include <pw85/batch.hpp>
 #include <pw85/systems.hpp>
 
+#include "../cases.hpp"
 #include "../draws.hpp"
 #include "../failures.hpp"
 #include "../systems.hpp"
@@ -70,7 +71,7 @@ BatchResult run_pairs(System const &system, pw85::Cell const *cell = nullptr)
 
 // Without a cell: the bits of a batch of the differences of the centres, also for a particle with
 // itself, and bad ones.
-void test_like_batch()
+PW85_TEST("/pairs/like_batch")
 {
     Failures failures;
     Random random(11);
@@ -204,7 +205,7 @@ void check_distances(Failures &failures, Random &random, pw85::Cell const &compa
     }
 }
 
-void test_cells()
+PW85_TEST("/pairs/cells")
 {
     Failures failures;
     Random random(12);
@@ -219,7 +220,7 @@ void test_cells()
 
 // Lattices with many images at the same distance: cubic, hexagonal, face- and body-centred, flat
 // and needle-like.
-void test_special_cells()
+PW85_TEST("/pairs/special_cells")
 {
     Failures failures;
     Random random(13);
@@ -236,7 +237,7 @@ void test_special_cells()
 }
 
 // For ellipsoids: the contact function of one of the nearest images.
-void test_contact_in_cell()
+PW85_TEST("/pairs/contact_in_cell")
 {
     Failures failures;
     Random random(14);
@@ -268,7 +269,7 @@ void test_contact_in_cell()
 }
 
 // Cells as small and as large as semi-axes may be.
-void test_cell_sizes()
+PW85_TEST("/pairs/cell_sizes")
 {
     for (double const scale : {0x1p-490, 0x1p-100, 0x1p100, 0x1p490}) {
         pw85::Cell const cell = {
@@ -288,7 +289,7 @@ void test_cell_sizes()
 // Up to 2⁵⁰ cells away the nearest image is told, though to an eighth of a cell only; beyond it
 // pairs are bad, unless the cell is not periodic there. Lists are long enough for lanes, and for
 // what these leave.
-void test_far_centers()
+PW85_TEST("/pairs/far_centers")
 {
     pw85::Cell const cell = {{{2, 0, 0}, {0, 2, 0}, {0, 0, 2}}};
     std::vector<Vector3> const centers = {
@@ -326,7 +327,7 @@ void test_far_centers()
         }
 }
 
-void test_bad_cells()
+PW85_TEST("/pairs/bad_cells")
 {
     double const nan = std::numeric_limits<double>::quiet_NaN();
     pw85::Cell const cells[] = {
@@ -354,7 +355,7 @@ void test_bad_cells()
 }
 
 // Indices out of range are found before anything is written, wherever they are.
-void test_bad_indices()
+PW85_TEST("/pairs/bad_indices")
 {
     Random random(16);
     System system(random, 50, 200000, 10.0);
@@ -378,7 +379,7 @@ void test_bad_indices()
         std::all_of(overlap.begin(), overlap.end(), [](unsigned char x) { return x == 7; }));
 }
 
-void test_arguments()
+PW85_TEST("/pairs/arguments")
 {
     double const x[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, cell[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     std::int32_t const pairs[2] = {0, 0};
@@ -432,7 +433,7 @@ void test_arguments()
 }
 
 // A part of a list gives the bits of the whole list.
-void test_parts()
+PW85_TEST("/pairs/parts")
 {
     Random random(17);
     pw85::Cell const cell = skew(random, compact_cell(random, 8.0), 4);
@@ -449,19 +450,3 @@ void test_parts()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/pairs/like_batch", test_like_batch);
-    g_test_add_func("/pairs/cells", test_cells);
-    g_test_add_func("/pairs/special_cells", test_special_cells);
-    g_test_add_func("/pairs/contact_in_cell", test_contact_in_cell);
-    g_test_add_func("/pairs/cell_sizes", test_cell_sizes);
-    g_test_add_func("/pairs/far_centers", test_far_centers);
-    g_test_add_func("/pairs/bad_cells", test_bad_cells);
-    g_test_add_func("/pairs/bad_indices", test_bad_indices);
-    g_test_add_func("/pairs/arguments", test_arguments);
-    g_test_add_func("/pairs/parts", test_parts);
-    return g_test_run();
-}

@@ -11,6 +11,7 @@
 #include <pw85/pw85.hpp>
 #include <pw85/systems.hpp>
 
+#include "../cases.hpp"
 #include "../draws.hpp"
 #include "../failures.hpp"
 #include "../random_pairs.hpp"
@@ -101,7 +102,7 @@ std::vector<pw85::IndexPair> all_pairs(std::size_t n)
 
 // The images, added to the second particles, give the vectors, and none of another image is
 // shorter.
-void test_nearest_images()
+PW85_TEST("/partly_periodic/nearest_images")
 {
     Failures failures;
     Random random(171);
@@ -151,7 +152,7 @@ struct Answers {
 
 // Functions of lists take the same images, those that are given or the nearest; multiples of the
 // other vectors count as 0.
-void test_lists()
+PW85_TEST("/partly_periodic/lists")
 {
     Failures failures;
     Random random(172);
@@ -188,7 +189,7 @@ void test_lists()
 
 // The limit is the least |v|⁴/(16 vᵀQv) of the lattice vectors v, and beyond it another image than
 // the nearest may overlap.
-void test_limit()
+PW85_TEST("/partly_periodic/limit")
 {
     Failures failures;
     Random random(173);
@@ -211,7 +212,7 @@ void test_limit()
 }
 
 // One against others, all images of them and of itself: refused only where the limit is below one.
-void test_overlap_any_indices()
+PW85_TEST("/partly_periodic/overlap_any_indices")
 {
     Failures failures;
     Random random(174);
@@ -243,7 +244,7 @@ void test_overlap_any_indices()
 
 // A cell of which no vector is periodic is refused, and so are periodic vectors that are not
 // independent.
-void test_bad_cells()
+PW85_TEST("/partly_periodic/bad_cells")
 {
     Random random(175);
     System s(random, {1, 1, 1}, 2, 3.0, 0.5);
@@ -275,7 +276,7 @@ void test_bad_cells()
 }
 
 // A list holds for a system that is periodic along the same vectors.
-void test_other_directions()
+PW85_TEST("/partly_periodic/other_directions")
 {
     Random random(176);
     System s(random, {1, 1, 1}, 5, 3.0, 0.5);
@@ -291,7 +292,7 @@ void test_other_directions()
 }
 
 // Null structs, before anything is written but what says so.
-void test_null()
+PW85_TEST("/partly_periodic/null")
 {
     double const x[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
     std::int32_t const pairs[2] = {0, 0};
@@ -335,16 +336,3 @@ void test_null()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/partly_periodic/nearest_images", test_nearest_images);
-    g_test_add_func("/partly_periodic/lists", test_lists);
-    g_test_add_func("/partly_periodic/limit", test_limit);
-    g_test_add_func("/partly_periodic/overlap_any_indices", test_overlap_any_indices);
-    g_test_add_func("/partly_periodic/bad_cells", test_bad_cells);
-    g_test_add_func("/partly_periodic/other_directions", test_other_directions);
-    g_test_add_func("/partly_periodic/null", test_null);
-    return g_test_run();
-}

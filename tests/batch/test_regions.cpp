@@ -6,6 +6,7 @@
 
 #include <glib.h>
 
+#include "../cases.hpp"
 #include "../systems.hpp"
 #include "batch_data.hpp"
 
@@ -26,7 +27,7 @@ using namespace pw85_tests;
 
 namespace {
 
-void test_regions()
+PW85_TEST("/regions/regions")
 {
     if (dlsym(RTLD_NEXT, "GOMP_parallel") == nullptr) {
         g_test_skip("no OpenMP by GCC");
@@ -50,10 +51,3 @@ void test_regions()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/regions/regions", test_regions);
-    return g_test_run();
-}

@@ -6,6 +6,7 @@
 
 #include <glib.h>
 
+#include "../cases.hpp"
 #include "../draws.hpp"
 #include "../failures.hpp"
 #include "../rows_of_calls.hpp"
@@ -59,7 +60,7 @@ void check_threads(Failures &failures, Call &many)
     failures.check(same, "threads", 4.0, 1.0, [&] { return std::string(many.function().name); });
 }
 
-void test_rows()
+PW85_TEST("/rows/one_by_one")
 {
     Failures failures;
     Random random(900);
@@ -80,10 +81,3 @@ void test_rows()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/rows/one_by_one", test_rows);
-    return g_test_run();
-}

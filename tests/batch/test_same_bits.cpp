@@ -11,6 +11,7 @@
 #include <pw85.h>
 #include <pw85_batch.h>
 
+#include "../cases.hpp"
 #include "../draws.hpp"
 #include "../failures.hpp"
 #include "../random_pairs.hpp"
@@ -170,7 +171,7 @@ Row scaled(Row row, int length, int form)
     return row;
 }
 
-void test_scales()
+PW85_TEST("/same_bits/scales")
 {
     Failures failures;
     Random random(4711);
@@ -288,7 +289,7 @@ Row unusual(Row row, int kind)
 }
 
 /// Each kind in each place of the packs of a chunk, of 24 rows at most, and in none other.
-void test_places()
+PW85_TEST("/same_bits/places")
 {
     Failures failures;
     Random random(4712);
@@ -304,7 +305,7 @@ void test_places()
 }
 
 /// Rows of all kinds, more than a list of those that lanes leave over can have.
-void test_mixed()
+PW85_TEST("/same_bits/mixed")
 {
     Failures failures;
     Random random(4713);
@@ -319,12 +320,3 @@ void test_mixed()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/same_bits/scales", test_scales);
-    g_test_add_func("/same_bits/places", test_places);
-    g_test_add_func("/same_bits/mixed", test_mixed);
-    return g_test_run();
-}

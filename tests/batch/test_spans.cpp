@@ -8,6 +8,7 @@
 #include <pw85/batch.hpp>
 #include <pw85/systems.hpp>
 
+#include "../cases.hpp"
 #include "batch_data.hpp"
 
 using namespace pw85_tests;
@@ -100,7 +101,7 @@ void compare(Spans const &spans, C const &c, In const &in, First first, Out... o
 /// The overloads of a function of C++ as one object.
 #define SPANS(name) [](auto &&...rows) { return pw85::name(rows...); }
 
-void test_pairs()
+PW85_TEST("/spans/pairs")
 {
     Random random(70);
     constexpr std::size_t n = Inputs::n;
@@ -134,7 +135,7 @@ void test_pairs()
             std::tie(in.r, in.q1, in.q2, in.motion, in.motion, end), numbers);
 }
 
-void test_ellipses()
+PW85_TEST("/spans/ellipses")
 {
     Random random(71);
     constexpr std::size_t n = Inputs::n;
@@ -160,7 +161,7 @@ void test_ellipses()
             std::tie(in.flat_r, in.flat_r, in.flat_q1), numbers, vectors);
 }
 
-void test_walls()
+PW85_TEST("/spans/walls")
 {
     Random random(72);
     constexpr std::size_t n = Inputs::n;
@@ -196,12 +197,3 @@ void test_walls()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/spans/pairs", test_pairs);
-    g_test_add_func("/spans/ellipses", test_ellipses);
-    g_test_add_func("/spans/walls", test_walls);
-    return g_test_run();
-}

@@ -9,6 +9,7 @@
 #include <pw85/batch.hpp>
 #include <pw85/systems.hpp>
 
+#include "../cases.hpp"
 #include "../condition_number.hpp"
 #include "../draws.hpp"
 #include "../failures.hpp"
@@ -42,7 +43,7 @@ struct Columns {
 
 // Marks and statuses as one by one, any direction's length; distances within twice the bound of
 // either, which is half that of μ², 4 u cond, and some roundings.
-void test_closest_approach()
+PW85_TEST("/systems/closest_approach")
 {
     Failures failures;
     Random random(61);
@@ -80,7 +81,7 @@ void test_closest_approach()
 
 // Sizes for which the square of the distance leaves the range of double, though the distance does
 // not.
-void test_closest_approach_range()
+PW85_TEST("/systems/closest_approach_range")
 {
     for (double const q : {0x1p-1074, 0x1p-1040, 0x1p-1000, 1.0, 0x1p1000, 0x1p1022}) {
         Pair3 const p{{3, 0, 4}, {q, 0, 0, q, 0, q}, {q, 0, 0, q, 0, q}};
@@ -93,7 +94,7 @@ void test_closest_approach_range()
 }
 
 // Any number, at any position: the same bits.
-void test_closest_approach_positions()
+PW85_TEST("/systems/closest_approach_positions")
 {
     Random random(62);
     Columns const columns(mixed_pairs(random, 9000));
@@ -122,7 +123,7 @@ int any_one_by_one(Form3 const &q1, std::vector<Vector3> const &r12, std::vector
 }
 
 // Others in any order, bad ones among them: the first that overlaps or is bad decides.
-void test_overlap_any()
+PW85_TEST("/systems/overlap_any")
 {
     Failures failures;
     Random random(63);
@@ -154,7 +155,7 @@ void test_overlap_any()
 
 // Others beyond the first that overlaps are not looked at: neither theirs nor the status of one
 // that overlaps is bad.
-void test_overlap_any_order()
+PW85_TEST("/systems/overlap_any_order")
 {
     double const nan = std::numeric_limits<double>::quiet_NaN();
     Form3 const sphere{1, 0, 0, 1, 0, 1};
@@ -176,7 +177,7 @@ void test_overlap_any_order()
 }
 
 // By indices: the nearest images of the others in any order, in a cell or without one.
-void test_overlap_any_indices()
+PW85_TEST("/systems/overlap_any_indices")
 {
     Failures failures;
     Random random(66);
@@ -313,7 +314,7 @@ int any_of_list(SmallSystem const &system)
 
 // Cells larger and smaller than the particles: the answer is about all images, or an error. It is
 // one only where the limit of nearest images is below 1; and lists of images decide everywhere.
-void test_overlap_any_images()
+PW85_TEST("/systems/overlap_any_images")
 {
     Failures failures;
     Random random(68);
@@ -346,7 +347,7 @@ void test_overlap_any_images()
 }
 
 // Rows as one by one, in threads too: the same bits, marks, and the status of the first bad one.
-void test_forms()
+PW85_TEST("/systems/forms")
 {
     Random random(64);
     std::size_t const n = 10001;
@@ -377,7 +378,7 @@ void test_forms()
 }
 
 // A box is touched by the ellipsoid on each side, at ± Q e/√(eᵀQe), and by no point of it left.
-void test_bounding_boxes()
+PW85_TEST("/systems/bounding_boxes")
 {
     Failures failures;
     Random random(65);
@@ -416,7 +417,7 @@ void test_bounding_boxes()
         3.0f);
 }
 
-void test_arguments()
+PW85_TEST("/systems/arguments")
 {
     double const x[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
     double out[6] = {7.0, 7.0, 7.0, 7.0, 7.0, 7.0};
@@ -454,19 +455,3 @@ void test_arguments()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/systems/closest_approach", test_closest_approach);
-    g_test_add_func("/systems/closest_approach_range", test_closest_approach_range);
-    g_test_add_func("/systems/closest_approach_positions", test_closest_approach_positions);
-    g_test_add_func("/systems/overlap_any", test_overlap_any);
-    g_test_add_func("/systems/overlap_any_order", test_overlap_any_order);
-    g_test_add_func("/systems/overlap_any_indices", test_overlap_any_indices);
-    g_test_add_func("/systems/overlap_any_images", test_overlap_any_images);
-    g_test_add_func("/systems/forms", test_forms);
-    g_test_add_func("/systems/bounding_boxes", test_bounding_boxes);
-    g_test_add_func("/systems/arguments", test_arguments);
-    return g_test_run();
-}

@@ -9,6 +9,7 @@
 #include <pw85_gpu.h>
 
 #include "../batch/batch_data.hpp"
+#include "../cases.hpp"
 
 using namespace pw85_tests;
 
@@ -47,7 +48,7 @@ bool fails(char const *function)
            g_strcmp0(g_getenv("PW85_FAILS"), function) == 0;
 }
 
-void test_contact()
+PW85_TEST("/no_gpu/contact")
 {
     Arrays const a = arrays();
     std::vector<double> mu2(n, 1.0), lambda(n, 1.0), vectors(3 * n, 1.0);
@@ -64,7 +65,7 @@ void test_contact()
     g_assert_true(all_nan(vectors) == (expected != PW85_SUCCESS));
 }
 
-void test_overlap()
+PW85_TEST("/no_gpu/overlap")
 {
     Arrays const a = arrays();
     std::vector<unsigned char> overlap(n, 1);
@@ -76,7 +77,7 @@ void test_overlap()
         for (unsigned char const x : overlap) g_assert_cmpint(x, ==, 255);
 }
 
-void test_device_pointers()
+PW85_TEST("/no_gpu/device_pointers")
 {
     Arrays const a = arrays();
     std::vector<double> mu2(n, 1.0);
@@ -88,12 +89,12 @@ void test_device_pointers()
     g_assert_cmpfloat(mu2[0], ==, 1.0);
 }
 
-void test_sentence()
+PW85_TEST("/no_gpu/sentence")
 {
     g_assert_nonnull(g_strstr_len(pw85_strerror(PW85_EDEVICE), -1, "graphics processor"));
 }
 
-void test_everything_else()
+PW85_TEST("/no_gpu/everything_else")
 {
     Arrays const a = arrays();
     std::vector<double> mu2(n);
@@ -107,14 +108,3 @@ void test_everything_else()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/no_gpu/contact", test_contact);
-    g_test_add_func("/no_gpu/overlap", test_overlap);
-    g_test_add_func("/no_gpu/device_pointers", test_device_pointers);
-    g_test_add_func("/no_gpu/sentence", test_sentence);
-    g_test_add_func("/no_gpu/everything_else", test_everything_else);
-    return g_test_run();
-}

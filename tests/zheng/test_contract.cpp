@@ -2,6 +2,7 @@
 // What the C functions promise for invalid and extreme input.
 #include <limits>
 
+#include "../cases.hpp"
 #include "distances.hpp"
 
 using namespace pw85_tests;
@@ -60,19 +61,19 @@ template <int D> void check_not_definite(Sample<double, D> const &valid)
     expect_failure(p, PW85_ENOTPD);
 }
 
-void test_not_finite()
+PW85_TEST("/zheng_contract/not_finite")
 {
     check_not_finite(ellipses);
     check_not_finite(ellipsoids);
 }
 
-void test_zero_direction()
+PW85_TEST("/zheng_contract/zero_direction")
 {
     check_zero_direction(ellipses);
     check_zero_direction(ellipsoids);
 }
 
-void test_not_definite()
+PW85_TEST("/zheng_contract/not_definite")
 {
     check_not_definite(ellipses);
     check_not_definite(ellipsoids);
@@ -91,7 +92,7 @@ template <class Function, int D> void check_null(Function function, Sample<doubl
     }
 }
 
-void test_null()
+PW85_TEST("/zheng_contract/null")
 {
     check_null(pw85_zheng_ellipses, ellipses);
     check_null(pw85_zheng_ellipsoids, ellipsoids);
@@ -123,7 +124,7 @@ template <int D> void check_extreme_scales(Sample<double, D> const &p)
         }
 }
 
-void test_extreme_scales()
+PW85_TEST("/zheng_contract/extreme_scales")
 {
     check_extreme_scales(ellipses);
     check_extreme_scales(ellipsoids);
@@ -147,22 +148,10 @@ template <int D> void check_extreme_ratio(Sample<double, D> p)
     g_assert_cmpfloat(std::fabs(swapped - half_chord), <=, 64.0 * u * half_chord);
 }
 
-void test_extreme_ratio()
+PW85_TEST("/zheng_contract/extreme_ratio")
 {
     check_extreme_ratio(ellipses);
     check_extreme_ratio(ellipsoids);
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/zheng_contract/not_finite", test_not_finite);
-    g_test_add_func("/zheng_contract/zero_direction", test_zero_direction);
-    g_test_add_func("/zheng_contract/not_definite", test_not_definite);
-    g_test_add_func("/zheng_contract/null", test_null);
-    g_test_add_func("/zheng_contract/extreme_scales", test_extreme_scales);
-    g_test_add_func("/zheng_contract/extreme_ratio", test_extreme_ratio);
-    return g_test_run();
-}

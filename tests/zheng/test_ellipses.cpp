@@ -2,6 +2,7 @@
 // Distance of closest approach of two ellipses, by the quartic.
 #include <numbers>
 
+#include "../cases.hpp"
 #include "../draws.hpp"
 #include "distances.hpp"
 
@@ -41,7 +42,7 @@ void check(Failures &failures, Sample<double, 2> const &p)
                    describe);
 }
 
-void test_random_pairs()
+PW85_TEST("/zheng_ellipses/random_pairs")
 {
     Failures failures;
     Random random(20080101);
@@ -53,7 +54,7 @@ void test_random_pairs()
 
 // Orientations and directions in which axes and angles have special cases: equal or crossed
 // orientations, circles, axes swapped or equal, a direction along an axis or halfway between.
-void test_special_cases()
+PW85_TEST("/zheng_ellipses/special_cases")
 {
     Failures failures;
     double const quarter = std::numbers::pi / 2.0;
@@ -70,7 +71,7 @@ void test_special_cases()
                                          pw85::ellipse(b[0], b[1], turn2).q});
 }
 
-void test_exact_answers()
+PW85_TEST("/zheng_ellipses/exact_answers")
 {
     struct {
         Sample<double, 2> pair;
@@ -93,7 +94,7 @@ void test_exact_answers()
 // The closed form itself, where its terms differ by any orders of magnitude or cancel. It is
 // backward stable: the root found is that of an equation whose terms differ by some roundings. (The
 // root itself is as sensitive as 1/w, where M = κ2² and κ1 is small.)
-void test_quartic()
+PW85_TEST("/zheng_ellipses/quartic")
 {
     Failures failures;
     Random random(61709);
@@ -123,13 +124,3 @@ void test_quartic()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/zheng_ellipses/random_pairs", test_random_pairs);
-    g_test_add_func("/zheng_ellipses/special_cases", test_special_cases);
-    g_test_add_func("/zheng_ellipses/exact_answers", test_exact_answers);
-    g_test_add_func("/zheng_ellipses/quartic", test_quartic);
-    return g_test_run();
-}

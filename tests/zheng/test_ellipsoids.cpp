@@ -2,6 +2,7 @@
 // Distance of closest approach of two ellipsoids, by the largest distance of their plane sections.
 #include <numbers>
 
+#include "../cases.hpp"
 #include "../draws.hpp"
 #include "../reference_data.hpp"
 #include "distances.hpp"
@@ -29,7 +30,7 @@ void check(Failures &failures, Sample<double, 3> const &p, Wide const &expected,
 }
 
 // The definition, in other words: no plane through the line of centres has a larger distance.
-void test_no_plane_is_larger()
+PW85_TEST("/zheng_ellipsoids/no_plane_is_larger")
 {
     Failures failures;
     Random random(2009);
@@ -65,7 +66,7 @@ void test_no_plane_is_larger()
     }
 }
 
-void test_random_pairs()
+PW85_TEST("/zheng_ellipsoids/random_pairs")
 {
     Failures failures;
     Random random(57702);
@@ -88,7 +89,7 @@ void test_random_pairs()
 
 // The contact function is good to 4 u cond, and cond is below the sum of the conditions of the
 // forms.
-void test_agreement()
+PW85_TEST("/zheng_ellipsoids/agreement")
 {
     Failures failures;
     Random random(19850101);
@@ -104,7 +105,7 @@ void test_agreement()
         }
 }
 
-void test_aspect_100()
+PW85_TEST("/zheng_ellipsoids/aspect_100")
 {
     Failures failures;
     Random random(100);
@@ -121,7 +122,7 @@ void test_aspect_100()
     g_test_message("largest relative error %.2g", worst);
 }
 
-void test_problems()
+PW85_TEST("/zheng_ellipsoids/problems")
 {
     Failures failures;
     for (auto const &p : contact_problems()) {
@@ -131,7 +132,7 @@ void test_problems()
     }
 }
 
-void test_special_cases()
+PW85_TEST("/zheng_ellipsoids/special_cases")
 {
     Failures failures;
     pw85::Vector<double, 4> const turns[] = {{1.0, 0.0, 0.0, 0.0},
@@ -159,7 +160,7 @@ void test_special_cases()
 // and the distance 14.7163, but no orientations. They do not follow: turning one ellipsoid from the
 // coordinate axes about one of them, by the angle that makes the distance right, is possible in
 // three ways already.
-void test_figure_1()
+PW85_TEST("/zheng_ellipsoids/figure_1")
 {
     struct {
         pw85::Vector<double, 4> turn1, turn2;
@@ -200,7 +201,7 @@ template <class T> void check_type(Failures &failures, Random &random)
     }
 }
 
-void test_scalars()
+PW85_TEST("/zheng_ellipsoids/scalars")
 {
     Failures failures;
     Random random(24);
@@ -208,7 +209,7 @@ void test_scalars()
     check_type<long double>(failures, random);
 }
 
-void test_invariance()
+PW85_TEST("/zheng_ellipsoids/invariance")
 {
     Failures failures;
     Random random(3);
@@ -227,18 +228,3 @@ void test_invariance()
 }
 
 } // namespace
-
-int main(int argc, char **argv)
-{
-    g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/zheng_ellipsoids/random_pairs", test_random_pairs);
-    g_test_add_func("/zheng_ellipsoids/agreement", test_agreement);
-    g_test_add_func("/zheng_ellipsoids/aspect_100", test_aspect_100);
-    g_test_add_func("/zheng_ellipsoids/problems", test_problems);
-    g_test_add_func("/zheng_ellipsoids/special_cases", test_special_cases);
-    g_test_add_func("/zheng_ellipsoids/no_plane_is_larger", test_no_plane_is_larger);
-    g_test_add_func("/zheng_ellipsoids/figure_1", test_figure_1);
-    g_test_add_func("/zheng_ellipsoids/scalars", test_scalars);
-    g_test_add_func("/zheng_ellipsoids/invariance", test_invariance);
-    return g_test_run();
-}
