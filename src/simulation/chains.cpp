@@ -194,7 +194,7 @@ void Chains::find_contact(std::size_t i, Vector3 const &direction, double stage)
     obstacle.is_exact = true;
     obstacle.normal = add_scaled(view.s, -position, view.s_direction);
     obstacle.bound =
-        free_by_normal({pair_of(r12, q1, q2), 0, 0, false, 0}, -direction, obstacle.normal);
+        free_by_normal({pair_of(r12, q1, q2), {}}, -direction, obstacle.normal);
     if (!(obstacle.bound >= position - tolerance * obstacle.size &&
           obstacle.bound < infinity<double>())) {
         auto const path = free_path(r12, q1, q2, direction, stage);
@@ -229,7 +229,7 @@ bool Chains::plane_separates(std::size_t i, Image const &image,
     Vector3 const r12 =
         scale * separation(bodies_[i].center, bodies_[image.index].center, image.translation);
     auto const pair = pair_of(r12, bodies_[i].q, bodies_[image.index].q);
-    double const gap = free_by_normal({pair, 0, 0, false, 0}, -normal, normal);
+    double const gap = free_by_normal({pair, {}}, -normal, normal);
     return gap > 0.0 && gap < infinity<double>(); // infinity if the square of the normal vanishes
 }
 

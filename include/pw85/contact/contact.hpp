@@ -66,8 +66,8 @@ template <class T, int D, class Q> PW85_FUNCTION inline Contact<T>
 unscale(ScaledPair<T, D, Q> const &scaled, Maximum<T> const &m) noexcept
 {
     Contact<T> result = to_contact(m);
-    result.mu2 = times_power_of_two(result.mu2, 2 * (scaled.length - scaled.form));
-    if (scaled.swapped && result.status == StatusCode::success) result.lambda = m.complement;
+    result.mu2 = scaled.units.mu().to_caller(result.mu2, 2);
+    if (scaled.units.swapped && result.status == StatusCode::success) result.lambda = m.complement;
     return result;
 }
 

@@ -5,7 +5,7 @@
 #ifndef PW85_CONTACT_SCALING_HPP_INCLUDED
 #define PW85_CONTACT_SCALING_HPP_INCLUDED
 
-#include <pw85/algebra/factor.hpp>
+#include <pw85/algebra/units.hpp>
 
 namespace pw85::detail {
 
@@ -31,16 +31,49 @@ pair_of(Vector<T, D> const &r12, Q const &q1, Q const &q2) noexcept
     return {r12, q1, q2, T(1)};
 }
 
-/// A pair in units that keep every intermediate result in range, and the exponents that lead back
-/// to the units of the caller.
-template <class T, int D, class Q = SymmetricMatrix<T, D>> struct ScaledPair {
-    Pair<T, D, Q> pair;
-    int length; ///< r12 is that of the pair times 2^length
-    /// Q1 is that of the pair times 4^form, and μ² that of the pair times 4^(length - form)
-    int form;
-    bool swapped; ///< true if the ellipsoids are exchanged and r12 is reversed
-    int second;   ///< Q2 is that of the pair times 4^second
+/// The units of a pair of ellipsoids.
+struct Units {
+    Unit length;        ///< of r12
+    Unit first, second; ///< of the lengths of each ellipsoid, in the order of the pair
+    bool swapped;       ///< true if the order of the pair is not the caller's
+    Unit time;          ///< of a pair that moves
+
+    PW85_MEMBER constexpr Unit mu() const noexcept { return length / first; }
+
+    PW85_MEMBER constexpr Unit velocity() const noexcept { return length / time; }
+
+    /// Converts a vector that points from one ellipsoid to the other one between the order of the
+    /// caller and that of the pair.
+    template <class V> PW85_MEMBER constexpr V reordered(V const &x) const noexcept
+    {
+        return swapped ? -x : x;
+    }
 };
+
+/// A pair in units that keep every intermediate result in range, and these units.
+template <class P> struct Scaled {
+    P pair;
+    Units units;
+};
+
+template <class T, int D, class Q = SymmetricMatrix<T, D>> using ScaledPair = Scaled<Pair<T, D, Q>>;
+
+/// A pair of which each ellipsoid has a unit of its own, scale1 and scale2 times that of r12.
+template <class T, int D> struct DistancePair {
+    Vector<T, D> r12;
+    SymmetricMatrix<T, D> q1, q2;
+    T scale1, scale2;
+};
+
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Scaled<DistancePair<T, D>>
+in_units(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2,
+         Units const &units) noexcept
+{
+    auto const &[length, unit1, unit2, swapped, time] = units;
+    return {{length.to_local(r12), unit1.to_local(q1), unit2.to_local(q2), (unit1 / length).as<T>(),
+             (unit2 / length).as<T>()},
+            units};
+}
 
 /// A pair is not scaled if the magnitudes of r12 and of the diagonals are between this limit and
 /// its inverse. The largest numbers in the solver are of degree 25 in M and 10 in r12
@@ -85,31 +118,6 @@ template <class T, int D> PW85_FUNCTION constexpr T squared_size(Factor<T, D> co
     return largest * largest;
 }
 
-/// The binary exponent of the root of squared_size().
-template <class T, int D>
-PW85_FUNCTION inline int exponent_of_size(SymmetricMatrix<T, D> const &q) noexcept
-{
-    return half_exponent(largest_diagonal(q));
-}
-
-template <class T, int D> PW85_FUNCTION inline int exponent_of_size(Factor<T, D> const &s) noexcept
-{
-    return binary_exponent(largest_entry(s));
-}
-
-/// The ellipsoid 2^exponent times as large.
-template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<T, D>
-enlarged(SymmetricMatrix<T, D> const &q, int exponent) noexcept
-{
-    return times_power_of_two(q, 2 * exponent);
-}
-
-template <class T, int D>
-PW85_FUNCTION inline Factor<T, D> enlarged(Factor<T, D> const &s, int exponent) noexcept
-{
-    return times_power_of_two(s, exponent);
-}
-
 /// Brings a pair into range. Its entries must be finite and its sizes positive. The scaling is
 /// exact.
 template <class T, int D, class Q>
@@ -117,24 +125,16 @@ PW85_FUNCTION inline ScaledPair<T, D, Q> scale(Pair<T, D, Q> const &pair) noexce
 {
     auto const &[r12, q1, q2, ratio] = pair;
     T const r = largest_coordinate(r12);
-    if (is_in_range(r, squared_size(q1), squared_size(q2))) return {pair, 0, 0, false, 0};
-    int const er = r > T(0) ? binary_exponent(r) : 0;
-    int const e1 = exponent_of_size(q1), e2 = exponent_of_size(q2);
+    if (is_in_range(r, squared_size(q1), squared_size(q2))) return {pair, {}};
+    Unit const unit1 = unit_of(q1), unit2 = unit_of(q2);
     // The squared sizes of a pair in range are between 2^-24 and 2^24, so the exponents differ by
     // at most 24. Such a pair is not exchanged. So scaling changes no bit of the result.
-    bool const swapped = e1 < e2 - 24;
-    int const difference = swapped ? e2 - e1 : e1 - e2, limit = ratio_exponent_limit<T>();
-
-    ScaledPair<T, D, Q> scaled{};
-    scaled.pair.r12 = times_power_of_two(swapped ? -r12 : r12, -er);
-    scaled.pair.q1 = swapped ? enlarged(q2, -e2) : enlarged(q1, -e1);
-    scaled.pair.q2 = swapped ? enlarged(q1, -e1) : enlarged(q2, -e2);
-    scaled.pair.ratio = times_power_of_two(T(1), difference < limit ? difference : limit);
-    scaled.length = er;
-    scaled.form = swapped ? e2 : e1;
-    scaled.swapped = swapped;
-    scaled.second = swapped ? e1 : e2;
-    return scaled;
+    bool const swapped = unit1.exponent < unit2.exponent - 24;
+    Units const units{unit_of(r12), swapped ? unit2 : unit1, swapped ? unit1 : unit2, swapped, {}};
+    Unit const relative = smaller_of(units.first / units.second, {ratio_exponent_limit<T>()});
+    return {{units.length.to_local(units.reordered(r12)), units.first.to_local(swapped ? q2 : q1),
+             units.second.to_local(swapped ? q1 : q2), relative.as<T>()},
+            units};
 }
 
 } // namespace pw85::detail

@@ -18,8 +18,7 @@ PW85_RARE StatusCode validate_scaled(SymmetricMatrix<T, D> const &q) noexcept
 {
     if (!is_finite(q)) return StatusCode::invalid_argument;
     if (!has_positive_diagonal(q)) return StatusCode::not_positive_definite;
-    int const unit = half_exponent(largest_diagonal(q));
-    bool const definite = is_positive_definite(times_power_of_two(q, -2 * unit));
+    bool const definite = is_positive_definite(unit_of(q).to_local(q));
     return definite ? StatusCode::success : StatusCode::not_positive_definite;
 }
 

@@ -14,13 +14,6 @@
 
 namespace pw85::detail {
 
-/// A pair in units of its own. In the unit of r12 the forms are scale² Q.
-template <class T, int D> struct DistancePair {
-    Vector<T, D> r12;
-    SymmetricMatrix<T, D> q1, q2;
-    T scale1, scale2;
-};
-
 /// The unknowns t and s. In the units of a DistancePair M = P1 + t P2 + s I with P = scale Q. The
 /// statements on A + tB and 1 + 1/t then hold for scale1 A + scale2 tB and scale1 + scale2/t.
 template <class T> struct Multipliers {
