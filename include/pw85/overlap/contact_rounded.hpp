@@ -249,7 +249,7 @@ PW85_RARE RoundedContact<T> round_by_doubled_numbers(Pair<T, D> const &pair,
     auto const &[r12, q1, q2, unit] = pair;
     ExtendedMaximum<T> maximum{bounds.lower, bounds.lambda};
     if (!(maximum.lambda >= T(0) && maximum.mu2 >= T(0))) {
-        int const ratio = half_exponent(largest_diagonal(q1)) - half_exponent(largest_diagonal(q2));
+        int const ratio = (unit_of(q1) / unit_of(q2)).exponent;
         maximum = maximize_to_all_digits(scaled, scaled.units.swapped ? -ratio : ratio, bounds.t);
     }
     RoundedContact<T> result{all_nan<Contact<T>>(StatusCode::no_convergence), bounds.evaluations,
