@@ -14,7 +14,7 @@
 
 #include <pw85/algebra/doubled.hpp>
 #include <pw85/algebra/philox.hpp>
-#include <pw85/contact/validate.hpp>
+#include <pw85/contact/scaling.hpp>
 #include <pw85/distance/nearest.hpp>
 
 #include "../base/c_arrays.hpp"

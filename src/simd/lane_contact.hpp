@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The kernel for the contact function, one pair per lane. It drives the search on the rational
-/// form (contact/rational_search.hpp). lanes_contact.cpp defines it, and the kernels for
+/// form (contact/iteration.hpp). lanes_contact.cpp defines it, and the kernels for
 /// derivatives and closest approach call contact_chunk().
 ///
 /// Each stage runs over all packs of a chunk before the next stage begins. The stages are short and

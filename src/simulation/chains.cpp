@@ -193,8 +193,7 @@ void Chains::find_contact(std::size_t i, Vector3 const &direction, double stage)
     double const position = view.polynomial.position(view.polynomial.root_of_discriminant());
     obstacle.is_exact = true;
     obstacle.normal = add_scaled(view.s, -position, view.s_direction);
-    obstacle.bound =
-        free_by_normal({pair_of(r12, q1, q2), {}}, -direction, obstacle.normal);
+    obstacle.bound = free_by_normal({pair_of(r12, q1, q2), {}}, -direction, obstacle.normal);
     if (!(obstacle.bound >= position - tolerance * obstacle.size &&
           obstacle.bound < infinity<double>())) {
         auto const path = free_path(r12, q1, q2, direction, stage);

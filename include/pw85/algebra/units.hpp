@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Units that are powers of two of the caller's units, so conversions change no digit. Whatever is
-/// scaled to keep its numbers in range has its units beside it (contact/scaling.hpp).
+/// scaled to keep its numbers in range has its units beside it (Scaled).
 #ifndef PW85_ALGEBRA_UNITS_HPP_INCLUDED
 #define PW85_ALGEBRA_UNITS_HPP_INCLUDED
 
@@ -89,6 +89,31 @@ PW85_FUNCTION constexpr Unit smallest_unit() noexcept
 {
     return {(std::numeric_limits<int>::min)()};
 }
+
+/// The units of a pair of ellipsoids.
+struct Units {
+    Unit length;        ///< of r12
+    Unit first, second; ///< of the lengths of each ellipsoid, in the order of the pair
+    bool swapped;       ///< true if the order of the pair is not the caller's
+    Unit time;          ///< of a pair that moves
+
+    PW85_MEMBER constexpr Unit mu() const noexcept { return length / first; }
+
+    PW85_MEMBER constexpr Unit velocity() const noexcept { return length / time; }
+
+    /// Converts a vector that points from one ellipsoid to the other one between the order of the
+    /// caller and that of the pair.
+    template <class V> PW85_MEMBER constexpr V reordered(V const &x) const noexcept
+    {
+        return swapped ? -x : x;
+    }
+};
+
+/// A pair in units that keep every intermediate result in range, and these units.
+template <class P> struct Scaled {
+    P pair;
+    Units units;
+};
 
 } // namespace pw85::detail
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The distance of two ellipsoids in n dimensions, with the closest points and the normal. The
-/// equations and their search are those of distance/normal_equations.hpp and
-/// distance/normal_search.hpp. They use vectors of two or three numbers; the functions here use
-/// arrays.
+/// equations and their search are those of distance/normal_search.hpp. They use vectors of two or
+/// three numbers; the functions here use arrays.
 ///
 /// Any vector u gives the lower bound φ = (u·r12 - √(uᵀQ1u) - √(uᵀQ2u))/|u| of the distance, and
 /// the vector w between the points of the surfaces along u the upper bound |w|. Both are computed

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The contact function of two ellipsoids. pw85.hpp, the lane kernels and the headers for
-/// derivatives, overlaps and closest approach use this file. It validates the pair (validate.hpp),
+/// derivatives, overlaps and closest approach use this file. It validates the pair (scaling.hpp),
 /// and finds the maximum of f by the solver (solver.hpp).
 #ifndef PW85_CONTACT_CONTACT_HPP_INCLUDED
 #define PW85_CONTACT_CONTACT_HPP_INCLUDED
 
 #include <pw85/algebra/all_nan.hpp>
+#include <pw85/contact/scaling.hpp>
 #include <pw85/contact/solver.hpp>
-#include <pw85/contact/validate.hpp>
 
 namespace pw85 {
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Scales a pair by powers of two to keep all intermediate results in range. validate.hpp,
-/// evaluation.hpp, refinement.hpp and the loaders of pairs (src/simd/rows.hpp) use this file.
+/// The status of a form and of a pair, and units in which all numbers of a valid pair stay in
+/// range. Every function checks its input here before it computes anything.
 #ifndef PW85_CONTACT_SCALING_HPP_INCLUDED
 #define PW85_CONTACT_SCALING_HPP_INCLUDED
 
+#include <pw85/algebra/definite.hpp>
+#include <pw85/algebra/two_lanes.hpp>
 #include <pw85/algebra/units.hpp>
+#include <pw85/status.hpp>
 
 namespace pw85::detail {
 
@@ -31,31 +34,7 @@ pair_of(Vector<T, D> const &r12, Q const &q1, Q const &q2) noexcept
     return {r12, q1, q2, T(1)};
 }
 
-/// The units of a pair of ellipsoids.
-struct Units {
-    Unit length;        ///< of r12
-    Unit first, second; ///< of the lengths of each ellipsoid, in the order of the pair
-    bool swapped;       ///< true if the order of the pair is not the caller's
-    Unit time;          ///< of a pair that moves
-
-    PW85_MEMBER constexpr Unit mu() const noexcept { return length / first; }
-
-    PW85_MEMBER constexpr Unit velocity() const noexcept { return length / time; }
-
-    /// Converts a vector that points from one ellipsoid to the other one between the order of the
-    /// caller and that of the pair.
-    template <class V> PW85_MEMBER constexpr V reordered(V const &x) const noexcept
-    {
-        return swapped ? -x : x;
-    }
-};
-
-/// A pair in units that keep every intermediate result in range, and these units.
-template <class P> struct Scaled {
-    P pair;
-    Units units;
-};
-
+/// A pair in units that keep every intermediate result in range.
 template <class T, int D, class Q = SymmetricMatrix<T, D>> using ScaledPair = Scaled<Pair<T, D, Q>>;
 
 /// A pair of which each ellipsoid has a unit of its own, scale1 and scale2 times that of r12.
@@ -65,7 +44,7 @@ template <class T, int D> struct DistancePair {
     T scale1, scale2;
 };
 
-template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Scaled<DistancePair<T, D>>
+template <class T, int D> PW85_FUNCTION inline Scaled<DistancePair<T, D>>
 in_units(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2,
          Units const &units) noexcept
 {
@@ -135,6 +114,76 @@ PW85_FUNCTION inline ScaledPair<T, D, Q> scale(Pair<T, D, Q> const &pair) noexce
     return {{units.length.to_local(units.reordered(r12)), units.first.to_local(swapped ? q2 : q1),
              units.second.to_local(swapped ? q1 : q2), relative.as<T>()},
             units};
+}
+
+/// validate() for a form of any size that may be nearly singular.
+template <class T, int D>
+PW85_RARE StatusCode validate_scaled(SymmetricMatrix<T, D> const &q) noexcept
+{
+    if (!is_finite(q)) return StatusCode::invalid_argument;
+    if (!has_positive_diagonal(q)) return StatusCode::not_positive_definite;
+    bool const definite = is_positive_definite(unit_of(q).to_local(q));
+    return definite ? StatusCode::success : StatusCode::not_positive_definite;
+}
+
+#define PW85_RARE_FORM_VALIDATION(rare, T, D)                                                      \
+    rare(validate_scaled, (SymmetricMatrix<T, D> const &q), (q))
+PW85_RARE_TIER(PW85_RARE_FORM_VALIDATION)
+
+/// The status of one form.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline StatusCode
+validate(SymmetricMatrix<T, D> const &q) noexcept
+{
+    T const largest = largest_diagonal(q);
+    bool const clear = is_in_range(largest, largest, largest) && is_clearly_definite(q);
+    return clear ? StatusCode::success : validate_scaled(q);
+}
+
+/// The status of a pair. If it is success, `scaled` becomes the pair in range.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline StatusCode
+validate(Pair<T, D> const &pair, ScaledPair<T, D> &scaled) noexcept
+{
+    auto const &[r12, q1, q2, ratio] = pair;
+    if (!(is_finite(r12) && is_finite(q1) && is_finite(q2))) return StatusCode::invalid_argument;
+    if (!(has_positive_diagonal(q1) && has_positive_diagonal(q2)))
+        return StatusCode::not_positive_definite;
+    scaled = scale(pair);
+    bool const definite =
+        is_positive_definite(scaled.pair.q1) && is_positive_definite(scaled.pair.q2);
+    return definite ? StatusCode::success : StatusCode::not_positive_definite;
+}
+
+#define PW85_SHARED_VALIDATION(shared, T, D)                                                       \
+    shared(validate, (Pair<T, D> const &pair, ScaledPair<T, D> &scaled), (pair, scaled))
+PW85_SHARED_BY_QUESTIONS(PW85_SHARED_VALIDATION)
+
+/// Returns whether λ is in [0, 1] and a pair is valid.
+template <class T, int D>
+PW85_FUNCTION inline bool is_valid(T const &lambda, Pair<T, D> const &pair) noexcept
+{
+    ScaledPair<T, D> scaled;
+    return lambda >= T(0) && lambda <= T(1) && validate(pair, scaled) == StatusCode::success;
+}
+
+/// Returns whether a pair is valid and in range and has r12 != 0, tested with products only. The
+/// result is true for almost all such pairs. The function is always inlined to keep the pair in
+/// registers.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
+passes_fast_checks(Pair<T, D> const &pair) noexcept
+{
+    return is_in_range(sum_of_magnitudes(pair.r12), largest_diagonal(pair.q1),
+                       largest_diagonal(pair.q2)) &&
+           is_clearly_definite(pair.q1) && is_clearly_definite(pair.q2);
+}
+
+/// Tests one pair in this way, from both forms side by side and their adjugates.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline bool
+passes_fast_checks(Vector<T, D> const &r12, SymmetricMatrix<TwoLanes<T>, D> const &q,
+                   SymmetricMatrix<TwoLanes<T>, D> const &adjugate_of_q) noexcept
+{
+    auto const largest = largest_diagonal(q);
+    return all_of(is_in_range(TwoLanes<T>(sum_of_magnitudes(r12)), largest, largest) &&
+                  is_clearly_definite(q, adjugate_of_q));
 }
 
 } // namespace pw85::detail

@@ -289,10 +289,9 @@ grain_contact(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
               SymmetricMatrix<T, 3> const &q2, Vector<T, 3> start) noexcept
 {
     using namespace detail;
-    Scaled<DistancePair<T, 3>> scaled;
-    StatusCode const status = scale_facing(r12, q1, q2, start, scaled);
+    StatusCode const status = validate_facing(r12, q1, q2, start);
     if (status != StatusCode::success) return all_nan<GrainContact<T>>(status);
-    auto const &[pair, units] = scaled;
+    auto const [pair, units] = scale_facing(r12, q1, q2);
     GrainSearch<T> search{T(T(1) / magnitude(start)) * start, {}, true};
     for (int i = 0; i < max_grain_steps && search.active; ++i) take_step(search, pair);
     if (!is_found(search.step)) return all_nan<GrainContact<T>>(StatusCode::no_convergence);
@@ -311,12 +310,12 @@ grain_radius_gradient(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
                       SymmetricMatrix<T, 3> const &q2, Vector<T, 3> normal) noexcept
 {
     using namespace detail;
-    Scaled<DistancePair<T, 3>> scaled;
-    StatusCode const status = scale_facing(r12, q1, q2, normal, scaled);
+    StatusCode const status = validate_facing(r12, q1, q2, normal);
     if (status != StatusCode::success) return all_nan<GrainRadiusGradient<T>>(status);
-    auto result = radius_gradient(scaled.pair, tangent_frame(normal));
-    Unit const smaller = smaller_unit(scaled.units);
-    result.r12 = (smaller / scaled.units.length).to_caller(result.r12);
+    auto const [pair, units] = scale_facing(r12, q1, q2);
+    auto result = radius_gradient(pair, tangent_frame(normal));
+    Unit const smaller = smaller_unit(units);
+    result.r12 = (smaller / units.length).to_caller(result.r12);
     result.rotation1 = smaller.to_caller(result.rotation1);
     result.rotation2 = smaller.to_caller(result.rotation2);
     return result;

@@ -159,21 +159,27 @@ PW85_FUNCTION constexpr Unit smaller_unit(Units const &units) noexcept
     return smaller_of(units.first, units.second);
 }
 
-/// Scales a pair and its normal, if they are valid. r12 is in the unit of the larger ellipsoid.
-template <class T>
-PW85_FUNCTION inline StatusCode scale_facing(Vector<T, 3> const &r12,
-                                             SymmetricMatrix<T, 3> const &q1,
-                                             SymmetricMatrix<T, 3> const &q2, Vector<T, 3> &normal,
-                                             Scaled<DistancePair<T, 3>> &scaled) noexcept
+/// The status of a pair and its normal. If it is success, the normal is brought into range.
+template <class T> PW85_FUNCTION inline StatusCode validate_facing(Vector<T, 3> const &r12,
+                                                                   SymmetricMatrix<T, 3> const &q1,
+                                                                   SymmetricMatrix<T, 3> const &q2,
+                                                                   Vector<T, 3> &normal) noexcept
 {
     if (!is_finite(r12) || scale_normal(normal) != StatusCode::success)
         return StatusCode::invalid_argument;
     if (!(is_finite(q1) && is_finite(q2))) return StatusCode::invalid_argument;
-    if (validate(q1) != StatusCode::success || validate(q2) != StatusCode::success)
-        return StatusCode::not_positive_definite;
+    bool const definite =
+        validate(q1) == StatusCode::success && validate(q2) == StatusCode::success;
+    return definite ? StatusCode::success : StatusCode::not_positive_definite;
+}
+
+/// Scales a valid pair. r12 is in the unit of the larger ellipsoid.
+template <class T> PW85_FUNCTION inline Scaled<DistancePair<T, 3>>
+scale_facing(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+             SymmetricMatrix<T, 3> const &q2) noexcept
+{
     Unit const unit1 = unit_in_range(q1), unit2 = unit_in_range(q2);
-    scaled = in_units(r12, q1, q2, {larger_of(unit1, unit2), unit1, unit2, false, {}});
-    return StatusCode::success;
+    return in_units(r12, q1, q2, {larger_of(unit1, unit2), unit1, unit2, false, {}});
 }
 
 /// Returns a result in the units of the caller.
@@ -250,16 +256,16 @@ hertz_contact(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
               SymmetricMatrix<T, 3> const &q2, Vector<T, 3> normal) noexcept
 {
     using namespace detail;
-    Scaled<DistancePair<T, 3>> scaled;
-    StatusCode const status = scale_facing(r12, q1, q2, normal, scaled);
+    StatusCode const status = validate_facing(r12, q1, q2, normal);
     if (status != StatusCode::success)
         return {quiet_nan<T>(), all_nan<Curvature<T>>(status).direction1,
                 all_nan<Curvature<T>>(status), all_nan<HertzEllipse<T>>(status), status};
+    auto const [pair, units] = scale_facing(r12, q1, q2);
     bool accurate;
-    auto result = hertz_facing<T>(scaled.pair, normal, accurate);
+    auto result = hertz_facing<T>(pair, normal, accurate);
     if constexpr (!std::is_same_v<Finer<T>, T>)
-        if (!accurate) result = hertz_facing_finer(scaled.pair, normal);
-    return to_caller(result, scaled.units);
+        if (!accurate) result = hertz_facing_finer(pair, normal);
+    return to_caller(result, units);
 }
 
 } // namespace pw85

@@ -10,7 +10,7 @@
 #define PW85_DISTANCE_LINE_HPP_INCLUDED
 
 #include <pw85/algebra/all_nan.hpp>
-#include <pw85/contact/validate.hpp>
+#include <pw85/contact/scaling.hpp>
 
 namespace pw85 {
 

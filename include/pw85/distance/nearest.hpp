@@ -21,7 +21,7 @@
 #define PW85_DISTANCE_NEAREST_HPP_INCLUDED
 
 #include <pw85/algebra/all_nan.hpp>
-#include <pw85/contact/validate.hpp>
+#include <pw85/contact/scaling.hpp>
 #include <pw85/distance/support.hpp>
 
 namespace pw85 {

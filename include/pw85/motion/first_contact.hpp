@@ -5,7 +5,7 @@
 #ifndef PW85_MOTION_FIRST_CONTACT_HPP_INCLUDED
 #define PW85_MOTION_FIRST_CONTACT_HPP_INCLUDED
 
-#include <pw85/contact/validate.hpp>
+#include <pw85/contact/scaling.hpp>
 #include <pw85/motion/rotation.hpp>
 
 namespace pw85::detail {
@@ -69,39 +69,48 @@ template <class T, int D> PW85_FUNCTION inline Unit time_of_motion(ScaledPair<T,
                        fastest, {});
 }
 
+/// first_contact() of a valid pair that only translates, in its units.
+template <class T, int D>
+PW85_FUNCTION inline FirstContact<T> first_contact_of_translation(ScaledPair<T, D> const &scaled,
+                                                                  Vector<T, D> const &velocity,
+                                                                  T const &end) noexcept
+{
+    auto const found = find_translation_contact(
+        TranslatingPair<T, D>{scaled.pair, velocity, tangent_in_units<T>(scaled.units)}, end);
+    return {found.time, found.status};
+}
+
 /// first_contact() of a valid pair of which an ellipsoid turns or grows, in its units.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline FirstContact<T>
-first_contact_of_motion(ScaledPair<T, D> const &scaled, Vector<T, D> const &velocity,
+first_contact_of_motion(ScaledPair<T, D> const &scaled, Unit time, Vector<T, D> const &velocity,
                         Motion<T, D> const &motion1, Motion<T, D> const &motion2,
                         T const &end) noexcept
 {
     auto const &[pair, units] = scaled;
-    auto const body1 = to_body(pair.q1, units.swapped ? motion2 : motion1, units.time),
-               body2 = to_body(pair.q2, units.swapped ? motion1 : motion2, units.time);
-    return advance_to_contact(
-        turning_pair(MovingPair<T, D, Body<T, D>>{
-            {pair.r12, body1, body2, pair.ratio}, velocity, tangent_in_units<T>(units)}),
-        end);
+    auto const body1 = to_body(pair.q1, units.swapped ? motion2 : motion1, time),
+               body2 = to_body(pair.q2, units.swapped ? motion1 : motion2, time);
+    return advance_to_contact(turning_pair(BodyPair<T, D>{{pair.r12, body1, body2, pair.ratio},
+                                                          velocity,
+                                                          tangent_in_units<T>(units)}),
+                              end);
 }
 
-/// first_contact() of a valid pair that is not remote. It sets the unit of time.
+/// first_contact() of a valid pair that is not remote.
 template <class T, int D> PW85_FUNCTION inline FirstContact<T>
-first_contact_nearby(ScaledPair<T, D> scaled, Motion<T, D> const &motion1,
+first_contact_nearby(ScaledPair<T, D> const &scaled, Motion<T, D> const &motion1,
                      Motion<T, D> const &motion2, T const &end) noexcept
 {
-    auto &[pair, units] = scaled;
+    Units const &units = scaled.units;
     bool const translates = only_translates(motion1) && only_translates(motion2);
     Vector<T, D> const velocity = relative_velocity(motion1, motion2);
-    units.time = translates ? time_of_translation(units, velocity)
-                            : time_of_motion(scaled, velocity, fastest(motion1, motion2));
-    Vector<T, D> const v = units.reordered(units.velocity().to_local(velocity));
-    T const last = units.time.to_local(end);
-    if (!translates)
-        return in_unit_of_time(first_contact_of_motion(scaled, v, motion1, motion2, last),
-                               units.time);
-    auto const found =
-        find_translation_contact(MovingPair<T, D>{pair, v, tangent_in_units<T>(units)}, last);
-    return in_unit_of_time(FirstContact<T>{found.time, found.status}, units.time);
+    Unit const time = translates ? time_of_translation(units, velocity)
+                                 : time_of_motion(scaled, velocity, fastest(motion1, motion2));
+    auto const v = units.reordered((units.length / time).to_local(velocity));
+    T const last = time.to_local(end);
+    return in_unit_of_time(translates
+                               ? first_contact_of_translation(scaled, v, last)
+                               : first_contact_of_motion(scaled, time, v, motion1, motion2, last),
+                           time);
 }
 
 /// first_contact() of a valid pair that is remote: it comes near before it touches.

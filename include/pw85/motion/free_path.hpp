@@ -92,7 +92,7 @@ plane_of_translation(ScaledPair<T, D> const &scaled, Vector<T, D> const &velocit
     auto const v = units.reordered((units.length / time).to_local(velocity));
     T const last = time.to_local(end);
     auto const found =
-        find_translation_contact(MovingPair<T, D>{pair, v, tangent_in_units<T>(units)}, last);
+        find_translation_contact(TranslatingPair<T, D>{pair, v, tangent_in_units<T>(units)}, last);
     if (found.status != StatusCode::success) return {r12, {}, T(0), false, false, found.status};
     auto const n = solve_blend(T(1), q1, found.t, q2, add_scaled(r12, found.shown, v));
     T const closing = dot(n, v);

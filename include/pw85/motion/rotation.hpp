@@ -16,13 +16,13 @@ namespace pw85::detail {
 
 /// Bodies at time 0, and what their later states follow from.
 template <class T, int D> struct TurningPair {
-    MovingBodies<T, D> start;
+    BodyPair<T, D> start;
     TurningForm<T, D> form1, form2;
     Reach<T> spheres; ///< of spheres around the bodies at the start
 };
 
 template <class T, int D>
-PW85_FUNCTION inline TurningPair<T, D> turning_pair(MovingBodies<T, D> const &start) noexcept
+PW85_FUNCTION inline TurningPair<T, D> turning_pair(BodyPair<T, D> const &start) noexcept
 {
     auto const &[r12, body1, body2, ratio] = start.pair;
     T const unit = square_root(start.tangent); // of forms over that of r12
@@ -30,7 +30,7 @@ PW85_FUNCTION inline TurningPair<T, D> turning_pair(MovingBodies<T, D> const &st
             reach_of_spheres(body1, unit, body2, T(unit / ratio))};
 }
 
-template <class T, int D> PW85_FUNCTION inline MovingBodies<T, D>
+template <class T, int D> PW85_FUNCTION inline BodyPair<T, D>
 pair_at(TurningPair<T, D> const &turning, T const &time) noexcept
 {
     auto const &[pair, velocity, tangent] = turning.start;
@@ -68,7 +68,7 @@ PW85_FUNCTION inline T maximiser(Pair<T, D, Body<T, D>> const &pair) noexcept
 /// rounding errors exceed a thousandth of a radian, and a form may be so slender that no digit of f
 /// is left when it has turned.
 template <class T, int D> PW85_FUNCTION inline bool
-is_known(MovingBodies<T, D> const &moving, StateAtTime<T, D> const &state, T const &time) noexcept
+is_known(BodyPair<T, D> const &moving, StateAtTime<T, D> const &state, T const &time) noexcept
 {
     T const f = state.excess + state.target;
     return state.excess * T(0) == T(0) &&

@@ -168,11 +168,10 @@ inline constexpr int max_translation_steps = 100;
 /// search(), as the time moves.
 inline constexpr int free_translation_steps = 5;
 
-/// A pair in the units of a Pair at some time, and how the centre of the second ellipsoid moves
-/// relative to that of the first. `Q` is the type of the ellipsoids.
-template <class T, int D, class Q = SymmetricMatrix<T, D>> struct MovingPair {
-    Pair<T, D, Q> pair;
-    Vector<T, D> velocity;
+/// A pair that translates, in the units of a Pair.
+template <class T, int D> struct TranslatingPair {
+    Pair<T, D> const &pair;
+    Vector<T, D> const &velocity;
     T tangent; ///< f of a tangent pair
 };
 
@@ -186,7 +185,7 @@ template <class T, int D> struct TimeBound {
 };
 
 template <class T, int D> PW85_FUNCTION inline TimeBound<T, D>
-time_bound(MovingPair<T, D> const &moving, T const &t, T const &time) noexcept
+time_bound(TranslatingPair<T, D> const &moving, T const &t, T const &time) noexcept
 {
     auto const m = blend(moving.pair.q1, t, moving.pair.q2);
     auto const factors = factorize(m, T(unit_roundoff<T>()));
@@ -200,7 +199,7 @@ time_bound(MovingPair<T, D> const &moving, T const &t, T const &time) noexcept
 
 /// The jet at the time to which a bound leads.
 template <class T, int D> PW85_FUNCTION inline Jet<T>
-jet_then(MovingPair<T, D> const &moving, TimeBound<T, D> const &bound, T const &t) noexcept
+jet_then(TranslatingPair<T, D> const &moving, TimeBound<T, D> const &bound, T const &t) noexcept
 {
     Vector<T, D> const s = add_scaled(bound.separation.s, bound.wait, bound.separation.s_velocity);
     auto const weights = outer_weights(s);
@@ -256,7 +255,7 @@ PW85_FUNCTION constexpr T wait_for_nearest(TimeBound<T, D> const &bound) noexcep
 /// The first contact of a pair that translates, by items 1 and 2. A time before the root does not
 /// show on which side of t the maximum is.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline TranslationContact<T>
-find_translation_contact(MovingPair<T, D> const &moving, T const &end) noexcept
+find_translation_contact(TranslatingPair<T, D> const &moving, T const &end) noexcept
 {
     T const &ratio = moving.pair.ratio;
     auto state = safeguarded_search(initial_guess(moving.pair), free_translation_steps);

@@ -15,8 +15,13 @@
 
 namespace pw85::detail {
 
-/// Bodies at some time.
-template <class T, int D> using MovingBodies = MovingPair<T, D, Body<T, D>>;
+/// Two bodies in the units of a Pair at some time, and how the centre of the second moves relative
+/// to that of the first.
+template <class T, int D> struct BodyPair {
+    Pair<T, D, Body<T, D>> pair;
+    Vector<T, D> velocity;
+    T tangent; ///< f of a tangent pair
+};
 
 /// The largest step, for which remainders are bounded.
 template <class T> PW85_FUNCTION constexpr T longest_advance() noexcept { return T(1); }
@@ -29,7 +34,7 @@ template <class T, int D> struct Blend {
 };
 
 template <class T, int D>
-PW85_FUNCTION inline Blend<T, D> blend_at(MovingBodies<T, D> const &moving, T const &t) noexcept
+PW85_FUNCTION inline Blend<T, D> blend_at(BodyPair<T, D> const &moving, T const &t) noexcept
 {
     auto const &[r12, body1, body2, ratio] = moving.pair;
     auto const m = plus_multiple_of_identity(blend(body1.rest, t, body2.rest),
@@ -58,7 +63,7 @@ template <class T, int D> PW85_FUNCTION constexpr T most_that_turns(Body<T, D> c
 }
 
 template <class T, int D> PW85_FUNCTION inline StateAtTime<T, D>
-state_at_time(MovingBodies<T, D> const &moving, T const &t) noexcept
+state_at_time(BodyPair<T, D> const &moving, T const &t) noexcept
 {
     auto const &[r12, body1, body2, ratio] = moving.pair;
     auto const blend = blend_at(moving, t);
@@ -182,7 +187,7 @@ PW85_FUNCTION inline T noise_of_step(Body<T, D> const &body, NormalPath<T, D> co
 }
 
 template <class T, int D>
-PW85_FUNCTION inline Clearance<T> clearance(MovingBodies<T, D> const &moving,
+PW85_FUNCTION inline Clearance<T> clearance(BodyPair<T, D> const &moving,
                                             StateAtTime<T, D> const &state,
                                             NormalPath<T, D> const &path, Extent<T> const &e1,
                                             Extent<T> const &e2, T const &t) noexcept
@@ -239,10 +244,8 @@ template <class T> struct BoundAtLambda {
     T rate;
 };
 
-template <class T, int D>
-PW85_FUNCTION inline BoundAtLambda<T> bound_at_lambda(MovingBodies<T, D> const &moving,
-                                                      StateAtTime<T, D> const &state,
-                                                      T const &t) noexcept
+template <class T, int D> PW85_FUNCTION inline BoundAtLambda<T>
+bound_at_lambda(BodyPair<T, D> const &moving, StateAtTime<T, D> const &state, T const &t) noexcept
 {
     auto const &[r12, body1, body2, ratio] = moving.pair;
     auto const &blend = state.blend;

@@ -43,7 +43,7 @@ relative_to(QuarticEvaluation<T> const &e, T const &m) noexcept
 }
 
 /// A search on the rational form that ends when the quartic decides. It is a task
-/// (contact/rational_search.hpp).
+/// (contact/iteration.hpp).
 template <class T> struct ComparisonSearch {
     RationalSearch<T> rational;
     T m;

@@ -16,7 +16,7 @@
 #ifndef PW85_OVERLAP_CONTAINMENT_HPP_INCLUDED
 #define PW85_OVERLAP_CONTAINMENT_HPP_INCLUDED
 
-#include <pw85/contact/validate.hpp>
+#include <pw85/contact/scaling.hpp>
 #include <pw85/overlap/exact_containment.hpp>
 
 namespace pw85 {
@@ -33,15 +33,6 @@ namespace pw85::detail {
 
 /// Decision that floating-point numbers prove for a pair.
 enum class ContainmentDecision { none, outside, inside };
-
-/// A pair in the unit of ellipsoid 1. A number that becomes subnormal errs by 2^-53 of the smallest
-/// number, for double.
-template <class T, int D>
-PW85_FUNCTION inline Pair<T, D> in_unit_of_first(Pair<T, D> const &pair) noexcept
-{
-    Unit const unit = unit_of(pair.q1);
-    return pair_of(unit.to_local(pair.r12), unit.to_local(pair.q1), unit.to_local(pair.q2));
-}
 
 /// A bound on the errors of exceeds(), in units of u: the roundings of both sides of each
 /// comparison, and one for terms of second order. Theorem `nesting` of tests/bounds/proofs.cpp
@@ -217,12 +208,13 @@ search_for_containment(Pair<T, D> const &pair, T w) noexcept
     return ContainmentDecision::none;
 }
 
-/// The decision by floating-point numbers, for an ellipsoid 2 in the bounding box. The search
+/// The decision by floating-point numbers. The search for a proof
 /// starts at the larger of two values: the w at which two balls with the extents along r would
 /// touch, to 10 %, and the trace of (Q1 - Q2)⁻¹Q2. M is positive definite there.
 template <class T, int D>
 PW85_FUNCTION inline ContainmentDecision decide_containment(Pair<T, D> const &pair) noexcept
 {
+    if (exceeds_bounding_box(pair)) return ContainmentDecision::outside;
     T const u = T(unit_roundoff<T>());
     SymmetricMatrix<T, D> difference = pair.q1;
     for (int k = 0; k < difference.size; ++k) difference[k] = difference[k] - pair.q2[k];
@@ -239,6 +231,16 @@ PW85_FUNCTION inline ContainmentDecision decide_containment(Pair<T, D> const &pa
     auto const matrices = inner_matrices(pair, largest);
     return all_of(is_clearly_definite(matrices, adjugate(matrices))) ? ContainmentDecision::inside
                                                                      : ContainmentDecision::none;
+}
+
+/// The decision for any pair, in the unit of ellipsoid 1. A number that becomes subnormal errs by
+/// 2^-53 of the smallest number, for double.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline ContainmentDecision
+decide_containment_scaled(Pair<T, D> pair) noexcept
+{
+    Unit const unit = unit_of(pair.q1);
+    return decide_containment(
+        pair_of(unit.to_local(pair.r12), unit.to_local(pair.q1), unit.to_local(pair.q2)));
 }
 
 template <class T, int D>
@@ -261,9 +263,8 @@ PW85_FUNCTION inline Containment contains(Vector<T, D> const &r12, SymmetricMatr
     bool const in_range = passes_fast_checks(pair);
     StatusCode const status = in_range ? StatusCode::success : validate_apart(pair);
     if (status != StatusCode::success) return {false, status};
-    auto const nested = in_range ? pair : in_unit_of_first(pair);
-    if (exceeds_bounding_box(nested)) return {false, status};
-    ContainmentDecision const nesting = decide_containment(nested);
+    ContainmentDecision const nesting =
+        in_range ? decide_containment(pair) : decide_containment_scaled(pair);
     if (nesting != ContainmentDecision::none)
         return {nesting == ContainmentDecision::inside, status};
     if constexpr (exact::is_decidable<T>)

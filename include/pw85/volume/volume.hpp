@@ -7,7 +7,7 @@
 
 #include <pw85/algebra/all_nan.hpp>
 #include <pw85/algebra/doubled.hpp>
-#include <pw85/contact/validate.hpp>
+#include <pw85/contact/scaling.hpp>
 
 namespace pw85 {
 
