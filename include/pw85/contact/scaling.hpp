@@ -44,7 +44,7 @@ template <class T, int D> struct DistancePair {
     T scale1, scale2;
 };
 
-template <class T, int D> PW85_FUNCTION inline Scaled<DistancePair<T, D>>
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Scaled<DistancePair<T, D>>
 in_units(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2,
          Units const &units) noexcept
 {

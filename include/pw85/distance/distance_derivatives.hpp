@@ -127,13 +127,13 @@ to_caller(DistanceDerivatives<T> result, Units const &units) noexcept
 {
     result.rotation1 = units.first.to_caller(result.rotation1);
     result.rotation2 = units.second.to_caller(result.rotation2);
-    for (int i = 0; i < 9; ++i) {
-        Unit const by_r12 = i < 3 ? Unit{} / units.length : Unit{},
-                   by_rotation = by_r12 * units.length;
-        for (int j = 0; j < 3; ++j) result.hessian[i][j] = by_r12.to_caller(result.hessian[i][j]);
+    // a derivative by r12 and by a rotation is a number
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            result.hessian[i][j] = units.length.to_caller(result.hessian[i][j], -1);
+    for (int i = 3; i < 9; ++i)
         for (int j = 3; j < 9; ++j)
-            result.hessian[i][j] = by_rotation.to_caller(result.hessian[i][j]);
-    }
+            result.hessian[i][j] = units.length.to_caller(result.hessian[i][j]);
     return result;
 }
 
