@@ -32,11 +32,11 @@ CHOICES = [
     ("contact/factorized_search.hpp", "shortest < T(0.1)", "shortest < T({})", ["0.1", "0.01", "0.5"]),
     ("contact/factorized_search.hpp", "(candidate.t, free_factorized_steps)", "(candidate.t, {})", ["3", "1", "6"]),
     ("contact/rational.hpp", "T(1024 * unit_roundoff<T>())", "T({} * unit_roundoff<T>())", ["1024", "0", "32", "32768", "1048576"]),
-    ("contact/rational_search.hpp", "max_rational_steps = 8", "max_rational_steps = {}", ["8", "4", "6", "12"]),
+    ("contact/iteration.hpp", "max_rational_steps = 8", "max_rational_steps = {}", ["8", "4", "6", "12"]),
 ]
 
 NORMAL_CHOICES = [
-    ("distance/normal_equations.hpp", "return T(1.5);", "return T({});", ["1.5", "1", "1.9"]),
+    ("distance/normal_search.hpp", "return T(1.5);", "return T({});", ["1.5", "1", "1.9"]),
     ("distance/normal_search.hpp", "mantissa_digits<T>() / 4", "mantissa_digits<T>() / {}", ["4", "3", "6"]),
     ("distance/normal_search.hpp", "max_normal_steps = 16", "max_normal_steps = {}", ["16", "10", "24"]),
     ("distance/normal_search.hpp", "max_last_steps = 6", "max_last_steps = {}", ["6", "0", "2"]),

@@ -58,7 +58,7 @@ MUTANTS = [
     ("overlap/compare.hpp", "(concentric ? 0 : 1) - (positive ? 1 : 0)", "(concentric ? 1 : 0) - (positive ? 1 : 0)", "test_compare"),
     ("overlap/containment_factor.hpp", "W(W(1) / search.best.root2)", "W(W(2) / search.best.root2)", "test_containment_factor"),
     ("overlap/quartic.hpp", "int apart_margin = 20", "int apart_margin = 19", "proofs recall"),
-    ("contact/rational_search.hpp", "int adjugate_error = 13", "int adjugate_error = 12", "proofs recall"),
+    ("contact/iteration.hpp", "int adjugate_error = 13", "int adjugate_error = 12", "proofs recall"),
     ("algebra/symmetric.hpp", "D == 2 ? 8 : 16", "D == 2 ? 8 : 15", "proofs recall"),
 ]
 

@@ -353,7 +353,7 @@ PW85_TEST("/first_contact/remainder")
         auto const axis = random.direction<3>();
         auto const q = pw85::spheroid(1.0, random.log_uniform(1.0, 10.0), axis).q;
         pw85::Motion<double, 3> const motion{{}, random.direction<3>(), random.uniform(-0.9, 1.0)};
-        auto const body = pw85::detail::to_body(q, motion, 0);
+        auto const body = pw85::detail::to_body(q, motion, {});
         auto const s1 = n % 2 == 0 ? 1.0 / 3.0 * pw85::detail::turning(body.omega, axis)
                                    : random.direction<3>();
         auto const path = pw85::detail::normal_path(axis, s1);

@@ -100,7 +100,7 @@ template <int D> void test_outside()
             random.sign() * random.log_uniform(1e-18, 1e-12) * magnitude_of_form(form, n) / form1;
         s.q1 = ((1.0 + distance) * reach * reach / form1) * s.q1;
         if (!(quadratic_form(s.q1, n) > 0.0)) continue;
-        bool const shows = shows_outside(NestedPair<double, D>{s.r12, s.q1, s.q2, {}}, n);
+        bool const shows = shows_outside(pair_of(s.r12, s.q1, s.q2), n);
         Rational along = 0;
         for (int i = 0; i < D; ++i) along += Rational(n[i]) * Rational(s.r12[i]);
         shown += shows;
@@ -148,7 +148,7 @@ template <int D> void test_inside()
         for (int i = 0; i < D; ++i)
             for (int j = i; j < D; ++j)
                 s.q1(i, j) += share2 * s.q2(i, j) + share_r * s.r12[i] * s.r12[j];
-        auto const matrices = inner_matrices(NestedPair<double, D>{s.r12, s.q1, s.q2, {}}, w);
+        auto const matrices = inner_matrices(pair_of(s.r12, s.q1, s.q2), w);
         pw85::SymmetricMatrix<double, D> k{};
         for (int i = 0; i < k.size; ++i) k[i] = first_of(matrices[i]);
         bool const shows = is_clearly_definite(k);

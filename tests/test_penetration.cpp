@@ -472,8 +472,8 @@ template <int D> void check_axis_bounds()
             least = std::fmin(least, static_cast<double>(square));
             most = std::fmax(most, static_cast<double>(square));
         }
-        double const lower = std::ldexp(bounds.least, 2 * bounds.unit),
-                     upper = std::ldexp(bounds.most, 2 * bounds.unit);
+        double const lower = std::ldexp(bounds.least, 2 * bounds.unit.exponent),
+                     upper = std::ldexp(bounds.most, 2 * bounds.unit.exponent);
         failures.check(lower <= least, "lower bound", lower, least, [&] { return hex_text(s); });
         failures.check(upper >= most, "upper bound", upper, most, [&] { return hex_text(s); });
         failures.check(2.0 * lower >= least - 256 * u * most && upper <= 2.0 * most, "tight", lower,

@@ -140,7 +140,7 @@ template <class T, int D> void expect_steps(Sample<T, D> const &s, RationalPolyn
         int const ratio = d::half_exponent(d::largest_diagonal(s.q1)) -
                           d::half_exponent(d::largest_diagonal(s.q2));
         auto const precise =
-            d::maximize_to_all_digits(scaled, scaled.swapped ? -ratio : ratio, bounds.t);
+            d::maximize_to_all_digits(scaled, scaled.units.swapped ? -ratio : ratio, bounds.t);
         failures.check(is_within_unit(f, precise.lambda), "lambda", shown(precise.lambda), 0,
                        describe);
         steps.extended += is_nearest(f, precise.mu2);

@@ -260,7 +260,7 @@ template <class T, int D> void test_alone()
             pw85::Status::success)
             continue;
         bool const overlap = true_mu2(s) < 1;
-        T const tangent = pw85::detail::times_power_of_two(T(1), 2 * (scaled.form - scaled.length));
+        T const tangent = scaled.units.mu().to_local(T(1), 2);
         comparison.count(pw85::detail::decide_by_certified_value(scaled.pair, tangent), overlap, s);
         if (!pw85::detail::passes_fast_checks(pw85::detail::pair_of(s.r12, s.q1, s.q2))) continue;
         T const guess = pw85::detail::initial_guess(to_pair(s));

@@ -120,7 +120,7 @@ bool shows_inside_wider(Input const &in, Doubled<double> const *r12, double nu,
 {
     using Wide = Doubled<double>;
     return with_wide_workspace([&](auto &work) {
-        scale(in, {0, 0, 0, false}, work.pair);
+        scale(in, {}, work.pair);
         for (int k = 0; k < in.n; ++k) work.pair.r12[k] = r12[k];
         return shows_inside(work.pair, Wide(nu), work.at.factors) ||
                shows_inside(work.pair, Wide(other), work.at.factors);

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include <pw85/contact/factor.hpp>
-#include <pw85/contact/validate.hpp>
+#include <pw85/contact/scaling.hpp>
 #include <pw85/status.hpp>
 
 #include "c_arrays.hpp"

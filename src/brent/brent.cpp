@@ -53,12 +53,12 @@ BrentResult maximizer_by_brent(Pair<double, 3> const &pair, Options const &optio
 {
     constexpr int max_rounds = 3;
     constexpr double margin = 0x1p-8;
-    double unit = times_power_of_two(1.0, binary_exponent(initial_guess(pair)));
+    double unit = unit_of(initial_guess(pair)).as<double>();
     for (int round = 1;; ++round) {
         PairInUnit in = in_unit(pair, unit);
         double const x = minimize({objective, &in}, options), t = unit * (x / (1.0 - x));
         if ((x > margin && x < 1.0 - margin) || round == max_rounds) return {t, round};
-        unit = times_power_of_two(1.0, binary_exponent(t));
+        unit = unit_of(t).as<double>();
     }
 }
 

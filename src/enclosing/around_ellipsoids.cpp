@@ -128,9 +128,10 @@ void split(std::size_t d, Square<double> &factor, Square<double> &vectors) noexc
             highest = maximum(highest, x + width);
             widest = maximum(widest, width);
         }
-        int const exponent = binary_exponent(maximum(highest - lowest, widest)) + 1;
-        if (exponent > max_exponent || exponent < -max_exponent) return Status::invalid_argument;
-        cloud_.exponents[k] = exponent;
+        Unit const unit{binary_exponent(maximum(highest - lowest, widest)) + 1};
+        if (unit < Unit{-max_exponent} || Unit{max_exponent} < unit)
+            return Status::invalid_argument;
+        cloud_.units[k] = unit;
         cloud_.scale[k] = 1.0;
     }
     return Status::success;
@@ -141,13 +142,13 @@ void split(std::size_t d, Square<double> &factor, Square<double> &vectors) noexc
 Body AroundEllipsoids::body(std::size_t i) const noexcept
 {
     int const n = bodies_.n;
-    int const *const units = cloud_.exponents;
+    Unit const *const units = cloud_.units;
     Body body;
     for (int k = 0; k < n; ++k) {
-        body.center[k] = times_power_of_two(bodies_.center(i)[k], -units[k]);
+        body.center[k] = units[k].to_local(bodies_.center(i)[k]);
         for (int l = k; l < n; ++l) {
             int const at = packed_index(n, k, l);
-            body.form[at] = times_power_of_two(bodies_.form(i)[at], -(units[k] + units[l]));
+            body.form[at] = (units[k] * units[l]).to_local(bodies_.form(i)[at]);
         }
     }
     return body;
@@ -358,7 +359,7 @@ double AroundEllipsoids::reach(std::size_t i, bool roughly) noexcept
     if (roughly && kappa < 1.0 - 0x1p-20) return kappa * kappa;
     auto &work = memory_.work;
     auto &search = memory_.search;
-    scale({n, r, outer_.form, one.form}, {0, 0, 0, false}, work.pair);
+    scale({n, r, outer_.form, one.form}, {}, work.pair);
     find_dual(memory_);
     if (!(search.best.mu2 > 0.0)) return far * far; // a point
     nu_[i] = search.nu;
@@ -470,9 +471,8 @@ bool AroundEllipsoids::is_inside(std::size_t i) noexcept
     double r[max_dimension] = {};
     for (int k = 0; k < n; ++k) r[k] = one.center[k] - outer_.center[k];
     Input const in{n, r, outer_.form, one.form};
-    Units const units{0, 0, 0, false};
     auto &work = memory_.work;
-    scale(in, units, work.pair);
+    scale(in, {}, work.pair);
     double const nu = nu_[i];
     if (shows_inside(work.pair, nu, work.at.factors)) return true;
     double const kappa2 = reach(i, false), other = nu_[i] + 0.5 * maximum(0.0, 1.0 - kappa2);

@@ -56,14 +56,11 @@ class AroundEllipsoids {
     /// there is an ellipsoid.
     Status run(double tolerance) noexcept;
 
-    double center(int i) const noexcept
-    {
-        return times_power_of_two(outer_.center[i], cloud_.exponents[i]);
-    }
+    double center(int i) const noexcept { return cloud_.units[i].to_caller(outer_.center[i]); }
     double form(int i, int j) const noexcept
     {
-        return times_power_of_two(outer_.form[any_dimension::packed_index(bodies_.n, i, j)],
-                                  cloud_.exponents[i] + cloud_.exponents[j]);
+        return (cloud_.units[i] * cloud_.units[j])
+            .to_caller(outer_.form[any_dimension::packed_index(bodies_.n, i, j)]);
     }
     double excess() const noexcept { return excess_; }
 

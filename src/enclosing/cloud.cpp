@@ -38,10 +38,11 @@ Status choose_scale(Cloud &cloud) noexcept
             status = Status::not_positive_definite;
             continue;
         }
-        int const exponent = binary_exponent(half) + 1;
-        if (exponent > max_exponent || exponent < -max_exponent) return Status::invalid_argument;
-        cloud.exponents[k] = exponent;
-        cloud.scale[k] = times_power_of_two(1.0, -exponent);
+        Unit const unit{binary_exponent(half) + 1};
+        if (unit < Unit{-max_exponent} || Unit{max_exponent} < unit)
+            return Status::invalid_argument;
+        cloud.units[k] = unit;
+        cloud.scale[k] = unit.to_local(1.0);
     }
     return status;
 }

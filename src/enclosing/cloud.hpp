@@ -9,7 +9,7 @@
 #include <cstddef>
 
 #include <pw85/algebra/doubled.hpp>
-#include <pw85/algebra/powers_of_two.hpp>
+#include <pw85/algebra/units.hpp>
 #include <pw85/any_dimension/packed_matrix.hpp>
 #include <pw85/status.hpp>
 
@@ -32,7 +32,7 @@ struct Cloud {
     std::size_t m;
     double const *points;
     double scale[max_dimension];
-    int exponents[max_dimension];
+    Unit units[max_dimension];
 
     [[gnu::always_inline]] double coordinate(std::size_t i, int k) const noexcept
     {

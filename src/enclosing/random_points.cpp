@@ -14,7 +14,7 @@
 
 #include <pw85/algebra/doubled.hpp>
 #include <pw85/algebra/philox.hpp>
-#include <pw85/contact/validate.hpp>
+#include <pw85/contact/scaling.hpp>
 #include <pw85/distance/nearest.hpp>
 
 #include "../base/c_arrays.hpp"
@@ -33,11 +33,9 @@ using Vector3 = Vector<double, 3>;
 /// are found with twice the digits, which thin ellipsoids need.
 class StretchedBall {
   public:
-    explicit StretchedBall(SymmetricMatrix<double, 3> const &q) noexcept
-        : exponent_(half_exponent(largest_diagonal(q)))
+    explicit StretchedBall(SymmetricMatrix<double, 3> const &q) noexcept : unit_(unit_of(q))
     {
-        auto const found =
-            principal_axes(converted<Finer<double>>(times_power_of_two(q, -2 * exponent_)));
+        auto const found = principal_axes(converted<Finer<double>>(unit_.to_local(q)));
         for (int i = 0; i < 3; ++i) {
             semi_axes_[i] = std::sqrt(rounded(found.squares[i]));
             for (int k = 0; k < 3; ++k) axes_[k][i] = rounded(found.axes[k][i]);
@@ -65,10 +63,10 @@ class StretchedBall {
         Vector3 x{};
         for (int k = 0; k < 3; ++k)
             for (int i = 0; i < 3; ++i) x[k] += axes_[k][i] * (semi_axes_[i] * n[i]);
-        return times_power_of_two(x, exponent_);
+        return unit_.to_caller(x);
     }
 
-    int exponent_;
+    Unit unit_;
     double semi_axes_[3], axes_[3][3], shortest_;
 };
 

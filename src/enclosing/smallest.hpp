@@ -43,13 +43,10 @@ class Search {
     /// there is an ellipsoid.
     Status run(double tolerance) noexcept;
 
-    double center(int i) const noexcept
-    {
-        return times_power_of_two(center_[i], cloud_.exponents[i]);
-    }
+    double center(int i) const noexcept { return cloud_.units[i].to_caller(center_[i]); }
     double form(int i, int j) const noexcept
     {
-        return times_power_of_two(form_[at(j, i)], cloud_.exponents[i] + cloud_.exponents[j]);
+        return (cloud_.units[i] * cloud_.units[j]).to_caller(form_[at(j, i)]);
     }
     double excess() const noexcept { return excess_; }
 

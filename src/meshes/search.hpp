@@ -36,9 +36,9 @@ class Ellipsoid {
   public:
     Ellipsoid(Vector3 const &center, Form3 const &q) noexcept : center_(center), q_(q)
     {
-        int const exponent = half_exponent(largest_diagonal(q));
-        form_ = times_power_of_two(q, -2 * exponent);
-        per_unit_ = times_power_of_two(1.0, -exponent);
+        Unit const unit = unit_of(q);
+        form_ = unit.to_local(q);
+        per_unit_ = unit.to_local(1.0);
     }
 
     Form3 const &q() const noexcept { return q_; }

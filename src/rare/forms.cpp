@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What hardly ever runs: forms of any magnitudes, and those of lengths and quaternions.
 #include <pw85/contact/forms.hpp>
-#include <pw85/contact/validate.hpp>
+#include <pw85/contact/scaling.hpp>
 
 #include "define.hpp"
 

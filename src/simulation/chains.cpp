@@ -62,7 +62,7 @@ int Chains::prepare() noexcept
 {
     std::size_t const n = configuration_.size();
     longest_ = configuration_.longest_semi_axis();
-    unit_ = n > 0 ? binary_exponent(longest_) : 0;
+    unit_ = n > 0 ? unit_of(longest_) : Unit{};
     Cell const &cell = configuration_.cell;
     neighbors::Periodicity periodicity;
     own_images_may_touch_ = cell.exists && periodicity.prepare(cell.vectors, cell.periodic) &&
@@ -71,7 +71,7 @@ int Chains::prepare() noexcept
     if (int const status = bins_.prepare(configuration_, bin_size * longest_)) return status;
     for (std::size_t k = 0; k < n; ++k) {
         std::size_t const i = bins_.number_in_configuration(k);
-        Form3 q = times_power_of_two(configuration_.q[i], -2 * unit_);
+        Form3 q = unit_.to_local(configuration_.q[i]);
         // In two dimensions directions are in the plane of the centres. The forms are block
         // diagonal, and so is M of path_bounds.hpp. So the bounds, the contact and its plane are
         // those of the ellipses, whatever the entry of z is, and z has no part in the normal. An
@@ -110,7 +110,7 @@ bool Chains::find_near(std::size_t i, Vector3 const &direction, double stage) no
 void Chains::list_obstacles(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
     Vector3 const center = bodies_[i].center;
-    double const scale = times_power_of_two(1.0, -unit_),
+    double const scale = unit_.to_local(1.0),
                  reach = stage + 0x1p-16 * scale * sum_of_magnitudes(center);
     obstacles_.clear();
     Obstacle pair[2];
@@ -193,8 +193,7 @@ void Chains::find_contact(std::size_t i, Vector3 const &direction, double stage)
     double const position = view.polynomial.position(view.polynomial.root_of_discriminant());
     obstacle.is_exact = true;
     obstacle.normal = add_scaled(view.s, -position, view.s_direction);
-    obstacle.bound =
-        free_by_normal({pair_of(r12, q1, q2), 0, 0, false, 0}, -direction, obstacle.normal);
+    obstacle.bound = free_by_normal({pair_of(r12, q1, q2), {}}, -direction, obstacle.normal);
     if (!(obstacle.bound >= position - tolerance * obstacle.size &&
           obstacle.bound < infinity<double>())) {
         auto const path = free_path(r12, q1, q2, direction, stage);
@@ -225,11 +224,11 @@ double Chains::free_path_length(std::size_t i, Vector3 const &direction, double 
 bool Chains::plane_separates(std::size_t i, Image const &image,
                              Vector3 const &normal) const noexcept
 {
-    double const scale = times_power_of_two(1.0, -unit_);
+    double const scale = unit_.to_local(1.0);
     Vector3 const r12 =
         scale * separation(bodies_[i].center, bodies_[image.index].center, image.translation);
     auto const pair = pair_of(r12, bodies_[i].q, bodies_[image.index].q);
-    double const gap = free_by_normal({pair, 0, 0, false, 0}, -normal, normal);
+    double const gap = free_by_normal({pair, {}}, -normal, normal);
     return gap > 0.0 && gap < infinity<double>(); // infinity if the square of the normal vanishes
 }
 
@@ -289,7 +288,7 @@ int Chains::run(std::size_t first, Vector3 const &direction, double length,
 {
     // All paths are multiples of the last digit of the length: their sum is the length, without
     // rounding.
-    double const digit = times_power_of_two(1.0, binary_exponent(length) - 52);
+    double const digit = (unit_of(length) / Unit{52}).as<double>();
     double remaining = length, at_last_check = length;
     int displacements = 0;
     sums.length += length;
@@ -299,8 +298,7 @@ int Chains::run(std::size_t first, Vector3 const &direction, double length,
         // continues with the next one.
         double const stage = std::min(remaining, stage_size * longest_);
         if (!find_near(i, direction, stage)) return PW85_ENOMEM;
-        double const path = times_power_of_two(
-            free_path_length(i, direction, times_power_of_two(stage, -unit_)), unit_);
+        double const path = unit_.to_caller(free_path_length(i, direction, unit_.to_local(stage)));
         bool const touches = path < stage;
         double const moved = advance(i, direction, path, touches, digit);
         remaining -= moved;
@@ -312,7 +310,7 @@ int Chains::run(std::size_t first, Vector3 const &direction, double length,
         if (!touches) continue;
         Obstacle const &touched = obstacles_.last();
         auto const &[translation, j] = touched.image;
-        sums.transfers += times_power_of_two(dot(touched.r12, direction), unit_) - moved;
+        sums.transfers += unit_.to_caller(dot(touched.r12, direction)) - moved;
         ++sums.contacts;
         // If nothing moved, no test has shown that the plane separates the two. Then particle j may
         // touch this one.

@@ -123,7 +123,7 @@ class Chains {
     std::optional<Plane> last_plane_;
     double longest_ = 0.0; ///< of all semi-axes
     bool own_images_may_touch_ = false;
-    int unit_ = 0; ///< the unit is 2 to this power
+    Unit unit_{};
 };
 
 } // namespace pw85::detail::simulation

@@ -203,16 +203,11 @@ inline std::vector<int> exceeded()
     return {sides[0].second, sides[1].first, sides[1].second};
 }
 
-template <int D> NestedPair<Recorded, D> nested_inputs(Inputs<D> const &in)
-{
-    return {in.pair.r12, in.pair.q1, in.pair.q2, in.pair.q1};
-}
-
 /// The bounds on nᵀQ1n, nᵀQ2n and n·r that shows_outside() gives to exceeds(). Each is a value with
 /// its margin.
 template <int D> std::vector<int> bounds_of_outside()
 {
-    auto const sides = shows_outside(nested_inputs(Inputs<D>()), Inputs<D>::vector("n")).sides;
+    auto const sides = shows_outside(Inputs<D>().pair, Inputs<D>::vector("n")).sides;
     auto const node = [](int k) -> Node const & {
         return (*recording)[static_cast<std::size_t>(k)];
     };
@@ -223,7 +218,7 @@ template <int D> std::vector<int> bounds_of_outside()
 /// An entry of K(w) on the diagonal, and another one.
 template <int D> std::vector<int> inner_entries()
 {
-    auto const k = inner_matrices(nested_inputs(Inputs<D>()), Recorded::input("w", 0.75));
+    auto const k = inner_matrices(Inputs<D>().pair, Recorded::input("w", 0.75));
     return {first_of(k(0, 0)).node(), first_of(k(0, 1)).node()};
 }
 

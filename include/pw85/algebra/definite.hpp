@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Decides whether a form is positive definite. contact/validate.hpp calls is_positive_definite().
+/// Decides whether a form is positive definite. contact/scaling.hpp calls is_positive_definite().
 /// The solver and the geometry of contact/ use Widened and has_extended_numbers.
 /// is_positive_definite() calls is_clearly_definite() and, if that is not sufficient, the
 /// arithmetic of extended_number.hpp. The decision is the same in every function, for either order

@@ -98,7 +98,7 @@ template <class N> PW85_FUNCTION inline Contact<double> find_contact(InputOf<N> 
     if (largest_magnitude(in.n, in.r12) == 0.0) return {0.0, 0.5, StatusCode::success};
     auto const units = units_of(in);
     auto result = contact_in_units(in, units);
-    result.mu2 = times_power_of_two(result.mu2, 2 * (units.length - units.form));
+    result.mu2 = units.mu().to_caller(result.mu2, 2);
     return result;
 }
 

@@ -294,11 +294,11 @@ PW85_FUNCTION inline bool shows_inside(Pair<T> const &pair, T const &nu, T *memo
 
 /// Decides by numbers of type T. The search stops when κ² is clearly below or above one.
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline ContainmentDecision
-decide_containment_in(Input const &in, int unit, Workspace<T> &work) noexcept
+decide_containment_in(Input const &in, Unit unit, Workspace<T> &work) noexcept
 {
     auto &pair = work.pair;
     auto &at = work.at;
-    scale(in, {unit, unit, unit, false}, pair);
+    scale(in, {unit, unit, unit, false, {}}, pair);
     for (int i = 0; i < in.n; ++i) {
         T axis[max_dimension]{};
         axis[i] = T(1);
@@ -317,9 +317,9 @@ decide_containment_in(Input const &in, int unit, Workspace<T> &work) noexcept
 /// Returns whether ellipsoid 2 is inside, for a valid pair: 1 or 0, or sign_unknown.
 PW85_FUNCTION inline int decide_containment(Input const &in) noexcept
 {
-    int const unit = half_exponent(largest_diagonal(in.n, in.q1));
+    Unit const unit{half_exponent(largest_diagonal(in.n, in.q1))};
     auto decision = ContainmentDecision::none;
-    if (keeps_digits(in.n, in.q1, -2 * unit)) {
+    if (keeps_digits(in.n, in.q1, unit)) {
         auto const decide = [&](auto &work) { return decide_containment_in(in, unit, work); };
         decision = with_workspace(decide);
         if constexpr (FLT_EVAL_METHOD == 0)
@@ -329,24 +329,18 @@ PW85_FUNCTION inline int decide_containment(Input const &in) noexcept
     return decision == ContainmentDecision::inside;
 }
 
-/// A pair as ContainedPair, and the exponents that lead back to the units of the caller.
-struct ReachUnits {
-    int length, form, second;
-};
-
 /// Scales a pair: scale_contained() in n dimensions.
-PW85_FUNCTION inline ReachUnits scale_for_reach(Input const &in, Pair<double> &pair) noexcept
+PW85_FUNCTION inline Units scale_for_reach(Input const &in, Pair<double> &pair) noexcept
 {
-    int const n = in.n, size = packed_size(n), smallest = -384;
-    double const r = largest_magnitude(n, in.r12);
-    int const e1 = half_exponent(largest_diagonal(n, in.q1)),
-              e2 = half_exponent(largest_diagonal(n, in.q2));
-    int const length = maximum(e2, r > 0.0 ? binary_exponent(r) : e2);
+    int const n = in.n, size = packed_size(n);
+    Unit const first{half_exponent(largest_diagonal(n, in.q1))},
+        second{half_exponent(largest_diagonal(n, in.q2))},
+        length = larger_unit(second, largest_magnitude(n, in.r12), {});
     pair.n = n;
-    scale(n, in.r12, -length, 1.0, pair.r12);
-    scale(size, in.q1, -2 * e1, 1.0, pair.q1);
-    scale(size, in.q2, 2 * (maximum(e2 - length, smallest) - e2), 1.0, pair.q2);
-    return {length, e1, e2};
+    to_local(length, 1, n, in.r12, pair.r12);
+    to_local(first, 2, size, in.q1, pair.q1);
+    to_local(smaller_of(length, second / Unit{-384}), 2, size, in.q2, pair.q2);
+    return {length, first, second, false, {}};
 }
 
 /// Memory of a search for κ.
@@ -374,9 +368,9 @@ template <class T>
     auto &pair = memory.work.pair;
     int const n = given.n;
     pair.n = n;
-    scale(n, given.r12, 0, 1.0, pair.r12);
-    scale(packed_size(n), given.q1, 0, 1.0, pair.q1);
-    scale(packed_size(n), given.q2, 0, 1.0, pair.q2);
+    to_local({}, 1, n, given.r12, pair.r12);
+    to_local({}, 2, packed_size(n), given.q1, pair.q1);
+    to_local({}, 2, packed_size(n), given.q2, pair.q2);
     bool const converged = find_dual(memory, tolerance);
     auto const &best = memory.search.best;
     mu2 = rounded(best.mu2);
@@ -445,13 +439,11 @@ PW85_FUNCTION inline NdContainmentScale nd_containment(int n, double const *r12,
     any_dimension::Pair<double> pair;
     auto const units = scale_for_reach(in, pair);
     double mu2 = quiet_nan<double>(), at[max_dimension]{};
-    bool const in_range =
-        keeps_digits(n, q1, -2 * units.form) && keeps_digits(n, q2, -2 * units.second);
+    bool const in_range = keeps_digits(n, q1, units.first) && keeps_digits(n, q2, units.second);
     status = in_range ? find_scale(pair, mu2, at) : StatusCode::no_convergence;
     if (status != StatusCode::success) return {quiet_nan<double>(), status};
-    for (int i = 0; point != nullptr && i < n; ++i)
-        point[i] = times_power_of_two(at[i], units.length);
-    return {times_power_of_two(mu2, 2 * (units.length - units.form)), status};
+    for (int i = 0; point != nullptr && i < n; ++i) point[i] = units.length.to_caller(at[i]);
+    return {units.mu().to_caller(mu2, 2), status};
 }
 
 } // namespace pw85

@@ -19,21 +19,19 @@ template <class T> PW85_FUNCTION inline T least_shift(int n) noexcept
 }
 
 template <class T, class N>
-PW85_FUNCTION inline bool is_clearly_definite(N n, double const *q, int exponent) noexcept
+PW85_FUNCTION inline bool is_clearly_definite(N n, double const *q, Unit unit) noexcept
 {
-    if (!keeps_digits(n, q, exponent)) return false;
+    if (!keeps_digits(n, q, unit)) return false;
     T matrix[packed_size(capacity<N>)];
-    for (int i = 0, k = 0; i < n; ++i)
-        for (int j = i; j < n; ++j, ++k)
-            matrix[k] = T(exponent == 0 ? q[k] : times_power_of_two(q[k], exponent));
+    to_local(unit, 2, packed_size(n), q, matrix);
     return is_definite_with_shift(n, matrix, least_shift<T>(n), matrix);
 }
 
 /// Decides for forms that double precision leaves open.
 [[gnu::cold, gnu::noinline]] PW85_FUNCTION inline StatusCode
-status_of_difficult_form(int n, double const *q, int exponent) noexcept
+status_of_difficult_form(int n, double const *q, Unit unit) noexcept
 {
-    if (is_clearly_definite<Doubled<double>>(n, q, exponent)) return StatusCode::success;
+    if (is_clearly_definite<Doubled<double>>(n, q, unit)) return StatusCode::success;
     int const definite = is_definite_exactly(n, q);
     return definite == sign_unknown ? StatusCode::out_of_memory
            : definite == 1          ? StatusCode::success
@@ -56,9 +54,9 @@ template <class N> PW85_FUNCTION inline StatusCode status_of_form(N n, double co
     for (int i = 0; i < n; ++i)
         if (!(q[packed_index(n, i, i)] > 0.0)) return StatusCode::not_positive_definite;
     double const size = largest_diagonal(n, q);
-    int const exponent = is_in_range(size, size, size) ? 0 : -2 * half_exponent(size);
-    return is_clearly_definite<double>(n, q, exponent) ? StatusCode::success
-                                                       : status_of_difficult_form(n, q, exponent);
+    Unit const unit{is_in_range(size, size, size) ? 0 : half_exponent(size)};
+    return is_clearly_definite<double>(n, q, unit) ? StatusCode::success
+                                                   : status_of_difficult_form(n, q, unit);
 }
 
 PW85_FUNCTION constexpr bool is_dimension(int n) noexcept { return n >= 1 && n <= max_dimension; }

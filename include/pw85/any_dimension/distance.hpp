@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The distance of two ellipsoids in n dimensions, with the closest points and the normal. The
-/// equations and their search are those of distance/normal_equations.hpp and
-/// distance/normal_search.hpp. They use vectors of two or three numbers; the functions here use
-/// arrays.
+/// equations and their search are those of distance/normal_search.hpp. They use vectors of two or
+/// three numbers; the functions here use arrays.
 ///
 /// Any vector u gives the lower bound φ = (u·r12 - √(uᵀQ1u) - √(uᵀQ2u))/|u| of the distance, and
 /// the vector w between the points of the surfaces along u the upper bound |w|. Both are computed
@@ -200,11 +199,11 @@ find_normal_wider(Pair<Doubled<double>> const &wide, NormalSlab &slab) noexcept
     return find_normal(given, wide, slab);
 }
 
-/// Finds the slab of a pair that does not overlap, in units of 2^unit.
-[[gnu::noinline]] PW85_FUNCTION inline bool find_distance(Input const &in, int unit,
+/// Finds the slab of a pair that does not overlap, in one unit.
+[[gnu::noinline]] PW85_FUNCTION inline bool find_distance(Input const &in, Unit unit,
                                                           NormalSlab &slab) noexcept
 {
-    Units const units{unit, unit, unit, false};
+    Units const units{unit, unit, unit, false, {}};
     Pair<Doubled<double>> wide;
     scale(in, units, wide);
     Direction<double> along{};
@@ -218,14 +217,14 @@ find_normal_wider(Pair<Doubled<double>> const &wide, NormalSlab &slab) noexcept
 }
 
 /// Rounds the outputs, and converts them to the units of the caller.
-PW85_FUNCTION inline void store(Input const &in, int unit, NormalSlab const &slab,
+PW85_FUNCTION inline void store(Input const &in, Unit unit, NormalSlab const &slab,
                                 NdClosestPoints const &out) noexcept
 {
     for (int i = 0; i < in.n; ++i) {
-        auto const r12 = Doubled<double>(times_power_of_two(in.r12[i], -unit));
+        auto const r12 = Doubled<double>(unit.to_local(in.r12[i]));
         double const point1 = rounded(slab.point1[i]), point2 = rounded(r12 - slab.point2[i]);
-        if (out.point1 != nullptr) out.point1[i] = times_power_of_two(point1, unit);
-        if (out.point2 != nullptr) out.point2[i] = times_power_of_two(point2, unit);
+        if (out.point1 != nullptr) out.point1[i] = unit.to_caller(point1);
+        if (out.point2 != nullptr) out.point2[i] = unit.to_caller(point2);
         if (out.normal != nullptr) out.normal[i] = rounded(slab.normal[i]);
     }
 }
@@ -246,14 +245,13 @@ PW85_FUNCTION inline NdDistance nd_distance(int n, double const *r12, double con
     NdOverlap const decision = nd_overlap(n, r12, q1, q2);
     if (decision.status != StatusCode::success) return {quiet_nan<double>(), decision.status};
     if (decision.overlap) return {0.0, StatusCode::success};
-    int const unit = binary_exponent(largest_magnitude(n, r12));
+    Unit const unit = unit_of(largest_magnitude(n, r12));
     NormalSlab slab;
-    if (!keeps_digits(n, q1, -2 * unit) || !keeps_digits(n, q2, -2 * unit) ||
-        !find_distance(in, unit, slab))
+    if (!keeps_digits(n, q1, unit) || !keeps_digits(n, q2, unit) || !find_distance(in, unit, slab))
         return {quiet_nan<double>(), StatusCode::no_convergence};
     store(in, unit, slab, out);
     double const width = maximum(0.0, rounded(slab.width));
-    return {times_power_of_two(width, unit), StatusCode::success};
+    return {unit.to_caller(width), StatusCode::success};
 }
 
 } // namespace pw85

@@ -23,7 +23,7 @@ namespace pw85::detail::any_dimension {
 /// s 2^exponent, and Q1 s in the units of the forms.
 struct TangencySolution {
     double s[max_dimension], q1s[max_dimension];
-    int length, form; ///< r12 is in units of 2^length, forms in units of 4^form
+    Unit length, form; ///< of r12, and of both forms
 };
 
 /// Solves for s with numbers of type T. Returns false if the error could exceed 2^-26 of s in the
@@ -34,7 +34,7 @@ find_tangency(Input const &in, double lambda, TangencySolution &result, Workspac
     auto &pair = work.pair;
     auto &at = work.at;
     int const n = in.n;
-    scale(in, {result.length, result.form, result.form, false}, pair);
+    scale(in, {result.length, result.form, result.form, false, {}}, pair);
     // Q1 + t Q2 with the larger of both weights set to 1
     T const weight1 = maximum(T(T(1) - T(lambda)), T(complement_of(lambda))), weight2 = T(lambda);
     bool const first = weight1 >= weight2;
@@ -80,28 +80,27 @@ find_tangency_wider(Input const &in, double lambda, TangencySolution &result) no
 }
 
 /// Stores -weight s sᵀ in packed form. An off-diagonal entry stands for two entries of the matrix.
-PW85_FUNCTION inline void store_outer(int n, double weight, double const *s, int exponent,
+PW85_FUNCTION inline void store_outer(int n, double weight, double const *s, Unit unit,
                                       double *d) noexcept
 {
     for (int i = 0; i < n; ++i)
         for (int j = i; j < n; ++j)
             d[packed_index(n, i, j)] =
-                times_power_of_two(-(i == j ? weight : 2.0 * weight) * s[i] * s[j], exponent);
+                unit.to_caller(-(i == j ? weight : 2.0 * weight) * s[i] * s[j], 2);
 }
 
 PW85_FUNCTION inline void store(int n, double lambda, TangencySolution const &at,
                                 NdGeometry const &out) noexcept
 {
     double const rest = complement_of(lambda), norm = square_root(dot(n, at.s, at.s));
-    int const of_s = at.length - 2 * at.form;
+    Unit const of_s = at.length / at.form / at.form;
     for (int i = 0; i < n; ++i) {
-        if (out.point != nullptr) out.point[i] = times_power_of_two(rest * at.q1s[i], at.length);
+        if (out.point != nullptr) out.point[i] = at.length.to_caller(rest * at.q1s[i]);
         if (out.normal != nullptr) out.normal[i] = at.s[i] / norm;
-        if (out.d_r12 != nullptr)
-            out.d_r12[i] = times_power_of_two(2.0 * lambda * rest * at.s[i], of_s);
+        if (out.d_r12 != nullptr) out.d_r12[i] = of_s.to_caller(2.0 * lambda * rest * at.s[i]);
     }
-    if (out.d_q1 != nullptr) store_outer(n, lambda * rest * rest, at.s, 2 * of_s, out.d_q1);
-    if (out.d_q2 != nullptr) store_outer(n, lambda * lambda * rest, at.s, 2 * of_s, out.d_q2);
+    if (out.d_q1 != nullptr) store_outer(n, lambda * rest * rest, at.s, of_s, out.d_q1);
+    if (out.d_q2 != nullptr) store_outer(n, lambda * lambda * rest, at.s, of_s, out.d_q2);
 }
 
 } // namespace pw85::detail::any_dimension
@@ -121,7 +120,7 @@ PW85_FUNCTION inline StatusCode nd_contact_geometry(int n, double const *r12, do
     double const r = largest_magnitude(n, r12);
     if (!(lambda >= 0.0 && lambda <= 1.0) || r == 0.0) return StatusCode::invalid_argument;
     double const size = detail::maximum(largest_diagonal(n, q1), largest_diagonal(n, q2));
-    TangencySolution at{{}, {}, detail::binary_exponent(r), detail::half_exponent(size)};
+    TangencySolution at{{}, {}, detail::unit_of(r), {detail::half_exponent(size)}};
     auto const find = [&](auto &work) { return find_tangency(in, lambda, at, work); };
     if (!with_workspace(find)) {
         StatusCode const wider = find_tangency_wider(in, lambda, at);

@@ -117,7 +117,7 @@ decide_in(Input const &in, Units const &units, double m, Workspace<T> &work) noe
 PW85_FUNCTION inline int sign_of_difference(Input const &in, double m) noexcept
 {
     Units const units = units_of(in);
-    double const scaled = times_power_of_two(m, 2 * (units.form - units.length));
+    double const scaled = units.mu().to_local(m, 2);
     auto const decide = [&](auto &work) { return decide_in(in, units, scaled, work); };
     Decision decision = with_workspace(decide);
     if constexpr (FLT_EVAL_METHOD == 0)

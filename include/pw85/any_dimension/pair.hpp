@@ -25,12 +25,6 @@ template <class T, class N = int> struct Pair {
     T ratio;
 };
 
-/// The exponents of these units, as in ScaledPair.
-struct Units {
-    int length, form, second;
-    bool swapped;
-};
-
 template <class N> PW85_FUNCTION inline double largest_diagonal(N n, double const *q) noexcept
 {
     double largest = q[0];
@@ -51,48 +45,52 @@ template <class N> PW85_FUNCTION inline Units units_of(InputOf<N> const &in) noe
 {
     double const r = largest_magnitude(in.n, in.r12);
     double const size1 = largest_diagonal(in.n, in.q1), size2 = largest_diagonal(in.n, in.q2);
-    if (is_in_range(r, size1, size2)) return {0, 0, 0, false};
-    int const e1 = half_exponent(size1), e2 = half_exponent(size2);
-    bool const swapped = e1 < e2 - 24;
-    return {r > 0.0 ? binary_exponent(r) : 0, swapped ? e2 : e1, swapped ? e1 : e2, swapped};
+    if (is_in_range(r, size1, size2)) return {};
+    Unit const unit1{half_exponent(size1)}, unit2{half_exponent(size2)};
+    bool const swapped = unit1.exponent < unit2.exponent - 24;
+    return {{r > 0.0 ? binary_exponent(r) : 0},
+            swapped ? unit2 : unit1,
+            swapped ? unit1 : unit2,
+            swapped,
+            {}};
 }
 
-/// Returns whether no diagonal entry becomes so small in these units that digits of its products
-/// are lost.
-template <class N>
-PW85_FUNCTION inline bool keeps_digits(N n, double const *q, int exponent) noexcept
+/// Returns whether no diagonal entry becomes so small in this unit that digits of its products are
+/// lost.
+template <class N> PW85_FUNCTION inline bool keeps_digits(N n, double const *q, Unit unit) noexcept
 {
     for (int i = 0; i < n; ++i)
-        if (!(times_power_of_two(q[packed_index(n, i, i)], exponent) >= 0x1p-800)) return false;
+        if (!(unit.to_local(q[packed_index(n, i, i)], 2) >= 0x1p-800)) return false;
     return true;
 }
 
 template <class N>
 PW85_FUNCTION inline bool keep_digits(InputOf<N> const &in, Units const &units) noexcept
 {
-    int const first = units.swapped ? units.second : units.form,
-              second = units.swapped ? units.form : units.second;
-    return keeps_digits(in.n, in.q1, -2 * first) && keeps_digits(in.n, in.q2, -2 * second);
+    return keeps_digits(in.n, in.q1, units.swapped ? units.second : units.first) &&
+           keeps_digits(in.n, in.q2, units.swapped ? units.first : units.second);
 }
 
+/// Converts numbers to a unit, as Unit::to_local() does.
 template <class T>
-PW85_FUNCTION inline void scale(int size, double const *x, int exponent, double sign, T *y) noexcept
+PW85_FUNCTION inline void to_local(Unit unit, int power, int size, double const *x, T *y) noexcept
 {
-    for (int i = 0; i < size; ++i)
-        y[i] = T(sign * (exponent == 0 ? x[i] : times_power_of_two(x[i], exponent)));
+    for (int i = 0; i < size; ++i) y[i] = T(unit.exponent == 0 ? x[i] : unit.to_local(x[i], power));
 }
 
 /// Brings a pair to its units. Only numbers that are too small to matter are rounded.
 template <class T, class N>
 PW85_FUNCTION inline void scale(InputOf<N> const &in, Units const &units, Pair<T, N> &pair) noexcept
 {
-    int const size = packed_size(in.n), limit = ratio_exponent_limit<double>();
-    int const difference = units.form - units.second;
+    int const size = packed_size(in.n);
     pair.n = in.n;
-    scale(in.n, in.r12, -units.length, units.swapped ? -1.0 : 1.0, pair.r12);
-    scale(size, units.swapped ? in.q2 : in.q1, -2 * units.form, 1.0, pair.q1);
-    scale(size, units.swapped ? in.q1 : in.q2, -2 * units.second, 1.0, pair.q2);
-    pair.ratio = T(times_power_of_two(1.0, difference < limit ? difference : limit));
+    to_local(units.length, 1, in.n, in.r12, pair.r12);
+    if (units.swapped)
+        for (int i = 0; i < in.n; ++i) pair.r12[i] = -pair.r12[i];
+    to_local(units.first, 2, size, units.swapped ? in.q2 : in.q1, pair.q1);
+    to_local(units.second, 2, size, units.swapped ? in.q1 : in.q2, pair.q2);
+    Unit const largest{ratio_exponent_limit<double>()};
+    pair.ratio = T(smaller_of(units.first / units.second, largest).as<double>());
 }
 
 /// Σ q_ii x_i². It is at least 1/n of Σ |x_i q_ij x_j|.

@@ -61,11 +61,11 @@ PW85_FUNCTION inline SymmetricMatrix<T, 3> shell_inertia(SymmetricMatrix<T, 3> c
 template <class T> PW85_FUNCTION inline SymmetricMatrix<T, 3>
 inertia_of_valid(SymmetricMatrix<T, 3> const &q, bool is_shell) noexcept
 {
-    int const e = half_exponent(largest_diagonal(q));
-    auto const scaled = times_power_of_two(q, -2 * e);
+    Unit const unit = unit_of(q);
+    auto const scaled = unit.to_local(q);
     auto const inertia = is_shell ? shell_inertia(scaled)
                                   : inertia_of_mass(measure_of(scaled), body_moments(scaled));
-    return times_power_of_two(inertia, (is_shell ? 4 : 5) * e);
+    return unit.to_caller(inertia, is_shell ? 4 : 5);
 }
 
 } // namespace pw85::detail

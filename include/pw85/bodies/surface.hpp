@@ -111,9 +111,8 @@ PW85_FUNCTION inline T rounded_area(Sheet<W, D> const &sheet) noexcept
 /// The area or the perimeter of a valid form.
 template <class T, int D> PW85_RARE T surface_of(SymmetricMatrix<T, D> const &q) noexcept
 {
-    int const e = half_exponent(largest_diagonal(q));
-    auto const sheet = sheet_of(times_power_of_two(q, -2 * e));
-    return times_power_of_two(rounded_area<T>(sheet), (D - 1) * e);
+    Unit const unit = unit_of(q);
+    return unit.to_caller(rounded_area<T>(sheet_of(unit.to_local(q))), D - 1);
 }
 
 /// The second moments of a sheet of a valid form, and its area or perimeter.
@@ -126,8 +125,8 @@ template <class T, int D>
 PW85_RARE SheetMoments<T, D> sheet_moments(SymmetricMatrix<T, D> const &q) noexcept
 {
     using W = Finer<T>;
-    int const e = half_exponent(largest_diagonal(q));
-    auto const scaled = times_power_of_two(q, -2 * e);
+    Unit const unit = unit_of(q);
+    auto const scaled = unit.to_local(q);
     auto const sheet = sheet_of(scaled);
     SymmetricMatrix<T, D> moments{};
     for (int i = 0; i < D; ++i)
@@ -137,8 +136,7 @@ PW85_RARE SheetMoments<T, D> sheet_moments(SymmetricMatrix<T, D> const &q) noexc
                 sum = sum + W(sheet.axes.axes[i][k] * sheet.axes.axes[j][k]) * sheet.sum[k] / W(6);
             moments(i, j) = rounded(W(sum / W(D + 1)));
         }
-    return {times_power_of_two(moments, 2 * e),
-            times_power_of_two(rounded_area<T>(sheet), (D - 1) * e)};
+    return {unit.to_caller(moments, 2), unit.to_caller(rounded_area<T>(sheet), D - 1)};
 }
 
 #define PW85_RARE_SURFACE(rare, T, D)                                                              \

@@ -27,7 +27,7 @@ PW85_FUNCTION inline ClosestApproach<T> closest_approach(Vector<T, D> direction,
         return all_nan<ClosestApproach<T>>(StatusCode::invalid_argument);
     direction = direction / largest;
     auto const pair = pair_of(direction, q1, q2);
-    ScaledPair<T, D> scaled{pair, 0, 0, false, 0};
+    ScaledPair<T, D> scaled{pair, {}};
     if (!passes_fast_checks(pair)) {
         StatusCode const status = validate(pair, scaled);
         if (status != StatusCode::success) return all_nan<ClosestApproach<T>>(status);
@@ -36,8 +36,7 @@ PW85_FUNCTION inline ClosestApproach<T> closest_approach(Vector<T, D> direction,
     if (!maximum.converged || !(maximum.mu2 >= T(0)))
         return all_nan<ClosestApproach<T>>(StatusCode::no_convergence);
     T const norm = square_root(dot(direction, direction));
-    return {times_power_of_two(T(norm / square_root(maximum.mu2)), scaled.form - scaled.length),
-            StatusCode::success};
+    return {scaled.units.mu().to_local(T(norm / square_root(maximum.mu2))), StatusCode::success};
 }
 
 } // namespace pw85

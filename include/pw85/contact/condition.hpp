@@ -58,8 +58,8 @@ condition(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMat
     if (status != StatusCode::success) return all_nan<Condition<T>>(status);
     if (largest_coordinate(r12) == T(0)) return {T(0), StatusCode::success};
     T const complement = complement_of(lambda);
-    return {scaled.swapped ? condition_number(scaled.pair, complement, lambda)
-                           : condition_number(scaled.pair, lambda, complement),
+    return {scaled.units.swapped ? condition_number(scaled.pair, complement, lambda)
+                                 : condition_number(scaled.pair, lambda, complement),
             StatusCode::success};
 }
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The contact function of two ellipsoids. pw85.hpp, the lane kernels and the headers for
-/// derivatives, overlaps and closest approach use this file. It validates the pair (validate.hpp),
+/// derivatives, overlaps and closest approach use this file. It validates the pair (scaling.hpp),
 /// and finds the maximum of f by the solver (solver.hpp).
 #ifndef PW85_CONTACT_CONTACT_HPP_INCLUDED
 #define PW85_CONTACT_CONTACT_HPP_INCLUDED
 
 #include <pw85/algebra/all_nan.hpp>
+#include <pw85/contact/scaling.hpp>
 #include <pw85/contact/solver.hpp>
-#include <pw85/contact/validate.hpp>
 
 namespace pw85 {
 
@@ -66,8 +66,8 @@ template <class T, int D, class Q> PW85_FUNCTION inline Contact<T>
 unscale(ScaledPair<T, D, Q> const &scaled, Maximum<T> const &m) noexcept
 {
     Contact<T> result = to_contact(m);
-    result.mu2 = times_power_of_two(result.mu2, 2 * (scaled.length - scaled.form));
-    if (scaled.swapped && result.status == StatusCode::success) result.lambda = m.complement;
+    result.mu2 = scaled.units.mu().to_caller(result.mu2, 2);
+    if (scaled.units.swapped && result.status == StatusCode::success) result.lambda = m.complement;
     return result;
 }
 

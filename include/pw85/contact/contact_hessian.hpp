@@ -164,12 +164,11 @@ PW85_FUNCTION inline ContactHessian<T, D> hessian_at(Tangency<T, D> const &at,
 template <class T, int D>
 PW85_FUNCTION inline void rescale(ContactHessian<T, D> &h, TangencyUnits const &units) noexcept
 {
+    Unit const mixed = units.normal * units.lambda,
+               of_entries[] = {mixed / units.length, mixed, mixed * units.length};
     for (int i = 0; i < h.size; ++i)
-        for (int j = 0; j < h.size; ++j) {
-            int const rotations = (i >= D) + (j >= D);
-            h.entries[i][j] = times_power_of_two(
-                h.entries[i][j], units.normal + units.lambda + (rotations - 1) * units.length);
-        }
+        for (int j = 0; j < h.size; ++j)
+            h.entries[i][j] = of_entries[(i >= D) + (j >= D)].to_caller(h.entries[i][j]);
 }
 
 } // namespace pw85::detail

@@ -39,7 +39,7 @@ template <class T, int D> PW85_FUNCTION inline bool is_regular(Factor<T, D> cons
     T const largest = largest_entry(s);
     if (!(largest > T(0))) return false;
     T const floor = square_root(square_root(square_root(smallest_number<T>())));
-    Factor<T, D> const scaled = times_power_of_two(s, -binary_exponent(largest));
+    Factor<T, D> const scaled = unit_of(s).to_local(s);
     Vector<T, D> columns[std::size_t(D)];
     for (int j = 0; j < D; ++j) {
         columns[j] = column(scaled, j);

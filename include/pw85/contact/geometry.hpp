@@ -179,20 +179,13 @@ fast_tangency(Pair<T, D> const &pair, T const &lambda) noexcept
     return {{reciprocal * solution.s, lambda1, lambda, lambda1, lambda}, is_accurate(solution)};
 }
 
-/// The exponents that lead from the units of a Tangency back to those of the caller.
+/// The units of a Tangency.
 struct TangencyUnits {
-    int length;        ///< of r12
-    int normal;        ///< of n
-    int lambda;        ///< of λ
-    int first, second; ///< of the sizes of the ellipsoids
+    Unit length;        ///< of r12
+    Unit normal;        ///< of n
+    Unit lambda;        ///< of λ
+    Unit first, second; ///< of the sizes of the ellipsoids
 };
-
-/// v of the pair in the order of the caller, from that of a scaled pair.
-template <class T, int D>
-PW85_FUNCTION constexpr Vector<T, D> reordered(Vector<T, D> const &v, bool swapped) noexcept
-{
-    return T(swapped ? -1 : 1) * v;
-}
 
 /// The pair at λ in units in which the forms, the larger of the weights and λ are of order one. So
 /// everything that is computed from them stays in range. `scaled` is the scaled pair, perhaps with
@@ -201,27 +194,25 @@ template <class T, int D, class Q>
 PW85_FUNCTION inline auto scaled_tangency(ScaledPair<T, D, Q> const &scaled, T const &lambda1,
                                           T const &lambda2, TangencyUnits &units) noexcept
 {
-    T const &first = scaled.swapped ? lambda2 : lambda1,
-            &second = scaled.swapped ? lambda1 : lambda2;
-    int const shift = -2 * binary_exponent(scaled.pair.ratio);
+    auto const &[pair, own] = scaled;
+    T const &first = own.swapped ? lambda2 : lambda1, &second = own.swapped ? lambda1 : lambda2;
+    int const shift = -2 * binary_exponent(pair.ratio);
     bool const first_leads =
         !(second > T(0)) ||
         (first > T(0) && binary_exponent(first) > binary_exponent(second) + shift);
-    int const weight = first_leads ? binary_exponent(first) : binary_exponent(second) + shift;
-    T const w1 = times_power_of_two(first, -weight),
-            w2 = times_power_of_two(second, shift - weight);
-    auto const v = solve_blend(w1, scaled.pair.q1, w2, scaled.pair.q2, scaled.pair.r12);
-    int const lambda = lambda2 > T(0) ? binary_exponent(lambda2) : 0;
-    units = {scaled.length, scaled.length - 2 * scaled.form - weight, lambda,
-             scaled.swapped ? scaled.second : scaled.form,
-             scaled.swapped ? scaled.form : scaled.second};
-    return Tangency<T, D, std::remove_const_t<decltype(v)>>{reordered(v, scaled.swapped),
+    Unit const weight{first_leads ? binary_exponent(first) : binary_exponent(second) + shift},
+        weight2 = weight / Unit{shift}, lambda{lambda2 > T(0) ? binary_exponent(lambda2) : 0};
+    T const w1 = weight.to_local(first), w2 = weight2.to_local(second);
+    auto const v = solve_blend(w1, pair.q1, w2, pair.q2, pair.r12);
+    units = {own.length, own.mu() / own.first / weight, lambda,
+             own.swapped ? own.second : own.first, own.swapped ? own.first : own.second};
+    return Tangency<T, D, std::remove_const_t<decltype(v)>>{own.reordered(v),
                                                             lambda1,
-                                                            times_power_of_two(lambda2, -lambda),
-                                                            scaled.swapped ? w2 : w1,
-                                                            scaled.swapped ? w1 : w2,
-                                                            lambda,
-                                                            2 * weight - shift - lambda};
+                                                            lambda.to_local(lambda2),
+                                                            own.swapped ? w2 : w1,
+                                                            own.swapped ? w1 : w2,
+                                                            lambda.exponent,
+                                                            (weight * weight2 / lambda).exponent};
 }
 
 /// Computes formula(tangency, q1, q2) for any pair at λ.
@@ -237,8 +228,8 @@ at_tangency_scaled(Formula formula, Pair<T, D, Q> pair, T const &lambda1, T cons
     if (status != StatusCode::success) return all_nan<Result>(status);
     if (!(largest_coordinate(pair.r12) > T(0))) return formula(At{}, pair.q1, pair.q2);
     At const at = scaled_tangency(scaled, lambda1, lambda2, units);
-    auto result = scaled.swapped ? formula(at, scaled.pair.q2, scaled.pair.q1)
-                                 : formula(at, scaled.pair.q1, scaled.pair.q2);
+    auto result = scaled.units.swapped ? formula(at, scaled.pair.q2, scaled.pair.q1)
+                                       : formula(at, scaled.pair.q1, scaled.pair.q2);
     rescale(result, units);
     return result;
 }
@@ -262,23 +253,24 @@ PW85_FUNCTION inline auto at_tangency(Formula formula, Vector<T, D> const &r12, 
 template <class T, int D>
 PW85_FUNCTION inline void rescale(ContactGeometry<T, D> &g, TangencyUnits const &units) noexcept
 {
-    g.point = times_power_of_two(g.point, units.length);
+    g.point = units.length.to_caller(g.point);
 }
 
 template <class T, int D>
 PW85_FUNCTION inline void rescale(ContactGradient<T, D> &g, TangencyUnits const &units) noexcept
 {
-    g.r12 = times_power_of_two(g.r12, units.normal + units.lambda);
-    g.q1 = times_power_of_two(g.q1, 2 * units.normal + units.lambda);
-    g.q2 = times_power_of_two(g.q2, 2 * (units.normal + units.lambda));
+    Unit const unit = units.normal * units.lambda;
+    g.r12 = unit.to_caller(g.r12);
+    g.q1 = (unit * units.normal).to_caller(g.q1, 1);
+    g.q2 = unit.to_caller(g.q2, 2);
 }
 
 template <class T, int D>
 PW85_FUNCTION inline void rescale(ContactTorque<T, D> &t, TangencyUnits const &units) noexcept
 {
-    int const exponent = units.length + units.normal + units.lambda;
-    t.rotation1 = times_power_of_two(t.rotation1, exponent);
-    t.rotation2 = times_power_of_two(t.rotation2, exponent);
+    Unit const unit = units.length * units.normal * units.lambda;
+    t.rotation1 = unit.to_caller(t.rotation1);
+    t.rotation2 = unit.to_caller(t.rotation2);
 }
 
 } // namespace pw85::detail

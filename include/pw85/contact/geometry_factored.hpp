@@ -31,11 +31,11 @@ namespace pw85::detail {
 /// A pair of factors at one λ. The images in v are S1ᵀv and S2ᵀv.
 template <class T, int D> using FactoredTangency = Tangency<T, D, ImagedVector<T, D>>;
 
-/// v of the pair in the order of the caller, from that of a scaled pair.
-template <class T, int D> PW85_FUNCTION constexpr ImagedVector<T, D>
-reordered(ImagedVector<T, D> const &v, bool swapped) noexcept
+/// v with the ellipsoids exchanged.
+template <class T, int D>
+PW85_FUNCTION constexpr ImagedVector<T, D> operator-(ImagedVector<T, D> const &v) noexcept
 {
-    return swapped ? ImagedVector<T, D>{-v.w, -v.second, -v.first} : v;
+    return {-v.w, -v.second, -v.first};
 }
 
 /// x yᵀ.
@@ -51,9 +51,10 @@ outer_product(Vector<T, D> const &x, Vector<T, D> const &y) noexcept
 template <class T, int D>
 PW85_FUNCTION inline void rescale(FactorGradient<T, D> &g, TangencyUnits const &units) noexcept
 {
-    g.r12 = times_power_of_two(g.r12, units.normal + units.lambda);
-    g.s1 = times_power_of_two(g.s1, 2 * units.normal + units.lambda + units.first);
-    g.s2 = times_power_of_two(g.s2, 2 * (units.normal + units.lambda) + units.second);
+    Unit const unit = units.normal * units.lambda;
+    g.r12 = unit.to_caller(g.r12);
+    g.s1 = (unit * units.normal * units.first).to_caller(g.s1);
+    g.s2 = (unit * unit * units.second).to_caller(g.s2);
 }
 
 } // namespace pw85::detail

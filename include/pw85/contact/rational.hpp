@@ -6,7 +6,7 @@
 /// Its coefficients cost little more than one factorisation, and then each evaluation costs a few
 /// products. All coefficients are positive, and an evaluation at t > 0 cancels little. But the
 /// coefficients lose accuracy with the aspect ratio. So the search uses the rational form
-/// (rational_search.hpp), and its last evaluation uses the quadratic forms.
+/// (iteration.hpp), and its last evaluation uses the quadratic forms.
 #ifndef PW85_CONTACT_RATIONAL_HPP_INCLUDED
 #define PW85_CONTACT_RATIONAL_HPP_INCLUDED
 

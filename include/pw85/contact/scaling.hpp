@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Scales a pair by powers of two to keep all intermediate results in range. validate.hpp,
-/// evaluation.hpp, refinement.hpp and the loaders of pairs (src/simd/rows.hpp) use this file.
+/// The status of a form and of a pair, and units in which all numbers of a valid pair stay in
+/// range. Every function checks its input here before it computes anything.
 #ifndef PW85_CONTACT_SCALING_HPP_INCLUDED
 #define PW85_CONTACT_SCALING_HPP_INCLUDED
 
-#include <pw85/algebra/factor.hpp>
+#include <pw85/algebra/definite.hpp>
+#include <pw85/algebra/two_lanes.hpp>
+#include <pw85/algebra/units.hpp>
+#include <pw85/status.hpp>
 
 namespace pw85::detail {
 
@@ -31,16 +34,25 @@ pair_of(Vector<T, D> const &r12, Q const &q1, Q const &q2) noexcept
     return {r12, q1, q2, T(1)};
 }
 
-/// A pair in units that keep every intermediate result in range, and the exponents that lead back
-/// to the units of the caller.
-template <class T, int D, class Q = SymmetricMatrix<T, D>> struct ScaledPair {
-    Pair<T, D, Q> pair;
-    int length; ///< r12 is that of the pair times 2^length
-    /// Q1 is that of the pair times 4^form, and μ² that of the pair times 4^(length - form)
-    int form;
-    bool swapped; ///< true if the ellipsoids are exchanged and r12 is reversed
-    int second;   ///< Q2 is that of the pair times 4^second
+/// A pair in units that keep every intermediate result in range.
+template <class T, int D, class Q = SymmetricMatrix<T, D>> using ScaledPair = Scaled<Pair<T, D, Q>>;
+
+/// A pair of which each ellipsoid has a unit of its own, scale1 and scale2 times that of r12.
+template <class T, int D> struct DistancePair {
+    Vector<T, D> r12;
+    SymmetricMatrix<T, D> q1, q2;
+    T scale1, scale2;
 };
+
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Scaled<DistancePair<T, D>>
+in_units(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2,
+         Units const &units) noexcept
+{
+    auto const &[length, unit1, unit2, swapped, time] = units;
+    return {{length.to_local(r12), unit1.to_local(q1), unit2.to_local(q2), (unit1 / length).as<T>(),
+             (unit2 / length).as<T>()},
+            units};
+}
 
 /// A pair is not scaled if the magnitudes of r12 and of the diagonals are between this limit and
 /// its inverse. The largest numbers in the solver are of degree 25 in M and 10 in r12
@@ -85,31 +97,6 @@ template <class T, int D> PW85_FUNCTION constexpr T squared_size(Factor<T, D> co
     return largest * largest;
 }
 
-/// The binary exponent of the root of squared_size().
-template <class T, int D>
-PW85_FUNCTION inline int exponent_of_size(SymmetricMatrix<T, D> const &q) noexcept
-{
-    return half_exponent(largest_diagonal(q));
-}
-
-template <class T, int D> PW85_FUNCTION inline int exponent_of_size(Factor<T, D> const &s) noexcept
-{
-    return binary_exponent(largest_entry(s));
-}
-
-/// The ellipsoid 2^exponent times as large.
-template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<T, D>
-enlarged(SymmetricMatrix<T, D> const &q, int exponent) noexcept
-{
-    return times_power_of_two(q, 2 * exponent);
-}
-
-template <class T, int D>
-PW85_FUNCTION inline Factor<T, D> enlarged(Factor<T, D> const &s, int exponent) noexcept
-{
-    return times_power_of_two(s, exponent);
-}
-
 /// Brings a pair into range. Its entries must be finite and its sizes positive. The scaling is
 /// exact.
 template <class T, int D, class Q>
@@ -117,24 +104,86 @@ PW85_FUNCTION inline ScaledPair<T, D, Q> scale(Pair<T, D, Q> const &pair) noexce
 {
     auto const &[r12, q1, q2, ratio] = pair;
     T const r = largest_coordinate(r12);
-    if (is_in_range(r, squared_size(q1), squared_size(q2))) return {pair, 0, 0, false, 0};
-    int const er = r > T(0) ? binary_exponent(r) : 0;
-    int const e1 = exponent_of_size(q1), e2 = exponent_of_size(q2);
+    if (is_in_range(r, squared_size(q1), squared_size(q2))) return {pair, {}};
+    Unit const unit1 = unit_of(q1), unit2 = unit_of(q2);
     // The squared sizes of a pair in range are between 2^-24 and 2^24, so the exponents differ by
     // at most 24. Such a pair is not exchanged. So scaling changes no bit of the result.
-    bool const swapped = e1 < e2 - 24;
-    int const difference = swapped ? e2 - e1 : e1 - e2, limit = ratio_exponent_limit<T>();
+    bool const swapped = unit1.exponent < unit2.exponent - 24;
+    Units const units{unit_of(r12), swapped ? unit2 : unit1, swapped ? unit1 : unit2, swapped, {}};
+    Unit const relative = smaller_of(units.first / units.second, {ratio_exponent_limit<T>()});
+    return {{units.length.to_local(units.reordered(r12)), units.first.to_local(swapped ? q2 : q1),
+             units.second.to_local(swapped ? q1 : q2), relative.as<T>()},
+            units};
+}
 
-    ScaledPair<T, D, Q> scaled{};
-    scaled.pair.r12 = times_power_of_two(swapped ? -r12 : r12, -er);
-    scaled.pair.q1 = swapped ? enlarged(q2, -e2) : enlarged(q1, -e1);
-    scaled.pair.q2 = swapped ? enlarged(q1, -e1) : enlarged(q2, -e2);
-    scaled.pair.ratio = times_power_of_two(T(1), difference < limit ? difference : limit);
-    scaled.length = er;
-    scaled.form = swapped ? e2 : e1;
-    scaled.swapped = swapped;
-    scaled.second = swapped ? e1 : e2;
-    return scaled;
+/// validate() for a form of any size that may be nearly singular.
+template <class T, int D>
+PW85_RARE StatusCode validate_scaled(SymmetricMatrix<T, D> const &q) noexcept
+{
+    if (!is_finite(q)) return StatusCode::invalid_argument;
+    if (!has_positive_diagonal(q)) return StatusCode::not_positive_definite;
+    bool const definite = is_positive_definite(unit_of(q).to_local(q));
+    return definite ? StatusCode::success : StatusCode::not_positive_definite;
+}
+
+#define PW85_RARE_FORM_VALIDATION(rare, T, D)                                                      \
+    rare(validate_scaled, (SymmetricMatrix<T, D> const &q), (q))
+PW85_RARE_TIER(PW85_RARE_FORM_VALIDATION)
+
+/// The status of one form.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline StatusCode
+validate(SymmetricMatrix<T, D> const &q) noexcept
+{
+    T const largest = largest_diagonal(q);
+    bool const clear = is_in_range(largest, largest, largest) && is_clearly_definite(q);
+    return clear ? StatusCode::success : validate_scaled(q);
+}
+
+/// The status of a pair. If it is success, `scaled` becomes the pair in range.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline StatusCode
+validate(Pair<T, D> const &pair, ScaledPair<T, D> &scaled) noexcept
+{
+    auto const &[r12, q1, q2, ratio] = pair;
+    if (!(is_finite(r12) && is_finite(q1) && is_finite(q2))) return StatusCode::invalid_argument;
+    if (!(has_positive_diagonal(q1) && has_positive_diagonal(q2)))
+        return StatusCode::not_positive_definite;
+    scaled = scale(pair);
+    bool const definite =
+        is_positive_definite(scaled.pair.q1) && is_positive_definite(scaled.pair.q2);
+    return definite ? StatusCode::success : StatusCode::not_positive_definite;
+}
+
+#define PW85_SHARED_VALIDATION(shared, T, D)                                                       \
+    shared(validate, (Pair<T, D> const &pair, ScaledPair<T, D> &scaled), (pair, scaled))
+PW85_SHARED_BY_QUESTIONS(PW85_SHARED_VALIDATION)
+
+/// Returns whether λ is in [0, 1] and a pair is valid.
+template <class T, int D>
+PW85_FUNCTION inline bool is_valid(T const &lambda, Pair<T, D> const &pair) noexcept
+{
+    ScaledPair<T, D> scaled;
+    return lambda >= T(0) && lambda <= T(1) && validate(pair, scaled) == StatusCode::success;
+}
+
+/// Returns whether a pair is valid and in range and has r12 != 0, tested with products only. The
+/// result is true for almost all such pairs. The function is always inlined to keep the pair in
+/// registers.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
+passes_fast_checks(Pair<T, D> const &pair) noexcept
+{
+    return is_in_range(sum_of_magnitudes(pair.r12), largest_diagonal(pair.q1),
+                       largest_diagonal(pair.q2)) &&
+           is_clearly_definite(pair.q1) && is_clearly_definite(pair.q2);
+}
+
+/// Tests one pair in this way, from both forms side by side and their adjugates.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline bool
+passes_fast_checks(Vector<T, D> const &r12, SymmetricMatrix<TwoLanes<T>, D> const &q,
+                   SymmetricMatrix<TwoLanes<T>, D> const &adjugate_of_q) noexcept
+{
+    auto const largest = largest_diagonal(q);
+    return all_of(is_in_range(TwoLanes<T>(sum_of_magnitudes(r12)), largest, largest) &&
+                  is_clearly_definite(q, adjugate_of_q));
 }
 
 } // namespace pw85::detail

@@ -3,7 +3,7 @@
 /// The maximum of f for any pair in range. contact.hpp calls maximize(); the headers for distances
 /// and first contacts use it as well. It takes the first of these methods whose result is certain:
 ///
-/// 1. the search on the rational form (rational_search.hpp), which is enough for almost all pairs;
+/// 1. the search on the rational form (iteration.hpp), which is enough for almost all pairs;
 /// 2. the search on the factorised form (factorized_search.hpp);
 /// 3. the search on the factorised form with refined solutions of the linear equations
 ///    (refinement.hpp);
@@ -15,7 +15,7 @@
 #include <pw85/algebra/doubled.hpp>
 #include <pw85/contact/both_forms.hpp>
 #include <pw85/contact/factorized_search.hpp>
-#include <pw85/contact/rational_search.hpp>
+#include <pw85/contact/iteration.hpp>
 
 #include <cfloat>
 

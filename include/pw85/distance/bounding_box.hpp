@@ -6,7 +6,7 @@
 #define PW85_DISTANCE_BOUNDING_BOX_HPP_INCLUDED
 
 #include <pw85/algebra/all_nan.hpp>
-#include <pw85/contact/validate.hpp>
+#include <pw85/contact/scaling.hpp>
 
 namespace pw85 {
 

@@ -139,10 +139,9 @@ template <class T> struct Capsule {
         return m;
     }
 
-    PW85_MEMBER Capsule scaled(int exponent) const noexcept
+    PW85_MEMBER Capsule in_unit(Unit unit) const noexcept
     {
-        return {{times_power_of_two(ends[0], exponent), times_power_of_two(ends[1], exponent)},
-                times_power_of_two(radius, exponent)};
+        return {{unit.to_local(ends[0]), unit.to_local(ends[1])}, unit.to_local(radius)};
     }
 
     template <class W> PW85_MEMBER Capsule<W> with_digits_of() const noexcept
@@ -266,9 +265,9 @@ decide_with_digits(Capsule<T> const &capsule, SymmetricMatrix<T, 3> const &q, U 
 template <class T> PW85_RARE bool overlaps_with_more_digits(Capsule<T> const &capsule,
                                                             SymmetricMatrix<T, 3> const &q) noexcept
 {
-    int const unit = half_exponent(largest_diagonal(q));
-    auto decision = decide_with_digits<Finer<T>>(
-        capsule.scaled(-unit), times_power_of_two(q, -2 * unit), unit_roundoff<T>());
+    Unit const unit = unit_of(q);
+    auto decision =
+        decide_with_digits<Finer<T>>(capsule.in_unit(unit), unit.to_local(q), unit_roundoff<T>());
     if (decision == Decision::none)
         decision = decide_with_digits<Widened<T>>(capsule, q, unit_roundoff<Widened<T>>());
     return decision == Decision::overlap;
@@ -291,18 +290,16 @@ contact_scaled(Capsule<T> const &capsule, SymmetricMatrix<T, 3> const &q) noexce
     if (status != StatusCode::success) return all_nan<ShapeContact<T, 3>>(status);
     T const largest = maximum(capsule.radius, maximum(largest_coordinate(capsule.ends[0]),
                                                       largest_coordinate(capsule.ends[1])));
-    int const length = largest > T(0) ? binary_exponent(largest) : 0,
-              form = half_exponent(largest_diagonal(q));
-    auto const scaled = capsule.scaled(-length);
-    auto const unit = times_power_of_two(q, -2 * form);
-    auto found = scaled.template nearest<false>(unit);
-    if (!found.certified) found = find_finer(scaled, unit);
+    Unit const length{largest > T(0) ? binary_exponent(largest) : 0}, size = unit_of(q);
+    auto const scaled = capsule.in_unit(length);
+    auto const form = size.to_local(q);
+    auto found = scaled.template nearest<false>(form);
+    if (!found.certified) found = find_finer(scaled, form);
     if (!found.certified) {
         auto const all = find_with_all_digits(capsule, q);
         return {all.mu2, all.point, StatusCode::success};
     }
-    return {times_power_of_two(found.mu2, 2 * (length - form)),
-            times_power_of_two(found.point, length), StatusCode::success};
+    return to_caller(found.mu2, found.point, length, size);
 }
 
 } // namespace pw85::detail

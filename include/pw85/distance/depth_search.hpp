@@ -106,7 +106,7 @@ template <class T, int D> PW85_FUNCTION inline void descend(DepthSearch<T, D> &s
 /// rounding does not hide them within a factor of two.
 template <class T> struct AxisBounds {
     T least, most; ///< `least` is zero where rounding hides it
-    int unit;      ///< the squares are these numbers times 4^unit
+    Unit unit;     ///< of the semi-axes
 };
 
 /// The Frobenius norm.
@@ -140,8 +140,8 @@ inverse_by_factors(SymmetricMatrix<T, D> const &a) noexcept
 template <class T, int D>
 PW85_FUNCTION inline AxisBounds<T> axis_bounds(SymmetricMatrix<T, D> const &q) noexcept
 {
-    int const unit = half_exponent(largest_diagonal(q));
-    auto const a = times_power_of_two(q, -2 * unit);
+    Unit const unit = unit_of(q);
+    auto const a = unit.to_local(q);
     T const rounding = T(32 * unit_roundoff<T>()) * trace(a);
     return {maximum(T(0), T(T(1) / frobenius_norm(inverse_by_factors(a)) - rounding)),
             frobenius_norm(a) + rounding, unit};
@@ -158,12 +158,12 @@ template <class T> struct RatioRange {
 template <class T> PW85_FUNCTION inline RatioRange<T>
 ratio_range(AxisBounds<T> const &axes1, AxisBounds<T> const &axes2) noexcept
 {
-    int const unit = axes2.unit - axes1.unit;
+    Unit const unit = axes2.unit / axes1.unit;
     T const floor = T(unit_roundoff<T>() / T(16));
     T const least1 = maximum(axes1.least, T(floor * axes1.most)),
             least2 = maximum(axes2.least, T(floor * axes2.most));
-    return {times_power_of_two(square_root(T(least2 / axes1.most)), unit),
-            times_power_of_two(square_root(T(axes2.most / least1)), unit)};
+    return {unit.to_caller(square_root(T(least2 / axes1.most))),
+            unit.to_caller(square_root(T(axes2.most / least1)))};
 }
 
 /// Both ellipsoids along a direction, side by side. The direction is n/|n|: turns do not normalise

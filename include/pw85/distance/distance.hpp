@@ -32,23 +32,22 @@ template <class T, int D> struct Distance {
 
 namespace pw85::detail {
 
-/// The exponents of the units of a DistancePair. The caller's separation is 2^length times that of
-/// the pair, and form i is 4^form_i times that of the pair.
-struct DistanceUnits {
-    int length, form1, form2;
-};
-
 /// Scales a valid pair that is apart to bring its numbers into range.
-template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline DistancePair<T, D>
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Scaled<DistancePair<T, D>>
 scale_distance(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-               SymmetricMatrix<T, D> const &q2, DistanceUnits &units) noexcept
+               SymmetricMatrix<T, D> const &q2) noexcept
 {
-    units = {binary_exponent(largest_coordinate(r12)), half_exponent(largest_diagonal(q1)),
-             half_exponent(largest_diagonal(q2))};
-    return {times_power_of_two(r12, -units.length), times_power_of_two(q1, -2 * units.form1),
-            times_power_of_two(q2, -2 * units.form2),
-            times_power_of_two(T(1), units.form1 - units.length),
-            times_power_of_two(T(1), units.form2 - units.length)};
+    return in_units(r12, q1, q2, {unit_of(r12), unit_of(q1), unit_of(q2), false, {}});
+}
+
+/// Returns a distance in the units of the caller.
+template <class T, int D>
+PW85_FUNCTION inline Distance<T, D> to_caller(Distance<T, D> result, Units const &units) noexcept
+{
+    result.distance = units.length.to_caller(result.distance);
+    result.point1 = units.first.to_caller(result.point1);
+    result.point2 = units.second.to_caller(result.point2);
+    return result;
 }
 
 /// The slab between a pair that is normal to u, which may have any length. The supports are the
@@ -329,12 +328,8 @@ PW85_FUNCTION inline Distance<T, D> distance_apart(Vector<T, D> const &r12,
         DistancePair<T, D> const pair{r12, q1, q2, T(1), T(1)};
         result = distance_of_slab(pair, find_slab(pair, true));
     } else {
-        DistanceUnits units;
-        DistancePair<T, D> const pair = scale_distance(r12, q1, q2, units);
-        result = distance_of_slab(pair, find_slab(pair, true));
-        result.distance = times_power_of_two(result.distance, units.length);
-        result.point1 = times_power_of_two(result.point1, units.form1);
-        result.point2 = times_power_of_two(result.point2, units.form2);
+        auto const [pair, units] = scale_distance(r12, q1, q2);
+        result = to_caller(distance_of_slab(pair, find_slab(pair, true)), units);
     }
     return with_point2(r12, result);
 }

@@ -123,15 +123,17 @@ refined_derivatives(DistancePair<T, 3> const &pair, FoundSlab<T, 3> const &slab)
 
 /// Returns derivatives in the caller's units.
 template <class T> PW85_FUNCTION inline DistanceDerivatives<T>
-in_units(DistanceDerivatives<T> result, DistanceUnits const &units) noexcept
+to_caller(DistanceDerivatives<T> result, Units const &units) noexcept
 {
-    result.rotation1 = times_power_of_two(result.rotation1, units.form1);
-    result.rotation2 = times_power_of_two(result.rotation2, units.form2);
-    for (int i = 0; i < 9; ++i)
-        for (int j = 0; j < 9; ++j) {
-            int const lengths = (i >= 3) + (j >= 3) - 1; // the dimension of this entry
-            result.hessian[i][j] = times_power_of_two(result.hessian[i][j], lengths * units.length);
-        }
+    result.rotation1 = units.first.to_caller(result.rotation1);
+    result.rotation2 = units.second.to_caller(result.rotation2);
+    // a derivative by r12 and by a rotation is a number
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            result.hessian[i][j] = units.length.to_caller(result.hessian[i][j], -1);
+    for (int i = 3; i < 9; ++i)
+        for (int j = 3; j < 9; ++j)
+            result.hessian[i][j] = units.length.to_caller(result.hessian[i][j]);
     return result;
 }
 
@@ -140,12 +142,11 @@ template <class T> PW85_FUNCTION inline DistanceDerivatives<T>
 distance_derivatives_apart(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
                            SymmetricMatrix<T, 3> const &q2) noexcept
 {
-    DistanceUnits units;
-    DistancePair<T, 3> const pair = scale_distance(r12, q1, q2, units);
+    auto const [pair, units] = scale_distance(r12, q1, q2);
     auto const found = find_slab(pair, true);
-    return in_units(found.accurate ? derivatives_across(pair, distance_across(found.slab))
-                                   : refined_derivatives(pair, found),
-                    units);
+    return to_caller(found.accurate ? derivatives_across(pair, distance_across(found.slab))
+                                    : refined_derivatives(pair, found),
+                     units);
 }
 
 #define PW85_RARE_DISTANCE_DERIVATIVES(rare, T)                                                    \

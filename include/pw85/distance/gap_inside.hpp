@@ -111,13 +111,11 @@ PW85_FUNCTION inline GapInside<T, D> gap_inside(Vector<T, D> const &r12,
     if (decision.status != StatusCode::success || !decision.contains)
         return no_gap<T, D>(decision.status);
     constexpr int limit = std::numeric_limits<T>::max_exponent / 4;
-    int const unit1 = half_exponent(largest_diagonal(q1)),
-              unit2 = minimum(unit1, half_exponent(largest_diagonal(q2)) + limit);
-    auto result = gap_contained(times_power_of_two(r12, -unit1), times_power_of_two(q1, -2 * unit1),
-                                times_power_of_two(q2, -2 * unit2));
-    result.gap = times_power_of_two(result.gap, unit1);
-    result.point1 = times_power_of_two(result.point1, unit1);
-    result.point2 = r12 + times_power_of_two(result.point2, unit2);
+    Unit const unit1 = unit_of(q1), unit2 = smaller_of(unit1, unit_of(q2) * Unit{limit});
+    auto result = gap_contained(unit1.to_local(r12), unit1.to_local(q1), unit2.to_local(q2));
+    result.gap = unit1.to_caller(result.gap);
+    result.point1 = unit1.to_caller(result.point1);
+    result.point2 = r12 + unit2.to_caller(result.point2);
     return result;
 }
 

@@ -35,14 +35,6 @@ template <class T> struct GrainRadiusGradient {
 
 namespace pw85::detail {
 
-/// Two ellipsoids, each in a unit of its own: the true lengths are `scale` times those of the form.
-/// r12 is true.
-template <class T> struct GrainPair {
-    Vector<T, 3> r12;
-    SymmetricMatrix<T, 3> q1, q2;
-    T scale1, scale2;
-};
-
 /// The surface of an ellipsoid at the point p with the normal of a frame. The radii of curvature
 /// are the second derivatives of h = √(n·Qn) on the tangent plane, Q/h - ppᵀ/h (curvature.hpp).
 template <class T> struct FacingSurface {
@@ -102,7 +94,7 @@ PW85_FUNCTION inline SymmetricMatrix<T, 2> inverse(SymmetricMatrix<T, 2> const &
 
 /// The second derivatives of δ on the tangent plane, A1 + A2 - δ.
 template <class T> PW85_FUNCTION inline SymmetricMatrix<T, 2>
-stiffness(GrainPair<T> const &pair, FacingSurface<T> const &surface1,
+stiffness(DistancePair<T, 3> const &pair, FacingSurface<T> const &surface1,
           FacingSurface<T> const &surface2, T const &depth) noexcept
 {
     return plus_multiple_of_identity(
@@ -140,7 +132,7 @@ template <class T> struct GrainStep {
     typename ScalarTraits<T>::Mask is_minimum;
 };
 
-template <class T> PW85_FUNCTION inline GrainStep<T> grain_step(GrainPair<T> const &pair,
+template <class T> PW85_FUNCTION inline GrainStep<T> grain_step(DistancePair<T, 3> const &pair,
                                                                 Vector<T, 3> const &normal) noexcept
 {
     auto const frame = frame_of_unit(normal);
@@ -192,7 +184,7 @@ PW85_FUNCTION inline typename ScalarTraits<T>::Mask is_found(GrainStep<T> const 
 }
 
 template <class T>
-PW85_FUNCTION inline void take_step(GrainSearch<T> &search, GrainPair<T> const &pair) noexcept
+PW85_FUNCTION inline void take_step(GrainSearch<T> &search, DistancePair<T, 3> const &pair) noexcept
 {
     search.step = grain_step(pair, search.normal);
     search.active = search.step.is_minimum && search.step.square > last_grain_step_squared<T>();
@@ -211,14 +203,6 @@ template <class T> PW85_FUNCTION inline GrainContact<T> contact_of(GrainStep<T> 
             {minimum(values.smaller, values.larger), values.larger},
             T(0),
             StatusCode::success};
-}
-
-/// A pair in its own units as hertz_facing() has it.
-template <class T> PW85_FUNCTION inline GrainPair<T> grain_pair(FacingPair<T> const &pair) noexcept
-{
-    int const larger = maximum(pair.unit1, pair.unit2);
-    return {pair.r12, pair.q1, pair.q2, times_power_of_two(T(1), pair.unit1 - larger),
-            times_power_of_two(T(1), pair.unit2 - larger)};
 }
 
 /// The part of an ellipsoid in the derivatives of R. Let A be its radii of curvature, K = 1/A, and
@@ -276,7 +260,7 @@ radius_by_curvature(SymmetricMatrix<T, 2> const &sum) noexcept
 /// Computes grain_radius_gradient() in the units of grain_step(). A change of r12 turns the normal
 /// by H⁻¹ times its part across the normal, with the second derivatives H of δ.
 template <class T> PW85_FUNCTION inline GrainRadiusGradient<T>
-radius_gradient(GrainPair<T> const &pair, TangentFrame<T> const &frame) noexcept
+radius_gradient(DistancePair<T, 3> const &pair, TangentFrame<T> const &frame) noexcept
 {
     RadiusPart<T> part1{facing_surface(pair.q1, frame), {}, {}, T(0)},
         part2{facing_surface(pair.q2, frame), {}, {}, T(0)};
@@ -305,21 +289,19 @@ grain_contact(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
               SymmetricMatrix<T, 3> const &q2, Vector<T, 3> start) noexcept
 {
     using namespace detail;
-    FacingPair<T> facing;
-    StatusCode const status = scale_facing(r12, q1, q2, start, facing);
+    StatusCode const status = validate_facing(r12, q1, q2, start);
     if (status != StatusCode::success) return all_nan<GrainContact<T>>(status);
-    GrainPair<T> const pair = grain_pair(facing);
+    auto const [pair, units] = scale_facing(r12, q1, q2);
     GrainSearch<T> search{T(T(1) / magnitude(start)) * start, {}, true};
     for (int i = 0; i < max_grain_steps && search.active; ++i) take_step(search, pair);
     if (!is_found(search.step)) return all_nan<GrainContact<T>>(StatusCode::no_convergence);
     GrainContact<T> result = contact_of(search.step, pair.r12);
     result.radius = hertz_radius(result.curvatures[0], result.curvatures[1]);
-    int const larger = maximum(facing.unit1, facing.unit2),
-              smaller = minimum(facing.unit1, facing.unit2);
-    result.depth = times_power_of_two(result.depth, larger);
-    result.point = times_power_of_two(result.point, larger);
-    result.curvatures = times_power_of_two(result.curvatures, -smaller);
-    result.radius = times_power_of_two(result.radius, smaller);
+    Unit const smaller = smaller_unit(units);
+    result.depth = units.length.to_caller(result.depth);
+    result.point = units.length.to_caller(result.point);
+    result.curvatures = smaller.to_caller(result.curvatures, -1);
+    result.radius = smaller.to_caller(result.radius);
     return result;
 }
 
@@ -328,15 +310,14 @@ grain_radius_gradient(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
                       SymmetricMatrix<T, 3> const &q2, Vector<T, 3> normal) noexcept
 {
     using namespace detail;
-    FacingPair<T> facing;
-    StatusCode const status = scale_facing(r12, q1, q2, normal, facing);
+    StatusCode const status = validate_facing(r12, q1, q2, normal);
     if (status != StatusCode::success) return all_nan<GrainRadiusGradient<T>>(status);
-    auto result = radius_gradient(grain_pair(facing), tangent_frame(normal));
-    int const larger = maximum(facing.unit1, facing.unit2),
-              smaller = minimum(facing.unit1, facing.unit2);
-    result.r12 = times_power_of_two(result.r12, smaller - larger);
-    result.rotation1 = times_power_of_two(result.rotation1, smaller);
-    result.rotation2 = times_power_of_two(result.rotation2, smaller);
+    auto const [pair, units] = scale_facing(r12, q1, q2);
+    auto result = radius_gradient(pair, tangent_frame(normal));
+    Unit const smaller = smaller_unit(units);
+    result.r12 = (smaller / units.length).to_caller(result.r12);
+    result.rotation1 = smaller.to_caller(result.rotation1);
+    result.rotation2 = smaller.to_caller(result.rotation2);
     return result;
 }
 

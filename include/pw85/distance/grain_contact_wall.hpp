@@ -40,15 +40,14 @@ namespace pw85::detail {
 inline constexpr int least_curvature_ratio_exponent = 20;
 
 /// A wall at an ellipsoid, in a unit in which the form is of order one. The curvature of the wall
-/// is 2^exponent times `curvature`. The exponent is not negative: neither the curvature of the wall
-/// nor that of the ellipsoid overflows in the unit 2^exponent.
+/// is in a unit that is not smaller: neither it nor that of the ellipsoid overflows.
 template <class T> struct CurvedWall {
     Vector<T, 3> normal, direction;
     T curvature;
-    int exponent;
+    Unit unit;
 };
 
-/// The eigenvalues of K + c ddᵀ in the unit 2^exponent of the wall, by numbers of type W.
+/// The eigenvalues of K + c ddᵀ in the unit of the curvature of the wall, by numbers of type W.
 /// `accurate` says whether they suffice.
 template <class W, class T>
 PW85_FUNCTION inline Vector<T, 2> gap_curvatures_with(CurvedWall<T> const &wall,
@@ -57,7 +56,7 @@ PW85_FUNCTION inline Vector<T, 2> gap_curvatures_with(CurvedWall<T> const &wall,
 {
     auto const frame = tangent_frame(converted<W>(wall.normal));
     auto const surface = curved_surface(converted<W>(scaled), frame);
-    auto const k = W(times_power_of_two(T(1), -wall.exponent)) * surface.shape;
+    auto const k = W(wall.unit.to_local(T(1))) * surface.shape;
     Vector<W, 3> const direction = converted<W>(wall.direction);
     W const factor = W(1) / magnitude(direction), c = W(wall.curvature),
             x = factor * dot(direction, frame.e1), y = factor * dot(direction, frame.e2);
@@ -99,19 +98,19 @@ grain_contact_wall(Vector<T, 3> const &normal, T const &offset, Vector<T, 3> dir
         return all_nan<GrainWallContact<T>>(StatusCode::invalid_argument);
     auto const d = distance_plane(normal, offset, q);
     if (d.status != StatusCode::success) return all_nan<GrainWallContact<T>>(d.status);
-    int const unit = unit_of(q);
-    auto const scaled = times_power_of_two(q, -2 * unit);
+    Unit const unit = unit_in_range(q);
+    auto const scaled = unit.to_local(q);
     T const size = absolute(curvature_of_wall);
-    int const exponent = size > T(0) ? maximum(0, binary_exponent(size) + unit) : 0;
-    CurvedWall<T> wall{normal, direction, times_power_of_two(curvature_of_wall, unit - exponent),
-                       exponent};
+    Unit const relative = size > T(0) ? larger_of(Unit{}, unit_of(size) * unit) : Unit{},
+               radius = unit / relative;
+    CurvedWall<T> wall{normal, direction, radius.to_local(curvature_of_wall, -1), relative};
     scale_normal(wall.normal);
     bool accurate;
     auto k = gap_curvatures_with<T>(wall, scaled, accurate);
     if constexpr (!std::is_same_v<Finer<T>, T>)
         if (!accurate) k = gap_curvatures_finer(wall, scaled);
-    return {-d.distance, d.point, times_power_of_two(k, exponent - unit),
-            times_power_of_two(hertz_radius(k[0], k[1]), unit - exponent), StatusCode::success};
+    return {-d.distance, d.point, radius.to_caller(k, -1),
+            radius.to_caller(hertz_radius(k[0], k[1])), StatusCode::success};
 }
 
 } // namespace pw85

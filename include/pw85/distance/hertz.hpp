@@ -153,51 +153,54 @@ template <class T> PW85_FUNCTION inline T hertz_radius(T const &smaller, T const
     return hertz_ordered(smaller, larger).radius;
 }
 
-/// Two ellipsoids in units of their own, and a normal. Ellipsoid i is 2^unit_i times that of q_i.
-/// r12 is in the unit of the larger one.
-template <class T> struct FacingPair {
-    Vector<T, 3> r12;
-    SymmetricMatrix<T, 3> q1, q2;
-    int unit1, unit2;
-};
+/// The unit of the smaller ellipsoid, in which curvatures are of order one at most.
+PW85_FUNCTION constexpr Unit smaller_unit(Units const &units) noexcept
+{
+    return smaller_of(units.first, units.second);
+}
 
-/// Scales a pair and its normal, if they are valid.
-template <class T> PW85_FUNCTION inline StatusCode
-scale_facing(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
-             SymmetricMatrix<T, 3> const &q2, Vector<T, 3> &normal, FacingPair<T> &pair) noexcept
+/// The status of a pair and its normal. If it is success, the normal is brought into range.
+template <class T> PW85_FUNCTION inline StatusCode validate_facing(Vector<T, 3> const &r12,
+                                                                   SymmetricMatrix<T, 3> const &q1,
+                                                                   SymmetricMatrix<T, 3> const &q2,
+                                                                   Vector<T, 3> &normal) noexcept
 {
     if (!is_finite(r12) || scale_normal(normal) != StatusCode::success)
         return StatusCode::invalid_argument;
     if (!(is_finite(q1) && is_finite(q2))) return StatusCode::invalid_argument;
-    if (validate(q1) != StatusCode::success || validate(q2) != StatusCode::success)
-        return StatusCode::not_positive_definite;
-    int const unit1 = unit_of(q1), unit2 = unit_of(q2);
-    pair = {times_power_of_two(r12, -maximum(unit1, unit2)), times_power_of_two(q1, -2 * unit1),
-            times_power_of_two(q2, -2 * unit2), unit1, unit2};
-    return StatusCode::success;
+    bool const definite =
+        validate(q1) == StatusCode::success && validate(q2) == StatusCode::success;
+    return definite ? StatusCode::success : StatusCode::not_positive_definite;
+}
+
+/// Scales a valid pair. r12 is in the unit of the larger ellipsoid.
+template <class T> PW85_FUNCTION inline Scaled<DistancePair<T, 3>>
+scale_facing(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+             SymmetricMatrix<T, 3> const &q2) noexcept
+{
+    Unit const unit1 = unit_in_range(q1), unit2 = unit_in_range(q2);
+    return in_units(r12, q1, q2, {larger_of(unit1, unit2), unit1, unit2, false, {}});
 }
 
 /// Returns a result in the units of the caller.
-template <class T> PW85_FUNCTION inline HertzContact<T> in_units(HertzContact<T> result,
-                                                                 FacingPair<T> const &pair) noexcept
+template <class T>
+PW85_FUNCTION inline HertzContact<T> to_caller(HertzContact<T> result, Units const &units) noexcept
 {
-    int const larger = maximum(pair.unit1, pair.unit2), smaller = minimum(pair.unit1, pair.unit2);
-    result.depth = times_power_of_two(result.depth, larger);
-    result.point = times_power_of_two(result.point, larger);
-    result.relative.curvatures = times_power_of_two(result.relative.curvatures, -smaller);
-    result.hertz.radius = times_power_of_two(result.hertz.radius, smaller);
-    result.hertz.ellipse = times_power_of_two(result.hertz.ellipse, smaller);
+    Unit const larger = units.length, smaller = smaller_unit(units);
+    result.depth = larger.to_caller(result.depth);
+    result.point = larger.to_caller(result.point);
+    result.relative.curvatures = smaller.to_caller(result.relative.curvatures, -1);
+    result.hertz.radius = smaller.to_caller(result.hertz.radius);
+    result.hertz.ellipse = smaller.to_caller(result.hertz.ellipse);
     return result;
 }
 
 /// Computes hertz_contact() with numbers of type W. Lengths are in the unit of the larger
 /// ellipsoid, curvatures in that of the smaller one.
 template <class W, class T> PW85_FUNCTION inline HertzContact<T>
-hertz_facing(FacingPair<T> const &pair, Vector<T, 3> const &normal, bool &accurate) noexcept
+hertz_facing(DistancePair<T, 3> const &pair, Vector<T, 3> const &normal, bool &accurate) noexcept
 {
-    int const larger = maximum(pair.unit1, pair.unit2);
-    W const scale1 = W(times_power_of_two(T(1), pair.unit1 - larger)),
-            scale2 = W(times_power_of_two(T(1), pair.unit2 - larger));
+    W const scale1 = W(pair.scale1), scale2 = W(pair.scale2);
     auto const frame = tangent_frame(converted<W>(normal));
     auto const surface1 = curved_surface(converted<W>(pair.q1), frame),
                surface2 = curved_surface(converted<W>(pair.q2), frame);
@@ -220,7 +223,7 @@ hertz_facing(FacingPair<T> const &pair, Vector<T, 3> const &normal, bool &accura
 }
 
 /// Computes hertz_facing() with twice the digits.
-template <class T> PW85_RARE HertzContact<T> hertz_facing_finer(FacingPair<T> const &pair,
+template <class T> PW85_RARE HertzContact<T> hertz_facing_finer(DistancePair<T, 3> const &pair,
                                                                 Vector<T, 3> const &normal) noexcept
 {
     bool accurate;
@@ -228,7 +231,7 @@ template <class T> PW85_RARE HertzContact<T> hertz_facing_finer(FacingPair<T> co
 }
 
 #define PW85_RARE_HERTZ(rare, T)                                                                   \
-    rare(hertz_facing_finer, (FacingPair<T> const &pair, Vector<T, 3> const &normal),              \
+    rare(hertz_facing_finer, (DistancePair<T, 3> const &pair, Vector<T, 3> const &normal),         \
          (pair, normal))
 PW85_RARE_TIER_IN_SPACE(PW85_RARE_HERTZ)
 
@@ -253,16 +256,16 @@ hertz_contact(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
               SymmetricMatrix<T, 3> const &q2, Vector<T, 3> normal) noexcept
 {
     using namespace detail;
-    FacingPair<T> pair;
-    StatusCode const status = scale_facing(r12, q1, q2, normal, pair);
+    StatusCode const status = validate_facing(r12, q1, q2, normal);
     if (status != StatusCode::success)
         return {quiet_nan<T>(), all_nan<Curvature<T>>(status).direction1,
                 all_nan<Curvature<T>>(status), all_nan<HertzEllipse<T>>(status), status};
+    auto const [pair, units] = scale_facing(r12, q1, q2);
     bool accurate;
     auto result = hertz_facing<T>(pair, normal, accurate);
     if constexpr (!std::is_same_v<Finer<T>, T>)
         if (!accurate) result = hertz_facing_finer(pair, normal);
-    return in_units(result, pair);
+    return to_caller(result, units);
 }
 
 } // namespace pw85

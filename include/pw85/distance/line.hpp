@@ -10,7 +10,7 @@
 #define PW85_DISTANCE_LINE_HPP_INCLUDED
 
 #include <pw85/algebra/all_nan.hpp>
-#include <pw85/contact/validate.hpp>
+#include <pw85/contact/scaling.hpp>
 
 namespace pw85 {
 
@@ -63,14 +63,13 @@ PW85_FUNCTION inline Chord<T> intersect_line(Vector<T, D> const &origin,
     bool const valid = is_finite(origin) && is_finite(direction) && largest > T(0);
     StatusCode const status = valid ? validate(q) : StatusCode::invalid_argument;
     if (status != StatusCode::success) return all_nan<Chord<T>>(status);
-    int const unit = half_exponent(largest_diagonal(q)), length = binary_exponent(largest);
+    Unit const unit = unit_of(q), length = unit_of(direction), step = unit / length;
     auto const [middle, half2] =
-        chord(times_power_of_two(origin, -unit), times_power_of_two(direction, -length),
-              times_power_of_two(q, -2 * unit));
+        chord(unit.to_local(origin), length.to_local(direction), unit.to_local(q));
     if (!(half2 >= T(0))) return all_nan<Chord<T>>(StatusCode::success);
     T const half = square_root(half2);
-    return {times_power_of_two(T(middle - half), unit - length),
-            times_power_of_two(T(middle + half), unit - length), StatusCode::success};
+    return {step.to_caller(T(middle - half)), step.to_caller(T(middle + half)),
+            StatusCode::success};
 }
 
 } // namespace pw85

@@ -21,7 +21,7 @@
 #define PW85_DISTANCE_NEAREST_HPP_INCLUDED
 
 #include <pw85/algebra/all_nan.hpp>
-#include <pw85/contact/validate.hpp>
+#include <pw85/contact/scaling.hpp>
 #include <pw85/distance/support.hpp>
 
 namespace pw85 {
@@ -131,15 +131,13 @@ PW85_FUNCTION inline PrincipalAxes<T, D> principal_axes(SymmetricMatrix<T, D> co
     return found_axes(search);
 }
 
-/// The exponent of the unit of length for r, if `exponent` is that for the ellipsoid. The unit for
-/// r is larger only if r is so far away that its distance makes no difference to directions.
+/// The unit of length for r, if `own` is that of the ellipsoid. It is larger only if r is so far
+/// away that its distance makes no difference to directions.
 template <class T, int D>
-PW85_FUNCTION inline int point_exponent(Vector<T, D> const &r, int exponent) noexcept
+PW85_FUNCTION inline Unit unit_of_point(Vector<T, D> const &r, Unit own) noexcept
 {
-    T const largest = largest_coordinate(r);
-    if (!(largest > T(0))) return exponent;
-    int const least = binary_exponent(largest) - std::numeric_limits<T>::max_exponent / 2;
-    return exponent < least ? least : exponent;
+    return larger_unit(own, largest_coordinate(r),
+                       Unit{-(std::numeric_limits<T>::max_exponent / 2)});
 }
 
 /// A point in the basis of the principal axes: the numbers of items 1 and 2.
@@ -243,9 +241,9 @@ extreme_normal(PrincipalAxes<T, D> const &p, Vector<T, D> const &x, bool nearest
 template <class T, int D> PW85_FUNCTION inline Vector<T, D>
 extreme_normal(SymmetricMatrix<T, D> const &q, Vector<T, D> const &r, bool nearest) noexcept
 {
-    int const exponent = half_exponent(largest_diagonal(q));
-    PrincipalAxes<T, D> const p = principal_axes(times_power_of_two(q, -2 * exponent));
-    return extreme_normal(p, times_power_of_two(r, -point_exponent(r, exponent)), nearest);
+    Unit const unit = unit_of(q);
+    PrincipalAxes<T, D> const p = principal_axes(unit.to_local(q));
+    return extreme_normal(p, unit_of_point(r, unit).to_local(r), nearest);
 }
 
 } // namespace pw85::detail

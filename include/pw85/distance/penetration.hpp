@@ -155,15 +155,13 @@ penetration_overlapping(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1
                   least = 16 - limit / 2;
     T const size1 = largest_diagonal(q1), size2 = largest_diagonal(q2);
     if (is_in_range(T(1), size1, size2)) return penetration_in_range(r12, q1, q2);
-    int const e1 = half_exponent(size1), e2 = half_exponent(size2), larger = maximum(e1, e2);
-    bool const alike = is_in_range(T(1), T(times_power_of_two(size1, -2 * larger)),
-                                   T(times_power_of_two(size2, -2 * larger)));
-    int const unit = alike ? larger : larger - headroom;
-    int const unit1 = minimum(unit, e1 - least), unit2 = minimum(unit, e2 - least);
+    Unit const own1 = unit_of(q1), own2 = unit_of(q2), larger = larger_of(own1, own2);
+    bool const alike = is_in_range(T(1), larger.to_local(size1, 2), larger.to_local(size2, 2));
+    Unit const unit = alike ? larger : larger / Unit{headroom};
     auto result =
-        penetration_in_range(times_power_of_two(r12, -unit), times_power_of_two(q1, -2 * unit1),
-                             times_power_of_two(q2, -2 * unit2));
-    result.depth = times_power_of_two(result.depth, unit);
+        penetration_in_range(unit.to_local(r12), smaller_of(unit, own1 / Unit{least}).to_local(q1),
+                             smaller_of(unit, own2 / Unit{least}).to_local(q2));
+    result.depth = unit.to_caller(result.depth);
     return result;
 }
 

@@ -111,12 +111,12 @@ PW85_FUNCTION inline Curvature<T> rounded_curvature(Curvature<W> const &c) noexc
     return {rounded(c.curvatures), rounded(c.direction1), rounded(c.direction2), c.status};
 }
 
-/// The exponent of a unit in which a valid form is in range: its half-widths along the axes are at
-/// most of order one, or the form is in range as it is.
-template <class T> PW85_FUNCTION inline int unit_of(SymmetricMatrix<T, 3> const &q) noexcept
+/// A unit in which a valid form is in range: its half-widths along the axes are at most of order
+/// one, or the form is in range as it is.
+template <class T> PW85_FUNCTION inline Unit unit_in_range(SymmetricMatrix<T, 3> const &q) noexcept
 {
     T const largest = largest_diagonal(q);
-    return is_in_range(largest, largest, largest) ? 0 : half_exponent(largest);
+    return is_in_range(largest, largest, largest) ? Unit{} : unit_of(q);
 }
 
 /// Brings a normal into range. Returns Status::invalid_argument if it is zero or not finite.
@@ -125,7 +125,7 @@ template <class T> PW85_FUNCTION inline StatusCode scale_normal(Vector<T, 3> &no
     if (is_in_range(sum_of_magnitudes(normal), T(1), T(1))) return StatusCode::success;
     T const largest = largest_coordinate(normal);
     if (!(is_finite(normal) && largest > T(0))) return StatusCode::invalid_argument;
-    normal = times_power_of_two(normal, -binary_exponent(largest));
+    normal = unit_of(normal).to_local(normal);
     return StatusCode::success;
 }
 
@@ -165,12 +165,12 @@ curvature(Vector<T, 3> normal, SymmetricMatrix<T, 3> const &q) noexcept
     StatusCode status = scale_normal(normal);
     if (status == StatusCode::success) status = validate(q);
     if (status != StatusCode::success) return all_nan<Curvature<T>>(status);
-    int const unit = unit_of(q);
-    SymmetricMatrix<T, 3> const scaled = times_power_of_two(q, -2 * unit);
+    Unit const unit = unit_in_range(q);
+    SymmetricMatrix<T, 3> const scaled = unit.to_local(q);
     bool accurate;
     auto result = curvature_with<T>(normal, scaled, accurate);
     if (!accurate) result = curvature_finer(normal, scaled);
-    result.curvatures = times_power_of_two(result.curvatures, -unit);
+    result.curvatures = unit.to_caller(result.curvatures, -1);
     return result;
 }
 

@@ -26,16 +26,12 @@ namespace pw85::detail {
 
 /// Scales a valid pair that overlaps by the size of the larger ellipsoid. Numbers that underflow
 /// are far below rounding.
-template <class T, int D> PW85_FUNCTION inline DistancePair<T, D>
+template <class T, int D> PW85_FUNCTION inline Scaled<DistancePair<T, D>>
 scale_overlapping(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                  SymmetricMatrix<T, D> const &q2, DistanceUnits &units) noexcept
+                  SymmetricMatrix<T, D> const &q2) noexcept
 {
-    int const unit1 = half_exponent(largest_diagonal(q1)),
-              unit2 = half_exponent(largest_diagonal(q2));
-    units = {maximum(unit1, unit2), unit1, unit2};
-    return {times_power_of_two(r12, -units.length), times_power_of_two(q1, -2 * unit1),
-            times_power_of_two(q2, -2 * unit2), times_power_of_two(T(1), unit1 - units.length),
-            times_power_of_two(T(1), unit2 - units.length)};
+    Unit const unit1 = unit_of(q1), unit2 = unit_of(q2);
+    return in_units(r12, q1, q2, {larger_of(unit1, unit2), unit1, unit2, false, {}});
 }
 
 /// The signed distance of a scaled pair that overlaps, from the direction of its depth. Both points
@@ -56,12 +52,9 @@ signed_distance_overlapping(Vector<T, D> const &r12, SymmetricMatrix<T, D> const
 {
     auto const found = penetration_overlapping(r12, q1, q2);
     if (found.status != StatusCode::success) return all_nan<Distance<T, D>>(found.status);
-    DistanceUnits units;
-    auto const pair = scale_overlapping(r12, q1, q2, units);
-    Distance<T, D> result = distance_through(pair, found.direction);
+    auto const [pair, units] = scale_overlapping(r12, q1, q2);
+    Distance<T, D> result = to_caller(distance_through(pair, found.direction), units);
     result.distance = T(0) - found.depth;
-    result.point1 = times_power_of_two(result.point1, units.form1);
-    result.point2 = times_power_of_two(result.point2, units.form2);
     return with_point2(r12, result);
 }
 
@@ -81,10 +74,9 @@ template <class T> [[gnu::noinline]] PW85_FUNCTION inline DistanceDerivatives<T>
 derivatives_through(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
                     SymmetricMatrix<T, 3> const &q2, Vector<T, 3> const &direction) noexcept
 {
-    DistanceUnits units;
-    auto const pair = scale_overlapping(r12, q1, q2, units);
+    auto const [pair, units] = scale_overlapping(r12, q1, q2);
     auto const d = distance_through(pair, direction);
-    auto result = in_units(derivatives_across(pair, d), units);
+    auto result = to_caller(derivatives_across(pair, d), units);
     if (!has_hessian(pair, d))
         for (auto &row : result.hessian)
             for (T &entry : row) entry = quiet_nan<T>();

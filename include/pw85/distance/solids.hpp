@@ -57,9 +57,9 @@ namespace pw85::detail {
 template <class T, int D>
 PW85_FUNCTION inline PrincipalAxes<T, D> axes_in_unit(SymmetricMatrix<T, D> const &q) noexcept
 {
-    int const exponent = half_exponent(largest_diagonal(q));
-    auto axes = principal_axes(times_power_of_two(q, -2 * exponent));
-    for (T &square : axes.squares) square = times_power_of_two(square, 2 * exponent);
+    Unit const unit = unit_of(q);
+    auto axes = principal_axes(unit.to_local(q));
+    for (T &square : axes.squares) square = unit.to_caller(square, 2);
     return axes;
 }
 
@@ -207,10 +207,9 @@ PW85_FUNCTION inline Vector<T, 3> face_normal(Hull<T, 3> const &triangle) noexce
     Vector<T, 3> const &a = triangle.points[0], &b = triangle.points[1], &c = triangle.points[2];
     T const size = maximum(largest_coordinate(b - a), largest_coordinate(c - a));
     if (!(size > T(0))) return {T(0), T(0), T(0)};
-    int const unit = -binary_exponent(size);
+    Unit const unit = unit_of(size);
     auto const from_a = [&](Vector<T, 3> const &x) {
-        return converted<W>(times_power_of_two(x, unit)) -
-               converted<W>(times_power_of_two(a, unit));
+        return converted<W>(unit.to_local(x)) - converted<W>(unit.to_local(a));
     };
     Vector<T, 3> const n = rounded(cross(from_a(b), from_a(c)));
     T const largest = largest_coordinate(n);
@@ -329,14 +328,12 @@ template <class T> PW85_FUNCTION inline T size_of(SolidBox<T> const &box) noexce
     return maximum(largest_coordinate(box.lower), largest_coordinate(box.upper));
 }
 
-/// The exponent of the unit for a set, if `exponent` is that for the ellipsoid. It is larger only
-/// if sums of a few coordinates of the set would overflow.
+/// The unit for a set, if `own` is that for the ellipsoid. It is larger only if sums of a few
+/// coordinates of the set would overflow.
 template <class T, class Set>
-PW85_FUNCTION inline int set_exponent(Set const &set, int exponent) noexcept
+PW85_FUNCTION inline Unit unit_of_set(Set const &set, Unit own) noexcept
 {
-    T const size = size_of(set);
-    if (!(size > T(0))) return exponent;
-    return maximum(exponent, binary_exponent(size) - (std::numeric_limits<T>::max_exponent - 8));
+    return larger_unit(own, size_of(set), Unit{8 - std::numeric_limits<T>::max_exponent});
 }
 
 /// Computes the signed distance in the unit in which the largest diagonal entry of the form is in
@@ -348,16 +345,16 @@ distance_of(Set const &set, SymmetricMatrix<T, 3> const &q) noexcept
 {
     ShapeOverlap const decision = overlap_of(set, q);
     if (decision.status != StatusCode::success) return all_nan<ShapeDistance<T>>(decision.status);
-    int const own = half_exponent(largest_diagonal(q)), unit = set_exponent<T>(set, own),
-              unit_of_form = minimum(unit, own + std::numeric_limits<T>::max_exponent / 4);
-    SymmetricMatrix<T, 3> const form = times_power_of_two(q, -2 * unit_of_form);
-    Set const scaled = set.scaled(-unit);
+    Unit const own = unit_of(q), unit = unit_of_set<T>(set, own),
+               limit{std::numeric_limits<T>::max_exponent / 4};
+    SymmetricMatrix<T, 3> const form = smaller_of(unit, own * limit).to_local(q);
+    Set const scaled = set.in_unit(unit);
     SlabSearch<T, Set> search{scaled, form, decision.overlap, 0, -infinity<T>(), {}, {}};
     try_features(search);
     auto best = best_distance(search);
-    best.distance = times_power_of_two(best.distance, unit);
-    best.point1 = times_power_of_two(best.point1, unit);
-    best.point2 = times_power_of_two(best.point2, unit);
+    best.distance = unit.to_caller(best.distance);
+    best.point1 = unit.to_caller(best.point1);
+    best.point2 = unit.to_caller(best.point2);
     return best;
 }
 

@@ -93,9 +93,9 @@ template <class T> PW85_FUNCTION constexpr T largest_spread() noexcept
 template <class T, int D> PW85_FUNCTION inline Support<T, D>
 support_of_any(SymmetricMatrix<T, D> const &q, Vector<T, D> const &n) noexcept
 {
-    int const unit = half_exponent(largest_diagonal(q));
-    Support<T, D> const s = support(times_power_of_two(q, -2 * unit), n);
-    return {times_power_of_two(s.point, unit), times_power_of_two(s.extent, unit)};
+    Unit const unit = unit_of(q);
+    Support<T, D> const s = support(unit.to_local(q), n);
+    return {unit.to_caller(s.point), unit.to_caller(s.extent)};
 }
 
 } // namespace pw85::detail

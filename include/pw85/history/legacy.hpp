@@ -98,28 +98,18 @@ template <class T> PW85_FUNCTION constexpr T numerator(Polynomials<T> const &p, 
     return (w1 * a + w * a1) * b - w * a * b1;
 }
 
-/// A valid pair in common units that keep its polynomials in range: r12 times 2^-length, the forms
-/// times 4^-form.
-template <class T> struct CommonUnits {
-    Vector<T, 3> r12;
-    SymmetricMatrix<T, 3> q1, q2;
-    int length, form;
-};
-
+/// Scales a valid pair to one unit for both forms, which keeps its polynomials in range.
 template <class T>
-PW85_FUNCTION inline CommonUnits<T> to_common_units(Vector<T, 3> const &r12,
-                                                    SymmetricMatrix<T, 3> const &q1,
-                                                    SymmetricMatrix<T, 3> const &q2) noexcept
+PW85_FUNCTION inline ScaledPair<T, 3> scale_alike(Pair<T, 3> const &pair) noexcept
 {
-    int const length = binary_exponent(largest_coordinate(r12));
-    int const form = half_exponent(maximum(largest_diagonal(q1), largest_diagonal(q2)));
-    return {times_power_of_two(r12, -length), times_power_of_two(q1, -2 * form),
-            times_power_of_two(q2, -2 * form), length, form};
+    Unit const length = unit_of(pair.r12), form = larger_of(unit_of(pair.q1), unit_of(pair.q2));
+    return {pair_of(length.to_local(pair.r12), form.to_local(pair.q1), form.to_local(pair.q2)),
+            {length, form, form, false, {}}};
 }
 
 /// Newton-Raphson iterations on f' from λ = 1/2. If f varies sharply near an end, they often leave
 /// [0, 1] or do not converge; then the status is not success.
-template <class T> PW85_FUNCTION inline Contact<T> newton(CommonUnits<T> const &pair) noexcept
+template <class T> PW85_FUNCTION inline Contact<T> newton(Pair<T, 3> const &pair) noexcept
 {
     constexpr int max_iterations = 50;
     T x = T(0.5);
@@ -137,7 +127,7 @@ template <class T> PW85_FUNCTION inline Contact<T> newton(CommonUnits<T> const &
 
 /// Bisection on the numerator of f', to the last digit of λ. If cancellation in the polynomials
 /// makes the value of f meaningless there, f is computed by the factorised form.
-template <class T> PW85_FUNCTION inline Contact<T> bisection(CommonUnits<T> const &pair) noexcept
+template <class T> PW85_FUNCTION inline Contact<T> bisection(Pair<T, 3> const &pair) noexcept
 {
     auto const p = polynomials(pair.r12, pair.q1, pair.q2);
     T lower = T(0), upper = T(1), x = T(0.5);
@@ -156,13 +146,14 @@ PW85_FUNCTION inline Contact<T> contact_by(Solver solver, Vector<T, 3> const &r1
                                            SymmetricMatrix<T, 3> const &q1,
                                            SymmetricMatrix<T, 3> const &q2) noexcept
 {
+    auto const pair = pair_of(r12, q1, q2);
     ScaledPair<T, 3> scaled;
-    StatusCode const status = validate(pair_of(r12, q1, q2), scaled);
+    StatusCode const status = validate(pair, scaled);
     if (status != StatusCode::success) return all_nan<Contact<T>>(status);
     if (largest_coordinate(r12) == T(0)) return {T(0), T(0.5), StatusCode::success};
-    auto const pair = to_common_units(r12, q1, q2);
-    Contact<T> result = solver(pair);
-    result.mu2 = times_power_of_two(result.mu2, 2 * (pair.length - pair.form));
+    scaled = scale_alike(pair);
+    Contact<T> result = solver(scaled.pair);
+    result.mu2 = scaled.units.mu().to_caller(result.mu2, 2);
     return result;
 }
 

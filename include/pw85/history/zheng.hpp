@@ -309,7 +309,7 @@ PW85_FUNCTION inline ClosestApproach<T> checked_distance(Vector<T, D> direction,
     ScaledPair<T, D> scaled;
     StatusCode const status = validate(pair_of(direction, q1, q2), scaled);
     if (status != StatusCode::success) return all_nan<ClosestApproach<T>>(status);
-    return {times_power_of_two(distance(problem(scaled.pair)), scaled.form), StatusCode::success};
+    return {scaled.units.first.to_caller(distance(problem(scaled.pair))), StatusCode::success};
 }
 
 } // namespace pw85::detail::zheng

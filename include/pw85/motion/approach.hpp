@@ -99,11 +99,11 @@ PW85_FUNCTION inline T root_of_difference(Vector<T, D> const &x, Vector<T, E> co
 {
     T const largest = maximum(largest_coordinate(x), largest_coordinate(y));
     if (!(largest > T(0))) return largest;
-    int const unit = is_in_range(largest, largest, largest) ? 0 : binary_exponent(largest);
-    Vector<T, D> const a = times_power_of_two(x, -unit);
-    Vector<T, E> const b = times_power_of_two(y, -unit);
+    Unit const unit = is_in_range(largest, largest, largest) ? Unit{} : unit_of(largest);
+    Vector<T, D> const a = unit.to_local(x);
+    Vector<T, E> const b = unit.to_local(y);
     T const square = dot(a, a) - dot(b, b);
-    return square < T(0) ? T(-1) : times_power_of_two(square_root(square), unit);
+    return square < T(0) ? T(-1) : unit.to_caller(square_root(square));
 }
 
 /// The moment c = r × v of two centres.
@@ -177,43 +177,18 @@ PW85_FUNCTION inline bool is_remote(Vector<T, D> const &r12, SymmetricMatrix<T, 
     return T(r * r) > maximum(largest_diagonal(q1), largest_diagonal(q2));
 }
 
-/// The larger of an exponent and that of x times 2^unit.
-template <class T>
-PW85_FUNCTION inline int larger_exponent(int exponent, T const &x, int unit) noexcept
-{
-    return x > T(0) && binary_exponent(x) + unit > exponent ? binary_exponent(x) + unit : exponent;
-}
-
-/// A remote pair, of which at least one ellipsoid moves, in units that keep it in range. The true
-/// r12 is this one times 2^length, the true forms are those of the bodies times 4^form, and the
-/// unit of time is 2^-rate: in it the centres or the surfaces move by about the distance of the
-/// centres.
-template <class T, int D> struct RemotePair {
-    Vector<T, D> r12, velocity;
-    int length, rate;
-    Body<T, D> bodies[2];
-    int forms[2];
-};
-
+/// The units of a remote pair, of which at least one ellipsoid moves. In the unit of time the
+/// centres or the surfaces move by about the distance of the centres.
 template <class T, int D>
-PW85_FUNCTION inline RemotePair<T, D> remote_pair(MovingEllipsoids<T, D> const &moving) noexcept
+PW85_FUNCTION inline Units units_of_remote(MovingEllipsoids<T, D> const &moving) noexcept
 {
     auto const &[r12, q1, q2, motion1, motion2, end] = moving;
-    Vector<T, D> const velocity = relative_velocity(motion1, motion2);
-    int const length = binary_exponent(largest_coordinate(r12));
-    int const form1 = half_exponent(largest_diagonal(q1)),
-              form2 = half_exponent(largest_diagonal(q2));
-    int rate =
-        larger_exponent((std::numeric_limits<int>::min)(), largest_coordinate(velocity), -length);
-    rate = larger_exponent(rate, T(absolute(motion1.growth)), form1 - length);
-    rate = larger_exponent(rate, T(absolute(motion2.growth)), form2 - length);
-    return {times_power_of_two(r12, -length),
-            times_power_of_two(velocity, -length - rate),
-            length,
-            rate,
-            {to_body(times_power_of_two(q1, -2 * form1), motion1, rate),
-             to_body(times_power_of_two(q2, -2 * form2), motion2, rate)},
-            {form1, form2}};
+    Unit const length = unit_of(r12), form1 = unit_of(q1), form2 = unit_of(q2);
+    Unit rate = larger_unit(
+        smallest_unit(), largest_coordinate(relative_velocity(motion1, motion2)), Unit{} / length);
+    rate = larger_unit(rate, T(absolute(motion1.growth)), form1 / length);
+    rate = larger_unit(rate, T(absolute(motion2.growth)), form2 / length);
+    return {length, form1, form2, false, Unit{} / rate};
 }
 
 /// The largest angle after which the orientation of a body is known to a thousandth of a radian, if
@@ -238,10 +213,10 @@ PW85_FUNCTION inline bool is_known_form(SymmetricMatrix<T, D> const &q) noexcept
 /// the range of T, or if its orientation or its form becomes unknown.
 template <class T, int D>
 PW85_FUNCTION inline bool let_move(SymmetricMatrix<T, D> &q, Motion<T, D> &motion,
-                                   Body<T, D> const &body, int form, T const &time) noexcept
+                                   Body<T, D> const &body, Unit form, T const &time) noexcept
 {
     if (only_translates(motion)) return true;
-    q = times_power_of_two(form_of(body_at(body, turning_form(body), time)), 2 * form);
+    q = form.to_caller(form_of(body_at(body, turning_form(body), time)), 2);
     motion.growth = motion.growth / (T(1) + body.growth * time);
     T const size = largest_diagonal(q);
     return is_finite(q) && size > smallest_number<T>() && body.rate * time <= longest_turn<T>() &&
@@ -257,25 +232,27 @@ advance_until_spheres_meet(MovingEllipsoids<T, D> &moving) noexcept
             none = T(0);
     if (speed == none && moving.motion1.growth == none && moving.motion2.growth == none)
         return infinity<T>();
-    auto const pair = remote_pair(moving);
-    T const unit1 = times_power_of_two(T(1), pair.forms[0] - pair.length),
-            unit2 = times_power_of_two(T(1), pair.forms[1] - pair.length);
-    auto reach = reach_after(reach_of_spheres(pair.bodies[0], unit1, pair.bodies[1], unit2), T(0));
-    T const least = times_power_of_two(T(1), std::numeric_limits<T>::min_exponent + 8);
+    Units const units = units_of_remote(moving);
+    auto const [r12, q1, q2, scale1, scale2] =
+        in_units(moving.r12, moving.q1, moving.q2, units).pair;
+    auto const body1 = to_body(q1, moving.motion1, units.time),
+               body2 = to_body(q2, moving.motion2, units.time);
+    auto const velocity =
+        units.velocity().to_local(relative_velocity(moving.motion1, moving.motion2));
+    auto reach = reach_after(reach_of_spheres(body1, scale1, body2, scale2), T(0));
+    T const least = Unit{std::numeric_limits<T>::min_exponent + 8}.as<T>();
     if (!(reach.growth < infinity<T>())) return quiet_nan<T>();
     bool const in_range = reach.radius > least;
     reach.radius = maximum(reach.radius, least);
-    auto const moment = accurate_cross(pair.r12, pair.velocity);
-    auto const meeting = meeting_of_spheres(pair.r12, pair.velocity, reach, moment);
-    if (meeting.time >= times_power_of_two(moving.end, pair.rate)) return infinity<T>();
-    T const time = times_power_of_two(meeting.time, -pair.rate);
-    moving.r12 = times_power_of_two(r12_at_meeting(pair.r12, pair.velocity, reach, moment, meeting),
-                                    pair.length);
+    auto const moment = accurate_cross(r12, velocity);
+    auto const meeting = meeting_of_spheres(r12, velocity, reach, moment);
+    if (meeting.time >= units.time.to_local(moving.end)) return infinity<T>();
+    T const time = units.time.to_caller(meeting.time);
+    moving.r12 = units.length.to_caller(r12_at_meeting(r12, velocity, reach, moment, meeting));
     // rounding cuts off no contact
     moving.end = moving.end - time + T(4 * unit_roundoff<T>()) * moving.end;
-    bool const known =
-        let_move(moving.q1, moving.motion1, pair.bodies[0], pair.forms[0], meeting.time) &&
-        let_move(moving.q2, moving.motion2, pair.bodies[1], pair.forms[1], meeting.time);
+    bool const known = let_move(moving.q1, moving.motion1, body1, units.first, meeting.time) &&
+                       let_move(moving.q2, moving.motion2, body2, units.second, meeting.time);
     return in_range && known && time < infinity<T>() ? time : quiet_nan<T>();
 }
 

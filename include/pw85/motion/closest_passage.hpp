@@ -225,14 +225,13 @@ find_closest_passage(StraightPath<T> const &path) noexcept
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline ClosestPassage<T>
 pass_scaled(ScaledPair<T, 3> const &scaled, Vector<T, 3> const &velocity, T const &t_max) noexcept
 {
-    int const unit = binary_exponent(largest_coordinate(velocity)), exponent = scaled.length - unit;
-    auto const v = times_power_of_two(scaled.swapped ? -velocity : velocity, -unit);
-    StraightPath<T> const path{scaled.pair, v, times_power_of_two(t_max, -exponent)};
+    auto const &[pair, units] = scaled;
+    Unit const speed = unit_of(velocity), time = units.length / speed;
+    StraightPath<T> const path{pair, units.reordered(speed.to_local(velocity)),
+                               time.to_local(t_max)};
     auto passage = find_closest_passage(path);
-    passage.mu2 = times_power_of_two(passage.mu2, 2 * (scaled.length - scaled.form));
-    passage.time = passage.time == path.end
-                       ? t_max
-                       : minimum(times_power_of_two(passage.time, exponent), t_max);
+    passage.mu2 = units.mu().to_caller(passage.mu2, 2);
+    passage.time = passage.time == path.end ? t_max : minimum(time.to_caller(passage.time), t_max);
     return passage;
 }
 
@@ -247,7 +246,7 @@ closest_passage(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
 {
     using namespace detail;
     auto const pair = pair_of(r12, q1, q2);
-    ScaledPair<T, 3> scaled{pair, 0, 0, false, 0};
+    ScaledPair<T, 3> scaled{pair, {}};
     bool const valid = is_finite(velocity) && t_max >= T(0);
     StatusCode const status = !valid                     ? StatusCode::invalid_argument
                               : passes_fast_checks(pair) ? StatusCode::success

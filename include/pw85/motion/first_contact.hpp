@@ -5,7 +5,7 @@
 #ifndef PW85_MOTION_FIRST_CONTACT_HPP_INCLUDED
 #define PW85_MOTION_FIRST_CONTACT_HPP_INCLUDED
 
-#include <pw85/contact/validate.hpp>
+#include <pw85/contact/scaling.hpp>
 #include <pw85/motion/rotation.hpp>
 
 namespace pw85::detail {
@@ -30,9 +30,9 @@ PW85_FUNCTION inline T fastest(Motion<T, D> const &motion1, Motion<T, D> const &
 /// A time in the caller's unit. A finite time that is too large for T is an error, because infinity
 /// would mean that there is no contact.
 template <class T>
-PW85_FUNCTION inline FirstContact<T> in_unit_of_time(FirstContact<T> result, int exponent) noexcept
+PW85_FUNCTION inline FirstContact<T> in_unit_of_time(FirstContact<T> result, Unit unit) noexcept
 {
-    T const time = times_power_of_two(result.time, exponent);
+    T const time = unit.to_caller(result.time);
     if (result.time < infinity<T>() && !(time < infinity<T>()))
         return all_nan<FirstContact<T>>(StatusCode::no_convergence);
     return {time, result.status};
@@ -40,63 +40,59 @@ PW85_FUNCTION inline FirstContact<T> in_unit_of_time(FirstContact<T> result, int
 
 /// μ² of a tangent pair in the units of a Pair. It is limited to the range of T: ellipsoids with
 /// centres so near overlap anyway.
-template <class T, int D>
-PW85_FUNCTION inline T tangent_in_units(ScaledPair<T, D> const &scaled) noexcept
+template <class T> PW85_FUNCTION inline T tangent_in_units(Units const &units) noexcept
 {
-    int const exponent = scaled.form - scaled.length,
-              limit = std::numeric_limits<T>::max_exponent / 4;
-    return times_power_of_two(T(1), 2 * (exponent < limit ? exponent : limit));
+    Unit const largest{std::numeric_limits<T>::max_exponent / 4};
+    return smaller_of(units.first / units.length, largest).to_caller(T(1), 2);
 }
 
-/// A valid pair that only translates, in the unit of time in which the speed is of order one. The
-/// unit of the caller is 2^-exponent of this one.
-template <class T, int D> struct ScaledTranslation {
-    Vector<T, D> velocity;
-    int exponent;
-};
-
-template <class T, int D> PW85_FUNCTION inline ScaledTranslation<T, D>
-scale_translation(ScaledPair<T, D> const &scaled, Vector<T, D> const &velocity) noexcept
+/// The unit of time in which the speed of a translation is of order one.
+template <class T, int D> PW85_FUNCTION inline Unit
+time_of_translation(Units const &units, Vector<T, D> const &velocity) noexcept
 {
-    T const largest = largest_coordinate(velocity);
-    int const unit = largest > T(0) ? binary_exponent(largest) : 0;
-    return {times_power_of_two(scaled.swapped ? -velocity : velocity, -unit), scaled.length - unit};
+    return units.length / unit_of(velocity);
 }
 
-/// first_contact() of a valid pair that only translates.
+/// The unit of time in which the largest rate is of order one. The rate of the velocity is its
+/// quotient by the distance of the centres, or by the larger of the sizes if this is larger.
+template <class T, int D> PW85_FUNCTION inline Unit time_of_motion(ScaledPair<T, D> const &scaled,
+                                                                   Vector<T, D> const &velocity,
+                                                                   T const &fastest) noexcept
+{
+    auto const &[pair, units] = scaled;
+    T const size = maximum(square_root(largest_diagonal(pair.q1)),
+                           T(square_root(largest_diagonal(pair.q2)) / pair.ratio));
+    Unit const length =
+        larger_unit(units.first * unit_of(size), largest_coordinate(pair.r12), units.length);
+    return Unit{} /
+           larger_unit(larger_unit(smallest_unit(), largest_coordinate(velocity), Unit{} / length),
+                       fastest, {});
+}
+
+/// first_contact() of a valid pair that only translates, in its units.
 template <class T, int D>
 PW85_FUNCTION inline FirstContact<T> first_contact_of_translation(ScaledPair<T, D> const &scaled,
                                                                   Vector<T, D> const &velocity,
                                                                   T const &end) noexcept
 {
-    auto const [v, exponent] = scale_translation(scaled, velocity);
-    TranslatingPair<T, D> const moving{scaled.pair, v, tangent_in_units(scaled)};
-    auto const found = find_translation_contact(moving, times_power_of_two(end, -exponent));
-    return in_unit_of_time(FirstContact<T>{found.time, found.status}, exponent);
+    auto const found = find_translation_contact(
+        TranslatingPair<T, D>{scaled.pair, velocity, tangent_in_units<T>(scaled.units)}, end);
+    return {found.time, found.status};
 }
 
-/// first_contact() of a valid pair, in the unit of time in which the largest rate is of order one.
-/// The rate of the velocity is its quotient by the distance of the centres, or by the larger of the
-/// sizes if this is larger.
+/// first_contact() of a valid pair of which an ellipsoid turns or grows, in its units.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline FirstContact<T>
-first_contact_of_motion(ScaledPair<T, D> const &scaled, Vector<T, D> const &velocity,
+first_contact_of_motion(ScaledPair<T, D> const &scaled, Unit time, Vector<T, D> const &velocity,
                         Motion<T, D> const &motion1, Motion<T, D> const &motion2,
                         T const &end) noexcept
 {
-    Pair<T, D> const &pair = scaled.pair;
-    T const size = maximum(square_root(largest_diagonal(pair.q1)),
-                           T(square_root(largest_diagonal(pair.q2)) / pair.ratio));
-    int const length = larger_exponent(binary_exponent(size) + scaled.form,
-                                       largest_coordinate(pair.r12), scaled.length);
-    int const across =
-        larger_exponent((std::numeric_limits<int>::min)(), largest_coordinate(velocity), -length);
-    int const rate = larger_exponent(across, fastest(motion1, motion2), 0);
-    auto const first = to_body(pair.q1, scaled.swapped ? motion2 : motion1, rate),
-               second = to_body(pair.q2, scaled.swapped ? motion1 : motion2, rate);
-    Vector<T, D> const v = times_power_of_two(velocity, -scaled.length - rate);
-    auto const moving = moving_pair(BodyPair<T, D>{
-        pair.r12, scaled.swapped ? -v : v, {first, second}, pair.ratio, tangent_in_units(scaled)});
-    return in_unit_of_time(advance_to_contact(moving, times_power_of_two(end, rate)), -rate);
+    auto const &[pair, units] = scaled;
+    auto const body1 = to_body(pair.q1, units.swapped ? motion2 : motion1, time),
+               body2 = to_body(pair.q2, units.swapped ? motion1 : motion2, time);
+    return advance_to_contact(turning_pair(BodyPair<T, D>{{pair.r12, body1, body2, pair.ratio},
+                                                          velocity,
+                                                          tangent_in_units<T>(units)}),
+                              end);
 }
 
 /// first_contact() of a valid pair that is not remote.
@@ -104,10 +100,17 @@ template <class T, int D> PW85_FUNCTION inline FirstContact<T>
 first_contact_nearby(ScaledPair<T, D> const &scaled, Motion<T, D> const &motion1,
                      Motion<T, D> const &motion2, T const &end) noexcept
 {
+    Units const &units = scaled.units;
+    bool const translates = only_translates(motion1) && only_translates(motion2);
     Vector<T, D> const velocity = relative_velocity(motion1, motion2);
-    if (only_translates(motion1) && only_translates(motion2))
-        return first_contact_of_translation(scaled, velocity, end);
-    return first_contact_of_motion(scaled, velocity, motion1, motion2, end);
+    Unit const time = translates ? time_of_translation(units, velocity)
+                                 : time_of_motion(scaled, velocity, fastest(motion1, motion2));
+    auto const v = units.reordered((units.length / time).to_local(velocity));
+    T const last = time.to_local(end);
+    return in_unit_of_time(translates
+                               ? first_contact_of_translation(scaled, v, last)
+                               : first_contact_of_motion(scaled, time, v, motion1, motion2, last),
+                           time);
 }
 
 /// first_contact() of a valid pair that is remote: it comes near before it touches.
@@ -145,7 +148,7 @@ first_contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
         end >= T(0) && is_valid_motion(motion1, end) && is_valid_motion(motion2, end);
     if (!valid) return all_nan<FirstContact<T>>(StatusCode::invalid_argument);
     auto const pair = pair_of(r12, q1, q2);
-    ScaledPair<T, D> scaled{pair, 0, 0, false, 0};
+    ScaledPair<T, D> scaled{pair, {}};
     if (!passes_fast_checks(pair)) {
         StatusCode const status = validate(pair, scaled);
         if (status != StatusCode::success) return all_nan<FirstContact<T>>(status);

@@ -56,7 +56,7 @@ template <class T, int D> PW85_FUNCTION inline T free_by_normal(ScaledPair<T, D>
     T const u = T(unit_roundoff<T>());
     T const fastest = T(T(D + 1) * u) * magnitude_of_dot(n, velocity) - dot(n, velocity);
     if (!(fastest >= T(0))) return infinity<T>();
-    T const unit = times_power_of_two(T(1), scaled.form - scaled.length);
+    T const unit = scaled.units.mu().to_local(T(1));
     T const widths = unit * (half_width_bound(q1, n) + half_width_bound(q2, n) / ratio);
     T const gap = dot(n, r12) - widths;
     T const free = gap - u * (T(D + 1) * magnitude_of_dot(n, r12) + T(2) * widths);
@@ -86,21 +86,23 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline SeparatingPlane
 plane_of_translation(ScaledPair<T, D> const &scaled, Vector<T, D> const &velocity,
                      T const &end) noexcept
 {
-    auto const &[r12, q1, q2, ratio] = scaled.pair;
-    auto const [v, exponent] = scale_translation(scaled, velocity);
-    T const last = times_power_of_two(end, -exponent);
-    auto const found = find_translation_contact(
-        TranslatingPair<T, D>{scaled.pair, v, tangent_in_units(scaled)}, last);
+    auto const &[pair, units] = scaled;
+    auto const &[r12, q1, q2, ratio] = pair;
+    Unit const time = time_of_translation(units, velocity);
+    auto const v = units.reordered((units.length / time).to_local(velocity));
+    T const last = time.to_local(end);
+    auto const found =
+        find_translation_contact(TranslatingPair<T, D>{pair, v, tangent_in_units<T>(units)}, last);
     if (found.status != StatusCode::success) return {r12, {}, T(0), false, false, found.status};
     auto const n = solve_blend(T(1), q1, found.t, q2, add_scaled(r12, found.shown, v));
     T const closing = dot(n, v);
     Vector<T, D> turn{};
     if (closing * closing < negative_power_of_two<T>(grazing_exponent) * T(dot(n, n) * dot(v, v)))
-        turn = times_power_of_two(solve_blend(T(1), q1, found.t, q2, v), -exponent);
+        turn = time.to_local(solve_blend(T(1), q1, found.t, q2, v));
     bool const to_end = found.time < infinity<T>() || !(found.shown < last);
-    return {scaled.swapped ? -n : n,
-            scaled.swapped ? -turn : turn,
-            to_end ? end : times_power_of_two(found.shown, exponent),
+    return {units.reordered(n),
+            units.reordered(turn),
+            to_end ? end : time.to_caller(found.shown),
             found.time < infinity<T>(),
             !(found.time > T(0)),
             StatusCode::success};
@@ -173,14 +175,16 @@ PW85_FUNCTION inline FreePath<T> free_path_of(ScaledPair<T, D> const &scaled,
                            : plane_of_translation(scaled, velocity, end);
     if (plane.status != StatusCode::success) return all_nan<FreePath<T>>(plane.status);
     if (plane.overlaps) return {T(0), StatusCode::success};
-    auto const [v, exponent] = scale_translation(scaled, velocity);
-    auto const n = scaled.swapped ? -plane.normal : plane.normal;
-    auto const turn = times_power_of_two(scaled.swapped ? -plane.turn : plane.turn, exponent);
+    Units const &units = scaled.units;
+    Unit const time = time_of_translation(units, velocity);
+    auto const v = units.reordered((units.length / time).to_local(velocity)),
+               n = units.reordered(plane.normal),
+               turn = time.to_caller(units.reordered(plane.turn));
     T free = free_by_normal(scaled, v, n);
     // Behind the nearest place, which rounding can take for the contact, n shows nothing.
     if (plane.meets && !(free < infinity<T>()) && dot(turn, v) > T(0)) free = T(0);
     free = free_before_grazing(scaled, v, n, turn, free);
-    T const length = times_power_of_two(free, exponent);
+    T const length = time.to_caller(free);
     return {length < plane.until ? length : infinity<T>(), StatusCode::success};
 }
 
@@ -197,7 +201,7 @@ PW85_FUNCTION inline FreePath<T> free_path(Vector<T, D> const &r12, SymmetricMat
     bool const valid = end >= T(0) && is_finite(direction) && largest_coordinate(direction) > T(0);
     if (!valid) return all_nan<FreePath<T>>(StatusCode::invalid_argument);
     auto const pair = pair_of(r12, q1, q2);
-    ScaledPair<T, D> scaled{pair, 0, 0, false, 0};
+    ScaledPair<T, D> scaled{pair, {}};
     StatusCode const status =
         passes_fast_checks(pair) ? StatusCode::success : validate(pair, scaled);
     if (status != StatusCode::success) return all_nan<FreePath<T>>(status);

@@ -4,8 +4,8 @@
 #ifndef PW85_MOTION_MOTION_HPP_INCLUDED
 #define PW85_MOTION_MOTION_HPP_INCLUDED
 
-#include <pw85/algebra/powers_of_two.hpp>
 #include <pw85/algebra/sine_cosine.hpp>
+#include <pw85/algebra/units.hpp>
 
 namespace pw85 {
 
@@ -86,13 +86,13 @@ template <class T, int D> struct Body {
     T rate, growth; ///< |omega|, and that of the size over the size
 };
 
-/// The body of a form that moves, in the unit of time 2^-unit. Eigenvalues differ from their mean,
+/// The body of a form that moves, in a unit of time. Eigenvalues differ from their mean,
 /// tr Q/D, by at most √((D - 1)/D) |Q - (tr Q/D) I| in the norm of Frobenius; the margin covers the
 /// rounding errors of both.
 template <class T, int D> PW85_FUNCTION inline Body<T, D>
-to_body(SymmetricMatrix<T, D> const &q, Motion<T, D> const &motion, int unit) noexcept
+to_body(SymmetricMatrix<T, D> const &q, Motion<T, D> const &motion, Unit time) noexcept
 {
-    auto const omega = times_power_of_two(motion.angular_velocity, -unit);
+    auto const omega = time.to_local(motion.angular_velocity, -1);
     T mean = q(0, 0);
     for (int i = 1; i < D; ++i) mean = mean + q(i, i);
     mean = mean / T(D);
@@ -101,7 +101,7 @@ to_body(SymmetricMatrix<T, D> const &q, Motion<T, D> const &motion, int unit) no
                      T(16 * unit_roundoff<T>()) * mean;
     T const least = maximum(T(0), T(mean - spread));
     return {plus_multiple_of_identity(q, T(-least)), least, mean + spread, omega, magnitude(omega),
-            times_power_of_two(motion.growth, -unit)};
+            time.to_local(motion.growth, -1)};
 }
 
 template <class T, int D>

@@ -14,30 +14,29 @@
 
 namespace pw85::detail {
 
-template <class T, int D> struct MovingPair {
+/// Bodies at time 0, and what their later states follow from.
+template <class T, int D> struct TurningPair {
     BodyPair<T, D> start;
-    TurningForm<T, D> forms[2];
+    TurningForm<T, D> form1, form2;
     Reach<T> spheres; ///< of spheres around the bodies at the start
 };
 
 template <class T, int D>
-PW85_FUNCTION inline MovingPair<T, D> moving_pair(BodyPair<T, D> const &start) noexcept
+PW85_FUNCTION inline TurningPair<T, D> turning_pair(BodyPair<T, D> const &start) noexcept
 {
-    auto const &[body1, body2] = start.bodies;
+    auto const &[r12, body1, body2, ratio] = start.pair;
     T const unit = square_root(start.tangent); // of forms over that of r12
-    return {start,
-            {turning_form(body1), turning_form(body2)},
-            reach_of_spheres(body1, unit, body2, T(unit / start.ratio))};
+    return {start, turning_form(body1), turning_form(body2),
+            reach_of_spheres(body1, unit, body2, T(unit / ratio))};
 }
 
-template <class T, int D>
-PW85_FUNCTION inline BodyPair<T, D> pair_at(MovingPair<T, D> const &moving, T const &time) noexcept
+template <class T, int D> PW85_FUNCTION inline BodyPair<T, D>
+pair_at(TurningPair<T, D> const &turning, T const &time) noexcept
 {
-    auto const &[r12, velocity, bodies, ratio, tangent] = moving.start;
-    return {add_scaled(r12, time, velocity),
+    auto const &[pair, velocity, tangent] = turning.start;
+    return {{add_scaled(pair.r12, time, velocity), body_at(pair.q1, turning.form1, time),
+             body_at(pair.q2, turning.form2, time), pair.ratio},
             velocity,
-            {body_at(bodies[0], moving.forms[0], time), body_at(bodies[1], moving.forms[1], time)},
-            ratio,
             tangent};
 }
 
@@ -45,21 +44,21 @@ PW85_FUNCTION inline BodyPair<T, D> pair_at(MovingPair<T, D> const &moving, T co
 /// are too near for a step that is worth its cost. The moment errs by at most 4 u |r| |v|, which
 /// the margin of the radii covers if |r| is below 2^40 times their sum.
 template <class T, int D>
-PW85_FUNCTION inline T time_apart(MovingPair<T, D> const &moving, T const &time) noexcept
+PW85_FUNCTION inline T time_apart(TurningPair<T, D> const &turning, T const &time) noexcept
 {
-    Vector<T, D> const &velocity = moving.start.velocity,
-                       r12 = add_scaled(moving.start.r12, time, velocity);
-    auto const reach = reach_after(moving.spheres, time);
+    Vector<T, D> const &velocity = turning.start.velocity,
+                       r12 = add_scaled(turning.start.pair.r12, time, velocity);
+    auto const reach = reach_after(turning.spheres, time);
     T const square = dot(r12, r12);
     if (!(square - reach.radius * reach.radius > T(0.0625) * square)) return T(0);
     return meeting_of_spheres(r12, velocity, reach, cross(r12, velocity)).time;
 }
 
 /// t at the maximum of f.
-template <class T, int D> PW85_FUNCTION inline T maximiser(BodyPair<T, D> const &pair) noexcept
+template <class T, int D>
+PW85_FUNCTION inline T maximiser(Pair<T, D, Body<T, D>> const &pair) noexcept
 {
-    auto const m = maximize(
-        Pair<T, D>{pair.r12, form_of(pair.bodies[0]), form_of(pair.bodies[1]), pair.ratio});
+    auto const m = maximize(Pair<T, D>{pair.r12, form_of(pair.q1), form_of(pair.q2), pair.ratio});
     T const t = m.lambda / m.complement / pair.ratio / pair.ratio;
     return maximum(smallest_number<T>(), minimum(largest_number<T>(), t));
 }
@@ -69,11 +68,11 @@ template <class T, int D> PW85_FUNCTION inline T maximiser(BodyPair<T, D> const 
 /// rounding errors exceed a thousandth of a radian, and a form may be so slender that no digit of f
 /// is left when it has turned.
 template <class T, int D> PW85_FUNCTION inline bool
-is_known(BodyPair<T, D> const &pair, StateAtTime<T, D> const &state, T const &time) noexcept
+is_known(BodyPair<T, D> const &moving, StateAtTime<T, D> const &state, T const &time) noexcept
 {
     T const f = state.excess + state.target;
     return state.excess * T(0) == T(0) &&
-           maximum(pair.bodies[0].rate, pair.bodies[1].rate) * time <= longest_turn<T>() &&
+           maximum(moving.pair.q1.rate, moving.pair.q2.rate) * time <= longest_turn<T>() &&
            (state.turning_slack <= f || time == T(0));
 }
 
@@ -120,24 +119,24 @@ inline constexpr int max_advances = 100000;
 /// first. t follows the maximum of f; if it loses the maximum, the search for the maximum restarts.
 /// The steps do not depend on the end.
 template <class T, int D> PW85_FUNCTION inline FirstContact<T>
-advance_to_contact(MovingPair<T, D> const &moving, T const &end) noexcept
+advance_to_contact(TurningPair<T, D> const &turning, T const &end) noexcept
 {
     T time = T(0), t = T(0);
     bool apart = false, lost = true;
     for (int i = 0; i < max_advances; ++i) {
-        T const wait = time_apart(moving, time);
+        T const wait = time_apart(turning, time);
         time = time + wait;
         if (time > end || time == infinity<T>()) return {infinity<T>(), StatusCode::success};
-        auto const pair = pair_at(moving, time);
+        auto const moving = pair_at(turning, time);
         bool const sought = lost || wait > T(0);
-        if (sought) t = maximiser(pair);
-        auto const here = state_at_time(pair, t);
-        if (!is_known(pair, here, time))
+        if (sought) t = maximiser(moving.pair);
+        auto const here = state_at_time(moving, t);
+        if (!is_known(moving, here, time))
             return all_nan<FirstContact<T>>(StatusCode::no_convergence);
         lost = !(sought || is_enough(here));
         if (lost) continue;
         if (apart && !is_clear(here)) return {time, StatusCode::success};
-        auto const ahead = bound_at_lambda(pair, here, t);
+        auto const ahead = bound_at_lambda(moving, here, t);
         if (!is_clear(here) && !just_separates(here, ahead)) return {time, StatusCode::success};
         apart = apart || is_clear(here);
         T const x = safe_time(ahead.clearance, certain_excess(here), here.slack),

@@ -18,9 +18,8 @@ namespace pw85::detail {
 /// Two bodies in the units of a Pair at some time, and how the centre of the second moves relative
 /// to that of the first.
 template <class T, int D> struct BodyPair {
-    Vector<T, D> r12, velocity;
-    Body<T, D> bodies[2];
-    T ratio;
+    Pair<T, D, Body<T, D>> pair;
+    Vector<T, D> velocity;
     T tangent; ///< f of a tangent pair
 };
 
@@ -35,13 +34,13 @@ template <class T, int D> struct Blend {
 };
 
 template <class T, int D>
-PW85_FUNCTION inline Blend<T, D> blend_at(BodyPair<T, D> const &pair, T const &t) noexcept
+PW85_FUNCTION inline Blend<T, D> blend_at(BodyPair<T, D> const &moving, T const &t) noexcept
 {
-    Body<T, D> const &body1 = pair.bodies[0], &body2 = pair.bodies[1];
+    auto const &[r12, body1, body2, ratio] = moving.pair;
     auto const m = plus_multiple_of_identity(blend(body1.rest, t, body2.rest),
                                              T(body1.least + t * body2.least));
     auto const factors = factorize(m, T(unit_roundoff<T>()));
-    return {m, factors, solve(factors, pair.r12)};
+    return {m, factors, solve(factors, r12)};
 }
 
 /// f at one time and t, and Newton's step in log t to the maximum of f.
@@ -64,21 +63,21 @@ template <class T, int D> PW85_FUNCTION constexpr T most_that_turns(Body<T, D> c
 }
 
 template <class T, int D> PW85_FUNCTION inline StateAtTime<T, D>
-state_at_time(BodyPair<T, D> const &pair, T const &t) noexcept
+state_at_time(BodyPair<T, D> const &moving, T const &t) noexcept
 {
-    auto const &[body1, body2] = pair.bodies;
-    auto const blend = blend_at(pair, t);
+    auto const &[r12, body1, body2, ratio] = moving.pair;
+    auto const blend = blend_at(moving, t);
     Vector<T, D> const &s = blend.s, y1 = product(body1.rest, s), y2 = product(body2.rest, s);
     T const square = dot(s, s), a = dot(s, y1) + body1.least * square,
             b = dot(s, y2) + body2.least * square;
     T const c = inverse_form(blend.factors, add_scaled(y2, body2.least, s));
-    Slope<T> const of_h = slope(first_jet(a, b, c, t), pair.ratio, t);
-    T const target = target_at(pair.tangent, pair.ratio, t), per = of_h.weight / of_h.k;
+    Slope<T> const of_h = slope(first_jet(a, b, c, t), ratio, t);
+    T const target = target_at(moving.tangent, ratio, t), per = of_h.weight / of_h.k;
     return {blend,
             {y1, y2},
             a,
             b,
-            dot(s, pair.r12) - target,
+            dot(s, r12) - target,
             slack_of_form(blend.m, s),
             target,
             T(12 * D * unit_roundoff<T>()) * square *
@@ -187,16 +186,18 @@ PW85_FUNCTION inline T noise_of_step(Body<T, D> const &body, NormalPath<T, D> co
     return T(15 * D * unit_roundoff<T>()) * body.most * change * change;
 }
 
-template <class T, int D> PW85_FUNCTION inline Clearance<T>
-clearance(BodyPair<T, D> const &pair, StateAtTime<T, D> const &state, NormalPath<T, D> const &path,
-          Extent<T> const &e1, Extent<T> const &e2, T const &t) noexcept
+template <class T, int D>
+PW85_FUNCTION inline Clearance<T> clearance(BodyPair<T, D> const &moving,
+                                            StateAtTime<T, D> const &state,
+                                            NormalPath<T, D> const &path, Extent<T> const &e1,
+                                            Extent<T> const &e2, T const &t) noexcept
 {
     T const target = state.target, n0 = state.excess + target,
-            n1 = dot(path.s1, pair.r12) + dot(path.s0, pair.velocity),
-            n2 = dot(path.s1, pair.velocity), unit = T(1) / n0;
+            n1 = dot(path.s1, moving.pair.r12) + dot(path.s0, moving.velocity),
+            n2 = dot(path.s1, moving.velocity), unit = T(1) / n0;
     T const squares = e1.remainder * e1.remainder + t * e2.remainder * e2.remainder;
     T const rho = square_root(T(target * squares));
-    T const noise = noise_of_step(pair.bodies[0], path) + t * noise_of_step(pair.bodies[1], path);
+    T const noise = noise_of_step(moving.pair.q1, path) + t * noise_of_step(moving.pair.q2, path);
     T q[5];
     for (int k = 1; k < 5; ++k) q[k] = target * (e1.square[k] + t * e2.square[k]);
     return {{state.excess, T(2) * n1 - unit * q[1], T(2) * n2 + unit * (n1 * n1 - q[2]) - noise,
@@ -244,17 +245,17 @@ template <class T> struct BoundAtLambda {
 };
 
 template <class T, int D> PW85_FUNCTION inline BoundAtLambda<T>
-bound_at_lambda(BodyPair<T, D> const &pair, StateAtTime<T, D> const &state, T const &t) noexcept
+bound_at_lambda(BodyPair<T, D> const &moving, StateAtTime<T, D> const &state, T const &t) noexcept
 {
-    auto const &[body1, body2] = pair.bodies;
+    auto const &[r12, body1, body2, ratio] = moving.pair;
     auto const &blend = state.blend;
     auto const i1 = respond(body1, blend.s, state.products[0]),
                i2 = respond(body2, blend.s, state.products[1]);
     Vector<T, D> const change = add_scaled(i1.change, t, i2.change);
-    auto const path = normal_path(blend.s, solve(blend.factors, pair.velocity - change));
+    auto const path = normal_path(blend.s, solve(blend.factors, moving.velocity - change));
     auto const e1 = extent(body1, path, i1), e2 = extent(body2, path, i2);
     T const change_of_h = T(0.5) * (e2.square[1] / state.b - e1.square[1] / state.a);
-    return {clearance(pair, state, path, e1, e2, t), -change_of_h * state.per_difference};
+    return {clearance(moving, state, path, e1, e2, t), -change_of_h * state.per_difference};
 }
 
 } // namespace pw85::detail

@@ -43,7 +43,7 @@ relative_to(QuarticEvaluation<T> const &e, T const &m) noexcept
 }
 
 /// A search on the rational form that ends when the quartic decides. It is a task
-/// (contact/rational_search.hpp).
+/// (contact/iteration.hpp).
 template <class T> struct ComparisonSearch {
     RationalSearch<T> rational;
     T m;
@@ -101,8 +101,7 @@ compare_last(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
 template <class T, int D>
 PW85_FUNCTION inline Decision compare_by_search(ScaledPair<T, D> const &scaled, T const &m) noexcept
 {
-    return decide_by_certified_value(scaled.pair,
-                                     T(times_power_of_two(m, 2 * (scaled.form - scaled.length))));
+    return decide_by_certified_value(scaled.pair, scaled.units.mu().to_local(m, 2));
 }
 
 } // namespace pw85::detail

@@ -56,18 +56,18 @@ template <class T, int D> PW85_FUNCTION inline T lambda_of(ScaledPair<T, D> cons
 {
     if (!(e.step.error <= largest_lambda_error<T>())) return quiet_nan<T>();
     T const change = e.lambda.high * e.complement.high * e.step.step;
-    return scaled.swapped ? T(e.complement.high + (e.complement.low - change))
-                          : T(e.lambda.high + (e.lambda.low + change));
+    return scaled.units.swapped ? T(e.complement.high + (e.complement.low - change))
+                                : T(e.lambda.high + (e.lambda.low + change));
 }
 
 template <class T, int D> PW85_FUNCTION inline MaximumBounds<T>
 bounds_of(ScaledPair<T, D> const &scaled, EnclosedMaximum<T, D> const &e, int evaluations) noexcept
 {
-    int const exponent = 2 * (scaled.length - scaled.form);
+    Unit const mu = scaled.units.mu();
     T const lower = e.value.high + (e.value.low - e.below),
             upper = e.value.high + (e.value.low + e.above);
-    return {times_power_of_two(lower, exponent), times_power_of_two(upper, exponent),
-            lambda_of(scaled, e), e.next.t, evaluations};
+    return {mu.to_caller(lower, 2), mu.to_caller(upper, 2), lambda_of(scaled, e), e.next.t,
+            evaluations};
 }
 
 /// Returns whether t and τ are so near to one that no product of enclose() leaves the range of the
@@ -169,8 +169,9 @@ maximize_to_all_digits(ScaledPair<T, D> const &scaled, int ratio, T const &guess
         prove_step(Stationarity<W>{slope.value, slope.error, curvature.value, curvature.error});
     W const change = lambda.value * complement.value * step.step;
     bool const proved = step.proved && step.error <= W(largest_lambda_error<T>());
-    T const result = rounded(scaled.swapped ? complement.value - change : lambda.value + change);
-    return {rounded(scaled_by(mu2.value, 2 * (scaled.length - scaled.form))),
+    T const result =
+        rounded(scaled.units.swapped ? complement.value - change : lambda.value + change);
+    return {rounded(scaled_by(mu2.value, 2 * scaled.units.mu().exponent)),
             proved ? result : quiet_nan<T>()};
 }
 
@@ -248,8 +249,8 @@ PW85_RARE RoundedContact<T> round_by_doubled_numbers(Pair<T, D> const &pair,
     auto const &[r12, q1, q2, unit] = pair;
     ExtendedMaximum<T> maximum{bounds.lower, bounds.lambda};
     if (!(maximum.lambda >= T(0) && maximum.mu2 >= T(0))) {
-        int const ratio = half_exponent(largest_diagonal(q1)) - half_exponent(largest_diagonal(q2));
-        maximum = maximize_to_all_digits(scaled, scaled.swapped ? -ratio : ratio, bounds.t);
+        int const ratio = (unit_of(q1) / unit_of(q2)).exponent;
+        maximum = maximize_to_all_digits(scaled, scaled.units.swapped ? -ratio : ratio, bounds.t);
     }
     RoundedContact<T> result{all_nan<Contact<T>>(StatusCode::no_convergence), bounds.evaluations,
                              0};
@@ -286,7 +287,7 @@ round_contact_scaled(Pair<T, D> pair) noexcept
 template <class T, int D>
 PW85_FUNCTION inline RoundedContact<T> round_contact(Pair<T, D> const &pair) noexcept
 {
-    return passes_fast_checks(pair) ? round_contact(pair, ScaledPair<T, D>{pair, 0, 0, false, 0})
+    return passes_fast_checks(pair) ? round_contact(pair, ScaledPair<T, D>{pair, {}})
                                     : round_contact_scaled(pair);
 }
 

@@ -16,7 +16,7 @@
 #ifndef PW85_OVERLAP_CONTAINMENT_HPP_INCLUDED
 #define PW85_OVERLAP_CONTAINMENT_HPP_INCLUDED
 
-#include <pw85/contact/validate.hpp>
+#include <pw85/contact/scaling.hpp>
 #include <pw85/overlap/exact_containment.hpp>
 
 namespace pw85 {
@@ -33,26 +33,6 @@ namespace pw85::detail {
 
 /// Decision that floating-point numbers prove for a pair.
 enum class ContainmentDecision { none, outside, inside };
-
-/// A pair with the difference Q1 - Q2. The unit is such that passes_fast_checks() is true, or that
-/// the largest diagonal entry of Q1 is in [1, 4).
-template <class T, int D> struct NestedPair {
-    Vector<T, D> r12;
-    SymmetricMatrix<T, D> q1, q2, difference;
-};
-
-/// Divides lengths by 2^e. A number that becomes subnormal errs by 2^-53 of the smallest number,
-/// for double.
-template <class T, int D>
-PW85_FUNCTION inline NestedPair<T, D> nested_pair(Pair<T, D> const &pair, int e) noexcept
-{
-    NestedPair<T, D> nested{times_power_of_two(pair.r12, -e),
-                            times_power_of_two(pair.q1, -2 * e),
-                            times_power_of_two(pair.q2, -2 * e),
-                            {}};
-    for (int k = 0; k < pair.q1.size; ++k) nested.difference[k] = nested.q1[k] - nested.q2[k];
-    return nested;
-}
 
 /// A bound on the errors of exceeds(), in units of u: the roundings of both sides of each
 /// comparison, and one for terms of second order. Theorem `nesting` of tests/bounds/proofs.cpp
@@ -79,7 +59,7 @@ exceeds(T const &q1, T const &q2, T const &r) noexcept
 
 /// Returns whether ellipsoid 2 reaches beyond the bounding box of ellipsoid 1.
 template <class T, int D>
-PW85_FUNCTION inline bool exceeds_bounding_box(NestedPair<T, D> const &pair) noexcept
+PW85_FUNCTION inline bool exceeds_bounding_box(Pair<T, D> const &pair) noexcept
 {
     bool exceeded = false;
     for (int i = 0; i < D; ++i)
@@ -99,7 +79,7 @@ inline constexpr int nested_form_margin = 8, nested_product_margin = 6;
 /// Nothing overflows: as ellipsoid 2 is in the bounding box, the directions of decide_containment()
 /// are below 2^64.
 template <class T, int D> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
-shows_outside(NestedPair<T, D> const &pair, Vector<T, D> const &n) noexcept
+shows_outside(Pair<T, D> const &pair, Vector<T, D> const &n) noexcept
 {
     T const tiny = T(smallest_number<T>() * T(T(1) + largest_coordinate(n)));
     T const form_error = T(nested_form_margin * D * unit_roundoff<T>());
@@ -130,7 +110,7 @@ inline constexpr int inside_margin = 32;
 /// diag(Q1). This is less than the part of the diagonal that `shrink` removes.
 template <class T, int D>
 [[gnu::always_inline]] PW85_FUNCTION inline SymmetricMatrix<TwoLanes<T>, D>
-inner_matrices(NestedPair<T, D> const &pair, T const &w) noexcept
+inner_matrices(Pair<T, D> const &pair, T const &w) noexcept
 {
     using Two = TwoLanes<T>;
     T const share2 = T(1) + T(1) / w;
@@ -171,7 +151,7 @@ template <class T> struct NestingStep {
 /// Computes the values at w from the adjugate of M and factor = 1/det M, by M' = Q2/w², d' = -e/w²
 /// and e' = -2 nᵀQ2M⁻¹Q2n/w². So w F'/F = 1 + 1/(1 + w) - e/(w d) + 2 nᵀQ2M⁻¹Q2n/(w e).
 template <class T, int D>
-PW85_FUNCTION inline NestingStep<T> take_nesting_step(NestedPair<T, D> const &pair,
+PW85_FUNCTION inline NestingStep<T> take_nesting_step(Pair<T, D> const &pair,
                                                       SymmetricMatrix<T, D> const &adj,
                                                       T const &factor, T const &w) noexcept
 {
@@ -202,7 +182,7 @@ second_lanes(SymmetricMatrix<TwoLanes<T>, D> const &a) noexcept
 
 /// The search for a proof. It uses Newton's method on F(w) = 1, in a bracket.
 template <class T, int D> PW85_FUNCTION inline ContainmentDecision
-search_for_containment(NestedPair<T, D> const &pair, T w) noexcept
+search_for_containment(Pair<T, D> const &pair, T w) noexcept
 {
     T low = T(0), high = infinity<T>();
     for (int step = 0; step < max_nesting_steps<T>(); ++step) {
@@ -228,26 +208,39 @@ search_for_containment(NestedPair<T, D> const &pair, T w) noexcept
     return ContainmentDecision::none;
 }
 
-/// The decision by floating-point numbers, for an ellipsoid 2 in the bounding box. The search
+/// The decision by floating-point numbers. The search for a proof
 /// starts at the larger of two values: the w at which two balls with the extents along r would
 /// touch, to 10 %, and the trace of (Q1 - Q2)⁻¹Q2. M is positive definite there.
 template <class T, int D>
-PW85_FUNCTION inline ContainmentDecision decide_containment(NestedPair<T, D> const &pair) noexcept
+PW85_FUNCTION inline ContainmentDecision decide_containment(Pair<T, D> const &pair) noexcept
 {
+    if (exceeds_bounding_box(pair)) return ContainmentDecision::outside;
     T const u = T(unit_roundoff<T>());
-    if (!is_clearly_definite(pair.difference)) {
-        bool const outside = shows_outside(pair, negative_direction(pair.difference));
+    SymmetricMatrix<T, D> difference = pair.q1;
+    for (int k = 0; k < difference.size; ++k) difference[k] = difference[k] - pair.q2[k];
+    if (!is_clearly_definite(difference)) {
+        bool const outside = shows_outside(pair, negative_direction(difference));
         return outside ? ContainmentDecision::outside : ContainmentDecision::none;
     }
-    auto const adj = adjugate(pair.difference);
+    auto const adj = adjugate(difference);
     T const r2 = dot(pair.r12, pair.r12),
-            trace = contraction(adj, pair.q2) / determinant(pair.difference, adj);
+            trace = contraction(adj, pair.q2) / determinant(difference, adj);
     T const extent = coarse_root_of_ratio(quadratic_form(pair.q2, pair.r12), T(r2 * r2));
     T const largest = T(1) / u, start = maximum(u, maximum(trace, extent));
     if (r2 > T(0) && start < largest) return search_for_containment(pair, start);
     auto const matrices = inner_matrices(pair, largest);
     return all_of(is_clearly_definite(matrices, adjugate(matrices))) ? ContainmentDecision::inside
                                                                      : ContainmentDecision::none;
+}
+
+/// The decision for any pair, in the unit of ellipsoid 1. A number that becomes subnormal errs by
+/// 2^-53 of the smallest number, for double.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline ContainmentDecision
+decide_containment_scaled(Pair<T, D> pair) noexcept
+{
+    Unit const unit = unit_of(pair.q1);
+    return decide_containment(
+        pair_of(unit.to_local(pair.r12), unit.to_local(pair.q1), unit.to_local(pair.q2)));
 }
 
 template <class T, int D>
@@ -270,9 +263,8 @@ PW85_FUNCTION inline Containment contains(Vector<T, D> const &r12, SymmetricMatr
     bool const in_range = passes_fast_checks(pair);
     StatusCode const status = in_range ? StatusCode::success : validate_apart(pair);
     if (status != StatusCode::success) return {false, status};
-    auto const nested = nested_pair(pair, in_range ? 0 : half_exponent(largest_diagonal(q1)));
-    if (exceeds_bounding_box(nested)) return {false, status};
-    ContainmentDecision const nesting = decide_containment(nested);
+    ContainmentDecision const nesting =
+        in_range ? decide_containment(pair) : decide_containment_scaled(pair);
     if (nesting != ContainmentDecision::none)
         return {nesting == ContainmentDecision::inside, status};
     if constexpr (exact::is_decidable<T>)

@@ -13,12 +13,6 @@
 
 namespace pw85::detail {
 
-/// A pair in which Q1 is of order one, and so is the larger of r and Q2.
-template <class T, int D> struct ContainedPair {
-    Vector<T, D> r12;
-    SymmetricMatrix<T, D> q1, q2;
-};
-
 /// κ² from below by a direction n.
 template <class T, int D> struct SupportRatio {
     Vector<T, D> n; ///< with n·r >= 0
@@ -30,7 +24,7 @@ template <class T, int D> struct SupportRatio {
 /// For each n, κ is at least (√(nᵀQ2n) + |n·r|)/√(nᵀQ1n): ellipsoid 2 reaches that far along n. The
 /// best n has this value.
 template <class T, int D> PW85_FUNCTION inline SupportRatio<T, D>
-support_ratio(ContainedPair<T, D> const &pair, Vector<T, D> n) noexcept
+support_ratio(Pair<T, D> const &pair, Vector<T, D> n) noexcept
 {
     T const along = dot(n, pair.r12), q1 = quadratic_form(pair.q1, n),
             q2 = quadratic_form(pair.q2, n);
@@ -45,7 +39,7 @@ support_ratio(ContainedPair<T, D> const &pair, Vector<T, D> n) noexcept
 /// = n nᵀ/ν, with nᵀQ1n = κ² and nᵀQ2n = ν². The rounding of M is like relative errors u of the
 /// data, which S counts. The scale of the given n does not enter.
 template <class T, int D> PW85_FUNCTION inline T
-ratio_condition_sum(ContainedPair<T, D> const &pair, SupportRatio<T, D> const &reach) noexcept
+ratio_condition_sum(Pair<T, D> const &pair, SupportRatio<T, D> const &reach) noexcept
 {
     T const q1 = quadratic_form(pair.q1, reach.n), factor = square_root(T(reach.mu2 / q1));
     T const magnitude1 = magnitude_of_form(pair.q1, reach.n),
@@ -74,7 +68,7 @@ template <class T, int D> struct DualStep {
 /// stays positive definite. Its step follows from e' = -2e (c/q + ν)/ν², where q = nᵀQ2n and c =
 /// nᵀQ2M⁻¹Q2n.
 template <class T, int D> PW85_FUNCTION inline DualStep<T, D>
-take_dual_step(ContainedPair<T, D> const &pair, SymmetricMatrix<T, D> const &m,
+take_dual_step(Pair<T, D> const &pair, SymmetricMatrix<T, D> const &m,
                Factorization<T, D> const &factors, T const &nu) noexcept
 {
     Vector<T, D> const n = solve(factors, pair.r12), q2n = product(pair.q2, n);
@@ -109,9 +103,8 @@ near_null_vector(SymmetricMatrix<T, D> const &q2, Factorization<T, D> const &fac
 /// z of such a length that e = 1. The ellipsoids touch at two points or more, which differ by the
 /// sign of z, or by its direction in the eigenspace. This is so for r = 0.
 template <class T, int D>
-PW85_FUNCTION inline SupportRatio<T, D> reach_beyond(ContainedPair<T, D> const &pair,
-                                                     Vector<T, D> const &n, Vector<T, D> const &z,
-                                                     T const &nu) noexcept
+PW85_FUNCTION inline SupportRatio<T, D> reach_beyond(Pair<T, D> const &pair, Vector<T, D> const &n,
+                                                     Vector<T, D> const &z, T const &nu) noexcept
 {
     SupportRatio<T, D> best = support_ratio(pair, n);
     T const a = quadratic_form(pair.q2, z), b = dot(n, product(pair.q2, z)),

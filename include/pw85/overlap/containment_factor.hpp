@@ -29,30 +29,20 @@ template <class T, int D> struct ContainmentScale {
 
 namespace pw85::detail {
 
-/// A ContainedPair, and the exponents that lead back to the units of the caller.
-template <class T, int D> struct ScaledContainedPair {
-    ContainedPair<T, D> pair;
-    int length; ///< r12 is that of the pair times 2^length
-    int form;   ///< Q1 is that of the pair times 4^form
-};
-
-/// Scales a valid pair by powers of two. A form Q2 that is much smaller than r is enlarged to a
-/// fixed small size. The forms that T can hold are flat by so little that this changes nothing in
-/// κ² beyond rounding.
+/// Scales a valid pair: Q1 is of order one, and so is the larger of r12 and Q2, which have one unit.
+/// A form Q2 that is much smaller than r12 is enlarged to a fixed small size. The forms that T can
+/// hold are flat by so little that this changes nothing in κ² beyond rounding.
 template <class T, int D>
-PW85_FUNCTION inline ScaledContainedPair<T, D> scale_contained(Pair<T, D> const &pair) noexcept
+PW85_FUNCTION inline ScaledPair<T, D> scale_contained(Pair<T, D> const &pair) noexcept
 {
-    constexpr int smallest =
-        -std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8 * 3;
-    T const r = largest_coordinate(pair.r12);
-    int const e1 = half_exponent(largest_diagonal(pair.q1)),
-              e2 = half_exponent(largest_diagonal(pair.q2));
-    int const er = r > T(0) ? binary_exponent(r) : e2, length = er > e2 ? er : e2;
-    int const size = e2 - length > smallest ? e2 - length : smallest;
-    return {{times_power_of_two(pair.r12, -length), times_power_of_two(pair.q1, -2 * e1),
-             times_power_of_two(pair.q2, 2 * (size - e2))},
-            length,
-            e1};
+    auto const &[r12, q1, q2, ratio] = pair;
+    constexpr Unit smallest{-std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8 *
+                            3};
+    Unit const first = unit_of(q1), second = unit_of(q2),
+               length = larger_unit(second, largest_coordinate(r12), {}),
+               q2_unit = smaller_of(length, second / smallest);
+    return {pair_of(length.to_local(r12), first.to_local(q1), q2_unit.to_local(q2)),
+            {length, first, length, false, {}}};
 }
 
 /// The state of the search: a bracket of ν, the best reach, and the least g. A SafeguardedSearch
@@ -68,8 +58,7 @@ template <class T, int D> struct DualBoundSearch {
 
 /// Returns whether the bounds on κ² differ by no more than `tolerance` S.
 template <class T, int D>
-PW85_FUNCTION inline bool has_converged(ContainedPair<T, D> const &pair,
-                                        DualBoundSearch<T, D> const &search,
+PW85_FUNCTION inline bool has_converged(Pair<T, D> const &pair, DualBoundSearch<T, D> const &search,
                                         T const &tolerance) noexcept
 {
     T const mu2 = search.best.mu2, gap = search.bound - mu2;
@@ -80,7 +69,7 @@ PW85_FUNCTION inline bool has_converged(ContainedPair<T, D> const &pair,
 /// Evaluates at ν, and returns the ν that Newton's method suggests. It is not valid if M is not
 /// positive definite.
 template <class T, int D> PW85_FUNCTION inline T
-evaluate_at(ContainedPair<T, D> const &pair, DualBoundSearch<T, D> &search, T const &nu) noexcept
+evaluate_at(Pair<T, D> const &pair, DualBoundSearch<T, D> &search, T const &nu) noexcept
 {
     SymmetricMatrix<T, D> m = pair.q1;
     for (int k = 0; k < m.size; ++k) m[k] = m[k] - T(pair.q2[k] / nu);
@@ -125,7 +114,7 @@ template <class Search> PW85_FUNCTION inline auto next_in_bracket(Search &search
 }
 
 /// Searches from ν on for bounds that differ by no more than `tolerance` S.
-template <class T, int D> PW85_FUNCTION inline bool search_dual(ContainedPair<T, D> const &pair,
+template <class T, int D> PW85_FUNCTION inline bool search_dual(Pair<T, D> const &pair,
                                                                 DualBoundSearch<T, D> &search, T nu,
                                                                 T const &tolerance) noexcept
 {
@@ -141,8 +130,7 @@ template <class T, int D> PW85_FUNCTION inline bool search_dual(ContainedPair<T,
 
 /// A ν at which M is positive definite: the larger of the trace of Q1⁻¹Q2 and of the ν of two
 /// balls whose radii are the half-widths of the ellipsoids along r.
-template <class T, int D>
-PW85_FUNCTION inline T initial_nu(ContainedPair<T, D> const &pair) noexcept
+template <class T, int D> PW85_FUNCTION inline T initial_nu(Pair<T, D> const &pair) noexcept
 {
     auto const factors = factorize(pair.q1, T(unit_roundoff<T>()));
     T sum = T(0);
@@ -169,10 +157,9 @@ template <class T, int D> struct DualMinimum {
 /// Q2n/√(nᵀQ2n), on the surface of ellipsoid 2. The largest Q2ii/Q1ii is a lower bound on
 /// λmax(Q1⁻¹Q2), and hence on ν.
 template <class W, class T, int D> [[gnu::noinline]] PW85_FUNCTION inline DualMinimum<T, D>
-minimize_dual_with(ContainedPair<T, D> const &pair, W const &tolerance) noexcept
+minimize_dual_with(Pair<T, D> const &pair, W const &tolerance) noexcept
 {
-    ContainedPair<W, D> const wide{converted<W>(pair.r12), converted<W>(pair.q1),
-                                   converted<W>(pair.q2)};
+    auto const wide = widened<W>(pair);
     DualBoundSearch<W, D> search{W(0),
                                  largest_number<W>(),
                                  {{}, W(0), W(0), W(0)},
@@ -191,20 +178,19 @@ minimize_dual_with(ContainedPair<T, D> const &pair, W const &tolerance) noexcept
 
 /// Searches with wider numbers.
 template <class T, int D>
-PW85_RARE DualMinimum<T, D> minimize_dual_wider(ContainedPair<T, D> const &pair) noexcept
+PW85_RARE DualMinimum<T, D> minimize_dual_wider(Pair<T, D> const &pair) noexcept
 {
     T const u = T(unit_roundoff<T>());
     auto const finer = minimize_dual_with(pair, Doubled<T>(u));
     return finer.converged ? finer : minimize_dual_with(pair, exact::Extended<T>(u));
 }
 
-#define PW85_RARE_DUAL(rare, T, D)                                                                 \
-    rare(minimize_dual_wider, (ContainedPair<T, D> const &pair), (pair))
+#define PW85_RARE_DUAL(rare, T, D) rare(minimize_dual_wider, (Pair<T, D> const &pair), (pair))
 PW85_RARE_TIER(PW85_RARE_DUAL)
 
 /// Searches with T, then with wider numbers if T has them.
 template <class T, int D>
-PW85_FUNCTION inline DualMinimum<T, D> minimize_dual(ContainedPair<T, D> const &pair) noexcept
+PW85_FUNCTION inline DualMinimum<T, D> minimize_dual(Pair<T, D> const &pair) noexcept
 {
     auto const dual = minimize_dual_with(pair, T(T(4) * T(unit_roundoff<T>())));
     if constexpr (has_extended_numbers<T>)
@@ -228,8 +214,9 @@ PW85_FUNCTION inline ContainmentScale<T, D> containment(Vector<T, D> const &r12,
     auto const scaled = scale_contained(pair);
     auto const dual = minimize_dual(scaled.pair);
     if (!dual.converged) return all_nan<ContainmentScale<T, D>>(StatusCode::no_convergence);
-    return {times_power_of_two(dual.mu2, 2 * (scaled.length - scaled.form)),
-            times_power_of_two(dual.point, scaled.length), StatusCode::success};
+    Units const &units = scaled.units;
+    return {units.mu().to_caller(dual.mu2, 2), units.length.to_caller(dual.point),
+            StatusCode::success};
 }
 
 } // namespace pw85

@@ -80,7 +80,7 @@ template <class T, int D>
     if (status != StatusCode::success) return {Decision::none, OverlapTier::contact, status};
     if (largest_coordinate(pair.r12) == T(0))
         return {Decision::overlap, OverlapTier::contact, StatusCode::success};
-    T const tangent = times_power_of_two(T(1), 2 * (scaled.form - scaled.length));
+    T const tangent = scaled.units.mu().to_local(T(1), 2);
     return {decide_by_certified_value(scaled.pair, tangent), OverlapTier::contact,
             StatusCode::success};
 }

@@ -146,9 +146,8 @@ PW85_FUNCTION inline Decision decide_by_rounded_forms(FactoredPair<T, D> const &
 template <class T, int D>
 PW85_FUNCTION inline FactoredPair<T, D> in_common_units(FactoredPair<T, D> const &pair) noexcept
 {
-    int const e = -binary_exponent(maximum(largest_entry(pair.q1), largest_entry(pair.q2)));
-    return {times_power_of_two(pair.r12, e), times_power_of_two(pair.q1, e),
-            times_power_of_two(pair.q2, e), T(1)};
+    Unit const unit = larger_of(unit_of(pair.q1), unit_of(pair.q2));
+    return pair_of(unit.to_local(pair.r12), unit.to_local(pair.q1), unit.to_local(pair.q2));
 }
 
 /// Decides at the maximum of f, for any pair.
@@ -164,8 +163,8 @@ decide_near_contact(FactoredPair<T, D> const &pair) noexcept
     if (distant || concentric)
         return {to_decision(distant, concentric), OverlapTier::contact, status};
     auto const m = maximize(scaled.pair);
-    T const alpha = scaled.swapped ? m.lambda : m.complement,
-            beta = scaled.swapped ? m.complement : m.lambda;
+    T const alpha = scaled.units.swapped ? m.lambda : m.complement,
+            beta = scaled.units.swapped ? m.complement : m.lambda;
     auto const common = in_common_units(pair);
     auto const s = solve_blend(alpha, common.q1, beta, common.q2, common.r12).w;
     return {decide_by_direction(common, alpha, beta, s), OverlapTier::contact, status};

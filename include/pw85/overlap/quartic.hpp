@@ -195,7 +195,7 @@ decide_by_points(QuarticCoefficients<T> const &quartic, T const &t) noexcept
 }
 
 /// A search on the rational form with a test at each of its points. It is a task
-/// (contact/rational_search.hpp) that ends when a test decides.
+/// (contact/iteration.hpp) that ends when a test decides.
 template <class T> struct QuarticSearch {
     RationalSearch<T, FormOfSteps<T>> rational;
     QuarticCoefficients<T> quartic;

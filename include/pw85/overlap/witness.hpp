@@ -98,12 +98,15 @@ maximize_precisely(ScaledPair<T, D> const &scaled, Vector<T, D> const &r12) noex
             complement = W(1) / (W(1) + tau);
     auto const s = solve(factorize_blend(W(1), pair.q1, t, pair.q2), pair.r12),
                x = product(pair.q1, s);
-    W const mu2 = scaled_by(tau * complement * dot(pair.r12, s), 2 * (scaled.length - scaled.form));
-    PreciseMaximum<T, D> result{
-        rounded(scaled.swapped ? complement : tau * complement), rounded(W(1) - mu2), {}, {}, {}};
+    W const mu2 = scaled_by(tau * complement * dot(pair.r12, s), 2 * scaled.units.mu().exponent);
+    PreciseMaximum<T, D> result{rounded(scaled.units.swapped ? complement : tau * complement),
+                                rounded(W(1) - mu2),
+                                {},
+                                {},
+                                {}};
     for (int i = 0; i < D; ++i) {
-        W const relative = scaled_by(x[i], scaled.length),
-                coordinate = scaled.swapped ? W(r12[i]) + relative : relative;
+        W const relative = scaled_by(x[i], scaled.units.length.exponent),
+                coordinate = scaled.units.swapped ? W(r12[i]) + relative : relative;
         result.point[i] = rounded(coordinate);
         result.offset[i] = rounded(coordinate - W(result.point[i]));
         result.normal[i] = rounded(s[i]);

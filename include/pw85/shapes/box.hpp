@@ -157,13 +157,10 @@ contact_box_scaled(Vector<T, 3> lower, Vector<T, 3> upper, SymmetricMatrix<T, 3>
     if (status != StatusCode::success) return all_nan<ShapeContact<T, 3>>(status);
     T const size = largest_coordinate(nearest_corner(lower, upper));
     if (!(size > T(0))) return {T(0), {T(0), T(0), T(0)}, StatusCode::success};
-    int const length = binary_exponent(size), form = half_exponent(largest_diagonal(q));
-    auto const found = minimum_in_box(BoxProblem<T, 3>{times_power_of_two(lower, -length),
-                                                       times_power_of_two(upper, -length),
-                                                       {T(0), T(0), T(0)},
-                                                       times_power_of_two(q, -2 * form)});
-    return {times_power_of_two(found.value, 2 * (length - form)),
-            times_power_of_two(found.point, length), StatusCode::success};
+    Unit const length = unit_of(size), form = unit_of(q);
+    auto const found = minimum_in_box(BoxProblem<T, 3>{
+        length.to_local(lower), length.to_local(upper), {T(0), T(0), T(0)}, form.to_local(q)});
+    return to_caller(found.value, found.point, length, form);
 }
 
 } // namespace pw85::detail

@@ -18,7 +18,7 @@
 
 #include <pw85/algebra/all_nan.hpp>
 #include <pw85/algebra/doubled.hpp>
-#include <pw85/contact/validate.hpp>
+#include <pw85/contact/scaling.hpp>
 
 namespace pw85 {
 
@@ -273,6 +273,13 @@ PW85_RARE ShapeContact<T, 3> contact_with_all_digits(Vector<T, 3> const (&points
              (Vector<T, 3> const(&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find),   \
              (points, q, find))
 
+/// A contact in the units of the caller, from that in units of the shape and of the ellipsoid.
+template <class T> PW85_FUNCTION inline ShapeContact<T, 3>
+to_caller(T const &mu2, Vector<T, 3> const &point, Unit shape, Unit ellipsoid) noexcept
+{
+    return {(shape / ellipsoid).to_caller(mu2, 2), shape.to_caller(point), StatusCode::success};
+}
+
 /// Computes a contact in units in which the points and the form are of order one. The scaling
 /// changes no bit of the results of contact_of(). The limit is wider than that of contact_of() in
 /// any units. Where digits are lost, numbers with twice the digits come first, then those with more
@@ -286,18 +293,15 @@ contact_scaled(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q,
     if (status != StatusCode::success) return all_nan<ShapeContact<T, 3>>(status);
     T largest = T(0);
     for (auto const &x : points) largest = maximum(largest, largest_coordinate(x));
-    int const length = largest > T(0) ? binary_exponent(largest) : 0,
-              form = half_exponent(largest_diagonal(q));
+    Unit const length{largest > T(0) ? binary_exponent(largest) : 0}, size = unit_of(q);
     Vector<T, 3> scaled[N];
-    for (std::size_t k = 0; k < N; ++k) scaled[k] = times_power_of_two(points[k], -length);
-    auto const unit = times_power_of_two(q, -2 * form);
+    for (std::size_t k = 0; k < N; ++k) scaled[k] = length.to_local(points[k]);
+    auto const form = size.to_local(q);
     T const limit = T(16) * T(unscaled_limit<T>() * unscaled_limit<T>());
-    if (!has_extended_numbers<T> || passes_fast_checks(scaled, unit, limit)) {
-        auto found = find(scaled, unit);
-        if (!found.certified) found = find_finer(scaled, unit, find);
-        if (found.certified)
-            return {times_power_of_two(found.mu2, 2 * (length - form)),
-                    times_power_of_two(found.point, length), StatusCode::success};
+    if (!has_extended_numbers<T> || passes_fast_checks(scaled, form, limit)) {
+        auto found = find(scaled, form);
+        if (!found.certified) found = find_finer(scaled, form, find);
+        if (found.certified) return to_caller(found.mu2, found.point, length, size);
     }
     return contact_with_all_digits(points, q, find);
 }

@@ -48,7 +48,7 @@ template <class T> PW85_FUNCTION inline bool shows_apart(SymmetricMatrix<T, 3> c
     }
     for (int i = 0; i < 3; ++i) form = form + T(terms[i] * terms[i]) * q(i, i);
     least = least - T(4) * u * largest;
-    T const underflow = times_power_of_two(T(1), -underflow_bits);
+    T const underflow = negative_power_of_two<T>(underflow_bits);
     return least > underflow && form * underflow < T(1) &&
            T(T(T(1) - T(8) * u) * least) * least > T(quadratic_form(q, s) + T(48) * u * form);
 }
@@ -59,7 +59,7 @@ template <class T>
 PW85_FUNCTION inline Decision decide_by_planes(Polytope<T> const &polytope) noexcept
 {
     T const limit = unscaled_limit<T>(), form = largest_diagonal(polytope.q);
-    T const underflow = times_power_of_two(T(1), -underflow_bits);
+    T const underflow = negative_power_of_two<T>(underflow_bits);
     if (!(is_in_range(form, form, form) && is_clearly_definite(polytope.q) &&
           is_finite(polytope.center)))
         return Decision::none;
@@ -88,7 +88,7 @@ PW85_FUNCTION inline bool shows_overlap(Polytope<T> const &polytope, Vector<T, 3
 {
     Vector<T, 3> size = x;
     for (int i = 0; i < 3; ++i) size[i] = absolute(x[i]);
-    T const underflow = times_power_of_two(T(1), -underflow_bits);
+    T const underflow = negative_power_of_two<T>(underflow_bits);
     for (std::size_t k = 0; k < polytope.count; ++k) {
         auto const h = polytope.half_space(k);
         T const error =
@@ -103,13 +103,13 @@ PW85_FUNCTION inline bool shows_overlap(Polytope<T> const &polytope, Vector<T, 3
 template <class T>
 [[gnu::noinline]] PW85_FUNCTION inline Decision decide_polytope(Polytope<T> polytope) noexcept
 {
-    int const unit = half_exponent(largest_diagonal(polytope.q));
+    Unit const unit = unit_of(polytope.q);
     polytope = scaled(polytope, unit, unit);
     auto const outside = search_polytope(polytope, T(1));
     if (outside.at.mu2 >= T(1))
         return shows_apart(polytope.q, outside.at) ? Decision::apart : Decision::none;
     auto inner = polytope;
-    inner.inset = times_power_of_two(T(1), -inset_bits);
+    inner.inset = negative_power_of_two<T>(inset_bits);
     auto const inside = search_polytope(inner, T(1));
     if (inside.end != PolytopeSearch<T>::End::found) return Decision::none;
     return shows_overlap(polytope, inside.at.point) ? Decision::overlap : Decision::none;

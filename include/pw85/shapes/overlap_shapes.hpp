@@ -54,10 +54,10 @@ template <class T, int N> struct Hull {
         return m;
     }
 
-    PW85_MEMBER Hull scaled(int exponent) const noexcept
+    PW85_MEMBER Hull in_unit(Unit unit) const noexcept
     {
         Hull hull = *this;
-        for (auto &x : hull.points) x = times_power_of_two(x, exponent);
+        for (auto &x : hull.points) x = unit.to_local(x);
         return hull;
     }
 
@@ -117,9 +117,9 @@ template <class T> struct SolidBox {
         return m;
     }
 
-    PW85_MEMBER SolidBox scaled(int exponent) const noexcept
+    PW85_MEMBER SolidBox in_unit(Unit unit) const noexcept
     {
-        return {times_power_of_two(lower, exponent), times_power_of_two(upper, exponent)};
+        return {unit.to_local(lower), unit.to_local(upper)};
     }
 
     /// The point is always refined.
@@ -225,9 +225,8 @@ PW85_FUNCTION inline Decision decide(Shape const &shape, SymmetricMatrix<T, 3> c
 template <class T, class Shape> [[gnu::noinline]] PW85_FUNCTION inline Decision
 decide_scaled(Shape const &shape, SymmetricMatrix<T, 3> const &q) noexcept
 {
-    int const unit = half_exponent(largest_diagonal(q));
-    auto const form = times_power_of_two(q, -2 * unit);
-    return decide<true>(shape.scaled(-unit), form);
+    Unit const unit = unit_of(q);
+    return decide<true>(shape.in_unit(unit), unit.to_local(q));
 }
 
 /// Decides for any numbers. Types without integers take the sign of μ² - 1, up to rounding errors.

@@ -43,8 +43,8 @@ template <class T> struct Polytope {
     std::size_t count;
     T const *normals, *offsets;
     SymmetricMatrix<T, 3> q;
-    Vector<T, 3> center; ///< in units of 2^length
-    int length;          ///< d is in units of 2^length
+    Vector<T, 3> center;
+    Unit length; ///< of the centre and of d
     /// how far the planes are moved inwards, in half-widths √(gᵀQg) of the ellipsoid
     T inset;
 
@@ -56,9 +56,9 @@ template <class T> struct Polytope {
     PW85_MEMBER HalfSpace<T> half_space(std::size_t k) const noexcept
     {
         Vector<T, 3> const n = normal(k);
-        int const e = binary_exponent(largest_coordinate(n));
-        Vector<T, 3> const g = -times_power_of_two(n, -e), qg = product(q, g);
-        T const offset = times_power_of_two(times_power_of_two(offsets[k], -e), -length);
+        Unit const size = unit_of(n);
+        Vector<T, 3> const g = -size.to_local(n), qg = product(q, g);
+        T const offset = length.to_local(size.to_local(offsets[k]));
         T const d = -offset - dot(g, center),
                 magnitude = absolute(offset) + magnitude_of_dot(g, center);
         if (!(inset > T(0))) return {g, qg, d, magnitude};
@@ -320,13 +320,13 @@ check_planes(Polytope<T> const &polytope) noexcept
     return {largest, StatusCode::success};
 }
 
-/// The polytope in units of 2^length, with the form in units of 4^form.
+/// The polytope in a unit of length, with the form in a unit of its own.
 template <class T>
-PW85_FUNCTION inline Polytope<T> scaled(Polytope<T> polytope, int length, int form) noexcept
+PW85_FUNCTION inline Polytope<T> scaled(Polytope<T> polytope, Unit length, Unit form) noexcept
 {
-    polytope.q = times_power_of_two(polytope.q, -2 * form);
+    polytope.q = form.to_local(polytope.q);
     polytope.length = length;
-    polytope.center = times_power_of_two(polytope.center, -length);
+    polytope.center = length.to_local(polytope.center);
     return polytope;
 }
 
@@ -345,13 +345,13 @@ contact_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMat
 {
     using namespace detail;
     using End = typename PolytopeSearch<T>::End;
-    Polytope<T> polytope{n, normals, offsets, q, center, 0, T(0)};
+    Polytope<T> polytope{n, normals, offsets, q, center, {}, T(0)};
     auto const [largest, status] = check_planes(polytope);
     StatusCode const both = status == StatusCode::success ? validate(q) : status;
     if (both != StatusCode::success) return all_nan<ShapeContact<T, 3>>(both);
     if (!(largest > T(0))) return {T(0), {T(0), T(0), T(0)}, StatusCode::success};
-    int const form = half_exponent(largest_diagonal(q));
-    polytope = scaled(polytope, binary_exponent(largest), form);
+    Unit const form = unit_of(q);
+    polytope = scaled(polytope, unit_of(largest), form);
     auto search = search_polytope(polytope, infinity<T>());
     if constexpr (exact::is_decidable<T>) {
         if (!accept_point(polytope, search))
@@ -361,8 +361,7 @@ contact_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMat
         search.end == End::empty ? StatusCode::success : StatusCode::no_convergence);
     if (search.end == End::empty) nowhere.mu2 = infinity<T>();
     if (search.end != End::found) return nowhere;
-    return {times_power_of_two(search.at.mu2, 2 * (polytope.length - form)),
-            times_power_of_two(search.at.point, polytope.length), StatusCode::success};
+    return to_caller(search.at.mu2, search.at.point, polytope.length, form);
 }
 
 } // namespace pw85

@@ -101,9 +101,9 @@ derivatives_in_space(JointFrame<T, D> const &frame, FrameDerivatives<T, D> const
     bool const is_thin = !(frame.axes[std::size_t(D - 1)] >= thinnest_axis<T>());
     T scale = is_thin ? quiet_nan<T>() : frame.determinant;
     if constexpr (D == 3) scale = T(T(T(2) * circle_constant<T>()) * scale);
-    auto const ball = times_power_of_two(congruent(map, d.ball, scale), (D - 2) * frame.exponent);
-    auto const other = times_power_of_two(congruent(map, d.other, scale), (D - 2) * frame.exponent);
-    Vector<T, D> const force = times_power_of_two(scale * center, (D - 1) * frame.exponent);
+    auto const ball = frame.unit.to_caller(congruent(map, d.ball, scale), D - 2);
+    auto const other = frame.unit.to_caller(congruent(map, d.other, scale), D - 2);
+    Vector<T, D> const force = frame.unit.to_caller(scale * center, D - 1);
     if (frame.swapped) return {-force, other, ball, StatusCode::success};
     return {force, ball, other, StatusCode::success};
 }
@@ -181,31 +181,30 @@ template <class T, int D> PW85_FUNCTION inline PartDerivatives<T, D>
 derivatives_of_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                     SymmetricMatrix<T, D> const &q2) noexcept
 {
-    int const e = half_exponent(largest_diagonal(q1));
-    auto const d = part_derivatives(times_power_of_two(r12, -e), times_power_of_two(q1, -2 * e),
-                                    times_power_of_two(q2, -2 * e));
+    Unit const unit = unit_of(q1);
+    auto const d = part_derivatives(unit.to_local(r12), unit.to_local(q1), unit.to_local(q2));
     if (!is_finite(d.r12) || !is_finite(d.q1) || !is_finite(d.q2))
         return all_nan<PartDerivatives<T, D>>(StatusCode::no_convergence);
-    return {times_power_of_two(d.r12, (D - 1) * e), times_power_of_two(d.q1, (D - 2) * e),
-            times_power_of_two(d.q2, (D - 2) * e), StatusCode::success};
+    return {unit.to_caller(d.r12, D - 1), unit.to_caller(d.q1, D - 2), unit.to_caller(d.q2, D - 2),
+            StatusCode::success};
 }
 
 /// ∂V/∂Q of an ellipsoid as a whole, ½ V Q⁻¹.
 template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<T, D>
 derivative_of_measure(SymmetricMatrix<T, D> const &q) noexcept
 {
-    int const e = half_exponent(largest_diagonal(q));
-    auto const scaled = times_power_of_two(q, -2 * e);
+    Unit const unit = unit_of(q);
+    auto const scaled = unit.to_local(q);
     auto const f = factorize(scaled, T(unit_roundoff<T>()));
     T const half = T(T(0.5) * measure_of(scaled));
     SymmetricMatrix<T, D> g{};
     for (int j = 0; j < D; ++j) {
-        Vector<T, D> unit{};
-        unit[j] = T(1);
-        Vector<T, D> const column = solve(f, unit);
+        Vector<T, D> axis{};
+        axis[j] = T(1);
+        Vector<T, D> const column = solve(f, axis);
         for (int i = 0; i <= j; ++i) g(i, j) = T(half * column[i]);
     }
-    return times_power_of_two(g, (D - 2) * e);
+    return unit.to_caller(g, D - 2);
 }
 
 /// The derivatives for a pair with this decision. Where one ellipsoid is inside the other one, only

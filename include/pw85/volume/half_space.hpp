@@ -25,16 +25,16 @@ PW85_FUNCTION inline Volume<T> overlap_volume_plane(Vector<T, 3> const &normal, 
     if (status != StatusCode::success || !valid)
         return all_nan<Volume<T>>(status != StatusCode::success ? status
                                                                 : StatusCode::invalid_argument);
-    int const en = binary_exponent(largest), e = half_exponent(largest_diagonal(q));
-    auto const scaled = times_power_of_two(q, -2 * e);
-    auto const n = times_power_of_two(normal, -en);
+    Unit const size = unit_of(normal), unit = unit_of(q);
+    auto const scaled = unit.to_local(q);
+    auto const n = size.to_local(normal);
     T const reach =
         square_root(inverse_form(factorize(scaled, T(unit_roundoff<T>())), product(scaled, n)));
-    T const distance = T(times_power_of_two(offset, -en - e) / reach);
+    T const distance = T((size * unit).to_local(offset) / reach);
     T const height = minimum(maximum(T(T(1) + distance), T(0)), T(2));
     T const share = T(T(T(0.25) * T(height * height)) * T(T(3) - height));
     // in this unit, so that no share is zero times infinity
-    return {times_power_of_two(T(share * measure_of(scaled)), 3 * e), status};
+    return {unit.to_caller(T(share * measure_of(scaled)), 3), status};
 }
 
 } // namespace pw85

@@ -42,7 +42,7 @@ template <class T, int D> struct JointFrame {
     Columns<T, D> lower; ///< the ball is taken to space by lower·turn, in the unit of the frame
     Columns<T, D> turn;  ///< the principal directions of the other ellipsoid
     T determinant;       ///< of `lower`
-    int exponent;        ///< the unit of the frame is 2^exponent of the caller's
+    Unit unit;           ///< of the frame
     /// whether the ball is ellipsoid 2; then the frame is that of the pair (-r12, Q2, Q1)
     bool swapped;
     T displacement; ///< of the surfaces by rounded forms: displacement_of()
@@ -165,28 +165,28 @@ template <class T> PW85_FUNCTION inline T scaled_condition(SymmetricMatrix<T, 2>
     return T(T(T(2) * T(q(0, 0) * q(1, 1))) / T(determinant_of_factor * determinant_of_factor));
 }
 
-/// An ellipsoid by the Cholesky factor of its form, in the unit 2^exponent.
+/// An ellipsoid by the Cholesky factor of its form, in a unit of its own.
 template <class T, int D> struct LowerFactor {
     Columns<T, D> columns;
     T determinant, condition; ///< of the factor, and κ of the form
-    int exponent;
+    Unit unit;
 };
 
 template <class T, int D>
 PW85_FUNCTION inline LowerFactor<T, D> lower_factor(SymmetricMatrix<T, D> const &q) noexcept
 {
-    int const e = half_exponent(largest_diagonal(q));
-    auto const scaled = times_power_of_two(q, -2 * e);
+    Unit const unit = unit_of(q);
+    auto const scaled = unit.to_local(q);
     auto const l = cholesky_columns(scaled);
     T const determinant = determinant_of_lower(l);
-    return {l, determinant, scaled_condition(scaled, determinant), e};
+    return {l, determinant, scaled_condition(scaled, determinant), unit};
 }
 
 /// Tests whether the first of two ellipsoids is the larger. Determinants must be in (2^-130, 8).
 template <class T, int D> PW85_FUNCTION inline bool
 has_larger_volume(LowerFactor<T, D> const &a, LowerFactor<T, D> const &b) noexcept
 {
-    int const difference = D * (a.exponent - b.exponent), limit = 512;
+    int const difference = D * (a.unit / b.unit).exponent, limit = 512;
     if (difference > limit || difference < -limit) return difference > 0;
     T const power = negative_power_of_two<T>(difference < 0 ? -difference : difference);
     return difference >= 0 ? a.determinant > T(b.determinant * power)
@@ -214,23 +214,18 @@ PW85_FUNCTION inline JointFrame<T, D> joint_frame(Vector<T, D> const &r12,
     auto const f1 = lower_factor(q1), f2 = lower_factor(q2);
     bool const swapped = has_larger_volume(f1, f2);
     auto const &ball = swapped ? f2 : f1, &other = swapped ? f1 : f2;
-    T const largest = largest_coordinate(r12);
-    int const length = largest > T(0) ? binary_exponent(largest) : 0;
-    Vector<T, D> const r =
-        solve_lower(ball.columns, times_power_of_two(swapped ? -r12 : r12, -length));
+    Unit const length = unit_of(r12);
+    Vector<T, D> const r = solve_lower(ball.columns, length.to_local(swapped ? -r12 : r12));
     Columns<T, D> g{};
     for (int j = 0; j < D; ++j) g[j] = solve_lower(ball.columns, other.columns[j]);
     make_orthogonal(g);
 
-    JointFrame<T, D> frame{{},      {},  ball.columns, {}, ball.determinant, ball.exponent,
-                           swapped, T(0)};
+    JointFrame<T, D> frame{{}, {}, ball.columns, {}, ball.determinant, ball.unit, swapped, T(0)};
     for (int j = 0; j < D; ++j) {
         T const axis = magnitude(g[j]);
         frame.turn[j] = g[j] / axis;
-        frame.center[j] =
-            times_power_of_two(T(dot(frame.turn[j], r) / axis), length - other.exponent);
-        frame.axes[j] =
-            minimum(times_power_of_two(axis, other.exponent - ball.exponent), longest_axis<T>());
+        frame.center[j] = (length / other.unit).to_caller(T(dot(frame.turn[j], r) / axis));
+        frame.axes[j] = minimum((other.unit / ball.unit).to_caller(axis), longest_axis<T>());
     }
     frame.displacement = displacement_of(frame, ball.condition, other.condition);
     return frame;
@@ -247,8 +242,9 @@ template <class T, int D> PW85_FUNCTION inline auto rounded(Columns<T, D> const 
 template <class T, int D> PW85_FUNCTION inline auto rounded(JointFrame<T, D> const &x) noexcept
 {
     return JointFrame<decltype(rounded(x.determinant)), D>{
-        rounded(x.axes),        rounded(x.center), rounded(x.lower), rounded(x.turn),
-        rounded(x.determinant), x.exponent,        x.swapped,        rounded(x.displacement)};
+        rounded(x.axes), rounded(x.center),      rounded(x.lower),
+        rounded(x.turn), rounded(x.determinant), x.unit,
+        x.swapped,       rounded(x.displacement)};
 }
 
 } // namespace pw85::detail

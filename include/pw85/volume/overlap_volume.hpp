@@ -146,7 +146,7 @@ PW85_FUNCTION inline T measure_in_space(JointFrame<T, D> const &frame, T const &
                                         SymmetricMatrix<T, D> const &q1,
                                         SymmetricMatrix<T, D> const &q2) noexcept
 {
-    T const measure = times_power_of_two(T(part * frame.determinant), D * frame.exponent);
+    T const measure = frame.unit.to_caller(T(part * frame.determinant), D);
     return part > T(T(0.999) * unit_measure<T, D>())
                ? minimum(measure, measure_of(frame.swapped ? q2 : q1))
                : measure;

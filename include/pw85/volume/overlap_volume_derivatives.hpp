@@ -165,12 +165,12 @@ frame_derivatives(JointFrame<T, 3> const &frame) noexcept
 template <class T> PW85_FUNCTION inline Vector<T, 3>
 torque_of(SymmetricMatrix<T, 3> const &q, SymmetricMatrix<T, 3> const &g) noexcept
 {
-    int const e = half_exponent(largest_diagonal(q));
-    auto const scaled = times_power_of_two(q, -2 * e);
-    return times_power_of_two(Vector<T, 3>{axial_component(scaled, g, 1, 2),
-                                           axial_component(scaled, g, 2, 0),
-                                           axial_component(scaled, g, 0, 1)},
-                              2 * e);
+    Unit const unit = unit_of(q);
+    auto const scaled = unit.to_local(q);
+    return unit.to_caller(Vector<T, 3>{axial_component(scaled, g, 1, 2),
+                                       axial_component(scaled, g, 2, 0),
+                                       axial_component(scaled, g, 0, 1)},
+                          2);
 }
 
 } // namespace pw85::detail

@@ -7,7 +7,7 @@
 
 #include <pw85/algebra/all_nan.hpp>
 #include <pw85/algebra/doubled.hpp>
-#include <pw85/contact/validate.hpp>
+#include <pw85/contact/scaling.hpp>
 
 namespace pw85 {
 
@@ -66,14 +66,14 @@ template <class T, int D> PW85_FUNCTION inline T unit_measure() noexcept
 template <class T, int D> PW85_RARE T measure_of(SymmetricMatrix<T, D> const &q) noexcept
 {
     using Fine = Finer<T>;
-    int const e = half_exponent(largest_diagonal(q));
-    auto const factors = factorize(converted<Fine>(times_power_of_two(q, -2 * e)), Fine(0));
+    Unit const unit = unit_of(q);
+    auto const factors = factorize(converted<Fine>(unit.to_local(q)), Fine(0));
     Fine det = factors.pivots[0];
     for (int i = 1; i < D; ++i) det = det * factors.pivots[i];
     Fine const pi = fine_circle_constant<T>();
-    Fine const unit = D == 3 ? Fine(Fine(Fine(4) * pi) / Fine(3)) : pi;
+    Fine const of_ball = D == 3 ? Fine(Fine(Fine(4) * pi) / Fine(3)) : pi;
     using pw85::detail::sqrt;
-    return times_power_of_two(rounded(Fine(unit * square_root(det))), D * e);
+    return unit.to_caller(rounded(Fine(of_ball * square_root(det))), D);
 }
 
 #define PW85_RARE_MEASURE(rare, T, D) rare(measure_of, (SymmetricMatrix<T, D> const &q), (q))

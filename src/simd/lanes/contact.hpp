@@ -3,7 +3,7 @@
 /// The contact function of many pairs, one pair per lane, and the distance of closest approach,
 /// |d|/μ(d) for a direction d.
 ///
-/// The kernels drive the search on the rational form (contact/rational_search.hpp). Each stage runs
+/// The kernels drive the search on the rational form (contact/iteration.hpp). Each stage runs
 /// over all packs of a chunk before the next stage begins. The stages are short and the packs are
 /// independent: the processor works on several packs at a time. Pairs that fail the fast checks, and
 /// pairs for which the search is not certain, are left over.

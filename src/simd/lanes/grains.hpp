@@ -44,7 +44,7 @@ PW85_INLINE PackMask is_in_range(LanePair<3> const &pair) noexcept
            is_clearly_definite(pair.q2);
 }
 
-PW85_INLINE GrainPair<Pack> grain_pair(LanePair<3> const &pair) noexcept
+PW85_INLINE DistancePair<Pack, 3> grain_pair(LanePair<3> const &pair) noexcept
 {
     return {pair.r12, pair.q1, pair.q2, Pack(1.0), Pack(1.0)};
 }
