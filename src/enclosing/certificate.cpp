@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Proofs that points are inside, and that the volume is close to the least.
+#define PW85_SHORT_OPERATIONS // before doubled.hpp: calls take no longer here
 #include "certificate.hpp"
 
 namespace pw85::detail::enclosing {
