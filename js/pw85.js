@@ -53,6 +53,7 @@ function countRows({ name, size }, value) {
         refuse(name, `must be ${size === 1 ? "a number or " : ""}an array of numbers, not ${kindOf(value)}`);
     }
     if (isTyped(value)) checkAttached(name, value);
+    if (Array.isArray(value[0]) || isTyped(value[0])) refuse(name, "must be one array of numbers, row after row, not an array of arrays");
     if (value.length % size !== 0) refuse(name, `must have ${size} numbers in each row, and has ${value.length} in all`);
     return value.length / size;
 }

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
 # From nothing to the first number: installs the packages that a way to use pw85 needs, follows README and the chapter on installation in a
-# copy of the sources, and says how long both took. WAY is pkg-config, cmake (FetchContent), meson (a subproject), pip, r (the R
-# package), octave or rust; without one, all of them, of which later ones find packages of earlier ones. In a system where nothing is installed:
+# copy of the sources, and says how long both took. WAY is pkg-config, cmake (FetchContent), meson (a subproject), pip, r (the R package),
+# octave, rust or npm; without one, all of them, of which later ones find packages of earlier ones. In a system where nothing is installed:
 #   scripts/test_release.sh bookworm scripts/first_number.sh cmake
 set -eu
 cd "$(dirname "$0")/.."
@@ -85,7 +85,18 @@ by_rust() {
     cargo run --offline --manifest-path "$work/pw85/rust/Cargo.toml" --example pair
 }
 
-[ $# -gt 0 ] || set -- pkg-config cmake meson pip r octave rust
+# The commands and the first program of the README of the npm package.
+by_npm() {
+  # shellcheck disable=SC2016 # the marks of blocks
+  sed -n '/^```sh$/,/^```$/p' js/README.md | sed '/^```/d' >"$work/commands"
+  (cd "$work/pw85" && HOME=$work sh -e "$work/commands")
+  mkdir "$work/program"
+  # shellcheck disable=SC2016
+  sed -n '/^```js$/,/^```$/p;/^```text$/q' js/README.md | sed '/^```/d' >"$work/program/pair.mjs"
+  (cd "$work/program" && HOME=$work npm install --offline --no-audit --no-fund "$work"/pw85/pw85-*.tgz && node pair.mjs)
+}
+
+[ $# -gt 0 ] || set -- pkg-config cmake meson pip r octave rust npm
 for way in "$@"; do
   # shellcheck disable=SC2154 # of packages.sh
   case $way in
@@ -96,7 +107,8 @@ for way in "$@"; do
     r) packages="$build_packages $(named_by r/README.md)" ;;
     octave) packages="$build_packages $(named_by octave/README.md)" ;;
     rust) packages="$build_packages $(named_by rust/pw85/README.md)" ;;
-    *) echo "usage: $0 [pkg-config] [cmake] [meson] [pip] [r] [octave] [rust]" >&2 && exit 2 ;;
+    npm) packages=$(named_by js/README.md) ;;
+    *) echo "usage: $0 [pkg-config] [cmake] [meson] [pip] [r] [octave] [rust] [npm]" >&2 && exit 2 ;;
   esac
   work=$(mktemp -d)
   trap 'rm -rf "$work"' EXIT

@@ -60,6 +60,11 @@ MUTANTS = [
     ("overlap/quartic.hpp", "int apart_margin = 20", "int apart_margin = 19", "proofs recall"),
     ("contact/iteration.hpp", "int adjugate_error = 13", "int adjugate_error = 12", "proofs recall"),
     ("algebra/symmetric.hpp", "D == 2 ? 8 : 16", "D == 2 ? 8 : 15", "proofs recall"),
+    # which the test includes
+    ("../../src/enclosing/certificate.cpp", "sum_error = 160.0 * u * u", "sum_error = 0.0", "test_certificate"),
+    ("../../src/enclosing/certificate.cpp", "double error = eta_, size", "double error = 0.0, size", "test_certificate"),
+    ("../../src/enclosing/certificate.cpp", "bound + 2.0 * u * (magnitude(excess) + error)", "bound", "test_certificate"),
+    ("../../src/enclosing/certificate.cpp", " - 68.0 * u * elementary::sqrt(sum)", "", "test_certificate"),
 ]
 
 
@@ -331,7 +336,8 @@ class Tests:
 
     def compile(self, unit, work, name):
         """Compiles a unit with the sources in `work` in place of those beside the build folder."""
-        words = [re.sub(r"^(-I)?\.\./(?=include|src)", rf"\1{work}/", word) for word in shlex.split(unit["command"]) if word != "-Werror"]
+        given = (word for word in shlex.split(unit["command"]) if word != "-Werror")
+        words = [re.sub(r"^(-I)?\.\./(?=include|src|tests)", rf"\1{work}/", word) for word in given]
         words[words.index("-o") + 1] = str(work / name)
         self.run(words)
         return work / name
@@ -366,7 +372,7 @@ def is_seen(tests, fails, file, old, new, test):
     """Whether a test fails after a change of a file, and why not."""
     with tempfile.TemporaryDirectory(prefix="pw85-mutant-") as folder:
         work = Path(folder)
-        for part in ("include", "src", "python/pypw85"):
+        for part in ("include", "src", "tests", "python/pypw85"):
             shutil.copytree(tests.source / part, work / part)
         changed = work / file
         changed.write_text(changed.read_text(encoding="utf-8").replace(old, new), encoding="utf-8")

@@ -42,18 +42,19 @@ template <typename Function> double time_of(Function function)
         .count();
 }
 
-/// A function of pairs. Its results are in `numbers` and `points`, truth values of rows in `bytes`.
+/// A function of pairs. A call takes the first form of pair j and the other arguments of pair i.
+/// Results are in `numbers` and `points`, truth values of rows in `bytes`.
 struct Function {
     char const *name;
-    void (*call)(std::size_t i);
+    void (*call)(std::size_t i, std::size_t j);
     pw85::Status (*rows)(std::size_t n);
     std::size_t copies; ///< of the pairs, that are computed as rows
     int num_numbers, num_points;
     bool is_truth;
 
-    void call_each() const
+    void call_each(std::size_t shift) const
     {
-        for (std::size_t i = 0; i < num_pairs; ++i) call(i);
+        for (std::size_t i = 0; i < num_pairs; ++i) call(i, i + shift);
     }
 
     void write(std::FILE *file) const
@@ -64,49 +65,49 @@ struct Function {
             std::fwrite(points[k].data(), sizeof(Vector), num_pairs, file);
     }
 
-    void run(int rounds, std::FILE *file) const
+    void run(std::size_t rounds, std::FILE *file) const
     {
         std::size_t const n = copies * num_pairs;
         double per_call = 1e300, per_row = 1e300;
-        for (int k = 0; k < rounds; ++k) {
-            per_call = std::min(per_call, time_of([this] { call_each(); }));
+        for (std::size_t k = 0; k < rounds; ++k) {
+            per_call = std::min(per_call, time_of([&] { call_each(k); }));
             per_row = std::min(per_row, time_of([&] { check(rows(n)); }));
         }
         for (std::size_t i = 0; is_truth && i < num_pairs; ++i) numbers[0][i] = bytes[i];
         write(file);
-        call_each();
+        call_each(0);
         write(file);
         std::printf("%s,%.17g,%.17g\n", name, per_call / num_pairs, per_row / double(n));
     }
 };
 
-void overlap_call(std::size_t i)
+void overlap_call(std::size_t i, std::size_t j)
 {
-    auto const found = pw85::overlap(r12[i], q1[i], q2[i]);
+    auto const found = pw85::overlap(r12[i], q1[j], q2[i]);
     check(found.status);
     numbers[0][i] = found.overlap;
 }
 
-void contact_call(std::size_t i)
+void contact_call(std::size_t i, std::size_t j)
 {
-    auto const found = pw85::contact(r12[i], q1[i], q2[i]);
+    auto const found = pw85::contact(r12[i], q1[j], q2[i]);
     check(found.status);
     numbers[0][i] = found.mu2;
     numbers[1][i] = found.lambda;
 }
 
-void distance_call(std::size_t i)
+void distance_call(std::size_t i, std::size_t j)
 {
-    auto const found = pw85::distance(r12[i], q1[i], q2[i]);
+    auto const found = pw85::distance(r12[i], q1[j], q2[i]);
     check(found.status);
     numbers[0][i] = found.distance;
     points[0][i] = found.point1;
     points[1][i] = found.point2;
 }
 
-void volume_call(std::size_t i)
+void volume_call(std::size_t i, std::size_t j)
 {
-    auto const found = pw85::overlap_volume(r12[i], q1[i], q2[i]);
+    auto const found = pw85::overlap_volume(r12[i], q1[j], q2[i]);
     check(found.status);
     numbers[0][i] = found.volume;
 }
@@ -158,6 +159,7 @@ int main(int argc, char **argv)
     read(r12, given);
     read(q1, given);
     read(q2, given);
-    for (Function const &function : functions) function.run(std::atoi(argv[3]), file);
+    for (Function const &function : functions)
+        function.run(std::strtoul(argv[3], nullptr, 10), file);
     return std::fclose(file) != 0;
 }

@@ -21,18 +21,14 @@ for k = 1:4
     [found{:}] = f (many{:});
     row = min (row, 1e9 * toc (start) / (pairs * copies(k)));
   end
-  % Parts of 50 pairs are measured alone, because other programs interrupt longer ones.
-  call = 0;
-  for first = 1:50:pairs
-    part = Inf;
-    for l = 1:rounds
-      start = tic ();
-      for i = first:first + 49
-        [alone{i,:}] = f (rows{i,:});
-      end
-      part = min (part, 1e9 * toc (start));
+  call = Inf;
+  for l = rounds:-1:1 % at last the pairs of which the results are written
+    forms = circshift (rows(:,2), 1 - l);
+    start = tic ();
+    for i = 1:pairs
+      [alone{i,:}] = f (rows{i,1}, forms{i}, rows{i,3});
     end
-    call += part / pairs;
+    call = min (call, 1e9 * toc (start) / pairs);
   end
   cellfun (@(m) fwrite (file, m(1:pairs,:)', 'double'), found);
   arrayfun (@(j) fwrite (file, vertcat (alone{:,j})', 'double'), 1:outputs(k));

@@ -52,7 +52,6 @@ test("wrong types", () => {
             argument: "q2", row: 1, entry: 5,
         });
     }
-    refused(() => pw85.overlapRows([r12, r12, r12], one, one), "r12, row 0, entry 0: must be a number, not Array", { argument: "r12", row: 0, entry: 0 });
     refused(() => pw85.contactGeometry(r12, one, one, "0.5"), "lambda: must be a number or an array of numbers, not string", { argument: "lambda" });
     refused(() => pw85.contact(r12, one, one, one), "contact() takes at most 3 arguments, not 4");
     refused(() => pw85.contactRows(r12, one, one, {}, 1), "contactRows() takes at most 4 arguments, not 5");
@@ -61,6 +60,11 @@ test("wrong types", () => {
 test("wrong lengths", () => {
     refused(() => pw85.contact([3, 2], one, one), "r12: must have 3 numbers in each row, and has 2 in all", { argument: "r12" });
     refused(() => pw85.contact(r12, one.slice(1), one), "q1: must have 6 numbers in each row, and has 5 in all", { argument: "q1" });
+    for (const nested of [[r12, r12], [[3], [2], [1]], [[1, 0, 0], [0, 1, 0], [0, 0, 1]], [new Float64Array(3)]]) {
+        const requirement = "must be one array of numbers, row after row, not an array of arrays";
+        refused(() => pw85.contactRows(nested, one, one), `r12: ${requirement}`, { argument: "r12" });
+        refused(() => pw85.contact(r12, nested, one), `q1: ${requirement}`, { argument: "q1" });
+    }
     refused(() => pw85.contact(r12, two, one), "q1: must have 1 row, and has 2: see contactRows()", { argument: "q1" });
     refused(() => pw85.contact([], one, one), "r12: must have 1 row, and has 0: see contactRows()", { argument: "r12" });
     refused(() => pw85.contactRows(new Float64Array(9), one, two), "q2: must have 1 row or 3 rows, as r12, and has 2", { argument: "q2" });

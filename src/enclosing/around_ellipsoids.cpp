@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The search for the smallest ellipsoid around ellipsoids: pw85_enclosing_ellipsoid_of().
+#define PW85_SHORT_OPERATIONS // before doubled.hpp: calls take no longer here
 #include "around_ellipsoids.hpp"
 
 #include <new>

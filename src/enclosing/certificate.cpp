@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Proofs that points are inside, and that the volume is close to the least.
+#define PW85_SHORT_OPERATIONS // before doubled.hpp: calls take no longer here
 #include "certificate.hpp"
 
 namespace pw85::detail::enclosing {
@@ -50,7 +51,6 @@ bool Certificate::prepare(Cloud const &cloud, double const *center, double const
         eta_ = deviation > eta_ ? deviation : eta_;
         sensitivity_ = size_of_row * u > sensitivity_ ? size_of_row * u : sensitivity_;
     }
-    eta_ *= 1.0 + 64.0 * u;
     return eta_ < 0x1p-10;
 }
 
@@ -73,7 +73,7 @@ double Certificate::protrusion(std::size_t point) const noexcept
         size += w[i].high * w[i].high;
         error += e * (2.0 * magnitude(w[i]) + e);
     }
-    error = (error + sum_error * size) * (1.0 + 64.0 * u);
+    error = (error + sum_error * size) * (1.0 + 128.0 * u);
     double const bound = excess.high + error;
     // The sum is rounded by at most u of each of the two terms.
     return bound + 2.0 * u * (magnitude(excess) + error);
@@ -91,8 +91,12 @@ double Certificate::largest_protrusion(std::size_t count, std::size_t const *poi
 
 /// In double precision w errs by at most (n + 4) u <= 20u of Σ|A_ij||z_j|, and |z_j| < 4: the
 /// extents are below 2, the exact centre is between the points, and rounding moves it by no more
-/// than an extent. |A z|² errs in addition by less than 20u of itself. With δ = |error of w|, |A
-/// z|² computed <= 1 - 2η - 3δ - 2⁻⁴⁷ therefore proves |A z|² <= 1 - η.
+/// than an extent. With S = |4 Σ_j |A_ij|| (the norm of a vector), w errs by at most 20u S. |A z|²
+/// errs in addition by less than 20u of itself. That is at most 20u S, because |A z| <= S, and |A
+/// z| <= 1 if the result matters. Together these are at most 60uS + 400u²S² < 66uS for uS < 1/68,
+/// and the limit below is negative for larger S. The remaining 2uS are more than the roundings of
+/// the limit if S >= 1/2. If S < 1/2, every point is inside. The second η is more than the
+/// roundings of η.
 double Certificate::largest_protrusion() const noexcept
 {
     double a[max_packed] = {}, center[max_dimension] = {}, sum = 0.0, largest = -1.0;
@@ -105,7 +109,7 @@ double Certificate::largest_protrusion() const noexcept
         sum += size * size;
         center[i] = frame_.center[i].high;
     }
-    double const limit = 1.0 - 2.0 * eta_ - 60.0 * u * elementary::sqrt(sum) * 1.01 - 0x1p-47;
+    double const limit = 1.0 - 2.0 * eta_ - 68.0 * u * elementary::sqrt(sum);
     for (std::size_t i = 0; i < cloud_->m; ++i) {
         if (squared_norm(*cloud_, a, center, i) <= limit) continue;
         double const p = protrusion(i);
@@ -133,7 +137,8 @@ double Certificate::add_moments(std::size_t point, double weight, Wide *first,
 }
 
 /// The sums have `count` terms with |w_i| < 1.1, so each entry of T errs by at most 3 (4 (count +
-/// 40)) u² of n · 1.1² from the sums and quotients, and by 2.2 · 2 n times the error of w.
+/// 40)) u² of n · 1.1² < 15n (count + 40) u² from the sums and quotients, and by 2.2 · 2 n times
+/// the error of w. The bound has 17n (count + 40) u² more, for the roundings of ratio_excess().
 double Certificate::excess(std::size_t count, std::size_t const *points,
                            double const *weights) const noexcept
 {
@@ -155,6 +160,13 @@ double Certificate::excess(std::size_t count, std::size_t const *points,
                         n * (32.0 * (static_cast<double>(count) + 40.0) * u * u + 5.0 * error));
 }
 
+/// Let ε = error/t. Each entry of T/t errs by at most ε, and t by ε of itself. F counts 2ε for each
+/// entry. If n = 1, the exact F is 0. Otherwise 1/2 > F >= 2nε, so ε < 1/8, and the exact F is at
+/// most 8/7 F < 0.58. The exponent F²/(2 (1 - F)) + nη of the exact F is then below 0.4 and at most
+/// 1.6 F² + nη, and exp(x) <= 1 + 1.24 x there.
+///
+/// The roundings of Wide numbers here are below (4n² + 44n + 20) u² of the result. The bound has
+/// room for n times 17n (count + 40) u²/t >= 550n u², because t < 1.21 n: see excess().
 double Certificate::ratio_excess(Wide const *t, double error) const noexcept
 {
     int const n = frame_.n;
@@ -168,14 +180,13 @@ double Certificate::ratio_excess(Wide const *t, double error) const noexcept
             double const d = magnitude(i == j ? t[at(i, i)] - mean : t[at(i, j)]) + 2.0 * error;
             square += (i == j ? 1.0 : 2.0) * (d / mean.high) * (d / mean.high);
         }
-    double const f = elementary::sqrt(square) * 1.01;
+    double const f = elementary::sqrt(square);
     if (!(f < 0.5)) return infinity<double>();
-    // det Q/(nⁿ det S) <= (1/t)ⁿ exp(F² + n η), whose exponent is below 1/2.
+    // det Q/(nⁿ det S) <= (1/t)ⁿ (1 + 2 (F² + n η))
     Wide const factor = Wide(1.0) / (mean - Wide(n * error));
     Wide ratio = Wide(1.0) + Wide(2.0 * (f * f + n * eta_));
     for (int i = 0; i < n; ++i) ratio = ratio * factor;
-    Wide const above = ratio - Wide(1.0) + Wide(64.0 * sum_error) * ratio;
-    double const excess = (above / (sqrt(ratio) + Wide(1.0))).high * (1.0 + 4.0 * u);
+    double const excess = ((ratio - Wide(1.0)) / (sqrt(ratio) + Wide(1.0))).high * (1.0 + 4.0 * u);
     return excess > 0.0 ? excess : 0.0;
 }
 

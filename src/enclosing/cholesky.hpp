@@ -41,6 +41,9 @@ template <class T> PW85_FUNCTION inline bool factorize(std::size_t n, T *a, doub
     return definite;
 }
 
+/// The template for numbers with twice the digits, compiled once, in frame.cpp.
+bool factorize(std::size_t n, Wide *a, double share) noexcept;
+
 /// Replaces x by L⁻¹ x.
 template <class T> PW85_FUNCTION inline void substitute(std::size_t n, T const *a, T *x) noexcept
 {

@@ -6,6 +6,11 @@
 
 namespace pw85::detail::enclosing {
 
+bool factorize(std::size_t n, Wide *a, double share) noexcept
+{
+    return factorize<Wide>(n, a, share);
+}
+
 bool invert_factor(int n, Wide *a, double least) noexcept
 {
     auto const size = static_cast<std::size_t>(n);

@@ -6,6 +6,7 @@
 // by a b c √(Σ n_i²/a_i²). A point is kept with the ratio of this to its largest value, a b for the
 // shortest semi-axis c. The share that is kept is S/(4π a b), with the area S. It is at least one
 // half, because the area of a convex body is at least twice that of its shadow π a b.
+#define PW85_SHORT_OPERATIONS // before doubled.hpp: calls take no longer here
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

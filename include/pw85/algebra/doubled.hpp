@@ -15,9 +15,9 @@
 #include <pw85/algebra/error_free.hpp>
 #include <pw85/algebra/symmetric.hpp>
 
-// In WebAssembly, which pages load, each operation is one function: inlined, they would make the
-// module of js/ a fifth longer.
-#ifdef __wasm__
+// In WebAssembly, which pages load, and in units that define PW85_SHORT_OPERATIONS, each operation
+// is one function. Inlined, they would make the module of js/ a fifth longer.
+#if defined(__wasm__) || defined(PW85_SHORT_OPERATIONS)
 #define PW85_OPERATION [[gnu::noinline]] PW85_FUNCTION inline
 #else
 #define PW85_OPERATION PW85_FUNCTION inline
