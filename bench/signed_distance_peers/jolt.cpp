@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// GJK and EPA of Jolt with the default tolerances. Jolt has no ellipsoids, but these algorithms take
-// any body with a support function. They compute in float.
+// GJK and EPA of Jolt with the default tolerances. Jolt has no ellipsoids, but these algorithms
+// take any body with a support function. They compute in float.
 #include <Jolt/Jolt.h>
 
 #include <Jolt/Geometry/EPAPenetrationDepth.h>
