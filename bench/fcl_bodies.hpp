@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Converts ellipsoids to bodies of FCL, for peers.cpp and peer_fcl.cpp.
+// Converts ellipsoids to bodies of FCL, and calls FCL.
 #ifndef PW85_BENCH_FCL_BODIES_HPP_INCLUDED
 #define PW85_BENCH_FCL_BODIES_HPP_INCLUDED
+
+#include <exception>
+#include <optional>
 
 #include <fcl/fcl.h>
 
@@ -38,6 +41,23 @@ inline bool fcl_collide(Bodies const &b, fcl::GJKSolverType solver)
     fcl::CollisionResultd result;
     return fcl::collide(&b.first.shape, b.first.place, &b.second.shape, b.second.place, request,
                         result) > 0;
+}
+
+/// The signed distance as Drake asks for it: by libccd, with a tolerance of 1e-6. Nothing if FCL
+/// throws an exception.
+inline std::optional<fcl::DistanceResultd> fcl_signed_distance(Bodies const &b)
+{
+    fcl::DistanceRequestd request(true, true);
+    request.gjk_solver_type = fcl::GST_LIBCCD;
+    request.distance_tolerance = 1e-6;
+    fcl::DistanceResultd result;
+    try {
+        fcl::distance(&b.first.shape, b.first.place, &b.second.shape, b.second.place, request,
+                      result);
+    } catch (std::exception const &) {
+        return std::nullopt;
+    }
+    return result;
 }
 
 } // namespace pw85_bench

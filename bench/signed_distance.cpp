@@ -12,114 +12,36 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <limits>
 #include <vector>
 
-#include <sys/mman.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <pw85.h>
 
-#include <random_pairs.hpp>
-#include <stationary_width.hpp>
-
+#include "child_processes.hpp"
 #include "fcl_bodies.hpp"
 #include "least_time.hpp"
+#include "signed_distance_cases.hpp"
 
-using namespace pw85_tests;
+using namespace pw85_bench;
+using pw85_tests::Random;
 
 namespace {
 
 constexpr int pairs_of_each_kind = 1000;
+constexpr Sizes sizes{0.002, 0.2};
 
-struct Case {
-    Sample<double, 3> pair;
-    Wide truth;
-};
-
-double signed_distance(Sample<double, 3> const &s)
+double signed_distance(Case const &c)
 {
+    auto const &s = c.pair;
     double d = 0.0;
     pw85_signed_distance(s.r12.coordinates, s.q1.entries, s.q2.entries, &d, nullptr, nullptr);
     return d;
 }
 
-/// Two random ellipsoids at a signed distance.
-Sample<double, 3> draw_pair(Random &random, double distance)
+double distance_by_fcl(Bodies const &b)
 {
-    auto const form = [&] {
-        auto const axis = [&] { return random.log_uniform(0.002, 0.2); };
-        return pw85::ellipsoid_quaternion<double>({axis(), axis(), axis()}, random.direction<4>())
-            .q;
-    };
-    Sample<double, 3> s{{}, form(), form()};
-    auto const n = random.direction<3>();
-    s.r12 =
-        pw85::detail::support(s.q1, n).point + pw85::detail::support(s.q2, n).point + distance * n;
-    return s;
-}
-
-std::vector<Case> draw_cases(Random &random, double distance)
-{
-    std::vector<Case> cases;
-    while (cases.size() < pairs_of_each_kind) {
-        auto const s = draw_pair(random, distance);
-        pw85::Vector<double, 3> normal;
-        if (pw85_signed_distance_derivatives(s.r12.coordinates, s.q1.entries, s.q2.entries,
-                                             normal.coordinates, nullptr, nullptr,
-                                             nullptr) != PW85_SUCCESS)
-            continue;
-        auto const found = stationary_width(convert<Wide>(s), convert<Wide>(normal));
-        double const width = static_cast<double>(found.width);
-        if (found.residual <= Wide("1e-20") && std::fabs(width - distance) <= 1e-6 * 0.002)
-            cases.push_back({s, found.width});
-    }
-    return cases;
-}
-
-/// The signed distance by FCL; NaN if FCL throws an exception.
-double fcl_signed_distance(pw85_bench::Bodies const &b)
-{
-    fcl::DistanceRequestd request(true, true);
-    request.gjk_solver_type = fcl::GST_LIBCCD;
-    request.distance_tolerance = 1e-6;
-    fcl::DistanceResultd result;
-    try {
-        return fcl::distance(&b.first.shape, b.first.place, &b.second.shape, b.second.place,
-                             request, result);
-    } catch (std::exception const &) {
-        return std::numeric_limits<double>::quiet_NaN();
-    }
-}
-
-/// The signed distances of all bodies by FCL; NaN where FCL throws an exception or ends the
-/// process. A child writes its results to shared memory; the next child goes on behind the pair at
-/// which one ended.
-std::vector<double> fcl_signed_distances(std::vector<pw85_bench::Bodies> const &bodies)
-{
-    std::size_t const n = bodies.size(), bytes = (n + 1) * sizeof(double);
-    auto *const shared = static_cast<double *>(
-        mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
-    double volatile &next = shared[n];
-    std::fill_n(shared, n, std::numeric_limits<double>::quiet_NaN());
-    while (next < static_cast<double>(n)) {
-        if (fork() == 0) {
-            // no text of the assertion
-            if (std::freopen("/dev/null", "w", stderr) == nullptr) _exit(1);
-            while (next < static_cast<double>(n)) {
-                auto const i = static_cast<std::size_t>(next);
-                next = next + 1.0;
-                shared[i] = fcl_signed_distance(bodies[i]);
-            }
-            _exit(0);
-        }
-        wait(nullptr);
-    }
-    std::vector<double> const found(shared, shared + n);
-    munmap(shared, bytes);
-    return found;
+    auto const found = fcl_signed_distance(b);
+    return found ? found->min_distance : std::numeric_limits<double>::quiet_NaN();
 }
 
 struct Errors {
@@ -148,10 +70,9 @@ struct Errors {
 template <class Items, class Call> double time_of(Items const &items, Call call)
 {
     double volatile sink = 0.0;
-    double const time =
-        pw85_bench::least_time(items.size(), [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) sink = call(items[i]);
-        });
+    double const time = least_time(items.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) sink = call(items[i]);
+    });
     static_cast<void>(sink);
     return time;
 }
@@ -159,24 +80,25 @@ template <class Items, class Call> double time_of(Items const &items, Call call)
 void compare(double distance)
 {
     Random random(1560);
-    auto const cases = draw_cases(random, distance);
-    std::vector<pw85_bench::Bodies> bodies;
+    auto const cases = draw_cases(random, sizes, distance, pairs_of_each_kind);
+    std::vector<Bodies> bodies;
     for (Case const &c : cases)
         bodies.emplace_back(c.pair.r12.coordinates, c.pair.q1.entries, c.pair.q2.entries);
-    auto const by_fcl = fcl_signed_distances(bodies);
-    std::vector<pw85_bench::Bodies> answered;
+    auto const by_fcl = call_in_children(bodies.size(), std::numeric_limits<double>::quiet_NaN(),
+                                         [&](std::size_t i) { return distance_by_fcl(bodies[i]); });
+    std::vector<Bodies> answered;
     Errors ours, theirs;
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        ours.add(signed_distance(cases[i].pair), cases[i].truth);
-        theirs.add(by_fcl[i], cases[i].truth);
+        ours.add(signed_distance(cases[i]), cases[i].distance);
+        theirs.add(by_fcl[i], cases[i].distance);
         if (!std::isnan(by_fcl[i])) answered.push_back(bodies[i]);
     }
     double const per_cent = 100.0 / pairs_of_each_kind;
     std::printf("%g,%.1e,%.1e,%.3g,%.0f,%.1e,%.1e,%.3g,%.3g,%.0f\n", 1000.0 * distance,
                 ours.median(), ours.largest(), per_cent * (ours.wrong + ours.failed),
-                time_of(cases, [](Case const &c) { return signed_distance(c.pair); }),
-                theirs.median(), theirs.largest(), per_cent * theirs.wrong,
-                per_cent * theirs.failed, time_of(answered, fcl_signed_distance));
+                time_of(cases, signed_distance), theirs.median(), theirs.largest(),
+                per_cent * theirs.wrong, per_cent * theirs.failed,
+                time_of(answered, distance_by_fcl));
 }
 
 } // namespace

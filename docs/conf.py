@@ -67,6 +67,7 @@ rst_epilog = f"""
 .. |conditions-of-common_parts| replace:: {measurements.conditions("common_parts")}
 .. |conditions-of-rounded| replace:: {measurements.conditions("rounded")}
 .. |conditions-of-signed_distance| replace:: {measurements.conditions("signed_distance")}
+.. |conditions-of-signed_distance_peers| replace:: {measurements.conditions("signed_distance_peers")}
 .. |conditions-of-growth| replace:: {measurements.conditions("growth")}
 .. |conditions-of-any_dimension| replace:: {measurements.conditions("any_dimension")}
 .. |conditions-of-enclosing| replace:: {measurements.conditions("enclosing")}

@@ -17,10 +17,11 @@ template <class T> T width_along(Sample<T, 3> const &p, pw85::Vector<T, 3> const
            pw85::detail::support(p.q2, n).extent;
 }
 
-/// A stationary width, and the size of the last residual of its condition, which tells how exact
-/// the normal is.
+/// A stationary width, the size of the last residual of its condition, which tells how exact the
+/// normal is, and the unit normal.
 struct StationaryWidth {
     Wide width, residual;
+    pw85::Vector<Wide, 3> normal;
 };
 
 /// The stationary value of the width near n by Newton's method. The value errs by the square of the
@@ -38,7 +39,7 @@ inline StationaryWidth stationary_width(Sample<Wide, 3> const &p, pw85::Vector<W
         residual = square_root(dot(w, w));
     }
     n = Wide(1 / square_root(dot(n, n))) * n;
-    return {width_along(p, n), residual};
+    return {width_along(p, n), residual, n};
 }
 
 } // namespace pw85_tests
