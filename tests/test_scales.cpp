@@ -266,9 +266,8 @@ double area_of(double const *q)
 /// error of the smaller area.
 double scale_of_row(Call &call, std::size_t k, std::size_t i)
 {
-    if (names(call.function(), "overlap_area_torque")) {
+    if (names(call.function(), "overlap_area_torque"))
         return std::fmin(area_of(find(call, "q1") + 3 * i), area_of(find(call, "q2") + 3 * i));
-    }
     std::size_t const width = call.row_length(k);
     double const *const row = call.elements<double>(k) + i / width * width;
     return std::abs(*std::max_element(
