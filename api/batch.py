@@ -54,12 +54,13 @@ def names_and_shape(one):
 def argument(function, one, name, shape, row, said):
     """The parameter of many rows that stands for one of one row. `said` has the sentences of the template."""
     is_truth = one.is_output() and one.type == "int" and one.name in TRUTHS
-    nullable = one.is_output() and (one.nullable or len(names_and_shape(one)[0]) > 1)
+    is_optional = one.is_output() and (one.nullable or len(names_and_shape(one)[0]) > 1)
     limits = [limit for limit in LIMITS if limit in one.attributes.words]
     unit = [one.attributes.unit] if one.attributes.unit else []
-    attributes = ["×".join(["n", *map(str, shape)]), *unit, *(["optional"] if nullable else []), *limits]
+    attributes = ["×".join(["n", *map(str, shape)]), *unit, *(["optional"] if is_optional else []), *limits]
     match = SAID.fullmatch(said.get(name, f"[{'; '.join(attributes)}] {f'1, 0, or 255 for a bad {row}' if is_truth else ''}"))
     is_array = match["attributes"] != f"as {function.name}()"
+    nullable = "optional" in match["attributes"].split("; ")
     kind = "unsigned char" if is_truth else one.type
     return Argument(name, kind, match["attributes"], match["text"], one.is_output(), nullable, is_array)
 
