@@ -8,6 +8,7 @@
 
 #include <pw85/algebra/doubled.hpp>
 #include <pw85/algebra/powers_of_two.hpp>
+#include <pw85/algebra/units.hpp>
 
 namespace pw85::detail {
 
