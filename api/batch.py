@@ -7,7 +7,8 @@ A line of the template
     @rows pw85_f ellipsoids and boxes: what is said of the results
 
 becomes the declaration of pw85_f_batch() with its contract. "@lanes" is the same for functions that have lanes (LANES of shims.py). Its
-arrays have a row in the place of each number or array; what else is to be said of them stands in those headers. Where the line does not say of what the rows are, they are pairs; where it says nothing of the results, they are the same.
+arrays have a row in the place of each number or array; what else is to be said of them stands in those headers. Where the line does not
+say of what the rows are, they are pairs; where it says nothing of the results, their bits or answers are the same.
 Indented lines below, "name: [n; optional] text", describe parameters. A number "name: [as pw85_f()]" is one for all rows. The
 declarations of functions that have none of one row are in the template as they are.
 """
