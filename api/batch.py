@@ -7,7 +7,8 @@ A line of the template
     @rows pw85_f ellipsoids and boxes: what is said of the results
 
 becomes the declaration of pw85_f_batch() with its contract. "@lanes" is the same for functions that have lanes (LANES of shims.py). Its
-arrays have a row in the place of each number or array; what else is to be said of them stands in those headers. Where the line does not say of what the rows are, they are pairs; where it says nothing of the results, they are the same.
+arrays have a row in the place of each number or array; what else is to be said of them stands in those headers. Where the line does not
+say of what the rows are, they are pairs; where it says nothing of the results, their bits or answers are the same.
 Indented lines below, "name: [n; optional] text", describe parameters. A number "name: [as pw85_f()]" is one for all rows. The
 declarations of functions that have none of one row are in the template as they are.
 """
@@ -54,12 +55,13 @@ def names_and_shape(one):
 def argument(function, one, name, shape, row, said):
     """The parameter of many rows that stands for one of one row. `said` has the sentences of the template."""
     is_truth = one.is_output() and one.type == "int" and one.name in TRUTHS
-    nullable = one.is_output() and (one.nullable or len(names_and_shape(one)[0]) > 1)
+    is_optional = one.is_output() and (one.nullable or len(names_and_shape(one)[0]) > 1)
     limits = [limit for limit in LIMITS if limit in one.attributes.words]
     unit = [one.attributes.unit] if one.attributes.unit else []
-    attributes = ["×".join(["n", *map(str, shape)]), *unit, *(["optional"] if nullable else []), *limits]
+    attributes = ["×".join(["n", *map(str, shape)]), *unit, *(["optional"] if is_optional else []), *limits]
     match = SAID.fullmatch(said.get(name, f"[{'; '.join(attributes)}] {f'1, 0, or 255 for a bad {row}' if is_truth else ''}"))
     is_array = match["attributes"] != f"as {function.name}()"
+    nullable = "optional" in match["attributes"].split("; ")
     kind = "unsigned char" if is_truth else one.type
     return Argument(name, kind, match["attributes"], match["text"], one.is_output(), nullable, is_array)
 

@@ -109,8 +109,7 @@ def brief(function):
     text = re.sub(r"\bn (?=[a-z])", "many ", function.brief())
     if function.dimension == 2:
         text = text.replace("pairs", "pairs of ellipses")
-    verb = "Computes " if re.match(r"\w+\(\)", text) else ""
-    return f"{verb}{in_cpp(text)}: see {function.name}()."
+    return f"{in_cpp(text)}: see {function.name}()."
 
 
 def described(function, one):

@@ -66,10 +66,13 @@ class Voice:
         has_flat_forms = any(one.name in ("q", "q1", "q2") and one.shape == (3,) for one in row.inputs)
         self.is_flat = row.function.dimension == 2 or has_flat_forms
 
+    def meant(self, name, is_inherited):
+        """The function of C that is meant: in what a function of ellipses inherits, that of ellipses."""
+        flat = f"{name}_2d"
+        return flat if self.is_flat and is_inherited and flat in self.names else name
+
     def reference(self, match, is_inherited):
-        """A function in the words of Python: in what a function of ellipses inherits, that of ellipses."""
-        flat = f"{match[1]}_2d"
-        name = flat if self.is_flat and is_inherited and flat in self.names else match[1]
+        name = self.meant(match[1], is_inherited)
         return f"`{self.names[name]}`" if name in self.names else f"``{match[1]}`` in the C API"
 
     def unit(self, match):
@@ -137,5 +140,5 @@ class PlainVoice(Voice):
     """In the words of a language that has the functions by names of its own, or not at all."""
 
     def reference(self, match, is_inherited):
-        name = self.names.get(match[1])
+        name = self.names.get(self.meant(match[1], is_inherited))
         return f"`{name}()`" if name else f"`{match[1]}()` of the C API"

@@ -125,14 +125,14 @@ PW85_API int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, s
                                        unsigned char *bytes);
 
 /** Makes a simulation from the bytes of another one, which it continues bit by bit. The bytes may
- * come from another machine or from an earlier version.
+ * come from another machine, or from an earlier version since 3.1.
  *
  * @param num_bytes [number of bytes]
  * @param bytes [num_bytes]
  * @param[out] simulation [null on error] to be destroyed by pw85_hard_ellipsoids_destroy()
- * @return #PW85_SUCCESS; #PW85_EINVAL, also if the bytes are incomplete, have been changed or are
- *        of a later format; #PW85_EINVAL, #PW85_EOVERLAP, #PW85_ENOTPD, #PW85_EPOTENTIAL if their
- *        state is not possible; #PW85_ENOMEM */
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also if the bytes are incomplete, have been changed, or are
+ *        of a later format or of a version below 3.1; #PW85_EINVAL, #PW85_EOVERLAP, #PW85_ENOTPD,
+ *        #PW85_EPOTENTIAL if their state is not possible; #PW85_ENOMEM */
 PW85_API int pw85_hard_ellipsoids_restore(size_t num_bytes, unsigned char const *bytes,
                                           pw85_hard_ellipsoids **simulation);
 

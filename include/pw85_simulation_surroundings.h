@@ -163,7 +163,7 @@ typedef double pw85_potential(void *context, int32_t particle, double const cent
  * -infinity, the sweep or trial ends with #PW85_EPOTENTIAL, and the simulation is in the state
  * before this sweep or trial.
  *
- * After pw85_hard_ellipsoids_restore(), a simulation makes no trials (#PW85_EPOTENTIAL) until its
+ * If a simulation with a potential is restored, it makes no trials (#PW85_EPOTENTIAL) until its
  * potential is set again. A potential that gives the saved state another energy is refused. To use
  * such a potential, remove the old one before.
  *

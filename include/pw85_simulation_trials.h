@@ -90,8 +90,9 @@ PW85_API int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t
  *
  * A trial multiplies the coordinates by a random matrix E, which is as probable as its inverse. If
  * there is no overlap afterwards, the trial is accepted with the probability min(1, (det E)^(N+1)
- * exp(-βP V (det E - 1))). With a potential, its change is also in the exponent. In two dimensions
- * E changes only x and y, and V is the area.
+ * exp(-βP V (det E - 1))). The exponent also has minus the change of βU of a potential. With a law
+ * of pairs, the probability has the factor min(1, e^(-βΔU)), where ΔU is the change of the energy
+ * of pairs. In two dimensions E changes only x and y, and V is the area.
  *
  * The density of the volumes of N particles is therefore that of V^N exp(-βPV) for each type of
  * change, and types may be mixed. At given volume, the logarithmic lengths and the shears of the

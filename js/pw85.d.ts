@@ -254,7 +254,7 @@ export interface Plane extends Memory {
      * @param r12 Vector from the centre of ellipse 1 to that of ellipse 2; not zero. 2 numbers.
      * @param q1 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
      * @param q2 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
-     * @param lambda The maximiser λ of f, from `contact()`. For another λ in [0, 1] the point is x0(λ) of the
+     * @param lambda The maximiser λ of f, from `contact2d()`. For another λ in [0, 1] the point is x0(λ) of the
      *   chapter on theory. It is on the surface of ellipse 1 scaled by μ1, and on that of ellipse 2 scaled by μ2,
      *   where f(λ) = λ μ1² + (1-λ) μ2².
      */

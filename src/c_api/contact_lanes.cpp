@@ -13,9 +13,9 @@ using namespace pw85::detail::kernels;
 int pw85_contact_batch(size_t n, double const *r12, double const *q1, double const *q2, double *mu2,
                        double *lambda)
 {
-    static constexpr char const *names[] = {"pw85_contact_batch", "r12", "q1", "q2"};
+    static constexpr char const *names[] = {"pw85_contact_batch", "r12", "q1", "q2", "mu2"};
     return compute_rows(names, n, PairArrays<3>{r12, q1, q2}, ContactArrays{mu2, lambda}, r12, q1,
-                        q2);
+                        q2, mu2);
 }
 
 int pw85_closest_approach_batch(size_t n, double const *directions, double const *q1,

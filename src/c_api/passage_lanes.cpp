@@ -14,7 +14,7 @@ int pw85_closest_passage_batch(size_t n, double const *r12, double const *q1, do
                                double const *velocity, double t_max, double *mu2, double *t)
 {
     static constexpr char const *names[] = {"pw85_closest_passage_batch", "r12", "q1", "q2",
-                                            "velocity"};
+                                            "velocity", "mu2"};
     return compute_rows(names, n, PairArrays<3>{r12, q1, q2},
-                        PassageArrays{velocity, t_max, mu2, t}, r12, q1, q2, velocity);
+                        PassageArrays{velocity, t_max, mu2, t}, r12, q1, q2, velocity, mu2);
 }

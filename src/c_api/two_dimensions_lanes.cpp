@@ -23,9 +23,9 @@ int pw85_overlap_area_batch_2d(size_t n, double const *r12, double const *q1, do
 int pw85_contact_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
                           double *mu2, double *lambda)
 {
-    static constexpr char const *names[] = {"pw85_contact_batch_2d", "r12", "q1", "q2"};
+    static constexpr char const *names[] = {"pw85_contact_batch_2d", "r12", "q1", "q2", "mu2"};
     return compute_rows(names, n, PairArrays<2>{r12, q1, q2}, ContactArrays{mu2, lambda}, r12, q1,
-                        q2);
+                        q2, mu2);
 }
 
 int pw85_overlap_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The scalar of the lane kernels: a pack of as many doubles as a register of the target holds,
-/// with the arithmetic that algebra/scalar.hpp asks for. The lane kernels use it, and one_set.cpp
-/// computes a single row with it.
+/// with the arithmetic that algebra/scalar.hpp asks for. The lane kernels use it, and
+/// set/one_set.cpp computes a single row with it.
 ///
 /// A product has a type of its own. If something is added to it or subtracted from it, and the
 /// target has fused multiply-add, the product becomes part of that instruction. So the source

@@ -29,8 +29,8 @@ for object; do :; done
 """
 
 
-def output_of(*command):
-    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+def output_of(*command, environment=None):
+    return subprocess.run(command, check=True, capture_output=True, text=True, env=environment).stdout
 
 
 def noted_by_compiler(folder):
@@ -38,9 +38,9 @@ def noted_by_compiler(folder):
     compiler, log, script = folder / "c++", folder / "log", folder / "build"
     compiler.write_text(COMPILER.format(log=log))
     compiler.chmod(0o755)
-    output_of("rustc", "--edition=2021", "-o", script, CRATE / "build.rs")
+    version = {f"CARGO_PKG_VERSION{part}": "0" for part in ("", "_MAJOR", "_MINOR", "_PATCH")}  # read here and by the script
+    output_of("rustc", "--edition=2021", "-o", script, CRATE / "build.rs", environment=os.environ | version)
     host = next(line.split()[1] for line in output_of("rustc", "-vV").splitlines() if line.startswith("host: "))
-    version = {f"CARGO_PKG_VERSION{part}": "0" for part in ("", "_MAJOR", "_MINOR", "_PATCH")}
     environment = {name: value for name, value in os.environ.items() if name != "DOCS_RS" and not name.startswith(("CXX", "AR"))} | version
     environment |= {"CARGO_FEATURE_VENDORED": "1", "CARGO_MANIFEST_DIR": str(CRATE), "OUT_DIR": str(folder), "TARGET": host,
                     "CARGO_CFG_TARGET_ARCH": host.partition("-")[0], "CXX": str(compiler), "AR": "true"}  # fmt: skip

@@ -14,8 +14,9 @@
 #ifndef PW85_CONTACT_GEOMETRY_HPP_INCLUDED
 #define PW85_CONTACT_GEOMETRY_HPP_INCLUDED
 
+#include <pw85/algebra/all_nan.hpp>
 #include <pw85/algebra/gram_schmidt.hpp>
-#include <pw85/contact/contact.hpp>
+#include <pw85/contact/factorized_search.hpp>
 
 namespace pw85 {
 

@@ -12,6 +12,7 @@
 #define PW85_MOTION_CLOSEST_PASSAGE_HPP_INCLUDED
 
 #include <pw85/contact/condition.hpp>
+#include <pw85/contact/contact.hpp>
 
 namespace pw85 {
 

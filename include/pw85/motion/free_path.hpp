@@ -9,6 +9,7 @@
 #ifndef PW85_MOTION_FREE_PATH_HPP_INCLUDED
 #define PW85_MOTION_FREE_PATH_HPP_INCLUDED
 
+#include <pw85/contact/contact.hpp>
 #include <pw85/contact/geometry.hpp>
 #include <pw85/motion/first_contact.hpp>
 

@@ -6,6 +6,7 @@
 #define PW85_OVERLAP_CERTIFIED_VALUE_HPP_INCLUDED
 
 #include <pw85/contact/condition.hpp>
+#include <pw85/contact/contact.hpp>
 #include <pw85/overlap/decision.hpp>
 
 namespace pw85::detail {

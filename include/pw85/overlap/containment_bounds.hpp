@@ -10,6 +10,7 @@
 #define PW85_OVERLAP_CONTAINMENT_BOUNDS_HPP_INCLUDED
 
 #include <pw85/contact/condition.hpp>
+#include <pw85/contact/contact.hpp>
 
 namespace pw85::detail {
 

@@ -16,6 +16,7 @@
 #define PW85_OVERLAP_WITNESS_HPP_INCLUDED
 
 #include <pw85/algebra/all_nan.hpp>
+#include <pw85/contact/contact.hpp>
 #include <pw85/contact/geometry.hpp>
 #include <pw85/overlap/exact_witness.hpp>
 #include <pw85/overlap/overlap.hpp>

@@ -129,7 +129,7 @@ PW85_FUNCTION inline ShapeOverlap overlap_polytope(std::size_t n, T const *norma
                                                    Vector<T, 3> const &center) noexcept
 {
     using namespace detail;
-    Polytope<T> const polytope{n, normals, offsets, q, center, 0, T(0)};
+    Polytope<T> const polytope{n, normals, offsets, q, center, {}, T(0)};
     Decision const simple = decide_by_planes(polytope);
     if (simple != Decision::none) return {simple == Decision::overlap, StatusCode::success};
     StatusCode const planes = check_planes(polytope).status,

@@ -420,9 +420,9 @@ static inline StatusCode hard_ellipsoids_create(Particles const &particles, Vect
 /// @param bytes one for each byte
 /// @param[out] simulation empty on error
 /// @return Status::success; Status::invalid_argument, also if the bytes are incomplete, have been
-/// changed or are of a later format; Status::invalid_argument, Status::overlap,
-/// Status::not_positive_definite, Status::bad_potential if their state is not possible;
-/// Status::out_of_memory
+/// changed, or are of a later format or of a version below 3.1; Status::invalid_argument,
+/// Status::overlap, Status::not_positive_definite, Status::bad_potential if their state is not
+/// possible; Status::out_of_memory
 static inline StatusCode hard_ellipsoids_restore(std::span<unsigned char const> bytes,
                                                  HardEllipsoids &simulation) noexcept
 {

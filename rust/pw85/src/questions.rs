@@ -265,7 +265,7 @@ pub struct GapInside {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Distance2d {
     /// The distance, in the unit of `r12`; zero if the ellipses overlap, as
-    /// [`overlap()`](crate::overlap) decides.
+    /// [`overlap_2d()`](crate::overlap_2d) decides.
     pub distance: f64,
     /// The closest points of ellipses 1 and 2, both relative to the centre of ellipse 1; NaN if
     /// the ellipses overlap.
@@ -279,7 +279,7 @@ pub struct Distance2d {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Penetration2d {
     /// The depth, in the unit of `r12`; zero if the ellipses do not overlap, as
-    /// [`overlap()`](crate::overlap) decides.
+    /// [`overlap_2d()`](crate::overlap_2d) decides.
     pub depth: f64,
     /// Unit vector along which ellipse 2 must move; NaN if the ellipses do not overlap.
     pub direction: [f64; 2],
@@ -289,7 +289,7 @@ pub struct Penetration2d {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GapInside2d {
     /// The gap, in the unit of `r12`; zero if the ellipses touch, or if ellipse 2 is not inside
-    /// ellipse 1, as [`contains()`](crate::contains) decides.
+    /// ellipse 1, as [`contains_2d()`](crate::contains_2d) decides.
     pub gap: f64,
     /// The closest points of the surfaces of ellipses 1 and 2, both relative to the centre of
     /// ellipse 1; NaN if ellipse 2 is not inside.
@@ -3383,9 +3383,9 @@ pub fn contact_batch_2d(
 /// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2; not zero. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact). For another λ in \[0,
-///   1\] the point is x0(λ) of the chapter on theory. It is on the surface of ellipse 1 scaled by
-///   μ1, and on that of ellipse 2 scaled by μ2, where f(λ) = λ μ1² + (1-λ) μ2².
+/// - `lambda`: The maximiser λ of f, from [`contact_2d()`](crate::contact_2d). For another λ in
+///   \[0, 1\] the point is x0(λ) of the chapter on theory. It is on the surface of ellipse 1
+///   scaled by μ1, and on that of ellipse 2 scaled by μ2, where f(λ) = λ μ1² + (1-λ) μ2².
 ///
 /// # Errors
 ///
@@ -3485,7 +3485,7 @@ pub fn contact_geometry_batch_2d(
 /// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact).
+/// - `lambda`: The maximiser λ of f, from [`contact_2d()`](crate::contact_2d).
 ///
 /// # Errors
 ///
@@ -3602,7 +3602,7 @@ pub fn contact_gradient_batch_2d(
 /// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact).
+/// - `lambda`: The maximiser λ of f, from [`contact_2d()`](crate::contact_2d).
 ///
 /// # Errors
 ///
@@ -3699,7 +3699,7 @@ pub fn contact_torque_batch_2d(
 /// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2; not zero. Unit: length.
 /// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
 /// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact).
+/// - `lambda`: The maximiser λ of f, from [`contact_2d()`](crate::contact_2d).
 ///
 /// # Errors
 ///

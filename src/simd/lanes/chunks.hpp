@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The begin of each file of this folder: the loops over the chunks, packs and steps of a kernel. Code
-/// of this folder is compiled once per instruction set.
+/// The loops over the chunks, packs and steps of a kernel. Each source of this folder includes this
+/// file first, and is compiled once per instruction set.
 ///
-/// A header of this folder says all of a question: its rows and arrays, the kernel compute_chunk(),
-/// and scalar_fallback() for rows that the kernel leaves over. Units that include this file first get
+/// A header of this folder is one question: its rows and arrays, the kernel compute_chunk(), and
+/// scalar_fallback() for rows that the kernel leaves over. Sources that include this file first get
 /// the kernel, and define it by PW85_KERNEL(rows, arrays). Others get scalar_fallback(), and call
 /// compute_all() (rows/many_pairs.hpp).
 #ifndef PW85_SIMD_LANES_CHUNKS_HPP_INCLUDED

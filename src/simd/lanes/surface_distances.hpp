@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The kernels for distances from an ellipsoid's surface, one row per lane, with the bits of one
-/// row: from points, and from cylinders around. The whole of them stands here: rows, arrays, the
-/// computation of a chunk, and the functions for the rows that lanes leave over.
-/// lanes_surface_distances.cpp defines the kernels, and rows/surface_distances.cpp calls them.
+/// row: from points, and from cylinders around.
 ///
 /// The searches are those of one row (distance/nearest.hpp), in the units of the caller. They give
 /// the bits of one row, which scales by powers of two, where no number overflows or underflows in
