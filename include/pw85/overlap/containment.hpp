@@ -243,11 +243,12 @@ decide_containment_scaled(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &
     return decide_containment(pair_of(unit.to_local(r12), unit.to_local(q1), unit.to_local(q2)));
 }
 
-template <class T, int D>
-[[gnu::noinline]] PW85_FUNCTION inline StatusCode validate_apart(Pair<T, D> pair) noexcept
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline StatusCode
+validate_apart(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+               SymmetricMatrix<T, D> const &q2) noexcept
 {
     ScaledPair<T, D> scaled;
-    return validate(pair, scaled);
+    return validate(pair_of(r12, q1, q2), scaled);
 }
 
 } // namespace pw85::detail
@@ -261,7 +262,7 @@ PW85_FUNCTION inline Containment contains(Vector<T, D> const &r12, SymmetricMatr
     using namespace detail;
     auto const pair = pair_of(r12, q1, q2);
     bool const in_range = passes_fast_checks(pair);
-    StatusCode const status = in_range ? StatusCode::success : validate_apart(pair);
+    StatusCode const status = in_range ? StatusCode::success : validate_apart(r12, q1, q2);
     if (status != StatusCode::success) return {false, status};
     ContainmentDecision const nesting =
         in_range ? decide_containment(pair) : decide_containment_scaled(r12, q1, q2);
