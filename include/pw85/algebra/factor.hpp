@@ -61,7 +61,7 @@ template <class T, int D> PW85_FUNCTION constexpr bool is_finite(Factor<T, D> co
 template <class T, int D>
 PW85_FUNCTION inline Factor<T, D> times_power_of_two(Factor<T, D> s, int exponent) noexcept
 {
-    for (T &x : s.entries) x = times_power_of_two(x, exponent);
+    multiply_by_power_of_two<D * D>(s.entries, exponent);
     return s;
 }
 

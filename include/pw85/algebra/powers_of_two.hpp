@@ -38,29 +38,45 @@ template <class T> PW85_FUNCTION inline T times_power_of_two(T const &x, int exp
     return ldexp(x, exponent);
 }
 
-/// x·2^exponent for a double. It does without ldexp, which devices lack. The result is rounded only
-/// once: if a step of 2^-969 gives a subnormal number, the remaining factor is at most 2^-54 and
-/// gives zero.
+/// Multiplies x[0] to x[N-1] by 2^exponent.
+template <int N, class T>
+PW85_FUNCTION inline void multiply_by_power_of_two(T *x, int exponent) noexcept
+{
+    for (int i = 0; i < N; ++i) x[i] = times_power_of_two(x[i], exponent);
+}
+
+/// Multiplies doubles by 2^exponent. It does without ldexp, which devices lack. The results are
+/// rounded only once: if a step of 2^-969 gives a subnormal number, the remaining factor is at most
+/// 2^-54 and gives zero.
+template <int N>
+PW85_FUNCTION inline void multiply_by_power_of_two(double *x, int exponent) noexcept
+{
+    for (; exponent > 1023; exponent -= 1023)
+        for (int i = 0; i < N; ++i) x[i] = x[i] * 0x1p1023;
+    for (; exponent < -1022; exponent += 969)
+        for (int i = 0; i < N; ++i) x[i] = x[i] * 0x1p-969;
+    double const factor =
+        __builtin_bit_cast(double, static_cast<std::uint64_t>(1023 + exponent) << 52);
+    for (int i = 0; i < N; ++i) x[i] = x[i] * factor;
+}
+
 PW85_FUNCTION inline double times_power_of_two(double x, int exponent) noexcept
 {
-    for (; exponent > 1023; exponent -= 1023) x = x * 0x1p1023;
-    for (; exponent < -1022; exponent += 969) x = x * 0x1p-969;
-    return x * __builtin_bit_cast(double, static_cast<std::uint64_t>(1023 + exponent) << 52);
+    multiply_by_power_of_two<1>(&x, exponent);
+    return x;
 }
 
 template <class T, int D>
 PW85_FUNCTION inline Vector<T, D> times_power_of_two(Vector<T, D> x, int exponent) noexcept
 {
-    if (exponent != 0)
-        for (int i = 0; i < D; ++i) x[i] = times_power_of_two(x[i], exponent);
+    if (exponent != 0) multiply_by_power_of_two<D>(x.coordinates, exponent);
     return x;
 }
 
 template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<T, D>
 times_power_of_two(SymmetricMatrix<T, D> a, int exponent) noexcept
 {
-    if (exponent != 0)
-        for (int k = 0; k < a.size; ++k) a[k] = times_power_of_two(a[k], exponent);
+    if (exponent != 0) multiply_by_power_of_two<a.size>(a.entries, exponent);
     return a;
 }
 

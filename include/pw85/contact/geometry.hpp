@@ -257,8 +257,9 @@ PW85_FUNCTION inline void rescale(ContactGeometry<T, D> &g, TangencyUnits const 
     g.point = units.length.to_caller(g.point);
 }
 
-template <class T, int D>
-PW85_FUNCTION inline void rescale(ContactGradient<T, D> &g, TangencyUnits const &units) noexcept
+/// Not inlined: the entries would go through scalar registers between two loops over vectors.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline void
+rescale(ContactGradient<T, D> &g, TangencyUnits const &units) noexcept
 {
     Unit const unit = units.normal * units.lambda;
     g.r12 = unit.to_caller(g.r12);

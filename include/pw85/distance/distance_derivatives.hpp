@@ -128,12 +128,9 @@ to_caller(DistanceDerivatives<T> result, Units const &units) noexcept
     result.rotation1 = units.first.to_caller(result.rotation1);
     result.rotation2 = units.second.to_caller(result.rotation2);
     // a derivative by r12 and by a rotation is a number
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-            result.hessian[i][j] = units.length.to_caller(result.hessian[i][j], -1);
-    for (int i = 3; i < 9; ++i)
-        for (int j = 3; j < 9; ++j)
-            result.hessian[i][j] = units.length.to_caller(result.hessian[i][j]);
+    int const length = units.length.exponent;
+    for (int i = 0; i < 3; ++i) multiply_by_power_of_two<3>(result.hessian[i], -length);
+    for (int i = 3; i < 9; ++i) multiply_by_power_of_two<6>(result.hessian[i] + 3, length);
     return result;
 }
 

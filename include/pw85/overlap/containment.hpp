@@ -208,9 +208,9 @@ search_for_containment(Pair<T, D> const &pair, T w) noexcept
     return ContainmentDecision::none;
 }
 
-/// The decision by floating-point numbers. The search for a proof
-/// starts at the larger of two values: the w at which two balls with the extents along r would
-/// touch, to 10 %, and the trace of (Q1 - Q2)⁻¹Q2. M is positive definite there.
+/// The decision by floating-point numbers. The search for a proof starts at the larger of two
+/// values: the w at which two balls with the extents along r would touch, to 10 %, and the trace of
+/// (Q1 - Q2)⁻¹Q2. M is positive definite there.
 template <class T, int D>
 PW85_FUNCTION inline ContainmentDecision decide_containment(Pair<T, D> const &pair) noexcept
 {
@@ -236,18 +236,19 @@ PW85_FUNCTION inline ContainmentDecision decide_containment(Pair<T, D> const &pa
 /// The decision for any pair, in the unit of ellipsoid 1. A number that becomes subnormal errs by
 /// 2^-53 of the smallest number, for double.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline ContainmentDecision
-decide_containment_scaled(Pair<T, D> pair) noexcept
+decide_containment_scaled(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                          SymmetricMatrix<T, D> const &q2) noexcept
 {
-    Unit const unit = unit_of(pair.q1);
-    return decide_containment(
-        pair_of(unit.to_local(pair.r12), unit.to_local(pair.q1), unit.to_local(pair.q2)));
+    Unit const unit = unit_of(q1);
+    return decide_containment(pair_of(unit.to_local(r12), unit.to_local(q1), unit.to_local(q2)));
 }
 
-template <class T, int D>
-[[gnu::noinline]] PW85_FUNCTION inline StatusCode validate_apart(Pair<T, D> pair) noexcept
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline StatusCode
+validate_apart(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+               SymmetricMatrix<T, D> const &q2) noexcept
 {
     ScaledPair<T, D> scaled;
-    return validate(pair, scaled);
+    return validate(pair_of(r12, q1, q2), scaled);
 }
 
 } // namespace pw85::detail
@@ -261,10 +262,10 @@ PW85_FUNCTION inline Containment contains(Vector<T, D> const &r12, SymmetricMatr
     using namespace detail;
     auto const pair = pair_of(r12, q1, q2);
     bool const in_range = passes_fast_checks(pair);
-    StatusCode const status = in_range ? StatusCode::success : validate_apart(pair);
+    StatusCode const status = in_range ? StatusCode::success : validate_apart(r12, q1, q2);
     if (status != StatusCode::success) return {false, status};
     ContainmentDecision const nesting =
-        in_range ? decide_containment(pair) : decide_containment_scaled(pair);
+        in_range ? decide_containment(pair) : decide_containment_scaled(r12, q1, q2);
     if (nesting != ContainmentDecision::none)
         return {nesting == ContainmentDecision::inside, status};
     if constexpr (exact::is_decidable<T>)

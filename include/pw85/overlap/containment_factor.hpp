@@ -209,7 +209,8 @@ PW85_FUNCTION inline ContainmentScale<T, D> containment(Vector<T, D> const &r12,
 {
     using namespace detail;
     auto const pair = pair_of(r12, q1, q2);
-    StatusCode const status = passes_fast_checks(pair) ? StatusCode::success : validate_apart(pair);
+    StatusCode const status =
+        passes_fast_checks(pair) ? StatusCode::success : validate_apart(r12, q1, q2);
     if (status != StatusCode::success) return all_nan<ContainmentScale<T, D>>(status);
     auto const scaled = scale_contained(pair);
     auto const dual = minimize_dual(scaled.pair);
