@@ -87,7 +87,7 @@ template <class T> PW85_FUNCTION inline Unit larger_unit(Unit least, T const &x,
 /// A unit below that of any number.
 PW85_FUNCTION constexpr Unit smallest_unit() noexcept
 {
-    return {(std::numeric_limits<int>::min)()};
+    return {constant_of<std::numeric_limits<int>::min>};
 }
 
 /// The units of a pair of ellipsoids.
