@@ -38,6 +38,8 @@ _LENGTHS: list[tuple[str, list[Names], str]] = [
     ("axislengths?", [_INDEX, _FROM_0, _FROM_1], _ASK),
     (r"c\w*(?:shape|diam)\w*", [_INDEX, _FROM_1], "diameters"),
     ("", [("a", "b", "c")], "radii"),
+    ("semi", [(one, two, three) for one, three in (("major", "minor"), ("majoraxis", "minoraxis"))
+              for two in ("intermediate", "middle", "medium", "intermediateaxis", "middleaxis", "mediumaxis")], "radii"),
     ("", [("length", "width", "height"), ("length", "width", "thickness"), ("l", "w", "h"), ("lx", "ly", "lz"),
           ("major", "intermediate", "minor"), ("long", "intermediate", "short")], _ASK),
 ]
@@ -56,6 +58,7 @@ _QUATERNIONS: list[tuple[str, list[Names], str]] = [
     ("quat", [("1", "2", "3", "4")], "wxyz"),  # of LIGGGHTS
     ("q", [("0", "1", "2", "3")], "wxyz"),
     ("quat|quats|quaternion|quaternions", [("0", "1", "2", "3"), _QUADRUPLE], _ASK),
+    ("orientation|orient", [("0", "1", "2", "3"), ("1", "2", "3", "4")], _ASK),
     (r"c\w*orient\w*", [_QUADRUPLE], _ASK),
     (r"cq|c\w*quat\w*", [_QUADRUPLE], "wxyz"),
     (r"c\w*shape\w*", [("[4]", "[5]", "[6]", "[7]")], "wxyz"),
@@ -89,7 +92,7 @@ _SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thi
                     r"spheric|cylindric|triaxial|slender|breadth|caliper|calliper|feret|gyrat|fwhm|per(px|pixel|voxel)|"
                     r"(?<!in)form|matrix|covar|inertia|eigen|lambda|principal|ellip|spheroid).*|(shape)?anisotropy|kappa|ar|ecc|flat|"
                     r"oval(ity|ness)?|dpi|ba|ca|cb|[abc](to|over)[abc]|tensor[\w\[\]]*|(cov|rg)(xx|yy|zz|xy|xz|yz)|"
-                    r"(dims?|extents?|span|std|stdev|stddev|rms|voxel|pixel)[xyz0-3]|"
+                    r"(dims?|extents?|span|std|stdev|stddev|sd|var|variance|precision|rms|voxel|pixel)[xyz0-3]|"
                     r"eps(ilon)?[12]|geom|geometry|primitive|kind|[xyz](2|end)|(end|tip|tail)[xyz]|[abcdhlrsw]|"
                     r"[abdhrsl][xyz0-3]|[fv]?[rd](max|mid|int|min)|rad|len|dia|(?!chi)[a-z]?(xx|yy|zz|xy|xz|yz)|"
                     r"(?![cfv]\d)[a-z]{1,2}(0[0-2]|[123][0-3])|[ub](iso|eq|equiv|aniso)|"
@@ -182,16 +185,25 @@ def take(columns: Sequence[str], options: Options, error: Error, lengths: str, o
             raise error(f"there is no column '{name}', but {' '.join(columns)}")
     columns = [name for name in columns if name not in (options.ignore_columns or ())]
     is_flat = is_flat if options.dimensions is None else options.dimensions == 2
-    plain = {plain_name(name): name for name in reversed(columns)}
+    colors = _colors(columns, is_flat)
+    plain = {plain_name(name): name for name in reversed(columns) if name not in colors}
     if convention is None and options.convention is None and options.lengths is None and is_flat:
         _ask_for_program(plain, options.angle, error)
     taken = (_by_names(columns, plain, options, error, lengths, order, is_flat) if convention is None else
              _by_convention(plain, options, convention))  # fmt: skip
     _check_brackets([*known, *taken.columns], error)
-    _check_unused(columns, taken, known, options, error, is_flat, convention)
+    _check_unused(columns, taken, [*known, *colors], options, error, is_flat, convention)
     _check_options(taken, options, error)
     unused = " ".join(name for name in dict.fromkeys(columns) if name not in {"", *known, *taken.columns})
     return taken._replace(source=", ".join(filter(None, [taken.source, unused and f"columns that are not used: {unused}"])))
+
+
+def _colors(columns: Sequence[str], is_flat: bool) -> list[str]:
+    """The columns r g b, and a, if these are a colour: then b and a are not lengths of axes, nor r a radius."""
+    for names, axis in (("RGBA", "A" if is_flat else "C"), ("rgba", "a" if is_flat else "c")):
+        if set(names[:3]) <= set(columns) and axis not in columns:
+            return [name for name in names if name in columns]
+    return []
 
 
 def _check_brackets(names: Sequence[str], error: Error) -> None:

@@ -55,7 +55,12 @@ _ONE_ANGLE = ("{0} may be the angle of ellipses in a plane, or a rotation in spa
 _FROM_PLANE = ("elevation", "elev", "latitude", "lat", "altitude", "alt", "plunge", "pitch", "dip", "declination")
 _ELEVATION = ("{0} may be an angle from the plane of x and y, and is not that from the axis z which --polar takes: write 90 degrees less "
               "it in a column of another name, or leave it out (--ignore-columns {1})")  # fmt: skip
-_ZERO = "{} may be counted from the axis x or from y: use --angle-zero x or --angle-zero y"
+_ZERO = ("{} may be counted from the axis x or from y: use --angle-zero x or --angle-zero y (with --angle-sense yx if it grows the other "
+         "way than from x towards y)")  # fmt: skip
+# Names of an angle about an axis that others give
+_ABOUT_AXES = ("angle", "axisangle", "rotationangle", "rotangle", "theta", "axisw")
+_AXIS_AND_ANGLE = ("{0} may be an axis and the angle of a rotation about it, which is not read: write quaternions, or say that the axis is "
+                   "that of revolution (--direction-columns {1})")  # fmt: skip
 
 
 class Turn(NamedTuple):
@@ -152,7 +157,7 @@ def is_other_unit(name: str, turn: Turn) -> bool:
 
 
 def _of_ellipses(columns: Sequence[str], options: Options, error: Error) -> Turn:
-    found = _bases(columns, _OF_ELLIPSES)
+    found = {key: name for key, name in _bases(columns, _OF_ELLIPSES).items() if name not in _triple(columns)}
     if options.angle_columns:
         found = {name: name for name in _given(columns, options.angle_columns, error)}
     if not found:
@@ -173,6 +178,8 @@ def _of_bodies(columns: Sequence[str], options: Options, error: Error) -> Turn:
         _refuse_elevation(names, error)
         raise error(_POLAR.format(" ".join(names), for_option(names)))
     if names := _first(columns, _DIRECTIONS):
+        if base(names[0])[0].startswith("axis") and (angles := _bases(columns, _ABOUT_AXES)):
+            raise error(_AXIS_AND_ANGLE.format(" ".join((*names, *angles.values())), for_option(names)))
         return Turn("direction", names, largest=1.0 if base(names[0])[0].startswith("orient") else 0.0)
     if found := _bases(columns, (*_OF_ELLIPSES, *_AXES)):
         names = tuple(found.values())
