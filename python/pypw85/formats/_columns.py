@@ -103,7 +103,7 @@ _TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bear
                     r"rw|q(uat)?[wxyzijk0-4rs]?|qv\w*|[unde][xyz0-3]|dir[xyz]|ori[xyz]|e[1-3][xyz]|axis\w*")  # fmt: skip
 # Names of whole lengths, and of half ones
 _SOUND_WHOLE = re.compile(r".*(diam|length|width|height|thick|breadth|feret|calliper|caliper|size).*|"
-                          r"(?!aspherical)\w*shape(\[[1-3]\]|[1-3])|[fv]?d(max|mid|int|min|[xyz]|\d)|l[xyz]|[lwh]")
+                          r"(?!aspherical)\w*shape(\[[1-3]\]|[1-3])|[fv]?d(max|mid|int|min|[xyz]|\d)|l[xyz]|[lwh]|2\W?[abcr]")
 _SOUND_HALF = re.compile(r".*(radi(us|i)|semi|half).*|[fv]?r(max|mid|int|min|[xyz]|\d)|r")
 # Names of lengths that say neither
 _SOUND_EITHER = re.compile(r"(?!.*(semi|half|radi|diam)).*(scal|sigma|std|rms|extent|dimension|span|ax[ei]s|principal|eigen|major|minor|"
@@ -133,6 +133,16 @@ UNIT_AT_END = re.compile(r"(?<=[^\W_])(?:[_/ ](mm|[uµμn]m|cm|microns?|voxels?)
 _BRACKETS = re.compile(r"\([^)]*\)|\[(?!\d+\])[^]]*\]")
 _MORE_THAN_UNITS = re.compile(r"full|whole|half|semi|diam|radi(us|i)|log|\bln|exp|squar|cub|inv|\^|[²³*]|scal|frac|norm|relat|rms|std|"
                               r"from|clock|\bc?cw\b|body|world|conj|transp|minus|[+]", re.IGNORECASE)  # fmt: skip
+
+
+# Names of the parts of a colour, and the column of three dimensions and that of two beside which they are axes
+_COLORS: list[tuple[Names, Names]] = [
+    (("R", "G", "B", "A"), ("C", "A")), (("r", "g", "b", "a"), ("c", "a")),
+    (("red", "green", "blue", "alpha"), ("", "")), (("colorr", "colorg", "colorb", "colora", "alpha"), ("", "")),
+]  # fmt: skip
+# Names of functions of lengths
+_FUNCTIONS = re.compile(r"(log|log10|ln|exp|sqrt|inv|inverse|1/)(?=[\W\d_]|(?<=/)).*|.*[\W_](log|squared|sq|cubed|inv|inverse)|"
+                        r".*(\^|\*\*).*|.*[²³]", re.IGNORECASE)  # fmt: skip
 
 
 def could_change(name: str) -> bool:
@@ -185,24 +195,29 @@ def take(columns: Sequence[str], options: Options, error: Error, lengths: str, o
             raise error(f"there is no column '{name}', but {' '.join(columns)}")
     columns = [name for name in columns if name not in (options.ignore_columns or ())]
     is_flat = is_flat if options.dimensions is None else options.dimensions == 2
-    colors = _colors(columns, is_flat)
-    plain = {plain_name(name): name for name in reversed(columns) if name not in colors}
+    colors = _colors(columns, options, is_flat)
+    others = [name for name in columns if name not in colors]
+    plain = {plain_name(name): name for name in reversed(others)}
     if convention is None and options.convention is None and options.lengths is None and is_flat:
         _ask_for_program(plain, options.angle, error)
-    taken = (_by_names(columns, plain, options, error, lengths, order, is_flat) if convention is None else
+    taken = (_by_names(others, plain, options, error, lengths, order, is_flat) if convention is None else
              _by_convention(plain, options, convention))  # fmt: skip
     _check_brackets([*known, *taken.columns], error)
+    _check_functions([*taken.shape, *taken.sphere], error)
     _check_unused(columns, taken, [*known, *colors], options, error, is_flat, convention)
     _check_options(taken, options, error)
     unused = " ".join(name for name in dict.fromkeys(columns) if name not in {"", *known, *taken.columns})
     return taken._replace(source=", ".join(filter(None, [taken.source, unused and f"columns that are not used: {unused}"])))
 
 
-def _colors(columns: Sequence[str], is_flat: bool) -> list[str]:
-    """The columns r g b, and a, if these are a colour: then b and a are not lengths of axes, nor r a radius."""
-    for names, axis in (("RGBA", "A" if is_flat else "C"), ("rgba", "a" if is_flat else "c")):
-        if set(names[:3]) <= set(columns) and axis not in columns:
-            return [name for name in names if name in columns]
+def _colors(columns: Sequence[str], options: Options, is_flat: bool) -> list[str]:
+    """The columns of a colour, such as r g b a, unless an option names one: then b and a are not lengths of axes, r is not a radius, and
+    alpha is not an angle."""
+    given = {*(options.shape_columns or ()), *(options.angle_columns or ())}
+    for names, axis in _COLORS:
+        found = [name for name in columns if (name if len(names[0]) == 1 else plain_name(name)) in names]
+        if len(found) > 2 and set(names[:3]) <= {*found, *map(plain_name, found)} and not given & {*found}:
+            return [] if axis[is_flat] in columns else found
     return []
 
 
@@ -212,6 +227,14 @@ def _check_brackets(names: Sequence[str], error: Error) -> None:
         found = _BRACKETS.search(name)
         if found and _MORE_THAN_UNITS.search(found[0]):
             raise error(f"the name of the column '{name}' says more than a unit in brackets, which is not read: convert its numbers, "
+                        "and rename it")  # fmt: skip
+
+
+def _check_functions(names: Sequence[str], error: Error) -> None:
+    """Refuses lengths whose names say that the numbers are functions of these."""
+    for name in names:
+        if _FUNCTIONS.fullmatch(name):
+            raise error(f"the name of the column '{name}' says a function of a length, which is not read: convert its numbers to lengths, "
                         "and rename it")  # fmt: skip
 
 
