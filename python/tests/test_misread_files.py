@@ -47,6 +47,8 @@ REFUSED = {
     "x,y,z,major,minor,ux,uy,uz":
         ({"shape_columns": ("major", "minor", "minor")}, "0,0,0,4,1,0,1,0", "major minor minor may be whole axes"),
     "x,y,a,b,PA": ({}, "0,0,2,1,0", "PA could change .*: say what it is .--angle-columns., or leave it out"),
+    "x,y,a,b,ux,uy": ({}, "0,0,2,1,0,1", "ux uy may be the direction of an axis of ellipses, which needs three .*--ignore-columns ux,uy."),
+    "x,y,a,b,dir_x,dir_y,dir_z": ({}, "0,0,2,1,0,1,0", "say so .--direction-columns dir_x,dir_y,dir_z., or leave"),
     "x,y,z,a,b,c,qw,qx,qy,qz": ({"quaternion": "xyzw"}, f"0,0,0,2,1,1,{UP}", "qw qx qy qz say which is which, and it is not"),
     "label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation":
         ({}, "1,0,0,4,1,90", "has the orientation 90, and this program writes radians up to 1.571: say the unit"),
@@ -133,6 +135,8 @@ PAIRS = {
     "an axis of revolution beside an angle": (
         "x,y,z,a,b,c,axis_x,axis_y,axis_z,angle\n0,0,0,.5,2,.5,0,1,0,7\n0,1.5,0,2,.5,.5,0,-1,0,7",
         {"direction_columns": [f"axis_{axis}" for axis in "xyz"]}, 0.375),
+    "directions in a plane": ("x,y,a,b,dir_x,dir_y,dir_z\n0,0,2,.5,0,1,0\n0,1.5,2,.5,0,-1,0",
+                              {"direction_columns": ["dir_x", "dir_y", "dir_z"]}, 0.375),
     **{f"red beside {alpha}": (f"x,y,z,radius,{names},{alpha}\n0,0,0,.5,9,9,9,9\n0,1.5,0,.5,9,9,9,9", {}, 1.5) for names, alpha in
        (("red,green,blue", "alpha"), ("color_r,color_g,color_b", "alpha"), ("Color.R,Color.G,Color.B", "Color.A"), ("R,G,B", "A"))},
     "a radius beside g and b": ("x,y,z,r,g,b\n0,0,0,.5,9,9\n0,1.5,0,.5,9,9", {"shape_columns": ["r"]}, 1.5),
@@ -231,6 +235,7 @@ def test_ids_and_types_by_other_names(tmp_path):
 
 # Columns beside lengths and quaternions whose names sound like lengths or turns, and that hold neither
 HARMLESS = ("rotational_energy", "Rotational Kinetic Energy", "rotational_velocity_x", "information", "misorientation", "psi6", "psi_4",
+            "phi_dot", "yaw_rate",
             "orientational_order", "track_length", "form_factor", "inertia_x", "moment_of_inertia_xx", "moment_inertia[2]",
             "c_orientorder[1]", "c_erotate", "f_inertia[1]", "c_cluster_size", "Cavity Radius", "deformation_gradient[1]", "label", "name",
             "class", "b_to_a", "ellipticity", "Flatness", "Max caliper", "radius_of_gyration",

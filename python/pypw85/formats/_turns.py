@@ -44,6 +44,10 @@ _DIRECTIONS: list[Names] = [
       for ends in (("[1]", "[2]", "[3]"), ("0", "1", "2"), ("1", "2", "3"))),
 ]  # fmt: skip
 
+_DIRECTION_IN_PLANE = ("{0} may be the direction of the axis a of ellipses: say so (--direction-columns {1}), or leave the columns "
+                       "out (--ignore-columns {1})")  # fmt: skip
+_TWO_COMPONENTS = ("{0} may be the direction of an axis of ellipses, which needs three components: write a column of zeros for that along z "
+                   "(and name all three, --direction-columns), or leave the columns out (--ignore-columns {1})")  # fmt: skip
 _TWO_UNITS = "{} may be in degrees or in radians: use --angle degrees or --angle radians"
 _SEQUENCES = ("{0} may be Euler angles of several sequences: say which, with fixed axes (--euler zyx) or with axes that turn along "
               "(--euler ZYX), for the angles in this order, or leave the columns out (--ignore-columns {1})")  # fmt: skip
@@ -161,6 +165,10 @@ def _of_ellipses(columns: Sequence[str], options: Options, error: Error) -> Turn
     if options.angle_columns:
         found = {name: name for name in _given(columns, options.angle_columns, error)}
     if not found:
+        if names := _first(columns, [one for one in _DIRECTIONS if one[0].endswith("x")]):
+            raise error(_DIRECTION_IN_PLANE.format(" ".join(names), for_option(names)))
+        if names := _first(columns, [one[:2] for one in _DIRECTIONS if one[0].endswith("x")]):
+            raise error(_TWO_COMPONENTS.format(" ".join(names), for_option(names)))
         return Turn()
     # A table may have the same angle in both units; the one that says its unit decides.
     first = next(iter(found))
