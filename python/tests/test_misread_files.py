@@ -68,9 +68,13 @@ REFUSED = {
     "Center of Mass X (mm),Center of Mass Y (mm),Center of Mass Z (mm),Max Feret Diameter (mm),Aspect Ratio":
         ({}, "0,0,0,1,2", r"the columns Max Feret Diameter \(mm\) Aspect Ratio could .*--ignore-columns 'Max Feret Diameter \(mm\),A"),
     "x,y,z,r,g,b": ({}, "0,0,0,255,128,0", r"there are no shapes: name their columns \(--shape-columns\), or set"),
+    "x,y,z,L_max,L_mid,L_min": ({"shape_columns": ("L_max", "L_mid", "L_min")}, "0,0,0,2,2,2", "L_max L_mid L_min may be whole axes"),
+    **{f"x,y,z,a,b,c,{','.join(f'{stem}[{k}]' for k in range(4))}": ({}, f"0,0,0,2,1,1,{UP}", rf"{stem}\[0..3\] is x y z w for")
+       for stem in ("Orientation", "q", "rotation")},
     "x,y,z,2a,2b,2c": ({"shape_columns": ("2a", "2b", "2c")}, "0,0,0,2,2,2", "2a 2b 2c may be whole axes or semi-axes"),
-    **{f"x,y,z,{name}": ({"shape_columns": 3 * (name,)}, "0,0,0,1", "says a function of a length, which is not read")
-       for name in ("log_a", "ln_radius", "log10 radius", "1/radius", "radius_squared", "radius^2", "radius²", "log(a)", "a_log")},
+    **{f"x,y,z,{name}": ({"shape_columns": 3 * (name,)}, "0,0,0,1", "says another quantity than a length, or a function")
+       for name in ("volume", "eigenvalue1", "cov_xx", "Cxx", "U11", "var_1", "precision_x", "I1", "lambda_1", "aspect_1",
+                    "log_a", "ln_radius", "log10 radius", "1/radius", "radius_squared", "radius^2", "radius²", "log(a)", "a_log")},
     "x,y,z,scale_x,scale_y,scale_z,rot_w,rot_x,rot_y,rot_z,r,g,b,a":
         ({}, f"0,0,0,2,1,1,{UP},9,9,9,9", "the columns scale_x scale_y scale_z could change"),
     "x,y,z,a,b,c,Orientation:0,Orientation:1,Orientation:2,Orientation:3":
@@ -139,6 +143,8 @@ PAIRS = {
                               {"direction_columns": ["dir_x", "dir_y", "dir_z"]}, 0.375),
     **{f"red beside {alpha}": (f"x,y,z,radius,{names},{alpha}\n0,0,0,.5,9,9,9,9\n0,1.5,0,.5,9,9,9,9", {}, 1.5) for names, alpha in
        (("red,green,blue", "alpha"), ("color_r,color_g,color_b", "alpha"), ("Color.R,Color.G,Color.B", "Color.A"), ("R,G,B", "A"))},
+    "a radius of equal volume": ("x,y,z,volume_equivalent_radius\n0,0,0,.5\n0,1.5,0,.5",
+                                 {"shape_columns": ["volume_equivalent_radius"]}, 1.5),
     "a radius beside g and b": ("x,y,z,r,g,b\n0,0,0,.5,9,9\n0,1.5,0,.5,9,9", {"shape_columns": ["r"]}, 1.5),
     "half lengths": (f"x,y,z,semi_major,semi_intermediate,semi_minor,qw,qx,qy,qz\n0,0,0,2,.5,.5,{UP}\n0,1.5,0,2,.5,.5,{UP}", {}, 0.375),
     "scalar last by number": (f"x,y,z,a,b,c,orientation_0,orientation_1,orientation_2,orientation_3\n0,0,0,2,.5,.5,0,0,{HALF!r},{HALF!r}\n"

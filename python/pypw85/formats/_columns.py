@@ -58,7 +58,8 @@ _QUATERNIONS: list[tuple[str, list[Names], str]] = [
     ("quat", [("1", "2", "3", "4")], "wxyz"),  # of LIGGGHTS
     ("q", [("0", "1", "2", "3")], "wxyz"),
     ("quat|quats|quaternion|quaternions", [("0", "1", "2", "3"), _QUADRUPLE], _ASK),
-    ("orientation|orient", [("0", "1", "2", "3"), ("1", "2", "3", "4")], _ASK),
+    ("orientation|orient|rotation", [("0", "1", "2", "3"), ("1", "2", "3", "4")], _ASK),
+    ("quat|quats|quaternion|quaternions|orientation|orient|rotation|q", [("[0]", "[1]", "[2]", "[3]")], _ASK),
     (r"c\w*orient\w*", [_QUADRUPLE], _ASK),
     (r"cq|c\w*quat\w*", [_QUADRUPLE], "wxyz"),
     (r"c\w*shape\w*", [("[4]", "[5]", "[6]", "[7]")], "wxyz"),
@@ -103,7 +104,7 @@ _TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bear
                     r"rw|q(uat)?[wxyzijk0-4rs]?|qv\w*|[unde][xyz0-3]|dir[xyz]|ori[xyz]|e[1-3][xyz]|axis\w*")  # fmt: skip
 # Names of whole lengths, and of half ones
 _SOUND_WHOLE = re.compile(r".*(diam|length|width|height|thick|breadth|feret|calliper|caliper|size).*|"
-                          r"(?!aspherical)\w*shape(\[[1-3]\]|[1-3])|[fv]?d(max|mid|int|min|[xyz]|\d)|l[xyz]|[lwh]|2\W?[abcr]")
+                          r"(?!aspherical)\w*shape(\[[1-3]\]|[1-3])|[fv]?[dl](max|mid|int|min|[xyz]|\d)|[lwh]|2\W?[abcr]")
 _SOUND_HALF = re.compile(r".*(radi(us|i)|semi|half).*|[fv]?r(max|mid|int|min|[xyz]|\d)|r")
 # Names of lengths that say neither
 _SOUND_EITHER = re.compile(r"(?!.*(semi|half|radi|diam)).*(scal|sigma|std|rms|extent|dimension|span|ax[ei]s|principal|eigen|major|minor|"
@@ -143,6 +144,10 @@ _COLORS: list[tuple[Names, Names]] = [
 # Names of functions of lengths
 _FUNCTIONS = re.compile(r"(log|log10|ln|exp|sqrt|inv|inverse|1/)(?=[\W\d_]|(?<=/)).*|.*[\W_](log|squared|sq|cubed|inv|inverse)|"
                         r".*(\^|\*\*).*|.*[²³]", re.IGNORECASE)  # fmt: skip
+# Names of other quantities than lengths, as `plain_name` makes them: variances, volumes, moments, elements of matrices
+_QUANTITIES = re.compile(r"(?!.*(radi(us|i)|diam|length|ax[ei]s|width)).*(eigenval|varian|covar|precision|volume|area|moment|inertia|"
+                         r"curvature|aspect|ratio(?!n)|elong|eccentr|tensor|matrix).*|(var|cov|eig|lambda|i)\W?[xyz0-3]|"
+                         r"[a-z]{0,5}(xx|yy|zz|xy|xz|yz)|[a-z]{1,3}(11|22|33|00)")  # fmt: skip
 
 
 def could_change(name: str) -> bool:
@@ -195,6 +200,7 @@ def take(columns: Sequence[str], options: Options, error: Error, lengths: str, o
             raise error(f"there is no column '{name}', but {' '.join(columns)}")
     columns = [name for name in columns if name not in (options.ignore_columns or ())]
     is_flat = is_flat if options.dimensions is None else options.dimensions == 2
+    _check_quantities(options.shape_columns or (), error)
     colors = _colors(columns, options, is_flat)
     others = [name for name in columns if name not in colors]
     plain = {plain_name(name): name for name in reversed(others)}
@@ -203,7 +209,6 @@ def take(columns: Sequence[str], options: Options, error: Error, lengths: str, o
     taken = (_by_names(others, plain, options, error, lengths, order, is_flat) if convention is None else
              _by_convention(plain, options, convention))  # fmt: skip
     _check_brackets([*known, *taken.columns], error)
-    _check_functions([*taken.shape, *taken.sphere], error)
     _check_unused(columns, taken, [*known, *colors], options, error, is_flat, convention)
     _check_options(taken, options, error)
     unused = " ".join(name for name in dict.fromkeys(columns) if name not in {"", *known, *taken.columns})
@@ -230,12 +235,12 @@ def _check_brackets(names: Sequence[str], error: Error) -> None:
                         "and rename it")  # fmt: skip
 
 
-def _check_functions(names: Sequence[str], error: Error) -> None:
-    """Refuses lengths whose names say that the numbers are functions of these."""
+def _check_quantities(names: Sequence[str], error: Error) -> None:
+    """Refuses columns as lengths whose names say that they are others or functions of these."""
     for name in names:
-        if _FUNCTIONS.fullmatch(name):
-            raise error(f"the name of the column '{name}' says a function of a length, which is not read: convert its numbers to lengths, "
-                        "and rename it")  # fmt: skip
+        if _FUNCTIONS.fullmatch(name) or _QUANTITIES.fullmatch(plain_name(name)):
+            raise error(f"the name of the column '{name}' says another quantity than a length, or a function of one: convert its numbers "
+                        "to lengths, and rename it")  # fmt: skip
 
 
 def _ask_for_program(plain: dict[str, str], angle: str | None, error: Error) -> None:

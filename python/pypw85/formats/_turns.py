@@ -44,10 +44,10 @@ _DIRECTIONS: list[Names] = [
       for ends in (("[1]", "[2]", "[3]"), ("0", "1", "2"), ("1", "2", "3"))),
 ]  # fmt: skip
 
-_DIRECTION_IN_PLANE = ("{0} may be the direction of the axis a of ellipses: say so (--direction-columns {1}), or leave the columns "
-                       "out (--ignore-columns {1})")  # fmt: skip
-_TWO_COMPONENTS = ("{0} may be the direction of an axis of ellipses, which needs three components: write a column of zeros for that along z "
-                   "(and name all three, --direction-columns), or leave the columns out (--ignore-columns {1})")  # fmt: skip
+_DIRECTION_IN_PLANE = ("{0} may be the direction of the axis a of ellipses: say so (--direction-columns {1}), or leave the "
+                       "columns out (--ignore-columns {1})")  # fmt: skip
+_TWO_COMPONENTS = ("{0} may be the direction of an axis of ellipses, which needs three components: write a column of zeros for that along "
+                   "z (and name all three, --direction-columns), or leave the columns out (--ignore-columns {1})")  # fmt: skip
 _TWO_UNITS = "{} may be in degrees or in radians: use --angle degrees or --angle radians"
 _SEQUENCES = ("{0} may be Euler angles of several sequences: say which, with fixed axes (--euler zyx) or with axes that turn along "
               "(--euler ZYX), for the angles in this order, or leave the columns out (--ignore-columns {1})")  # fmt: skip
