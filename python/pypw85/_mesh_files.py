@@ -110,6 +110,9 @@ def _is_ear(corners: Floats, left: list[int], ear: tuple[int, ...]) -> bool:
     return bool(side(a, b, c) > 0 and not inside.any())
 
 
+_COORDINATE = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?|[-+]?(nan|inf)\w*", re.ASCII | re.IGNORECASE)
+
+
 def _obj(path: str) -> Any:
     """Only vertices and faces, without the numbers of textures and normals, which meshio takes for data of vertices."""
     import meshio
@@ -128,6 +131,8 @@ def _plain_obj(file: io.TextIOWrapper) -> Iterator[str]:
         words, whole = whole.split(), ""
         if words[:1] == ["v"]:
             vertices += 1
+            if len(words) < 4 or not all(map(_COORDINATE.fullmatch, words[1:4])):
+                raise ValueError(f"line {number}: a vertex must have three numbers with decimal points, not '{' '.join(words[1:])[:80]}'")
             yield f"v {' '.join(words[1:4])}\n"
         elif words[:1] in (["f"], ["fo"]):
             yield f"f {' '.join(map(str, _face(words[1:], vertices, number)))}\n"

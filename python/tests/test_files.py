@@ -370,7 +370,7 @@ def test_truncated_anywhere(suffix, tmp_path, file):
     ("a.csv", "# cell 1 0 0 0 1 0 1 1 0\nx,y,z,radius\n1,2,3,1\n", "lie in a plane"),
     ("a.data", "x\n\n1 atoms\n0 1 xlo xhi\n", "bounds of the box are missing"),
     ("a.data", "x\n\n1 atoms\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n", "no section Atoms"),
-    ("a.data", "x\n\n1 atoms\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\nAtoms # sphere\n\n1 1 1 1 0 0 0\n", "atom_style sphere"),
+    ("a.data", "x\n\n1 atoms\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\nAtoms # spin\n\n1 1 1 1 0 0 0\n", "atom_style spin"),
     ("a.data", "x\n\n1 atoms\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\nAtoms\n\n1 1 1 1 0 0 0\n", "no shapes"),
     ("a.dat", "hello", "format is not recognised"),
     ("a.obj", "# a cube\n\n  # of quads\nv 0 0 0\nv 1 0 0\n", r"this is a mesh, not a file of particles: read it with pypw85\.Mesh\.read"),

@@ -293,7 +293,9 @@ def test_colored_faces_of_ply(order, tmp_path):
 
 
 BAD_MESHES = {
-    "a.obj": [("v 0 0 0\nf 1 2\n", "line 2: a face must have three"), ("v 0 0 0\nf 1 2 0\n", "line 2: a face"),
+    "a.obj": [("v 0 0 0\nv 1,5 0 0\n", "line 2: a vertex must have three numbers with decimal points, not '1,5 0 0'"),
+              ("v 0 0\n", "line 1: a vertex must have three numbers"),
+              ("v 0 0 0\nf 1 2\n", "line 2: a face must have three"), ("v 0 0 0\nf 1 2 0\n", "line 2: a face"),
               ("v 0 0 0\nf 1 2 3\n", r"the face \[0, 1, 2\] must have indices of the 1 vertices"),
               ("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3 4\n", r"the face \[0, 1, 2, 3\] must have indices of the 3 vertices"),
               ("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 -4\n", "line 4"),

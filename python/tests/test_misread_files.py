@@ -47,6 +47,8 @@ REFUSED = {
     "x,y,z,major,minor,ux,uy,uz":
         ({"shape_columns": ("major", "minor", "minor")}, "0,0,0,4,1,0,1,0", "major minor minor may be whole axes"),
     "x,y,a,b,PA": ({}, "0,0,2,1,0", "PA could change .*: say what it is .--angle-columns., or leave it out"),
+    "x,y,a,b,ux,uy": ({}, "0,0,2,1,0,1", "ux uy may be the direction of an axis of ellipses, which needs three .*--ignore-columns ux,uy."),
+    "x,y,a,b,dir_x,dir_y,dir_z": ({}, "0,0,2,1,0,1,0", "say so .--direction-columns dir_x,dir_y,dir_z., or leave"),
     "x,y,z,a,b,c,qw,qx,qy,qz": ({"quaternion": "xyzw"}, f"0,0,0,2,1,1,{UP}", "qw qx qy qz say which is which, and it is not"),
     "label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation":
         ({}, "1,0,0,4,1,90", "has the orientation 90, and this program writes radians up to 1.571: say the unit"),
@@ -63,6 +65,30 @@ REFUSED = {
     "x,y,z,a,b,c,orientation_x,orientation_y,orientation_z": ({}, "0,0,0,2,.5,.5,30,0,90", "which may be angles or a direction: say"),
     "x,y,z,radius,particle_type": ({}, "0,0,0,1,cube", "particles of the type cube are not ellipsoids"),
     "x,y,z,radius,class": ({}, "0,0,0,1,Cylinder", "particles of the type Cylinder are not ellipsoids"),
+    "Center of Mass X (mm),Center of Mass Y (mm),Center of Mass Z (mm),Max Feret Diameter (mm),Aspect Ratio":
+        ({}, "0,0,0,1,2", r"the columns Max Feret Diameter \(mm\) Aspect Ratio could .*--ignore-columns 'Max Feret Diameter \(mm\),A"),
+    "x,y,z,r,g,b": ({}, "0,0,0,255,128,0", r"there are no shapes: name their columns \(--shape-columns\), or set"),
+    "x,y,z,L_max,L_mid,L_min": ({"shape_columns": ("L_max", "L_mid", "L_min")}, "0,0,0,2,2,2", "L_max L_mid L_min may be whole axes"),
+    **{f"x,y,z,a,b,c,{','.join(f'{stem}[{k}]' for k in range(4))}": ({}, f"0,0,0,2,1,1,{UP}", rf"{stem}\[0..3\] is x y z w for")
+       for stem in ("Orientation", "q", "rotation")},
+    "x,y,z,2a,2b,2c": ({"shape_columns": ("2a", "2b", "2c")}, "0,0,0,2,2,2", "2a 2b 2c may be whole axes or semi-axes"),
+    **{f"x,y,z,{name}": ({"shape_columns": 3 * (name,)}, "0,0,0,1", "says another quantity than a length, or a function")
+       for name in ("volume", "eigenvalue1", "cov_xx", "Cxx", "U11", "var_1", "precision_x", "I1", "lambda_1", "aspect_1",
+                    "log_a", "ln_radius", "log10 radius", "1/radius", "radius_squared", "radius^2", "radius²", "log(a)", "a_log")},
+    "x,y,z,scale_x,scale_y,scale_z,rot_w,rot_x,rot_y,rot_z,r,g,b,a":
+        ({}, f"0,0,0,2,1,1,{UP},9,9,9,9", "the columns scale_x scale_y scale_z could change"),
+    "x,y,z,a,b,c,Orientation:0,Orientation:1,Orientation:2,Orientation:3":
+        ({}, f"0,0,0,2,1,1,{UP}", "Orientation:0 Orientation:1 Orientation:2 Orientation:3 is x y z w for .*: use --quaternion"),
+    "x,y,z,a,b,c,axis_x,axis_y,axis_z,angle_deg":
+        ({}, "0,0,0,2,1,1,0,0,1,90", "axis_x axis_y axis_z angle_deg may be an axis and .*--direction-columns axis_x,axis_y,axis_z."),
+    "x,y,a,b,phi1,Phi,phi2": ({"angle": "degrees"}, "0,0,2,1,9,9,9", "the columns phi1 Phi phi2 could change .*--angle-columns"),
+    "x,y,z,radius,var_x,variance_y,sd_z": ({}, "0,0,0,1,1,1,1", "the columns var_x variance_y sd_z could change"),
+    "label,centroid_x,centroid_y,axis_major_length,axis_minor_length,orientation":
+        ({}, "1,0,0,4,1,1", "the columns may be those of skimage, and others mean other lengths .*--convention skimage"),
+    "X,Y,MajorAxisLength,MinorAxisLength,Orientation":
+        ({}, "0,0,4,1,1", "may be those of skimage or matlab, and others mean"),
+    "x,y,semi_major,semi_minor,orientation":
+        ({}, "0,0,4,1,1", "--angle-zero x or --angle-zero y .with --angle-sense yx if it grows the other way than from x towards y."),
 }  # fmt: skip
 
 
@@ -105,6 +131,26 @@ def test_tables(text, tmp_path):
 
 # Tables that are read, their options, and the smallest μ by closed forms: long axes 2 along y at the distance 1.5 along y have 0.375
 PAIRS = {
+    # Counted from y, growing towards x
+    "skimage with other centres": ("x,y,axis_major_length,axis_minor_length,orientation\n5,5,4,1,0\n5,6.5,4,1,0",
+                                   {"convention": "skimage"}, 0.375),
+    "MATLAB with other centres": ("x,y,MajorAxisLength,MinorAxisLength,Orientation\n5,5,4,1,90\n5,6.5,4,1,-90",
+                                  {"convention": "matlab"}, 0.375),
+    "an axis of revolution beside an angle": (
+        "x,y,z,a,b,c,axis_x,axis_y,axis_z,angle\n0,0,0,.5,2,.5,0,1,0,7\n0,1.5,0,2,.5,.5,0,-1,0,7",
+        {"direction_columns": [f"axis_{axis}" for axis in "xyz"]}, 0.375),
+    "directions in a plane": ("x,y,a,b,dir_x,dir_y,dir_z\n0,0,2,.5,0,1,0\n0,1.5,2,.5,0,-1,0",
+                              {"direction_columns": ["dir_x", "dir_y", "dir_z"]}, 0.375),
+    **{f"red beside {alpha}": (f"x,y,z,radius,{names},{alpha}\n0,0,0,.5,9,9,9,9\n0,1.5,0,.5,9,9,9,9", {}, 1.5) for names, alpha in
+       (("red,green,blue", "alpha"), ("color_r,color_g,color_b", "alpha"), ("Color.R,Color.G,Color.B", "Color.A"), ("R,G,B", "A"))},
+    "a radius of equal volume": ("x,y,z,volume_equivalent_radius\n0,0,0,.5\n0,1.5,0,.5",
+                                 {"shape_columns": ["volume_equivalent_radius"]}, 1.5),
+    "a radius beside g and b": ("x,y,z,r,g,b\n0,0,0,.5,9,9\n0,1.5,0,.5,9,9", {"shape_columns": ["r"]}, 1.5),
+    "half lengths": (f"x,y,z,semi_major,semi_intermediate,semi_minor,qw,qx,qy,qz\n0,0,0,2,.5,.5,{UP}\n0,1.5,0,2,.5,.5,{UP}", {}, 0.375),
+    "scalar last by number": (f"x,y,z,a,b,c,orientation_0,orientation_1,orientation_2,orientation_3\n0,0,0,2,.5,.5,0,0,{HALF!r},{HALF!r}\n"
+                              f"0,1.5,0,2,.5,.5,0,0,{HALF!r},{HALF!r}", {"quaternion": "xyzw"}, 0.375),
+    "blanks in names": ("Center of Mass X (mm),Center of Mass Y (mm),Center of Mass Z (mm),Radius (mm)\n0,0,0,.5\n0,1.5,0,.5", {}, 1.5),
+    "red, green and blue": (f"x,y,z,a,b,c,qw,qx,qy,qz,R,G,B\n0,0,0,2,.5,.5,{UP},9,9,9\n0,1.5,0,2,.5,.5,{UP},9,9,9", {}, 0.375),
     "long": ("x,y,z,a,b,c,major_axis_x,major_axis_y,major_axis_z\n0,0,0,.5,2,.5,0,1,0\n0,1.5,0,2,.5,.5,0,-1,0", {}, 0.375),
     "unit direction": ("x,y,z,a,b,c,orientation_x,orientation_y,orientation_z\n0,0,0,2,.5,.5,0,1,0\n0,1.5,0,2,.5,.5,0,-1,0", {}, 0.375),
     "a direction that is said": ("x,y,z,a,b,c,orientation_x,orientation_y,orientation_z\n0,0,0,2,.5,.5,0,9,0\n0,1.5,0,2,.5,.5,0,1,0",
@@ -195,6 +241,7 @@ def test_ids_and_types_by_other_names(tmp_path):
 
 # Columns beside lengths and quaternions whose names sound like lengths or turns, and that hold neither
 HARMLESS = ("rotational_energy", "Rotational Kinetic Energy", "rotational_velocity_x", "information", "misorientation", "psi6", "psi_4",
+            "phi_dot", "yaw_rate",
             "orientational_order", "track_length", "form_factor", "inertia_x", "moment_of_inertia_xx", "moment_inertia[2]",
             "c_orientorder[1]", "c_erotate", "f_inertia[1]", "c_cluster_size", "Cavity Radius", "deformation_gradient[1]", "label", "name",
             "class", "b_to_a", "ellipticity", "Flatness", "Max caliper", "radius_of_gyration",
@@ -315,6 +362,30 @@ def test_styles_of_lammps(row, tmp_path):
         return
     with pytest.raises(pypw85.FileError, match=f"line 11: {STYLES[row]}.*other styles have no shapes"):
         read(tmp_path / "a.data", shape=(2, 2, 2))
+
+
+@pytest.mark.parametrize("images", ["", " 0 1 -1"])
+def test_spheres_of_lammps(images, tmp_path):
+    """Diameter and density, of atom_style sphere."""
+    text = "of a test\n\n2 atoms\n9 atom types\n-9 9 xlo xhi\n-9 9 ylo yhi\n-9 9 zlo zhi\n\nAtoms # sphere\n\n{}{}\n1 2 0.5 3 4 0 0{}\n"
+    system = read_text(tmp_path / "a.data", text.format("2 1 4 3 0 0 0", images, images))
+    assert system.semi_axes.tolist() == [[2, 2, 2], [0.25, 0.25, 0.25]] and system.ids.tolist() == [2, 1]
+    assert system.centers.tolist() == [[0, 0, 0], [4, 0, 0]] and system.source == "lengths diameter as diameters"
+    with pytest.raises(pypw85.FileError, match="[69] columns, but atom_style sphere has 7 .id type diameter density x y z., or 10"):
+        read_text(tmp_path / "a.data", text.format("2 1 4 0 0 0", images, images))
+
+
+def test_local_dumps(tmp_path):
+    """Of pairs, as LAMMPS writes them."""
+    box = "ITEM: BOX BOUNDS pp pp pp\n" + 3 * "-9 9\n"
+    with pytest.raises(pypw85.FileError, match="this is a dump of pairs .dump local., which have no positions: dump atoms"):
+        read_text(tmp_path / "a.dump", f"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ENTRIES\n1\n{box}ITEM: ENTRIES index c_1[1]\n1 2\n")
+
+
+def test_lengths_of_ellipses_as_options(run, tmp_path):
+    (tmp_path / "a.csv").write_text("x,y,long_axis,short_axis,angle_deg\n0,0,4,1,90\n0,1.5,4,1,90\n")
+    done = run("check", tmp_path / "a.csv", "--shape-columns", "long_axis,short_axis", "--lengths", "diameters")
+    assert done.status == 1 and "0.375" in done.out
 
 
 # Second lines of XYZ files, and the sentence that refuses them if an option gives the shapes

@@ -220,7 +220,8 @@ _OPTIONS = [
                  help="Lengths of particles that have no shape: of those of a type, or of all types (*:A,B,C). Without TYPE there must be "
                       "one type of such particles. May be repeated."),
     click.option("--shape-columns", metavar="A,B,C",
-                 help="Names of the columns of a dump, CSV or XYZ file that are the shape; NAME[1] and so on of a property."),
+                 help="Names of the columns of a dump, CSV or XYZ file that are the shape, two of ellipses, one of spheres; NAME[1] and "
+                      "so on of a property."),
     click.option("--quaternion-columns", metavar="A,B,C,D", help="Names of the columns that are the quaternion."),
     click.option("--dimensions", type=click.Choice(["2", "3"]),
                  help="2 if the particles are ellipses in a plane of z; by the file if absent."),
@@ -272,7 +273,7 @@ def _options(points: str | None, *, cell: Any, periodic: str | None, shape: Any,
         shapes={kind: lengths for kind, lengths in shape if kind is not None} or None,
         dimensions=None if dimensions is None else int(dimensions), points=names_of_option(points) if points else None,
         spacing=spacing[0] if spacing is not None and len(spacing) == 1 else spacing, euler=euler,
-        shape_columns=_names(shape_columns, 3, "--shape-columns"),
+        shape_columns=_names(shape_columns, 3, "--shape-columns", least=1),
         quaternion_columns=_names(quaternion_columns, 4, "--quaternion-columns"),
         angle_columns=_names(angle_columns, len(euler or "z"), "--angle-columns"), polar=_names(polar, 2, "--polar"),
         direction_columns=_names(direction_columns, 3, "--direction-columns"),
@@ -341,8 +342,9 @@ def one_frame(given: Input, stream: TextIO | None = None) -> System:
     return system
 
 
-def _names(text: str | None, count: int, option: str) -> list[str] | None:
+def _names(text: str | None, count: int, option: str, least: int | None = None) -> list[str] | None:
+    """Names of `least` to `count` columns; of `count` if `least` is absent."""
     names = None if text is None else names_of_option(text)
-    if names is not None and len(names) != count:
-        raise click.UsageError(f"{option} must name {count} columns")
+    if names is not None and not (least or count) <= len(names) <= count:
+        raise click.UsageError(f"{option} must name {f'{least} to ' if least else ''}{count} columns")
     return names

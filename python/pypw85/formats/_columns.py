@@ -38,6 +38,8 @@ _LENGTHS: list[tuple[str, list[Names], str]] = [
     ("axislengths?", [_INDEX, _FROM_0, _FROM_1], _ASK),
     (r"c\w*(?:shape|diam)\w*", [_INDEX, _FROM_1], "diameters"),
     ("", [("a", "b", "c")], "radii"),
+    ("semi", [(one, two, three) for one, three in (("major", "minor"), ("majoraxis", "minoraxis"))
+              for two in ("intermediate", "middle", "medium", "intermediateaxis", "middleaxis", "mediumaxis")], "radii"),
     ("", [("length", "width", "height"), ("length", "width", "thickness"), ("l", "w", "h"), ("lx", "ly", "lz"),
           ("major", "intermediate", "minor"), ("long", "intermediate", "short")], _ASK),
 ]
@@ -56,6 +58,8 @@ _QUATERNIONS: list[tuple[str, list[Names], str]] = [
     ("quat", [("1", "2", "3", "4")], "wxyz"),  # of LIGGGHTS
     ("q", [("0", "1", "2", "3")], "wxyz"),
     ("quat|quats|quaternion|quaternions", [("0", "1", "2", "3"), _QUADRUPLE], _ASK),
+    ("orientation|orient|rotation", [("0", "1", "2", "3"), ("1", "2", "3", "4")], _ASK),
+    ("quat|quats|quaternion|quaternions|orientation|orient|rotation|q", [("[0]", "[1]", "[2]", "[3]")], _ASK),
     (r"c\w*orient\w*", [_QUADRUPLE], _ASK),
     (r"cq|c\w*quat\w*", [_QUADRUPLE], "wxyz"),
     (r"c\w*shape\w*", [("[4]", "[5]", "[6]", "[7]")], "wxyz"),
@@ -89,7 +93,7 @@ _SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thi
                     r"spheric|cylindric|triaxial|slender|breadth|caliper|calliper|feret|gyrat|fwhm|per(px|pixel|voxel)|"
                     r"(?<!in)form|matrix|covar|inertia|eigen|lambda|principal|ellip|spheroid).*|(shape)?anisotropy|kappa|ar|ecc|flat|"
                     r"oval(ity|ness)?|dpi|ba|ca|cb|[abc](to|over)[abc]|tensor[\w\[\]]*|(cov|rg)(xx|yy|zz|xy|xz|yz)|"
-                    r"(dims?|extents?|span|std|stdev|stddev|rms|voxel|pixel)[xyz0-3]|"
+                    r"(dims?|extents?|span|std|stdev|stddev|sd|var|variance|precision|rms|voxel|pixel)[xyz0-3]|"
                     r"eps(ilon)?[12]|geom|geometry|primitive|kind|[xyz](2|end)|(end|tip|tail)[xyz]|[abcdhlrsw]|"
                     r"[abdhrsl][xyz0-3]|[fv]?[rd](max|mid|int|min)|rad|len|dia|(?!chi)[a-z]?(xx|yy|zz|xy|xz|yz)|"
                     r"(?![cfv]\d)[a-z]{1,2}(0[0-2]|[123][0-3])|[ub](iso|eq|equiv|aniso)|"
@@ -100,7 +104,7 @@ _TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bear
                     r"rw|q(uat)?[wxyzijk0-4rs]?|qv\w*|[unde][xyz0-3]|dir[xyz]|ori[xyz]|e[1-3][xyz]|axis\w*")  # fmt: skip
 # Names of whole lengths, and of half ones
 _SOUND_WHOLE = re.compile(r".*(diam|length|width|height|thick|breadth|feret|calliper|caliper|size).*|"
-                          r"(?!aspherical)\w*shape(\[[1-3]\]|[1-3])|[fv]?d(max|mid|int|min|[xyz]|\d)|l[xyz]|[lwh]")
+                          r"(?!aspherical)\w*shape(\[[1-3]\]|[1-3])|[fv]?[dl](max|mid|int|min|[xyz]|\d)|[lwh]|2\W?[abcr]")
 _SOUND_HALF = re.compile(r".*(radi(us|i)|semi|half).*|[fv]?r(max|mid|int|min|[xyz]|\d)|r")
 # Names of lengths that say neither
 _SOUND_EITHER = re.compile(r"(?!.*(semi|half|radi|diam)).*(scal|sigma|std|rms|extent|dimension|span|ax[ei]s|principal|eigen|major|minor|"
@@ -110,7 +114,7 @@ _OTHERS = re.compile(r"(bond|cluster|group|sample|batch|step|wave|track)\w*(leng
                      r"(stress|strain|virial|pressure|force|torque|velocity)\w*|c?stress\[\d\]|number\w*|.*neighbou?rs?|"
                      r"euler(number|characteristic)|rot\w*(energy|velocity|temperature|momentum)[xyz]?|"
                      r"orient(ational)?order(parameter)?(\[\d+\])?|psi[468]|erotate\w*|cavityradius|poisson('?s)?ratio|"
-                     r"deformationgradient.*")  # fmt: skip
+                     r"(phi|theta|psi|alpha|beta|gamma|angle|yaw|pitch|roll)(d?dot|rate|velocity)|deformationgradient.*")  # fmt: skip
 # Measures of bodies whose lengths are all there
 _DERIVED = re.compile(r".*(aspect|ratio|elong|eccentr|ellipticity|flatten|flatness|oblate|prolate|round(?!ness\W?\d)|circular|spheric|"
                       r"cylindric|triaxial|slender|feret|caliper|calliper|gyrat|equivalent|bounding|bbox|inscr).*|"
@@ -130,6 +134,20 @@ UNIT_AT_END = re.compile(r"(?<=[^\W_])(?:[_/ ](mm|[uµμn]m|cm|microns?|voxels?)
 _BRACKETS = re.compile(r"\([^)]*\)|\[(?!\d+\])[^]]*\]")
 _MORE_THAN_UNITS = re.compile(r"full|whole|half|semi|diam|radi(us|i)|log|\bln|exp|squar|cub|inv|\^|[²³*]|scal|frac|norm|relat|rms|std|"
                               r"from|clock|\bc?cw\b|body|world|conj|transp|minus|[+]", re.IGNORECASE)  # fmt: skip
+
+
+# Names of the parts of a colour, and the column of three dimensions and that of two beside which they are axes
+_COLORS: list[tuple[Names, Names]] = [
+    (("R", "G", "B", "A"), ("C", "A")), (("r", "g", "b", "a"), ("c", "a")),
+    (("red", "green", "blue", "alpha"), ("", "")), (("colorr", "colorg", "colorb", "colora", "alpha"), ("", "")),
+]  # fmt: skip
+# Names of functions of lengths
+_FUNCTIONS = re.compile(r"(log|log10|ln|exp|sqrt|inv|inverse|1/)(?=[\W\d_]|(?<=/)).*|.*[\W_](log|squared|sq|cubed|inv|inverse)|"
+                        r".*(\^|\*\*).*|.*[²³]", re.IGNORECASE)  # fmt: skip
+# Names of other quantities than lengths, as `plain_name` makes them: variances, volumes, moments, elements of matrices
+_QUANTITIES = re.compile(r"(?!.*(radi(us|i)|diam|length|ax[ei]s|width)).*(eigenval|varian|covar|precision|volume|area|moment|inertia|"
+                         r"curvature|aspect|ratio(?!n)|elong|eccentr|tensor|matrix).*|(var|cov|eig|lambda|i)\W?[xyz0-3]|"
+                         r"[a-z]{0,5}(xx|yy|zz|xy|xz|yz)|[a-z]{1,3}(11|22|33|00)")  # fmt: skip
 
 
 def could_change(name: str) -> bool:
@@ -182,16 +200,30 @@ def take(columns: Sequence[str], options: Options, error: Error, lengths: str, o
             raise error(f"there is no column '{name}', but {' '.join(columns)}")
     columns = [name for name in columns if name not in (options.ignore_columns or ())]
     is_flat = is_flat if options.dimensions is None else options.dimensions == 2
-    plain = {plain_name(name): name for name in reversed(columns)}
+    _check_quantities(options.shape_columns or (), error)
+    colors = _colors(columns, options, is_flat)
+    others = [name for name in columns if name not in colors]
+    plain = {plain_name(name): name for name in reversed(others)}
     if convention is None and options.convention is None and options.lengths is None and is_flat:
         _ask_for_program(plain, options.angle, error)
-    taken = (_by_names(columns, plain, options, error, lengths, order, is_flat) if convention is None else
+    taken = (_by_names(others, plain, options, error, lengths, order, is_flat) if convention is None else
              _by_convention(plain, options, convention))  # fmt: skip
     _check_brackets([*known, *taken.columns], error)
-    _check_unused(columns, taken, known, options, error, is_flat, convention)
+    _check_unused(columns, taken, [*known, *colors], options, error, is_flat, convention)
     _check_options(taken, options, error)
     unused = " ".join(name for name in dict.fromkeys(columns) if name not in {"", *known, *taken.columns})
     return taken._replace(source=", ".join(filter(None, [taken.source, unused and f"columns that are not used: {unused}"])))
+
+
+def _colors(columns: Sequence[str], options: Options, is_flat: bool) -> list[str]:
+    """The columns of a colour, such as r g b a, unless an option names one: then b and a are not lengths of axes, r is not a radius, and
+    alpha is not an angle."""
+    given = {*(options.shape_columns or ()), *(options.angle_columns or ())}
+    for names, axis in _COLORS:
+        found = [name for name in columns if (name if len(names[0]) == 1 else plain_name(name)) in names]
+        if len(found) > 2 and set(names[:3]) <= {*found, *map(plain_name, found)} and not given & {*found}:
+            return [] if axis[is_flat] in columns else found
+    return []
 
 
 def _check_brackets(names: Sequence[str], error: Error) -> None:
@@ -201,6 +233,14 @@ def _check_brackets(names: Sequence[str], error: Error) -> None:
         if found and _MORE_THAN_UNITS.search(found[0]):
             raise error(f"the name of the column '{name}' says more than a unit in brackets, which is not read: convert its numbers, "
                         "and rename it")  # fmt: skip
+
+
+def _check_quantities(names: Sequence[str], error: Error) -> None:
+    """Refuses columns as lengths whose names say that they are others or functions of these."""
+    for name in names:
+        if _FUNCTIONS.fullmatch(name) or _QUANTITIES.fullmatch(plain_name(name)):
+            raise error(f"the name of the column '{name}' says another quantity than a length, or a function of one: convert its numbers "
+                        "to lengths, and rename it")  # fmt: skip
 
 
 def _ask_for_program(plain: dict[str, str], angle: str | None, error: Error) -> None:

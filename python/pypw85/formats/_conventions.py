@@ -110,14 +110,16 @@ CONVENTIONS: list[Convention] = [
         marks=(("ellipseorientation",),), harmless=_MEASURES,
     ),
     Convention(
-        "skimage", "scikit-image 0.19 to 0.26, regionprops_table", (("centroid1", "centroid0"),),
+        "skimage", "scikit-image 0.19 to 0.26, regionprops_table",
+        (("centroid1", "centroid0"), ("centroidx", "centroidy"), ("x", "y")),
         (("axismajorlength", "axisminorlength"), ("majoraxislength", "minoraxislength")), "diameters", (("orientation",),),
         unit="radians", zero="y", sense="yx", first="0",
         marks=(("centroid0", "axismajorlength", "orientation"), ("centroid0", "majoraxislength", "orientation")),
         harmless=_SKIMAGE, largest=_QUARTER, run="scikit-image 0.19.3",
     ),
     Convention(
-        "matlab", "MATLAB and Octave's package image, regionprops", (("centroid1", "centroid2"),),
+        "matlab", "MATLAB and Octave's package image, regionprops",
+        (("centroid1", "centroid2"), ("centroidx", "centroidy"), ("x", "y")),
         (("majoraxislength", "minoraxislength"),), "diameters", (("orientation",),), sense="yx", first="1",
         marks=(("centroid1", "centroid2", "majoraxislength", "minoraxislength", "orientation"),),
         harmless=r"eccentricity|equivdiameter|eulernumber|boundingbox\w*|extrema\w*|\w*feret\w*|weightedcentroid\w*|circularity",

@@ -456,7 +456,8 @@ class Frame:
 
     def _check_shapes(self) -> NDArray[np.bool_]:
         if self.shapes is None:
-            raise self.error("there are no shapes: name their columns, or set one shape for all particles with --shape")
+            named = "name their columns (--shape-columns), or " * self.has_columns
+            raise self.error(f"there are no shapes: {named}set one shape for all particles with --shape")
         has_shape: NDArray[np.bool_] = ~np.all(self.shapes == 0, axis=1)
         if not has_shape.any():
             raise self.error("no particle has a shape: write shapes, or set them (--shape A,B,C for one type of particles, TYPE:A,B,C for "

@@ -44,6 +44,10 @@ _DIRECTIONS: list[Names] = [
       for ends in (("[1]", "[2]", "[3]"), ("0", "1", "2"), ("1", "2", "3"))),
 ]  # fmt: skip
 
+_DIRECTION_IN_PLANE = ("{0} may be the direction of the axis a of ellipses: say so (--direction-columns {1}), or leave the "
+                       "columns out (--ignore-columns {1})")  # fmt: skip
+_TWO_COMPONENTS = ("{0} may be the direction of an axis of ellipses, which needs three components: write a column of zeros for that along "
+                   "z (and name all three, --direction-columns), or leave the columns out (--ignore-columns {1})")  # fmt: skip
 _TWO_UNITS = "{} may be in degrees or in radians: use --angle degrees or --angle radians"
 _SEQUENCES = ("{0} may be Euler angles of several sequences: say which, with fixed axes (--euler zyx) or with axes that turn along "
               "(--euler ZYX), for the angles in this order, or leave the columns out (--ignore-columns {1})")  # fmt: skip
@@ -55,7 +59,12 @@ _ONE_ANGLE = ("{0} may be the angle of ellipses in a plane, or a rotation in spa
 _FROM_PLANE = ("elevation", "elev", "latitude", "lat", "altitude", "alt", "plunge", "pitch", "dip", "declination")
 _ELEVATION = ("{0} may be an angle from the plane of x and y, and is not that from the axis z which --polar takes: write 90 degrees less "
               "it in a column of another name, or leave it out (--ignore-columns {1})")  # fmt: skip
-_ZERO = "{} may be counted from the axis x or from y: use --angle-zero x or --angle-zero y"
+_ZERO = ("{} may be counted from the axis x or from y: use --angle-zero x or --angle-zero y (with --angle-sense yx if it grows the other "
+         "way than from x towards y)")  # fmt: skip
+# Names of an angle about an axis that others give
+_ABOUT_AXES = ("angle", "axisangle", "rotationangle", "rotangle", "theta", "axisw")
+_AXIS_AND_ANGLE = ("{0} may be an axis and the angle of a rotation about it, which is not read: write quaternions, or say that the axis is "
+                   "that of revolution (--direction-columns {1})")  # fmt: skip
 
 
 class Turn(NamedTuple):
@@ -152,10 +161,14 @@ def is_other_unit(name: str, turn: Turn) -> bool:
 
 
 def _of_ellipses(columns: Sequence[str], options: Options, error: Error) -> Turn:
-    found = _bases(columns, _OF_ELLIPSES)
+    found = {key: name for key, name in _bases(columns, _OF_ELLIPSES).items() if name not in _triple(columns)}
     if options.angle_columns:
         found = {name: name for name in _given(columns, options.angle_columns, error)}
     if not found:
+        if names := _first(columns, [one for one in _DIRECTIONS if one[0].endswith("x")]):
+            raise error(_DIRECTION_IN_PLANE.format(" ".join(names), for_option(names)))
+        if names := _first(columns, [one[:2] for one in _DIRECTIONS if one[0].endswith("x")]):
+            raise error(_TWO_COMPONENTS.format(" ".join(names), for_option(names)))
         return Turn()
     # A table may have the same angle in both units; the one that says its unit decides.
     first = next(iter(found))
@@ -173,6 +186,8 @@ def _of_bodies(columns: Sequence[str], options: Options, error: Error) -> Turn:
         _refuse_elevation(names, error)
         raise error(_POLAR.format(" ".join(names), for_option(names)))
     if names := _first(columns, _DIRECTIONS):
+        if base(names[0])[0].startswith("axis") and (angles := _bases(columns, _ABOUT_AXES)):
+            raise error(_AXIS_AND_ANGLE.format(" ".join((*names, *angles.values())), for_option(names)))
         return Turn("direction", names, largest=1.0 if base(names[0])[0].startswith("orient") else 0.0)
     if found := _bases(columns, (*_OF_ELLIPSES, *_AXES)):
         names = tuple(found.values())

@@ -51,6 +51,7 @@ _POSITIONS = [
     tuple(stem + end for end in ends)
     for stem, ends in [("", "xyz"), ("pos", "xyz"), ("position", "xyz"), ("center", "xyz"), ("centre", "xyz"), ("centroid", "xyz"),
                        ("c", "xyz"), ("", ("xc", "yc", "zc")), ("loc", "xyz"), ("location", "xyz"), ("coord", "xyz"), ("p", "xyz"),
+                       ("centerofmass", "xyz"), ("barycenter", "xyz"), ("translation", "xyz"),
                        ("points", "012"), ("centroids", "012"), ("coordinates", "012"), ("position", "012"),
                        *((one, ("[0]", "[1]", "[2]")) for one in ("pos", "position", "center", "centre", "centroid"))]
 ]  # fmt: skip
@@ -99,6 +100,8 @@ def _header(line: str) -> tuple[str | None, list[str], list[str]]:
     """
     line = _FORMAT_OF_YADE.sub(lambda found: found[1].replace("_", " "), line)
     found = [(one, _split(line.removeprefix("#").removeprefix("%"), one)) for one in _SEPARATORS]
+    # Blanks do not separate columns where another character separates three, which a table has at least.
+    found = [(one, words) for one, words in found if one is not None or all(len(others) < 3 for _, others in found[:-1])]
     for count in (3, 2):  # two in tables of ellipses
         for separator, columns in found:
             plain = {plain_name(name): name for name in reversed(columns)}

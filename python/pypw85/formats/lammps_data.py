@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Data files of LAMMPS (write_data) for atom_style ellipsoid, and for hybrid styles with it."""
+"""Data files of LAMMPS (write_data) for atom_style ellipsoid, for hybrid styles with it, and for atom_style sphere."""
 
 from __future__ import annotations
 
@@ -21,12 +21,13 @@ from ._table import Lines, Table, write_rows
 
 SUFFIXES = (".data", ".lmp")
 _ATOMS = ["id", "type", "ellipsoid", "density", "x", "y", "z"]
+_SPHERES = ["id", "type", "diameter", "density", "x", "y", "z"]
 _ELLIPSOIDS = ["id", "shapex", "shapey", "shapez", "quatw", "quati", "quatj", "quatk"]
 # Exponents of superellipsoids, which LAMMPS has since 2026
 _BLOCKS = ["block1", "block2"]
 _STYLES_WITHOUT_SHAPES = set(
     "angle atomic body bond bpm charge dielectric dipole dpd edpd electron full line mdpd mesont molecular oxdna peri rheo smd sph "
-    "sphere spin tdpd template tri wavepacket".split()
+    "spin tdpd template tri wavepacket".split()
 )
 # Names of types, which LAMMPS has since 2022
 _LABELS = "Atom Type Labels"
@@ -147,10 +148,11 @@ def _columns_of_atoms(lines: Lines, hint: list[str], words: int) -> list[str]:
         return ["id", "type", "x", "y", "z"] + [f"column {k}" for k in range(6, words + 1)]
     if style in _STYLES_WITHOUT_SHAPES:
         raise lines.error(f"atom_style {hint[0]} has no shapes: write the file with atom_style ellipsoid")
-    if words not in (len(_ATOMS), len(_ATOMS) + 3):
-        raise lines.error(f"{words} columns, but atom_style ellipsoid has 7 ({' '.join(_ATOMS)}), or 10 with the numbers of images: "
+    name, columns = ("sphere", _SPHERES) if style == "sphere" else ("ellipsoid", _ATOMS)
+    if words not in (len(columns), len(columns) + 3):
+        raise lines.error(f"{words} columns, but atom_style {name} has 7 ({' '.join(columns)}), or 10 with the numbers of images: "
                           "if these are atoms of a hybrid style, write 'Atoms # hybrid'")  # fmt: skip
-    return _ATOMS + ["ix", "iy", "iz"] * (words == 10)
+    return columns + ["ix", "iy", "iz"] * (words == 10)
 
 
 def _take_shapes(frame: Frame, atoms: Table, ellipsoids: Table | None) -> None:
@@ -166,6 +168,8 @@ def _take_shapes(frame: Frame, atoms: Table, ellipsoids: Table | None) -> None:
         if strange.any():
             wrong = int(strange.argmax())
             raise _error(frame, ellipsoids, wrong, f"there is no atom {known[wrong]}: remove this ellipsoid")
+    if ellipsoids is None and "diameter" in atoms:
+        frame.shapes, frame.source = atoms.stack(3 * ["diameter"]), describe(["diameter"], "diameters", [], "wxyz")
     if ellipsoids is None:
         return
     _check_flags(frame, atoms, np.isin(ids, known))
@@ -205,7 +209,8 @@ def _check_style(frame: Frame, atoms: Table) -> None:
                                ("density", "fourth column must be the density > 0", ~(atoms["density"] > 0))):  # fmt: skip
         if wrong.any():
             raise _error(frame, atoms, int(wrong.argmax()), f"the {which} of atom_style ellipsoid, not {atoms[name][wrong][0]:g}: if these "
-                         "are atoms of a hybrid style, write 'Atoms # hybrid'; other styles have no shapes, so write the file with "
+                         "are atoms of a hybrid style or of atom_style sphere, write 'Atoms # hybrid' or 'Atoms # sphere'; other styles "
+                         "have no shapes, so write the file with "
                          "atom_style ellipsoid")  # fmt: skip
 
 

@@ -144,10 +144,10 @@ def _header(lines: Lines) -> _Header | None:
         else:
             raise lines.error(f"an 'ITEM:' must be here, not '{line[:40]}': more lines than particles, or not a dump file")
         line = lines.expect("'ITEM: ATOMS'")
-    if count < 0 or box is None:
-        raise lines.error("the number of particles or the box is missing before 'ITEM: ATOMS'")
     if line.startswith("ITEM: ENTRIES"):
         raise lines.error("this is a dump of pairs (dump local), which have no positions: dump atoms")
+    if count < 0 or box is None:
+        raise lines.error("the number of particles or the box is missing before 'ITEM: ATOMS'")
     return _Header(step, count, *box, _once_type(line.split()[2:]))
 
 
