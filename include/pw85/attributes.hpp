@@ -39,11 +39,11 @@ inline constexpr bool is_for_device = false;
 
 /// Before a function of the tiers that hardly ever run, wider numbers and integers, is PW85_RARE.
 ///
-/// Units of the library, and units that define PW85_RARE_ELSEWHERE, take these functions for doubles
-/// from src/rare/, where they are compiled once: a function for doubles goes before the template. A
-/// header that has such templates lists them in a macro (rare, scalar, dimensions), as rare(name,
-/// (parameters), (arguments)), for PW85_RARE_TIER(); those for three dimensions alone have no number
-/// of them. The list follows the templates, before what calls them.
+/// Units of the library, and units that define PW85_RARE_ELSEWHERE, take these functions for
+/// doubles from src/rare/, where they are compiled once: a function for doubles goes before the
+/// template. A header that has such templates lists them in a macro (rare, scalar, dimensions), as
+/// rare(name, (parameters), (arguments)), for PW85_RARE_TIER(); those for three dimensions alone
+/// have no number of them. The list follows the templates, before what calls them.
 #ifdef PW85_RARE_ELSEWHERE
 #define PW85_RARE_DECLARED(name, parameters, arguments)                                            \
     [[gnu::cold]] auto name parameters noexcept->decltype(name<> arguments);
@@ -58,8 +58,8 @@ inline constexpr bool is_for_device = false;
 
 /// Code that many functions call, and that no caller inlines, is listed in the same way for
 /// PW85_SHARED_BY_QUESTIONS(). Units of the library take it from units for their instruction set
-/// (src/simd/shared/), in the namespace PW85_SHARED_WITH. Each unit runs only what was compiled with
-/// its own flags.
+/// (src/simd/shared/), in the namespace PW85_SHARED_WITH. Each unit runs only what was compiled
+/// with its own flags.
 #ifdef PW85_SHARED_WITH
 #define PW85_SHARED_DECLARED(name, parameters, arguments)                                          \
     auto name parameters noexcept->decltype(detail::name<> arguments);

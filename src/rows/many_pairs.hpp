@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Drives the lane kernels: it divides the rows among threads, and computes the rows that lanes leave
-/// over by scalar_fallback() of the question (simd/lanes/). The files c_api/*_lanes.cpp call
-/// compute_rows(), lists and simulations the functions below it.
+/// Drives the lane kernels: it divides the rows among threads, and computes the rows that
+/// lanes leave over by scalar_fallback() of the question (simd/lanes/). The files c_api/*_lanes.cpp
+/// call compute_rows(), lists and simulations the functions below it.
 #ifndef PW85_ROWS_MANY_PAIRS_HPP_INCLUDED
 #define PW85_ROWS_MANY_PAIRS_HPP_INCLUDED
 

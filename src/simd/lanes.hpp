@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The functions for many rows, one per lane, that are compiled once per instruction set. A kernel has
-/// two types: the rows that it reads, and the arrays that it writes. lanes/chunks.hpp says how to add
-/// one.
+/// The functions for many rows, one per lane, that are compiled once per instruction set. A
+/// kernel has two types: the rows that it reads, and the arrays that it writes. lanes/chunks.hpp
+/// says how to add one.
 #ifndef PW85_SIMD_LANES_HPP_INCLUDED
 #define PW85_SIMD_LANES_HPP_INCLUDED
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Powers of the numbers of a pack. lanes/laws.hpp calls power(). Functions of the C library are not
-/// used, because those of different libraries differ in their last bits, and because they take one
-/// number at a time.
+/// Powers of the numbers of a pack. lanes/laws.hpp calls power(). Functions of the C library
+/// are not used, because those of different libraries differ in their last bits, and because they
+/// take one number at a time.
 ///
 /// x^y = e^z, z = y log x. z is a sum of two numbers (doubled.hpp) with an error of less than 2^-66
 /// |z|, and |z| < 2^10 where the result is in the range of double. So the relative error from that

@@ -71,7 +71,8 @@ template <class T, int D> PW85_FUNCTION inline Unit unit_of(Factor<T, D> const &
     return {binary_exponent(largest_entry(s))};
 }
 
-/// The unit in which the largest coordinate of a vector is in [1, 2), or the caller's if it is zero.
+/// The unit in which the largest coordinate of a vector is in [1, 2), or the caller's if it is
+/// zero.
 template <class T, int D> PW85_FUNCTION inline Unit unit_of(Vector<T, D> const &x) noexcept
 {
     T const largest = largest_coordinate(x);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The signed distance of two ellipsoids: their distance if they are apart, minus the depth of
-/// their overlap otherwise. The C API (src/c_api/penetration.cpp) calls signed_distance_overlapping()
-/// and signed_derivatives_overlapping(), which take the normal from penetration.hpp.
+/// The signed distance of two ellipsoids: their distance if they are apart, minus the depth
+/// of their overlap otherwise. The C API (src/c_api/penetration.cpp) calls
+/// signed_distance_overlapping() and signed_derivatives_overlapping(), which take the normal from
+/// penetration.hpp.
 ///
 /// The notation is that of distance.hpp, with the unit normal n, the half-widths α and β along it,
 /// and r = r12.

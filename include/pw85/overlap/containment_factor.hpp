@@ -29,9 +29,9 @@ template <class T, int D> struct ContainmentScale {
 
 namespace pw85::detail {
 
-/// Scales a valid pair: Q1 is of order one, and so is the larger of r12 and Q2, which have one unit.
-/// A form Q2 that is much smaller than r12 is enlarged to a fixed small size. The forms that T can
-/// hold are flat by so little that this changes nothing in κ² beyond rounding.
+/// Scales a valid pair: Q1 is of order one, and so is the larger of r12 and Q2, which have one
+/// unit. A form Q2 that is much smaller than r12 is enlarged to a fixed small size. The forms that
+/// T can hold are flat by so little that this changes nothing in κ² beyond rounding.
 template <class T, int D>
 PW85_FUNCTION inline ScaledPair<T, D> scale_contained(Pair<T, D> const &pair) noexcept
 {

@@ -11,8 +11,8 @@
 ///    (certified_value.hpp);
 /// 4. decide_exactly(): integers (exact.hpp).
 ///
-/// Devices run the first three tiers. src/simd/lanes/overlap.hpp runs the first two for one pair per
-/// lane.
+/// Devices run the first three tiers. src/simd/lanes/overlap.hpp runs the first two for one pair
+/// per lane.
 #ifndef PW85_OVERLAP_OVERLAP_HPP_INCLUDED
 #define PW85_OVERLAP_OVERLAP_HPP_INCLUDED
 

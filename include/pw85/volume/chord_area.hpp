@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The area of the common part of two ellipses by one or two chords: the fast way, without a branch
-/// on data, for numbers and for packs of lanes. overlap_volume.hpp takes it where it is accurate
-/// for certain, and crossings (section.hpp) elsewhere. src/simd/lanes/two_dimensions.hpp computes many rows.
+/// The area of the common part of two ellipses by one or two chords: the fast way, without a
+/// branch on data, for numbers and for packs of lanes. overlap_volume.hpp takes it where it is
+/// accurate for certain, and crossings (section.hpp) elsewhere. src/simd/lanes/two_dimensions.hpp
+/// computes many rows.
 ///
 /// A joint linear map makes the smaller ellipse the unit circle about 0. The other one is c + G z
 /// with |z| <= 1. With homogeneous coordinates the bodies are B(X, X) <= 0 with B = diag(1, 1, -1)

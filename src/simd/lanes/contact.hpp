@@ -3,10 +3,10 @@
 /// The contact function of many pairs, one pair per lane, and the distance of closest approach,
 /// |d|/μ(d) for a direction d.
 ///
-/// The kernels drive the search on the rational form (contact/iteration.hpp). Each stage runs
-/// over all packs of a chunk before the next stage begins. The stages are short and the packs are
-/// independent: the processor works on several packs at a time. Pairs that fail the fast checks, and
-/// pairs for which the search is not certain, are left over.
+/// The kernels drive the search on the rational form (contact/iteration.hpp). Each stage runs over
+/// all packs of a chunk before the next stage begins. The stages are short and the packs are
+/// independent: the processor works on several packs at a time. Pairs that fail the fast checks,
+/// and pairs for which the search is not certain, are left over.
 #ifndef PW85_SIMD_LANES_CONTACT_HPP_INCLUDED
 #define PW85_SIMD_LANES_CONTACT_HPP_INCLUDED
 

@@ -4,7 +4,8 @@
 /// lane.
 ///
 /// The kernel evaluates the formulas of contact/geometry.hpp at the λ of the contact function
-/// (contact.hpp), as the functions for one pair do. Ill-conditioned pairs are left over with their λ.
+/// (contact.hpp), as the functions for one pair do. Ill-conditioned pairs are left over with their
+/// λ.
 #ifndef PW85_SIMD_LANES_DERIVATIVES_HPP_INCLUDED
 #define PW85_SIMD_LANES_DERIVATIVES_HPP_INCLUDED
 

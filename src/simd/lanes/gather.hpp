@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Loads packs of pairs from rows in memory, one pair per lane: consecutive pairs, or pairs given
-/// by a list of indices; and stores packs of results. The kernels use it; rows.hpp has the part that does not depend on the
-/// instruction set.
+/// Loads packs of pairs from rows in memory, one pair per lane: consecutive pairs, or pairs
+/// given by a list of indices; and stores packs of results. The kernels use it; rows.hpp has the
+/// part that does not depend on the instruction set.
 #ifndef PW85_SIMD_LANES_GATHER_HPP_INCLUDED
 #define PW85_SIMD_LANES_GATHER_HPP_INCLUDED
 

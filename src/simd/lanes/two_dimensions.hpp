@@ -4,8 +4,8 @@
 /// chords of volume/chord_area.hpp, which give the bits of the function for one pair. Contact
 /// functions (contact.hpp) and overlaps (overlap.hpp) are those of three dimensions.
 ///
-/// The kernel for overlaps decides first. Pairs that overlap are collected, so that all lanes are in
-/// use. A pair is left over if that kernel leaves it over, or if its chords have no margin.
+/// The kernel for overlaps decides first. Pairs that overlap are collected, so that all lanes are
+/// in use. A pair is left over if that kernel leaves it over, or if its chords have no margin.
 #ifndef PW85_SIMD_LANES_TWO_DIMENSIONS_HPP_INCLUDED
 #define PW85_SIMD_LANES_TWO_DIMENSIONS_HPP_INCLUDED
 
