@@ -56,7 +56,7 @@ template <class T, int D> void compare(Sample<T, D> const &s, bool expected, Fai
 template <class T, int D> bool is_decided(Sample<T, D> const &s)
 {
     using namespace pw85::detail;
-    return decide_containment_scaled(pair_of(s.r12, s.q1, s.q2)) != ContainmentDecision::none;
+    return decide_containment_scaled(s.r12, s.q1, s.q2) != ContainmentDecision::none;
 }
 
 /// The factor of ellipsoid 1 that makes κ² what is wanted, to rounding.
