@@ -129,7 +129,8 @@ surface_tensor(RimSums<T, rim_moments> const &m, T const &area, T const &sign,
     return tensor;
 }
 
-template <class T> PW85_FUNCTION inline FrameDerivatives<T, 3>
+/// It is not inlined, because of its memory: its callers also call the tier of twice the digits.
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline FrameDerivatives<T, 3>
 frame_derivatives(JointFrame<T, 3> const &frame) noexcept
 {
     auto const integration = rim_integration(frame);

@@ -145,7 +145,7 @@ _COLORS: list[tuple[Names, Names]] = [
 _FUNCTIONS = re.compile(r"(log|log10|ln|exp|sqrt|inv|inverse|1/)(?=[\W\d_]|(?<=/)).*|.*[\W_](log|squared|sq|cubed|inv|inverse)|"
                         r".*(\^|\*\*).*|.*[²³]", re.IGNORECASE)  # fmt: skip
 # Names of other quantities than lengths, as `plain_name` makes them: variances, volumes, moments, elements of matrices
-_QUANTITIES = re.compile(r"(?!.*(radi(us|i)|diam|length|ax[ei]s|width)).*(eigenval|varian|covar|precision|volume|area|moment|inertia|"
+_QUANTITIES = re.compile(r"(?!.*(radi(us|i)|diam|length|ax[ei]s|width)).*(eigenval|variance|covar|precision|volume|area|moment|inertia|"
                          r"curvature|aspect|ratio(?!n)|elong|eccentr|tensor|matrix).*|(var|cov|eig|lambda|i)\W?[xyz0-3]|"
                          r"[a-z]{0,5}(xx|yy|zz|xy|xz|yz)|[a-z]{1,3}(11|22|33|00)")  # fmt: skip
 
