@@ -128,8 +128,8 @@ def test_rows():
 
 @pytest.mark.parametrize("shape", ["oblate 1.1", "prolate 2"])
 def test_remade(tmp_path, monkeypatch, shape):
-    """Without a number of rounds, the program makes the table that is there, to the last digit, also with later versions of the library: B3 of
-    two shapes, of one and two rounds."""
+    """Without a number of rounds, the program makes the table that is there, to the last digit, also with later versions of the library:
+    B3 of two shapes, of one and two rounds."""
     monkeypatch.setattr(table, "SAMPLES", {3: table.SAMPLES[3]})
     make_table(tmp_path / "table.csv", rounds=None, shapes=[shape])
     (row,) = (row for row in csv.DictReader((tmp_path / "table.csv").open()) if row["shape"] == shape)
