@@ -3,9 +3,7 @@
 #include <coal/narrowphase/narrowphase.h>
 #include <coal/shape/geometric_shapes.h>
 
-#include <principal_axes.hpp>
-
-#include "peer.hpp"
+#include "bodies.hpp"
 
 namespace {
 
@@ -26,10 +24,9 @@ class Coal final : public DistancePeer {
     void take(std::vector<Forms> const &pairs) override
     {
         shapes_.clear();
-        for (Forms const &pair : pairs) {
-            shapes_.emplace_back(PrincipalAxes(pair.q1), Eigen::Vector3d::Zero());
-            shapes_.emplace_back(PrincipalAxes(pair.q2), Eigen::Vector3d(pair.r12));
-        }
+        for_each_body(pairs, [&](PrincipalAxes const &axes, Eigen::Vector3d const &center) {
+            shapes_.emplace_back(axes, center);
+        });
     }
     Answer measure(std::size_t i) override
     {

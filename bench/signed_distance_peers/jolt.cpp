@@ -6,9 +6,7 @@
 #include <Jolt/Geometry/EPAPenetrationDepth.h>
 #include <Jolt/Physics/PhysicsSettings.h>
 
-#include <principal_axes.hpp>
-
-#include "peer.hpp"
+#include "bodies.hpp"
 
 namespace {
 
@@ -46,10 +44,9 @@ class Jolt final : public DistancePeer {
     void take(std::vector<Forms> const &pairs) override
     {
         shapes_.clear();
-        for (Forms const &pair : pairs) {
-            shapes_.emplace_back(PrincipalAxes(pair.q1), Eigen::Vector3d::Zero());
-            shapes_.emplace_back(PrincipalAxes(pair.q2), Eigen::Vector3d(pair.r12));
-        }
+        for_each_body(pairs, [&](PrincipalAxes const &axes, Eigen::Vector3d const &center) {
+            shapes_.emplace_back(axes, center);
+        });
     }
     Answer measure(std::size_t i) override
     {

@@ -5,9 +5,7 @@
 
 #include <engine/engine_collision_gjk.h>
 
-#include <principal_axes.hpp>
-
-#include "peer.hpp"
+#include "bodies.hpp"
 
 namespace {
 
@@ -21,10 +19,9 @@ class Mujoco final : public DistancePeer {
     void take(std::vector<Forms> const &pairs) override
     {
         for (auto *const array : {&sizes_, &centers_, &rotations_}) array->clear();
-        for (Forms const &pair : pairs) {
-            add(PrincipalAxes(pair.q1), Eigen::Vector3d::Zero());
-            add(PrincipalAxes(pair.q2), Eigen::Vector3d(pair.r12));
-        }
+        for_each_body(pairs, [&](PrincipalAxes const &axes, Eigen::Vector3d const &center) {
+            add(axes, center);
+        });
         types_.assign(2 * pairs.size(), mjGEOM_ELLIPSOID);
         model_->geom_type = types_.data();
         model_->geom_size = sizes_.data();
