@@ -6,22 +6,22 @@ The C headers declare every function. What a program must know of a parameter st
     @param[out] point [n×3; optional] where the ellipsoids touch
 
 The text behind the brackets is for readers: no program depends on its words. Brackets without attributes are left out: the numbers of
-an input must then be finite, and no pointer may be null. A parameter that is not described, an output that is not marked and an
-attribute that is not in this list are errors, with file and line:
+an input must then be finite, and no pointer may be null. A parameter that is not described and an output that is not marked are errors,
+with file and line. So is an attribute that is not in this list, stands twice or in another order, or does not fit the parameter:
 
-    n×3                  the extents of an array: numbers, and names of parameters; those of `x[3]` are known
-    n(n+1)/2             the extent of a packed symmetric matrix in n dimensions
-    length², 1/time      the unit; none stands where a number has no unit, `mixed units` where the entries of an array have several
-    optional             the pointer may be null (`optional if not needed`: where another argument does not need it)
     as pw85_f()          all attributes of the parameter of the same name of another function; extents only where this has none
     number of pairs      how many rows arrays have, and what a row is
-    member length        the member of the C++ result that an output receives, where its name is another one; one for each of the
-                         outputs that are described together
-    members mu2, lambda  the members that one array receives
+    n×3                  the extents of an array: names of parameters, then numbers; those of `x[3]` are known
+    n(n+1)/2             the extent of a packed symmetric matrix in n dimensions
     without q, with cell of structs: the members that the function does not read, and those that must not be null here
-    -1 on error          what an output that is no double is on error, and one of a function without status (also what is returned)
+    length², 1/time      the unit; none stands where a number has no unit, `mixed units` where the entries of an array have several
+    optional             the pointer may be null (`optional if not needed`: where another argument does not need it)
+    LIMITS               what the function refuses (api/causes.py), in the order of this table
     or infinite, or NaN  the function accepts such numbers (of a system: centres that are such, or `or far away`)
-    the others of LIMITS what the function refuses otherwise: api/causes.py
+    members mu2, lambda  the members of the C++ result that one array receives
+    member length        the member that an output receives, where its name is another one; one for each of the outputs that are
+                         described together
+    -1 on error          what an output that is no double is on error, and one of a function without status (also what is returned)
 
 `pw85_pair_list const *list`, `pw85_system const *system` and `pw85_law const *law` are structs, whose members have comments with the
 same brackets. Members count as parameters of the function, and extents may be names of members.
@@ -72,18 +72,31 @@ PARAMETER = re.compile(
     r"(?P<type>(?:unsigned )?\w+)(?P<const> const)?(?P<pointers>[ *]*)(?P<name>\w+)(?:\[(?P<length>.*)\])?"
 )
 DESCRIPTION = re.compile(
-    r"@param(?P<output>\[out\])? (?P<names>[\w,]+)(?:\s+\[(?P<attributes>[^\]]*)\])?(?P<text>.*?)(?=@|\Z)", re.DOTALL
+    r"@param(?P<output>\[out\])? (?P<names>[\w,]+)(?:\s+\[(?P<attributes>[^\]]*)\])?(?P<text>.*)", re.DOTALL
 )
 # The extent of packed symmetric matrices in n dimensions.
 PACKED = "n(n+1)/2"
-# Attributes of which no more is said than whether they are there, beside those of api/causes.py.
-WORDS = ("optional", "optional if not needed")
-LIMITS = (
-    "> 0", ">= 0", "!= 0", "0..1", "1..16", "<= 1",
-    "lower <= upper", "> 0 until t_max", "finite square", "definite", "rotation", "index", "a periodic row",
-    "independent rows", "needs cell", "near the cell", "of as many particles", "or infinite", "or NaN", "or far away",
-)  # fmt: skip
-UNIT = re.compile(r"(?:(?:length|time|energy)[²³]?(?:/(?:length|time)[²³]?)?|1/(?:length|time)[²³]?|no unit|mixed units)")
+# Limits of values, with their names in src/base/last_error.hpp where a check of each number knows them.
+LIMITS = {
+    "> 0": "positive", ">= 0": "from_zero", "!= 0": "not_zero", "0..1": "unit_interval", "1..16": "", "<= 1": "at_most_one",
+    "lower <= upper": "below_next", "> 0 until t_max": "until_t_max", "finite square": "finite_square", "definite": "definite",
+    "rotation": "rotation", "index": "", "a periodic row": "", "independent rows": "", "needs cell": "", "near the cell": "",
+    "of as many particles": "", "or infinite": "may_be_infinite", "or NaN": "may_be_nan", "or far away": "",
+}  # fmt: skip
+NAMES = r"([\w.]+(?:, [\w.]+)*)"
+# The attributes in their order, with what they say in a group; {extent} is the name of a parameter.
+FORMS = {
+    "like": r"as (pw85\w+)\(\)",
+    "rows": r"number of ([a-z -]+)",
+    "shape": r"((?:{extent})(?:×(?:{extent}))*(?:×[1-9]\d*)*|[1-9]\d*(?:×[1-9]\d*)*)",
+    "without": f"without {NAMES}",
+    "needs": f"with {NAMES}",
+    "unit": r"((?:length|time|energy)[²³]?(?:/(?:length|time)[²³]?)?|1/(?:length|time)[²³]?|no unit|mixed units)",
+    **{word: re.escape(word) for word in ("optional", "optional if not needed", *LIMITS)},
+    "members": f"members {NAMES}",
+    "each": f"member {NAMES}",
+    "on_error": r"(\S+) on error",
+}
 STRUCTS = ("pw85_pair_list", "pw85_system", "pw85_law")  # structs that are arguments; other structs are elements of arrays
 OBJECTS = ("pw85_neighbors", "pw85_mesh", "pw85_hard_ellipsoids")  # what the library owns
 CALLBACKS = ("pw85_potential",)  # types of functions of the caller
@@ -249,16 +262,21 @@ class Function:
     def descriptions(self):
         """What the comment says of each parameter that it describes, by their names."""
         found = {}
-        for match in DESCRIPTION.finditer(self.comment):
-            place = f"{self.header}:{self.line + self.comment[: match.start()].count(chr(10))}: {self.name}(), {match['names']}"
-            attributes, names = attributes_of(match["attributes"], self, place), match["names"].split(",")
+        for match in re.finditer(r"@param[^@]*", self.comment):
+            place = f"{self.header}:{self.line + self.comment.count(chr(10), 0, match.start())}: {self.name}()"
+            said = DESCRIPTION.fullmatch(match[0])
+            if said is None:
+                raise ValueError(f"{place}: not understood: {' '.join(match[0].split())}")
+            place = f"{place}, {said['names']}"
+            attributes, names = attributes_of(said["attributes"], self, place), said["names"].split(",")
+            text = text_behind(said["attributes"], said["text"], place)
+            if len(attributes.each) not in (0, len(names)):
+                raise ValueError(f"{place}: {len(attributes.each)} members for {len(names)} outputs")
             for k, name in enumerate(names):
                 if name in found:
                     raise ValueError(f"{place}: {name} is described twice")
                 own = changed(attributes, members=attributes.each[k : k + 1] or attributes.members)
-                found[name] = Description(own, " ".join(match["text"].split()), bool(match["output"]), place)
-            if len(attributes.each) not in (0, len(names)):
-                raise ValueError(f"{place}: {len(attributes.each)} members for {len(names)} outputs")
+                found[name] = Description(own, text, bool(said["output"]), place)
         return found
 
     def is_nan_on_error(self):
@@ -308,7 +326,7 @@ replaced = {}  # texts of headers that are not yet those of the files
 def replace(texts):
     """Takes these texts for those of headers."""
     replaced.update(texts)
-    for cached in (sections, c_functions, described):
+    for cached in (sections, c_functions):
         cached.cache_clear()
 
 
@@ -385,44 +403,47 @@ def length_of(text):
 
 
 def attributes_of(text, function, place):
-    """The attributes between brackets; `text` is None where there are none."""
-    found, words = Attributes(), set()
-    extents = {*function.parameter_names(), *(name for struct in STRUCTS for name, _, _ in members(struct))}
+    """The attributes between brackets, each once and in the order of FORMS; `text` is None where there are none."""
+    counted = [*function.written, *(declaration for struct in STRUCTS for _, declaration, _ in members(struct))]
+    extents = [re.escape(PACKED), *(match[1] for one in counted if (match := re.fullmatch(r"(?:size_t|int) (\w+)", one)))]
+    found, last = {}, (-1, "")
     for item in [] if text is None else " ".join(text.split()).split("; "):
-        parts = item.split("×")
-        if item in WORDS or item in LIMITS:
-            words.add(item)
-        elif match := re.fullmatch(r"as (pw85\w+)\(\)", item):
-            found.like = match[1]
-        elif match := re.fullmatch(r"number of ([a-z -]+)", item):
-            found.rows = match[1]
-        elif UNIT.fullmatch(item):
-            found.unit = item
-        elif match := re.fullmatch(r"(\S+) on error", item):
-            found.on_error = match[1]
-        elif match := re.fullmatch(r"(members?|without|with) ([\w.]+(?:, [\w.]+)*)", item):
-            setattr(found, {"with": "needs", "member": "each"}.get(match[1], match[1]), tuple(match[2].split(", ")))
-        elif all(part.isdigit() or part in extents or part == PACKED for part in parts):
-            found.shape = tuple(int(part) if part.isdigit() else part for part in parts)
-        else:
+        matches = ((k, name, re.fullmatch(form.replace("{extent}", "|".join(extents)), item)) for k, (name, form) in enumerate(FORMS.items()))
+        k, name, match = next((one for one in matches if one[2]), (0, "", None))
+        if match is None:
             raise ValueError(f"{place}: unknown attribute: {item}")
-    found.words = frozenset(words)
-    return found
+        if k <= last[0]:
+            raise ValueError(f"{place}: {item} must not stand behind {last[1]}")
+        found[name], last = match[match.lastindex or 0], (k, item)
+    lists = {name: tuple(found[name].split(", ")) for name in ("without", "needs", "members", "each") if name in found}
+    if "shape" in found:
+        lists["shape"] = tuple(int(part) if part.isdigit() else part for part in found["shape"].split("×"))
+    texts = {name: found[name] for name in ("like", "rows", "unit", "on_error") if name in found}
+    return Attributes(words=frozenset(found.keys() - lists.keys() - texts.keys()), **lists, **texts)
 
 
-@cache
-def described(function, name):
+def text_behind(attributes, text, place):
+    """The text behind the brackets, of which none may be left open or stand behind a word."""
+    plain = " ".join(text.split())
+    if plain.startswith("[") or (attributes is None and re.search(r"\[(?:[^\]]*; )?(?:optional|length|n×|as pw85)", plain)):
+        raise ValueError(f"{place}: attributes must stand between brackets behind the name: {plain}")
+    return plain
+
+
+def described(function, name, seen=()):
     """The description of a parameter, with the attributes of the one that it is like, and the beginning of its text."""
-    place = f"{function.header}:{function.line}: {function.name}(), {name}"
     if name not in function.descriptions:
-        raise ValueError(f"{place}: not described")
+        raise ValueError(f"{function.header}:{function.line}: {function.name}(), {name}: not described")
     own = function.descriptions[name]
-    if not own.attributes.like:
+    like = own.attributes.like
+    if not like:
         return own
     known = c_functions() if function.header in C_HEADERS else {one.name: one for one in functions(function.header)}
-    if own.attributes.like not in known:
-        raise ValueError(f"{own.place}: no function {own.attributes.like}()")
-    other = described(known[own.attributes.like], name)
+    if like not in known:
+        raise ValueError(f"{own.place}: no function {like}()")
+    if like in (function.name, *seen) or name not in known[like].parameter_names():
+        raise ValueError(f"{own.place}: {like}() does not say what {name} is")
+    other = described(known[like], name, (*seen, function.name))
     is_whole = function.name.endswith("_2d") and not own.text
     text = other.text if is_whole else "; ".join(filter(None, [other.text.partition(";")[0], own.text]))
     return Description(own.attributes.merged(other.attributes), text, own.is_output, own.place)
@@ -430,22 +451,39 @@ def described(function, name):
 
 def parameter(function, written):
     match = PARAMETER.fullmatch(written)
-    said = described(function, match["name"])
-    length = None if match["length"] is None else length_of(match["length"])
-    is_own = bool(function.descriptions[match["name"]].attributes.shape)
-    found = made_parameter(match, length, said.text, said.attributes, is_own)
-    if said.is_output != (found.is_output() or found.outer):
-        raise ValueError(f"{said.place}: {'no' if said.is_output else 'an'} output, for @param[out]")
-    if is_own and length is not None and prod(found.shape) != length:
-        raise ValueError(f"{said.place}: {found.shape} are not {length} numbers")
-    if found.const and found.type == "double" and not found.shape:
-        raise ValueError(f"{said.place}: an array without extents")
-    return found
+    said, own = described(function, match["name"]), function.descriptions[match["name"]].attributes
+    one = made_parameter(match, said.text, said.attributes, bool(own.shape))
+    for wrong in misfits(function, one, own, said.is_output):
+        raise ValueError(f"{said.place}: {wrong}")
+    return one
 
 
-def made_parameter(match, length, text, attributes, has_own_shape=True):
+def misfits(function, one, own, is_marked):
+    """What is wrong where the attributes do not fit the parameter. `own` are those of its own brackets; `is_marked` is for @param[out]."""
+    is_output, said, limits = one.is_output() or one.outer, one.attributes, own.words & LIMITS.keys()
+    is_answer = is_output and one.type == "int" and one.is_returned() and len(function.written) > 1
+    unread = {*own.without, *own.needs} - {name for name, *_ in (members(one.type) if one.is_struct() else ())}
+    found = {
+        "an output needs @param[out]": is_output and not is_marked,
+        "an input must not have @param[out]": is_marked and not is_output,
+        f"{one.shape} are not {one.length} numbers": own.shape and one.length is not None and prod(one.shape) != one.length,
+        "an array without extents": one.const and one.type == "double" and not one.shape,
+        "one number has no extents": own.shape and not one.pointer,
+        "a number cannot be absent: not optional": one.nullable and not one.pointer,
+        f"not a number of rows: {said.rows}": said.rows and (one.type != "size_t" or one.pointer),
+        f"not a struct with {', '.join(sorted(unread))}": unread,
+        f"only doubles have a unit: {said.unit}": said.unit and one.type not in ("double", "pw85_motion"),
+        f"an output is not limited: {', '.join(sorted(limits))}": limits and is_output,
+        f"an input stays as it is: {said.on_error} on error": said.on_error and not is_output,
+        f"an input is not a member of the result: {', '.join(own.members)}": own.members and not is_output,
+        "an int needs a value on error, for example -1 on error": is_answer and not said.on_error,
+    }
+    return [text for text, is_wrong in found.items() if is_wrong]
+
+
+def made_parameter(match, text, attributes, has_own_shape=True):
     """A parameter or member. Extents of another function's parameter count where they are as many numbers as the declaration says."""
-    shape = attributes.shape
+    shape, length = attributes.shape, None if match["length"] is None else length_of(match["length"])
     if length is not None and not (shape and (has_own_shape or prod(shape) == length)):
         shape = (length,)
     return Parameter(match["name"], match["type"], "*" in match["pointers"] or length is not None, bool(match["const"]), length,
@@ -454,29 +492,33 @@ def made_parameter(match, length, text, attributes, has_own_shape=True):
 
 @cache
 def members(struct):
-    """Name, declaration and comment of each member of a struct argument, except for members that are arrays."""
+    """Name, declaration and comment of each member of a struct argument, except for members that are arrays. A comment has a match for
+    attributes and text, and a place."""
     text = (INCLUDE / "pw85_systems.h").read_text(encoding="utf-8")
-    body = next(match["members"] for match in STRUCT.finditer(text) if match["name"] == struct)
+    body = next(match for match in STRUCT.finditer(text) if match["name"] == struct)
     found = []
-    for match in MEMBER.finditer(body):
+    for match in MEMBER.finditer(body["members"]):
         comment = " ".join(re.sub(r"^ *\*", "", match["comment"], flags=re.MULTILINE).split())
         declaration = " ".join(match["declaration"].split())
+        line = text.count("\n", 0, body.start("members") + match.start()) + 1
         if "[" not in declaration:
-            found.append((PARAMETER.fullmatch(declaration)["name"], declaration, comment))
+            name = PARAMETER.fullmatch(declaration)["name"]
+            found.append((name, declaration, (comment, f"pw85_systems.h:{line}: {struct}, {name}")))
     return found
 
 
 def members_read(function, struct):
     """The members of a struct argument that a function reads, as parameters."""
     said, found = described(function, struct.name).attributes, []
-    for name, declaration, comment in members(struct.type):
+    for name, declaration, (comment, place) in members(struct.type):
         match = re.fullmatch(r"(?:\[(?P<attributes>[^\]]*)\])?(?P<text>.*)", comment)
-        attributes = attributes_of(match["attributes"], function, f"pw85_systems.h: {struct.type}, {name}")
+        attributes = attributes_of(match["attributes"], function, place)
         words = attributes.words - ({"optional"} if name in said.needs else set())
         if "near the cell" in words:
             words = words - ({"near the cell"} if "or far away" in said.words else set()) | said.words & {"or NaN"}
         if name not in said.without:
-            found.append(made_parameter(PARAMETER.fullmatch(declaration), None, match["text"].strip(), changed(attributes, words=words)))
+            text = text_behind(match["attributes"], match["text"], place)
+            found.append(made_parameter(PARAMETER.fullmatch(declaration), text, changed(attributes, words=words)))
     return with_counts(found)
 
 
