@@ -522,6 +522,12 @@ def members_read(function, struct):
     return with_counts(found)
 
 
+def values_of_members(function, struct, value):
+    """The values of the members of a struct argument that is given by its members; those that the function does not read are null."""
+    given = {member.name: value(member) for member in members_read(function, struct)}
+    return [given.get(name, "nullptr") for name, *_ in members(struct.type)]
+
+
 def with_counts(listed):
     """The parameters, with marks at those that count rows of others."""
     listed = list(listed)

@@ -104,7 +104,7 @@ def made(folder):
     files = {str(path.relative_to(folder)): text for path, text in committed.files().items()}
     listed = [one for header in declarations.HOST_HEADERS for one in declarations.functions(header) if not one.is_of_simulations()]
     files["table of the tests"] = "\n".join(line for function in listed for line in tables.lines(function))
-    files["table of Python"] = python.table(python.row_functions())
+    files["table of Python"] = python.rows_table(python.row_functions())
     files["objects of Python"] = python.objects_table()
     files["names of Python"] = "\n".join(line for lines in python.made_lines().values() for line in lines)
     for name in ("_functions", "legacy"):
