@@ -17,7 +17,8 @@ import re
 from itertools import groupby
 
 import layout
-from declarations import INCLUDE, LIMITS, SOURCE, c_functions
+from attributes import LIMITS
+from declarations import INCLUDE, SOURCE, c_functions
 from rows import TRUTHS, name_of_many
 
 HEADER, TEMPLATE = INCLUDE / "pw85_batch.h", SOURCE / "api/pw85_batch.h.in"

@@ -66,7 +66,10 @@ class Call:
         if one.is_output() and name in structs().get(self.result, ()):
             return f"found.{name}"
         owners = (struct for struct, kind in self.types.items() if struct != one.name and name in structs().get(kind, ()))
-        return next((f"{struct}.{name}" for struct in owners), NAMES.get(one.name, one.name))
+        place = next((f"{struct}.{name}" for struct in owners), NAMES.get(one.name, one.name))
+        if one.attributes.members and "." not in place:
+            raise ValueError(f"{self.function.descriptions[one.name].place}: no struct of the template has the member {name}")
+        return place
 
     def declare(self, one, text):
         """Adds a parameter. A new object comes before other outputs."""

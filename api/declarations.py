@@ -2,26 +2,7 @@
 """Parses the declarations of the public headers with their comments. It is the only parser of these headers.
 
 The C headers declare every function. What a program must know of a parameter stands in its type and in the brackets behind its name:
-
-    @param[out] point [n×3; optional] where the ellipsoids touch
-
-The text behind the brackets is for readers: no program depends on its words. Brackets without attributes are left out: the numbers of
-an input must then be finite, and no pointer may be null. A parameter that is not described and an output that is not marked are errors,
-with file and line. So is an attribute that is not in this list, stands twice or in another order, or does not fit the parameter:
-
-    as pw85_f()          all attributes of the parameter of the same name of another function; extents only where this has none
-    number of pairs      how many rows arrays have, and what a row is
-    n×3                  the extents of an array: names of parameters, then numbers; those of `x[3]` are known
-    n(n+1)/2             the extent of a packed symmetric matrix in n dimensions
-    without q, with cell of structs: the members that the function does not read, and those that must not be null here
-    length², 1/time      the unit; none stands where a number has no unit, `mixed units` where the entries of an array have several
-    optional             the pointer may be null (`optional if not needed`: where another argument does not need it)
-    LIMITS               what the function refuses (api/causes.py), in the order of this table
-    or infinite, or NaN  the function accepts such numbers (of a system: centres that are such, or `or far away`)
-    members mu2, lambda  the members of the C++ result that one array receives
-    member length        the member that an output receives, where its name is another one; one for each of the outputs that are
-                         described together
-    -1 on error          what an output that is no double is on error, and one of a function without status (also what is returned)
+see api/attributes.py. A parameter that is not described is an error, with file and line.
 
 `pw85_pair_list const *list`, `pw85_system const *system` and `pw85_law const *law` are structs, whose members have comments with the
 same brackets. Members count as parameters of the function, and extents may be names of members.
@@ -36,6 +17,8 @@ from enum import Enum, auto
 from functools import cache, cached_property
 from math import prod
 from pathlib import Path
+
+from attributes import PACKED, Attributes, parsed, text_behind
 
 SOURCE = Path(__file__).resolve().parent.parent
 INCLUDE = SOURCE / "include"
@@ -72,57 +55,13 @@ PARAMETER = re.compile(
     r"(?P<type>(?:unsigned )?\w+)(?P<const> const)?(?P<pointers>[ *]*)(?P<name>\w+)(?:\[(?P<length>.*)\])?"
 )
 DESCRIPTION = re.compile(
-    r"@param(?P<output>\[out\])? (?P<names>[\w,]+)(?:\s+\[(?P<attributes>[^\]]*)\])?(?P<text>.*)", re.DOTALL
+    r"@param(?P<output>\[out\])? (?P<names>\w+(?:,\w+)*)(?!\S)(?:\s+\[(?P<attributes>[^\]]*)\])?(?P<text>.*)", re.DOTALL
 )
-# The extent of packed symmetric matrices in n dimensions.
-PACKED = "n(n+1)/2"
-# Limits of values, with their names in src/base/last_error.hpp where a check of each number knows them.
-LIMITS = {
-    "> 0": "positive", ">= 0": "from_zero", "!= 0": "not_zero", "0..1": "unit_interval", "1..16": "", "<= 1": "at_most_one",
-    "lower <= upper": "below_next", "> 0 until t_max": "until_t_max", "finite square": "finite_square", "definite": "definite",
-    "rotation": "rotation", "index": "", "a periodic row": "", "independent rows": "", "needs cell": "", "near the cell": "",
-    "of as many particles": "", "or infinite": "may_be_infinite", "or NaN": "may_be_nan", "or far away": "",
-}  # fmt: skip
-NAMES = r"([\w.]+(?:, [\w.]+)*)"
-# The attributes in their order, with what they say in a group; {extent} is the name of a parameter.
-FORMS = {
-    "like": r"as (pw85\w+)\(\)",
-    "rows": r"number of ([a-z -]+)",
-    "shape": r"((?:{extent})(?:×(?:{extent}))*(?:×[1-9]\d*)*|[1-9]\d*(?:×[1-9]\d*)*)",
-    "without": f"without {NAMES}",
-    "needs": f"with {NAMES}",
-    "unit": r"((?:length|time|energy)[²³]?(?:/(?:length|time)[²³]?)?|1/(?:length|time)[²³]?|no unit|mixed units)",
-    **{word: re.escape(word) for word in ("optional", "optional if not needed", *LIMITS)},
-    "members": f"members {NAMES}",
-    "each": f"member {NAMES}",
-    "on_error": r"(\S+) on error",
-}
 STRUCTS = ("pw85_pair_list", "pw85_system", "pw85_law")  # structs that are arguments; other structs are elements of arrays
 OBJECTS = ("pw85_neighbors", "pw85_mesh", "pw85_hard_ellipsoids")  # what the library owns
 CALLBACKS = ("pw85_potential",)  # types of functions of the caller
 STRUCT = re.compile(r"^typedef struct (?P<name>\w+) \{\n(?P<members>.*?)^\} (?P=name);", re.DOTALL | re.MULTILINE)
 MEMBER = re.compile(r"/\*\*(?P<comment>(?:(?!\*/).)*)\*/\s*(?P<declaration>[^;/]+);", re.DOTALL)
-
-
-@dataclass
-class Attributes:
-    """What the brackets say of a parameter."""
-
-    shape: tuple = ()
-    like: str = ""  # the function of the parameter with the same attributes
-    rows: str = ""  # what the rows are that it counts: "pairs"
-    members: tuple = ()  # of the C++ result that one output receives
-    each: tuple = ()  # of which each output receives one
-    without: tuple = ()
-    needs: tuple = ()
-    on_error: str = ""
-    unit: str = ""
-    words: frozenset = frozenset()
-
-    def merged(self, other):
-        """These, and those of the parameter that this one is like."""
-        own = {name: value for name, value in vars(self).items() if value}
-        return changed(other, **own | {"words": self.words | other.words})
 
 
 @dataclass
@@ -212,6 +151,10 @@ class Parameter:
         """The members of the C++ result that it receives."""
         return self.attributes.members or (self.name,)
 
+    def member_names(self):
+        """The names of the members of a struct."""
+        return {one.name for one in members(self.type)} if self.is_struct() else set()
+
 
 @dataclass(eq=False)  # each function is parsed once, so that what is found about it can be kept
 class Function:
@@ -237,9 +180,10 @@ class Function:
     @cached_property
     def parameters(self):
         """The parameters of a function of C."""
-        for name in self.descriptions.keys() - set(self.parameter_names()):
-            raise ValueError(f"{self.descriptions[name].place}: no such parameter: {name}")
-        return with_counts(parameter(self, written) for written in self.written)
+        if unknown := self.descriptions.keys() - set(self.parameter_names()):
+            raise ValueError(f"{self.descriptions[min(unknown)].place}: no such parameter: {min(unknown)}")
+        listed = zip(self.written, self.parameter_names())
+        return with_counts(parameter(written, described(self, name), self.descriptions[name]) for written, name in listed)
 
     @property
     def inputs(self):
@@ -258,6 +202,11 @@ class Function:
         """The first sentence of the comment."""
         return first_sentence(" ".join(self.comment.split())).rstrip(".:;")
 
+    def extents(self):
+        """The names of numbers of rows: arguments, and members of structs."""
+        structs = (struct for struct in STRUCTS if any(written.startswith(f"{struct} ") for written in self.written))
+        return counts_of(self.written) + [one.name for struct in structs for one in members(struct) if one.type == "size_t"]
+
     @cached_property
     def descriptions(self):
         """What the comment says of each parameter that it describes, by their names."""
@@ -267,22 +216,25 @@ class Function:
             said = DESCRIPTION.fullmatch(match[0])
             if said is None:
                 raise ValueError(f"{place}: not understood: {' '.join(match[0].split())}")
-            place = f"{place}, {said['names']}"
-            attributes, names = attributes_of(said["attributes"], self, place), said["names"].split(",")
-            text = text_behind(said["attributes"], said["text"], place)
-            if len(attributes.each) not in (0, len(names)):
-                raise ValueError(f"{place}: {len(attributes.each)} members for {len(names)} outputs")
+            names, place = said["names"].split(","), f"{place}, {said['names']}"
+            whole = description(said["attributes"], said["text"], bool(said["output"]), self.extents(), place)
+            each = whole.attributes.each
+            if len(each) not in (0, len(names)):
+                raise ValueError(f"{place}: {len(each)} members for {len(names)} outputs")
             for k, name in enumerate(names):
                 if name in found:
                     raise ValueError(f"{place}: {name} is described twice")
-                own = changed(attributes, members=attributes.each[k : k + 1] or attributes.members)
-                found[name] = Description(own, text, bool(said["output"]), place)
+                members = each[k : k + 1] or whole.attributes.members
+                found[name] = changed(whole, attributes=changed(whole.attributes, members=members))
         return found
 
     def is_nan_on_error(self):
         """Whether a function without status gives NaN for invalid input."""
+        returned = re.search(r"@return\s+\[([^\]]*)\]", self.comment)
+        if returned and returned[1] != "NaN on error":
+            raise ValueError(f"{self.header}:{self.line}: {self.name}(), @return: unknown attribute: {returned[1]}")
         found = [one.attributes.on_error for one in self.descriptions.values() if self.type in ("void", "double")]
-        return "@return [NaN on error] " in self.comment or "NaN" in found
+        return returned is not None or "NaN" in found
 
     def is_of_simulations(self):
         """Whether its results depend on the calls before, so that it has tests of its own: tests/test_hard_ellipsoids.cpp."""
@@ -326,15 +278,19 @@ replaced = {}  # texts of headers that are not yet those of the files
 def replace(texts):
     """Takes these texts for those of headers."""
     replaced.update(texts)
-    for cached in (sections, c_functions):
+    for cached in (sections, c_functions, members):
         cached.cache_clear()
+
+
+def text_of(header):
+    return replaced.get(header) or (INCLUDE / header).read_text(encoding="utf-8")
 
 
 @cache
 def sections(header):
     """The sections of a header, in order; the first has no title, and is empty where every function is in one that has."""
     found = [Section("")]
-    text = replaced.get(header) or (INCLUDE / header).read_text(encoding="utf-8")
+    text = text_of(header)
     for match in (CPP if header.endswith("pp") else C).finditer(text):
         if match["title"]:
             found.append(Section(match["title"].strip()))
@@ -349,8 +305,7 @@ def sections(header):
 
 def values(header):
     """The public structures that a C++ header declares or defines."""
-    text = (INCLUDE / header).read_text(encoding="utf-8")
-    text = re.sub(r"^namespace (pw85::)?detail \{$.*?^\} // namespace (pw85::)?detail$", "", text, flags=re.MULTILINE | re.DOTALL)
+    text = re.sub(r"^namespace (pw85::)?detail \{$.*?^\} // namespace (pw85::)?detail$", "", text_of(header), flags=re.MULTILINE | re.DOTALL)
     return re.findall(r"^(?:template <[^;{]*?> ?)?struct (\w+)(?:;| (?:: \w+ )?\{)", text, re.MULTILINE)
 
 
@@ -367,14 +322,14 @@ def version():
 @cache
 def statuses():
     """The status codes by their names in C: their names in C++ and their values."""
-    text = (INCLUDE / "pw85/status.h").read_text(encoding="utf-8")
-    return {c_name: (cpp_name, value) for c_name, cpp_name, value in re.findall(r"X\((PW85_\w+), (\w+), (\d+),", text)}
+    found = re.findall(r"X\((PW85_\w+), (\w+), (\d+),", text_of("pw85/status.h"))
+    return {c_name: (cpp_name, value) for c_name, cpp_name, value in found}
 
 
 @cache
 def constants():
     """The macros of the C headers that are numbers, and the status codes, as texts."""
-    text = "".join((INCLUDE / header).read_text(encoding="utf-8") for header in C_HEADERS)
+    text = "".join(map(text_of, C_HEADERS))
     found = dict(re.findall(r"^#define (PW85_\w+) ([\d.e-]+)$", text, re.MULTILINE))
     return found | {name: value for name, (_, value) in statuses().items()}
 
@@ -402,32 +357,17 @@ def length_of(text):
     return eval(text, {"__builtins__": {}}, integers)
 
 
-def attributes_of(text, function, place):
-    """The attributes between brackets, each once and in the order of FORMS; `text` is None where there are none."""
-    counted = [*function.written, *(declaration for struct in STRUCTS for _, declaration, _ in members(struct))]
-    extents = [re.escape(PACKED), *(match[1] for one in counted if (match := re.fullmatch(r"(?:size_t|int) (\w+)", one)))]
-    found, last = {}, (-1, "")
-    for item in [] if text is None else " ".join(text.split()).split("; "):
-        matches = ((k, name, re.fullmatch(form.replace("{extent}", "|".join(extents)), item)) for k, (name, form) in enumerate(FORMS.items()))
-        k, name, match = next((one for one in matches if one[2]), (0, "", None))
-        if match is None:
-            raise ValueError(f"{place}: unknown attribute: {item}")
-        if k <= last[0]:
-            raise ValueError(f"{place}: {item} must not stand behind {last[1]}")
-        found[name], last = match[match.lastindex or 0], (k, item)
-    lists = {name: tuple(found[name].split(", ")) for name in ("without", "needs", "members", "each") if name in found}
-    if "shape" in found:
-        lists["shape"] = tuple(int(part) if part.isdigit() else part for part in found["shape"].split("×"))
-    texts = {name: found[name] for name in ("like", "rows", "unit", "on_error") if name in found}
-    return Attributes(words=frozenset(found.keys() - lists.keys() - texts.keys()), **lists, **texts)
+def counts_of(declared):
+    """The names of numbers of rows among declarations."""
+    return [match[1] for one in declared if (match := re.fullmatch(r"(?:size_t|int) (\w+)", one))]
 
 
-def text_behind(attributes, text, place):
-    """The text behind the brackets, of which none may be left open or stand behind a word."""
-    plain = " ".join(text.split())
-    if plain.startswith("[") or (attributes is None and re.search(r"\[(?:[^\]]*; )?(?:optional|length|n×|as pw85)", plain)):
-        raise ValueError(f"{place}: attributes must stand between brackets behind the name: {plain}")
-    return plain
+def description(attributes, text, is_output, extents, place):
+    """What a comment says in brackets and behind them."""
+    try:
+        return Description(parsed(attributes, extents), text_behind(text), is_output, place)
+    except ValueError as error:
+        raise ValueError(f"{place}: {error}") from None
 
 
 def described(function, name, seen=()):
@@ -449,83 +389,49 @@ def described(function, name, seen=()):
     return Description(own.attributes.merged(other.attributes), text, own.is_output, own.place)
 
 
-def parameter(function, written):
-    match = PARAMETER.fullmatch(written)
-    said, own = described(function, match["name"]), function.descriptions[match["name"]].attributes
-    one = made_parameter(match, said.text, said.attributes, bool(own.shape))
-    for wrong in misfits(function, one, own, said.is_output):
-        raise ValueError(f"{said.place}: {wrong}")
-    return one
-
-
-def misfits(function, one, own, is_marked):
-    """What is wrong where the attributes do not fit the parameter. `own` are those of its own brackets; `is_marked` is for @param[out]."""
-    is_output, said, limits = one.is_output() or one.outer, one.attributes, own.words & LIMITS.keys()
-    is_answer = is_output and one.type == "int" and one.is_returned() and len(function.written) > 1
-    unread = {*own.without, *own.needs} - {name for name, *_ in (members(one.type) if one.is_struct() else ())}
-    found = {
-        "an output needs @param[out]": is_output and not is_marked,
-        "an input must not have @param[out]": is_marked and not is_output,
-        f"{one.shape} are not {one.length} numbers": own.shape and one.length is not None and prod(one.shape) != one.length,
-        "an array without extents": one.const and one.type == "double" and not one.shape,
-        "one number has no extents": own.shape and not one.pointer,
-        "a number cannot be absent: not optional": one.nullable and not one.pointer,
-        f"not a number of rows: {said.rows}": said.rows and (one.type != "size_t" or one.pointer),
-        f"not a struct with {', '.join(sorted(unread))}": unread,
-        f"only doubles have a unit: {said.unit}": said.unit and one.type not in ("double", "pw85_motion"),
-        f"an output is not limited: {', '.join(sorted(limits))}": limits and is_output,
-        f"an input stays as it is: {said.on_error} on error": said.on_error and not is_output,
-        f"an input is not a member of the result: {', '.join(own.members)}": own.members and not is_output,
-        "an int needs a value on error, for example -1 on error": is_answer and not said.on_error,
-    }
-    return [text for text, is_wrong in found.items() if is_wrong]
-
-
-def made_parameter(match, text, attributes, has_own_shape=True):
+def parameter(written, said, own):
     """A parameter or member. Extents of another function's parameter count where they are as many numbers as the declaration says."""
-    shape, length = attributes.shape, None if match["length"] is None else length_of(match["length"])
-    if length is not None and not (shape and (has_own_shape or prod(shape) == length)):
+    match, shape = PARAMETER.fullmatch(written), said.attributes.shape
+    length = None if match["length"] is None else length_of(match["length"])
+    if length is not None and not (shape and (own.attributes.shape or prod(shape) == length)):
         shape = (length,)
-    return Parameter(match["name"], match["type"], "*" in match["pointers"] or length is not None, bool(match["const"]), length,
-                     "**" in match["pointers"], text, changed(attributes, shape=shape))
+    one = Parameter(match["name"], match["type"], "*" in match["pointers"] or length is not None, bool(match["const"]), length,
+                    "**" in match["pointers"], said.text, changed(said.attributes, shape=shape))  # fmt: skip
+    for wrong in own.attributes.misfits(one, own.is_output):
+        raise ValueError(f"{own.place}: {wrong}")
+    return one
 
 
 @cache
 def members(struct):
-    """Name, declaration and comment of each member of a struct argument, except for members that are arrays. A comment has a match for
-    attributes and text, and a place."""
-    text = (INCLUDE / "pw85_systems.h").read_text(encoding="utf-8")
+    """The members of a struct argument, except for those that are arrays."""
+    text = text_of("pw85_systems.h")
     body = next(match for match in STRUCT.finditer(text) if match["name"] == struct)
-    found = []
-    for match in MEMBER.finditer(body["members"]):
-        comment = " ".join(re.sub(r"^ *\*", "", match["comment"], flags=re.MULTILINE).split())
-        declaration = " ".join(match["declaration"].split())
-        line = text.count("\n", 0, body.start("members") + match.start()) + 1
-        if "[" not in declaration:
-            name = PARAMETER.fullmatch(declaration)["name"]
-            found.append((name, declaration, (comment, f"pw85_systems.h:{line}: {struct}, {name}")))
-    return found
+    found = [match for match in MEMBER.finditer(text, *body.span("members")) if "[" not in match["declaration"]]
+    listed, extents = [], counts_of(match["declaration"] for match in found)
+    for match in found:
+        place = f"pw85_systems.h:{text.count(chr(10), 0, match.start()) + 1}: {struct}, {match['declaration']}"
+        comment = re.fullmatch(r"\s*(?:\[([^\]]*)\])?(.*)", re.sub(r"\n *\*", " ", match["comment"]), re.DOTALL)
+        said = description(comment[1], comment[2], False, extents, place)
+        listed.append(parameter(match["declaration"], said, said))
+    return with_counts(listed)
 
 
 def members_read(function, struct):
-    """The members of a struct argument that a function reads, as parameters."""
+    """The members of a struct argument that a function reads, with what its contract says of them."""
     said, found = described(function, struct.name).attributes, []
-    for name, declaration, (comment, place) in members(struct.type):
-        match = re.fullmatch(r"(?:\[(?P<attributes>[^\]]*)\])?(?P<text>.*)", comment)
-        attributes = attributes_of(match["attributes"], function, place)
-        words = attributes.words - ({"optional"} if name in said.needs else set())
+    for one in members(struct.type):
+        words = one.attributes.words - ({"optional"} if one.name in said.needs else set())
         if "near the cell" in words:
             words = words - ({"near the cell"} if "or far away" in said.words else set()) | said.words & {"or NaN"}
-        if name not in said.without:
-            text = text_behind(match["attributes"], match["text"], place)
-            found.append(made_parameter(PARAMETER.fullmatch(declaration), text, changed(attributes, words=words)))
-    return with_counts(found)
+        found.append(changed(one, attributes=changed(one.attributes, words=words)))
+    return [one for one in found if one.name not in said.without]
 
 
 def values_of_members(function, struct, value):
     """The values of the members of a struct argument that is given by its members; those that the function does not read are null."""
     given = {member.name: value(member) for member in members_read(function, struct)}
-    return [given.get(name, "nullptr") for name, *_ in members(struct.type)]
+    return [given.get(one.name, "nullptr") for one in members(struct.type)]
 
 
 def with_counts(listed):

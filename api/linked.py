@@ -42,11 +42,23 @@ def is_relative(template, function):
     return same and all(len(one.members()) in (1, one.length) for one in outputs)
 
 
+def check_members(template, function):
+    """Refuses outputs of members that the result of the template does not have."""
+    name = result_of(template)
+    for one in function.outputs if name in structs() else ():
+        for member in one.members():
+            if member.partition(".")[0] not in structs()[name]:
+                raise ValueError(f"{function.descriptions[one.name].place}: {name} has no member {member}")
+
+
 def relatives():
     """The templates, each with a function of C."""
     for template in functions(TEMPLATES):
-        both = (c_functions().get(f"pw85_{template.name}{suffix}") for suffix in ("", "_2d"))
-        yield from ((template, function) for function in both if function and is_relative(template, function))
+        for function in (c_functions().get(f"pw85_{template.name}{suffix}") for suffix in ("", "_2d")):
+            if function:
+                check_members(template, function)
+            if function and is_relative(template, function):
+                yield template, function
 
 
 def outputs_in_c(function):

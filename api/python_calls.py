@@ -7,7 +7,8 @@ rows, and returns its status and its outputs. Arrays are NumPy arrays of the rig
 fills. A struct is given by its members.
 """
 
-from declarations import OBJECTS, PACKED, SIMULATION, Role, functions, values_of_members
+from attributes import PACKED
+from declarations import OBJECTS, SIMULATION, Role, functions, values_of_members
 from rows import row_functions
 
 NUMBERS_OF_FORM = 6

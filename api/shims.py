@@ -14,7 +14,8 @@ A function that a file of src/c_api/ or src/brent/ defines by hand is not made.
 import re
 
 import batch
-from declarations import LIMITS, ONE_ROW, SOURCE, c_functions, sections
+from attributes import LIMITS
+from declarations import ONE_ROW, SOURCE, c_functions, sections
 from layout import arguments
 
 FOLDER = SOURCE / "src/c_api"
@@ -157,6 +158,8 @@ def checks(function):
     if answers:
         yield from (f"    store_nan({one.name}, {one.length or 1});" for one in numbers)
         for one in answers:
+            if not one.attributes.on_error:
+                raise ValueError(f"{function.descriptions[one.name].place}: no value on error, such as -1 on error")
             yield from (f"    if (any_null({one.name})) return refused(PW85_EINVAL);", f"    *{one.name} = {one.attributes.on_error};")
         yield f"{condition} return refused(PW85_EINVAL);"
         return

@@ -9,7 +9,8 @@ writes the rows of the table that tests/functions.cpp includes.
 import sys
 from pathlib import Path
 
-from declarations import HOST_HEADERS, OBJECTS, PACKED, functions, values_of_members
+from attributes import PACKED
+from declarations import HOST_HEADERS, OBJECTS, functions, values_of_members
 
 TYPES = {
     "double": "real",
