@@ -74,8 +74,9 @@ class Attributes:
         return replace(other, **own | {"words": self.words | other.words})
 
     def misfits(self, one, is_marked):
-        """What is wrong where these attributes, from the brackets of the parameter itself, do not fit it. `is_marked` is for @param[out]."""
-        is_output, shape, limits = one.is_output() or one.outer, "×".join(map(str, self.shape)), sorted(self.words & LIMITS.keys())
+        """What is wrong where these, the parameter's own, do not fit it. `is_marked` is for @param[out]."""
+        is_output, shape = one.is_output() or one.outer, "×".join(map(str, self.shape))
+        limits = sorted(self.words & LIMITS.keys())
         unread = sorted({*self.without, *self.needs} - one.member_names())
         found = {
             "an output needs @param[out]": is_output and not is_marked,

@@ -5,7 +5,7 @@ import re
 from functools import cache
 from math import prod
 
-from declarations import CPP_HEADERS, INCLUDE, SOURCE, Role, c_functions, functions, referenced, statuses
+from declarations import CPP_HEADERS, INCLUDE, SOURCE, Role, c_functions, functions, statuses
 from voice import limits_of
 
 FOLDER = INCLUDE / "pw85"
@@ -97,12 +97,6 @@ def in_cpp(text):
     """A sentence about C, with the names of C++."""
     text = re.sub(r"\b(pw85_\w+)\(\)", lambda match: f"{names_in_cpp().get(match[1], match[1])}()", text)
     return re.sub(r"#(PW85_\w+)", lambda match: f"Status::{statuses()[match[1]][0]}", text)
-
-
-def returned(function):
-    """What the comment of a function, or of one to which it refers, says of its status."""
-    comments = (" ".join(other.comment.split()) for other in referenced(function, c_functions()))
-    return next((found[1] for text in comments if (found := re.search(r"@return (.*?)(?= @|$)", text))), "the status")
 
 
 def brief(function):

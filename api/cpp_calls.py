@@ -11,8 +11,8 @@ from dataclasses import dataclass, field
 from itertools import groupby
 from typing import NamedTuple
 
-from cpp import CLASSES, NUMBERS, SHORT_NAMES, STRUCTS, address, brief, described, in_cpp, returned, row_type, structs
-from declarations import Parameter, Role, members_read
+from cpp import CLASSES, NUMBERS, SHORT_NAMES, STRUCTS, address, brief, described, in_cpp, row_type, structs
+from declarations import Parameter, Role, members_read, returned
 from layout import arguments, wrapped
 
 NAMES = {"system": "particles"}  # of parameters in C++
@@ -210,7 +210,7 @@ class Call:
         yield ""
         for (is_output, text), group in groupby(self.declared, lambda one: (one.is_output, self.text_of(one))):
             yield f"@param{'[out]' if is_output else ''} {','.join(one.name for one in group)} {text}"
-        yield f"@return {'the values, and ' if self.result else ''}{in_cpp(returned(self.function))}".strip()
+        yield f"@return {'the values, and ' if self.result else ''}{in_cpp(returned(self.function) or 'the status')}".strip()
 
     def text_of(self, declared):
         """What is said of a parameter of C++."""

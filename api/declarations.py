@@ -305,7 +305,8 @@ def sections(header):
 
 def values(header):
     """The public structures that a C++ header declares or defines."""
-    text = re.sub(r"^namespace (pw85::)?detail \{$.*?^\} // namespace (pw85::)?detail$", "", text_of(header), flags=re.MULTILINE | re.DOTALL)
+    details = r"^namespace (pw85::)?detail \{$.*?^\} // namespace (pw85::)?detail$"
+    text = re.sub(details, "", text_of(header), flags=re.MULTILINE | re.DOTALL)
     return re.findall(r"^(?:template <[^;{]*?> ?)?struct (\w+)(?:;| (?:: \w+ )?\{)", text, re.MULTILINE)
 
 
@@ -349,6 +350,12 @@ def referenced(function, known):
             found.append(function)
             queue += [known[name] for name in function.references() if name in known]
     return found
+
+
+def returned(function):
+    """What the comment of a function of C, or of the first to which it refers, says of the status; empty if none does."""
+    comments = (" ".join(other.comment.split()) for other in referenced(function, c_functions()))
+    return next((found[1] for text in comments if (found := re.search(r"@return (.*?)(?= @|$)", text))), "")
 
 
 def length_of(text):
