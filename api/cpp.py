@@ -5,7 +5,7 @@ import re
 from functools import cache
 from math import prod
 
-from declarations import CPP_HEADERS, INCLUDE, SOURCE, Role, c_functions, functions, statuses
+from declarations import CPP_HEADERS, INCLUDE, SOURCE, c_functions, functions, statuses
 from voice import limits_of
 
 FOLDER = INCLUDE / "pw85"
@@ -109,7 +109,7 @@ def brief(function):
 def described(function, one):
     """What is said of a parameter, and what it has a row for."""
     text = "; ".join(filter(None, [in_cpp(one.text), *limits_of(one)]))
-    if one.role != Role.ROWS:
+    if not one.rows:
         return text
     counts = next(other for other in function.flattened if other.name == one.rows)
     of_row = counts.attributes.rows.replace("vertices", "vertex").removesuffix("s")

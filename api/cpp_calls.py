@@ -12,7 +12,7 @@ from itertools import groupby
 from typing import NamedTuple
 
 from cpp import CLASSES, NUMBERS, SHORT_NAMES, STRUCTS, address, brief, described, in_cpp, row_type, structs
-from declarations import Parameter, Role, members_read, returned
+from declarations import Parameter, members_read, returned
 from layout import arguments, wrapped
 
 NAMES = {"system": "particles"}  # of parameters in C++
@@ -47,7 +47,6 @@ class Call:
     marked: list = field(default_factory=list)  # if sizes are compared, which comes next
     checked: list = field(default_factory=list)  # pairs of arrays of as many rows
     before: list = field(default_factory=list)
-    passed: list = field(default_factory=list)
     after: list = field(default_factory=list)
 
     def __post_init__(self):
@@ -55,10 +54,19 @@ class Call:
         for one in self.function.parameters:
             if one.rows:
                 self.sizes.setdefault(one.rows, self.place(one) if one.rows in own else EXTENTS[one.rows])
-        add = {Role.OBJECT: self.object, Role.STRUCT: self.struct, Role.COUNT: self.count, Role.ROWS: self.rows, Role.ROW: self.row,
-               Role.NUMBER: self.number}  # fmt: skip
-        for one in self.function.parameters:
-            self.passed.append("nullptr" if one.name == self.without else add[one.role](one))
+        self.passed = ["nullptr" if one.name == self.without else self.argument(one) for one in self.function.parameters]
+
+    def argument(self, one):
+        """What is passed for a parameter, which it declares."""
+        if one.type in CLASSES:
+            return self.object(one)
+        if one.is_struct():
+            return self.struct(one)
+        if one.is_count:
+            return f"{self.sizes[one.name]}.size()"
+        if one.rows:
+            return self.rows(one)
+        return self.row(one) if one.pointer else self.number(one)
 
     def place(self, one):
         """Where a parameter is: a parameter of C++, or a member of one or of the result."""
@@ -112,9 +120,6 @@ class Call:
             other = f"{name}.{second}" if {"centers", "q"} <= read else f"detail::optional({name}.{second})"
             self.checked.append((f"{name}.{first}", other))
         return f"&{name}_in_c"
-
-    def count(self, one):
-        return f"{self.sizes[one.name]}.size()" if one.name in self.sizes else self.number(one)
 
     def rows(self, one):
         written = f"std::span<{row_type(self.function, one)}{' const' if one.const else ''}>"

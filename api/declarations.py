@@ -13,7 +13,6 @@ docs/ (reference pages, checks of the comments), the other programs of this fold
 import re
 from dataclasses import dataclass, field
 from dataclasses import replace as changed
-from enum import Enum, auto
 from functools import cache, cached_property
 from math import prod
 from pathlib import Path
@@ -74,18 +73,6 @@ class Description:
     place: str  # file and line
 
 
-class Role(Enum):
-    """The kinds of parameters that programs treat in different ways."""
-
-    OBJECT = auto()  # what the library owns
-    ADDRESS = auto()  # a function or an address of the caller
-    STRUCT = auto()  # whose members are arguments
-    COUNT = auto()  # a number of rows, which arrays of other languages know
-    ROWS = auto()  # an array whose number of rows is an argument or a member
-    ROW = auto()  # a pointer to one number, array or element
-    NUMBER = auto()
-
-
 @dataclass
 class Parameter:
     """A parameter of a C function, or a member of a struct argument."""
@@ -118,19 +105,6 @@ class Parameter:
     def size(self):
         """The number of numbers, in a row where there are rows."""
         return prod(self.shape[bool(self.rows) :])
-
-    @property
-    def role(self):
-        """What it is for programs that pass or read it, whatever its direction."""
-        if self.type in OBJECTS:
-            return Role.OBJECT
-        if self.is_handle():
-            return Role.ADDRESS
-        if self.is_struct():
-            return Role.STRUCT
-        if self.pointer:
-            return Role.ROWS if self.rows else Role.ROW
-        return Role.COUNT if self.is_count else Role.NUMBER
 
     def is_handle(self):
         """Whether it is a pointer to an object that the library owns, or one that the library does not read."""
@@ -242,7 +216,7 @@ class Function:
 
     def is_of_object(self):
         """Whether it has a status and an object of the library, which it makes or on which it works."""
-        return self.type == "int" and any(one.role == Role.OBJECT for one in self.parameters)
+        return self.type == "int" and any(one.type in OBJECTS for one in self.parameters)
 
     def references(self):
         """The names of the functions to which the comment refers."""

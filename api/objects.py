@@ -6,7 +6,7 @@ function of namespace pw85::detail of the same name, which is written by hand an
 references in the place of pointers to objects and structs that must not be null. Functions without status are written by hand.
 """
 
-from declarations import SIMULATION, SOURCE, Role, functions, members_read
+from declarations import OBJECTS, SIMULATION, SOURCE, functions, members_read
 from layout import arguments
 from shims import FOLDER, HEAD, described
 
@@ -36,7 +36,7 @@ namespace pw85::detail {{
 
 
 def is_reference(one):
-    return not one.nullable and one.role in (Role.OBJECT, Role.STRUCT)
+    return not one.nullable and (one.type in OBJECTS or one.is_struct())
 
 
 def worker(function):

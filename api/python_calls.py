@@ -8,7 +8,7 @@ fills. A struct is given by its members.
 """
 
 from attributes import PACKED
-from declarations import OBJECTS, SIMULATION, Role, functions, values_of_members
+from declarations import OBJECTS, SIMULATION, functions, values_of_members
 from rows import row_functions
 
 NUMBERS_OF_FORM = 6
@@ -110,7 +110,7 @@ class Body:
 
     def __init__(self, function):
         self.function, self.reads, self.later, self.results = function, [], [], []
-        self.counts = sorted(one.name for one in function.flattened if one.role == Role.COUNT)
+        self.counts = sorted(one.name for one in function.flattened if one.is_count)
         self.passed = [self.argument(one) for one in function.parameters]
 
     def argument(self, one):
@@ -119,7 +119,7 @@ class Body:
             return self.returned(one)
         if one.is_struct():
             return self.struct(one)
-        if one.role == Role.COUNT:
+        if one.is_count:
             return f"size_of({one.name})"
         self.reads.append(f"auto {'*' if one.pointer else ''}const {one.name} = {self.read(one)};")
         return one.name
@@ -140,9 +140,9 @@ class Body:
 
     def read(self, one):
         """The expression that reads an argument. Whether there must be a cell is known to the library alone."""
-        if one.role == Role.OBJECT:
+        if one.type in OBJECTS:
             return f'in.object<{one.type}>("{one.type}")'
-        if one.role == Role.ADDRESS:
+        if one.is_handle():
             return f"reinterpret_cast<{one.type} *>(in.address())"
         if not one.pointer:
             return f"in.{SCALARS[one.type]}()"
