@@ -23,7 +23,7 @@ from pathlib import Path
 NEEDED = ("api", "include", "meson.build", "fortran/pw85.in.f90", "fortran/pw85.f90", "r/DESCRIPTION.in", "octave/DESCRIPTION.in",
           "rust/pw85/Cargo.toml.in", "rust/pw85-sys/Cargo.toml.in", "js", "CHANGELOG.md", "debian", "python/pypw85",
           "src/simd/one_pair.hpp", "src/c_api", "src/brent")  # fmt: skip
-SEEDS = (1, 2)
+SHARES = (0.2, 1.0)  # of words that are dropped, one for each trial
 # The beginnings of the names of what is made.
 MADE = ("include/pw85_batch.h", "include/pw85/batch/", "include/pw85/linked.hpp", "include/pw85/simulation/", "include/pw85/systems/",
         "src/base/objects.hpp", "src/c_api/objects_", "src/c_api/contact_lanes", "src/c_api/contact.cpp", "fortran/", "r/R/", "r/man/",
@@ -44,35 +44,36 @@ BAIT = "n×9, or null: as for pw85_f_neg(), see pw85_volume(); `q` may be null, 
 ROWS = re.compile(r"^(@(?:rows|lanes) [\w]+(?: [\w -]+)?:)(.*)$|^(    \w+: \[[^\]]*\])(.*)$", re.MULTILINE)
 
 
-def reworded_text(text, draw):
-    """The words of a text without some of them, with others in their place, in another order, and with bait."""
-    words = [OTHER_WORDS.get(word, word) for word in text.split() if draw.random() > 0.2]
+def reworded_text(text, draw, share):
+    """The words of a text without a share of them, with others in their place, in another order, and with bait."""
+    words = [OTHER_WORDS.get(word, word) for word in text.split() if draw.random() > share]
     draw.shuffle(words)
     if words and draw.random() < 0.3:
         words += BAIT.split()
     return " ".join(words)
 
 
-def reworded_comment(comment, draw):
+def reworded_comment(comment, draw, share):
     """A comment whose data are in their places. Each line keeps its mark, and each text between data stays on its lines."""
     parts, place = [], 0
     for match in DATA.finditer(comment):
-        parts += [between(comment[place : match.start()], draw), match[0]]
+        parts += [between(comment[place : match.start()], draw, share), match[0]]
         place = match.end()
-    return "".join([*parts, between(comment[place:], draw)])
+    return "".join([*parts, between(comment[place:], draw, share)])
 
 
-def between(text, draw):
-    return re.sub(r"\S(?:[^\n]*\S)?", lambda match: reworded_text(match[0], draw) or "word", text)
+def between(text, draw, share):
+    return re.sub(r"\S(?:[^\n]*\S)?", lambda match: reworded_text(match[0], draw, share) or "word", text)
 
 
-def reword(folder, seed):
-    draw = random.Random(seed)
+def reword(folder, share):
+    draw = random.Random(1)
     for path in (*sorted((folder / "include").rglob("*.h*")), *sorted((folder / "api").glob("*.in"))):
-        text = COMMENT.sub(lambda match: reworded_comment(match[0], draw), path.read_text(encoding="utf-8"))
+        text = COMMENT.sub(lambda match: reworded_comment(match[0], draw, share), path.read_text(encoding="utf-8"))
         path.write_text(text, encoding="utf-8")
     path = folder / "api/pw85_batch.h.in"
-    text = ROWS.sub(lambda match: f"{match[1] or match[3]} {reworded_text(match[2] or match[4], draw)}", path.read_text(encoding="utf-8"))
+    text = path.read_text(encoding="utf-8")
+    text = ROWS.sub(lambda match: f"{match[1] or match[3]} {reworded_text(match[2] or match[4], draw, share)}", text)
     path.write_text(text, encoding="utf-8")
 
 
@@ -139,18 +140,18 @@ def complaints_of_rewording(source, folder):
     if expected is None:
         yield f"nothing can be made: {error}"
         return
-    for seed in SEEDS:
-        other = copied(source, folder / str(seed))
-        reword(other, seed)
+    for share in SHARES:
+        other = copied(source, folder / str(share))
+        reword(other, share)
         found, error = run(other)
         if found is None:
-            yield f"seed {seed}: nothing is made of reworded headers: {error}"
+            yield f"{share} of the words dropped: nothing is made of reworded headers: {error}"
             continue
         if (other / "include/pw85.h").read_text(encoding="utf-8") == (source / "include/pw85.h").read_text(encoding="utf-8"):
-            yield f"seed {seed}: nothing is reworded"
+            yield f"{share} of the words dropped: nothing is reworded"
         for path in sorted(expected.keys() | found.keys()):
             if expected.get(path) != found.get(path):
-                yield f"seed {seed}: {path} depends on prose"
+                yield f"{share} of the words dropped: {path} depends on prose"
     yield from (f"{path}: nothing is compared" for path, text in expected.items() if not text.strip())
     yield from (f"nothing of {language} is compared" for language in MADE if not any(path.startswith(language) for path in expected))
 
