@@ -87,12 +87,9 @@ class Statement:
         return f"/**{comment[2:]} */\n{head}\n"
 
 
-def declaration(match):
-    return Statement(match).declaration() + "\n" * match.string.startswith("@", match.end())
-
-
 def header():
-    made = ROWS.sub(declaration, TEMPLATE.read_text(encoding="utf-8"))
+    text = TEMPLATE.read_text(encoding="utf-8")
+    made = ROWS.sub(lambda match: Statement(match).declaration() + "\n" * text.startswith("@", match.end()), text)
     if left := re.search(r"^@.*", made, re.MULTILINE):
         raise ValueError(f"{TEMPLATE.name}: {left[0]}: not understood")
     return made

@@ -7,12 +7,12 @@ be members of one struct of C++, and outputs can be returned. api/classes.py mak
 """
 
 import re
+from collections import namedtuple
 from dataclasses import dataclass, field
 from itertools import groupby
-from typing import NamedTuple
 
 from cpp import CLASSES, NUMBERS, SHORT_NAMES, STRUCTS, address, brief, described, in_cpp, row_type, structs
-from declarations import Parameter, members_read, returned
+from declarations import members_read, returned
 from layout import arguments, wrapped
 
 NAMES = {"system": "particles"}  # of parameters in C++
@@ -24,13 +24,8 @@ TEXTS = {
 }
 
 
-class Declared(NamedTuple):
-    """A parameter of C++."""
-
-    text: str
-    is_output: bool
-    name: str
-    parameter: Parameter  # that of C, or the first one of a struct of several
+# A parameter of C++, with that of C, or with the first one of a struct of several.
+Declared = namedtuple("Declared", "text is_output name parameter")
 
 
 @dataclass

@@ -7,7 +7,7 @@ api/committed.py writes the module or compares it.
 """
 
 import re
-from dataclasses import dataclass
+from collections import namedtuple
 from itertools import groupby
 
 from attributes import PACKED
@@ -105,15 +105,8 @@ PROCEDURE = re.compile(
 )
 
 
-@dataclass
-class Procedure:
-    """A function or subroutine, as a program of Fortran sees it."""
-
-    name: str
-    kind: str
-    arguments: list
-    comment: str
-    declarations: list
+# A function or subroutine, as a program of Fortran sees it.
+Procedure = namedtuple("Procedure", "name kind arguments comment declarations")
 
 
 def procedures():

@@ -33,32 +33,23 @@ def result_of(template):
 def is_relative(template, function):
     """Whether a function of C has the dimension and the inputs of a template, and gives out all members of the result, of which one
     array takes several only if they are numbers. What constant expressions can call is not replaced."""
+    name, outputs = result_of(template), function.outputs
+    for one, member in ((one, member) for one in outputs for member in one.members() if name in structs()):
+        if member.partition(".")[0] not in structs()[name]:
+            raise ValueError(f"{function.descriptions[one.name].place}: {name} has no member {member}")
     fixed = {found for one in template.written for found in re.findall(r"<T, ([23])>", one)}
     if template.type.startswith("constexpr ") or fixed not in (set(), {str(function.dimension)}):
         return False
-    name, outputs = result_of(template), function.outputs
     needed = {*structs()[name]} - {"status", *NOT_GIVEN_OUT.get(name, ())}
     same = len(function.inputs) == len(template.written) and {name for one in outputs for name in one.members()} == needed
     return same and all(len(one.members()) in (1, one.length) for one in outputs)
 
 
-def check_members(template, function):
-    """Refuses outputs of members that the result of the template does not have."""
-    name = result_of(template)
-    for one in function.outputs if name in structs() else ():
-        for member in one.members():
-            if member.partition(".")[0] not in structs()[name]:
-                raise ValueError(f"{function.descriptions[one.name].place}: {name} has no member {member}")
-
-
 def relatives():
     """The templates, each with a function of C."""
     for template in functions(TEMPLATES):
-        for function in (c_functions().get(f"pw85_{template.name}{suffix}") for suffix in ("", "_2d")):
-            if function:
-                check_members(template, function)
-            if function and is_relative(template, function):
-                yield template, function
+        both = (c_functions().get(f"pw85_{template.name}{suffix}") for suffix in ("", "_2d"))
+        yield from ((template, function) for function in both if function and is_relative(template, function))
 
 
 def outputs_in_c(function):

@@ -23,6 +23,7 @@ import ast
 import inspect
 import sys
 import textwrap
+from collections import namedtuple
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -47,11 +48,8 @@ class Argument:
         return f"{self.name}: {kind}" + (f" = {self.default}" if self.default is not None else "")
 
 
-@dataclass
-class Signature:
-    inputs: list
-    output: Argument
-    result: str  # the type, if the template states it
+# The arguments, and the type of the result if the template states it.
+Signature = namedtuple("Signature", "inputs output result")
 
 
 def python_name(row):
@@ -167,10 +165,10 @@ def made_lines():
     }
 
 
-def public_names(text):
-    """What a module offers: the public names that it imports or assigns."""
+def public_names(template):
+    """What a module offers by its template: the public names that it imports or assigns."""
     names = []
-    for node in ast.parse(text).body:
+    for node in ast.parse(insert(template, "#@", made_lines() | {"all": []})).body:
         if isinstance(node, ast.ImportFrom):
             names += [alias.asname or alias.name for alias in node.names]
         elif isinstance(node, ast.Assign):
@@ -178,19 +176,14 @@ def public_names(text):
     return sorted(name for name in names if not name.startswith("_"))
 
 
-def names_of(template):
-    """The public names of a module, by its template."""
-    return public_names(insert(template, "#@", made_lines() | {"all": []}))
-
-
 def with_names(template):
     """A template with what its marks stand for. The mark `all` stands for the public names of the text that the others make."""
-    return insert(template, "#@", made_lines() | {"all": [f'"{name}",' for name in names_of(template)]})
+    return insert(template, "#@", made_lines() | {"all": [f'"{name}",' for name in public_names(template)]})
 
 
 def package_names():
     """The public names of the package."""
-    return names_of(SOURCE / "python/pypw85/__init__.in.py")
+    return public_names(SOURCE / "python/pypw85/__init__.in.py")
 
 
 def main(kind, *paths):
