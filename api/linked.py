@@ -34,9 +34,9 @@ def is_relative(template, function):
     """Whether a function of C has the dimension and the inputs of a template, and gives out all members of the result, of which one
     array takes several only if they are numbers. What constant expressions can call is not replaced."""
     name, outputs = result_of(template), function.outputs
-    for one, member in ((one, member) for one in outputs for member in one.members() if name in structs()):
-        if member.partition(".")[0] not in structs()[name]:
-            raise ValueError(f"{function.descriptions[one.name].place}: {name} has no member {member}")
+    for one in outputs if name in structs() else ():
+        if unknown := {member.partition(".")[0] for member in one.members()} - {*structs()[name]}:
+            raise ValueError(f"{function.descriptions[one.name].place}: {name} has no member {min(unknown)}")
     fixed = {found for one in template.written for found in re.findall(r"<T, ([23])>", one)}
     if template.type.startswith("constexpr ") or fixed not in (set(), {str(function.dimension)}):
         return False

@@ -63,7 +63,7 @@ def checked_arguments(function):
             read = [member for member in members_read(function, one) if member.name != "cell"]
             places |= {member.name: f"{one.name}_given.{member.name}" for member in read}
             listed += [member for member in read if member.pointer]
-    is_read = [one for one in listed if one.type == "double" and not one.is_output() or one.pointer and not one.nullable]
+    is_read = [one for one in listed if (one.type == "double" and not one.is_output()) or (one.pointer and not one.nullable)]
     return [described(one, places) for one in is_read]
 
 

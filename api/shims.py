@@ -127,9 +127,9 @@ def limits(one):
     return " | ".join(f"limit::{name}" for name in names)
 
 
-def described(one, places={}):
+def described(one, places=None):
     """A parameter for the check of arguments or the record of a refusal. `places` are those of members of structs."""
-    place, rows = (places.get(name, name) for name in (one.name, one.rows))
+    place, rows = ((places or {}).get(name, name) for name in (one.name, one.rows))
     is_read = not one.is_output() and one.type in ("double", "" if rows else "pw85_motion")
     kind = "" if not rows else "::rows" if is_read else "::array"
     size = "7" if one.type == "pw85_motion" else str(one.size)
