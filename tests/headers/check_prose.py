@@ -193,6 +193,7 @@ SPOILED = {
         (OUT, "@param out [members mu2, lambda]", "an output needs @param[out]"),
         (OUT, "@param[out] out [> 0; members mu2, lambda]", "outputs have no limits: > 0"),
         (OUT, "@param[out] out [members mu2, lambdas]", "has no member lambdas"),
+        (FORMS, "@param q1,q2 [as pw85_contact()]", "pw85_contact() does not say what q1 is"),
         (LIKE, "r12,q1,q2 [as pw85_kontact()]", "no function pw85_kontact()"),
         (LIKE, "r12,q1,q2 [as pw85_volume()]", "pw85_volume() does not say what r12 is"),
         ("lambda [0..1]", "lambda [optional; 0..1]", "a number cannot be absent: optional"),
