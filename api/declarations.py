@@ -134,10 +134,15 @@ class Parameter:
 class Function:
     name: str
     type: str
-    written: list  # the parameters in the header, without defaults
+    list_of_parameters: str  # as in the header
     comment: str  # without its marks
     header: str
     line: int  # of the comment
+
+    @cached_property
+    def written(self):
+        """The parameters in the header, without defaults."""
+        return split_parameters(self.list_of_parameters)
 
     @property
     def plain(self):
@@ -271,7 +276,7 @@ def sections(header):
             continue
         comment = re.sub(r"^ ?(?:/\*\*|\*/|\*|///) ?| *\*/", "", match["comment"] or "", flags=re.MULTILINE)
         found[-1].functions.append(
-            Function(match["name"], match["type"].strip(), split_parameters(match["parameters"]), comment, header,
+            Function(match["name"], match["type"].strip(), match["parameters"], comment, header,
                      text.count("\n", 0, match.start()) + 1)
         )
     return found
