@@ -14,11 +14,11 @@ declarations of functions that have none of one row are in the template as they 
 """
 
 import re
-from dataclasses import dataclass
 from itertools import groupby
 
 import layout
-from declarations import INCLUDE, LIMITS, SOURCE, c_functions
+from attributes import LIMITS
+from declarations import INCLUDE, SOURCE, c_functions
 from rows import TRUTHS, name_of_many
 
 HEADER, TEMPLATE = INCLUDE / "pw85_batch.h", SOURCE / "api/pw85_batch.h.in"
@@ -26,23 +26,6 @@ ROWS = re.compile(
     r"^@(?P<kind>rows|lanes) (?P<name>\w+)(?: (?P<rows>[\w -]+))?(?:: (?P<results>.*))?\n(?P<said>(?:    .*\n)*)", re.MULTILINE
 )
 PLURALS = {"normal": "normals", "offset": "offsets", "direction": "directions", "quaternion": "quaternions", "start": "starts"}  # of inputs
-SAID = re.compile(r"\[(?P<attributes>[^\]]*)\] ?(?P<text>.*)")
-
-
-@dataclass
-class Argument:
-    """A parameter of a function of many rows."""
-
-    name: str
-    type: str
-    attributes: str
-    text: str  # its sentence
-    is_output: bool
-    nullable: bool
-    is_array: bool = True
-
-    def declared(self):
-        return f"{self.type} {'' if self.is_output else 'const '}*{self.name}" if self.is_array else f"{self.type} {self.name}"
 
 
 def names_and_shape(one):
@@ -52,72 +35,64 @@ def names_and_shape(one):
     return [PLURALS.get(one.name, one.name)], one.shape
 
 
-def argument(function, one, name, shape, row, said):
-    """The parameter of many rows that stands for one of one row. `said` has the sentences of the template."""
-    is_truth = one.is_output() and one.type == "int" and one.name in TRUTHS
-    is_optional = one.is_output() and (one.nullable or len(names_and_shape(one)[0]) > 1)
-    limits = [limit for limit in LIMITS if limit in one.attributes.words]
-    unit = [one.attributes.unit] if one.attributes.unit else []
-    attributes = ["×".join(["n", *map(str, shape)]), *unit, *(["optional"] if is_optional else []), *limits]
-    match = SAID.fullmatch(said.get(name, f"[{'; '.join(attributes)}] {f'1, 0, or 255 for a bad {row}' if is_truth else ''}"))
-    is_array = match["attributes"] != f"as {function.name}()"
-    nullable = "optional" in match["attributes"].split("; ")
-    kind = "unsigned char" if is_truth else one.type
-    return Argument(name, kind, match["attributes"], match["text"], one.is_output(), nullable, is_array)
-
-
 class Statement:
     """A line of the template."""
 
     def __init__(self, match):
+        self.place = f"{TEMPLATE.name}:{match.string.count(chr(10), 0, match.start()) + 1}"
+        if match["name"] not in c_functions():
+            raise ValueError(f"{self.place}: no function {match['name']}()")
         self.function = c_functions()[match["name"]]
+        self.name = name_of_many(self.function.name)
         self.has_lanes = match["kind"] == "lanes"
         self.rows = match["rows"] or "pairs"
         self.row = self.rows.split()[0].removesuffix("s")
         self.said = dict(line.strip().split(": ", 1) for line in match["said"].splitlines())
         self.results = match["results"]
+        if unknown := self.said.keys() - {name for one in self.function.parameters for name in names_and_shape(one)[0]}:
+            raise ValueError(f"{self.place}: {self.name}() has no parameter {', '.join(sorted(unknown))}")
 
     def arguments(self):
-        """The parameters of one row, each with those that stand for it in the function of many rows."""
-        return [
-            (one, [argument(self.function, one, name, shape, self.row, self.said) for name in names])
-            for one in self.function.parameters
-            for names, shape in [names_and_shape(one)]
-        ]
+        """The parameters of one row, each with those of the made header that stand for it."""
+        many = {one.name: one for one in c_functions()[self.name].parameters}
+        return [(one, [many[name] for name in names_and_shape(one)[0]]) for one in self.function.parameters]
 
-    def head(self, begin, end):
-        """The declaration of the function of many rows."""
-        declared = ["size_t n", *(argument.declared() for _, many in self.arguments() for argument in many)]
-        return layout.arguments(f"{begin} {name_of_many(self.function.name)}(", declared, end)
+    def made(self, one, name, shape):
+        """The parameter of many rows that stands for one of one row: its declaration, and tag, name, attributes and text of its comment."""
+        is_truth = one.is_output() and one.type == "int" and one.name in TRUTHS
+        is_optional = one.is_output() and (one.nullable or len(one.members()) > 1)
+        extents = "×".join(["n", *map(str, shape)])
+        limits = [limit for limit in LIMITS if limit in one.attributes.words]
+        attributes = "; ".join(filter(None, [extents, one.attributes.unit, "optional" if is_optional else "", *limits]))
+        said = self.said.get(name, f"[{attributes}] {f'1, 0, or 255 for a bad {self.row}' if is_truth else ''}")
+        is_number = said.startswith(f"[as {self.function.name}()]")
+        kind = "unsigned char" if is_truth else one.type
+        declared = f"{kind} {name}" if is_number else f"{kind} {'' if one.is_output() else 'const '}*{name}"
+        return declared, f"@param{'[out]' if one.is_output() else ''}", name, said.rstrip()
 
-
-def sentences(listed):
-    """The descriptions of the parameters, one for neighbours of which the same is said."""
-    for (is_output, attributes, text), group in groupby(listed, lambda one: (one.is_output, one.attributes, one.text)):
-        yield f"@param{'[out]' if is_output else ''} {','.join(one.name for one in group)} [{attributes}] {text}".rstrip()
-
-
-def declaration(match):
-    """The declaration of a function of many rows with its comment, for a line of the template."""
-    statement = Statement(match)
-    listed = [one for _, many in statement.arguments() for one in many]
-    name, row = statement.function.name, statement.row
-    results = statement.results or f"with the same {'answers' if any(one.type == 'unsigned char' for one in listed) else 'bits'}."
-    mark = "." if results[0].isupper() else "," if results.startswith("with ") else ";"
-    text = [
-        f"Computes {name}() for n {statement.rows}{mark} {results}",
-        "",
-        f"@param n [number of {row}s]",
-        *sentences(listed),
-        f"@return as for {name}(), of the first bad {row}",
-    ]
-    lines = [line for part in text for line in layout.wrapped(part, layout.WIDTH - 4) or [""]]
-    comment = "\n".join(f" * {line}".rstrip() for line in lines)
-    return f"/**{comment[2:]} */\n{statement.head('PW85_API int', ');')}\n"
+    def declaration(self):
+        """The declaration of the function of many rows with its comment."""
+        names = ((one, *names_and_shape(one)) for one in self.function.parameters)
+        listed = [self.made(one, name, shape) for one, own, shape in names for name in own]
+        has_answers = any(declared.startswith("unsigned char") for declared, *_ in listed)
+        results = self.results or f"with the same {'answers' if has_answers else 'bits'}."
+        mark = "." if results[0].isupper() else "," if results.startswith("with ") else ";"
+        text = [f"Computes {self.function.name}() for n {self.rows}{mark} {results}", "", f"@param n [number of {self.row}s]"]
+        for (tag, said), group in groupby(listed, lambda one: (one[1], one[3])):
+            text.append(f"{tag} {','.join(name for _, _, name, _ in group)} {said}")
+        text.append(f"@return as for {self.function.name}(), of the first bad {self.row}")
+        lines = [line for part in text for line in layout.wrapped(part, layout.WIDTH - 4) or [""]]
+        comment = "\n".join(f" * {line}".rstrip() for line in lines)
+        head = layout.arguments(f"PW85_API int {self.name}(", ["size_t n", *(declared for declared, *_ in listed)], ");")
+        return f"/**{comment[2:]} */\n{head}\n"
 
 
 def header():
-    return ROWS.sub(declaration, TEMPLATE.read_text(encoding="utf-8"))
+    text = TEMPLATE.read_text(encoding="utf-8")
+    made = ROWS.sub(lambda match: Statement(match).declaration() + "\n" * text.startswith("@", match.end()), text)
+    if left := re.search(r"^@.*", made, re.MULTILINE):
+        raise ValueError(f"{TEMPLATE.name}: {left[0]}: not understood")
+    return made
 
 
 def statements():

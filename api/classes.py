@@ -41,7 +41,8 @@ def definition(match, prefix, path):
     unknown = {*types, match["without"]} - {None, *function.parameter_names(), *(one.name for one in call.declared)}
     if unknown:
         raise ValueError(f"{place}: no such parameter: {', '.join(sorted(unknown))}")
-    return call.text(match["own"] or name, match["indent"])
+    text = call.text(match["own"] or name, match["indent"])
+    return text + "\n" if MARK.match(match.string, match.end()) else text
 
 
 def call_of_all(function, kind):

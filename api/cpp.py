@@ -5,7 +5,7 @@ import re
 from functools import cache
 from math import prod
 
-from declarations import CPP_HEADERS, INCLUDE, SOURCE, Role, c_functions, functions, referenced, statuses
+from declarations import CPP_HEADERS, INCLUDE, SOURCE, c_functions, functions, statuses
 from voice import limits_of
 
 FOLDER = INCLUDE / "pw85"
@@ -99,12 +99,6 @@ def in_cpp(text):
     return re.sub(r"#(PW85_\w+)", lambda match: f"Status::{statuses()[match[1]][0]}", text)
 
 
-def returned(function):
-    """What the comment of a function, or of one to which it refers, says of its status."""
-    comments = (" ".join(other.comment.split()) for other in referenced(function, c_functions()))
-    return next((found[1] for text in comments if (found := re.search(r"@return (.*?)(?= @|$)", text))), "the status")
-
-
 def brief(function):
     text = re.sub(r"\bn (?=[a-z])", "many ", function.brief())
     if function.dimension == 2:
@@ -115,7 +109,7 @@ def brief(function):
 def described(function, one):
     """What is said of a parameter, and what it has a row for."""
     text = "; ".join(filter(None, [in_cpp(one.text), *limits_of(one)]))
-    if one.role != Role.ROWS:
+    if not one.rows:
         return text
     counts = next(other for other in function.flattened if other.name == one.rows)
     of_row = counts.attributes.rows.replace("vertices", "vertex").removesuffix("s")

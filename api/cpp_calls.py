@@ -7,12 +7,12 @@ be members of one struct of C++, and outputs can be returned. api/classes.py mak
 """
 
 import re
+from collections import namedtuple
 from dataclasses import dataclass, field
 from itertools import groupby
-from typing import NamedTuple
 
-from cpp import CLASSES, NUMBERS, SHORT_NAMES, STRUCTS, address, brief, described, in_cpp, returned, row_type, structs
-from declarations import Parameter, Role, members_read
+from cpp import CLASSES, NUMBERS, SHORT_NAMES, STRUCTS, address, brief, described, in_cpp, row_type, structs
+from declarations import members_read, returned
 from layout import arguments, wrapped
 
 NAMES = {"system": "particles"}  # of parameters in C++
@@ -24,13 +24,8 @@ TEXTS = {
 }
 
 
-class Declared(NamedTuple):
-    """A parameter of C++."""
-
-    text: str
-    is_output: bool
-    name: str
-    parameter: Parameter  # that of C, or the first one of a struct of several
+# A parameter of C++, with that of C, or with the first one of a struct of several.
+Declared = namedtuple("Declared", "text is_output name parameter")
 
 
 @dataclass
@@ -47,7 +42,6 @@ class Call:
     marked: list = field(default_factory=list)  # if sizes are compared, which comes next
     checked: list = field(default_factory=list)  # pairs of arrays of as many rows
     before: list = field(default_factory=list)
-    passed: list = field(default_factory=list)
     after: list = field(default_factory=list)
 
     def __post_init__(self):
@@ -55,10 +49,19 @@ class Call:
         for one in self.function.parameters:
             if one.rows:
                 self.sizes.setdefault(one.rows, self.place(one) if one.rows in own else EXTENTS[one.rows])
-        add = {Role.OBJECT: self.object, Role.STRUCT: self.struct, Role.COUNT: self.count, Role.ROWS: self.rows, Role.ROW: self.row,
-               Role.NUMBER: self.number}  # fmt: skip
-        for one in self.function.parameters:
-            self.passed.append("nullptr" if one.name == self.without else add[one.role](one))
+        self.passed = ["nullptr" if one.name == self.without else self.argument(one) for one in self.function.parameters]
+
+    def argument(self, one):
+        """What is passed for a parameter, which it declares."""
+        if one.type in CLASSES:
+            return self.object(one)
+        if one.is_struct():
+            return self.struct(one)
+        if one.is_count:
+            return f"{self.sizes[one.name]}.size()"
+        if one.rows:
+            return self.rows(one)
+        return self.row(one) if one.pointer else self.number(one)
 
     def place(self, one):
         """Where a parameter is: a parameter of C++, or a member of one or of the result."""
@@ -66,7 +69,10 @@ class Call:
         if one.is_output() and name in structs().get(self.result, ()):
             return f"found.{name}"
         owners = (struct for struct, kind in self.types.items() if struct != one.name and name in structs().get(kind, ()))
-        return next((f"{struct}.{name}" for struct in owners), NAMES.get(one.name, one.name))
+        place = next((f"{struct}.{name}" for struct in owners), NAMES.get(one.name, one.name))
+        if one.attributes.members and "." not in place:
+            raise ValueError(f"{self.function.descriptions[one.name].place}: no struct of the template has the member {name}")
+        return place
 
     def declare(self, one, text):
         """Adds a parameter. A new object comes before other outputs."""
@@ -109,9 +115,6 @@ class Call:
             other = f"{name}.{second}" if {"centers", "q"} <= read else f"detail::optional({name}.{second})"
             self.checked.append((f"{name}.{first}", other))
         return f"&{name}_in_c"
-
-    def count(self, one):
-        return f"{self.sizes[one.name]}.size()" if one.name in self.sizes else self.number(one)
 
     def rows(self, one):
         written = f"std::span<{row_type(self.function, one)}{' const' if one.const else ''}>"
@@ -207,7 +210,7 @@ class Call:
         yield ""
         for (is_output, text), group in groupby(self.declared, lambda one: (one.is_output, self.text_of(one))):
             yield f"@param{'[out]' if is_output else ''} {','.join(one.name for one in group)} {text}"
-        yield f"@return {'the values, and ' if self.result else ''}{in_cpp(returned(self.function))}".strip()
+        yield f"@return {'the values, and ' if self.result else ''}{in_cpp(returned(self.function) or 'the status')}".strip()
 
     def text_of(self, declared):
         """What is said of a parameter of C++."""

@@ -2,26 +2,7 @@
 """Parses the declarations of the public headers with their comments. It is the only parser of these headers.
 
 The C headers declare every function. What a program must know of a parameter stands in its type and in the brackets behind its name:
-
-    @param[out] point [n×3; optional] where the ellipsoids touch
-
-The text behind the brackets is for readers: no program depends on its words. Brackets without attributes are left out: the numbers of
-an input must then be finite, and no pointer may be null. A parameter that is not described, an output that is not marked and an
-attribute that is not in this list are errors, with file and line:
-
-    n×3                  the extents of an array: numbers, and names of parameters; those of `x[3]` are known
-    n(n+1)/2             the extent of a packed symmetric matrix in n dimensions
-    length², 1/time      the unit; none stands where a number has no unit, `mixed units` where the entries of an array have several
-    optional             the pointer may be null (`optional if not needed`: where another argument does not need it)
-    as pw85_f()          all attributes of the parameter of the same name of another function; extents only where this has none
-    number of pairs      how many rows arrays have, and what a row is
-    member length        the member of the C++ result that an output receives, where its name is another one; one for each of the
-                         outputs that are described together
-    members mu2, lambda  the members that one array receives
-    without q, with cell of structs: the members that the function does not read, and those that must not be null here
-    -1 on error          what an output that is no double is on error, and one of a function without status (also what is returned)
-    or infinite, or NaN  the function accepts such numbers (of a system: centres that are such, or `or far away`)
-    the others of LIMITS what the function refuses otherwise: api/causes.py
+see api/attributes.py. A parameter that is not described is an error, with file and line.
 
 `pw85_pair_list const *list`, `pw85_system const *system` and `pw85_law const *law` are structs, whose members have comments with the
 same brackets. Members count as parameters of the function, and extents may be names of members.
@@ -32,10 +13,11 @@ docs/ (reference pages, checks of the comments), the other programs of this fold
 import re
 from dataclasses import dataclass, field
 from dataclasses import replace as changed
-from enum import Enum, auto
 from functools import cache, cached_property
 from math import prod
 from pathlib import Path
+
+from attributes import PACKED, Attributes, parsed, text_behind
 
 SOURCE = Path(__file__).resolve().parent.parent
 INCLUDE = SOURCE / "include"
@@ -72,44 +54,13 @@ PARAMETER = re.compile(
     r"(?P<type>(?:unsigned )?\w+)(?P<const> const)?(?P<pointers>[ *]*)(?P<name>\w+)(?:\[(?P<length>.*)\])?"
 )
 DESCRIPTION = re.compile(
-    r"@param(?P<output>\[out\])? (?P<names>[\w,]+)(?:\s+\[(?P<attributes>[^\]]*)\])?(?P<text>.*?)(?=@|\Z)", re.DOTALL
+    r"@param(?P<output>\[out\])? (?P<names>\w+(?:,\w+)*)(?!\S)(?:\s+\[(?P<attributes>[^\]]*)\])?(?P<text>.*)", re.DOTALL
 )
-# The extent of packed symmetric matrices in n dimensions.
-PACKED = "n(n+1)/2"
-# Attributes of which no more is said than whether they are there, beside those of api/causes.py.
-WORDS = ("optional", "optional if not needed")
-LIMITS = (
-    "> 0", ">= 0", "!= 0", "0..1", "1..16", "<= 1",
-    "lower <= upper", "> 0 until t_max", "finite square", "definite", "rotation", "index", "a periodic row",
-    "independent rows", "needs cell", "near the cell", "of as many particles", "or infinite", "or NaN", "or far away",
-)  # fmt: skip
-UNIT = re.compile(r"(?:(?:length|time|energy)[²³]?(?:/(?:length|time)[²³]?)?|1/(?:length|time)[²³]?|no unit|mixed units)")
 STRUCTS = ("pw85_pair_list", "pw85_system", "pw85_law")  # structs that are arguments; other structs are elements of arrays
 OBJECTS = ("pw85_neighbors", "pw85_mesh", "pw85_hard_ellipsoids")  # what the library owns
 CALLBACKS = ("pw85_potential",)  # types of functions of the caller
 STRUCT = re.compile(r"^typedef struct (?P<name>\w+) \{\n(?P<members>.*?)^\} (?P=name);", re.DOTALL | re.MULTILINE)
 MEMBER = re.compile(r"/\*\*(?P<comment>(?:(?!\*/).)*)\*/\s*(?P<declaration>[^;/]+);", re.DOTALL)
-
-
-@dataclass
-class Attributes:
-    """What the brackets say of a parameter."""
-
-    shape: tuple = ()
-    like: str = ""  # the function of the parameter with the same attributes
-    rows: str = ""  # what the rows are that it counts: "pairs"
-    members: tuple = ()  # of the C++ result that one output receives
-    each: tuple = ()  # of which each output receives one
-    without: tuple = ()
-    needs: tuple = ()
-    on_error: str = ""
-    unit: str = ""
-    words: frozenset = frozenset()
-
-    def merged(self, other):
-        """These, and those of the parameter that this one is like."""
-        own = {name: value for name, value in vars(self).items() if value}
-        return changed(other, **own | {"words": self.words | other.words})
 
 
 @dataclass
@@ -120,18 +71,6 @@ class Description:
     text: str
     is_output: bool
     place: str  # file and line
-
-
-class Role(Enum):
-    """The kinds of parameters that programs treat in different ways."""
-
-    OBJECT = auto()  # what the library owns
-    ADDRESS = auto()  # a function or an address of the caller
-    STRUCT = auto()  # whose members are arguments
-    COUNT = auto()  # a number of rows, which arrays of other languages know
-    ROWS = auto()  # an array whose number of rows is an argument or a member
-    ROW = auto()  # a pointer to one number, array or element
-    NUMBER = auto()
 
 
 @dataclass
@@ -167,19 +106,6 @@ class Parameter:
         """The number of numbers, in a row where there are rows."""
         return prod(self.shape[bool(self.rows) :])
 
-    @property
-    def role(self):
-        """What it is for programs that pass or read it, whatever its direction."""
-        if self.type in OBJECTS:
-            return Role.OBJECT
-        if self.is_handle():
-            return Role.ADDRESS
-        if self.is_struct():
-            return Role.STRUCT
-        if self.pointer:
-            return Role.ROWS if self.rows else Role.ROW
-        return Role.COUNT if self.is_count else Role.NUMBER
-
     def is_handle(self):
         """Whether it is a pointer to an object that the library owns, or one that the library does not read."""
         return self.pointer and self.type in ("void", *OBJECTS, *CALLBACKS)
@@ -199,15 +125,24 @@ class Parameter:
         """The members of the C++ result that it receives."""
         return self.attributes.members or (self.name,)
 
+    def member_names(self):
+        """The names of the members of a struct."""
+        return {one.name for one in members(self.type)} if self.is_struct() else set()
+
 
 @dataclass(eq=False)  # each function is parsed once, so that what is found about it can be kept
 class Function:
     name: str
     type: str
-    written: list  # the parameters in the header, without defaults
+    list_of_parameters: str  # as in the header
     comment: str  # without its marks
     header: str
     line: int  # of the comment
+
+    @cached_property
+    def written(self):
+        """The parameters in the header, without defaults."""
+        return split_parameters(self.list_of_parameters)
 
     @property
     def plain(self):
@@ -224,9 +159,10 @@ class Function:
     @cached_property
     def parameters(self):
         """The parameters of a function of C."""
-        for name in self.descriptions.keys() - set(self.parameter_names()):
-            raise ValueError(f"{self.descriptions[name].place}: no such parameter: {name}")
-        return with_counts(parameter(self, written) for written in self.written)
+        if unknown := self.descriptions.keys() - set(self.parameter_names()):
+            raise ValueError(f"{self.descriptions[min(unknown)].place}: no such parameter: {min(unknown)}")
+        listed = zip(self.written, self.parameter_names())
+        return with_counts(parameter(written, described(self, name), self.descriptions[name]) for written, name in listed)
 
     @property
     def inputs(self):
@@ -245,26 +181,39 @@ class Function:
         """The first sentence of the comment."""
         return first_sentence(" ".join(self.comment.split())).rstrip(".:;")
 
+    def extents(self):
+        """The names of numbers of rows: arguments, and members of structs."""
+        structs = (struct for struct in STRUCTS if any(written.startswith(f"{struct} ") for written in self.written))
+        return counts_of(self.written) + [one.name for struct in structs for one in members(struct) if one.type == "size_t"]
+
     @cached_property
     def descriptions(self):
         """What the comment says of each parameter that it describes, by their names."""
         found = {}
-        for match in DESCRIPTION.finditer(self.comment):
-            place = f"{self.header}:{self.line + self.comment[: match.start()].count(chr(10))}: {self.name}(), {match['names']}"
-            attributes, names = attributes_of(match["attributes"], self, place), match["names"].split(",")
+        for match in re.finditer(r"@param[^@]*", self.comment):
+            place = f"{self.header}:{self.line + self.comment.count(chr(10), 0, match.start())}: {self.name}()"
+            said = DESCRIPTION.fullmatch(match[0])
+            if said is None:
+                raise ValueError(f"{place}: not understood: {' '.join(match[0].split())}")
+            names, place = said["names"].split(","), f"{place}, {said['names']}"
+            whole = description(said["attributes"], said["text"], bool(said["output"]), self.extents(), place)
+            each = whole.attributes.each
+            if len(each) not in (0, len(names)):
+                raise ValueError(f"{place}: {len(each)} members for {len(names)} outputs")
             for k, name in enumerate(names):
                 if name in found:
                     raise ValueError(f"{place}: {name} is described twice")
-                own = changed(attributes, members=attributes.each[k : k + 1] or attributes.members)
-                found[name] = Description(own, " ".join(match["text"].split()), bool(match["output"]), place)
-            if len(attributes.each) not in (0, len(names)):
-                raise ValueError(f"{place}: {len(attributes.each)} members for {len(names)} outputs")
+                members = each[k : k + 1] or whole.attributes.members
+                found[name] = changed(whole, attributes=changed(whole.attributes, members=members))
         return found
 
     def is_nan_on_error(self):
         """Whether a function without status gives NaN for invalid input."""
+        returned = re.search(r"@return\s+\[([^\]]*)\]", self.comment)
+        if returned and returned[1] != "NaN on error":
+            raise ValueError(f"{self.header}:{self.line}: {self.name}(), @return: unknown attribute: {returned[1]}")
         found = [one.attributes.on_error for one in self.descriptions.values() if self.type in ("void", "double")]
-        return "@return [NaN on error] " in self.comment or "NaN" in found
+        return returned is not None or "NaN" in found
 
     def is_of_simulations(self):
         """Whether its results depend on the calls before, so that it has tests of its own: tests/test_hard_ellipsoids.cpp."""
@@ -272,7 +221,7 @@ class Function:
 
     def is_of_object(self):
         """Whether it has a status and an object of the library, which it makes or on which it works."""
-        return self.type == "int" and any(one.role == Role.OBJECT for one in self.parameters)
+        return self.type == "int" and any(one.type in OBJECTS for one in self.parameters)
 
     def references(self):
         """The names of the functions to which the comment refers."""
@@ -308,22 +257,26 @@ replaced = {}  # texts of headers that are not yet those of the files
 def replace(texts):
     """Takes these texts for those of headers."""
     replaced.update(texts)
-    for cached in (sections, c_functions, described):
+    for cached in (sections, c_functions, members):
         cached.cache_clear()
+
+
+def text_of(header):
+    return replaced.get(header) or (INCLUDE / header).read_text(encoding="utf-8")
 
 
 @cache
 def sections(header):
     """The sections of a header, in order; the first has no title, and is empty where every function is in one that has."""
     found = [Section("")]
-    text = replaced.get(header) or (INCLUDE / header).read_text(encoding="utf-8")
+    text = text_of(header)
     for match in (CPP if header.endswith("pp") else C).finditer(text):
         if match["title"]:
             found.append(Section(match["title"].strip()))
             continue
         comment = re.sub(r"^ ?(?:/\*\*|\*/|\*|///) ?| *\*/", "", match["comment"] or "", flags=re.MULTILINE)
         found[-1].functions.append(
-            Function(match["name"], match["type"].strip(), split_parameters(match["parameters"]), comment, header,
+            Function(match["name"], match["type"].strip(), match["parameters"], comment, header,
                      text.count("\n", 0, match.start()) + 1)
         )
     return found
@@ -331,8 +284,8 @@ def sections(header):
 
 def values(header):
     """The public structures that a C++ header declares or defines."""
-    text = (INCLUDE / header).read_text(encoding="utf-8")
-    text = re.sub(r"^namespace (pw85::)?detail \{$.*?^\} // namespace (pw85::)?detail$", "", text, flags=re.MULTILINE | re.DOTALL)
+    details = r"^namespace (pw85::)?detail \{$.*?^\} // namespace (pw85::)?detail$"
+    text = re.sub(details, "", text_of(header), flags=re.MULTILINE | re.DOTALL)
     return re.findall(r"^(?:template <[^;{]*?> ?)?struct (\w+)(?:;| (?:: \w+ )?\{)", text, re.MULTILINE)
 
 
@@ -349,14 +302,14 @@ def version():
 @cache
 def statuses():
     """The status codes by their names in C: their names in C++ and their values."""
-    text = (INCLUDE / "pw85/status.h").read_text(encoding="utf-8")
-    return {c_name: (cpp_name, value) for c_name, cpp_name, value in re.findall(r"X\((PW85_\w+), (\w+), (\d+),", text)}
+    found = re.findall(r"X\((PW85_\w+), (\w+), (\d+),", text_of("pw85/status.h"))
+    return {c_name: (cpp_name, value) for c_name, cpp_name, value in found}
 
 
 @cache
 def constants():
     """The macros of the C headers that are numbers, and the status codes, as texts."""
-    text = "".join((INCLUDE / header).read_text(encoding="utf-8") for header in C_HEADERS)
+    text = "".join(map(text_of, C_HEADERS))
     found = dict(re.findall(r"^#define (PW85_\w+) ([\d.e-]+)$", text, re.MULTILINE))
     return found | {name: value for name, (_, value) in statuses().items()}
 
@@ -378,106 +331,93 @@ def referenced(function, known):
     return found
 
 
+def returned(function):
+    """What the comment of a function of C, or of the first to which it refers, says of the status; empty if none does."""
+    comments = (" ".join(other.comment.split()) for other in referenced(function, c_functions()))
+    return next((found[1] for text in comments if (found := re.search(r"@return (.*?)(?= @|$)", text))), "")
+
+
 def length_of(text):
     """The value of the length in a declaration, which is a sum or product of numbers and constants."""
     integers = {name: int(value) for name, value in constants().items() if value.isdigit()}
     return eval(text, {"__builtins__": {}}, integers)
 
 
-def attributes_of(text, function, place):
-    """The attributes between brackets; `text` is None where there are none."""
-    found, words = Attributes(), set()
-    extents = {*function.parameter_names(), *(name for struct in STRUCTS for name, _, _ in members(struct))}
-    for item in [] if text is None else " ".join(text.split()).split("; "):
-        parts = item.split("×")
-        if item in WORDS or item in LIMITS:
-            words.add(item)
-        elif match := re.fullmatch(r"as (pw85\w+)\(\)", item):
-            found.like = match[1]
-        elif match := re.fullmatch(r"number of ([a-z -]+)", item):
-            found.rows = match[1]
-        elif UNIT.fullmatch(item):
-            found.unit = item
-        elif match := re.fullmatch(r"(\S+) on error", item):
-            found.on_error = match[1]
-        elif match := re.fullmatch(r"(members?|without|with) ([\w.]+(?:, [\w.]+)*)", item):
-            setattr(found, {"with": "needs", "member": "each"}.get(match[1], match[1]), tuple(match[2].split(", ")))
-        elif all(part.isdigit() or part in extents or part == PACKED for part in parts):
-            found.shape = tuple(int(part) if part.isdigit() else part for part in parts)
-        else:
-            raise ValueError(f"{place}: unknown attribute: {item}")
-    found.words = frozenset(words)
-    return found
+def counts_of(declared):
+    """The names of numbers of rows among declarations."""
+    return [match[1] for one in declared if (match := re.fullmatch(r"(?:size_t|int) (\w+)", one))]
 
 
-@cache
-def described(function, name):
+def description(attributes, text, is_output, extents, place):
+    """What a comment says in brackets and behind them."""
+    try:
+        return Description(parsed(attributes, extents), text_behind(text), is_output, place)
+    except ValueError as error:
+        raise ValueError(f"{place}: {error}") from None
+
+
+def described(function, name, seen=()):
     """The description of a parameter, with the attributes of the one that it is like, and the beginning of its text."""
-    place = f"{function.header}:{function.line}: {function.name}(), {name}"
     if name not in function.descriptions:
-        raise ValueError(f"{place}: not described")
+        raise ValueError(f"{function.header}:{function.line}: {function.name}(), {name}: not described")
     own = function.descriptions[name]
-    if not own.attributes.like:
+    like = own.attributes.like
+    if not like:
         return own
     known = c_functions() if function.header in C_HEADERS else {one.name: one for one in functions(function.header)}
-    if own.attributes.like not in known:
-        raise ValueError(f"{own.place}: no function {own.attributes.like}()")
-    other = described(known[own.attributes.like], name)
+    if like not in known:
+        raise ValueError(f"{own.place}: no function {like}()")
+    if like in (function.name, *seen) or name not in known[like].parameter_names():
+        raise ValueError(f"{own.place}: {like}() does not say what {name} is")
+    other = described(known[like], name, (*seen, function.name))
     is_whole = function.name.endswith("_2d") and not own.text
     text = other.text if is_whole else "; ".join(filter(None, [other.text.partition(";")[0], own.text]))
     return Description(own.attributes.merged(other.attributes), text, own.is_output, own.place)
 
 
-def parameter(function, written):
-    match = PARAMETER.fullmatch(written)
-    said = described(function, match["name"])
-    length = None if match["length"] is None else length_of(match["length"])
-    is_own = bool(function.descriptions[match["name"]].attributes.shape)
-    found = made_parameter(match, length, said.text, said.attributes, is_own)
-    if said.is_output != (found.is_output() or found.outer):
-        raise ValueError(f"{said.place}: {'no' if said.is_output else 'an'} output, for @param[out]")
-    if is_own and length is not None and prod(found.shape) != length:
-        raise ValueError(f"{said.place}: {found.shape} are not {length} numbers")
-    if found.const and found.type == "double" and not found.shape:
-        raise ValueError(f"{said.place}: an array without extents")
-    return found
-
-
-def made_parameter(match, length, text, attributes, has_own_shape=True):
+def parameter(written, said, own):
     """A parameter or member. Extents of another function's parameter count where they are as many numbers as the declaration says."""
-    shape = attributes.shape
-    if length is not None and not (shape and (has_own_shape or prod(shape) == length)):
+    match, shape = PARAMETER.fullmatch(written), said.attributes.shape
+    length = None if match["length"] is None else length_of(match["length"])
+    if length is not None and not (shape and (own.attributes.shape or prod(shape) == length)):
         shape = (length,)
-    return Parameter(match["name"], match["type"], "*" in match["pointers"] or length is not None, bool(match["const"]), length,
-                     "**" in match["pointers"], text, changed(attributes, shape=shape))
+    one = Parameter(match["name"], match["type"], "*" in match["pointers"] or length is not None, bool(match["const"]), length,
+                    "**" in match["pointers"], said.text, changed(said.attributes, shape=shape))  # fmt: skip
+    for wrong in own.attributes.misfits(one, own.is_output):
+        raise ValueError(f"{own.place}: {wrong}")
+    return one
 
 
 @cache
 def members(struct):
-    """Name, declaration and comment of each member of a struct argument, except for members that are arrays."""
-    text = (INCLUDE / "pw85_systems.h").read_text(encoding="utf-8")
-    body = next(match["members"] for match in STRUCT.finditer(text) if match["name"] == struct)
-    found = []
-    for match in MEMBER.finditer(body):
-        comment = " ".join(re.sub(r"^ *\*", "", match["comment"], flags=re.MULTILINE).split())
-        declaration = " ".join(match["declaration"].split())
-        if "[" not in declaration:
-            found.append((PARAMETER.fullmatch(declaration)["name"], declaration, comment))
-    return found
+    """The members of a struct argument, except for those that are arrays."""
+    text = text_of("pw85_systems.h")
+    body = next(match for match in STRUCT.finditer(text) if match["name"] == struct)
+    found = [match for match in MEMBER.finditer(text, *body.span("members")) if "[" not in match["declaration"]]
+    listed, extents = [], counts_of(match["declaration"] for match in found)
+    for match in found:
+        place = f"pw85_systems.h:{text.count(chr(10), 0, match.start()) + 1}: {struct}, {match['declaration']}"
+        comment = re.fullmatch(r"\s*(?:\[([^\]]*)\])?(.*)", re.sub(r"\n *\*", " ", match["comment"]), re.DOTALL)
+        said = description(comment[1], comment[2], False, extents, place)
+        listed.append(parameter(match["declaration"], said, said))
+    return with_counts(listed)
 
 
 def members_read(function, struct):
-    """The members of a struct argument that a function reads, as parameters."""
+    """The members of a struct argument that a function reads, with what its contract says of them."""
     said, found = described(function, struct.name).attributes, []
-    for name, declaration, comment in members(struct.type):
-        match = re.fullmatch(r"(?:\[(?P<attributes>[^\]]*)\])?(?P<text>.*)", comment)
-        attributes = attributes_of(match["attributes"], function, f"pw85_systems.h: {struct.type}, {name}")
-        words = attributes.words - ({"optional"} if name in said.needs else set())
+    for one in members(struct.type):
+        words = one.attributes.words - ({"optional"} if one.name in said.needs else set())
         if "near the cell" in words:
             words = words - ({"near the cell"} if "or far away" in said.words else set()) | said.words & {"or NaN"}
-        if name not in said.without:
-            found.append(made_parameter(PARAMETER.fullmatch(declaration), None, match["text"].strip(), changed(attributes, words=words)))
-    return with_counts(found)
+        found.append(changed(one, attributes=changed(one.attributes, words=words)))
+    return [one for one in found if one.name not in said.without]
+
+
+def values_of_members(function, struct, value):
+    """The values of the members of a struct argument that is given by its members; those that the function does not read are null."""
+    given = {member.name: value(member) for member in members_read(function, struct)}
+    return [given.get(one.name, "nullptr") for one in members(struct.type)]
 
 
 def with_counts(listed):

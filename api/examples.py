@@ -16,7 +16,6 @@ R12 = {"distance": [5, 0.5, 0], "gap": [0.5, 0.25, 0]}  # by the first word of t
 PLANE = {"q": [9, 0, 4], "q1": [9, 0, 4], "q2": [0.25, 0, 0.25], "second_moments": [9, 0, 4]}
 
 
-
 def example_value(function, name, count):
     """Numbers, nested as rows of a matrix, of an argument whose first extent is count; a number if that is 0."""
     name = name if name in VALUES else name.removesuffix("s")

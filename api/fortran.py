@@ -7,10 +7,11 @@ api/committed.py writes the module or compares it.
 """
 
 import re
-from dataclasses import dataclass
+from collections import namedtuple
 from itertools import groupby
 
-from declarations import CALLBACKS, HOST_HEADERS, PACKED, SOURCE, STRUCTS, constants, functions, members, version
+from attributes import PACKED
+from declarations import CALLBACKS, HOST_HEADERS, SOURCE, STRUCTS, constants, functions, version
 from layout import WIDTH, insert, wrapped
 
 FORTRAN = SOURCE / "fortran"
@@ -62,7 +63,7 @@ def interface(function, template):
         yield from wrapped(function.brief() + ".", first="    !> ")
     yield from continued(f"    {kind} {bound}({', '.join(function.parameter_names())}){suffix} bind(C, name='{function.name}')")
     yield "      import"
-    structs = {name: one.name for one in function.parameters if one.is_struct() for name, _, _ in members(one.type)}
+    structs = {name: one.name for one in function.parameters if one.is_struct() for name in one.member_names()}
     owners = {name: owner for name, owner in structs.items() if name not in function.parameter_names()}
     # Extents come first, because shapes refer to them.
     extents = [one for one in function.parameters if one.is_struct() or (not one.pointer and (one.type == "size_t" or one.name == "n"))]
@@ -104,15 +105,8 @@ PROCEDURE = re.compile(
 )
 
 
-@dataclass
-class Procedure:
-    """A function or subroutine, as a program of Fortran sees it."""
-
-    name: str
-    kind: str
-    arguments: list
-    comment: str
-    declarations: list
+# A function or subroutine, as a program of Fortran sees it.
+Procedure = namedtuple("Procedure", "name kind arguments comment declarations")
 
 
 def procedures():

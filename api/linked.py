@@ -33,10 +33,13 @@ def result_of(template):
 def is_relative(template, function):
     """Whether a function of C has the dimension and the inputs of a template, and gives out all members of the result, of which one
     array takes several only if they are numbers. What constant expressions can call is not replaced."""
+    name, outputs = result_of(template), function.outputs
+    for one in outputs if name in structs() else ():
+        if unknown := {member.partition(".")[0] for member in one.members()} - {*structs()[name]}:
+            raise ValueError(f"{function.descriptions[one.name].place}: {name} has no member {min(unknown)}")
     fixed = {found for one in template.written for found in re.findall(r"<T, ([23])>", one)}
     if template.type.startswith("constexpr ") or fixed not in (set(), {str(function.dimension)}):
         return False
-    name, outputs = result_of(template), function.outputs
     needed = {*structs()[name]} - {"status", *NOT_GIVEN_OUT.get(name, ())}
     same = len(function.inputs) == len(template.written) and {name for one in outputs for name in one.members()} == needed
     return same and all(len(one.members()) in (1, one.length) for one in outputs)

@@ -6,9 +6,9 @@ function of namespace pw85::detail of the same name, which is written by hand an
 references in the place of pointers to objects and structs that must not be null. Functions without status are written by hand.
 """
 
-from declarations import SIMULATION, SOURCE, Role, functions, members_read
+from declarations import OBJECTS, SIMULATION, SOURCE, functions, members_read
 from layout import arguments
-from shims import FOLDER, HEAD, limits
+from shims import FOLDER, HEAD, described
 
 NAMES = {header: "objects_" + header.removeprefix("pw85_").removesuffix(".h") for header in ("pw85_systems.h", *SIMULATION)}
 INCLUDES = '#include "../base/checked_call.hpp"\n#include "../base/objects.hpp"'
@@ -36,7 +36,7 @@ namespace pw85::detail {{
 
 
 def is_reference(one):
-    return not one.nullable and one.role in (Role.OBJECT, Role.STRUCT)
+    return not one.nullable and (one.type in OBJECTS or one.is_struct())
 
 
 def worker(function):
@@ -54,29 +54,17 @@ def marked(one):
         yield f"    mark({one.name}, {' * '.join(map(str, one.shape)) or 1}, {MARKS.get(value, value)});"
 
 
-def checked(one, places):
-    """An argument for the check; none where each value is allowed. `places` are those of members of structs."""
-    place, rows = places.get(one.name, one.name), places.get(one.rows, one.rows)
-    if one.type != "double" or one.is_output():
-        if one.pointer and not one.nullable:
-            yield f'Argument::array("{one.name}", {place}, {rows})' if rows else f'Argument("{one.name}", {place})'
-        return
-    count = [str(one.size)] if one.pointer else []
-    flags = " | ".join(filter(None, [limits(one), "limit::optional" if one.nullable else ""]))
-    listed = [f'"{one.name}"', place, *filter(None, [rows, *count, flags])]
-    yield f"Argument{'::rows' if rows else ''}({', '.join(listed)})"
-
-
 def checked_arguments(function):
     """The arguments for the check, with the members of structs that must not be null. The functions check cells by themselves."""
-    places = {}
+    listed, places = [], {}
     for one in function.parameters:
-        yield from checked(one, places)
+        listed.append(one)
         if one.is_struct() and is_reference(one):
             read = [member for member in members_read(function, one) if member.name != "cell"]
             places |= {member.name: f"{one.name}_given.{member.name}" for member in read}
-            for member in filter(lambda member: member.pointer, read):
-                yield from checked(member, places)
+            listed += [member for member in read if member.pointer]
+    is_read = [one for one in listed if (one.type == "double" and not one.is_output()) or (one.pointer and not one.nullable)]
+    return [described(one, places) for one in is_read]
 
 
 def shim(function):

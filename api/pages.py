@@ -5,8 +5,7 @@ import re
 from functools import cache
 
 from declarations import C_HEADERS, PARTS, c_functions, functions, sections
-from python import package_names
-from python_functions import python_names
+from python import package_names, python_names
 from rows import name_of_many
 
 FUNCTION = re.compile(r":c:func:`(\w+)`")

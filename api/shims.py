@@ -14,9 +14,9 @@ A function that a file of src/c_api/ or src/brent/ defines by hand is not made.
 import re
 
 import batch
-from declarations import ONE_ROW, SOURCE, sections
+from attributes import LIMITS
+from declarations import ONE_ROW, SOURCE, c_functions, sections
 from layout import arguments
-from rows import name_of_many
 
 FOLDER = SOURCE / "src/c_api"
 # The files: their titles, and the headers that they include. A file has few questions, so that programs with the static library get what
@@ -119,27 +119,22 @@ def stored(one):
         yield from (f"result.{member}", place if i else one.name)
 
 
-# The names of src/base/last_error.hpp for the attributes that limit a parameter.
-LIMITS = {
-    "> 0": "positive", ">= 0": "from_zero", "!= 0": "not_zero", "0..1": "unit_interval", "lower <= upper": "below_next",
-    "> 0 until t_max": "until_t_max", "finite square": "finite_square", "definite": "definite", "rotation": "rotation",
-    "<= 1": "at_most_one", "or infinite": "may_be_infinite", "or NaN": "may_be_nan",
-}  # fmt: skip
-
-
 def limits(one):
     """The limits of an input, as an expression; empty if it must be finite only."""
-    names = [name for word, name in LIMITS.items() if word in one.attributes.words]
+    names = [name for word, name in LIMITS.items() if name and word in one.attributes.words]
     names += ["independent"] if re.fullmatch(r"s\d?", one.name) and one.length == 9 else []
+    names += ["optional"] if one.nullable else []
     return " | ".join(f"limit::{name}" for name in names)
 
 
-def described(one):
-    """An input or an output that must not be null, for the record of a refusal."""
-    if one.is_output():
-        return f'Argument("{one.name}", {one.name})'
-    count = "" if not one.pointer else "7" if one.type == "pw85_motion" else str(one.size)
-    return f"Argument({', '.join(filter(None, [chr(34) + one.name + chr(34), one.name, count, limits(one)]))})"
+def described(one, places=None):
+    """A parameter for the check of arguments or the record of a refusal. `places` are those of members of structs."""
+    place, rows = ((places or {}).get(name, name) for name in (one.name, one.rows))
+    is_read = not one.is_output() and one.type in ("double", "" if rows else "pw85_motion")
+    kind = "" if not rows else "::rows" if is_read else "::array"
+    size = "7" if one.type == "pw85_motion" else str(one.size)
+    checked = [size if one.pointer else "", limits(one)] if is_read else []
+    return f"Argument{kind}({', '.join(filter(None, [chr(34) + one.name + chr(34), place, rows, *checked]))})"
 
 
 def refused(function):
@@ -163,6 +158,8 @@ def checks(function):
     if answers:
         yield from (f"    store_nan({one.name}, {one.length or 1});" for one in numbers)
         for one in answers:
+            if not one.attributes.on_error:
+                raise ValueError(f"{function.descriptions[one.name].place}: no value on error, such as -1 on error")
             yield from (f"    if (any_null({one.name})) return refused(PW85_EINVAL);", f"    *{one.name} = {one.attributes.on_error};")
         yield f"{condition} return refused(PW85_EINVAL);"
         return
@@ -203,7 +200,7 @@ def one_row_file(title, headers, listed):
 def row_argument(one, many):
     """The argument of each_row() for a parameter of one row; `many` stand for it in the function of many rows."""
     first, names = many[0], ", ".join(argument.name for argument in many)
-    if not first.is_array:
+    if not first.pointer:
         return f"SameNumber{{{names}}}"
     if len(many) > 1:
         return f"TwoNumbers{{{names}}}"
@@ -213,24 +210,21 @@ def row_argument(one, many):
         return f"Numbers{{{names}}}"
     if first.nullable:
         return f"OptionalRowsOf<{one.size}>{{{names}}}"
-    element = first.type if first.is_output else f"{first.type} const"
+    element = f"{first.type} const" if first.const else first.type
     return f"RowsOf<{one.size}{'' if element == 'double const' else f', {element}'}>{{{names}}}"
 
 
 def of_many_rows(statement):
-    name, listed = statement.function.name, statement.arguments()
-    names = [name_of_many(name), *(many[0].name for _, many in listed)]
-    table = arguments("    static constexpr char const *names[] = {", [f'"{one}"' for one in names], "};")
-    call = arguments("    return each_row(", ["names", "n", name, *(row_argument(one, many) for one, many in listed)], ");")
-    return f"\n{statement.head('int', ')')}\n{{\n{table}\n{call}\n}}\n"
-
-
-def of_lanes(statement):
-    name = name_of_many(statement.function.name)
-    needed = [one.name for _, many in statement.arguments() for one in many if one.is_array and not one.nullable]
-    table = arguments("    static constexpr char const *names[] = {", [f'"{one}"' for one in [name, *needed]], "};")
-    call = arguments("    return compute_rows(", ["names", "n", *LANES[statement.function.name][1:], *needed], ");")
-    return f"\n{statement.head('int', ')')}\n{{\n{table}\n{call}\n}}\n"
+    listed = statement.arguments()
+    if statement.has_lanes:
+        names = [one.name for _, many in listed for one in many if one.pointer and not one.nullable]
+        begin, passed = "    return compute_rows(", [*LANES[statement.function.name][1:], *names]
+    else:
+        names = [many[0].name for _, many in listed]
+        begin, passed = "    return each_row(", [statement.function.name, *(row_argument(one, many) for one, many in listed)]
+    head = arguments(f"int {statement.name}(", c_functions()[statement.name].written, ")")
+    table = arguments("    static constexpr char const *names[] = {", [f'"{one}"' for one in [statement.name, *names]], "};")
+    return f"\n{head}\n{{\n{table}\n{arguments(begin, ['names', 'n', *passed], ');')}\n}}\n"
 
 
 def many_rows_file(title, listed):
@@ -240,7 +234,7 @@ def many_rows_file(title, listed):
     head = HEAD.format(what=f", many rows with{'' if has_lanes else 'out'} lanes: {title[0].lower()}{title[1:]}", sources=SOURCES_OF_MANY,
                        includes="\n".join(["#include <pw85_batch.h>\n", *(f'#include "../{name}.hpp"' for name in own)]),
                        namespaces="using namespace pw85::detail::kernels;")  # fmt: skip
-    return head + "".join(map(of_lanes if has_lanes else of_many_rows, listed))
+    return head + "".join(map(of_many_rows, listed))
 
 
 def file_of(function, section):

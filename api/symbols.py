@@ -16,22 +16,15 @@ PACKAGES = {
 }
 
 
-def text(package, libraries, known):
-    major = version().split(".")[0]
-    first = dict(re.findall(r"^ (\w+)@Base (\S+)$", known, re.MULTILINE))
-    lines = []
-    for library, headers in libraries.items():
-        lines.append(f"{library}.so.{major} {package} #MINVER#")
-        names = sorted(function.name for header in headers for function in functions(header))
-        lines += [f" {name}@Base {first.get(name, version())}" for name in names]
-    return "".join(f"{line}\n" for line in lines)
-
-
 def files():
     """The texts of the lists by their paths."""
-    texts = {}
-    for name, libraries in PACKAGES.items():
-        package = f"{name}{version().split('.')[0]}"
-        path = SOURCE / "debian" / f"{package}.symbols"
-        texts[path] = text(package, libraries, path.read_text(encoding="utf-8") if path.exists() else "")
+    major, texts = version().split(".")[0], {}
+    for package, libraries in PACKAGES.items():
+        path = SOURCE / f"debian/{package}{major}.symbols"
+        first = dict(re.findall(r"^ (\w+)@Base (\S+)$", path.read_text(encoding="utf-8") if path.exists() else "", re.MULTILINE))
+        texts[path] = ""
+        for library, headers in libraries.items():
+            names = sorted(function.name for header in headers for function in functions(header))
+            texts[path] += f"{library}.so.{major} {package}{major} #MINVER#\n"
+            texts[path] += "".join(f" {name}@Base {first.get(name, version())}\n" for name in names)
     return texts

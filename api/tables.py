@@ -9,7 +9,8 @@ writes the rows of the table that tests/functions.cpp includes.
 import sys
 from pathlib import Path
 
-from declarations import HOST_HEADERS, OBJECTS, PACKED, functions, members, members_read
+from attributes import PACKED
+from declarations import HOST_HEADERS, OBJECTS, functions, values_of_members
 
 TYPES = {
     "double": "real",
@@ -60,12 +61,10 @@ def argument(one, names):
 
 
 def struct_of(function, struct, names):
-    """The definition of a struct argument. Members that the function does not read are null, and array members are filled with
-    ones."""
-    read = {member.name: member for member in members_read(function, struct)}
-    values = [argument(read[name], names) if name in read else "nullptr" for name, _, _ in members(struct.type)]
-    ones = ["{1, 1, 1}"] if struct.type == "pw85_system" else []
-    return f"{struct.type} const {struct.name}{{{', '.join(values + ones)}}}; "
+    """The definition of a struct argument. Array members are filled with ones."""
+    values = values_of_members(function, struct, lambda one: argument(one, names))
+    values += ["{1, 1, 1}"] if struct.type == "pw85_system" else []
+    return f"{struct.type} const {struct.name}{{{', '.join(values)}}}; "
 
 
 def lines(function):

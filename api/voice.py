@@ -4,7 +4,7 @@
 import re
 
 from causes import CAUSES, can_have, is_named
-from declarations import c_functions, described, first_sentence, referenced
+from declarations import described, first_sentence, returned
 
 # Clauses of C that mean nothing in Python.
 OF_C = re.compile(r", also on success|(?:^|; )may be the same array as \w+$")
@@ -127,10 +127,7 @@ class Voice:
 
     def convergence(self):
         """Where there is no convergence, by what the function returns or that to which it refers."""
-        known = c_functions()
-        texts = (re.search(r"@return (.*)", other.comment, re.DOTALL) for other in referenced(self.row.function, known))
-        text = " ".join(next((match[1] for match in texts if match), "").split())
-        match = re.search(r"#PW85_ECONVERGENCE(?: \((.*)\)| (as for \w+\(\)))?", text)
+        match = re.search(r"#PW85_ECONVERGENCE(?: \((.*)\)| (as for \w+\(\)))?", returned(self.row.function))
         if match is None or not (match[1] or match[2]):
             return ""
         return f"``Status.ECONVERGENCE``: {self.said(match[1] or match[2])}. "

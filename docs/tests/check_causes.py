@@ -13,7 +13,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "api"))
 from causes import CAUSES, FUNCTIONS, can_have, is_named
-from declarations import OBJECTS, ONE_ROW, members
+from declarations import OBJECTS, ONE_ROW
 from statuses import status_codes
 
 STATUSES = {name: int(value) for name, _, value, _ in status_codes()}
@@ -216,7 +216,7 @@ class Caller:
             elif changes.get(one.name, one) is None:
                 arguments.append(None)
             else:
-                read = {name: numbers[name].value for name, _, _ in members(one.type) if name in numbers}
+                read = {name: numbers[name].value for name in one.member_names() & numbers.keys()}
                 struct = STRUCTS[one.type](**read)
                 if isinstance(struct, System):
                     struct.periodic[:] = changes.get("periodic", (1, 1, 1))

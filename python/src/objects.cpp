@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Functions on objects of the library, lists of pairs, systems, and arrays of any dimension. They
-// are made (api/python_objects.py). The Python layer converts and explains; what would read or
+// are made (api/python_calls.py). The Python layer converts and explains; what would read or
 // write beyond an array is refused here.
 #include <cstdint>
 #include <type_traits>

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the brackets behind the name of a parameter say, in the comments of the C headers:
+
+    @param[out] point [n×3; length; optional] where the ellipsoids touch
+
+The text behind the brackets is for readers: no program depends on its words. Brackets without attributes are left out: the numbers of
+an input must then be finite, and no pointer may be null. An attribute that is not in this list is an error, with file and line; so is
+one that stands twice or in another order, or does not fit the parameter:
+
+    as pw85_f()          all attributes of the parameter of the same name of another function; extents only where this has none
+    number of pairs      how many rows arrays have, and what a row is
+    n×3                  the extents of an array: names of parameters, then numbers; those of `x[3]` are known
+    n(n+1)/2             the extent of a packed symmetric matrix in n dimensions
+    without q, with cell of structs: the members that the function does not read, and those that must not be null here
+    length², 1/time      the unit; none stands where a number has no unit, `mixed units` where the entries of an array have several
+    optional             the pointer may be null (`optional if not needed`: where another argument does not need it)
+    LIMITS               what the function refuses (api/causes.py), in the order of this table
+    or infinite, or NaN  the function accepts such numbers (of a system: centres that are such, or `or far away`)
+    members mu2, lambda  the members of the C++ result that one array receives
+    member length        the member that an output receives, where its name is another one; one for each of the outputs that are
+                         described together
+    -1 on error          what an output that is no double is on error, and one of a function without status (also what is returned)
+"""
+
+import re
+from dataclasses import dataclass, replace
+
+# The extent of packed symmetric matrices in n dimensions.
+PACKED = "n(n+1)/2"
+# Limits of values, with their names in src/base/last_error.hpp where a check of each number knows them.
+LIMITS = {
+    "> 0": "positive", ">= 0": "from_zero", "!= 0": "not_zero", "0..1": "unit_interval", "1..16": "", "<= 1": "at_most_one",
+    "lower <= upper": "below_next", "> 0 until t_max": "until_t_max", "finite square": "finite_square", "definite": "definite",
+    "rotation": "rotation", "index": "", "a periodic row": "", "independent rows": "", "needs cell": "", "near the cell": "",
+    "of as many particles": "", "or infinite": "may_be_infinite", "or NaN": "may_be_nan", "or far away": "",
+}  # fmt: skip
+NAMES = r"([\w.]+(?:, [\w.]+)*)"
+LISTS = ("without", "needs", "members", "each")
+# The attributes in their order, with what they say in a group; {extent} is the name of a number of rows.
+FORMS = {
+    "like": r"as (pw85\w+)\(\)",
+    "rows": r"number of ([a-z -]+)",
+    "shape": r"((?:{extent})(?:×(?:{extent}))*(?:×[1-9]\d*)*|[1-9]\d*(?:×[1-9]\d*)*)",
+    "without": f"without {NAMES}",
+    "needs": f"with {NAMES}",
+    "unit": r"((?:length|time|energy)[²³]?(?:/(?:length|time)[²³]?)?|1/(?:length|time)[²³]?|no unit|mixed units)",
+    **{word: re.escape(word) for word in ("optional", "optional if not needed", *LIMITS)},
+    "members": f"members {NAMES}",
+    "each": f"member {NAMES}",
+    "on_error": r"(\S+) on error",
+}
+# What stands in a text by mistake.
+ASTRAY = re.compile(r"\[(?:as pw85|number of|n×|\d+×|length|optional|definite|members? )|\((?:n×\d|length[²³]?;|optional;)")
+
+
+@dataclass
+class Attributes:
+    """The attributes of a parameter."""
+
+    like: str = ""  # the function of the parameter with the same attributes
+    rows: str = ""  # what the rows are that it counts: "pairs"
+    shape: tuple = ()
+    without: tuple = ()
+    needs: tuple = ()
+    unit: str = ""
+    members: tuple = ()  # of the C++ result that one output receives
+    each: tuple = ()  # of which each output receives one
+    on_error: str = ""
+    words: frozenset = frozenset()
+
+    def merged(self, other):
+        """These, and those of the parameter that this one is like."""
+        own = {name: value for name, value in vars(self).items() if value}
+        return replace(other, **own | {"words": self.words | other.words})
+
+    def misfits(self, one, is_marked):
+        """What is wrong where these, the parameter's own, do not fit it. `is_marked` is for @param[out]."""
+        is_output, shape = one.is_output() or one.outer, "×".join(map(str, self.shape))
+        limits = sorted(self.words & LIMITS.keys())
+        unread = sorted({*self.without, *self.needs} - one.member_names())
+        found = {
+            "an output needs @param[out]": is_output and not is_marked,
+            "an input must not have @param[out]": is_marked and not is_output,
+            f"{shape} are not {one.length} numbers": shape and one.length is not None and one.size != one.length,
+            "an array without extents": one.const and one.type == "double" and not one.shape,
+            f"a number has no extents: {shape}": shape and not one.pointer,
+            "a number cannot be absent: optional": one.nullable and not one.pointer,
+            f"not a number of rows: {self.rows}": self.rows and (one.type != "size_t" or one.pointer),
+            f"not a struct that has {', '.join(unread)}": unread,
+            f"only doubles have units: {self.unit}": self.unit and one.type not in ("double", "pw85_motion"),
+            f"outputs have no limits: {', '.join(limits)}": limits and is_output,
+            f"inputs are not members of a result: {', '.join(self.members)}": self.members and not is_output,
+            f"inputs stay as they are: {self.on_error} on error": self.on_error and not is_output,
+        }
+        return [text for text, is_wrong in found.items() if is_wrong]
+
+
+def form_of(item, extents):
+    """The place of an attribute in the order, its name, and what it says."""
+    for place, (name, form) in enumerate(FORMS.items()):
+        if match := re.fullmatch(form.replace("{extent}", "|".join(map(re.escape, extents))), item):
+            return place, name, match[match.lastindex or 0]
+    raise ValueError(f"unknown attribute: {item or 'none between the brackets'}")
+
+
+def parsed(text, extents):
+    """The attributes between brackets; `text` is None where there are none."""
+    found, last = {}, (-1, "")
+    for item in [] if text is None else " ".join(text.split()).split("; "):
+        place, name, said = form_of(item, [*extents, PACKED])
+        if place <= last[0]:
+            raise ValueError(f"{item} must not stand behind {last[1]}")
+        found[name], last = said, (place, item)
+    words = frozenset(name for name, said in found.items() if name == said)
+    values = {name: tuple(said.split(", ")) if name in LISTS else said for name, said in found.items() if name not in words}
+    if "shape" in values:
+        values["shape"] = tuple(int(part) if part.isdigit() else part for part in values["shape"].split("×"))
+    return Attributes(words=words, **values)
+
+
+def text_behind(text):
+    """The text behind the brackets; brackets that are open, or stand behind a word, are not read as attributes."""
+    plain = " ".join(text.split())
+    if ASTRAY.search(plain):
+        raise ValueError(f"attributes must stand between brackets behind the name: {plain}")
+    return plain
