@@ -7,7 +7,7 @@
 
 namespace pw85::detail {
 
-PW85_DEFINE(PW85_RARE_FACTORED)
-PW85_DEFINE(PW85_RARE_EXACT_FACTORED)
+PW85_DEFINE(search_doubled)
+PW85_DEFINE(decide_factored_exactly)
 
 } // namespace pw85::detail

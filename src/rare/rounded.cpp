@@ -6,6 +6,6 @@
 
 namespace pw85::detail {
 
-PW85_DEFINE(PW85_RARE_ROUNDED)
+PW85_DEFINE(round_by_doubled_numbers)
 
 } // namespace pw85::detail

@@ -6,6 +6,7 @@
 
 namespace pw85::detail {
 
-PW85_DEFINE(PW85_RARE_WITNESS)
+PW85_DEFINE(maximize_precisely)
+PW85_DEFINE(decide_by_extended)
 
 } // namespace pw85::detail
