@@ -7,6 +7,6 @@
 namespace pw85::detail {
 
 PW85_DEFINE(decide_exactly)
-PW85_DEFINE(compare_exactly)
+PW85_DEFINE_OF(compare_exactly, double, 3)
 
 } // namespace pw85::detail

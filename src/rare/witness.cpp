@@ -6,7 +6,7 @@
 
 namespace pw85::detail {
 
-PW85_DEFINE(maximize_precisely)
-PW85_DEFINE(decide_by_extended)
+PW85_DEFINE_OF(maximize_precisely, double, 3)
+PW85_DEFINE_OF(decide_by_extended, double, 3)
 
 } // namespace pw85::detail

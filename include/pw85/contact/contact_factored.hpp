@@ -250,7 +250,7 @@ template <class T, int D>
     return maximize_by_directions(pair, start_from(rounded_pair, end.candidate));
 }
 
-PW85_RARE_TIER(search_doubled)
+PW85_RARE_TIER_OF(search_doubled, double, 3)
 
 } // namespace pw85::detail
 

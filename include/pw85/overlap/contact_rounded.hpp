@@ -291,7 +291,7 @@ PW85_FUNCTION inline RoundedContact<T> round_contact(Pair<T, D> const &pair) noe
                                     : round_contact_scaled(pair);
 }
 
-PW85_RARE_TIER(round_by_doubled_numbers)
+PW85_RARE_TIER_OF(round_by_doubled_numbers, double, 3)
 
 } // namespace pw85::detail
 

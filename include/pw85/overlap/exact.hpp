@@ -87,7 +87,7 @@ compare_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
 }
 
 PW85_RARE_TIER(decide_exactly)
-PW85_RARE_TIER(compare_exactly)
+PW85_RARE_TIER_OF(compare_exactly, double, 3)
 
 template <class T, int D>
 requires exact::is_decidable<T> PW85_FUNCTION inline int

@@ -149,7 +149,7 @@ noexcept
     return to_decision(!overlap, overlap);
 }
 
-PW85_RARE_TIER(decide_factored_exactly)
+PW85_RARE_TIER_OF(decide_factored_exactly, double, 3)
 
 } // namespace pw85::detail
 

@@ -137,8 +137,8 @@ PW85_RARE Decision decide_by_extended(Vector<T, D> const &r12, SymmetricMatrix<T
     return to_decision(f > W(1) + margin, f < W(1) - margin);
 }
 
-PW85_RARE_TIER(maximize_precisely)
-PW85_RARE_TIER(decide_by_extended)
+PW85_RARE_TIER_OF(maximize_precisely, double, 3)
+PW85_RARE_TIER_OF(decide_by_extended, double, 3)
 
 /// Returns whether f(λ) > 1. Extended numbers decide all pairs whose bounding boxes are apart by a
 /// factor of two. Integers decide the rest.
