@@ -1,16 +1,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The instances for doubles of the tiers of shapes that hardly ever run: src/rare/shapes.cpp.
+"""What is compiled once for doubles, from the lines PW85_RARE_TIER, PW85_SHARED_BY_QUESTIONS (attributes.hpp) and those that end in _OF.
 
-A shape is a header of include/pw85/shapes/, or one elsewhere that includes <pw85/distance/solids.hpp>. Its line PW85_RARE_TIER_IN_SPACE
-(attributes.hpp) names the functions.
+- src/base/signatures.hpp: parameters of these functions, for the files that define them.
+- src/rare/shapes.cpp: the tiers of shapes that hardly ever run. A shape is a header of include/pw85/shapes/, or one elsewhere that includes
+  <pw85/distance/solids.hpp>.
 """
 
 import re
 
 from declarations import INCLUDE, SOURCE
+from layout import wrapped
 
-TIER = re.compile(r"^PW85_RARE_TIER_IN_SPACE\((\w+)\)$", re.MULTILINE)
-TEXT = """\
+LINE = re.compile(r"^PW85_(RARE_TIER|SHARED_BY_QUESTIONS)(?:_OF)?\((\w+)(?:, (.+))?\)$", re.MULTILINE)
+TEMPLATE = r"template <((?:class|int) [^<>{}();]*)>\s(?:[^{}();]|\([^{}();]*\))*?\b%s\(((?:[^()]|\([^()]*\))*)\)\s*noexcept\s*{"
+SHAPES = """\
 // SPDX-License-Identifier: BSD-3-Clause
 // Tiers that hardly ever run: shapes by wider numbers and by integers.
 //
@@ -23,15 +26,49 @@ namespace pw85::detail {{
 {definitions}
 }} // namespace pw85::detail
 """
+SIGNATURES = """\
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The parameters and arguments of functions that are compiled once (attributes.hpp), as
+/// define(name, (parameters), (arguments)).
+//
+// Made from the headers by api/committed.py.
+// clang-format off
+#ifndef PW85_BASE_SIGNATURES_HPP_INCLUDED
+#define PW85_BASE_SIGNATURES_HPP_INCLUDED
+
+{signatures}
+#endif
+"""
+
+
+def is_shape(path, text):
+    return path.parent.name == "shapes" or "#include <pw85/distance/solids.hpp>" in text
+
+
+def signature(name, texts):
+    """The macro of a function, from its template in the first of some texts that has it."""
+    found = next(match for text in texts for match in re.finditer(TEMPLATE % name, text))
+    names = re.findall(r"(\w+)(?:,|$)", found[1])
+    parameters = re.sub(r"\s+", " ", found[2])
+    arguments = re.findall(r"(\w+)\)?(?:\[\w+\])?(?:, (?![^<>]*>)|$)", parameters)
+    text = f"{name}, ({parameters}), ({', '.join(arguments)}))"
+    lines = [f"#define PW85_SIGNATURE_{name}(define, {', '.join(names)})", *wrapped(text, 98, "    define(", "           ")]
+    return " \\\n".join(lines) + "\n"
 
 
 def files():
-    """The text of the file by its path."""
-    root, includes, definitions = INCLUDE / "pw85", "", ""
-    for path in sorted(root.glob("*/*.hpp")):
-        text = path.read_text(encoding="utf-8")
-        is_shape = path.parent.name == "shapes" or "#include <pw85/distance/solids.hpp>" in text
-        if is_shape and (tiers := TIER.findall(text)):
+    """The texts of the files by their paths."""
+    root, includes, definitions, signatures = INCLUDE / "pw85", "", "", {}
+    texts = {path: path.read_text(encoding="utf-8") for path in sorted(root.glob("*/*.hpp"))}
+    for path, text in texts.items():
+        lines = LINE.findall(text)
+        for _, name, _ in lines:
+            signatures.setdefault(name, signature(name, [text, *texts.values()]))
+        if is_shape(path, text) and (tiers := [(name, given) for tier, name, given in lines if tier == "RARE_TIER"]):
             includes += f"#include <pw85/{path.relative_to(root).as_posix()}>\n"
-            definitions += "".join(f"PW85_DEFINE_IN_SPACE({tier})\n" for tier in tiers)
-    return {SOURCE / "src/rare/shapes.cpp": TEXT.format(includes=includes, definitions=definitions)}
+            definitions += "".join(f"PW85_DEFINE_OF({name}, {given})\n" if given else f"PW85_DEFINE({name})\n" for name, given in tiers)
+    return {
+        SOURCE / "src/rare/shapes.cpp": SHAPES.format(includes=includes, definitions=definitions),
+        SOURCE / "src/base/signatures.hpp": SIGNATURES.format(signatures="".join(signatures[name] for name in sorted(signatures))),
+    }

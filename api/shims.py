@@ -8,7 +8,7 @@
   function of one row for each row, with an argument of src/rows/each_row.hpp for each parameter.
 - The files *_lanes.cpp have those of many rows that have lanes, the lines "@lanes": they call the kernel of LANES.
 
-A function that a file of src/c_api/ or src/brent/ defines by hand is not made.
+A function that a file of src/c_api/ defines by hand is not made.
 """
 
 import re
@@ -70,8 +70,6 @@ SETS = {"segment": "SetRows<Segments>{{end1, end2}, q}", "triangle": "SetRows<Tr
         "box": "SetRows<Boxes>{{lower, upper}, q}"}  # fmt: skip
 LANES |= {f"pw85_contact_{name}": ("shapes", rows, "SetContactArrays{mu2, point}") for name, rows in SETS.items()}
 LANES |= {f"pw85_overlap_{name}": ("shapes", rows, "OverlapArray{overlap}") for name, rows in SETS.items()}
-# The sources of functions that are written by hand.
-BY_HAND = ("src/c_api/*.cpp", "src/brent/*.cpp")
 MARK = "by api/committed.py"
 DEFINITION = re.compile(r"^(?:int|void|double|char const \*) ?(pw85\w+)\(", re.MULTILINE)
 # Those that are compiled per instruction set: the list of src/simd/one_pair.hpp.
@@ -96,7 +94,7 @@ def dispatched():
 
 def by_hand():
     """The functions that are written by hand."""
-    texts = (path.read_text(encoding="utf-8") for pattern in BY_HAND for path in SOURCE.glob(pattern))
+    texts = (path.read_text(encoding="utf-8") for path in FOLDER.glob("*.cpp"))
     return {name for text in texts if MARK not in text for name in DEFINITION.findall(text)}
 
 

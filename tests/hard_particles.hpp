@@ -61,6 +61,18 @@ inline pw85::Cell box(double x, double y, double z)
     return {{{x, 0.0, 0.0}, {0.0, y, 0.0}, {0.0, 0.0, z}}};
 }
 
+/// Particles of two kinds on a lattice in a periodic cell.
+inline Start lattice(int n)
+{
+    Start start;
+    double const a = 1.25, c = 2.6;
+    for (int k = 0; k < n * n * n; ++k)
+        start.add({a * (k % n), a * (k / n % n), c * (k / n / n)},
+                  k % 3 == 0 ? Vector3{0.45, 0.5, 0.9} : Vector3{0.5, 0.5, 1.2});
+    start.cell = box(a * n, a * n, c * n);
+    return start;
+}
+
 inline std::vector<unsigned char> bytes_of(HardEllipsoids const &simulation)
 {
     std::vector<unsigned char> bytes(simulation.num_bytes());

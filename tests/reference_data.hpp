@@ -43,6 +43,20 @@ char const *reference_data_path();
 /// Read at the first call, which must come from one thread; the process ends if the file cannot be
 /// read.
 SpheroidGrid const &spheroid_grid();
+
+/// Calls visit(sample, λ, f) for all of /F, without so many λ at each end.
+template <class Visit> void for_all_of_f(Visit const &visit, std::size_t ends = 0)
+{
+    auto const &grid = spheroid_grid();
+    for (std::size_t i = 0; i < grid.spheroids.size(); ++i)
+        for (std::size_t j = 0; j < grid.spheroids.size(); ++j)
+            for (std::size_t k = 0; k < grid.directions.size(); ++k)
+                for (std::size_t l = ends; l + ends < grid.lambdas.size(); ++l)
+                    visit(
+                        Sample<double, 3>{grid.directions[k], grid.spheroids[i], grid.spheroids[j]},
+                        grid.lambdas[l], grid.f_at(i, j, k, l));
+}
+
 std::vector<ContactProblem> const &contact_problems();
 
 } // namespace pw85_tests

@@ -37,8 +37,8 @@ Sample<double, 3> pair_of_aspect(Random &random, double aspect)
 bool in_range(Sample<double, 3> const &p, pw85::detail::Pair<double, 3> &pair)
 {
     pw85::detail::ScaledPair<double, 3> scaled{};
-    bool const valid = pw85::detail::validate(pw85::detail::pair_of(p.r12, p.q1, p.q2), scaled) ==
-                       pw85::Status::success;
+    bool const valid = pw85::detail::validate_pair(pw85::detail::pair_of(p.r12, p.q1, p.q2),
+                                                   scaled) == pw85::Status::success;
     pair = scaled.pair;
     return valid;
 }

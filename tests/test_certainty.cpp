@@ -61,9 +61,11 @@ template <class T, int D> void check(Sample<T, D> const &s, T const &t, Tally &t
     pw85::detail::Pair<T, D> const pair{s.r12, s.q1, s.q2, T(1)};
     bool const by_adjugate = pw85::detail::last_evaluation(pair, candidate).certified;
     bool const by_factors =
-        pw85::detail::last_evaluation(pair, candidate, pw85::detail::Precision::working).certified;
+        pw85::detail::last_factorized_evaluation(pair, candidate, pw85::detail::Precision::working)
+            .certified;
     bool const by_refinement =
-        pw85::detail::last_evaluation(pair, candidate, pw85::detail::Precision::refined).certified;
+        pw85::detail::last_factorized_evaluation(pair, candidate, pw85::detail::Precision::refined)
+            .certified;
     if (!by_adjugate && !by_factors && !by_refinement) return;
     auto const m = pw85::detail::blend(s.q1, t, s.q2);
     auto const exactly = truth<Wide>(s);

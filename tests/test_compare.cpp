@@ -47,7 +47,8 @@ void expect(Sample<T, D> const &s, T const &m, int sign, Failures &failures, Sig
     for (auto const &sample : {s, Sample<T, D>{-s.r12, s.q2, s.q1}}) {
         auto const describe = [&] { return hex_text(sample) + ", m = " + hex_text(&m, 1); };
         d::ScaledPair<T, D> scaled;
-        if (d::validate(d::pair_of(s.r12, s.q1, s.q2), scaled) != pw85::Status::success) return;
+        if (d::validate_pair(d::pair_of(s.r12, s.q1, s.q2), scaled) != pw85::Status::success)
+            return;
         auto const first = d::compare_by_quartic(d::pair_of(sample.r12, sample.q1, sample.q2), m);
         signs.by_quartic += first != pw85::Decision::none;
         failures.check(first == pw85::Decision::none || d::to_sign(first) == sign, "quartic",

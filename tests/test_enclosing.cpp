@@ -110,6 +110,17 @@ std::vector<Number> squares(Cloud const &cloud, std::vector<Number> const &cente
     return all;
 }
 
+/// Compares the sizes of two ellipsoids around the same bodies with what is proved about them.
+template <class Text>
+void check_excesses(Failures &failures, Found const &rough, Found const &fine, Text const &text)
+{
+    Number const ratio = sqrt(determinant(rough.form()) / determinant(fine.form()));
+    failures.check(ratio <= Number(1 + rough.excess), "rough", static_cast<double>(ratio),
+                   rough.excess, text);
+    failures.check(1 <= ratio * Number(1 + fine.excess), "fine", static_cast<double>(ratio),
+                   fine.excess, text);
+}
+
 /// Every point is inside, with no allowance: 100 digits decide it.
 void check_inside(Failures &failures, Cloud const &cloud, Found const &found)
 {
@@ -658,11 +669,7 @@ PW85_TEST("/enclosing/random_ellipsoids")
         if (rough.status != PW85_SUCCESS || fine.status != PW85_SUCCESS) continue;
         check_inside(failures, bodies, rough);
         check_inside(failures, bodies, fine);
-        Number const ratio = sqrt(determinant(rough.form()) / determinant(fine.form()));
-        failures.check(ratio <= Number(1 + rough.excess), "rough", static_cast<double>(ratio),
-                       rough.excess, text);
-        failures.check(1 <= ratio * Number(1 + fine.excess), "fine", static_cast<double>(ratio),
-                       fine.excess, text);
+        check_excesses(failures, rough, fine, text);
     }
 }
 
@@ -742,11 +749,7 @@ PW85_TEST("/enclosing/few_of_any_directions")
         failures.check(rough.status == PW85_SUCCESS, "status", rough.status, 0.0, text);
         failures.check(fine.status == PW85_SUCCESS, "status", fine.status, 0.0, text);
         if (n <= 8) check_inside(failures, bodies, fine);
-        Number const ratio = sqrt(determinant(rough.form()) / determinant(fine.form()));
-        failures.check(ratio <= Number(1 + rough.excess), "rough", static_cast<double>(ratio),
-                       rough.excess, text);
-        failures.check(1 <= ratio * Number(1 + fine.excess), "fine", static_cast<double>(ratio),
-                       fine.excess, text);
+        check_excesses(failures, rough, fine, text);
     }
 }
 

@@ -34,19 +34,6 @@ Parameters parameters(Sample<double, 3> const &s)
     return p;
 }
 
-/// Calls visit(sample, λ, f) for all of /F.
-template <class Visit> void for_all_of_f(Visit visit)
-{
-    auto const &grid = spheroid_grid();
-    for (std::size_t i = 0; i < grid.spheroids.size(); ++i)
-        for (std::size_t j = 0; j < grid.spheroids.size(); ++j)
-            for (std::size_t k = 0; k < grid.directions.size(); ++k)
-                for (std::size_t l = 0; l < grid.lambdas.size(); ++l)
-                    visit(
-                        Sample<double, 3>{grid.directions[k], grid.spheroids[i], grid.spheroids[j]},
-                        grid.lambdas[l], grid.f_at(i, j, k, l));
-}
-
 // The tolerance of the manual, chapter 6, and the sharp one: f is a backward stable function of its
 // data, so that its error is at most 4 u cond, cond being that of f at λ.
 PW85_TEST("/evaluation/f/reference")

@@ -62,7 +62,7 @@ template <class T, int D> void check_tiers(Factors<T, D> const &p, bool overlap,
     if (passes_fast_checks(pair)) check(decide_by_rounded_forms(pair), "rounded forms");
     auto const near_contact = decide_near_contact(pair);
     check(near_contact.decision, "maximum");
-    auto const exactly = decide_exactly(p.r12, p.s1, p.s2);
+    auto const exactly = decide_factored_exactly(p.r12, p.s1, p.s2);
     check(exactly, "integers");
     failures.check(exactly != Decision::none, "integers decide", 0, 1, describe);
     auto const all = pw85::overlap_factored(p.r12, p.s1, p.s2);

@@ -479,18 +479,6 @@ PW85_TEST("/pair_energy/width_of_domains")
     }
 }
 
-/// Particles of two kinds on a lattice in a periodic cell.
-Start lattice(int n)
-{
-    Start start;
-    double const a = 1.25, c = 2.6;
-    for (int k = 0; k < n * n * n; ++k)
-        start.add({a * (k % n), a * (k / n % n), c * (k / n / n)},
-                  k % 3 == 0 ? Vector3{0.45, 0.5, 0.9} : Vector3{0.5, 0.5, 1.2});
-    start.cell = box(a * n, a * n, c * n);
-    return start;
-}
-
 // The same bits with any number of threads, and from a saved state on.
 PW85_TEST("/pair_energy/threads_and_restart")
 {

@@ -122,7 +122,7 @@ template <class T, int D> void expect_steps(Sample<T, D> const &s, RationalPolyn
     auto const describe = [&] { return hex_text(s); };
     auto const pair = d::pair_of(s.r12, s.q1, s.q2);
     d::ScaledPair<T, D> scaled;
-    if (d::validate(pair, scaled) != pw85::Status::success) return;
+    if (d::validate_pair(pair, scaled) != pw85::Status::success) return;
     auto const bounds = d::bound_maximum(scaled);
     T const least = std::numeric_limits<T>::min();
     if (bounds.lower >= least)

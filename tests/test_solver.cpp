@@ -90,7 +90,7 @@ void test_bound_on_evaluations()
     for (int n = 0; n < draws(500000); ++n) {
         auto const p = extreme_pair(random, n % 3);
         pw85::detail::ScaledPair<double, 3> scaled;
-        if (pw85::detail::validate(pw85::detail::pair_of(p.r12, p.q1, p.q2), scaled) !=
+        if (pw85::detail::validate_pair(pw85::detail::pair_of(p.r12, p.q1, p.q2), scaled) !=
             pw85::Status::success)
             continue;
         auto const maximum = pw85::detail::maximize(scaled.pair);

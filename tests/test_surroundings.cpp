@@ -701,15 +701,10 @@ struct Waves {
     }
 };
 
-/// Particles of two kinds on a lattice in a cell that is repeated along x, y and maybe z.
+/// lattice() in a cell that is repeated along x, y and maybe z.
 Start slab(int n, bool along_z)
 {
-    Start start;
-    double const a = 1.25, c = 2.6;
-    for (int k = 0; k < n * n * n; ++k)
-        start.add({a * (k % n), a * (k / n % n), c * (k / n / n)},
-                  k % 3 == 0 ? Vector3{0.45, 0.5, 0.9} : Vector3{0.5, 0.5, 1.2});
-    start.cell = box(a * n, a * n, c * n);
+    Start start = lattice(n);
     start.periodic = {1, 1, along_z};
     return start;
 }

@@ -256,7 +256,7 @@ template <class T, int D> void test_alone()
         auto const s =
             convert<T>(near_contact<D>(random, n, std::is_same_v<T, float> ? 1.1e3 : 1e6));
         pw85::detail::ScaledPair<T, D> scaled;
-        if (pw85::detail::validate(pw85::detail::pair_of(s.r12, s.q1, s.q2), scaled) !=
+        if (pw85::detail::validate_pair(pw85::detail::pair_of(s.r12, s.q1, s.q2), scaled) !=
             pw85::Status::success)
             continue;
         bool const overlap = true_mu2(s) < 1;

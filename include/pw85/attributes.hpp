@@ -41,40 +41,32 @@ inline constexpr bool is_for_device = false;
 ///
 /// Units of the library, and units that define PW85_RARE_ELSEWHERE, take these functions for
 /// doubles from src/rare/, where they are compiled once: a function for doubles goes before the
-/// template. A header that has such templates lists them in a macro (rare, scalar, dimensions), as
-/// rare(name, (parameters), (arguments)), for PW85_RARE_TIER(); those for three dimensions alone
-/// have no number of them. The list follows the templates, before what calls them.
+/// template. PW85_RARE_TIER(name) follows a template of that name, before what calls it, and
+/// declares its functions for doubles in two and three dimensions. PW85_RARE_TIER_OF() takes other
+/// arguments of the template. api/rare.py reads these lines. No other template of the name may be
+/// declared before.
 #ifdef PW85_RARE_ELSEWHERE
-#define PW85_RARE_DECLARED(name, parameters, arguments)                                            \
-    [[gnu::cold]] auto name parameters noexcept->decltype(name<> arguments);
-#define PW85_RARE_TIER(functions)                                                                  \
-    functions(PW85_RARE_DECLARED, double, 2) functions(PW85_RARE_DECLARED, double, 3)
-#define PW85_RARE_TIER_IN_SPACE(functions) functions(PW85_RARE_DECLARED, double)
+#define PW85_RARE_TIER_OF(name, ...) [[gnu::cold]] decltype(name<__VA_ARGS__>) name;
 #else
-#define PW85_RARE_TIER(functions)
-#define PW85_RARE_TIER_IN_SPACE(functions)
+#define PW85_RARE_TIER_OF(name, ...)
 #endif
+#define PW85_RARE_TIER(name) PW85_RARE_TIER_OF(name, double, 2) PW85_RARE_TIER_OF(name, double, 3)
 #define PW85_RARE [[gnu::noinline, gnu::cold]] PW85_FUNCTION
 
-/// Code that many functions call, and that no caller inlines, is listed in the same way for
+/// Code that many functions call, and that no caller inlines, is declared in the same way by
 /// PW85_SHARED_BY_QUESTIONS(). Units of the library take it from units for their instruction set
 /// (src/simd/shared/), in the namespace PW85_SHARED_WITH. Each unit runs only what was compiled
 /// with its own flags.
 #ifdef PW85_SHARED_WITH
-#define PW85_SHARED_DECLARED(name, parameters, arguments)                                          \
-    auto name parameters noexcept->decltype(detail::name<> arguments);
-#define PW85_SHARED_BY_QUESTIONS(functions)                                                        \
+#define PW85_SHARED_BY_QUESTIONS_OF(name, ...)                                                     \
     inline namespace PW85_SHARED_WITH {                                                            \
-    functions(PW85_SHARED_DECLARED, double, 2) functions(PW85_SHARED_DECLARED, double, 3)          \
-    }
-#define PW85_SHARED_BY_QUESTIONS_IN_SPACE(functions)                                               \
-    inline namespace PW85_SHARED_WITH {                                                            \
-    functions(PW85_SHARED_DECLARED, double)                                                        \
+    decltype(detail::name<__VA_ARGS__>) name;                                                      \
     }
 #else
-#define PW85_SHARED_BY_QUESTIONS(functions)
-#define PW85_SHARED_BY_QUESTIONS_IN_SPACE(functions)
+#define PW85_SHARED_BY_QUESTIONS_OF(name, ...)
 #endif
+#define PW85_SHARED_BY_QUESTIONS(name)                                                             \
+    PW85_SHARED_BY_QUESTIONS_OF(name, double, 2) PW85_SHARED_BY_QUESTIONS_OF(name, double, 3)
 
 /// Before every member function of what devices compute with: it has no address that another unit
 /// could take.

@@ -127,11 +127,7 @@ def random_addition(
     most = _NO_NUMBER if number is None else integer(number, "random_addition: number", 1, _NO_NUMBER)
     key = seed_of(seed, "random_addition: seed")
     function(stage, "random_addition: stage")
-    for name, value in (("attempts", attempts), ("seconds", seconds)):
-        if value is not None and not real(value, f"random_addition: {name}") > 0:
-            raise ValueError(f"random_addition: {name} must be > 0, not {value}")
-    if dimensions == 3 and np.ptp(axes, axis=1).any() and number is None and attempts is None and seconds is None:
-        raise ValueError("saturation is proved for ellipses and balls only: pass number, attempts or seconds for other ellipsoids")
+    _check_limits(dimensions == 2 or not np.ptp(axes, axis=1).any(), number, attempts, seconds)
     box, kinds = np.eye(3), np.ones((len(axes), 3))
     box[:dimensions, :dimensions], kinds[:, :dimensions] = shape, axes
     kinds[:, dimensions:] = axes.min(axis=1, keepdims=True)
@@ -152,6 +148,15 @@ def random_addition(
     except KeyboardInterrupt:
         raise AdditionInterrupted(_result(addition, unit, kinds, shape, state, "interrupted")) from None
     return _result(addition, unit, kinds, shape, state, end)
+
+
+def _check_limits(ends: bool, number: SupportsIndex | None, attempts: float | None, seconds: float | None) -> None:
+    """Refuses limits that are not positive, and an addition without limits unless it ends by itself."""
+    for name, value in (("attempts", attempts), ("seconds", seconds)):
+        if value is not None and not real(value, f"random_addition: {name}") > 0:
+            raise ValueError(f"random_addition: {name} must be > 0, not {value}")
+    if not ends and number is None and attempts is None and seconds is None:
+        raise ValueError("saturation is proved for ellipses and balls only: pass number, attempts or seconds for other ellipsoids")
 
 
 def _check_room(axes: Floats, shape: Floats) -> None:

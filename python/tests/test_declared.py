@@ -97,11 +97,11 @@ def template(name, title, *lines):
 @pytest.fixture
 def make(tmp_path):
     """Makes a file of a template, by headers that declare one more function."""
-    for folder in ("api", "include", "js", "octave", "r", "rust", "src/c_api", "src/brent"):
+    for folder in ("api", "include", "js", "octave", "r", "rust", "src/c_api"):
         shutil.copytree(SOURCE / folder, tmp_path / folder)
     for name in ("CHANGELOG.md", "meson.build", "fortran/pw85.in.f90", "fortran/pw85.f90", "debian/libpw85-3.symbols",
                  "debian/libpw85-gpu3.symbols", "python/pypw85/__init__.in.py", "src/simd/one_pair.hpp",
-                 "src/base/objects.hpp", "src/rare/shapes.cpp"):
+                 "src/base/objects.hpp", "src/base/signatures.hpp", "src/rare/shapes.cpp"):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(SOURCE / name, tmp_path / name)
     for name, added in (("pw85.h", DECLARATIONS), ("pw85_batch.h", BATCH_DECLARATIONS), ("pw85_systems.h", LIST_DECLARATIONS)):

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A list whose growth can fail. Event chains (simulation/chains.cpp) keep images in it.
+/// A list whose growth can fail. Event chains (simulation/contact_search.hpp) keep images in it.
 #ifndef PW85_BASE_LIST_HPP_INCLUDED
 #define PW85_BASE_LIST_HPP_INCLUDED
 

@@ -38,7 +38,7 @@ Maximum<double> maximize(Pair<double, 3> const &pair, Options const &options) no
 {
     Candidate<double> candidate{maximizer_by_brent(pair, options).t, 1.0, 0.0};
     bool const converged = refine(pair, candidate, options);
-    auto const last = last_evaluation(pair, candidate, Precision::working);
+    auto const last = last_factorized_evaluation(pair, candidate, Precision::working);
     return converged && last.certified ? to_maximum(last, 0, true)
                                        : maximize_factorized(pair, candidate, 0);
 }
@@ -66,7 +66,7 @@ bool refine(Pair<double, 3> const &pair, Candidate<double> &candidate,
             Options const &options) noexcept
 {
     int evaluations = 0;
-    return search(pair, candidate, Precision::working, evaluations, options.halley_steps);
+    return search_in_steps(pair, candidate, Precision::working, evaluations, options.halley_steps);
 }
 
 Contact<double> contact_function(Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
@@ -76,7 +76,7 @@ Contact<double> contact_function(Vector<double, 3> const &r12, SymmetricMatrix<d
     auto const pair = pair_of(r12, q1, q2);
     if (passes_fast_checks(pair)) return to_contact(maximize(pair, options));
     ScaledPair<double, 3> scaled;
-    Status const status = validate(pair, scaled);
+    Status const status = validate_pair(pair, scaled);
     if (status != Status::success) return all_nan<Contact<double>>(status);
     if (largest_coordinate(r12) == 0.0) return {0.0, 0.5, Status::success};
     return unscale(scaled, maximize(scaled.pair, options));

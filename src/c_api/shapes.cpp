@@ -19,8 +19,9 @@
 namespace pw85::detail {
 inline namespace PW85_SHARED_WITH {
 
-PW85_SHARED_POLYTOPE(PW85_DEFINE_SHARED, double)
-PW85_SHARED_POLYTOPE_DECISION(PW85_DEFINE_SHARED, double)
+PW85_DEFINE_SHARED(search_polytope, double)
+PW85_DEFINE_SHARED(check_planes, double)
+PW85_DEFINE_SHARED(decide_polytope, double)
 
 } // namespace PW85_SHARED_WITH
 } // namespace pw85::detail

@@ -6,6 +6,7 @@
 
 namespace pw85::detail {
 
-PW85_DEFINE(PW85_RARE_SURFACE)
+PW85_DEFINE(surface_of)
+PW85_DEFINE(sheet_moments)
 
 } // namespace pw85::detail

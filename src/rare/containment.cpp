@@ -6,6 +6,6 @@
 
 namespace pw85::detail {
 
-PW85_DEFINE(PW85_RARE_EXACT_CONTAINMENT)
+PW85_DEFINE(contains_exactly)
 
 } // namespace pw85::detail

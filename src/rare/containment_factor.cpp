@@ -6,6 +6,6 @@
 
 namespace pw85::detail {
 
-PW85_DEFINE(PW85_RARE_DUAL)
+PW85_DEFINE(minimize_dual_wider)
 
 } // namespace pw85::detail

@@ -6,11 +6,12 @@
 #ifndef PW85_RARE_DEFINE_HPP_INCLUDED
 #define PW85_RARE_DEFINE_HPP_INCLUDED
 
+#include "../base/signatures.hpp"
+
 // Arguments are references: each function is a jump into its template.
 #define PW85_RARE_DEFINED(name, parameters, arguments)                                             \
     auto name parameters noexcept->decltype(name<> arguments) { return name<> arguments; }
-#define PW85_DEFINE(functions)                                                                     \
-    functions(PW85_RARE_DEFINED, double, 2) functions(PW85_RARE_DEFINED, double, 3)
-#define PW85_DEFINE_IN_SPACE(functions) functions(PW85_RARE_DEFINED, double)
+#define PW85_DEFINE_OF(name, ...) PW85_SIGNATURE_##name(PW85_RARE_DEFINED, __VA_ARGS__)
+#define PW85_DEFINE(name) PW85_DEFINE_OF(name, double, 2) PW85_DEFINE_OF(name, double, 3)
 
 #endif

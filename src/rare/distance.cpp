@@ -6,7 +6,7 @@
 
 namespace pw85::detail {
 
-PW85_DEFINE(PW85_RARE_DISTANCE)
-PW85_DEFINE_IN_SPACE(PW85_RARE_DISTANCE_DERIVATIVES)
+PW85_DEFINE(refined_distance)
+PW85_DEFINE_OF(refined_derivatives, double)
 
 } // namespace pw85::detail

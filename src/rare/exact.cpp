@@ -6,6 +6,7 @@
 
 namespace pw85::detail {
 
-PW85_DEFINE(PW85_RARE_EXACT)
+PW85_DEFINE(decide_exactly)
+PW85_DEFINE_OF(compare_exactly, double, 3)
 
 } // namespace pw85::detail

@@ -6,6 +6,17 @@
 
 namespace pw85::detail::exact {
 
-PW85_DEFINE_IN_SPACE(PW85_RARE_EXTENDED)
+Extended<double> operator+(Extended<double> const &x, Extended<double> const &y) noexcept
+{
+    return operator+<>(x, y);
+}
+
+Extended<double> operator*(Extended<double> const &x, Extended<double> const &y) noexcept
+{
+    return operator*<>(x, y);
+}
+
+PW85_DEFINE_OF(reciprocal, double)
+PW85_DEFINE_OF(sqrt, double)
 
 } // namespace pw85::detail::exact

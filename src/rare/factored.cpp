@@ -7,7 +7,7 @@
 
 namespace pw85::detail {
 
-PW85_DEFINE(PW85_RARE_FACTORED)
-PW85_DEFINE(PW85_RARE_EXACT_FACTORED)
+PW85_DEFINE_OF(search_doubled, double, 3)
+PW85_DEFINE_OF(decide_factored_exactly, double, 3)
 
 } // namespace pw85::detail

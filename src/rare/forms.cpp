@@ -7,7 +7,7 @@
 
 namespace pw85::detail {
 
-PW85_DEFINE(PW85_RARE_FORM_VALIDATION)
-PW85_DEFINE_IN_SPACE(PW85_RARE_FORM)
+PW85_DEFINE(validate_scaled)
+PW85_DEFINE_OF(form_of_any_axes, double)
 
 } // namespace pw85::detail

@@ -6,6 +6,6 @@
 
 namespace pw85::detail {
 
-PW85_DEFINE(PW85_RARE_GAP)
+PW85_DEFINE(gap_contained)
 
 } // namespace pw85::detail

@@ -6,8 +6,8 @@
 
 namespace pw85::detail {
 
-PW85_DEFINE_IN_SPACE(PW85_RARE_CURVATURE)
-PW85_DEFINE_IN_SPACE(PW85_RARE_HERTZ)
-PW85_DEFINE_IN_SPACE(PW85_RARE_GAP_CURVATURES)
+PW85_DEFINE_OF(curvature_finer, double)
+PW85_DEFINE_OF(hertz_facing_finer, double)
+PW85_DEFINE_OF(gap_curvatures_finer, double)
 
 } // namespace pw85::detail

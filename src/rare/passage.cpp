@@ -6,6 +6,6 @@
 
 namespace pw85::detail {
 
-PW85_DEFINE_IN_SPACE(PW85_RARE_PASSAGE)
+PW85_DEFINE_OF(find_closest_passage_wider, double)
 
 } // namespace pw85::detail

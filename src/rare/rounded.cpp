@@ -6,6 +6,6 @@
 
 namespace pw85::detail {
 
-PW85_DEFINE(PW85_RARE_ROUNDED)
+PW85_DEFINE_OF(round_by_doubled_numbers, double, 3)
 
 } // namespace pw85::detail

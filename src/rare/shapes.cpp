@@ -12,10 +12,17 @@
 
 namespace pw85::detail {
 
-PW85_DEFINE_IN_SPACE(PW85_RARE_CAPSULE)
-PW85_DEFINE_IN_SPACE(PW85_RARE_EXACT_POLYTOPE)
-PW85_DEFINE_IN_SPACE(PW85_RARE_EXACT_SHAPES)
-PW85_DEFINE_IN_SPACE(PW85_RARE_SEGMENT)
-PW85_DEFINE_IN_SPACE(PW85_RARE_TRIANGLE)
+PW85_DEFINE_OF(find_capsule_finer, double)
+PW85_DEFINE_OF(find_with_all_digits, double)
+PW85_DEFINE_OF(overlaps_with_more_digits, double)
+PW85_DEFINE_OF(polytope_overlaps_exactly, double)
+PW85_DEFINE_OF(contact_polytope_exactly, double)
+PW85_DEFINE_OF(overlaps_exactly, double, 2)
+PW85_DEFINE_OF(overlaps_exactly, double, 3)
+PW85_DEFINE_OF(box_overlaps_exactly, double)
+PW85_DEFINE_OF(find_finer, double, 2, FindOnSegment<>)
+PW85_DEFINE_OF(contact_with_all_digits, double, 2, FindOnSegment<>)
+PW85_DEFINE_OF(find_finer, double, 3, FindOnTriangle<>)
+PW85_DEFINE_OF(contact_with_all_digits, double, 3, FindOnTriangle<>)
 
 } // namespace pw85::detail

@@ -7,9 +7,10 @@
 
 namespace pw85::detail {
 
-PW85_DEFINE(PW85_RARE_DEFINITE)
-PW85_DEFINE(PW85_RARE_SOLVER)
-PW85_DEFINE(PW85_RARE_SEARCH)
-PW85_DEFINE(PW85_RARE_GEOMETRY)
+PW85_DEFINE(has_positive_minors)
+PW85_DEFINE(maximize_wider)
+PW85_DEFINE_OF(search_in_steps, exact::Extended<double>, 2)
+PW85_DEFINE_OF(search_in_steps, exact::Extended<double>, 3)
+PW85_DEFINE(solve_blend_extended)
 
 } // namespace pw85::detail

@@ -10,12 +10,14 @@
 namespace pw85::detail {
 inline namespace PW85_SHARED_WITH {
 
-PW85_SHARED_VALIDATION(PW85_DEFINE_SHARED, double, 2)
-PW85_SHARED_SEARCH(PW85_DEFINE_SHARED, double, 2)
-PW85_SHARED_SOLVER(PW85_DEFINE_SHARED, double, 2)
-PW85_SHARED_CERTIFIED_VALUE(PW85_DEFINE_SHARED, double, 2)
-PW85_SHARED_OVERLAP(PW85_DEFINE_SHARED, double, 2)
-PW85_SHARED_CONTAINMENT(PW85_DEFINE_SHARED, double, 2)
+PW85_DEFINE_SHARED(validate_pair, double, 2)
+PW85_DEFINE_SHARED(search_in_steps, double, 2)
+PW85_DEFINE_SHARED(last_factorized_evaluation, double, 2)
+PW85_DEFINE_SHARED(maximize, double, 2)
+PW85_DEFINE_SHARED(maximize_factorized, double, 2)
+PW85_DEFINE_SHARED(decide_by_certified_value, double, 2)
+PW85_DEFINE_SHARED(call_overlap, double, 2)
+PW85_DEFINE_SHARED(call_contains, double, 2)
 
 } // namespace PW85_SHARED_WITH
 } // namespace pw85::detail

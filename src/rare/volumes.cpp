@@ -7,11 +7,11 @@
 
 namespace pw85::detail {
 
-PW85_DEFINE(PW85_RARE_MEASURE)
-PW85_DEFINE_IN_SPACE(PW85_RARE_RIM_FRAME)
-PW85_DEFINE(PW85_RARE_PART)
-PW85_DEFINE_IN_SPACE(PW85_RARE_DERIVATIVES)
-PW85_DEFINE_IN_SPACE(PW85_RARE_AREA_DERIVATIVES)
-PW85_DEFINE_IN_SPACE(PW85_RARE_PART_DERIVATIVES)
+PW85_DEFINE(measure_of)
+PW85_DEFINE_OF(rim_frame_finely, double)
+PW85_DEFINE(measure_part_finely)
+PW85_DEFINE_OF(part_derivatives_finely, double)
+PW85_DEFINE_OF(area_derivatives_finely, double)
+PW85_DEFINE_OF(plane_part_derivatives_finely, double)
 
 } // namespace pw85::detail

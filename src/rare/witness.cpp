@@ -6,6 +6,7 @@
 
 namespace pw85::detail {
 
-PW85_DEFINE(PW85_RARE_WITNESS)
+PW85_DEFINE_OF(maximize_precisely, double, 3)
+PW85_DEFINE_OF(decide_by_extended, double, 3)
 
 } // namespace pw85::detail

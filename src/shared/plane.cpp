@@ -8,7 +8,8 @@
 namespace pw85::detail {
 inline namespace PW85_SHARED_WITH {
 
-PW85_SHARED_PLANE(PW85_DEFINE_SHARED, double)
+PW85_DEFINE_SHARED(plane_of_translation, double, 3)
+PW85_DEFINE_SHARED(plane_from_afar, double, 3)
 
 } // namespace PW85_SHARED_WITH
 } // namespace pw85::detail

@@ -5,10 +5,13 @@
 #ifndef PW85_SIMD_DEFINE_SHARED_HPP_INCLUDED
 #define PW85_SIMD_DEFINE_SHARED_HPP_INCLUDED
 
-#define PW85_DEFINE_SHARED(name, parameters, arguments)                                            \
+#include "../base/signatures.hpp"
+
+#define PW85_SHARED_DEFINED(name, parameters, arguments)                                           \
     auto name parameters noexcept->decltype(detail::name<> arguments)                              \
     {                                                                                              \
         return detail::name<> arguments;                                                           \
     }
+#define PW85_DEFINE_SHARED(name, ...) PW85_SIGNATURE_##name(PW85_SHARED_DEFINED, __VA_ARGS__)
 
 #endif

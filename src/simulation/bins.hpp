@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Sorts the particles of a simulation into bins. The event chains (chains.cpp) find the neighbours
-/// of a particle here, and move it. Particles are numbered here in the order of the bins at the
-/// start: particles near each other in space are near in memory.
+/// Sorts the particles of a simulation into bins. The event chains (chain_bodies.hpp) find the
+/// neighbours of a particle here, and move it. Particles are numbered here in the order of the bins
+/// at the start: particles near each other in space are near in memory.
 ///
 /// Vector k of the cell is divided into equal parts if it is periodic. A bin is a parallelepiped of
 /// parts. It has the particles whose centres are in it, after they are moved into the cell, in

@@ -63,7 +63,7 @@ int tune(Engine &engine, std::size_t num_sweeps, double acceptance, double press
 
 /// Runs event chains along a direction, or along random ones if it is zero.
 int make_chains(Engine &engine, std::size_t num_chains, double length, Vector3 const &direction,
-                ChainSums &sums) noexcept
+                PressureSample &sample) noexcept
 {
     auto const n = static_cast<std::uint32_t>(engine.particles.all().size());
     bool const random = largest_coordinate(direction) == 0.0;
@@ -74,9 +74,9 @@ int make_chains(Engine &engine, std::size_t num_chains, double length, Vector3 c
         std::size_t const first = stream.below(n);
         Vector3 const along =
             unit(random ? stream.in_ball(engine.particles.all().dimensions) : direction);
-        if (int const status = chains.run(first, along, length, sums)) return status;
+        if (int const status = chains.run({first, along, length}, sample)) return status;
     }
-    if (chains.own_images_may_touch()) sums.transfers = quiet_nan<double>();
+    if (chains.own_images_may_touch()) sample.transfers = quiet_nan<double>();
     return PW85_SUCCESS;
 }
 
@@ -171,16 +171,15 @@ int pw85::detail::hard_ellipsoids_chain(pw85_hard_ellipsoids &simulation, size_t
                           "must have no walls, mesh, fields, potential or law: use sweeps");
     Vector3 along;
     if (int const status = load_direction(simulation.engine, direction, along)) return status;
-    ChainSums sums{};
-    int const status = make_chains(simulation.engine, num_chains, length, along, sums);
+    PressureSample sample{};
+    int const status = make_chains(simulation.engine, num_chains, length, along, sample);
     if (status == PW85_ECONVERGENCE)
         return note_cause(status, "length",
                           "must let chains advance: particles block each other within rounding "
                           "errors, or the length is too long",
                           0, 0, length);
     if (status == PW85_SUCCESS && compressibility != nullptr)
-        *compressibility =
-            sums.length > 0.0 ? 1.0 + sums.transfers / sums.length : quiet_nan<double>();
+        *compressibility = sample.compressibility();
     return status;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Lower bounds of the path of a particle to its neighbours. The event chains (chains.cpp) use this
-/// file.
+/// Lower bounds of the path of a particle to its neighbours. The event chains (contact_search.cpp)
+/// use this file.
 ///
 /// The particle moves by x d; the separation is r - x d. With M = Q1 + t Q2, rᵀadj(M)r - (1 + 1/t)
 /// det M is positive where f > 1 at this t (item 1 of motion/translation.hpp). On the path it is a

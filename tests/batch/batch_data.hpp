@@ -3,6 +3,7 @@
 #ifndef PW85_TESTS_BATCH_DATA_HPP_INCLUDED
 #define PW85_TESTS_BATCH_DATA_HPP_INCLUDED
 
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <vector>
@@ -84,6 +85,19 @@ inline std::vector<Pair3> mixed_pairs(Random &random, std::size_t n)
     std::vector<Pair3> pairs(n);
     for (Pair3 &p : pairs) p = mixed_pair(random);
     return pairs;
+}
+
+/// The same lattice by other vectors: `count` times a multiple of up to ±4 of one vector is added
+/// to another.
+template <class Cell> Cell skew(Random &random, Cell cell, int count)
+{
+    for (int n = 0; n < count; ++n) {
+        auto const i = static_cast<std::size_t>(random.uniform(0.0, 3.0));
+        std::size_t const j = (i + (random.uniform(0.0, 1.0) < 0.5 ? 1 : 2)) % 3;
+        double const multiple = std::round(random.uniform(-4.0, 4.0));
+        for (int d = 0; d < 3; ++d) cell[i][d] += multiple * cell[j][d];
+    }
+    return cell;
 }
 
 } // namespace pw85_tests

@@ -63,18 +63,6 @@ pw85::Cell random_cell(Random &random, double flatness)
     return cell;
 }
 
-/// The same lattice by other vectors.
-pw85::Cell skew(Random &random, pw85::Cell cell, int steps)
-{
-    for (int n = 0; n < steps; ++n) {
-        auto const i = static_cast<std::size_t>(random.uniform(0.0, 3.0));
-        std::size_t const j = (i + (random.uniform(0.0, 1.0) < 0.5 ? 1 : 2)) % 3;
-        double const multiple = std::round(random.uniform(-4.0, 4.0));
-        for (int d = 0; d < 3; ++d) cell[i][d] += multiple * cell[j][d];
-    }
-    return cell;
-}
-
 double volume(pw85::Cell const &cell) { return pw85::dot(cell[0], pw85::cross(cell[1], cell[2])); }
 
 /// Whether no vector gets shorter by adding up to two of each other one.

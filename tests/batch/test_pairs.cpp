@@ -159,19 +159,6 @@ pw85::Cell compact_cell(Random &random, double side)
     return cell;
 }
 
-/// The same lattice by other vectors: `count` times a multiple of up to ±4 of one vector is added
-/// to another.
-pw85::Cell skew(Random &random, pw85::Cell cell, int count)
-{
-    for (int n = 0; n < count; ++n) {
-        auto const i = static_cast<std::size_t>(random.uniform(0.0, 3.0));
-        std::size_t const j = (i + (random.uniform(0.0, 1.0) < 0.5 ? 1 : 2)) % 3;
-        double const multiple = std::round(random.uniform(-4.0, 4.0));
-        for (int d = 0; d < 3; ++d) cell[i][d] += multiple * cell[j][d];
-    }
-    return cell;
-}
-
 std::string cell_text(pw85::Cell const &cell)
 {
     return "cell = " + hex_text(cell[0].coordinates, 3) + hex_text(cell[1].coordinates, 3) +

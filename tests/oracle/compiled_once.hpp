@@ -7,6 +7,7 @@
 
 #include <pw85/pw85.hpp>
 
+#include "../../src/base/signatures.hpp"
 #include "multiprecision.hpp"
 
 namespace pw85_tests {
@@ -15,14 +16,14 @@ using Wide = Multiprecision<50>;
 
 } // namespace pw85_tests
 
-/// The lists of attributes.hpp: `once` is a macro of a name, parameters and arguments.
+/// `once` is a macro of a name, parameters and arguments (signatures.hpp).
 #define PW85_ONCE_DETAIL(once, T, D)                                                               \
-    PW85_SHARED_VALIDATION(once, T, D)                                                             \
-    PW85_SHARED_SEARCH(once, T, D)                                                                 \
-    PW85_SHARED_SOLVER(once, T, D)
+    PW85_SIGNATURE_validate_pair(once, T, D) PW85_SIGNATURE_search_in_steps(once, T, D)            \
+        PW85_SIGNATURE_last_factorized_evaluation(once, T, D) PW85_SIGNATURE_maximize(once, T, D)  \
+            PW85_SIGNATURE_maximize_factorized(once, T, D)
 #define PW85_ONCE_WIDER(once, T, D)                                                                \
-    PW85_RARE_SOLVER(once, T, D)                                                                   \
-    PW85_RARE_SEARCH(once, T, D)
+    PW85_SIGNATURE_maximize_wider(once, T, D)                                                      \
+        PW85_SIGNATURE_search_in_steps(once, pw85::detail::exact::Extended<T>, D)
 #define PW85_ONCE_PAIR(T, D)                                                                       \
     (Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2)
 #define PW85_ONCE_PUBLIC(once, T, D)                                                               \

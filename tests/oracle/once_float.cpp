@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "define_once.hpp"
+#include "../../src/rare/define.hpp"
+#include "compiled_once.hpp"
 
-PW85_ONCE_SCALAR(PW85_ONCE_DEFINED, float)
+PW85_ONCE_SCALAR(PW85_RARE_DEFINED, float)

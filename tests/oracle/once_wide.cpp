@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "define_once.hpp"
+#include "../../src/rare/define.hpp"
+#include "compiled_once.hpp"
 
-PW85_ONCE_WIDE(PW85_ONCE_DEFINED, pw85_tests::Wide)
+PW85_ONCE_WIDE(PW85_RARE_DEFINED, pw85_tests::Wide)

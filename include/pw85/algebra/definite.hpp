@@ -56,9 +56,7 @@ PW85_RARE bool has_positive_minors(SymmetricMatrix<T, D> const &a) noexcept
     return positive && minors[D - 1] > W(least_determinant<W>() * diagonal_product(w));
 }
 
-#define PW85_RARE_DEFINITE(rare, T, D)                                                             \
-    rare(has_positive_minors, (SymmetricMatrix<T, D> const &a), (a))
-PW85_RARE_TIER(PW85_RARE_DEFINITE)
+PW85_RARE_TIER(has_positive_minors)
 
 /// Decides up to rounding errors, for types with digits to spare and for devices. The function uses
 /// pivots, which lose fewer digits than minors.

@@ -241,11 +241,10 @@ template <class T>
     return with_exponent(root, root.exponent + (x.exponent - odd) / 2);
 }
 
-#define PW85_RARE_EXTENDED(rare, T)                                                                \
-    rare(operator+, (Extended<T> const &x, Extended<T> const &y), (x, y))                          \
-        rare(operator*, (Extended<T> const &x, Extended<T> const &y), (x, y))                      \
-            rare(reciprocal, (Extended<T> const &x), (x)) rare(sqrt, (Extended<T> const &x), (x))
-PW85_RARE_TIER_IN_SPACE(PW85_RARE_EXTENDED)
+PW85_RARE_TIER_OF(operator+, double)
+PW85_RARE_TIER_OF(operator*, double)
+PW85_RARE_TIER_OF(reciprocal, double)
+PW85_RARE_TIER_OF(sqrt, double)
 
 template <class T> PW85_FUNCTION inline Extended<T> abs(Extended<T> x) noexcept
 {

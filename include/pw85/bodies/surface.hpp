@@ -139,10 +139,8 @@ PW85_RARE SheetMoments<T, D> sheet_moments(SymmetricMatrix<T, D> const &q) noexc
     return {unit.to_caller(moments, 2), unit.to_caller(rounded_area<T>(sheet), D - 1)};
 }
 
-#define PW85_RARE_SURFACE(rare, T, D)                                                              \
-    rare(surface_of, (SymmetricMatrix<T, D> const &q), (q))                                        \
-        rare(sheet_moments, (SymmetricMatrix<T, D> const &q), (q))
-PW85_RARE_TIER(PW85_RARE_SURFACE)
+PW85_RARE_TIER(surface_of)
+PW85_RARE_TIER(sheet_moments)
 
 } // namespace pw85::detail
 

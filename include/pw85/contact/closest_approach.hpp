@@ -29,7 +29,7 @@ PW85_FUNCTION inline ClosestApproach<T> closest_approach(Vector<T, D> direction,
     auto const pair = pair_of(direction, q1, q2);
     ScaledPair<T, D> scaled{pair, {}};
     if (!passes_fast_checks(pair)) {
-        StatusCode const status = validate(pair, scaled);
+        StatusCode const status = validate_pair(pair, scaled);
         if (status != StatusCode::success) return all_nan<ClosestApproach<T>>(status);
     }
     Maximum<T> const maximum = maximize(scaled.pair);

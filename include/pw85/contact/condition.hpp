@@ -53,7 +53,7 @@ condition(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMat
     using namespace detail;
     ScaledPair<T, D> scaled;
     StatusCode const status = lambda >= T(0) && lambda <= T(1)
-                                  ? validate(pair_of(r12, q1, q2), scaled)
+                                  ? validate_pair(pair_of(r12, q1, q2), scaled)
                                   : StatusCode::invalid_argument;
     if (status != StatusCode::success) return all_nan<Condition<T>>(status);
     if (largest_coordinate(r12) == T(0)) return {T(0), StatusCode::success};

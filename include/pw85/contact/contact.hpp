@@ -77,7 +77,7 @@ template <class T, int D, class Q>
 [[gnu::noinline]] PW85_FUNCTION inline Contact<T> contact_scaled(Pair<T, D, Q> pair) noexcept
 {
     ScaledPair<T, D, Q> scaled;
-    StatusCode const status = validate(pair, scaled);
+    StatusCode const status = validate_pair(pair, scaled);
     if (status != StatusCode::success) return all_nan<Contact<T>>(status);
     if (largest_coordinate(pair.r12) == T(0)) return {T(0), T(0.5), StatusCode::success};
     return unscale(scaled, maximize(scaled.pair));

@@ -250,9 +250,7 @@ template <class T, int D>
     return maximize_by_directions(pair, start_from(rounded_pair, end.candidate));
 }
 
-#define PW85_RARE_FACTORED(rare, T, D)                                                             \
-    rare(search_doubled, (FactoredPair<T, D> const &pair, T const &t), (pair, t))
-PW85_RARE_TIER(PW85_RARE_FACTORED)
+PW85_RARE_TIER_OF(search_doubled, double, 3)
 
 } // namespace pw85::detail
 

@@ -77,7 +77,7 @@ PW85_FUNCTION inline bool is_clearly_regular(Factor<T, D> const &s) noexcept
 
 /// The status of a pair of factors. If it is success, `scaled` becomes the pair in range.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline StatusCode
-validate(FactoredPair<T, D> const &pair, ScaledPair<T, D, Factor<T, D>> &scaled) noexcept
+validate_pair(FactoredPair<T, D> const &pair, ScaledPair<T, D, Factor<T, D>> &scaled) noexcept
 {
     auto const &[r12, s1, s2, ratio] = pair;
     if (!(is_finite(r12) && is_finite(s1) && is_finite(s2))) return StatusCode::invalid_argument;

@@ -53,8 +53,8 @@ PW85_FUNCTION inline Candidate<T> end_of_search(SafeguardedSearch<T> const &stat
 /// function is not inlined, because extended numbers need much stack, and only one search runs at a
 /// time.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline bool
-search(Pair<T, D> const &pair, Candidate<T> &candidate, Precision precision, int &evaluations,
-       int max_steps = max_factorized_steps - 1) noexcept
+search_in_steps(Pair<T, D> const &pair, Candidate<T> &candidate, Precision precision,
+                int &evaluations, int max_steps) noexcept
 {
     auto state = safeguarded_search(candidate.t, free_factorized_steps);
     for (int i = 1;; ++i) {
@@ -104,6 +104,16 @@ inline constexpr int factorization_error = 12;
 /// (scripts/rounding_bounds.py). So one correction reduces the error.
 inline constexpr int correction_error = 13;
 
+PW85_SHARED_BY_QUESTIONS(search_in_steps)
+
+/// search_in_steps() in at most max_factorized_steps evaluations.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline bool
+search(Pair<T, D> const &pair, Candidate<T> &candidate, Precision precision,
+       int &evaluations) noexcept
+{
+    return search_in_steps(pair, candidate, precision, evaluations, max_factorized_steps - 1);
+}
+
 /// The error of the s of the last evaluation across its direction, in the norm of M, in units of
 /// the roundoff of the result. The solution comes from factorisation, or is refined by three
 /// corrections. The error leaves out a part that is_certified() need not count: rounding the
@@ -134,7 +144,8 @@ PW85_FUNCTION inline T noise_of_slope(Pair<T, D> const &pair, SymmetricMatrix<T,
 
 /// The last evaluation, by factorisation.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline LastEvaluation<T>
-last_evaluation(Pair<T, D> const &pair, Candidate<T> const &candidate, Precision precision) noexcept
+last_factorized_evaluation(Pair<T, D> const &pair, Candidate<T> const &candidate,
+                           Precision precision) noexcept
 {
     auto const m = blend(pair.q1, candidate.t, pair.q2);
     auto const factors = factorize(m, T(unit_roundoff<T>()));
@@ -147,15 +158,7 @@ last_evaluation(Pair<T, D> const &pair, Candidate<T> const &candidate, Precision
                        is_certified(candidate, value.step, error, T(1))};
 }
 
-#define PW85_SHARED_SEARCH(shared, T, D)                                                           \
-    shared(                                                                                        \
-        search,                                                                                    \
-        (Pair<T, D> const &pair, Candidate<T> &candidate, Precision precision, int &evaluations),  \
-        (pair, candidate, precision, evaluations))                                                 \
-        shared(last_evaluation,                                                                    \
-               (Pair<T, D> const &pair, Candidate<T> const &candidate, Precision precision),       \
-               (pair, candidate, precision))
-PW85_SHARED_BY_QUESTIONS(PW85_SHARED_SEARCH)
+PW85_SHARED_BY_QUESTIONS(last_factorized_evaluation)
 
 } // namespace pw85::detail
 

@@ -117,10 +117,7 @@ form_of_any_axes(Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion) 
         form_of_factor(factor_of_axes(semi_axes, rotation_matrix(quaternion).entries)));
 }
 
-#define PW85_RARE_FORM(rare, T)                                                                    \
-    rare(form_of_any_axes, (Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion),        \
-         (semi_axes, quaternion))
-PW85_RARE_TIER_IN_SPACE(PW85_RARE_FORM)
+PW85_RARE_TIER_OF(form_of_any_axes, double)
 
 } // namespace pw85::detail
 

@@ -81,12 +81,7 @@ PW85_RARE Vector<T, D> solve_blend_extended(T const &w1, SymmetricMatrix<T, D> c
     return result;
 }
 
-#define PW85_RARE_GEOMETRY(rare, T, D)                                                             \
-    rare(solve_blend_extended,                                                                     \
-         (T const &w1, SymmetricMatrix<T, D> const &q1, T const &w2,                               \
-          SymmetricMatrix<T, D> const &q2, Vector<T, D> const &x),                                 \
-         (w1, q1, w2, q2, x))
-PW85_RARE_TIER(PW85_RARE_GEOMETRY)
+PW85_RARE_TIER(solve_blend_extended)
 
 /// M⁻¹ x for M = w1 Q1 + w2 Q2, where the adjugate is not accurate. It uses factorisation if that
 /// leaves some digits. Otherwise it uses extended numbers, if the type has them.
@@ -224,8 +219,8 @@ at_tangency_scaled(Formula formula, Pair<T, D, Q> pair, T const &lambda1, T cons
     TangencyUnits units;
     using At = decltype(scaled_tangency(scaled, lambda1, lambda2, units));
     using Result = decltype(formula(At{}, pair.q1, pair.q2));
-    StatusCode const status =
-        lambda2 >= T(0) && lambda2 <= T(1) ? validate(pair, scaled) : StatusCode::invalid_argument;
+    StatusCode const status = lambda2 >= T(0) && lambda2 <= T(1) ? validate_pair(pair, scaled)
+                                                                 : StatusCode::invalid_argument;
     if (status != StatusCode::success) return all_nan<Result>(status);
     if (!(largest_coordinate(pair.r12) > T(0))) return formula(At{}, pair.q1, pair.q2);
     At const at = scaled_tangency(scaled, lambda1, lambda2, units);

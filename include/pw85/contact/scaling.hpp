@@ -126,9 +126,7 @@ PW85_RARE StatusCode validate_scaled(SymmetricMatrix<T, D> const &q) noexcept
     return definite ? StatusCode::success : StatusCode::not_positive_definite;
 }
 
-#define PW85_RARE_FORM_VALIDATION(rare, T, D)                                                      \
-    rare(validate_scaled, (SymmetricMatrix<T, D> const &q), (q))
-PW85_RARE_TIER(PW85_RARE_FORM_VALIDATION)
+PW85_RARE_TIER(validate_scaled)
 
 /// The status of one form.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline StatusCode
@@ -141,7 +139,7 @@ validate(SymmetricMatrix<T, D> const &q) noexcept
 
 /// The status of a pair. If it is success, `scaled` becomes the pair in range.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline StatusCode
-validate(Pair<T, D> const &pair, ScaledPair<T, D> &scaled) noexcept
+validate_pair(Pair<T, D> const &pair, ScaledPair<T, D> &scaled) noexcept
 {
     auto const &[r12, q1, q2, ratio] = pair;
     if (!(is_finite(r12) && is_finite(q1) && is_finite(q2))) return StatusCode::invalid_argument;
@@ -153,16 +151,14 @@ validate(Pair<T, D> const &pair, ScaledPair<T, D> &scaled) noexcept
     return definite ? StatusCode::success : StatusCode::not_positive_definite;
 }
 
-#define PW85_SHARED_VALIDATION(shared, T, D)                                                       \
-    shared(validate, (Pair<T, D> const &pair, ScaledPair<T, D> &scaled), (pair, scaled))
-PW85_SHARED_BY_QUESTIONS(PW85_SHARED_VALIDATION)
+PW85_SHARED_BY_QUESTIONS(validate_pair)
 
 /// Returns whether λ is in [0, 1] and a pair is valid.
 template <class T, int D>
 PW85_FUNCTION inline bool is_valid(T const &lambda, Pair<T, D> const &pair) noexcept
 {
     ScaledPair<T, D> scaled;
-    return lambda >= T(0) && lambda <= T(1) && validate(pair, scaled) == StatusCode::success;
+    return lambda >= T(0) && lambda <= T(1) && validate_pair(pair, scaled) == StatusCode::success;
 }
 
 /// Returns whether a pair is valid and in range and has r12 != 0, tested with products only. The

@@ -57,7 +57,7 @@ maximize_in(Pair<T, D> const &pair, T const &t, int evaluations) noexcept
     Pair<Wide, D> const wide = widened<Wide>(pair);
     Candidate<Wide> candidate{start_from(wide, Wide(t)), Wide(1), Wide(0)};
     bool const found = search(wide, candidate, Precision::working, evaluations);
-    auto const last = last_evaluation(wide, candidate, Precision::working);
+    auto const last = last_factorized_evaluation(wide, candidate, Precision::working);
     auto const &value = last.value;
     return {rounded(value.mu2), rounded(value.lambda),   rounded(value.complement),
             evaluations + 1,    found && last.certified, false};
@@ -81,15 +81,16 @@ PW85_RARE Maximum<T> maximize_wider(Pair<T, D> const &pair, T const &t, int eval
 /// Finds the maximum of f by methods 2 to 4, starting at the candidate of the search on the
 /// rational form, which made `evaluations` evaluations.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Maximum<T>
-maximize_factorized(Pair<T, D> const &pair, Candidate<T> candidate, int evaluations) noexcept
+maximize_factorized(Pair<T, D> const &pair, Candidate<T> const &start, int evaluations) noexcept
 {
-    candidate.t = start_from(pair, candidate.t);
+    Candidate<T> candidate = start;
+    candidate.t = start_from(pair, start.t);
     bool const found = search(pair, candidate, Precision::working, evaluations);
-    auto const last = last_evaluation(pair, candidate, Precision::working);
+    auto const last = last_factorized_evaluation(pair, candidate, Precision::working);
     ++evaluations;
     if (found && last.certified) return to_maximum(last, evaluations, true);
     bool const found_again = search(pair, candidate, Precision::refined, evaluations);
-    auto const refined = last_evaluation(pair, candidate, Precision::refined);
+    auto const refined = last_factorized_evaluation(pair, candidate, Precision::refined);
     ++evaluations;
     if constexpr (has_extended_numbers<T>)
         if (!found_again || !refined.certified)
@@ -150,23 +151,13 @@ template <class T, int D>
     return maximize_factorized(pair, candidate, evaluations);
 }
 
-#define PW85_RARE_SOLVER(rare, T, D)                                                               \
-    rare(maximize_wider, (Pair<T, D> const &pair, T const &t, int n), (pair, t, n))
-PW85_RARE_TIER(PW85_RARE_SOLVER)
+PW85_RARE_TIER(maximize_wider)
 
-#define PW85_RARE_SEARCH(rare, T, D)                                                               \
-    rare(search,                                                                                   \
-         (Pair<exact::Extended<T>, D> const &pair, Candidate<exact::Extended<T>> &candidate,       \
-          Precision precision, int &evaluations),                                                  \
-         (pair, candidate, precision, evaluations))
-PW85_RARE_TIER(PW85_RARE_SEARCH)
+PW85_RARE_TIER_OF(search_in_steps, exact::Extended<double>, 2)
+PW85_RARE_TIER_OF(search_in_steps, exact::Extended<double>, 3)
 
-#define PW85_SHARED_SOLVER(shared, T, D)                                                           \
-    shared(maximize, (Pair<T, D> const &pair), (pair))                                             \
-        shared(maximize_factorized,                                                                \
-               (Pair<T, D> const &pair, Candidate<T> const &candidate, int evaluations),           \
-               (pair, candidate, evaluations))
-PW85_SHARED_BY_QUESTIONS(PW85_SHARED_SOLVER)
+PW85_SHARED_BY_QUESTIONS(maximize)
+PW85_SHARED_BY_QUESTIONS(maximize_factorized)
 
 } // namespace pw85::detail
 

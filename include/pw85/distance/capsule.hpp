@@ -222,8 +222,8 @@ find_with_digits(Capsule<T> const &capsule, SymmetricMatrix<T, 3> const &q) noex
     return {rounded(found.mu2), rounded(found.point), {}, found.certified};
 }
 
-template <class T> PW85_RARE Nearest<T, false> find_finer(Capsule<T> const &capsule,
-                                                          SymmetricMatrix<T, 3> const &q) noexcept
+template <class T> PW85_RARE Nearest<T, false>
+find_capsule_finer(Capsule<T> const &capsule, SymmetricMatrix<T, 3> const &q) noexcept
 {
     return find_with_digits<Finer<T>>(capsule, q);
 }
@@ -273,13 +273,9 @@ template <class T> PW85_RARE bool overlaps_with_more_digits(Capsule<T> const &ca
     return decision == Decision::overlap;
 }
 
-#define PW85_RARE_CAPSULE(rare, T)                                                                 \
-    rare(find_finer, (Capsule<T> const &capsule, SymmetricMatrix<T, 3> const &q), (capsule, q))    \
-        rare(find_with_all_digits, (Capsule<T> const &capsule, SymmetricMatrix<T, 3> const &q),    \
-             (capsule, q))                                                                         \
-            rare(overlaps_with_more_digits,                                                        \
-                 (Capsule<T> const &capsule, SymmetricMatrix<T, 3> const &q), (capsule, q))
-PW85_RARE_TIER_IN_SPACE(PW85_RARE_CAPSULE)
+PW85_RARE_TIER_OF(find_capsule_finer, double)
+PW85_RARE_TIER_OF(find_with_all_digits, double)
+PW85_RARE_TIER_OF(overlaps_with_more_digits, double)
 
 /// contact_capsule() in units in which the capsule and the form are of order one, or by more
 /// digits.
@@ -294,7 +290,7 @@ contact_scaled(Capsule<T> const &capsule, SymmetricMatrix<T, 3> const &q) noexce
     auto const scaled = capsule.in_unit(length);
     auto const form = size.to_local(q);
     auto found = scaled.template nearest<false>(form);
-    if (!found.certified) found = find_finer(scaled, form);
+    if (!found.certified) found = find_capsule_finer(scaled, form);
     if (!found.certified) {
         auto const all = find_with_all_digits(capsule, q);
         return {all.mu2, all.point, StatusCode::success};

@@ -98,6 +98,39 @@ fill_entries(MinimumProof<T, D> &proof, DepthSearch<T, D> const &search, T const
     by_y.entries[D][D] = a2 - negative_power_of_two<T>(9) * a2;
 }
 
+/// The system of the tangents, H_tt m = x, with σ subtracted from the diagonal of H_tt = LLᵀ, and
+/// L⁻¹x for the columns x next to the tangents.
+template <class T, int D> struct TangentSystem {
+    LowerTriangle<T, D> factor;
+    T hessian[std::size_t(D - 1)];                        ///< L⁻¹ H_tz
+    T by_c[std::size_t(D - 1)], by_y[std::size_t(D - 1)]; ///< L⁻¹ times the columns of K1 and K2
+};
+
+/// Solves the system of the tangents at c0. Returns false if it is not positive definite.
+template <class T, int D>
+PW85_FUNCTION inline bool solve_tangents(MinimumProof<T, D> const &proof, T const &sigma,
+                                         TangentSystem<T, D> &system) noexcept
+{
+    auto const &[fixed, by_c, by_y] = proof.entries;
+    T const c = proof.ratio, y = T(1) / c;
+    auto &[h, z, p, q] = system;
+    for (int i = 0; i < D - 1; ++i) {
+        for (int j = 0; j <= i; ++j)
+            h.entries[i][j] = fixed.entries[i][j] + c * by_c.entries[i][j] + y * by_y.entries[i][j];
+        h.entries[i][i] = h.entries[i][i] - sigma;
+        z[i] = fixed.entries[D - 1][i] + c * by_c.entries[D - 1][i] + y * by_y.entries[D - 1][i];
+        p[i] = by_c.entries[D - 1][i];
+        q[i] = by_y.entries[D - 1][i];
+        h.entries[D - 1][i] = T(0);
+    }
+    h.entries[D - 1][D - 1] = largest_number<T>();
+    if (!factorize_in_place(h)) return false;
+    solve_forward(h, z);
+    solve_forward(h, p);
+    solve_forward(h, q);
+    return true;
+}
+
 /// Subtracts σ from the diagonal of K. σ1 and σ2 are such that K is definite next to c0 at every
 /// strict minimum: k_z = m·k_t, where m solves H_tt m = H_tz.
 template <class T, int D>
@@ -107,22 +140,10 @@ PW85_FUNCTION inline bool subtract_sigma(MinimumProof<T, D> &proof, T const &sig
 {
     auto &[fixed, by_c, by_y] = proof.entries;
     T const c = proof.ratio, y = T(1) / c;
-    LowerTriangle<T, D> h{};
-    T z[std::size_t(D - 1)], p[std::size_t(D - 1)], q[std::size_t(D - 1)], product_p = T(0),
-                                                                           product_q = T(0);
-    for (int i = 0; i < D - 1; ++i) {
-        for (int j = 0; j <= i; ++j)
-            h.entries[i][j] = fixed.entries[i][j] + c * by_c.entries[i][j] + y * by_y.entries[i][j];
-        h.entries[i][i] = h.entries[i][i] - sigma;
-        z[i] = fixed.entries[D - 1][i] + c * by_c.entries[D - 1][i] + y * by_y.entries[D - 1][i];
-        p[i] = by_c.entries[D - 1][i];
-        q[i] = by_y.entries[D - 1][i];
-    }
-    h.entries[D - 1][D - 1] = largest_number<T>();
-    if (!factorize_in_place(h)) return false;
-    solve_forward(h, z);
-    solve_forward(h, p);
-    solve_forward(h, q);
+    TangentSystem<T, D> system;
+    if (!solve_tangents(proof, sigma, system)) return false;
+    auto const &[factor, z, p, q] = system;
+    T product_p = T(0), product_q = T(0);
     for (int i = 0; i < D - 1; ++i) {
         product_p = product_p + z[i] * p[i];
         product_q = product_q + z[i] * q[i];

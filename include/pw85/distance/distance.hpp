@@ -343,10 +343,7 @@ PW85_FUNCTION inline Distance<T, D> no_distance(StatusCode status) noexcept
     return result;
 }
 
-#define PW85_RARE_DISTANCE(rare, T, D)                                                             \
-    rare(refined_distance, (DistancePair<T, D> const &pair, FoundSlab<T, D> const &found),         \
-         (pair, found))
-PW85_RARE_TIER(PW85_RARE_DISTANCE)
+PW85_RARE_TIER(refined_distance)
 
 } // namespace pw85::detail
 

@@ -146,10 +146,7 @@ distance_derivatives_apart(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const 
                      units);
 }
 
-#define PW85_RARE_DISTANCE_DERIVATIVES(rare, T)                                                    \
-    rare(refined_derivatives, (DistancePair<T, 3> const &pair, FoundSlab<T, 3> const &found),      \
-         (pair, found))
-PW85_RARE_TIER_IN_SPACE(PW85_RARE_DISTANCE_DERIVATIVES)
+PW85_RARE_TIER_OF(refined_derivatives, double)
 
 } // namespace pw85::detail
 

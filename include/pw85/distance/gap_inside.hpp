@@ -88,12 +88,7 @@ PW85_RARE GapInside<T, D> gap_contained(Vector<T, D> const &r12, SymmetricMatrix
     return gap_along(r12, q1, q2, axes, proof.best.m);
 }
 
-#define PW85_RARE_GAP(rare, T, D)                                                                  \
-    rare(gap_contained,                                                                            \
-         (Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,                                \
-          SymmetricMatrix<T, D> const &q2),                                                        \
-         (r12, q1, q2))
-PW85_RARE_TIER(PW85_RARE_GAP)
+PW85_RARE_TIER(gap_contained)
 
 } // namespace pw85::detail
 

@@ -80,10 +80,7 @@ gap_curvatures_finer(CurvedWall<T> const &wall, SymmetricMatrix<T, 3> const &sca
     return gap_curvatures_with<Finer<T>>(wall, scaled, accurate);
 }
 
-#define PW85_RARE_GAP_CURVATURES(rare, T)                                                          \
-    rare(gap_curvatures_finer, (CurvedWall<T> const &wall, SymmetricMatrix<T, 3> const &scaled),   \
-         (wall, scaled))
-PW85_RARE_TIER_IN_SPACE(PW85_RARE_GAP_CURVATURES)
+PW85_RARE_TIER_OF(gap_curvatures_finer, double)
 
 } // namespace pw85::detail
 

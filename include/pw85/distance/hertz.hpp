@@ -230,10 +230,7 @@ template <class T> PW85_RARE HertzContact<T> hertz_facing_finer(DistancePair<T, 
     return hertz_facing<Finer<T>>(pair, normal, accurate);
 }
 
-#define PW85_RARE_HERTZ(rare, T)                                                                   \
-    rare(hertz_facing_finer, (DistancePair<T, 3> const &pair, Vector<T, 3> const &normal),         \
-         (pair, normal))
-PW85_RARE_TIER_IN_SPACE(PW85_RARE_HERTZ)
+PW85_RARE_TIER_OF(hertz_facing_finer, double)
 
 } // namespace pw85::detail
 

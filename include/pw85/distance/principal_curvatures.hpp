@@ -149,10 +149,7 @@ curvature_finer(Vector<T, 3> const &normal, SymmetricMatrix<T, 3> const &scaled)
     return curvature_with<Finer<T>>(normal, scaled, accurate);
 }
 
-#define PW85_RARE_CURVATURE(rare, T)                                                               \
-    rare(curvature_finer, (Vector<T, 3> const &normal, SymmetricMatrix<T, 3> const &scaled),       \
-         (normal, scaled))
-PW85_RARE_TIER_IN_SPACE(PW85_RARE_CURVATURE)
+PW85_RARE_TIER_OF(curvature_finer, double)
 
 } // namespace pw85::detail
 

@@ -148,7 +148,7 @@ PW85_FUNCTION inline Contact<T> contact_by(Solver solver, Vector<T, 3> const &r1
 {
     auto const pair = pair_of(r12, q1, q2);
     ScaledPair<T, 3> scaled;
-    StatusCode const status = validate(pair, scaled);
+    StatusCode const status = validate_pair(pair, scaled);
     if (status != StatusCode::success) return all_nan<Contact<T>>(status);
     if (largest_coordinate(r12) == T(0)) return {T(0), T(0.5), StatusCode::success};
     scaled = scale_alike(pair);

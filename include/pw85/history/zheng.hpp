@@ -307,7 +307,7 @@ PW85_FUNCTION inline ClosestApproach<T> checked_distance(Vector<T, D> direction,
     if (!is_finite(direction) || !(largest_coordinate(direction) > T(0)))
         return all_nan<ClosestApproach<T>>(StatusCode::invalid_argument);
     ScaledPair<T, D> scaled;
-    StatusCode const status = validate(pair_of(direction, q1, q2), scaled);
+    StatusCode const status = validate_pair(pair_of(direction, q1, q2), scaled);
     if (status != StatusCode::success) return all_nan<ClosestApproach<T>>(status);
     return {scaled.units.first.to_caller(distance(problem(scaled.pair))), StatusCode::success};
 }

@@ -256,9 +256,7 @@ advance_until_spheres_meet(MovingEllipsoids<T, D> &moving) noexcept
     return in_range && known && time < infinity<T>() ? time : quiet_nan<T>();
 }
 
-#define PW85_SHARED_APPROACH(shared, T)                                                            \
-    shared(advance_until_spheres_meet, (MovingEllipsoids<T, 3> & moving), (moving))
-PW85_SHARED_BY_QUESTIONS_IN_SPACE(PW85_SHARED_APPROACH)
+PW85_SHARED_BY_QUESTIONS_OF(advance_until_spheres_meet, double, 3)
 
 } // namespace pw85::detail
 

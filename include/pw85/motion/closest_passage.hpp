@@ -122,7 +122,7 @@ PW85_FUNCTION inline StationaryValue<T> largest_f(Pair<T, D> const &pair) noexce
     Candidate<T> candidate{initial_guess(pair), T(1), T(0)};
     int evaluations = 0;
     search(pair, candidate, Precision::working, evaluations);
-    return last_evaluation(pair, candidate, Precision::working).value;
+    return last_factorized_evaluation(pair, candidate, Precision::working).value;
 }
 
 /// closest_passage() by wider numbers: on the whole line by the projections, or at an end of the
@@ -145,9 +145,7 @@ PW85_RARE ClosestPassage<T> find_closest_passage_wider(StraightPath<T> const &pa
     return {rounded(mu2), rounded(t), StatusCode::success};
 }
 
-#define PW85_RARE_PASSAGE(rare, T)                                                                 \
-    rare(find_closest_passage_wider, (StraightPath<T> const &path), (path))
-PW85_RARE_TIER_IN_SPACE(PW85_RARE_PASSAGE)
+PW85_RARE_TIER_OF(find_closest_passage_wider, double)
 
 /// μ² at one time, and the time that follows from its λ.
 template <class T> struct PassageStep {
@@ -251,7 +249,7 @@ closest_passage(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
     bool const valid = is_finite(velocity) && t_max >= T(0);
     StatusCode const status = !valid                     ? StatusCode::invalid_argument
                               : passes_fast_checks(pair) ? StatusCode::success
-                                                         : validate(pair, scaled);
+                                                         : validate_pair(pair, scaled);
     if (status != StatusCode::success) return all_nan<ClosestPassage<T>>(status);
     if (largest_coordinate(r12) == T(0)) return {T(0), T(0), StatusCode::success};
     if (largest_coordinate(velocity) > T(0)) return pass_scaled(scaled, velocity, t_max);

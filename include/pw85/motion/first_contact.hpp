@@ -150,7 +150,7 @@ first_contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
     auto const pair = pair_of(r12, q1, q2);
     ScaledPair<T, D> scaled{pair, {}};
     if (!passes_fast_checks(pair)) {
-        StatusCode const status = validate(pair, scaled);
+        StatusCode const status = validate_pair(pair, scaled);
         if (status != StatusCode::success) return all_nan<FirstContact<T>>(status);
     }
     if (largest_coordinate(r12) == T(0)) return {T(0), StatusCode::success};

@@ -128,14 +128,8 @@ plane_from_afar(Pair<T, D> const &pair, Vector<T, D> const &velocity, T const &e
     return plane;
 }
 
-#define PW85_SHARED_PLANE(shared, T)                                                               \
-    shared(plane_of_translation,                                                                   \
-           (ScaledPair<T, 3> const &scaled, Vector<T, 3> const &velocity, T const &end),           \
-           (scaled, velocity, end))                                                                \
-        shared(plane_from_afar,                                                                    \
-               (Pair<T, 3> const &pair, Vector<T, 3> const &velocity, T const &end),               \
-               (pair, velocity, end))
-PW85_SHARED_BY_QUESTIONS_IN_SPACE(PW85_SHARED_PLANE)
+PW85_SHARED_BY_QUESTIONS_OF(plane_of_translation, double, 3)
+PW85_SHARED_BY_QUESTIONS_OF(plane_from_afar, double, 3)
 
 /// A longer free path by normals before a grazing contact, if there are any.
 ///
@@ -204,7 +198,7 @@ PW85_FUNCTION inline FreePath<T> free_path(Vector<T, D> const &r12, SymmetricMat
     auto const pair = pair_of(r12, q1, q2);
     ScaledPair<T, D> scaled{pair, {}};
     StatusCode const status =
-        passes_fast_checks(pair) ? StatusCode::success : validate(pair, scaled);
+        passes_fast_checks(pair) ? StatusCode::success : validate_pair(pair, scaled);
     if (status != StatusCode::success) return all_nan<FreePath<T>>(status);
     if (largest_coordinate(r12) == T(0)) return {T(0), StatusCode::success};
     return free_path_of(scaled, pair, -direction, end);

@@ -39,9 +39,7 @@ decide_by_certified_value(Pair<T, D> const &pair, T const &tangent) noexcept
     return to_decision(m.mu2 - error > tangent, m.mu2 + error < tangent);
 }
 
-#define PW85_SHARED_CERTIFIED_VALUE(shared, T, D)                                                  \
-    shared(decide_by_certified_value, (Pair<T, D> const &pair, T const &tangent), (pair, tangent))
-PW85_SHARED_BY_QUESTIONS(PW85_SHARED_CERTIFIED_VALUE)
+PW85_SHARED_BY_QUESTIONS(decide_by_certified_value)
 
 } // namespace pw85::detail
 

@@ -117,7 +117,7 @@ PW85_FUNCTION inline Comparison compare(Vector<T, D> const &r12, SymmetricMatrix
     if (first != Decision::none) return {to_sign(first), StatusCode::success};
     ScaledPair<T, D> scaled;
     StatusCode const status =
-        m >= T(0) ? validate(pair_of(r12, q1, q2), scaled) : StatusCode::invalid_argument;
+        m >= T(0) ? validate_pair(pair_of(r12, q1, q2), scaled) : StatusCode::invalid_argument;
     if (status != StatusCode::success) return {2, status};
     bool const concentric = largest_coordinate(r12) == T(0), positive = m > T(0);
     if (concentric || !positive) return {(concentric ? 0 : 1) - (positive ? 1 : 0), status};

@@ -277,7 +277,7 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline RoundedContact<
 round_contact_scaled(Pair<T, D> pair) noexcept
 {
     ScaledPair<T, D> scaled;
-    StatusCode const status = validate(pair, scaled);
+    StatusCode const status = validate_pair(pair, scaled);
     if (status != StatusCode::success) return {all_nan<Contact<T>>(status), 0, 0};
     if (largest_coordinate(pair.r12) == T(0)) return {{T(0), T(0.5), StatusCode::success}, 0, 0};
     return round_contact(pair, scaled);
@@ -291,11 +291,7 @@ PW85_FUNCTION inline RoundedContact<T> round_contact(Pair<T, D> const &pair) noe
                                     : round_contact_scaled(pair);
 }
 
-#define PW85_RARE_ROUNDED(rare, T, D)                                                              \
-    rare(round_by_doubled_numbers,                                                                 \
-         (Pair<T, D> const &pair, ScaledPair<T, D> const &scaled, MaximumBounds<T> const &bounds), \
-         (pair, scaled, bounds))
-PW85_RARE_TIER(PW85_RARE_ROUNDED)
+PW85_RARE_TIER_OF(round_by_doubled_numbers, double, 3)
 
 } // namespace pw85::detail
 

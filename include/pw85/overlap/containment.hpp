@@ -248,7 +248,7 @@ validate_apart(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                SymmetricMatrix<T, D> const &q2) noexcept
 {
     ScaledPair<T, D> scaled;
-    return validate(pair_of(r12, q1, q2), scaled);
+    return validate_pair(pair_of(r12, q1, q2), scaled);
 }
 
 } // namespace pw85::detail
@@ -286,12 +286,7 @@ call_contains(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
     return contains(r12, q1, q2);
 }
 
-#define PW85_SHARED_CONTAINMENT(shared, T, D)                                                      \
-    shared(call_contains,                                                                          \
-           (Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,                              \
-            SymmetricMatrix<T, D> const &q2),                                                      \
-           (r12, q1, q2))
-PW85_SHARED_BY_QUESTIONS(PW85_SHARED_CONTAINMENT)
+PW85_SHARED_BY_QUESTIONS(call_contains)
 
 } // namespace pw85::detail
 

@@ -185,8 +185,7 @@ PW85_RARE DualMinimum<T, D> minimize_dual_wider(Pair<T, D> const &pair) noexcept
     return finer.converged ? finer : minimize_dual_with(pair, exact::Extended<T>(u));
 }
 
-#define PW85_RARE_DUAL(rare, T, D) rare(minimize_dual_wider, (Pair<T, D> const &pair), (pair))
-PW85_RARE_TIER(PW85_RARE_DUAL)
+PW85_RARE_TIER(minimize_dual_wider)
 
 /// Searches with T, then with wider numbers if T has them.
 template <class T, int D>

@@ -86,15 +86,8 @@ compare_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
     return sign_of_difference(to_numbers(r12, q1, q2, m), memory);
 }
 
-#define PW85_RARE_EXACT(rare, T, D)                                                                \
-    rare(decide_exactly,                                                                           \
-         (Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,                                \
-          SymmetricMatrix<T, D> const &q2),                                                        \
-         (r12, q1, q2)) rare(compare_exactly,                                                      \
-                             (Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,            \
-                              SymmetricMatrix<T, D> const &q2, exact::BinaryFraction<T> const &m), \
-                             (r12, q1, q2, m))
-PW85_RARE_TIER(PW85_RARE_EXACT)
+PW85_RARE_TIER(decide_exactly)
+PW85_RARE_TIER_OF(compare_exactly, double, 3)
 
 template <class T, int D>
 requires exact::is_decidable<T> PW85_FUNCTION inline int

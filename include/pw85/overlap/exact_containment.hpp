@@ -256,12 +256,7 @@ contains_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
            has_root_for_inside(numbers, sizes, memory);
 }
 
-#define PW85_RARE_EXACT_CONTAINMENT(rare, T, D)                                                    \
-    rare(contains_exactly,                                                                         \
-         (Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,                                \
-          SymmetricMatrix<T, D> const &q2),                                                        \
-         (r12, q1, q2))
-PW85_RARE_TIER(PW85_RARE_EXACT_CONTAINMENT)
+PW85_RARE_TIER(contains_exactly)
 
 } // namespace pw85::detail
 

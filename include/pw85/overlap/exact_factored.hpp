@@ -131,9 +131,9 @@ make_quartic(ExactColumns<T, D> const &columns, Limb *memory, Limb *scratch) noe
 /// regular, and r12 not zero. The result is Decision::none only if there is no memory for the
 /// digits (max_bits_of_columns). It uses a fixed array on the stack, of 11.6 KiB.
 template <class T, int D>
-requires exact::is_decidable<T> PW85_RARE Decision decide_exactly(Vector<T, D> const &r12,
-                                                                  Factor<T, D> const &s1,
-                                                                  Factor<T, D> const &s2)
+requires exact::is_decidable<T> PW85_RARE Decision decide_factored_exactly(Vector<T, D> const &r12,
+                                                                           Factor<T, D> const &s1,
+                                                                           Factor<T, D> const &s2)
 noexcept
 {
     using namespace exact;
@@ -149,10 +149,7 @@ noexcept
     return to_decision(!overlap, overlap);
 }
 
-#define PW85_RARE_EXACT_FACTORED(rare, T, D)                                                       \
-    rare(decide_exactly,                                                                           \
-         (Vector<T, D> const &r12, Factor<T, D> const &s1, Factor<T, D> const &s2), (r12, s1, s2))
-PW85_RARE_TIER(PW85_RARE_EXACT_FACTORED)
+PW85_RARE_TIER_OF(decide_factored_exactly, double, 3)
 
 } // namespace pw85::detail
 

@@ -76,7 +76,7 @@ template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline OverlapDecision decide_near_contact(Pair<T, D> pair) noexcept
 {
     ScaledPair<T, D> scaled;
-    StatusCode const status = validate(pair, scaled);
+    StatusCode const status = validate_pair(pair, scaled);
     if (status != StatusCode::success) return {Decision::none, OverlapTier::contact, status};
     if (largest_coordinate(pair.r12) == T(0))
         return {Decision::overlap, OverlapTier::contact, StatusCode::success};
@@ -144,12 +144,7 @@ call_overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
     return overlap(r12, q1, q2);
 }
 
-#define PW85_SHARED_OVERLAP(shared, T, D)                                                          \
-    shared(call_overlap,                                                                           \
-           (Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,                              \
-            SymmetricMatrix<T, D> const &q2),                                                      \
-           (r12, q1, q2))
-PW85_SHARED_BY_QUESTIONS(PW85_SHARED_OVERLAP)
+PW85_SHARED_BY_QUESTIONS(call_overlap)
 
 } // namespace pw85::detail
 

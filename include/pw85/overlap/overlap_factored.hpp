@@ -155,7 +155,7 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline OverlapDecision
 decide_near_contact(FactoredPair<T, D> const &pair) noexcept
 {
     ScaledPair<T, D, Factor<T, D>> scaled;
-    StatusCode const status = validate(pair, scaled);
+    StatusCode const status = validate_pair(pair, scaled);
     if (status != StatusCode::success) return {Decision::none, OverlapTier::contact, status};
     T const r = largest_coordinate(pair.r12),
             size = maximum(largest_entry(pair.q1), largest_entry(pair.q2));
@@ -176,7 +176,7 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Overlap
 overlap_exactly(Vector<T, D> const &r12, Factor<T, D> const &s1, Factor<T, D> const &s2) noexcept
 {
     if constexpr (exact::is_decidable<T>) {
-        Decision const decision = decide_exactly(r12, s1, s2);
+        Decision const decision = decide_factored_exactly(r12, s1, s2);
         return {decision == Decision::overlap, OverlapTier::exact,
                 decision != Decision::none ? StatusCode::success : StatusCode::no_convergence};
     } else {

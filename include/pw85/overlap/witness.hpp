@@ -137,13 +137,8 @@ PW85_RARE Decision decide_by_extended(Vector<T, D> const &r12, SymmetricMatrix<T
     return to_decision(f > W(1) + margin, f < W(1) - margin);
 }
 
-#define PW85_RARE_WITNESS(rare, T, D)                                                              \
-    rare(maximize_precisely, (ScaledPair<T, D> const &scaled, Vector<T, D> const &r12),            \
-         (scaled, r12)) rare(decide_by_extended,                                                   \
-                             (Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,            \
-                              SymmetricMatrix<T, D> const &q2, T const &lambda),                   \
-                             (r12, q1, q2, lambda))
-PW85_RARE_TIER(PW85_RARE_WITNESS)
+PW85_RARE_TIER_OF(maximize_precisely, double, 3)
+PW85_RARE_TIER_OF(decide_by_extended, double, 3)
 
 /// Returns whether f(λ) > 1. Extended numbers decide all pairs whose bounding boxes are apart by a
 /// factor of two. Integers decide the rest.
@@ -289,7 +284,7 @@ template <class T, int D> PW85_FUNCTION inline void prove(OverlapWitness<T, D> &
     if (!witness.overlap) witness.direction = geometry.normal;
     if constexpr (exact::is_decidable<T>) {
         ScaledPair<T, D> scaled{};
-        validate(pair_of(r12, q1, q2), scaled);
+        validate_pair(pair_of(r12, q1, q2), scaled);
         if (witness.overlap)
             witness.point = find_point(r12, q1, q2, geometry.point, scaled);
         else

@@ -469,16 +469,8 @@ noexcept
     return contact;
 }
 
-#define PW85_RARE_EXACT_POLYTOPE(rare, T)                                                          \
-    rare(polytope_overlaps_exactly,                                                                \
-         (std::size_t n, T const *normals, T const *offsets, SymmetricMatrix<T, 3> const &q,       \
-          Vector<T, 3> const &center),                                                             \
-         (n, normals, offsets, q, center))                                                         \
-        rare(contact_polytope_exactly,                                                             \
-             (std::size_t n, T const *normals, T const *offsets, SymmetricMatrix<T, 3> const &q,   \
-              Vector<T, 3> const &center),                                                         \
-             (n, normals, offsets, q, center))
-PW85_RARE_TIER_IN_SPACE(PW85_RARE_EXACT_POLYTOPE)
+PW85_RARE_TIER_OF(polytope_overlaps_exactly, double)
+PW85_RARE_TIER_OF(contact_polytope_exactly, double)
 
 } // namespace pw85::detail
 

@@ -377,34 +377,24 @@ PW85_FUNCTION inline Corner<T> corner_of_box(ShapeNumbers<T, 2> const &numbers, 
 
 } // namespace exact
 
-/// Returns whether a set overlaps the ellipsoid, for the numbers exactly as given. The functions
-/// use a fixed array on the stack: 10 KiB for double.
-template <class T>
+/// Returns whether a segment or a triangle, or a box below, overlaps the ellipsoid, for the numbers
+/// exactly as given. The functions use a fixed array on the stack: 10 KiB for double.
+template <class T, std::size_t N>
 requires exact::is_decidable<T> PW85_RARE bool
-overlaps_exactly(Vector<T, 3> const (&ends)[2], SymmetricMatrix<T, 3> const &q) noexcept
+overlaps_exactly(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q) noexcept
 {
     using namespace exact;
+    static_assert(N == 2 || N == 3);
     Limb memory[limbs_for_shapes<T>()];
     Workspace space{memory};
-    auto const numbers = to_shape_numbers(ends, q);
+    auto const numbers = to_shape_numbers(points, q);
     auto const form = integers_of_form(space, numbers);
-    return segment_overlaps(space, numbers, form, numbers.corners[0], numbers.corners[1]);
-}
-
-template <class T>
-requires exact::is_decidable<T> PW85_RARE bool
-overlaps_exactly(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> const &q) noexcept
-{
-    using namespace exact;
-    Limb memory[limbs_for_shapes<T>()];
-    Workspace space{memory};
-    auto const numbers = to_shape_numbers(vertices, q);
-    auto const form = integers_of_form(space, numbers);
-    for (int k = 0; k < 3; ++k)
+    for (std::size_t k = 0; k < (N == 2 ? 1 : N); ++k)
         if (segment_overlaps(space, numbers, form, numbers.corners[k],
-                             numbers.corners[(k + 1) % 3]))
+                             numbers.corners[(k + 1) % N]))
             return true;
-    return plane_overlaps(space, numbers, form);
+    if constexpr (N == 3) return plane_overlaps(space, numbers, form);
+    return false;
 }
 
 template <class T>
@@ -430,15 +420,9 @@ box_overlaps_exactly(Vector<T, 3> const &lower, Vector<T, 3> const &upper,
     return false;
 }
 
-#define PW85_RARE_EXACT_SHAPES(rare, T)                                                            \
-    rare(overlaps_exactly, (Vector<T, 3> const(&ends)[2], SymmetricMatrix<T, 3> const &q),         \
-         (ends, q))                                                                                \
-        rare(overlaps_exactly, (Vector<T, 3> const(&vertices)[3], SymmetricMatrix<T, 3> const &q), \
-             (vertices, q)) rare(box_overlaps_exactly,                                             \
-                                 (Vector<T, 3> const &lower, Vector<T, 3> const &upper,            \
-                                  SymmetricMatrix<T, 3> const &q),                                 \
-                                 (lower, upper, q))
-PW85_RARE_TIER_IN_SPACE(PW85_RARE_EXACT_SHAPES)
+PW85_RARE_TIER_OF(overlaps_exactly, double, 2)
+PW85_RARE_TIER_OF(overlaps_exactly, double, 3)
+PW85_RARE_TIER_OF(box_overlaps_exactly, double)
 
 } // namespace pw85::detail
 

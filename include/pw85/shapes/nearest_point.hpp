@@ -265,14 +265,6 @@ PW85_RARE ShapeContact<T, 3> contact_with_all_digits(Vector<T, 3> const (&points
 }
 
 /// Finds the nearest point of a set of N points by the tiers above.
-#define PW85_RARE_SHAPE(rare, T, N, Find)                                                          \
-    rare(find_finer,                                                                               \
-         (Vector<T, 3> const(&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find),       \
-         (points, q, find))                                                                        \
-        rare(contact_with_all_digits,                                                              \
-             (Vector<T, 3> const(&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find),   \
-             (points, q, find))
-
 /// A contact in the units of the caller, from that in units of the shape and of the ellipsoid.
 template <class T> PW85_FUNCTION inline ShapeContact<T, 3>
 to_caller(T const &mu2, Vector<T, 3> const &point, Unit shape, Unit ellipsoid) noexcept

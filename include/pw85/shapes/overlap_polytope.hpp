@@ -101,10 +101,10 @@ PW85_FUNCTION inline bool shows_overlap(Polytope<T> const &polytope, Vector<T, 3
 /// The decision by floating-point numbers, in the unit in which the largest diagonal entry of the
 /// form is in [1, 4).
 template <class T>
-[[gnu::noinline]] PW85_FUNCTION inline Decision decide_polytope(Polytope<T> polytope) noexcept
+[[gnu::noinline]] PW85_FUNCTION inline Decision decide_polytope(Polytope<T> const &given) noexcept
 {
-    Unit const unit = unit_of(polytope.q);
-    polytope = scaled(polytope, unit, unit);
+    Unit const unit = unit_of(given.q);
+    auto const polytope = scaled(given, unit, unit);
     auto const outside = search_polytope(polytope, T(1));
     if (outside.at.mu2 >= T(1))
         return shows_apart(polytope.q, outside.at) ? Decision::apart : Decision::none;
@@ -115,9 +115,7 @@ template <class T>
     return shows_overlap(polytope, inside.at.point) ? Decision::overlap : Decision::none;
 }
 
-#define PW85_SHARED_POLYTOPE_DECISION(shared, T)                                                   \
-    shared(decide_polytope, (Polytope<T> const &polytope), (polytope))
-PW85_SHARED_BY_QUESTIONS_IN_SPACE(PW85_SHARED_POLYTOPE_DECISION)
+PW85_SHARED_BY_QUESTIONS_OF(decide_polytope, double)
 
 } // namespace pw85::detail
 

@@ -330,10 +330,8 @@ PW85_FUNCTION inline Polytope<T> scaled(Polytope<T> polytope, Unit length, Unit 
     return polytope;
 }
 
-#define PW85_SHARED_POLYTOPE(shared, T)                                                            \
-    shared(search_polytope, (Polytope<T> const &polytope, T const &limit), (polytope, limit))      \
-        shared(check_planes, (Polytope<T> const &polytope), (polytope))
-PW85_SHARED_BY_QUESTIONS_IN_SPACE(PW85_SHARED_POLYTOPE)
+PW85_SHARED_BY_QUESTIONS_OF(search_polytope, double)
+PW85_SHARED_BY_QUESTIONS_OF(check_planes, double)
 
 } // namespace pw85::detail
 

@@ -60,8 +60,8 @@ template <bool with_normal = false, bool refined = true> struct FindOnSegment {
     }
 };
 
-#define PW85_RARE_SEGMENT(rare, T) PW85_RARE_SHAPE(rare, T, 2, FindOnSegment<>)
-PW85_RARE_TIER_IN_SPACE(PW85_RARE_SEGMENT)
+PW85_RARE_TIER_OF(find_finer, double, 2, FindOnSegment<>)
+PW85_RARE_TIER_OF(contact_with_all_digits, double, 2, FindOnSegment<>)
 
 } // namespace pw85::detail
 

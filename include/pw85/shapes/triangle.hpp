@@ -206,8 +206,8 @@ template <bool with_normal = false, bool refined = true> struct FindOnTriangle {
     }
 };
 
-#define PW85_RARE_TRIANGLE(rare, T) PW85_RARE_SHAPE(rare, T, 3, FindOnTriangle<>)
-PW85_RARE_TIER_IN_SPACE(PW85_RARE_TRIANGLE)
+PW85_RARE_TIER_OF(find_finer, double, 3, FindOnTriangle<>)
+PW85_RARE_TIER_OF(contact_with_all_digits, double, 3, FindOnTriangle<>)
 
 } // namespace pw85::detail
 

@@ -152,12 +152,7 @@ PW85_RARE PartDerivatives<T, 3> part_derivatives_finely(Vector<T, 3> const &r12,
     return derivatives_in_space(rounded(frame), d);
 }
 
-#define PW85_RARE_DERIVATIVES(rare, T)                                                             \
-    rare(part_derivatives_finely,                                                                  \
-         (Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,                                \
-          SymmetricMatrix<T, 3> const &q2),                                                        \
-         (r12, q1, q2))
-PW85_RARE_TIER_IN_SPACE(PW85_RARE_DERIVATIVES)
+PW85_RARE_TIER_OF(part_derivatives_finely, double)
 
 template <class T> PW85_FUNCTION inline PartDerivatives<T, 3>
 part_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,

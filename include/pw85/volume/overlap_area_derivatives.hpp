@@ -86,9 +86,7 @@ PW85_RARE AreaDerivatives<T> area_derivatives_finely(JointFrame<T, 2> const &fra
     return {derivatives_inside(border), true};
 }
 
-#define PW85_RARE_AREA_DERIVATIVES(rare, T)                                                        \
-    rare(area_derivatives_finely, (JointFrame<T, 2> const &frame), (frame))
-PW85_RARE_TIER_IN_SPACE(PW85_RARE_AREA_DERIVATIVES)
+PW85_RARE_TIER_OF(area_derivatives_finely, double)
 
 template <class T>
 PW85_FUNCTION inline AreaDerivatives<T> area_derivatives(JointFrame<T, 2> const &frame) noexcept
@@ -100,22 +98,16 @@ PW85_FUNCTION inline AreaDerivatives<T> area_derivatives(JointFrame<T, 2> const 
 }
 
 /// The derivatives by twice the digits, from the forms.
-template <class T>
-PW85_RARE PartDerivatives<T, 2> part_derivatives_finely(Vector<T, 2> const &r12,
-                                                        SymmetricMatrix<T, 2> const &q1,
-                                                        SymmetricMatrix<T, 2> const &q2) noexcept
+template <class T> PW85_RARE PartDerivatives<T, 2>
+plane_part_derivatives_finely(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
+                              SymmetricMatrix<T, 2> const &q2) noexcept
 {
     using Fine = Finer<T>;
     auto const frame = joint_frame(converted<Fine>(r12), converted<Fine>(q1), converted<Fine>(q2));
     return derivatives_in_space(rounded(frame), derivatives_inside(plane_border(frame)));
 }
 
-#define PW85_RARE_PART_DERIVATIVES(rare, T)                                                        \
-    rare(part_derivatives_finely,                                                                  \
-         (Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,                                \
-          SymmetricMatrix<T, 2> const &q2),                                                        \
-         (r12, q1, q2))
-PW85_RARE_TIER_IN_SPACE(PW85_RARE_PART_DERIVATIVES)
+PW85_RARE_TIER_OF(plane_part_derivatives_finely, double)
 
 template <class T> PW85_FUNCTION inline PartDerivatives<T, 2>
 part_derivatives(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
@@ -124,9 +116,9 @@ part_derivatives(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
     auto const frame = joint_frame(r12, q1, q2);
     if constexpr (std::is_floating_point_v<T>) {
         if (!(frame.displacement <= largest_displacement<T, 2>()))
-            return part_derivatives_finely(r12, q1, q2);
+            return plane_part_derivatives_finely(r12, q1, q2);
         auto const d = area_derivatives(frame);
-        if (!d.clear) return part_derivatives_finely(r12, q1, q2);
+        if (!d.clear) return plane_part_derivatives_finely(r12, q1, q2);
         return derivatives_in_space(frame, d.derivatives);
     } else {
         return derivatives_in_space(frame, derivatives_inside(plane_border(frame)));

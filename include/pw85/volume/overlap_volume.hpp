@@ -167,12 +167,7 @@ template <class T, int D> PW85_RARE T measure_part_finely(Vector<T, D> const &r1
     return measure_in_space(rounded(frame), part, q1, q2);
 }
 
-#define PW85_RARE_PART(rare, T, D)                                                                 \
-    rare(measure_part_finely,                                                                      \
-         (Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,                                \
-          SymmetricMatrix<T, D> const &q2),                                                        \
-         (r12, q1, q2))
-PW85_RARE_TIER(PW85_RARE_PART)
+PW85_RARE_TIER(measure_part_finely)
 
 /// The measure of a part; NaN if there is none within the bound.
 template <class T, int D>

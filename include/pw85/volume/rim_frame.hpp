@@ -323,9 +323,7 @@ template <class T> PW85_RARE RimFrame<T, 3> rim_frame_finely(JointFrame<T, 3> co
     return rim;
 }
 
-#define PW85_RARE_RIM_FRAME(rare, T)                                                               \
-    rare(rim_frame_finely, (JointFrame<T, 3> const &frame), (frame))
-PW85_RARE_TIER_IN_SPACE(PW85_RARE_RIM_FRAME)
+PW85_RARE_TIER_OF(rim_frame_finely, double)
 
 /// Half of the length of the axis below which more digits are needed: above it, no more than three
 /// bits are lost.

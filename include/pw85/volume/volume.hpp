@@ -76,8 +76,7 @@ template <class T, int D> PW85_RARE T measure_of(SymmetricMatrix<T, D> const &q)
     return unit.to_caller(rounded(Fine(of_ball * square_root(det))), D);
 }
 
-#define PW85_RARE_MEASURE(rare, T, D) rare(measure_of, (SymmetricMatrix<T, D> const &q), (q))
-PW85_RARE_TIER(PW85_RARE_MEASURE)
+PW85_RARE_TIER(measure_of)
 
 } // namespace pw85::detail
 

@@ -152,9 +152,7 @@ def _continued(held: contextlib.ExitStack, name: str, sweeps: int | None) -> Run
 
 
 def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, *, out: str | None, trajectory: str | None,
-           precision: str, seed: int, width: float, reach: float, bins: int, volume: Any, exchange: float, equilibrate: int | None,
-           chains: int | None, chain_length: float | None, every: int | None, walls: tuple[Surrounding, ...],
-           fields: tuple[Surrounding, ...], law: Surrounding | None, **others: Any) -> Run:  # fmt: skip
+           width: float, reach: float, bins: int, **options: Any) -> Run:  # fmt: skip
     """A run from the command line, held as by _continued(). Its files can be written, and its first checkpoint is."""
     if given is None or sweeps is None or out is None:
         missing = [name for name, value in (("START", given), ("--sweeps", sweeps), ("--out", out)) if value is None]
@@ -163,51 +161,55 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
     growing = "" if trajectory is None else _growing_format(trajectory)
     for name in (path, out, trajectory, path + ".samples"):
         _refuse_existing(name)
-    _refuse_long_steps(sweeps, every, None if trajectory is None else others["trajectory_every"])
-    is_surrounded = bool(walls or fields)
-    system = _checked(given, one_frame(given, sys.stdout), is_surrounded)
-    if exchange:
+    _refuse_long_steps(sweeps, options["every"], None if trajectory is None else options["trajectory_every"])
+    system = _checked(given, one_frame(given, sys.stdout), bool(options["walls"] or options["fields"]))
+    if options["exchange"]:
         _check_exchange(given, system)
-    cell = system.cell
     if not is_bulk(system):
-        _refuse_averages_of_bulk(system, pressure=others["pressure"], reach=reach)
-    settings = Settings(
-        sweeps=sweeps,
-        equilibrate=equilibrate,
-        seed=seed,
-        change=volume,
-        every=every or 0,
-        chains=0 if is_surrounded or law else chains,
-        chain_length=chain_length,
-        trajectory=None if trajectory is None else os.path.relpath(trajectory, os.path.dirname(path) or "."),
-        trajectory_format=growing,
-        has_table=has_table,
-        exchange=exchange,
-        precision=precision,
-        edges=() if cell is None else tuple(np.linalg.norm(cell[: system.dimensions], axis=1).tolist()),
-        walls=tuple(wall.text for wall in walls),
-        fields=tuple(field.text for field in fields),
-        law=None if law is None else law.text,
-        **others,
-    )
+        _refuse_averages_of_bulk(system, pressure=options["pressure"], reach=reach)
+    settings = _settings(system, path, trajectory, sweeps=sweeps, trajectory_format=growing, has_table=has_table, **options)
     observables = Observables(width, reach, bins)
     held.enter_context(locked(path))
     _refuse_existing(path)
-    simulation = HardEllipsoids(system, seed)
-    surround(given.path, system.ids, simulation, walls, fields)
-    if law is not None:
-        set_law(given.path, simulation, law)
-    if exchange:
-        simulation.set_fractions(translation=1 - exchange, rotation=1 - exchange, exchange=2 * exchange)
+    simulation = _simulation(given.path, system, **options)
     if trajectory is not None:
-        check_storable(trajectory, growing, system, **({"precision": precision} if growing == "gsd" else {}))
-    if cell is not None:
-        system.origin = system.origin @ np.linalg.inv(cell)
+        check_storable(trajectory, growing, system, **({"precision": settings.precision} if growing == "gsd" else {}))
+    if system.cell is not None:
+        system.origin = system.origin @ np.linalg.inv(system.cell)
     run = Run(path, settings, system, simulation, observables)
     if settings.pressure is not None:
         run.check_cell()
     run.save()
     return run
+
+
+def _settings(system: System, path: str, trajectory: str | None, *, volume: Any, every: int | None, chains: int | None,
+              walls: tuple[Surrounding, ...], fields: tuple[Surrounding, ...], law: Surrounding | None,
+              **others: Any) -> Settings:  # fmt: skip
+    """The settings of a new run, from options of the command line."""
+    return Settings(
+        change=volume,
+        every=every or 0,
+        chains=0 if walls or fields or law else chains,
+        trajectory=None if trajectory is None else os.path.relpath(trajectory, os.path.dirname(path) or "."),
+        edges=() if system.cell is None else tuple(np.linalg.norm(system.cell[: system.dimensions], axis=1).tolist()),
+        walls=tuple(wall.text for wall in walls),
+        fields=tuple(field.text for field in fields),
+        law=None if law is None else law.text,
+        **others,
+    )
+
+
+def _simulation(path: str, system: System, *, seed: int, exchange: float, walls: tuple[Surrounding, ...], fields: tuple[Surrounding, ...],
+                law: Surrounding | None, **_: Any) -> HardEllipsoids:  # fmt: skip
+    """The particles of a new run, with what acts on them."""
+    simulation = HardEllipsoids(system, seed)
+    surround(path, system.ids, simulation, walls, fields)
+    if law is not None:
+        set_law(path, simulation, law)
+    if exchange:
+        simulation.set_fractions(translation=1 - exchange, rotation=1 - exchange, exchange=2 * exchange)
+    return simulation
 
 
 def _run_file(out: str) -> tuple[str, bool]:

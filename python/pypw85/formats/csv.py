@@ -136,9 +136,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         if convention is not None:
             positions = list(centers_of(convention, columns))
         _check_positions(columns, positions, lines)
-        dimensions = lines.whole(keys["dimensions"], "dimensions") if "dimensions" in keys else None
-        if dimensions not in (None, 2, 3):
-            raise lines.error(f"'dimensions' must be 2 or 3, not {dimensions}")
+        dimensions = _dimensions(keys, lines)
         _check_third(columns, positions, options, lines)
         ids, types, notes = _ids_and_types(lines, separator, columns, options)
         taken = take(columns, options, lines.error, "radii", "wxyz", [*positions, ids, types],
@@ -150,10 +148,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
             keys = _completed(keys)
         origin = lines.numbers(keys.get("origin", "0 0 0"), 3, "origin")
         periodic = lines.flags(keys.get("periodic", "T T T"), "periodic")
-        # Behind the rows that DREAM.3D says there are, lists of neighbours may follow.
-        count = min(_remaining(lines), lines.whole(keys.get("rows", str(2**62)), "the number of rows"))
-        if not count:
-            raise lines.error("there are no particles: no row follows the names of the columns; write the file again")
+        count = _count(keys, lines)
         series = _series(columns, len(positions), options, convention)
         wanted = [name for name in (*positions, *taken.columns, ids, types, *series) if name]
         table = lines.table(count, columns, [types, *series], separator, wanted, decimal_comma=separator != ",")
@@ -170,6 +165,22 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
     frame.source = ", ".join(filter(None, [*said, frame.source]))
     frame.refuse_other_bodies(options)
     return frame.system(options)
+
+
+def _dimensions(keys: dict[str, str], lines: Lines) -> int | None:
+    """The number of dimensions that the keys give."""
+    dimensions = lines.whole(keys["dimensions"], "dimensions") if "dimensions" in keys else None
+    if dimensions not in (None, 2, 3):
+        raise lines.error(f"'dimensions' must be 2 or 3, not {dimensions}")
+    return dimensions
+
+
+def _count(keys: dict[str, str], lines: Lines) -> int:
+    """The number of rows. Behind those that DREAM.3D says there are, lists of neighbours may follow."""
+    count = min(_remaining(lines), lines.whole(keys.get("rows", str(2**62)), "the number of rows"))
+    if not count:
+        raise lines.error("there are no particles: no row follows the names of the columns; write the file again")
+    return count
 
 
 def _check_positions(columns: list[str], positions: list[str], lines: Lines) -> None:

@@ -13,7 +13,7 @@ namespace pw85::detail {
 
 inline namespace PW85_SHARED_WITH {
 
-PW85_SHARED_CONTAINMENT(PW85_DEFINE_SHARED, double, 3)
+PW85_DEFINE_SHARED(call_contains, double, 3)
 
 } // namespace PW85_SHARED_WITH
 

@@ -9,7 +9,7 @@
 namespace pw85::detail {
 namespace PW85_BUILDING {
 
-PW85_SHARED_APPROACH(PW85_DEFINE_SHARED, double)
+PW85_DEFINE_SHARED(advance_until_spheres_meet, double, 3)
 
 } // namespace PW85_BUILDING
 } // namespace pw85::detail

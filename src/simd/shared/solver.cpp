@@ -16,10 +16,12 @@ namespace pw85::detail {
 
 namespace PW85_BUILDING {
 
-PW85_SHARED_VALIDATION(PW85_DEFINE_SHARED, double, 3)
-PW85_SHARED_SEARCH(PW85_DEFINE_SHARED, double, 3)
-PW85_SHARED_SOLVER(PW85_DEFINE_SHARED, double, 3)
-PW85_SHARED_CERTIFIED_VALUE(PW85_DEFINE_SHARED, double, 3)
+PW85_DEFINE_SHARED(validate_pair, double, 3)
+PW85_DEFINE_SHARED(search_in_steps, double, 3)
+PW85_DEFINE_SHARED(last_factorized_evaluation, double, 3)
+PW85_DEFINE_SHARED(maximize, double, 3)
+PW85_DEFINE_SHARED(maximize_factorized, double, 3)
+PW85_DEFINE_SHARED(decide_by_certified_value, double, 3)
 
 } // namespace PW85_BUILDING
 

@@ -7,13 +7,13 @@
 #include <cmath>
 
 #include "../base/c_arrays.hpp"
+#include "../lists/arguments.hpp"
+#include "../lists/image_finder.hpp"
+#include "../lists/image_limit.hpp"
 #include "../rows/each_row.hpp"
 #include "../rows/many_pairs.hpp"
 #include "../simd/lanes/derivatives.hpp"
 #include "../simd/lanes/overlap.hpp"
-#include "arguments.hpp"
-#include "image_finder.hpp"
-#include "image_limit.hpp"
 
 using namespace pw85;
 using namespace pw85::detail;

@@ -5,10 +5,10 @@
 #include <pw85_systems.h>
 
 #include "../base/c_arrays.hpp"
+#include "../forces/forces.hpp"
+#include "../forces/law_forces.hpp"
 #include "../lists/arguments.hpp"
 #include "../simd/lanes/laws.hpp"
-#include "forces.hpp"
-#include "law_forces.hpp"
 
 using namespace pw85;
 using namespace pw85::detail;

@@ -5,8 +5,8 @@
 #include "../base/c_arrays.hpp"
 #include "../base/floating_point_environment.hpp"
 #include "../base/last_error.hpp"
+#include "../brent/brent.hpp"
 #include "../simd/targets.hpp"
-#include "brent.hpp"
 
 using namespace pw85;
 using namespace pw85::detail;

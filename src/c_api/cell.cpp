@@ -12,10 +12,10 @@
 #include "../base/c_arrays.hpp"
 #include "../base/last_error.hpp"
 #include "../base/parallel.hpp"
+#include "../lists/arguments.hpp"
+#include "../lists/image_limit.hpp"
 #include "../periodic/lattice.hpp"
 #include "../periodic/periodic_cell.hpp"
-#include "arguments.hpp"
-#include "image_limit.hpp"
 
 using namespace pw85;
 using namespace pw85::detail;
