@@ -73,8 +73,7 @@ class PairGranular final : public LAMMPS_NS::Pair {
         int i, j;
         std::uint32_t entry; ///< of the neighbour list
         std::size_t law;     ///< index in materials_
-        Vector start;        ///< start of the search for the normal
-        bool is_known;       ///< true if that is the normal of the step before
+        bool is_known;       ///< true if the search starts from the normal of the step before
         bool has_touched;    ///< true if they were in contact in the step before
     };
 

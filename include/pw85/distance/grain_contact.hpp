@@ -60,12 +60,12 @@ template <class T> PW85_FUNCTION inline Vector<T, 3> in_space(Vector<T, 2> const
 template <class T>
 PW85_FUNCTION inline TangentFrame<T> frame_of_unit(Vector<T, 3> const &normal) noexcept
 {
-    TangentFrame<T> frame{normal, {}, {}};
-    complete_basis(frame.normal, frame.e1, frame.e2);
-    return frame;
+    Vector<T, 3> e1, e2;
+    complete_basis(normal, e1, e2);
+    return {normal, e1, e2};
 }
 
-template <class T> PW85_FUNCTION inline FacingSurface<T>
+template <class T> [[gnu::always_inline]] PW85_FUNCTION inline FacingSurface<T>
 facing_surface(SymmetricMatrix<T, 3> const &q, TangentFrame<T> const &frame) noexcept
 {
     Vector<T, 3> const qn = product(q, frame.normal);
