@@ -10,7 +10,6 @@
 
 #include <pw85.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -41,18 +40,19 @@ struct GrainGeometry {
 class GrainSearch {
   public:
     static constexpr std::size_t capacity = row_capacity;
+    using Form = std::array<double, PW85_SYM>;
 
     std::size_t size() const { return size_; }
     void clear() { size_ = 0; }
 
     /// Adds a pair. The search starts from `normal`. There are less than `capacity` pairs.
-    void add(Vector const &r12, double const *q1, double const *q2, Vector const &normal)
+    void add(Vector const &r12, Form const &q1, Form const &q2, Vector const &normal)
     {
         pairs_.r12[size_] = r12;
         store(r12, rows_.r12, size_);
         pairs_.start[size_] = normal;
-        std::copy_n(q1, PW85_SYM, pairs_.q1[size_].begin());
-        std::copy_n(q2, PW85_SYM, pairs_.q2[size_].begin());
+        pairs_.q1[size_] = q1;
+        pairs_.q2[size_] = q2;
         ++size_;
     }
 
@@ -90,8 +90,6 @@ class GrainSearch {
     Rows const &rows() const { return rows_; }
 
   private:
-    using Form = std::array<double, 6>;
-
     /// Pairs, and vectors of results, as the library reads and writes them.
     struct Pairs {
         std::array<Vector, capacity> r12, start;

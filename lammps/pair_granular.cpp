@@ -355,8 +355,7 @@ void PairGranular::add_row(std::size_t l)
     pair.has_touched = before != nullptr;
     pair.is_known = before && !history_->is_from_before(*before);
     Body const &a = body(pair.i), &b = body(pair.j);
-    search_.add(b.x - a.x, a.form.data(), b.form.data(),
-                pair.is_known ? before->normal : Vector{});
+    search_.add(b.x - a.x, a.form, b.form, pair.is_known ? before->normal : Vector{});
     store(a.v - b.v, rows_.velocity, l);
     store(a.spin, rows_.spin1, l);
     store(b.spin, rows_.spin2, l);
@@ -477,7 +476,7 @@ void PairGranular::read_bodies()
         body.x = vector(atom->x[i]);
         body.v = vector(atom->v[i]);
         body.spin = without_inertia(atom->rmass[i], q, vector(atom->angmom[i]));
-        std::copy_n(q, PW85_SYM, body.form.begin());
+        std::memcpy(body.form.data(), q, sizeof body.form);
         body.mass = (atom->mask[i] & frozen_) != 0 ? -mass : mass;
     }
 }

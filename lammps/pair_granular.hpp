@@ -63,7 +63,7 @@ class PairGranular final : public LAMMPS_NS::Pair {
     /// Data of an atom in a step, in two cache lines.
     struct alignas(64) Body {
         Vector x, v, spin; ///< spin: angular velocity
-        std::array<double, PW85_SYM> form;
+        GrainSearch::Form form;
         /// of the atom, or of the rigid body of which it is a part; of a frozen atom: negative
         double mass;
     };

@@ -70,6 +70,21 @@ PW85_INLINE PackMask store_contacts(GrainStep<Pack> const &step, LanePair<3> con
 /// One pack: a second one would not stay in the registers beside the first.
 template <class Rows> constexpr std::size_t chunk_size<Rows, kernels::GrainArrays> = lanes;
 
+/// Searches for the contacts of a pack, and stores them; returns the lanes that are done. The result
+/// of a lane depends on its own pair alone: once it has converged, its normal stays, and another
+/// step gives the same.
+PW85_INLINE PackMask search_contacts(LanePair<3> const &pair, Vector<Pack, 3> normal,
+                                     std::size_t left, kernels::GrainArrays const &out) noexcept
+{
+    for (int i = 1;; ++i) {
+        // a new object: to assign it would copy it through memory
+        GrainStep<Pack> const step = grain_step(grain_pair(pair), normal);
+        PackMask const active = is_too_long(step);
+        if (i == max_grain_steps || !any_of(active)) return store_contacts(step, pair, left, out);
+        for (int d = 0; d < 3; ++d) normal[d] = select(active, step.normal[d], normal[d]);
+    }
+}
+
 /// Computes the contacts of a chunk. scalar_fallback() overwrites those that are left over.
 template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk const &chunk,
                                                      kernels::GrainArrays const &out,
@@ -79,13 +94,8 @@ template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk con
     LanePair<3> const pair = load_consecutive(rows, chunk.begin, chunk.count);
     Vector<Pack, 3> start;
     load_rows<3>(part.starts, chunk.count, start);
-    GrainSearch<Pack> search;
-    search.normal = Pack(Pack(1.0) / magnitude(start)) * start;
-    for (int i = 0; i < max_grain_steps; ++i) {
-        take_step(search, grain_pair(pair));
-        if (!any_of(search.active)) break;
-    }
-    PackMask const done = store_contacts(search.step, pair, chunk.count, part);
+    PackMask const done =
+        search_contacts(pair, Pack(Pack(1.0) / magnitude(start)) * start, chunk.count, part);
     for_lanes(live_lanes(chunk.count) & ~done.to_bits(),
               [&](unsigned i) { rejected_lanes.push(chunk.begin + i); });
 }
