@@ -318,10 +318,11 @@ void ContactHistory::unpack_reverse_comm(int count, int *atoms, double *buffer)
 
 double ContactHistory::memory_usage()
 {
-    return static_cast<double>(
-        places_.capacity() * sizeof(std::uint32_t) + contacts_.capacity() * (sizeof(Contact) + sizeof(bigint)) +
-        turning_.capacity() * sizeof(Turning) + stored_.capacity() * sizeof(Stored) +
-        rows_.capacity() * sizeof(Row));
+    return static_cast<double>(places_.capacity() * sizeof(std::uint32_t) +
+                               contacts_.capacity() * (sizeof(Contact) + sizeof(bigint)) +
+                               turning_.capacity() * sizeof(Turning) +
+                               stored_.capacity() * sizeof(Stored) +
+                               rows_.capacity() * sizeof(Row));
 }
 
 } // namespace pw85_lammps

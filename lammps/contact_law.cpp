@@ -276,8 +276,8 @@ struct RowLaw {
 };
 
 /// Computes all contacts of a law.
-template <Scope scope> void react_each(RowLaw const &law, GrainSearch::Rows const &geometry,
-                                       ContactRows &rows)
+template <Scope scope>
+void react_each(RowLaw const &law, GrainSearch::Rows const &geometry, ContactRows &rows)
 {
     RowLaw const copy = law; // the compiler knows that the rows do not overlap it
     for (std::size_t l = copy.begin; l < copy.end; ++l) copy.react<scope>(geometry, rows, l);
@@ -287,17 +287,19 @@ using ReactRows = void(RowLaw const &, GrainSearch::Rows const &, ContactRows &)
 
 // react_each() for each instruction set of lanes.hpp.
 
-template <Scope scope> [[gnu::flatten]] void
-react_baseline(RowLaw const &law, GrainSearch::Rows const &__restrict geometry,
-               ContactRows &__restrict rows)
+template <Scope scope>
+[[gnu::flatten]] void react_baseline(RowLaw const &law,
+                                     GrainSearch::Rows const &__restrict geometry,
+                                     ContactRows &__restrict rows)
 {
     react_each<scope>(law, geometry, rows);
 }
 
 #ifdef PW85_GRAIN_SETS
-template <Scope scope> [[gnu::flatten, gnu::target("avx2")]] void
-react_avx2(RowLaw const &law, GrainSearch::Rows const &__restrict geometry,
-           ContactRows &__restrict rows)
+template <Scope scope>
+[[gnu::flatten, gnu::target("avx2")]] void react_avx2(RowLaw const &law,
+                                                      GrainSearch::Rows const &__restrict geometry,
+                                                      ContactRows &__restrict rows)
 {
     react_each<scope>(law, geometry, rows);
 }
