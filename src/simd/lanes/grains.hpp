@@ -70,9 +70,9 @@ PW85_INLINE PackMask store_contacts(GrainStep<Pack> const &step, LanePair<3> con
 /// One pack: a second one would not stay in the registers beside the first.
 template <class Rows> constexpr std::size_t chunk_size<Rows, kernels::GrainArrays> = lanes;
 
-/// Searches for the contacts of a pack, and stores them; returns the lanes that are done. The result
-/// of a lane depends on its own pair alone: once it has converged, its normal stays, and another
-/// step gives the same.
+/// Searches for the contacts of a pack, and stores them; returns the lanes that are done. The
+/// result of a lane depends on its own pair alone: once it has converged, its normal stays, and
+/// another step gives the same.
 PW85_INLINE PackMask search_contacts(LanePair<3> const &pair, Vector<Pack, 3> normal,
                                      std::size_t left, kernels::GrainArrays const &out) noexcept
 {
