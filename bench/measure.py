@@ -128,6 +128,8 @@ def lammps_rows(name, include, target):
     """The rows of a table that a program of lammps/bench prints."""
     build = Path(include).resolve().parent.parent
     script, *words = LAMMPS[name]
+    if name == "grains":
+        words += ["--sets", *available_targets()]
     arguments = [str(build / word) if word.startswith("src/") else word for word in words]
     return read_table(sys.executable, ROOT / "lammps" / "bench" / script, include, *arguments, target=target)
 

@@ -17,10 +17,9 @@ def table(heads, rows):
 def grains():
     rows = measurements.read_table("grains")
     spheres = float(rows[0]["ns"])
-    yield from table(
-        ["twelve contacts for each grain", "ns per contact and step", "times the first row"],
-        ([f"{row['grains']}, `{row['style']}`", row["ns"], f"{float(row['ns']) / spheres:.1f}"] for row in rows),
-    )
+    heads = ["twelve contacts for each grain", "instruction set", "ns per contact and step", "times the first row"]
+    yield from table(heads, ([f"{row['grains']}, `{row['style']}`", row["set"], row["ns"], f"{float(row['ns']) / spheres:.1f}"]
+                             for row in rows))
     yield from ["", f"({measurements.conditions('grains')}; `bench/grains.py`, one core, all of LAMMPS included.)"]
 
 

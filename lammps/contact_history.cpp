@@ -63,6 +63,7 @@ void ContactHistory::start_step(NeighList const &list, bool turns)
     step_ = 0;
     places_.clear();
     contacts_.clear();
+    steps_.clear();
     turning_.clear();
     place_contacts(list);
 }
@@ -89,13 +90,14 @@ void ContactHistory::place_contact(int i, int j)
         std::find_if(first, last, [partner](Stored const &s) { return s.partner == partner; });
     if (found == last) return;
     places_.back() = add_contact();
-    contacts_.back() = {i, j, 0, found->springs.sliding, {}};
+    contacts_.back() = {i, j, found->springs.sliding, {}};
     if (turns_) turning_.back() = {found->springs.rolling, found->springs.twisting};
 }
 
 std::uint32_t ContactHistory::add_contact()
 {
     contacts_.emplace_back();
+    steps_.push_back(0);
     if (turns_) turning_.emplace_back();
     return static_cast<std::uint32_t>(contacts_.size() - 1);
 }
@@ -113,6 +115,7 @@ void ContactHistory::setup_pre_exchange()
 {
     if (is_rerun(*input)) {
         contacts_.clear();
+        steps_.clear();
         stored_.clear();
         std::fill(rows_.begin(), rows_.end(), Row{});
         is_complete_ = true;
@@ -153,7 +156,7 @@ void ContactHistory::share_contacts()
     shared_.assign(index(atom->nlocal + atom->nghost), {});
     bool const shares = force->newton_pair;
     for (Contact const &c : contacts_) {
-        if (c.step < step_) continue;
+        if (steps_[place(c)] < step_) continue;
         Turning const turned = turning(c);
         Springs const springs{c.sliding, turned.rolling, turned.twisting};
         shared_[index(c.i)].push_back({atom->tag[c.j], springs});
@@ -315,10 +318,11 @@ void ContactHistory::unpack_reverse_comm(int count, int *atoms, double *buffer)
 
 double ContactHistory::memory_usage()
 {
-    return static_cast<double>(
-        places_.capacity() * sizeof(std::uint32_t) + contacts_.capacity() * sizeof(Contact) +
-        turning_.capacity() * sizeof(Turning) + stored_.capacity() * sizeof(Stored) +
-        rows_.capacity() * sizeof(Row));
+    return static_cast<double>(places_.capacity() * sizeof(std::uint32_t) +
+                               contacts_.capacity() * (sizeof(Contact) + sizeof(bigint)) +
+                               turning_.capacity() * sizeof(Turning) +
+                               stored_.capacity() * sizeof(Stored) +
+                               rows_.capacity() * sizeof(Row));
 }
 
 } // namespace pw85_lammps

@@ -47,19 +47,25 @@ class ContactHistory final : public LAMMPS_NS::Fix {
     /// A contact of two atoms, in a cache line.
     struct alignas(64) Contact {
         int i, j;
-        /// The last step of the contact, counted from a new list. In step 0 it comes from before
-        /// the list.
-        LAMMPS_NS::bigint step;
-        Vector sliding, normal; ///< the normal is unknown in step 0
+        Vector sliding, normal; ///< the normal is unknown if is_from_before()
     };
+
+    /// Returns whether an entry of the list had a contact in the step before. This reads no
+    /// contact, whose cache lines are many.
+    bool has(std::uint32_t entry) const
+    {
+        std::uint32_t const place = places_[entry];
+        return place < steps_.size() && steps_[place] >= step_;
+    }
 
     /// Returns the contact of an entry of the list in the step before, or null for a new one.
     Contact const *find(std::uint32_t entry) const
     {
-        std::uint32_t const place = places_[entry];
-        return place < contacts_.size() && contacts_[place].step >= step_ ? &contacts_[place]
-                                                                          : nullptr;
+        return has(entry) ? &contacts_[places_[entry]] : nullptr;
     }
+
+    /// Returns whether a contact comes from before the list.
+    bool is_from_before(Contact const &contact) const { return steps_[place(contact)] == 0; }
 
     Turning turning(Contact const &contact) const
     {
@@ -71,7 +77,8 @@ class ContactHistory final : public LAMMPS_NS::Fix {
     {
         if (places_[entry] == nowhere) places_[entry] = add_contact();
         std::uint32_t const place = places_[entry];
-        contacts_[place] = {i, j, step_ + 1, springs.sliding, normal};
+        contacts_[place] = {i, j, springs.sliding, normal};
+        steps_[place] = step_ + 1;
         if (turns_) turning_[place] = {springs.rolling, springs.twisting};
     }
 
@@ -141,7 +148,9 @@ class ContactHistory final : public LAMMPS_NS::Fix {
     /// by entry of the list: where its contact is, if it has had one
     std::vector<std::uint32_t> places_;
     std::vector<Contact> contacts_; ///< with those that have ended since the list was made
-    std::vector<Turning> turning_;  ///< by contact, if turns_
+    /// by contact: its last step, counted from a new list; in step 0 it comes from before the list
+    std::vector<LAMMPS_NS::bigint> steps_;
+    std::vector<Turning> turning_; ///< by contact, if turns_
     bool turns_ = false;
     /// the last finished step, counted from a new list
     LAMMPS_NS::bigint step_ = 0;

@@ -58,7 +58,8 @@ Vector turn_into_plane(Vector const &x, Vector const &normal)
 
 namespace {
 
-/// Returns 1 for positive numbers, 0 for zero.
+/// Returns 1 for positive numbers, 0 for zero. It divides, because compilers make branches from a
+/// choice between two constants, and do not vectorise them.
 double one_if_positive(double x) { return x / larger(x, tiny); }
 
 /// The spring and the damper of a contact, and the largest force that they can have.
@@ -227,13 +228,6 @@ Reaction reaction(LawConstants const &c, Encounter const &e, Springs &springs)
     return result;
 }
 
-/// Returns the mass m1 m2/(m1 + m2) of a contact. A frozen body moves as if its mass were infinite.
-double mass_of_contact(double m1, double m2)
-{
-    double const both = m1 * m2 / (m1 + m2);
-    return m1 < 0.0 ? std::abs(m2) : m2 < 0.0 ? m1 : both;
-}
-
 /// A law at some contacts.
 struct RowLaw {
     LawConstants constants;
@@ -247,21 +241,21 @@ struct RowLaw {
     {
         constexpr bool turns = scope != Scope::sliding;
         Vector const normal = load(geometry.normal, l), overlap = geometry.depth[l] * normal;
-        Vector const end1 = load(geometry.arm1, l), end2 = load(geometry.arm2, l);
+        auto const [end1, end2] = geometry.arms(l);
         Vector const arm1 = end1 - inward_force * overlap, arm2 = end2 + inward_force * overlap;
         Vector const place1 = end1 - inward_motion * overlap,
                      place2 = end2 + inward_motion * overlap;
         Vector const spin1 = load(rows.spin1, l), spin2 = load(rows.spin2, l);
         Vector const velocity =
             load(rows.velocity, l) + cross(spin1, place1) - cross(spin2, place2);
-        double const mass = mass_of_contact(rows.mass1[l], rows.mass2[l]), share = rows.share[l];
+        double const mass = rows.mass[l], share = rows.share[l];
         Springs springs{load(rows.sliding, l), turns ? load(rows.rolling, l) : Vector{},
                         turns ? rows.twisting[l] : 0.0};
         Encounter const e{normal,
                           geometry.depth[l],
                           geometry.radius[l],
                           mass,
-                          load(geometry.curvatures, l),
+                          geometry.curvatures[l],
                           velocity,
                           spin1 - spin2,
                           timestep};
@@ -281,21 +275,52 @@ struct RowLaw {
     }
 };
 
-PW85_GRAIN_LANES void react_sliding(RowLaw const &law, GrainSearch::Rows const &__restrict geometry,
-                                    ContactRows &__restrict rows)
+/// Computes all contacts of a law.
+template <Scope scope>
+void react_each(RowLaw const &law, GrainSearch::Rows const &geometry, ContactRows &rows)
 {
     RowLaw const copy = law; // the compiler knows that the rows do not overlap it
-    for (std::size_t l = copy.begin; l < copy.end; ++l)
-        copy.react<Scope::sliding>(geometry, rows, l);
+    for (std::size_t l = copy.begin; l < copy.end; ++l) copy.react<scope>(geometry, rows, l);
 }
 
-PW85_GRAIN_LANES void react_turning(RowLaw const &law, GrainSearch::Rows const &__restrict geometry,
-                                    ContactRows &__restrict rows)
+using ReactRows = void(RowLaw const &, GrainSearch::Rows const &, ContactRows &);
+
+// react_each() for each instruction set of lanes.hpp.
+
+template <Scope scope>
+[[gnu::flatten]] void react_baseline(RowLaw const &law,
+                                     GrainSearch::Rows const &__restrict geometry,
+                                     ContactRows &__restrict rows)
 {
-    RowLaw const copy = law;
-    for (std::size_t l = copy.begin; l < copy.end; ++l)
-        copy.react<Scope::turning>(geometry, rows, l);
+    react_each<scope>(law, geometry, rows);
 }
+
+#ifdef PW85_GRAIN_SETS
+template <Scope scope>
+[[gnu::flatten, gnu::target("avx2")]] void react_avx2(RowLaw const &law,
+                                                      GrainSearch::Rows const &__restrict geometry,
+                                                      ContactRows &__restrict rows)
+{
+    react_each<scope>(law, geometry, rows);
+}
+
+template <Scope scope> [[gnu::flatten, gnu::target("avx512f")]] void
+react_avx512(RowLaw const &law, GrainSearch::Rows const &__restrict geometry,
+             ContactRows &__restrict rows)
+{
+    react_each<scope>(law, geometry, rows);
+}
+
+/// Returns the function for the instruction set of chosen_set().
+template <Scope scope> ReactRows *react_rows()
+{
+    static ReactRows *const functions[] = {react_baseline<scope>, react_avx2<scope>,
+                                           react_avx512<scope>};
+    return functions[static_cast<std::size_t>(chosen_set())];
+}
+#else
+template <Scope scope> ReactRows *react_rows() { return react_baseline<scope>; }
+#endif
 
 /// Computes one contact after the other: cohesive laws need branches.
 void react_cohesive(RowLaw const &law, GrainSearch::Rows const &geometry, ContactRows &rows)
@@ -537,7 +562,9 @@ void ContactLaw::react(GrainSearch::Rows const &geometry, ContactRows &rows, std
                  inward_motion = arms == Arms::contact ? 0.5 : 0.0;
     RowLaw const law{constants_, inward_force, inward_motion, timestep, first, first + count};
     if (sticks()) return react_cohesive(law, geometry, rows);
-    resists_turning() ? react_turning(law, geometry, rows) : react_sliding(law, geometry, rows);
+    auto *const react =
+        resists_turning() ? react_rows<Scope::turning>() : react_rows<Scope::sliding>();
+    react(law, geometry, rows);
 }
 
 } // namespace pw85_lammps

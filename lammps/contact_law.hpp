@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -106,18 +107,25 @@ struct Reaction {
     Vector couple;
 };
 
+/// Returns the mass m1 m2/(m1 + m2) of a contact. A frozen body, of negative mass, moves as if its
+/// mass were infinite. Laws take the result: they are vectorised, which its branches prevent.
+inline double mass_of_contact(double m1, double m2)
+{
+    return m1 < 0.0 ? std::abs(m2) : m2 < 0.0 ? m1 : m1 * m2 / (m1 + m2);
+}
+
 /// Input of laws for the bodies of some pairs, and the results for the pairs.
 struct ContactRows {
     alignas(64) Row<3> velocity; ///< of the first centre relative to the second
     Row<3> spin1, spin2;         ///< angular velocities
     /// the springs of the step before, then those of this step
     Row<3> sliding, rolling;
-    double twisting[row_capacity];                   ///< twisting springs, too
-    double mass1[row_capacity], mass2[row_capacity]; ///< negative for a body that is frozen
-    double share[row_capacity];                      ///< factor of all forces and of the energy
-    Row<3> force, torque1, torque2;                  ///< force: on the first body
-    double energy[row_capacity];                     ///< of the normal spring
-    double rate[row_capacity];                       ///< stiffness over mass
+    double twisting[row_capacity];  ///< twisting springs, too
+    double mass[row_capacity];      ///< mass_of_contact()
+    double share[row_capacity];     ///< factor of all forces and of the energy
+    Row<3> force, torque1, torque2; ///< force: on the first body
+    double energy[row_capacity];    ///< of the normal spring
+    double rate[row_capacity];      ///< stiffness over mass
     /// derivative of the energy by the equivalent radius
     double by_radius[row_capacity];
 };

@@ -8,6 +8,8 @@
 #include "lanes.hpp"
 #include "vectors.hpp"
 
+#include <pw85.h>
+
 #include <array>
 #include <cstddef>
 
@@ -38,48 +40,63 @@ struct GrainGeometry {
 class GrainSearch {
   public:
     static constexpr std::size_t capacity = row_capacity;
+    using Form = std::array<double, PW85_SYM>;
 
     std::size_t size() const { return size_; }
     void clear() { size_ = 0; }
 
     /// Adds a pair. The search starts from `normal`. There are less than `capacity` pairs.
-    void add(Vector const &r12, double const *q1, double const *q2, Vector const &normal);
+    void add(Vector const &r12, Form const &q1, Form const &q2, Vector const &normal)
+    {
+        pairs_.r12[size_] = r12;
+        store(r12, rows_.r12, size_);
+        pairs_.start[size_] = normal;
+        pairs_.q1[size_] = q1;
+        pairs_.q2[size_] = q2;
+        ++size_;
+    }
 
-    /// Sets the normal from which the search of pair k starts.
-    void start(std::size_t k, Vector const &normal) { pairs_.start[k] = normal; }
+    /// The normal from which the search of pair k starts.
+    Vector const &start(std::size_t k) const { return pairs_.start[k]; }
+    void set_start(std::size_t k, Vector const &normal) { pairs_.start[k] = normal; }
 
     /// Computes all contacts. A contact depends on its own pair alone. Its depth is NaN where the
     /// library finds no minimum of the overlap.
-    void solve();
+    void solve() { solve(0, size_); }
 
     Vector const &separation(std::size_t k) const { return pairs_.r12[k]; }
     GrainGeometry contact(std::size_t k) const;
 
-    /// Replaces the contact of pair k by that found from another start.
-    void search_again(std::size_t k, Vector const &normal);
+    /// Computes the contact of pair k again, after set_start().
+    void search_again(std::size_t k) { solve(k, 1); }
 
-    /// The contacts, each number in a row of its own, for SIMD over several pairs.
+    /// The contacts, with the coordinates in rows of their own, for SIMD over several pairs.
     struct Rows {
         alignas(64) Row<3> normal;
-        Row<3> arm1, arm2;
+        Row<3> point; ///< the middle of both deepest points, relative to the first centre
+        Row<3> r12;
         double depth[capacity], radius[capacity];
-        Row<2> curvatures;
+        std::array<double, 2> curvatures[capacity];
+
+        /// Returns the points of both bodies that are deepest in the other one, relative to their
+        /// own centres.
+        std::array<Vector, 2> arms(std::size_t k) const
+        {
+            Vector const middle = load(point, k), half = 0.5 * depth[k] * load(normal, k);
+            return {middle + half, middle - half - load(r12, k)};
+        }
     };
 
     Rows const &rows() const { return rows_; }
 
   private:
-    using Form = std::array<double, 6>;
-
-    /// Pairs and results as the library reads and writes them.
+    /// Pairs, and vectors of results, as the library reads and writes them.
     struct Pairs {
         std::array<Vector, capacity> r12, start;
         std::array<Form, capacity> q1, q2;
     };
     struct Results {
         std::array<Vector, capacity> normal, point;
-        std::array<double, capacity> depth, radius;
-        std::array<std::array<double, 2>, capacity> curvatures;
     };
 
     void solve(std::size_t first, std::size_t count);

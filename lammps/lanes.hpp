@@ -6,17 +6,36 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdlib>
+#include <string_view>
 
-// GCC compiles a function with this attribute for several instruction sets, together with the
-// functions that it calls. It works on several rows at a time. All sets give the same bits, because
-// arithmetic is not contracted. Clang does not combine the attributes.
-#if defined(__x86_64__) && defined(__GLIBC__) && !defined(__clang__)
-#define PW85_GRAIN_LANES [[gnu::flatten, gnu::target_clones("default", "avx2", "avx512f")]]
-#else
-#define PW85_GRAIN_LANES [[gnu::flatten]]
+// Functions that work on several rows at a time are compiled for several instruction sets, each
+// together with the functions that it calls (flatten, which Clang has not). All sets give the same
+// bits, because arithmetic is not contracted.
+#if defined(__x86_64__) && !defined(__clang__)
+#define PW85_GRAIN_SETS
 #endif
 
 namespace pw85_lammps {
+
+#ifdef PW85_GRAIN_SETS
+enum class InstructionSet { baseline, avx2, avx512 };
+
+/// Returns the newest instruction set of the processor that is not newer than the one that the
+/// environment variable PW85_TARGET names, as the library does. The first call chooses.
+inline InstructionSet chosen_set()
+{
+    static InstructionSet const chosen = [] {
+        char const *const name = std::getenv("PW85_TARGET");
+        std::string_view const newest = name ? name : "";
+        bool const has_avx2 = __builtin_cpu_supports("avx2") && newest != "baseline";
+        if (!has_avx2) return InstructionSet::baseline;
+        bool const has_avx512 = __builtin_cpu_supports("avx512f") && newest != "avx2";
+        return has_avx512 ? InstructionSet::avx512 : InstructionSet::avx2;
+    }();
+    return chosen;
+}
+#endif
 
 /// Maximum number of pairs in arrays of rows, so small that their data stay in a
 /// cache.

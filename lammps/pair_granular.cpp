@@ -275,7 +275,7 @@ void PairGranular::add_batch(int eflag)
     auto const refuse = [this](int i, int j) { ellipsoids_->refuse_pair(i, j); };
     // The depth says whether a contact of the step before is still there. With attraction, surfaces
     // may be apart in it.
-    auto const holds = [this](std::uint32_t entry) { return history_->find(entry) != nullptr; };
+    auto const holds = [this](std::uint32_t entry) { return history_->has(entry); };
     std::size_t const count = batch_.keep_overlaps(system, refuse, holds).num_pairs;
     for (first_ = 0; first_ < count; first_ += row_capacity)
         add_pairs(std::min(row_capacity, count - first_), eflag);
@@ -305,12 +305,13 @@ void PairGranular::sort_by_law(std::size_t count)
 {
     std::array<std::size_t, row_capacity> keys; // the law, and the pair
     std::int32_t const *const pairs = &batch_.pairs[2 * first_];
+    bool sorted = true;
     for (std::size_t k = 0; k < count; ++k) {
         auto const [t, u] = std::minmax(atom->type[pairs[2 * k]], atom->type[pairs[2 * k + 1]]);
         keys[k] = material_index(t, u) * row_capacity + k;
+        sorted = sorted && (k == 0 || keys[k - 1] < keys[k]);
     }
-    auto const end = keys.begin() + static_cast<std::ptrdiff_t>(count);
-    if (!std::is_sorted(keys.begin(), end)) std::sort(keys.begin(), end);
+    if (!sorted) std::sort(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(count));
     for (std::size_t l = 0; l < count; ++l) {
         std::size_t const k = keys[l] % row_capacity;
         overlaps_[l].i = pairs[2 * k];
@@ -335,10 +336,8 @@ void PairGranular::start_at_contact_function(std::span<std::size_t const> rows)
     pw85_pair_list const pairs{rows.size(), indices.data(), nullptr};
     pw85_contact_derivatives_pairs(&pairs, &system, nullptr, nullptr, nullptr, normals.data(),
                                    nullptr, nullptr, nullptr);
-    for (std::size_t n = 0; n < rows.size(); ++n) {
-        overlaps_[rows[n]].start = vector(&normals[3 * n]);
-        search_.start(rows[n], overlaps_[rows[n]].start);
-    }
+    for (std::size_t n = 0; n < rows.size(); ++n)
+        search_.set_start(rows[n], vector(&normals[3 * n]));
 }
 
 /// Fills row l: the geometry of the pair, its springs in the step before, and the data of its
@@ -354,15 +353,13 @@ void PairGranular::add_row(std::size_t l)
         rows_.twisting[l] = turning.twisting;
     }
     pair.has_touched = before != nullptr;
-    pair.is_known = before && before->step > 0;
-    if (pair.is_known) pair.start = before->normal;
+    pair.is_known = before && !history_->is_from_before(*before);
     Body const &a = body(pair.i), &b = body(pair.j);
-    search_.add(b.x - a.x, a.form.data(), b.form.data(), pair.start);
+    search_.add(b.x - a.x, a.form, b.form, pair.is_known ? before->normal : Vector{});
     store(a.v - b.v, rows_.velocity, l);
     store(a.spin, rows_.spin1, l);
     store(b.spin, rows_.spin2, l);
-    rows_.mass1[l] = a.mass;
-    rows_.mass2[l] = b.mass;
+    rows_.mass[l] = mass_of_contact(a.mass, b.mass);
 }
 
 /// Returns whether a contact is that of its pair. If the normal has turned far since the step
@@ -372,7 +369,7 @@ bool PairGranular::is_certified(std::size_t l) const
     if (!overlaps_[l].is_known) return true;
     GrainSearch::Rows const &rows = search_.rows();
     return rows.depth[l] > least_depth(l) &&
-           dot(load(rows.normal, l), overlaps_[l].start) >= least_cosine;
+           dot(load(rows.normal, l), search_.start(l)) >= least_cosine;
 }
 
 /// Returns the depth below which there is no contact in row l. It is negative if the surfaces
@@ -387,7 +384,7 @@ double PairGranular::least_depth(std::size_t l) const
 void PairGranular::search_anew(std::size_t l)
 {
     start_at_contact_function({&l, 1});
-    search_.search_again(l, overlaps_[l].start);
+    search_.search_again(l);
 }
 
 /// Computes the forces and torques of all rows, law by law.
@@ -479,7 +476,7 @@ void PairGranular::read_bodies()
         body.x = vector(atom->x[i]);
         body.v = vector(atom->v[i]);
         body.spin = without_inertia(atom->rmass[i], q, vector(atom->angmom[i]));
-        std::copy_n(q, PW85_SYM, body.form.begin());
+        std::memcpy(body.form.data(), q, sizeof body.form);
         body.mass = (atom->mask[i] & frozen_) != 0 ? -mass : mass;
     }
 }

@@ -63,7 +63,7 @@ class PairGranular final : public LAMMPS_NS::Pair {
     /// Data of an atom in a step, in two cache lines.
     struct alignas(64) Body {
         Vector x, v, spin; ///< spin: angular velocity
-        std::array<double, PW85_SYM> form;
+        GrainSearch::Form form;
         /// of the atom, or of the rigid body of which it is a part; of a frozen atom: negative
         double mass;
     };
@@ -73,8 +73,7 @@ class PairGranular final : public LAMMPS_NS::Pair {
         int i, j;
         std::uint32_t entry; ///< of the neighbour list
         std::size_t law;     ///< index in materials_
-        Vector start;        ///< start of the search for the normal
-        bool is_known;       ///< true if that is the normal of the step before
+        bool is_known;       ///< true if the search starts from the normal of the step before
         bool has_touched;    ///< true if they were in contact in the step before
     };
 

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-only
 """Measures the time per contact of pair_style pw85/granular beside that of LAMMPS's gran/hertz/history for spheres.
 
-    python3 grains.py path/to/pw85.in [--edge 12] [--repeat 3] [--ranks]
+    python3 grains.py path/to/pw85.in [--edge 12] [--repeat 3] [--sets baseline avx2 avx512] [--ranks]
 
 Runs grains.in through lmp, in which each grain has twelve contacts. The time is the processor time of a step and contact in nanoseconds,
-all of LAMMPS included, from runs of two lengths, of which each is the fastest of several. Prints a table with commas.
+all of LAMMPS included, from runs of two lengths, of which each is the fastest of several; all runs take turns. Prints a table with commas.
+With --sets, there is a row for each of these instruction sets (PW85_TARGET), by default for the newest one of the processor.
 
 With --ranks, 1e5 ellipsoids run on one rank and on two ranks (mpirun), and beside them two independent runs on one rank with half of
 the ellipsoids each, at the same time: the machine does not allow more than these. The times are those of LAMMPS's loop, in milliseconds
@@ -57,8 +58,15 @@ def starts(styles, include, edge, program=("lmp",)):
     return {STYLES[style]: functools.partial(start, include, style, edge, edge, program=program) for style in styles}
 
 
+def starts_by_set(include, edge, sets):
+    """Functions that start a run, by grains, style and instruction set, of which LAMMPS's own style has none."""
+    rows = [("lammps", ""), *((style, instructions) for style in ("spheres", "ellipsoids") for instructions in sets)]
+    return {(*STYLES[style], instructions): functools.partial(start, include, style, edge, edge, instructions=instructions)
+            for style, instructions in rows}  # fmt: skip
+
+
 def times_of_contacts(starts, edge, repeat):
-    """Nanoseconds of a step and contact, for functions by grains and style."""
+    """The names and the nanoseconds of a step and contact, for functions by names."""
     contacts = 4 * edge**3 * 6
     times = {(name, steps): [] for name in starts for steps in STEPS}
     for _ in range(repeat):
@@ -70,9 +78,9 @@ def times_of_contacts(starts, edge, repeat):
         yield *name, f"{1e9 * seconds / contacts:.3g}"
 
 
-def measure_contacts(include, edge, repeat):
-    print("grains,style,ns")
-    for row in times_of_contacts(starts(("lammps", "spheres", "ellipsoids"), include, edge), edge, repeat):
+def measure_contacts(include, edge, repeat, sets):
+    print("grains,style,set,ns")
+    for row in times_of_contacts(starts_by_set(include, edge, sets), edge, repeat):
         print(*row, sep=",")
 
 
@@ -81,13 +89,14 @@ def main():
     parser.add_argument("include")
     parser.add_argument("--edge", type=int, default=12)
     parser.add_argument("--repeat", type=int, default=3)
+    parser.add_argument("--sets", nargs="+", default=["newest"], help="names of PW85_TARGET")
     parser.add_argument("--ranks", action="store_true", help="one and two ranks instead of the styles")
     arguments = parser.parse_args()
     include = Path(arguments.include).resolve()
     if arguments.ranks:
         measure_ranks(include, arguments.repeat)
     else:
-        measure_contacts(include, arguments.edge, arguments.repeat)
+        measure_contacts(include, arguments.edge, arguments.repeat, arguments.sets)
 
 
 if __name__ == "__main__":

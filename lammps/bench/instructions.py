@@ -20,7 +20,7 @@ EDGE, STEPS = 6, (5, 25)
 # Parts of a step, and what the names of their functions contain; the first that fits counts.
 PARTS = {
     "search of the common normal": ("GrainArrays",),
-    "law of force": ("react_sliding",),
+    "law of force": ("react_avx2",),
     "overlap test of new pairs": ("OverlapArray",),
     "integration, forms of ellipsoids": ("FixNVE", "MathExtra::", "pw85_ellipsoid_quaternion", "pw85_lammps::Ellipsoids"),
     "the rest of the pair style: list, atoms, springs, sums": ("PairGranHertzHistory", "pw85_lammps::"),

@@ -10,17 +10,18 @@ from pathlib import Path
 SETTINGS = {"OMP_NUM_THREADS": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
 
-def environment():
-    return {**os.environ, **SETTINGS}
+def environment(instructions=None):
+    """The environment of a run, in which pw85 uses an instruction set, by default the newest one."""
+    return {**os.environ, **SETTINGS, **({"PW85_TARGET": instructions} if instructions else {})}
 
 
-def start(script, ranks=1, program=("lmp",), **variables):
+def start(script, ranks=1, program=("lmp",), instructions=None, **variables):
     """A run of a script of this folder that has begun."""
     launcher = ["mpirun", "--oversubscribe", "-n", str(ranks)] if ranks > 1 else []
     command = [*launcher, *program, "-log", "none", "-in", str(Path(__file__).parent / script)]
     for name, value in variables.items():
         command += ["-var", name, str(value)]
-    return subprocess.Popen(command, env=environment(), stdout=subprocess.PIPE, text=True)
+    return subprocess.Popen(command, env=environment(instructions), stdout=subprocess.PIPE, text=True)
 
 
 def version(program):

@@ -60,12 +60,12 @@ template <class T> PW85_FUNCTION inline Vector<T, 3> in_space(Vector<T, 2> const
 template <class T>
 PW85_FUNCTION inline TangentFrame<T> frame_of_unit(Vector<T, 3> const &normal) noexcept
 {
-    TangentFrame<T> frame{normal, {}, {}};
-    complete_basis(frame.normal, frame.e1, frame.e2);
-    return frame;
+    Vector<T, 3> e1, e2;
+    complete_basis(normal, e1, e2);
+    return {normal, e1, e2};
 }
 
-template <class T> PW85_FUNCTION inline FacingSurface<T>
+template <class T> [[gnu::always_inline]] PW85_FUNCTION inline FacingSurface<T>
 facing_surface(SymmetricMatrix<T, 3> const &q, TangentFrame<T> const &frame) noexcept
 {
     Vector<T, 3> const qn = product(q, frame.normal);
@@ -169,27 +169,17 @@ template <class T> PW85_FUNCTION constexpr T last_grain_step_squared() noexcept
     return negative_power_of_two<T>(2 * (mantissa_digits<T>() / 2 - 4));
 }
 
-/// A search for the normal. The result of a lane depends on its own pair alone: once it has
-/// converged, its normal stays, and another step gives the same.
-template <class T> struct GrainSearch {
-    Vector<T, 3> normal;
-    GrainStep<T> step;
-    typename ScalarTraits<T>::Mask active;
-};
-
 template <class T>
 PW85_FUNCTION inline typename ScalarTraits<T>::Mask is_found(GrainStep<T> const &step) noexcept
 {
     return step.is_minimum && step.square <= last_grain_step_squared<T>();
 }
 
+/// Where a search takes another step, from the normal of this one.
 template <class T>
-PW85_FUNCTION inline void take_step(GrainSearch<T> &search, DistancePair<T, 3> const &pair) noexcept
+PW85_FUNCTION inline typename ScalarTraits<T>::Mask is_too_long(GrainStep<T> const &step) noexcept
 {
-    search.step = grain_step(pair, search.normal);
-    search.active = search.step.is_minimum && search.step.square > last_grain_step_squared<T>();
-    for (int i = 0; i < 3; ++i)
-        search.normal[i] = select(search.active, search.step.normal[i], search.normal[i]);
+    return step.is_minimum && step.square > last_grain_step_squared<T>();
 }
 
 /// The contact that a step has found, except its radius.
@@ -292,10 +282,11 @@ grain_contact(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
     StatusCode const status = validate_facing(r12, q1, q2, start);
     if (status != StatusCode::success) return all_nan<GrainContact<T>>(status);
     auto const [pair, units] = scale_facing(r12, q1, q2);
-    GrainSearch<T> search{T(T(1) / magnitude(start)) * start, {}, true};
-    for (int i = 0; i < max_grain_steps && search.active; ++i) take_step(search, pair);
-    if (!is_found(search.step)) return all_nan<GrainContact<T>>(StatusCode::no_convergence);
-    GrainContact<T> result = contact_of(search.step, pair.r12);
+    GrainStep<T> step = grain_step(pair, T(T(1) / magnitude(start)) * start);
+    for (int i = 1; i < max_grain_steps && is_too_long(step); ++i)
+        step = grain_step(pair, step.normal);
+    if (!is_found(step)) return all_nan<GrainContact<T>>(StatusCode::no_convergence);
+    GrainContact<T> result = contact_of(step, pair.r12);
     result.radius = hertz_radius(result.curvatures[0], result.curvatures[1]);
     Unit const smaller = smaller_unit(units);
     result.depth = units.length.to_caller(result.depth);

@@ -351,7 +351,10 @@ PW85_INLINE void store_rows(Vector<Pack, 3> const &x, std::size_t count, double 
     constexpr auto all = std::make_index_sequence<lanes>();
     Register const interleaved[3] = {interleave<0>(x, all), interleave<1>(x, all),
                                      interleave<2>(x, all)};
-    std::memcpy(rows, interleaved, 3 * sizeof(double) * (count < lanes ? count : lanes));
+    if (count >= lanes)
+        std::memcpy(rows, interleaved, sizeof interleaved); // three stores, not a call
+    else
+        std::memcpy(rows, interleaved, 3 * sizeof(double) * count);
 }
 
 } // namespace

@@ -49,14 +49,6 @@ PW85_INLINE DistancePair<Pack, 3> grain_pair(LanePair<3> const &pair) noexcept
     return {pair.r12, pair.q1, pair.q2, Pack(1.0), Pack(1.0)};
 }
 
-PW85_INLINE Vector<Pack, 3> load_directions(double const *directions, std::size_t left) noexcept
-{
-    double const *rows[lanes];
-    for (std::size_t i = 0; i < lanes; ++i)
-        rows[i] = kernels::row_of(directions, 3, i < left ? i : left - 1);
-    return load_vectors<Pack, 3>(rows);
-}
-
 /// Stores the contacts of a pack; returns the lanes that are done.
 PW85_INLINE PackMask store_contacts(GrainStep<Pack> const &step, LanePair<3> const &pair,
                                     std::size_t left, kernels::GrainArrays const &out) noexcept
@@ -75,29 +67,37 @@ PW85_INLINE PackMask store_contacts(GrainStep<Pack> const &step, LanePair<3> con
            negative_power_of_two<Pack>(fitted_ratio_exponent) * larger <= smaller;
 }
 
+/// One pack: a second one would not stay in the registers beside the first.
+template <class Rows> constexpr std::size_t chunk_size<Rows, kernels::GrainArrays> = lanes;
+
+/// Searches for the contacts of a pack, and stores them; returns the lanes that are done. The
+/// result of a lane depends on its own pair alone: once it has converged, its normal stays, and
+/// another step gives the same.
+PW85_INLINE PackMask search_contacts(LanePair<3> const &pair, Vector<Pack, 3> normal,
+                                     std::size_t left, kernels::GrainArrays const &out) noexcept
+{
+    for (int i = 1;; ++i) {
+        // a new object: to assign it would copy it through memory
+        GrainStep<Pack> const step = grain_step(grain_pair(pair), normal);
+        PackMask const active = is_too_long(step);
+        if (i == max_grain_steps || !any_of(active)) return store_contacts(step, pair, left, out);
+        for (int d = 0; d < 3; ++d) normal[d] = select(active, step.normal[d], normal[d]);
+    }
+}
+
 /// Computes the contacts of a chunk. scalar_fallback() overwrites those that are left over.
 template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk const &chunk,
                                                      kernels::GrainArrays const &out,
                                                      kernels::Worklist &rejected_lanes) noexcept
 {
-    LanePair<3> pairs[packs_per_chunk];
-    GrainSearch<Pack> searches[packs_per_chunk];
-    auto const [begin, count, end] = chunk;
-    std::size_t const packs = (count + lanes - 1) / lanes;
-    for (std::size_t k = 0; k < packs && k < packs_per_chunk; ++k) {
-        std::size_t const first = begin + k * lanes, left = count - k * lanes;
-        pairs[k] = load_consecutive(rows, first, left);
-        auto const start = load_directions(out.starts + 3 * first, left);
-        searches[k].normal = Pack(Pack(1.0) / magnitude(start)) * start;
-    }
-    run(searches, packs, max_grain_steps,
-        [&](std::size_t k) { take_step(searches[k], grain_pair(pairs[k])); });
-    for (std::size_t k = 0; k < packs && k < packs_per_chunk; ++k) {
-        std::size_t const first = begin + k * lanes, left = count - k * lanes;
-        PackMask const done = store_contacts(searches[k].step, pairs[k], left, out.from(first));
-        for_lanes(live_lanes(left) & ~done.to_bits(),
-                  [&](unsigned i) { rejected_lanes.push(first + i); });
-    }
+    auto const part = out.from(chunk.begin);
+    LanePair<3> const pair = load_consecutive(rows, chunk.begin, chunk.count);
+    Vector<Pack, 3> start;
+    load_rows<3>(part.starts, chunk.count, start);
+    PackMask const done =
+        search_contacts(pair, Pack(Pack(1.0) / magnitude(start)) * start, chunk.count, part);
+    for_lanes(live_lanes(chunk.count) & ~done.to_bits(),
+              [&](unsigned i) { rejected_lanes.push(chunk.begin + i); });
 }
 
 } // namespace
