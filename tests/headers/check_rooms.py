@@ -25,7 +25,7 @@ ROOMS = {
     "c_api": ("base", "simd", "rows"),
     "lists": ("base", "periodic", "simd", "rows"),
     "forces": ("base", "periodic", "simd", "rows", "lists"),
-    "neighbors": ("base", "periodic"),
+    "neighbors": ("base", "periodic", "simd"),
     "enclosing": ("base", "any_dimension"),
     "meshes": ("base", "rows", "neighbors"),
     "simulation": ("base", "periodic", "simd", "rows", "neighbors"),
