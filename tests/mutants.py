@@ -26,7 +26,7 @@ MUTANTS = [
     ("contact/contact_hessian.hpp", "fixed - T(0.5) * (dot(x.turn", "fixed + T(0.5) * (dot(x.turn", "test_hessian"),
     ("contact/contact_hessian.hpp", "T(2) * (weight * fixed", "T(1) * (weight * fixed", "test_hessian"),
     ("contact/forms.hpp", "two * (x * y - w * z)", "two * (x * y + w * z)", "test_forms"),
-    ("algebra/sine_cosine.hpp", "w * (-1.0 / 5040", "w * (-1.0 / 5039", "test_elementary"),
+    ("algebra/sine_cosine.hpp", "-1.0 / 5040,", "-1.0 / 5039,", "test_elementary"),
     ("algebra/units.hpp", "times_power_of_two(x, -power * exponent)", "times_power_of_two(x, power * exponent)", "test_units"),
     ("algebra/powers_of_two.hpp", "exponent += 969", "exponent += 968", "test_units"),
     ("distance/support.hpp", "return {T(T(1) / extent) * point, extent};", "return {point, extent};", "test_distance"),

@@ -70,6 +70,28 @@ PW85_TEST("/elementary/sine_cosine")
     }
 }
 
+// Two angles side by side have the bits of each alone, whether the series of both are side by side
+// or one angle is too large for that.
+PW85_TEST("/elementary/two_angles")
+{
+    using pw85::detail::sine_cosine;
+    Failures failures;
+    Random random(41);
+    auto const check = [&](double angle, double sine, double cosine) {
+        auto const [expected_sine, expected_cosine] = sine_cosine(angle);
+        auto const describe = [&] { return hex_text(&angle, 1); };
+        failures.check(sine == expected_sine, "sine", sine, expected_sine, describe);
+        failures.check(cosine == expected_cosine, "cosine", cosine, expected_cosine, describe);
+    };
+    for (int n = 0; n < draws(4000); ++n) {
+        double const first = random.sign() * random.log_uniform(1e-300, n % 2 == 0 ? 0.75 : 1e3),
+                     second = random.uniform(-0.8, 0.8);
+        auto const both = sine_cosine(pw85::detail::TwoLanes<double>(first, second));
+        check(first, first_of(both.sine), first_of(both.cosine));
+        check(second, second_of(both.sine), second_of(both.cosine));
+    }
+}
+
 double power_of(double x, double exponent)
 {
     double numbers[pw85::detail::lanes];

@@ -9,7 +9,7 @@
 #include <limits>
 
 #ifdef __SSE2__
-#include <emmintrin.h>
+#include <immintrin.h>
 #endif
 
 namespace pw85::detail::neighbors {
@@ -76,8 +76,30 @@ static inline Box enclose(Block const &block) noexcept
 /// Bit k is set where `box` intersects box k of the block.
 static inline unsigned intersecting(Box const &box, Block const &block) noexcept
 {
+#if defined(__AVX512F__)
+    __mmask8 both = 0xff;
+    for (int d = 0; d < 3; ++d) {
+        both = _mm512_mask_cmp_pd_mask(both, _mm512_loadu_pd(block.lower[d]),
+                                       _mm512_set1_pd(box.upper[d]), _CMP_LE_OQ);
+        both = _mm512_mask_cmp_pd_mask(both, _mm512_loadu_pd(block.upper[d]),
+                                       _mm512_set1_pd(box.lower[d]), _CMP_GE_OQ);
+    }
+    return both;
+#elif defined(__AVX__)
     unsigned bits = 0;
-#ifdef __SSE2__
+    for (int k = 0; k < width; k += 4) {
+        __m256d both = _mm256_castsi256_pd(_mm256_set1_epi32(-1));
+        for (int d = 0; d < 3; ++d) {
+            both = _mm256_and_pd(both, _mm256_cmp_pd(_mm256_loadu_pd(block.lower[d] + k),
+                                                     _mm256_set1_pd(box.upper[d]), _CMP_LE_OQ));
+            both = _mm256_and_pd(both, _mm256_cmp_pd(_mm256_loadu_pd(block.upper[d] + k),
+                                                     _mm256_set1_pd(box.lower[d]), _CMP_GE_OQ));
+        }
+        bits |= static_cast<unsigned>(_mm256_movemask_pd(both)) << k;
+    }
+    return bits;
+#elif defined(__SSE2__)
+    unsigned bits = 0;
     for (int k = 0; k < width; k += 2) {
         __m128d both = _mm_castsi128_pd(_mm_set1_epi32(-1));
         for (int d = 0; d < 3; ++d) {
@@ -88,7 +110,9 @@ static inline unsigned intersecting(Box const &box, Block const &block) noexcept
         }
         bits |= static_cast<unsigned>(_mm_movemask_pd(both)) << k;
     }
+    return bits;
 #else
+    unsigned bits = 0;
     for (int k = 0; k < width; ++k) {
         unsigned one = 1;
         for (int d = 0; d < 3; ++d)
@@ -96,8 +120,8 @@ static inline unsigned intersecting(Box const &box, Block const &block) noexcept
                    static_cast<unsigned>(block.upper[d][k] >= box.lower[d]);
         bits |= one << k;
     }
-#endif
     return bits;
+#endif
 }
 
 } // namespace pw85::detail::neighbors

@@ -200,10 +200,8 @@ class ListBuilder {
             tasks[k].begin = std::exchange(size, size + tasks[k].found.size());
         }
         if (size > list_.pairs.size() && !resize_list(2 * size)) return false;
-        for_tasks(count, count > 1, [&](std::size_t k) {
-            for (std::size_t l = 0; l < tasks[k].found.size(); ++l)
-                write_pair(tasks[k].found[l], tasks[k].begin + l);
-        });
+        for_tasks(count, count > 1,
+                  [&](std::size_t k) { write_pairs(tasks[k].found, tasks[k].begin); });
         return true;
     }
 
@@ -212,22 +210,33 @@ class ListBuilder {
         return list_.pairs.resize(size) && (!list_.has_cell || list_.images.resize(size));
     }
 
-    /// Writes pair k with the caller's numbers of particles, and in multiples of the vectors of the
-    /// cell. The first particle has the lower number. For two images of one particle, the multiples
-    /// come after zero in lexicographic order.
-    void write_pair(Found const &found, std::size_t k) noexcept
+    /// Writes pairs from pair `begin` on.
+    void write_pairs(FoundPairs const &found, std::size_t begin) noexcept
     {
-        PlacedParticle first = placed_[static_cast<std::size_t>(found.first)],
-                       second = placed_[static_cast<std::size_t>(found.second)];
-        Multiples const &moved = images_[static_cast<std::size_t>(found.image)].of_cell;
-        Multiples image;
-        for (int d = 0; d < 3; ++d)
-            image.n[d] = first.subtracted.n[d] - second.subtracted.n[d] - moved.n[d];
-        if (first.index > second.index || (first.index == second.index && precedes_zero(image))) {
-            std::swap(first, second);
-            for (std::int32_t &n : image.n) n = -n;
+        std::size_t k = 0;
+        for (FoundPairs::Run const &run : found.runs()) {
+            PlacedParticle first = placed_[static_cast<std::size_t>(run.first)];
+            Multiples const &moved = images_[static_cast<std::size_t>(run.image)].of_cell;
+            for (int d = 0; d < 3; ++d) first.subtracted.n[d] -= moved.n[d];
+            for (; k < run.end; ++k)
+                write_pair(first, placed_[static_cast<std::size_t>(found.second(k))], begin + k);
         }
-        list_.pairs[k] = {first.index, second.index};
+    }
+
+    /// Writes pair k with the caller's numbers of particles, and in multiples of the vectors of the
+    /// cell: the difference of those that were subtracted. The first particle has the lower number.
+    /// For two images of one particle, the multiples come after zero in lexicographic order.
+    /// Particles are exchanged without a branch: processors would not predict it.
+    void write_pair(PlacedParticle const &first, PlacedParticle const &second,
+                    std::size_t k) noexcept
+    {
+        Multiples image;
+        for (int d = 0; d < 3; ++d) image.n[d] = first.subtracted.n[d] - second.subtracted.n[d];
+        bool exchanged = first.index > second.index;
+        if (first.index == second.index) exchanged = precedes_zero(image);
+        std::int32_t const sign = exchanged ? -1 : 0;
+        for (std::int32_t &n : image.n) n = (n ^ sign) - sign;
+        list_.pairs[k] = {std::min(first.index, second.index), std::max(first.index, second.index)};
         if (list_.has_cell) list_.images[k] = image;
     }
 

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Finds the pairs of search.hpp by going down the tree: first pairs of groups, then each box of one
-// group against the blocks of the other group.
+// group against the blocks of the other group (groups/groups.hpp).
 #include "search.hpp"
 
 #include <pw85.h>
 
+#include "groups/groups.hpp"
+
 namespace pw85::detail::neighbors {
 
 namespace {
-
-/// The blocks of a group, moved by the lattice vector number `image`.
-struct MovedGroup {
-    Block blocks[width];
-    std::size_t group, image;
-};
 
 MovedGroup move_group(Tree const &tree, Periodicity const &lattice, std::size_t group,
                       Multiples const &multiples, std::size_t image) noexcept
@@ -25,41 +21,6 @@ MovedGroup move_group(Tree const &tree, Periodicity const &lattice, std::size_t 
             moved.blocks[b].set(k, lattice.moved(moved.blocks[b].get(k), multiples));
     }
     return moved;
-}
-
-/// Returns the bits above bit k.
-constexpr unsigned above(std::size_t k) noexcept { return ~0u << (k + 1); }
-
-/// Finds the pairs of one box, number `i`, with the boxes of a group. In the group of the box
-/// itself, if it is not moved, only pairs with later boxes are found. So each pair is found once.
-bool pair_box(Tree const &tree, Box const &box, std::size_t i, std::size_t image, std::size_t group,
-              FoundPairs &found) noexcept
-{
-    bool const same_group = image == 0 && i / Tree::group_size == group;
-    std::size_t const own_block = i / width;
-    unsigned blocks = intersecting(box, *tree.block(1, group));
-    if (same_group) blocks &= above(own_block % width) | 1u << own_block % width;
-    for (; blocks != 0; blocks &= blocks - 1) {
-        std::size_t const b = group * width + static_cast<unsigned>(std::countr_zero(blocks));
-        unsigned bits = intersecting(box, *tree.block(0, b));
-        if (same_group && b == own_block) bits &= above(i % width);
-        if (bits != 0 && !found.add(i, b * width, bits, image)) return false;
-    }
-    return true;
-}
-
-/// Finds the pairs of a moved group with another group.
-bool pair_groups(Tree const &tree, MovedGroup const &moved, std::size_t group,
-                 FoundPairs &found) noexcept
-{
-    Box const around = tree.box(Tree::group_level, group);
-    for (std::size_t b = 0; b < width; ++b)
-        for (unsigned bits = intersecting(around, moved.blocks[b]); bits != 0; bits &= bits - 1) {
-            int const k = std::countr_zero(bits);
-            std::size_t const i = (moved.group * width + b) * width + static_cast<unsigned>(k);
-            if (!pair_box(tree, moved.blocks[b].get(k), i, moved.image, group, found)) return false;
-        }
-    return true;
 }
 
 } // namespace
@@ -89,6 +50,7 @@ int list_images(Periodicity const &lattice, Box const &root, double most,
 bool find_pairs(Tree const &tree, Periodicity const &lattice, Array<LatticeVector> const &images,
                 std::size_t task, double most, FoundPairs &found) noexcept
 {
+    auto *const pair_groups = kernels::pair_groups_of(kernels::chosen());
     found.clear();
     Box const root = tree.root();
     std::size_t const begin = task * groups_per_task,

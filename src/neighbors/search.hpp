@@ -6,6 +6,7 @@
 #define PW85_NEIGHBORS_SEARCH_HPP_INCLUDED
 
 #include <cmath>
+#include <span>
 
 #include "../base/array.hpp"
 #include "periodicity.hpp"
@@ -13,39 +14,51 @@
 
 namespace pw85::detail::neighbors {
 
-/// Box `second` intersects box `first` after box `first` is moved by the lattice vector number
-/// `image`.
-struct Found {
-    std::int32_t first, second, image;
-};
-
-/// A growing array of pairs.
+/// Pairs of boxes, in runs with the same first box.
 class FoundPairs {
   public:
-    /// Adds the pairs of box `first` with box `begin` + k for each bit k that is set. Returns false
-    /// if there is no memory.
-    [[gnu::always_inline]] bool add(std::size_t first, std::size_t begin, unsigned bits,
-                                    std::size_t image) noexcept
+    /// The boxes that box `first` intersects after it is moved by the lattice vector number
+    /// `image`: the second boxes from the end of the run before up to `end`.
+    struct Run {
+        std::int32_t first, image;
+        std::size_t end;
+    };
+
+    /// Makes room for the second boxes of a block. Returns false if there is no memory.
+    [[gnu::always_inline]] bool reserve_block() noexcept
     {
-        if (size_ + width > room_.size() && !room_.resize(2 * room_.size() + 1024)) return false;
-        for (; bits != 0; bits &= bits - 1)
-            room_[size_++] = {
-                static_cast<std::int32_t>(first),
-                static_cast<std::int32_t>(begin + static_cast<unsigned>(std::countr_zero(bits))),
-                static_cast<std::int32_t>(image)};
+        return size_ + width <= seconds_.size() || seconds_.resize(2 * seconds_.size() + 1024);
+    }
+
+    /// Returns the place for the second boxes of the next block.
+    [[gnu::always_inline]] std::int32_t *next() noexcept { return seconds_.data() + size_; }
+
+    /// Takes the first `count` of them into the run.
+    [[gnu::always_inline]] void extend(std::size_t count) noexcept { size_ += count; }
+
+    /// Ends the run of a box, unless it is empty. Returns false if there is no memory.
+    [[gnu::always_inline]] bool end_run(std::size_t first, std::size_t image) noexcept
+    {
+        if (size_ == (num_runs_ > 0 ? runs_[num_runs_ - 1].end : 0)) return true;
+        if (num_runs_ == runs_.size() && !runs_.resize(2 * num_runs_ + 256)) return false;
+        runs_[num_runs_++] = {static_cast<std::int32_t>(first), static_cast<std::int32_t>(image),
+                              size_};
         return true;
     }
 
+    /// Returns the number of pairs.
     [[gnu::always_inline]] std::size_t size() const noexcept { return size_; }
-    [[gnu::always_inline]] Found const &operator[](std::size_t k) const noexcept
+    [[gnu::always_inline]] std::int32_t second(std::size_t k) const noexcept { return seconds_[k]; }
+    [[gnu::always_inline]] std::span<Run const> runs() const noexcept
     {
-        return room_[k];
+        return {runs_.data(), num_runs_};
     }
-    [[gnu::always_inline]] void clear() noexcept { size_ = 0; }
+    [[gnu::always_inline]] void clear() noexcept { size_ = num_runs_ = 0; }
 
   private:
-    Array<Found> room_;
-    std::size_t size_ = 0;
+    Array<std::int32_t> seconds_;
+    Array<Run> runs_;
+    std::size_t size_ = 0, num_runs_ = 0;
 };
 
 /// Largest numbers for which a list is made.

@@ -2,6 +2,8 @@
 // Computes the levels of the tree above the boxes of the particles (tree.hpp).
 #include "tree.hpp"
 
+#include "../base/parallel.hpp"
+
 namespace pw85::detail::neighbors {
 
 bool Tree::resize(std::size_t n) noexcept

@@ -8,7 +8,6 @@
 #include <bit>
 
 #include "../base/array.hpp"
-#include "../base/parallel.hpp"
 #include "boxes.hpp"
 
 namespace pw85::detail::neighbors {

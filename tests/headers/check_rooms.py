@@ -24,7 +24,7 @@ ROOMS = {
     "shared": ("simd",),
     "lists": ("base", "periodic", "simd", "rows"),
     "forces": ("base", "periodic", "simd", "rows", "lists"),
-    "neighbors": ("base", "periodic"),
+    "neighbors": ("base", "periodic", "simd"),
     "enclosing": ("base", "any_dimension"),
     "meshes": ("base", "rows", "neighbors"),
     "simulation": ("base", "periodic", "simd", "rows", "neighbors"),

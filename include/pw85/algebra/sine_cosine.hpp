@@ -16,6 +16,7 @@
 
 #include <pw85/algebra/doubled.hpp>
 #include <pw85/algebra/powers_of_two.hpp>
+#include <pw85/algebra/two_lanes.hpp>
 
 namespace pw85::detail {
 
@@ -55,11 +56,15 @@ PW85_FUNCTION inline Doubled<double> minus_quarters(Doubled<double> const &x,
     return ordered_sum(c.sum, c.rest);
 }
 
+/// Smaller angles are reduced, because their multiple of π/2 is zero.
+inline constexpr double reduced_angle = 0.75;
+
 /// Item 1, for a finite angle. Each pass takes at least 25 bits off. All passes but the last
 /// subtract multiples of 4 quarters, or of 2 quarters.
 PW85_FUNCTION inline ReducedAngle reduce_angle(double angle) noexcept
 {
     ReducedAngle reduced{{angle, 0.0}, 0};
+    if (absolute(angle) < reduced_angle) return reduced;
     for (int exponent = 1; exponent > 0;) {
         double const high = reduced.rest.high;
         exponent = high == 0.0 ? 0 : maximum(0, binary_exponent(absolute(high)) - 25);
@@ -72,31 +77,40 @@ PW85_FUNCTION inline ReducedAngle reduce_angle(double angle) noexcept
     return reduced;
 }
 
+/// (sin h - h)/h³ of w = h², for an angle that is reduced.
+template <class Real> PW85_FUNCTION constexpr Real sine_series(Real const &w) noexcept
+{
+    constexpr double c[8] = {
+        -1.0 / 6,        1.0 / 120,        -1.0 / 5040,          1.0 / 362880,
+        -1.0 / 39916800, 1.0 / 6227020800, -1.0 / 1307674368000, 1.0 / 355687428096000};
+    Real sum(c[7]);
+    for (int k = 6; k >= 0; --k) sum = Real(c[k]) + w * sum;
+    return sum;
+}
+
+/// (cos h - 1 + ½h²)/h⁴ of w = h², likewise.
+template <class Real> PW85_FUNCTION constexpr Real cosine_series(Real const &w) noexcept
+{
+    constexpr double c[7] = {
+        1.0 / 24,        -1.0 / 720,         1.0 / 40320,         -1.0 / 3628800,
+        1.0 / 479001600, -1.0 / 87178291200, 1.0 / 20922789888000};
+    Real sum(c[6]);
+    for (int k = 5; k >= 0; --k) sum = Real(c[k]) + w * sum;
+    return sum;
+}
+
 /// Returns the sine of an angle that is reduced, by its series about the first part.
 PW85_FUNCTION inline double sine_of_rest(Doubled<double> const &x) noexcept
 {
     double const h = x.high, w = h * h;
-    double const series =
-        -1.0 / 6 +
-        w * (1.0 / 120 + w * (-1.0 / 5040 +
-                              w * (1.0 / 362880 + w * (-1.0 / 39916800 +
-                                                       w * (1.0 / 6227020800 +
-                                                            w * (-1.0 / 1307674368000 +
-                                                                 w * (1.0 / 355687428096000)))))));
-    return h + (h * w * series + x.low * (1.0 - 0.5 * w));
+    return h + (h * w * sine_series(w) + x.low * (1.0 - 0.5 * w));
 }
 
 /// Returns the cosine likewise. The rounding error of 1 - h²/2 is added to the rest of the series.
 PW85_FUNCTION inline double cosine_of_rest(Doubled<double> const &x) noexcept
 {
     double const h = x.high, w = h * h, half = 0.5 * w, first = 1.0 - half;
-    double const series =
-        1.0 / 24 +
-        w * (-1.0 / 720 +
-             w * (1.0 / 40320 +
-                  w * (-1.0 / 3628800 + w * (1.0 / 479001600 + w * (-1.0 / 87178291200 +
-                                                                    w * (1.0 / 20922789888000))))));
-    return first + (((1.0 - first) - half) + (w * w * series - h * x.low));
+    return first + (((1.0 - first) - half) + (w * w * cosine_series(w) - h * x.low));
 }
 
 PW85_FUNCTION inline SineCosine<double> sine_cosine(double angle) noexcept
@@ -108,6 +122,32 @@ PW85_FUNCTION inline SineCosine<double> sine_cosine(double angle) noexcept
     double const first = quarters % 2 == 0 ? sine : cosine,
                  second = quarters % 2 == 0 ? cosine : sine;
     return {quarters < 2 ? first : -first, quarters == 1 || quarters == 2 ? -second : second};
+}
+
+/// The sines and cosines of two angles, computed one after the other.
+template <class T>
+PW85_FUNCTION inline SineCosine<TwoLanes<T>> one_by_one(TwoLanes<T> const &angles) noexcept
+{
+    auto const [sine1, cosine1] = sine_cosine(first_of(angles));
+    auto const [sine2, cosine2] = sine_cosine(second_of(angles));
+    return {TwoLanes<T>(sine1, sine2), TwoLanes<T>(cosine1, cosine2)};
+}
+
+template <class T>
+PW85_FUNCTION inline SineCosine<TwoLanes<T>> sine_cosine(TwoLanes<T> const &angles) noexcept
+{
+    return one_by_one(angles);
+}
+
+/// Two angles. Those that are reduced have their series side by side.
+PW85_FUNCTION inline SineCosine<TwoLanes<double>>
+sine_cosine(TwoLanes<double> const &angles) noexcept
+{
+    using Lanes = TwoLanes<double>;
+    if (!all_of(absolute(angles) < Lanes(reduced_angle))) return one_by_one(angles);
+    Lanes const w = angles * angles, half = Lanes(0.5) * w, first = Lanes(1.0) - half;
+    return {angles + angles * w * sine_series(w),
+            first + (((Lanes(1.0) - first) - half) + w * w * cosine_series(w))};
 }
 
 } // namespace pw85::detail

@@ -267,6 +267,33 @@ side_by_side(SymmetricMatrix<T, D> const &first, SymmetricMatrix<T, D> const &se
                         std::make_integer_sequence<int, SymmetricMatrix<T, D>::size>());
 }
 
+/// Two vectors side by side.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION constexpr Vector<TwoLanes<T>, D>
+side_by_side(Vector<T, D> const &first, Vector<T, D> const &second) noexcept
+{
+    Vector<TwoLanes<T>, D> both{};
+    for (int i = 0; i < D; ++i) both[i] = TwoLanes<T>(first[i], second[i]);
+    return both;
+}
+
+/// The sums of both lanes of the coordinates.
+template <class T, int D>
+PW85_FUNCTION constexpr Vector<T, D> sum_of_lanes(Vector<TwoLanes<T>, D> const &x) noexcept
+{
+    Vector<T, D> sum{};
+    for (int i = 0; i < D; ++i) sum[i] = sum_of_lanes(x[i]);
+    return sum;
+}
+
+/// The sums of both lanes of the entries.
+template <class T, int D> PW85_FUNCTION constexpr SymmetricMatrix<T, D>
+sum_of_lanes(SymmetricMatrix<TwoLanes<T>, D> const &a) noexcept
+{
+    SymmetricMatrix<T, D> sum{};
+    for (int k = 0; k < sum.size; ++k) sum[k] = sum_of_lanes(a[k]);
+    return sum;
+}
+
 } // namespace pw85::detail
 
 #endif

@@ -73,16 +73,13 @@ template <class T> struct Reach {
     T radius, growth;
 };
 
-/// The reach of spheres around two bodies; unit1 and unit2 are the units of the roots of their
-/// forms, in the unit of the radii. The radii are enlarged by a thousandth, which covers rounding.
-template <class T, int D>
-PW85_FUNCTION inline Reach<T> reach_of_spheres(Body<T, D> const &body1, T const &unit1,
-                                               Body<T, D> const &body2, T const &unit2) noexcept
+/// The reach of spheres around two bodies, from their longest semi-axes and rates of growth. The
+/// radii are enlarged by a thousandth, which covers rounding.
+template <class T> PW85_FUNCTION inline Reach<T>
+reach_of_spheres(TwoLanes<T> const &semi_axes, TwoLanes<T> const &growth) noexcept
 {
-    T const margin = T(1) + T(0x1p-10);
-    T const radius1 = margin * unit1 * square_root(body1.most),
-            radius2 = margin * unit2 * square_root(body2.most);
-    return {radius1 + radius2, body1.growth * radius1 + body2.growth * radius2};
+    auto const radii = TwoLanes<T>(T(1) + T(0x1p-10)) * semi_axes;
+    return {sum_of_lanes(radii), sum_of_lanes(growth * radii)};
 }
 
 /// The reach after some time. From then on the spheres are taken not to shrink, so that they meet
@@ -239,7 +236,10 @@ advance_until_spheres_meet(MovingEllipsoids<T, D> &moving) noexcept
                body2 = to_body(q2, moving.motion2, units.time);
     auto const velocity =
         units.velocity().to_local(relative_velocity(moving.motion1, moving.motion2));
-    auto reach = reach_after(reach_of_spheres(body1, scale1, body2, scale2), T(0));
+    auto reach = reach_after(reach_of_spheres(TwoLanes<T>(scale1 * square_root(body1.most),
+                                                          scale2 * square_root(body2.most)),
+                                              TwoLanes<T>(body1.growth, body2.growth)),
+                             T(0));
     T const least = Unit{std::numeric_limits<T>::min_exponent + 8}.as<T>();
     if (!(reach.growth < infinity<T>())) return quiet_nan<T>();
     bool const in_range = reach.radius > least;

@@ -87,10 +87,14 @@ first_contact_of_motion(ScaledPair<T, D> const &scaled, Unit time, Vector<T, D> 
                         T const &end) noexcept
 {
     auto const &[pair, units] = scaled;
-    auto const body1 = to_body(pair.q1, units.swapped ? motion2 : motion1, time),
-               body2 = to_body(pair.q2, units.swapped ? motion1 : motion2, time);
-    return advance_to_contact(turning_pair(BodyPair<T, D>{{pair.r12, body1, body2, pair.ratio},
-                                                          velocity,
+    auto const &first = units.swapped ? motion2 : motion1,
+               &second = units.swapped ? motion1 : motion2;
+    auto const bodies =
+        to_body(side_by_side(pair.q1, pair.q2),
+                side_by_side(time.to_local(first.angular_velocity, -1),
+                             time.to_local(second.angular_velocity, -1)),
+                TwoLanes<T>(time.to_local(first.growth, -1), time.to_local(second.growth, -1)));
+    return advance_to_contact(turning_pair(BodyPair<T, D>{pair.r12, bodies, pair.ratio, velocity,
                                                           tangent_in_units<T>(units)}),
                               end);
 }

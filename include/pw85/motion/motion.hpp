@@ -5,6 +5,7 @@
 #define PW85_MOTION_MOTION_HPP_INCLUDED
 
 #include <pw85/algebra/sine_cosine.hpp>
+#include <pw85/algebra/two_lanes.hpp>
 #include <pw85/algebra/units.hpp>
 
 namespace pw85 {
@@ -50,20 +51,42 @@ change_by_turning(Vector<T, rotation_axes<D>> const &axis, SymmetricMatrix<T, D>
     return change;
 }
 
-/// A form that turns: RARᵀ = A + (cos θ - 1) C1 + sin θ S1 + (cos 2θ - 1) C2 + sin 2θ S2, where its
-/// derivatives at θ = 0, by change_by_turning(), are S1 + 2 S2, -C1 - 4 C2, -S1 - 8 S2, C1 + 16 C2.
+/// A form that turns about an axis e: RARᵀ = A + (cos θ - 1) C1 + sin θ S1 + (cos 2θ - 1) C2 + sin
+/// 2θ S2. With the part p of Ae across e, C1 = epᵀ + peᵀ and S1 = e(e × p)ᵀ + (e × p)eᵀ. C2 is the
+/// part of A in the plane across e, less its mean, and 2 S2 is its derivative.
 template <class T, int D> struct TurningForm {
     SymmetricMatrix<T, D> form, c1, s1, c2, s2;
 };
 
-template <class T, int D> PW85_FUNCTION constexpr TurningForm<T, D>
-turning_form(Vector<T, rotation_axes<D>> const &axis, SymmetricMatrix<T, D> const &a) noexcept
+/// xyᵀ + yxᵀ.
+template <class T, int D> PW85_FUNCTION constexpr SymmetricMatrix<T, D>
+symmetric_product(Vector<T, D> const &x, Vector<T, D> const &y) noexcept
 {
-    auto const d1 = change_by_turning(axis, a), d2 = change_by_turning(axis, d1),
-               d3 = change_by_turning(axis, d2), d4 = change_by_turning(axis, d3);
-    T const third = T(1) / T(3), sixth = T(0.5) * third, twelfth = T(0.5) * sixth;
-    return {a, blend(T(T(-4) * third), d2, T(-third), d4), blend(T(T(4) * third), d1, third, d3),
-            blend(twelfth, d2, twelfth, d4), blend(T(-sixth), d1, T(-sixth), d3)};
+    SymmetricMatrix<T, D> result{};
+    for (int i = 0; i < D; ++i)
+        for (int k = i; k < D; ++k) result(i, k) = x[i] * y[k] + y[i] * x[k];
+    return result;
+}
+
+template <class T> PW85_FUNCTION constexpr TurningForm<T, 3>
+turning_form(Vector<T, 3> const &axis, SymmetricMatrix<T, 3> const &a) noexcept
+{
+    Vector<T, 3> const y = product(a, axis);
+    T const along = dot(axis, y), mean = T(0.5) * (a(0, 0) + a(1, 1) + a(2, 2) - along);
+    Vector<T, 3> const across = add_scaled(y, -along, axis);
+    auto const c1 = symmetric_product(axis, across);
+    auto const in_plane = blend(blend(a, T(-1), c1), T(T(0.5) * (mean - along)),
+                                symmetric_product(axis, axis)),
+               c2 = plus_multiple_of_identity(in_plane, T(-mean));
+    return {a, c1, symmetric_product(axis, cross(axis, across)), c2,
+            T(0.5) * change_by_turning(axis, c2)};
+}
+
+template <class T> PW85_FUNCTION constexpr TurningForm<T, 2>
+turning_form(Vector<T, 1> const &axis, SymmetricMatrix<T, 2> const &a) noexcept
+{
+    auto const c2 = plus_multiple_of_identity(a, T(T(-0.5) * (a(0, 0) + a(1, 1))));
+    return {a, {}, {}, c2, T(0.5) * change_by_turning(axis, c2)};
 }
 
 template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<T, D>
@@ -78,7 +101,8 @@ turned(TurningForm<T, D> const &x, T const &angle) noexcept
     return a;
 }
 
-/// An ellipsoid, of which a part κI does not change as it turns.
+/// An ellipsoid, of which a part κI does not change as it turns; two of them side by side if the
+/// scalar is TwoLanes.
 template <class T, int D> struct Body {
     SymmetricMatrix<T, D> rest; ///< the form less κI
     T least, most;              ///< bounds on the eigenvalues of the form; the lower one is κ
@@ -86,13 +110,13 @@ template <class T, int D> struct Body {
     T rate, growth; ///< |omega|, and that of the size over the size
 };
 
-/// The body of a form that moves, in a unit of time. Eigenvalues differ from their mean,
-/// tr Q/D, by at most √((D - 1)/D) |Q - (tr Q/D) I| in the norm of Frobenius; the margin covers the
-/// rounding errors of both.
-template <class T, int D> PW85_FUNCTION inline Body<T, D>
-to_body(SymmetricMatrix<T, D> const &q, Motion<T, D> const &motion, Unit time) noexcept
+/// The body of a form that moves. Eigenvalues differ from their mean, tr Q/D, by at most √((D -
+/// 1)/D) |Q - (tr Q/D) I| in the norm of Frobenius; the margin covers the rounding errors of both.
+template <class T, int D>
+PW85_FUNCTION inline Body<T, D> to_body(SymmetricMatrix<T, D> const &q,
+                                        Vector<T, rotation_axes<D>> const &omega,
+                                        T const &growth) noexcept
 {
-    auto const omega = time.to_local(motion.angular_velocity, -1);
     T mean = q(0, 0);
     for (int i = 1; i < D; ++i) mean = mean + q(i, i);
     mean = mean / T(D);
@@ -100,8 +124,19 @@ to_body(SymmetricMatrix<T, D> const &q, Motion<T, D> const &motion, Unit time) n
     T const spread = square_root(T(T(T(D - 1) / T(D)) * contraction(deviator, deviator))) +
                      T(16 * unit_roundoff<T>()) * mean;
     T const least = maximum(T(0), T(mean - spread));
-    return {plus_multiple_of_identity(q, T(-least)), least, mean + spread, omega, magnitude(omega),
-            time.to_local(motion.growth, -1)};
+    return {plus_multiple_of_identity(q, T(-least)),
+            least,
+            mean + spread,
+            omega,
+            magnitude(omega),
+            growth};
+}
+
+/// The body of a form and a motion, in a unit of time.
+template <class T, int D> PW85_FUNCTION inline Body<T, D>
+to_body(SymmetricMatrix<T, D> const &q, Motion<T, D> const &motion, Unit time) noexcept
+{
+    return to_body(q, time.to_local(motion.angular_velocity, -1), time.to_local(motion.growth, -1));
 }
 
 template <class T, int D>
@@ -110,10 +145,13 @@ PW85_FUNCTION constexpr SymmetricMatrix<T, D> form_of(Body<T, D> const &body) no
     return plus_multiple_of_identity(body.rest, body.least);
 }
 
+/// The parts of a form that turn with a body. Those of a body at rest do not matter.
 template <class T, int D>
 PW85_FUNCTION constexpr TurningForm<T, D> turning_form(Body<T, D> const &body) noexcept
 {
-    return turning_form((body.rate > T(0) ? T(T(1) / body.rate) : T(0)) * body.omega, body.rest);
+    auto const turns = body.rate > T(0);
+    if (!any_of(turns)) return {body.rest, {}, {}, {}, {}};
+    return turning_form(T(T(1) / select(turns, body.rate, T(1))) * body.omega, body.rest);
 }
 
 /// The body after some time.
@@ -121,7 +159,7 @@ template <class T, int D> PW85_FUNCTION inline Body<T, D>
 body_at(Body<T, D> const &start, TurningForm<T, D> const &form, T const &time) noexcept
 {
     T const size = T(1) + start.growth * time, square = size * size;
-    return {square * (start.rate > T(0) ? turned(form, T(start.rate * time)) : start.rest),
+    return {square * (any_of(start.rate > T(0)) ? turned(form, T(start.rate * time)) : start.rest),
             square * start.least,
             square * start.most,
             start.omega,

@@ -17,27 +17,26 @@ namespace pw85::detail {
 /// Bodies at time 0, and what their later states follow from.
 template <class T, int D> struct TurningPair {
     BodyPair<T, D> start;
-    TurningForm<T, D> form1, form2;
+    TurningForm<TwoLanes<T>, D> forms;
     Reach<T> spheres; ///< of spheres around the bodies at the start
 };
 
 template <class T, int D>
 PW85_FUNCTION inline TurningPair<T, D> turning_pair(BodyPair<T, D> const &start) noexcept
 {
-    auto const &[r12, body1, body2, ratio] = start.pair;
     T const unit = square_root(start.tangent); // of forms over that of r12
-    return {start, turning_form(body1), turning_form(body2),
-            reach_of_spheres(body1, unit, body2, T(unit / ratio))};
+    return {
+        start, turning_form(start.bodies),
+        reach_of_spheres(TwoLanes<T>(unit, T(unit / start.ratio)) * square_root(start.bodies.most),
+                         start.bodies.growth)};
 }
 
 template <class T, int D> PW85_FUNCTION inline BodyPair<T, D>
 pair_at(TurningPair<T, D> const &turning, T const &time) noexcept
 {
-    auto const &[pair, velocity, tangent] = turning.start;
-    return {{add_scaled(pair.r12, time, velocity), body_at(pair.q1, turning.form1, time),
-             body_at(pair.q2, turning.form2, time), pair.ratio},
-            velocity,
-            tangent};
+    auto const &[r12, bodies, ratio, velocity, tangent] = turning.start;
+    return {add_scaled(r12, time, velocity), body_at(bodies, turning.forms, TwoLanes<T>(time)),
+            ratio, velocity, tangent};
 }
 
 /// Returns how long the spheres around the ellipsoids stay apart from some time on; zero if they
@@ -47,7 +46,7 @@ template <class T, int D>
 PW85_FUNCTION inline T time_apart(TurningPair<T, D> const &turning, T const &time) noexcept
 {
     Vector<T, D> const &velocity = turning.start.velocity,
-                       r12 = add_scaled(turning.start.pair.r12, time, velocity);
+                       r12 = add_scaled(turning.start.r12, time, velocity);
     auto const reach = reach_after(turning.spheres, time);
     T const square = dot(r12, r12);
     if (!(square - reach.radius * reach.radius > T(0.0625) * square)) return T(0);
@@ -55,10 +54,15 @@ PW85_FUNCTION inline T time_apart(TurningPair<T, D> const &turning, T const &tim
 }
 
 /// t at the maximum of f.
-template <class T, int D>
-PW85_FUNCTION inline T maximiser(Pair<T, D, Body<T, D>> const &pair) noexcept
+template <class T, int D> PW85_FUNCTION inline T maximiser(BodyPair<T, D> const &moving) noexcept
 {
-    auto const m = maximize(Pair<T, D>{pair.r12, form_of(pair.q1), form_of(pair.q2), pair.ratio});
+    auto const forms = form_of(moving.bodies);
+    Pair<T, D> pair{moving.r12, {}, {}, moving.ratio};
+    for (int k = 0; k < forms.size; ++k) {
+        pair.q1[k] = first_of(forms[k]);
+        pair.q2[k] = second_of(forms[k]);
+    }
+    auto const m = maximize(pair);
     T const t = m.lambda / m.complement / pair.ratio / pair.ratio;
     return maximum(smallest_number<T>(), minimum(largest_number<T>(), t));
 }
@@ -72,7 +76,8 @@ is_known(BodyPair<T, D> const &moving, StateAtTime<T, D> const &state, T const &
 {
     T const f = state.excess + state.target;
     return state.excess * T(0) == T(0) &&
-           maximum(moving.pair.q1.rate, moving.pair.q2.rate) * time <= longest_turn<T>() &&
+           maximum(first_of(moving.bodies.rate), second_of(moving.bodies.rate)) * time <=
+               longest_turn<T>() &&
            (state.turning_slack <= f || time == T(0));
 }
 
@@ -129,7 +134,7 @@ advance_to_contact(TurningPair<T, D> const &turning, T const &end) noexcept
         if (time > end || time == infinity<T>()) return {infinity<T>(), StatusCode::success};
         auto const moving = pair_at(turning, time);
         bool const sought = lost || wait > T(0);
-        if (sought) t = maximiser(moving.pair);
+        if (sought) t = maximiser(moving);
         auto const here = state_at_time(moving, t);
         if (!is_known(moving, here, time))
             return all_nan<FirstContact<T>>(StatusCode::no_convergence);

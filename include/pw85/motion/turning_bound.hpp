@@ -15,16 +15,24 @@
 
 namespace pw85::detail {
 
-/// Two bodies in the units of a Pair at some time, and how the centre of the second moves relative
-/// to that of the first.
+/// Two bodies in the units of a Pair at some time, side by side, and how the centre of the second
+/// moves relative to that of the first.
 template <class T, int D> struct BodyPair {
-    Pair<T, D, Body<T, D>> pair;
+    Vector<T, D> r12;
+    Body<TwoLanes<T>, D> bodies;
+    T ratio; ///< as in a Pair
     Vector<T, D> velocity;
     T tangent; ///< f of a tangent pair
 };
 
 /// The largest step, for which remainders are bounded.
 template <class T> PW85_FUNCTION constexpr T longest_advance() noexcept { return T(1); }
+
+/// 1 and t: the weights of both bodies in M.
+template <class T> PW85_FUNCTION constexpr TwoLanes<T> weights_in_m(T const &t) noexcept
+{
+    return TwoLanes<T>(T(1), t);
+}
 
 /// M of a pair at some t, and what is M⁻¹r.
 template <class T, int D> struct Blend {
@@ -36,19 +44,17 @@ template <class T, int D> struct Blend {
 template <class T, int D>
 PW85_FUNCTION inline Blend<T, D> blend_at(BodyPair<T, D> const &moving, T const &t) noexcept
 {
-    auto const &[r12, body1, body2, ratio] = moving.pair;
-    auto const m = plus_multiple_of_identity(blend(body1.rest, t, body2.rest),
-                                             T(body1.least + t * body2.least));
+    auto const m = sum_of_lanes(weights_in_m(t) * form_of(moving.bodies));
     auto const factors = factorize(m, T(unit_roundoff<T>()));
-    return {m, factors, solve(factors, r12)};
+    return {m, factors, solve(factors, moving.r12)};
 }
 
 /// f at one time and t, and Newton's step in log t to the maximum of f.
 template <class T, int D> struct StateAtTime {
     Blend<T, D> blend;
-    Vector<T, D> products[2]; ///< (Q - κI) s of each body
-    T a, b;                   ///< sᵀQs of each body
-    T excess, slack, target;  ///< as in a SeparationBound
+    Vector<TwoLanes<T>, D> products; ///< (Q - κI) s of each body
+    TwoLanes<T> extents;             ///< sᵀQs of each body
+    T excess, slack, target;         ///< as in a SeparationBound
     /// what the rounding of forms that have turned can make of the excess
     T turning_slack;
     T newton, per_difference; ///< the step, and the step per h
@@ -59,29 +65,31 @@ template <class T, int D> struct StateAtTime {
 /// rotation.
 template <class T, int D> PW85_FUNCTION constexpr T most_that_turns(Body<T, D> const &body) noexcept
 {
-    return body.rate > T(0) ? body.most : T(0);
+    return select(body.rate > T(0), body.most, T(0));
 }
 
 template <class T, int D> PW85_FUNCTION inline StateAtTime<T, D>
 state_at_time(BodyPair<T, D> const &moving, T const &t) noexcept
 {
-    auto const &[r12, body1, body2, ratio] = moving.pair;
+    auto const &bodies = moving.bodies;
+    T const ratio = moving.ratio;
     auto const blend = blend_at(moving, t);
-    Vector<T, D> const &s = blend.s, y1 = product(body1.rest, s), y2 = product(body2.rest, s);
-    T const square = dot(s, s), a = dot(s, y1) + body1.least * square,
-            b = dot(s, y2) + body2.least * square;
-    T const c = inverse_form(blend.factors, add_scaled(y2, body2.least, s));
-    Slope<T> const of_h = slope(first_jet(a, b, c, t), ratio, t);
+    auto const s = converted<TwoLanes<T>>(blend.s), y = product(bodies.rest, s);
+    T const square = dot(blend.s, blend.s);
+    auto const extents = dot(s, y) + bodies.least * TwoLanes<T>(square);
+    Vector<T, D> q2s = blend.s;
+    for (int i = 0; i < D; ++i) q2s[i] = second_of(y[i]) + second_of(bodies.least) * q2s[i];
+    T const c = inverse_form(blend.factors, q2s);
+    Slope<T> const of_h = slope(first_jet(first_of(extents), second_of(extents), c, t), ratio, t);
     T const target = target_at(moving.tangent, ratio, t), per = of_h.weight / of_h.k;
     return {blend,
-            {y1, y2},
-            a,
-            b,
-            dot(s, r12) - target,
-            slack_of_form(blend.m, s),
+            y,
+            extents,
+            dot(blend.s, moving.r12) - target,
+            slack_of_form(blend.m, blend.s),
             target,
             T(12 * D * unit_roundoff<T>()) * square *
-                (most_that_turns(body1) + t * most_that_turns(body2)),
+                sum_of_lanes(weights_in_m(t) * most_that_turns(bodies)),
             -(of_h.difference / of_h.sum) * per,
             per,
             is_near(of_h)};
@@ -186,20 +194,20 @@ PW85_FUNCTION inline T noise_of_step(Body<T, D> const &body, NormalPath<T, D> co
     return T(15 * D * unit_roundoff<T>()) * body.most * change * change;
 }
 
-template <class T, int D>
-PW85_FUNCTION inline Clearance<T> clearance(BodyPair<T, D> const &moving,
-                                            StateAtTime<T, D> const &state,
-                                            NormalPath<T, D> const &path, Extent<T> const &e1,
-                                            Extent<T> const &e2, T const &t) noexcept
+template <class T, int D> PW85_FUNCTION inline Clearance<T>
+clearance(BodyPair<T, D> const &moving, StateAtTime<T, D> const &state,
+          NormalPath<T, D> const &path, Extent<TwoLanes<T>> const &extents,
+          TwoLanes<T> const &noises, T const &t) noexcept
 {
+    auto const weights = weights_in_m(t);
     T const target = state.target, n0 = state.excess + target,
-            n1 = dot(path.s1, moving.pair.r12) + dot(path.s0, moving.velocity),
+            n1 = dot(path.s1, moving.r12) + dot(path.s0, moving.velocity),
             n2 = dot(path.s1, moving.velocity), unit = T(1) / n0;
-    T const squares = e1.remainder * e1.remainder + t * e2.remainder * e2.remainder;
+    T const squares = sum_of_lanes(weights * (extents.remainder * extents.remainder));
     T const rho = square_root(T(target * squares));
-    T const noise = noise_of_step(moving.pair.q1, path) + t * noise_of_step(moving.pair.q2, path);
+    T const noise = sum_of_lanes(weights * noises);
     T q[5];
-    for (int k = 1; k < 5; ++k) q[k] = target * (e1.square[k] + t * e2.square[k]);
+    for (int k = 1; k < 5; ++k) q[k] = target * sum_of_lanes(weights * extents.square[k]);
     return {{state.excess, T(2) * n1 - unit * q[1], T(2) * n2 + unit * (n1 * n1 - q[2]) - noise,
              unit * (T(2) * n1 * n2 - q[3]) - T(2) * rho, unit * (n2 * n2 - T(2) * n1 * rho - q[4]),
              T(-2) * unit * n2 * rho, unit * rho * rho}};
@@ -247,15 +255,19 @@ template <class T> struct BoundAtLambda {
 template <class T, int D> PW85_FUNCTION inline BoundAtLambda<T>
 bound_at_lambda(BodyPair<T, D> const &moving, StateAtTime<T, D> const &state, T const &t) noexcept
 {
-    auto const &[r12, body1, body2, ratio] = moving.pair;
+    auto const &bodies = moving.bodies;
     auto const &blend = state.blend;
-    auto const i1 = respond(body1, blend.s, state.products[0]),
-               i2 = respond(body2, blend.s, state.products[1]);
-    Vector<T, D> const change = add_scaled(i1.change, t, i2.change);
-    auto const path = normal_path(blend.s, solve(blend.factors, moving.velocity - change));
-    auto const e1 = extent(body1, path, i1), e2 = extent(body2, path, i2);
-    T const change_of_h = T(0.5) * (e2.square[1] / state.b - e1.square[1] / state.a);
-    return {clearance(moving, state, path, e1, e2, t), -change_of_h * state.per_difference};
+    auto const s0 = converted<TwoLanes<T>>(blend.s);
+    auto const responses = respond(bodies, s0, state.products);
+    auto const s1 =
+        solve(blend.factors, moving.velocity - sum_of_lanes(weights_in_m(t) * responses.change));
+    auto const path = normal_path(s0, converted<TwoLanes<T>>(s1));
+    auto const extents = extent(bodies, path, responses);
+    auto const changes = extents.square[1] / state.extents;
+    T const change_of_h = T(0.5) * (second_of(changes) - first_of(changes));
+    return {clearance(moving, state, NormalPath<T, D>{blend.s, s1, {}}, extents,
+                      noise_of_step(bodies, path), t),
+            -change_of_h * state.per_difference};
 }
 
 } // namespace pw85::detail
