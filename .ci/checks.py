@@ -44,6 +44,7 @@ WITH_LIBRARIES = {
 }
 NOT_IN_CI = ["powerpc64le-linux-gnu", "riscv64-linux-gnu"]  # half a minute each, and ARM and z/Architecture find the same errors
 ONE_LIBRARY = "-Ddefault_library=shared"  # half the time to compile; the other parts build both
+JOINED = "-Djoined=true"  # some sources in each unit; the parts `tests` and `clang` compile each source alone
 ONLY_TESTS = ["-Dtests=enabled", "-Dgpu=enabled", "-Dbench=disabled", "-Dpython=disabled", "-Dfortran=disabled"]
 
 
@@ -365,7 +366,7 @@ def check_clang(results):
     test_some(results, "clang", [*suites, *NOT_SOURCES], [*ONLY_TESTS, "-Dgsl=disabled"], CLANG)
 
 
-SANITIZED = [*ONLY_TESTS, ONE_LIBRARY, "-Dgsl=disabled", "-Db_lundef=false", "-Doptimization=1", "-Doptimized=false"]
+SANITIZED = [*ONLY_TESTS, ONE_LIBRARY, JOINED, "-Dgsl=disabled", "-Db_lundef=false", "-Doptimization=1", "-Doptimized=false"]
 
 
 def check_addresses(results, selection):
@@ -444,7 +445,7 @@ def check_foreign(results):
     changes no bit, and SVE of 256 bits compiles the sources of that of 512. The part `platforms` compiles both, as users do."""
     machine = ROOT / "scripts/cross/aarch64-linux-gnu.ini"
     one_length = f"--cross-file={ROOT}/.ci/one_vector_length.ini"
-    if build_for(results, machine, [one_length, "-Doptimization=1", "-Doptimized=false"]):
+    if build_for(results, machine, [one_length, JOINED, "-Doptimization=1", "-Doptimized=false"]):
         test(results, folder_of(machine.stem), ["--suite", "portable"])
 
 
