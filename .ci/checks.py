@@ -602,10 +602,11 @@ class Scheduler:
 
 def environment():
     """The parts share a cache of compiled objects. What it ignores does not change an object: warnings are errors in the first part,
-    so that what it compiled has none, and the other is about automatic linking on Windows. Meson's paths of sources are relative."""
+    so that what it compiled has none, and the other is about automatic linking on Windows. Meson's paths of sources are relative.
+    The compiler itself names the headers of a unit (CCACHE_DEPEND), so that none is preprocessed twice."""
     os.environ.setdefault("CCACHE_DIR", str(BUILDS / "ccache"))
     os.environ["CCACHE_IGNOREOPTIONS"] = "-Werror -DBOOST_ALL_NO_LIB"
-    os.environ.update(CCACHE_NOHASHDIR="1", CCACHE_SLOPPINESS="include_file_mtime,include_file_ctime",
+    os.environ.update(CCACHE_NOHASHDIR="1", CCACHE_DEPEND="1", CCACHE_SLOPPINESS="include_file_mtime,include_file_ctime",
                       CMAKE_C_COMPILER_LAUNCHER="ccache", CMAKE_CXX_COMPILER_LAUNCHER="ccache")  # Meson finds it by itself
     os.environ["PIP_CONFIG_SETTINGS"] = "builddir=build-ci-wheel"  # wheels are built where the relative paths are the same, too
 
