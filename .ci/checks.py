@@ -15,6 +15,7 @@ import dataclasses
 import fnmatch
 import json
 import os
+import shlex
 import shutil
 import subprocess
 import sys
@@ -44,6 +45,7 @@ WITH_LIBRARIES = {
 }
 NOT_IN_CI = ["powerpc64le-linux-gnu", "riscv64-linux-gnu"]  # half a minute each, and ARM and z/Architecture find the same errors
 ONE_LIBRARY = "-Ddefault_library=shared"  # half the time to compile; the other parts build both
+JOINED = "-Djoined=true"  # some sources in each unit; the parts `tests` and `clang` compile each source alone
 ONLY_TESTS = ["-Dtests=enabled", "-Dgpu=enabled", "-Dbench=disabled", "-Dpython=disabled", "-Dfortran=disabled"]
 
 
@@ -241,43 +243,54 @@ def check_static(results):
 # The analyser takes the lines of a loop again and again until its steps are used up. With a quarter of the steps that .clang-tidy allows
 # it reaches nearly all of the lines in a third of the time.
 FEWER_STEPS = """--config={InheritParentConfig: true, ExtraArgs: ["-Xclang", "-analyzer-config", "-Xclang", "max-nodes=25000"]}"""
+TOGETHER = 7  # sources that are analysed as one, at most
 
 
-def tidy(files, *options):
-    """Analyses sources of the library with the arguments of the build by clang, two at a time, and returns whether nothing is found. A
-    source that is compiled more than once is analysed once: as the first of its units, which is for the newest instruction set."""
-    database = BUILDS / "tidy"
+def tidy(name, units, *options):
+    """Analyses sources of the library with the arguments of the build by clang, two processes at a time, and returns whether nothing is
+    found. Most of what a source consists of are headers, so some sources are read as one file, behind each other: the analyser follows
+    no function of a file that is included."""
+    database = BUILDS / "tidy" / name
+    shutil.rmtree(database, ignore_errors=True)
+    database.mkdir(parents=True)
+    entries = []
+    for (folder, *arguments), sources in units:
+        for first in range(0, len(sources), TOGETHER):
+            group = database / f"group_{len(entries)}.cpp"
+            group.write_text("".join(f'#line 1 "{source}"\n{source.read_text()}' for source in sources[first : first + TOGETHER]))
+            words = [*arguments, "-iquote", str(folder), "-c", str(group)]
+            entries.append({"directory": str(folder_of("clang")), "arguments": words, "file": str(group)})
+    (database / "compile_commands.json").write_text(json.dumps(entries))
     command = ["xargs", "-P2", "-n1", "clang-tidy", "--quiet", *options, "-p", str(database)]
-    return subprocess.run(command, cwd=ROOT, text=True, input="\n".join(files)).returncode == 0
+    files = "\n".join(entry["file"] for entry in entries)
+    return bool(entries) and subprocess.run(command, cwd=ROOT, text=True, input=files).returncode == 0
 
 
-def sources_of_library():
-    """The sources of the library, for whose units clang-tidy gets a database."""
-    folder = folder_of("clang")
-    commands = folder / "compile_commands.json"
+def units_of_library(of_rows):
+    """Sources of the library by their folder and the arguments of the compiler: those of the loops over rows, or all others. A source
+    that is compiled more than once is there once: as the first of its units, which is for the newest instruction set."""
+    build = folder_of("clang")
+    commands = build / "compile_commands.json"
     units = json.loads(commands.read_text()) if commands.exists() else []
-    of_file = {str((folder / unit["file"]).resolve()): unit for unit in reversed(units)}
-    ours = sorted(file for file in of_file if Path(file).is_relative_to(ROOT / "src"))
-    database = BUILDS / "tidy"
-    database.mkdir(parents=True, exist_ok=True)
-    (database / "compile_commands.json").write_text(json.dumps([of_file[file] for file in ours]))
-    return ours
+    of_file = {(build / unit["file"]).resolve(): unit for unit in reversed(units)}
+    found = {}
+    for source in reversed(of_file):
+        is_of_rows = source.parent == ROOT / "src/c_api" and source.stem.endswith(("_rows", "_lanes"))
+        if source.is_relative_to(ROOT / "src") and is_of_rows in of_rows:
+            words = shlex.split(of_file[source]["command"])
+            found.setdefault((source.parent, *words[: words.index("-MD")]), []).append(source)
+    return found.items()
 
 
 def check_tidy(results):
     """All checks but one. The loops over rows are short, alike, and call functions that have files of their own. The analyser, which
     follows all paths, takes most of the time there, and so it sees them in the part `whole-clang-tidy`."""
-    of_rows = {path for kind in ("rows", "lanes") for path in (ROOT / "src/c_api").glob(f"*_{kind}.cpp")}
-    files = sources_of_library()
-    others = [file for file in files if Path(file) not in of_rows]
-    results.add("clang-tidy", bool(others) and tidy(others, FEWER_STEPS))
-    rows = sorted(set(files) - set(others))
-    results.add("clang-tidy of rows", bool(rows) and tidy(rows, "--checks=-clang-analyzer-*"))
+    results.add("clang-tidy", tidy("others", units_of_library({False}), FEWER_STEPS))
+    results.add("clang-tidy of rows", tidy("rows", units_of_library({True}), "--checks=-clang-analyzer-*"))
 
 
 def check_whole_tidy(results):
-    files = sources_of_library()
-    results.add("clang-tidy with all steps", bool(files) and tidy(files))
+    results.add("clang-tidy with all steps", tidy("whole", units_of_library({False, True})))
 
 
 def build_debian(work, sources, **environment):
@@ -365,7 +378,7 @@ def check_clang(results):
     test_some(results, "clang", [*suites, *NOT_SOURCES], [*ONLY_TESTS, "-Dgsl=disabled"], CLANG)
 
 
-SANITIZED = [*ONLY_TESTS, ONE_LIBRARY, "-Dgsl=disabled", "-Db_lundef=false", "-Doptimization=1", "-Doptimized=false"]
+SANITIZED = [*ONLY_TESTS, ONE_LIBRARY, JOINED, "-Dgsl=disabled", "-Db_lundef=false", "-Doptimization=1", "-Doptimized=false"]
 
 
 def check_addresses(results, selection):
@@ -444,7 +457,7 @@ def check_foreign(results):
     changes no bit, and SVE of 256 bits compiles the sources of that of 512. The part `platforms` compiles both, as users do."""
     machine = ROOT / "scripts/cross/aarch64-linux-gnu.ini"
     one_length = f"--cross-file={ROOT}/.ci/one_vector_length.ini"
-    if build_for(results, machine, [one_length, "-Doptimization=1", "-Doptimized=false"]):
+    if build_for(results, machine, [one_length, JOINED, "-Doptimization=1", "-Doptimized=false"]):
         test(results, folder_of(machine.stem), ["--suite", "portable"])
 
 
@@ -601,10 +614,11 @@ class Scheduler:
 
 def environment():
     """The parts share a cache of compiled objects. What it ignores does not change an object: warnings are errors in the first part,
-    so that what it compiled has none, and the other is about automatic linking on Windows. Meson's paths of sources are relative."""
+    so that what it compiled has none, and the other is about automatic linking on Windows. Meson's paths of sources are relative.
+    The compiler itself names the headers of a unit (CCACHE_DEPEND), so that none is preprocessed twice."""
     os.environ.setdefault("CCACHE_DIR", str(BUILDS / "ccache"))
     os.environ["CCACHE_IGNOREOPTIONS"] = "-Werror -DBOOST_ALL_NO_LIB"
-    os.environ.update(CCACHE_NOHASHDIR="1", CCACHE_SLOPPINESS="include_file_mtime,include_file_ctime",
+    os.environ.update(CCACHE_NOHASHDIR="1", CCACHE_DEPEND="1", CCACHE_SLOPPINESS="include_file_mtime,include_file_ctime",
                       CMAKE_C_COMPILER_LAUNCHER="ccache", CMAKE_CXX_COMPILER_LAUNCHER="ccache")  # Meson finds it by itself
     os.environ["PIP_CONFIG_SETTINGS"] = "builddir=build-ci-wheel"  # wheels are built where the relative paths are the same, too
 

@@ -14,7 +14,7 @@ namespace pw85_lammps {
 namespace {
 
 /// The name is in capitals, which LAMMPS uses for styles that input scripts cannot use.
-constexpr char style_name[] = "PW85/HISTORY";
+constexpr char history_style[] = "PW85/HISTORY";
 
 Fix *create(LAMMPS *lammps, int narg, char **arg) { return new ContactHistory(lammps, narg, arg); }
 
@@ -42,8 +42,8 @@ ContactHistory::~ContactHistory()
 
 ContactHistory *ContactHistory::add(Modify &modify, std::string const &id)
 {
-    (*modify.fix_map)[style_name] = create;
-    modify.add_fix(id + " all " + style_name);
+    (*modify.fix_map)[history_style] = create;
+    modify.add_fix(id + " all " + history_style);
     return static_cast<ContactHistory *>(modify.fix[modify.find_fix(id)]);
 }
 

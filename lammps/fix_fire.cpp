@@ -16,7 +16,7 @@ namespace pw85_lammps {
 
 namespace {
 
-constexpr char style_name[] = "fix pw85/fire";
+constexpr char fire_style[] = "fix pw85/fire";
 
 /// The constants of the method, as published: the number of downhill steps before the time step
 /// grows, the factors by which it grows and shrinks, the share of the force in a momentum and the
@@ -34,12 +34,12 @@ FixFire::FixFire(LAMMPS *lammps, int narg, char **arg)
     : Fix(lammps, narg, arg), integrator_(std::string("PW85_MOVE_") + id)
 {
     if (narg != 3)
-        stop_all(*error, std::string(style_name) + " takes no arguments: fix ID group pw85/fire");
+        stop_all(*error, std::string(fire_style) + " takes no arguments: fix ID group pw85/fire");
     nevery = 1;
     scalar_flag = 1;
     global_freq = 1;
     extscalar = 0;
-    ellipsoids_.emplace(lmp, style_name, "leave it out of the group");
+    ellipsoids_.emplace(lmp, fire_style, "leave it out of the group");
 }
 
 FixFire::~FixFire()
@@ -56,7 +56,7 @@ int FixFire::setmask() { return FixConst::END_OF_STEP | FixConst::POST_RUN; }
 
 void FixFire::init()
 {
-    refuse_respa(*lmp, style_name);
+    refuse_respa(*lmp, fire_style);
     ellipsoids_->forget();
     read();
     original_timestep_ = timestep_ = update->dt;

@@ -13,7 +13,7 @@ namespace pw85_lammps {
 
 namespace {
 
-constexpr char style_name[] = "fix pw85/heat";
+constexpr char heat_style[] = "fix pw85/heat";
 
 /// Calls use(fix) for each fix of this style.
 template <class Use> void for_each_heat(Modify &modify, Use use)
@@ -27,7 +27,7 @@ template <class Use> void for_each_heat(Modify &modify, Use use)
 FixHeat::FixHeat(LAMMPS *lammps, int narg, char **arg) : Fix(lammps, narg, arg)
 {
     if (!atom->rmass_flag)
-        stop_all(*error, std::string(style_name) +
+        stop_all(*error, std::string(heat_style) +
                              " needs atoms with masses of their own: use atom_style ellipsoid");
     dynamic_group_allow = 1;
     restart_peratom = 1;
@@ -42,7 +42,7 @@ FixHeat::FixHeat(LAMMPS *lammps, int narg, char **arg) : Fix(lammps, narg, arg)
     global_freq = 1;
     extscalar = 0; // thermodynamic output must not divide it by the number of atoms
     grow_arrays(atom->nmax);
-    Words words(lmp, std::string(style_name) + ": the command", narg - 3, arg + 3);
+    Words words(lmp, std::string(heat_style) + ": the command", narg - 3, arg + 3);
     parse_capacities(words);
     if (!words.skip("temperature"))
         words.refuse("lacks the word temperature, which follows the specific heats: add "
@@ -89,7 +89,7 @@ void FixHeat::start_from(Words &words)
     input->variable->compute_atom(number, 0, temperatures_.data(), 1, 0);
     for (int i = 0; i < atom->nlocal; ++i)
         if (!std::isfinite(temperature(i)))
-            stop_one(*error, std::string(style_name) + ": atom " + std::to_string(atom->tag[i]) +
+            stop_one(*error, std::string(heat_style) + ": atom " + std::to_string(atom->tag[i]) +
                                  " (type " + std::to_string(atom->type[i]) +
                                  ") starts with a temperature that is not finite: change "
                                  "the variable " +
@@ -113,11 +113,11 @@ int FixHeat::setmask()
 
 void FixHeat::init()
 {
-    refuse_respa(*lmp, style_name);
+    refuse_respa(*lmp, heat_style);
     int count = 0;
     for_each_heat(*modify, [&count](FixHeat const &) { ++count; });
     if (count > 1)
-        stop_all(*error, std::string(style_name) +
+        stop_all(*error, std::string(heat_style) +
                              " is there more than once, but grains have one temperature: use one "
                              "fix for all types, whose group has the grains that change theirs");
     time_step_check_.start_run();
@@ -145,7 +145,7 @@ void FixHeat::final_integrate()
         fastest = std::max(fastest, flow.conductance / capacity);
     }
     time_step_check_.finish_step(*lmp, 1.0 / fastest, update->dt,
-                                 std::string(style_name) +
+                                 std::string(heat_style) +
                                      ": the time step is so long that temperatures leave the range "
                                      "of those of the step before");
 }

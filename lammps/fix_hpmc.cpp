@@ -19,7 +19,7 @@ namespace pw85_lammps {
 
 namespace {
 
-constexpr char style_name[] = "Fix pw85/hpmc";
+constexpr char hpmc_style[] = "Fix pw85/hpmc";
 
 /// The share of accepted trials that tuning aims at, and by how much the logarithm of a step
 /// changes for a difference of one in the share. Efficiency has a flat maximum at shares from 0.2
@@ -36,7 +36,7 @@ constexpr double largest_expansion = 0.5;
 
 /// Returns the differences of the counts of all types of trials.
 template <std::size_t n>
-std::array<bigint, n> operator-(std::array<bigint, n> a, std::array<bigint, n> const &b)
+std::array<bigint, n> difference(std::array<bigint, n> a, std::array<bigint, n> const &b)
 {
     for (std::size_t k = 0; k < n; ++k) a[k] -= b[k];
     return a;
@@ -48,9 +48,9 @@ std::string direction(int k) { return std::string(" along ") + "xyz"[k]; }
 
 FixHpmc::FixHpmc(LAMMPS *lammps, int narg, char **arg)
     : Fix(lammps, narg, arg),
-      ellipsoids_(lammps, style_name, "remove it: all atoms must be ellipsoids")
+      ellipsoids_(lammps, hpmc_style, "remove it: all atoms must be ellipsoids")
 {
-    Words words(lmp, style_name, narg - 3, arg + 3);
+    Words words(lmp, hpmc_style, narg - 3, arg + 3);
     every_ = static_cast<int>(words.number("number of steps between sweeps", 1.0, 1e9));
     seed_ = static_cast<std::uint32_t>(words.number("seed", 1.0, 4294967295.0));
     while (!words.done()) read_keyword(words);
@@ -101,12 +101,12 @@ void FixHpmc::read_keyword(Words &words)
 
 void FixHpmc::refuse(std::string const &reason) const
 {
-    stop_all(*error, std::string(style_name) + " " + reason);
+    stop_all(*error, std::string(hpmc_style) + " " + reason);
 }
 
 void FixHpmc::init()
 {
-    refuse_respa(*lmp, style_name);
+    refuse_respa(*lmp, hpmc_style);
     constexpr int in_minimize = 2; // as LAMMPS numbers what it is doing
     if (update->whichflag == in_minimize)
         refuse(
@@ -383,7 +383,7 @@ void FixHpmc::sweep()
     }
     shift_all(-1.0 * shift_);
     restore_domain();
-    tune(tried_ - tried, accepted_ - accepted);
+    tune(difference(tried_, tried), difference(accepted_, accepted));
 }
 
 // Tries a change of the volume. The logarithm of the volume changes by a number that is uniform
@@ -707,7 +707,7 @@ void FixHpmc::require_quaternions()
     ellipsoids_.read([](int) { return true; });
     if (!std::equal(written.begin(), written.end(), ellipsoids_.quaternion(0)))
         stop_one(*error,
-                 std::string(style_name) +
+                 std::string(hpmc_style) +
                      " cannot set quaternions in this release of LAMMPS: use another release");
 }
 

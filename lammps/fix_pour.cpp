@@ -18,7 +18,7 @@ namespace pw85_lammps {
 
 namespace {
 
-constexpr char style_name[] = "fix pw85/pour";
+constexpr char pour_style[] = "fix pw85/pour";
 
 constexpr bigint largest_number = 2000000000;
 
@@ -78,9 +78,9 @@ std::vector<double> gathered(std::vector<double> const &own, MPI_Comm world)
 } // namespace
 
 FixPour::FixPour(LAMMPS *lammps, int narg, char **arg)
-    : Fix(lammps, narg, arg), ellipsoids_(lammps, style_name, "remove it")
+    : Fix(lammps, narg, arg), ellipsoids_(lammps, pour_style, "remove it")
 {
-    Words words(lmp, style_name, narg - 3, arg + 3);
+    Words words(lmp, pour_style, narg - 3, arg + 3);
     number_ = words.whole("number of grains", 1, largest_number);
     seed_ = static_cast<std::uint32_t>(words.whole("seed", 1, 4294967295));
     while (!words.done()) read_keyword(words);
@@ -133,12 +133,12 @@ int FixPour::setmask() { return FixConst::PRE_EXCHANGE; }
 
 void FixPour::refuse(std::string const &reason) const
 {
-    stop_all(*error, std::string(style_name) + " " + reason);
+    stop_all(*error, std::string(pour_style) + " " + reason);
 }
 
 void FixPour::init()
 {
-    refuse_respa(*lmp, style_name);
+    refuse_respa(*lmp, pour_style);
     read_region();
     check_box();
     ellipsoids_.forget();
@@ -388,7 +388,7 @@ void FixPour::warn_of_full_region()
     warned_ = true;
     if (comm->me != 0) return;
     std::string const step = std::to_string(update->ntimestep), tried = std::to_string(attempts_);
-    error->warning(FLERR, std::string(style_name) + ": region " + region_id_ + " is full in step " +
+    error->warning(FLERR, std::string(pour_style) + ": region " + region_id_ + " is full in step " +
                               step + ": " + tried + " places of grain " +
                               std::to_string(state_.inserted + 1) +
                               " overlap other grains or walls. It waits, and is tried again in "

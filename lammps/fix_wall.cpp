@@ -14,7 +14,7 @@ namespace pw85_lammps {
 
 namespace {
 
-constexpr char style_name[] = "fix wall/pw85";
+constexpr char wall_style[] = "fix wall/pw85";
 
 /// Cosine of the largest angle by which the normal of a contact turns in a step: 60°. The faces of
 /// a box are further apart.
@@ -26,7 +26,7 @@ FixWall::FixWall(LAMMPS *lammps, int narg, char **arg)
     : Fix(lammps, narg, arg), step_(update->ntimestep), masses_(lammps)
 {
     parse(narg, arg);
-    ellipsoids_.emplace(lmp, style_name, "leave it out of the group");
+    ellipsoids_.emplace(lmp, wall_style, "leave it out of the group");
     restart_global = 1;
     restart_peratom = 1;
     create_attribute = 1;
@@ -51,7 +51,7 @@ FixWall::~FixWall()
 
 void FixWall::parse(int narg, char **arg)
 {
-    Words words(lmp, std::string(style_name) + ": the wall", narg - 3, arg + 3);
+    Words words(lmp, std::string(wall_style) + ": the wall", narg - 3, arg + 3);
     surface_ = WallSurface::parse(words);
     is_hard_ = words.skip("hard");
     if (is_hard_ && !words.done())
@@ -79,7 +79,7 @@ void FixWall::parse(int narg, char **arg)
     if (!words.skip("law"))
         words.refuse("lacks the word law, which follows its shape, its motion, its arms and its "
                      "temperature, or the word hard, which follows its shape");
-    law_ = ContactLaw::parse(lmp, style_name, words.num_left(), words.left());
+    law_ = ContactLaw::parse(lmp, wall_style, words.num_left(), words.left());
     check_heat(words);
 }
 
@@ -100,15 +100,15 @@ int FixWall::setmask()
 
 void FixWall::init()
 {
-    refuse_respa(*lmp, style_name);
+    refuse_respa(*lmp, wall_style);
     for (int axis = 0; axis < 3; ++axis)
         if (surface_->crosses(axis) && domain->periodicity[axis])
             stop_all(
                 *error,
-                std::string(style_name) +
+                std::string(wall_style) +
                     ": the box is periodic across the wall: use boundary f or s for this axis");
     if (is_hard_) require_monte_carlo();
-    heat_ = law_.conducts() ? &FixHeat::require(*lmp, style_name) : nullptr;
+    heat_ = law_.conducts() ? &FixHeat::require(*lmp, wall_style) : nullptr;
     ellipsoids_->forget();
     masses_.start_run();
     time_step_check_.start_run();
@@ -119,7 +119,7 @@ void FixWall::require_monte_carlo() const
 {
     for (int k = 0; k < modify->nfix; ++k)
         if (std::string(modify->fix[k]->style) == "pw85/hpmc") return;
-    stop_all(*error, std::string(style_name) +
+    stop_all(*error, std::string(wall_style) +
                          ": hard walls are for fix pw85/hpmc, and exert no forces: give the wall a "
                          "law, or add that fix");
 }
@@ -166,7 +166,7 @@ void FixWall::post_force(int)
     for (int i = 0; i < atom->nlocal; ++i)
         if (ellipsoids_->selected(i)) touch(i);
     time_step_check_.finish_step(*lmp, limit_of_contacts(fastest_, *force), timestep_,
-                                 std::string(style_name) + ": " + too_long_for_contacts);
+                                 std::string(wall_style) + ": " + too_long_for_contacts);
     if (motion_.is_servo()) motion_.finish_servo_step(total_load().force, timestep_, force->ftm2v);
     if (has_table) tabulate_loads();
 }
@@ -177,8 +177,8 @@ void FixWall::move_wall()
     bool const varies = temperature_ && temperature_->is_variable();
     if (motion_.has_variables() || varies) {
         modify->clearstep_compute();
-        motion_.read_variables(*lmp, style_name);
-        if (varies) present_temperature_ = temperature_->read(*lmp, style_name);
+        motion_.read_variables(*lmp, wall_style);
+        if (varies) present_temperature_ = temperature_->read(*lmp, wall_style);
         modify->addstep_compute(update->ntimestep + 1);
     }
     motion_.move_to(clock_.time());

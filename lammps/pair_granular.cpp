@@ -18,7 +18,7 @@ namespace pw85_lammps {
 
 namespace {
 
-constexpr char style_name[] = "Pair pw85/granular";
+constexpr char granular_style[] = "Pair pw85/granular";
 
 /// The cosine of the largest angle by which a normal may turn in a step of a run. A normal that
 /// turns further may belong to another minimum of the depth.
@@ -67,9 +67,10 @@ void PairGranular::settings(int narg, char **arg)
     if (narg > 0 && std::strcmp(arg[0], "arms") != 0) {
         cutoff_ = utils::numeric(FLERR, arg[k++], false, lmp);
         if (!(cutoff_ > 0.0 && std::isfinite(cutoff_)))
-            stop_all(*error, std::string(style_name) + ": the cutoff must be positive and finite");
+            stop_all(*error,
+                     std::string(granular_style) + ": the cutoff must be positive and finite");
     }
-    Words words(lmp, std::string(style_name) + ": the pair_style command", narg - k, arg + k);
+    Words words(lmp, std::string(granular_style) + ": the pair_style command", narg - k, arg + k);
     while (words.skip("arms")) arms_ = parse_arms(words);
     if (!words.done())
         words.refuse("has too many words: use pair_style pw85/granular [cutoff] [arms "
@@ -99,10 +100,10 @@ void PairGranular::coeff(int narg, char **arg)
     utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
     utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
     bool const conserves = std::strcmp(arg[narg - 1], "conservative") == 0;
-    ContactLaw const law = ContactLaw::parse(lmp, style_name, narg - 2 - conserves, arg + 2);
+    ContactLaw const law = ContactLaw::parse(lmp, granular_style, narg - 2 - conserves, arg + 2);
     if (conserves && law.sticks())
         stop_all(*error,
-                 std::string(style_name) +
+                 std::string(granular_style) +
                      ": conservative is not offered with dmt, jkr and liquid: leave the word out");
     int count = 0;
     for (int i = ilo; i <= ihi; ++i) {
@@ -117,18 +118,18 @@ void PairGranular::coeff(int narg, char **arg)
 void PairGranular::init_style()
 {
     if (!comm->ghost_velocity)
-        stop_all(*error,
-                 std::string(style_name) + " needs velocities of ghosts: use comm_modify vel yes");
+        stop_all(*error, std::string(granular_style) +
+                             " needs velocities of ghosts: use comm_modify vel yes");
     if (!atom->tag_enable)
-        stop_all(*error, std::string(style_name) + " needs atom IDs: use atom_modify id yes");
-    refuse_respa(*lmp, style_name);
+        stop_all(*error, std::string(granular_style) + " needs atom IDs: use atom_modify id yes");
+    refuse_respa(*lmp, granular_style);
     if (modify->find_fix(history_id_) < 0)
         stop_all(
             *error,
-            std::string(style_name) + ": fix " + history_id_ +
+            std::string(granular_style) + ": fix " + history_id_ +
                 ", which keeps the contacts, is missing: do not unfix it, or repeat pair_style "
                 "and pair_coeff");
-    ellipsoids_.emplace(lmp, style_name, "give its type to another style of pair_style hybrid");
+    ellipsoids_.emplace(lmp, granular_style, "give its type to another style of pair_style hybrid");
     std::fill_n(cutsq[0], (atom->ntypes + 1) * (atom->ntypes + 1), 0.0);
     used_types_.assign(static_cast<std::size_t>(atom->ntypes) + 1, false);
     expect_new_grains();
@@ -142,7 +143,7 @@ void PairGranular::init_style()
     masses_.start_run();
     time_step_check_.start_run();
     if (comm->me == 0 && nothing_moves())
-        error->warning(FLERR, std::string(style_name) +
+        error->warning(FLERR, std::string(granular_style) +
                                   ": no fix moves the grains, so they stand still under their "
                                   "forces: add fix nve/asphere, or another fix that integrates");
     Pair::init_style();
@@ -217,7 +218,7 @@ double PairGranular::init_one(int i, int j)
     if (setflag[i][j] == 0) mix(i, j);
     if (!material(i, j).is_set) refuse_type(i);
     turns_ = turns_ || material(i, j).law.resists_turning();
-    if (material(i, j).law.conducts()) heat_ = &FixHeat::require(*lmp, style_name);
+    if (material(i, j).law.conducts()) heat_ = &FixHeat::require(*lmp, granular_style);
     if (cutoff_ > 0.0) return cutoff_;
     return reaches_[static_cast<std::size_t>(i * (atom->ntypes + 1) + j)];
 }
@@ -229,7 +230,7 @@ void PairGranular::mix(int i, int j)
         if (!material(t, t).is_set) refuse_type(t);
     auto const law = ContactLaw::mixed(material(i, i).law, material(j, j).law);
     if (!law)
-        stop_all(*error, std::string(style_name) + ": the laws of types " + std::to_string(i) +
+        stop_all(*error, std::string(granular_style) + ": the laws of types " + std::to_string(i) +
                              " and " + std::to_string(j) +
                              " cannot be mixed, because their words differ: add pair_coeff " +
                              std::to_string(i) + " " + std::to_string(j));
@@ -240,7 +241,7 @@ void PairGranular::mix(int i, int j)
 void PairGranular::refuse_type(int t) const
 {
     std::string const name = std::to_string(t);
-    stop_all(*error, std::string(style_name) + ": type " + name +
+    stop_all(*error, std::string(granular_style) + ": type " + name +
                          " has no law of force: add pair_coeff " + name + " " + name +
                          ", or pair_coeff * *");
 }
@@ -265,7 +266,7 @@ void PairGranular::compute(int eflag, int vflag)
     batch_.run(*list, ellipsoids_->reach(1.0, largest_gap_), [this, eflag] { add_batch(eflag); });
     history_->finish_step();
     time_step_check_.finish_step(*lmp, limit_of_contacts(fastest_, *force), timestep_,
-                                 std::string(style_name) + ": " + too_long_for_contacts);
+                                 std::string(granular_style) + ": " + too_long_for_contacts);
     if (vflag_fdotr) virial_fdotr_compute();
 }
 

@@ -10,7 +10,7 @@ namespace pw85::detail::neighbors {
 
 namespace {
 
-constexpr int bits = 21; // of each coordinate; the key has 63
+constexpr int coordinate_bits = 21; // the key has 63
 
 /// Puts two zeros between neighbouring bits of a number.
 constexpr std::uint64_t spread(std::uint64_t x) noexcept
@@ -73,14 +73,14 @@ void sort_equal_digits(Array<KeyedIndex> &points, int shift) noexcept
 
 std::uint64_t key_of(Vector<double, 3> const &point, Box const &around) noexcept
 {
-    constexpr double parts = 1 << bits;
+    constexpr double parts = 1 << coordinate_bits;
     std::uint64_t key = 0;
     for (int d = 0; d < 3; ++d) {
         double const part =
             (point[d] - around.lower[d]) / (around.upper[d] - around.lower[d]) * parts;
         // In a box without width the result is NaN, and the point goes to the last part.
         key |= spread(part < parts - 1.0 ? static_cast<std::uint64_t>(std::max(part, 0.0))
-                                         : (1u << bits) - 1u)
+                                         : (1u << coordinate_bits) - 1u)
                << d;
     }
     return key;

@@ -171,6 +171,8 @@ PW85_FUNCTION inline void multiply(WideSum sum, Limb factor) noexcept
 /// Converts a sum to sign and magnitude. The memory of the sum then holds the magnitude.
 PW85_FUNCTION inline WideInteger value(WideSum sum) noexcept
 {
+    // Each sum has limbs, which the analyser of Clang does not always see.
+    // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult)
     bool const negative = sum.limbs[sum.size - 1] >> (limb_bits - 1) != 0;
     if (negative) {
         complement(sum);
