@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The smallest ellipsoid around points in a hyperplane.
+#include <memory>
+#include <new>
+
+#include "affine_hull.hpp"
+
+namespace pw85::detail::enclosing {
+
+/// Finds a basis of the differences of the points: each vector is the longest difference from the
+/// first point that is left after projection onto the ones before, until all are short.
+void AffineHullSearch::find_basis() noexcept
+{
+    while (basis_.size < cloud_.n) {
+        double longest = 0x1p-24;
+        double *const next = basis_.vectors[basis_.size];
+        for (std::size_t i = 1; i < cloud_.m; ++i) {
+            double x[max_dimension];
+            for (int k = 0; k < cloud_.n; ++k)
+                x[k] = cloud_.coordinate(i, k) - cloud_.coordinate(0, k);
+            subtract_projection(basis_, x);
+            double const length = normalize(cloud_.n, x);
+            if (length <= longest) continue;
+            longest = length;
+            for (int k = 0; k < cloud_.n; ++k) next[k] = x[k];
+        }
+        if (longest == 0x1p-24) break;
+        ++basis_.size;
+    }
+}
+
+/// Computes the coordinates of the points along the basis, relative to the first point. Returns
+/// whether there is memory.
+bool AffineHullSearch::find_coordinates(Array<double> &coordinates) const noexcept
+{
+    auto const rank = static_cast<std::size_t>(basis_.size);
+    if (!coordinates.resize(cloud_.m * rank)) return false;
+    for (std::size_t i = 0; i < cloud_.m; ++i)
+        for (int j = 0; j < basis_.size; ++j) {
+            double sum = 0.0;
+            for (int k = 0; k < cloud_.n; ++k)
+                sum += basis_.vectors[j][k] * (cloud_.coordinate(i, k) - cloud_.coordinate(0, k));
+            coordinates[i * rank + static_cast<std::size_t>(j)] = sum;
+        }
+    return true;
+}
+
+/// Computes the centre Bᵀc and the form BᵀQB from those along the basis, whose rows are B.
+void AffineHullSearch::lift(Search const &search) noexcept
+{
+    for (int i = 0; i < cloud_.n; ++i) {
+        for (int j = 0; j <= i; ++j)
+            for (int a = 0; a < basis_.size; ++a)
+                for (int b = 0; b < basis_.size; ++b)
+                    form_[at(i, j)] += basis_.vectors[a][i] * basis_.vectors[b][j] *
+                                       search.form(a < b ? a : b, a < b ? b : a);
+        for (int a = 0; a < basis_.size; ++a) center_[i] += basis_.vectors[a][i] * search.center(a);
+    }
+    excess_ = search.excess();
+}
+
+Status AffineHullSearch::run(double tolerance) noexcept
+{
+    if (choose_scale(cloud_) == Status::invalid_argument) return Status::invalid_argument;
+    find_basis();
+    if (basis_.size == 0) return Status::success;
+    if (basis_.size == cloud_.n) return Status::not_positive_definite;
+    Array<double> coordinates;
+    if (!find_coordinates(coordinates)) return Status::out_of_memory;
+    std::unique_ptr<Search> const search(new (std::nothrow)
+                                             Search(basis_.size, cloud_.m, coordinates.data()));
+    if (search == nullptr) return Status::out_of_memory;
+    Status const status = search->run(tolerance);
+    if (status == Status::success || status == Status::no_convergence) lift(*search);
+    return status;
+}
+
+double AffineHullSearch::center(int i) const noexcept
+{
+    double const first = cloud_.points[i];
+    return cloud_.scale[i] == 0.0 ? first
+                                  : cloud_.units[i].to_caller(first * cloud_.scale[i] + center_[i]);
+}
+
+double AffineHullSearch::form(int i, int j) const noexcept
+{
+    return (cloud_.units[i] * cloud_.units[j]).to_caller(form_[at(j, i)]);
+}
+
+} // namespace pw85::detail::enclosing

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The smallest ellipsoid around points in a hyperplane, within their affine hull: the smallest
+/// ellipsoid around their coordinates along an orthonormal basis of it. Coordinates are rounded:
+/// points can be outside by rounding errors, and there is no certificate.
+#ifndef PW85_ENCLOSING_AFFINE_HULL_HPP_INCLUDED
+#define PW85_ENCLOSING_AFFINE_HULL_HPP_INCLUDED
+
+#include "basis.hpp"
+#include "smallest.hpp"
+
+namespace pw85::detail::enclosing {
+
+class AffineHullSearch {
+  public:
+    /// The points must outlive the search.
+    AffineHullSearch(int n, std::size_t m, double const *points) noexcept
+        : cloud_{n, m, points, {}, {}}, basis_{n, 0, {}}
+    {
+    }
+
+    /// Returns success, or no_convergence if the excess is larger than the tolerance: in both cases
+    /// there is an ellipsoid. Returns not_positive_definite if the points are farther than 2^-24 of
+    /// their extents from any hyperplane.
+    Status run(double tolerance) noexcept;
+
+    double center(int i) const noexcept;
+    double form(int i, int j) const noexcept;
+    double excess() const noexcept { return excess_; }
+
+  private:
+    void find_basis() noexcept;
+    bool find_coordinates(Array<double> &coordinates) const noexcept;
+    void lift(Search const &search) noexcept;
+
+    Cloud cloud_;
+    Basis basis_;                       ///< of the differences of scaled points
+    double center_[max_dimension] = {}; ///< relative to the first point, scaled
+    double form_[max_packed] = {};      ///< the lower triangle, scaled
+    double excess_ = 0.0;
+};
+
+} // namespace pw85::detail::enclosing
+
+#endif
