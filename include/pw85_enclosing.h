@@ -36,7 +36,8 @@ extern "C" {
  * 2⁻²⁴ of their extents of a hyperplane.
  *
  * The time for 10⁶ random points is that of 5 to 10 passes over them. The function allocates 16
- * bytes for each point, and at most 2 MiB that do not depend on m.
+ * bytes for each point, 8 n more for points in a hyperplane, and at most 2 MiB that do not depend
+ * on m.
  *
  * @param n [1..16] dimensions
  * @param m [number of points] at least n + 1

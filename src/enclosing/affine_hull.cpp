@@ -7,26 +7,56 @@
 
 namespace pw85::detail::enclosing {
 
-/// Finds a basis of the differences of the points: each vector is the longest difference from the
-/// first point that is left after projection onto the ones before, until all are short.
-void AffineHullSearch::find_basis() noexcept
+namespace {
+
+/// Finds the longest of m rows of n numbers, and the square of its length.
+std::size_t find_longest(int n, std::size_t m, double const *rows, double &square) noexcept
 {
-    while (basis_.size < cloud_.n) {
-        double longest = 0x1p-24;
-        double *const next = basis_.vectors[basis_.size];
-        for (std::size_t i = 1; i < cloud_.m; ++i) {
-            double x[max_dimension];
-            for (int k = 0; k < cloud_.n; ++k)
-                x[k] = cloud_.coordinate(i, k) - cloud_.coordinate(0, k);
-            subtract_projection(basis_, x);
-            double const length = normalize(cloud_.n, x);
-            if (length <= longest) continue;
-            longest = length;
-            for (int k = 0; k < cloud_.n; ++k) next[k] = x[k];
-        }
-        if (longest == 0x1p-24) break;
-        ++basis_.size;
+    std::size_t longest = 0;
+    square = 0.0;
+    for (std::size_t i = 0; i < m; ++i) {
+        double sum = 0.0;
+        for (int k = 0; k < n; ++k, ++rows) sum += *rows * *rows;
+        if (sum > square) square = sum, longest = i;
     }
+    return longest;
+}
+
+/// Subtracts the projections of m rows of n numbers onto a unit vector.
+void subtract_from_rows(int n, std::size_t m, double const *vector, double *rows) noexcept
+{
+    for (std::size_t i = 0; i < m; ++i, rows += n) {
+        double product = 0.0;
+        for (int k = 0; k < n; ++k) product += vector[k] * rows[k];
+        for (int k = 0; k < n; ++k) rows[k] -= product * vector[k];
+    }
+}
+
+} // namespace
+
+/// Finds a basis of the differences from the first point: each vector is the longest difference
+/// that is left after projection onto the ones before, until all are short. Returns whether there
+/// is memory.
+bool AffineHullSearch::find_basis() noexcept
+{
+    Array<double> rows;
+    auto const columns = static_cast<std::size_t>(cloud_.n);
+    if (!rows.resize(cloud_.m * columns)) return false;
+    for (std::size_t i = 0; i < cloud_.m; ++i)
+        for (int k = 0; k < cloud_.n; ++k)
+            rows[i * columns + static_cast<std::size_t>(k)] =
+                cloud_.coordinate(i, k) - cloud_.coordinate(0, k);
+    for (; basis_.size < cloud_.n; ++basis_.size) {
+        double square = 0.0;
+        std::size_t const longest = find_longest(cloud_.n, cloud_.m, rows.data(), square);
+        if (square <= 0x1p-48) break;
+        double *const next = basis_.vectors[basis_.size];
+        for (std::size_t k = 0; k < columns; ++k) next[k] = rows[longest * columns + k];
+        subtract_projection(basis_, next);
+        normalize(cloud_.n, next);
+        subtract_from_rows(cloud_.n, cloud_.m, next, rows.data());
+    }
+    return true;
 }
 
 /// Computes the coordinates of the points along the basis, relative to the first point. Returns
@@ -62,7 +92,7 @@ void AffineHullSearch::lift(Search const &search) noexcept
 Status AffineHullSearch::run(double tolerance) noexcept
 {
     if (choose_scale(cloud_) == Status::invalid_argument) return Status::invalid_argument;
-    find_basis();
+    if (!find_basis()) return Status::out_of_memory;
     if (basis_.size == 0) return Status::success;
     if (basis_.size == cloud_.n) return Status::not_positive_definite;
     Array<double> coordinates;

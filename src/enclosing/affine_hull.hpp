@@ -29,7 +29,7 @@ class AffineHullSearch {
     double excess() const noexcept { return excess_; }
 
   private:
-    void find_basis() noexcept;
+    bool find_basis() noexcept;
     bool find_coordinates(Array<double> &coordinates) const noexcept;
     void lift(Search const &search) noexcept;
 
