@@ -31,9 +31,8 @@ extern "C" {
  * Points in a hyperplane have an ellipsoid without volume. With #PW85_ENOTPD, the outputs are the
  * smallest ellipsoid in the affine hull of the points: q is singular, with rank k < n, and the
  * excess is that of the volume in k dimensions. This ellipsoid is not proved. Points can be outside
- * by rounding errors, and by up to 2⁻²⁴ of their extents across the hull. All points equal give
- * k = 0 and q = 0. The outputs are NaN if the points are too flat to be certified, but not within
- * 2⁻²⁴ of their extents of a hyperplane.
+ * by rounding errors, and across the hull by their distance from it. All points equal give k = 0
+ * and q = 0.
  *
  * The time for 10⁶ random points is that of 5 to 10 passes over them. The function allocates 16
  * bytes for each point, 8 n more for points in a hyperplane, and at most 2 MiB that do not depend

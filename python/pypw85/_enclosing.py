@@ -48,7 +48,7 @@ def enclosing_ellipsoid(points: ArrayLike, tolerance: float = 1e-6) -> tuple[Flo
     Raises
     ------
     PW85Error
-        A number is not finite, there are too few points, or they are too flat for double precision.
+        A number is not finite, or there are too few points.
     ValueError
         The points are not an (m, n) array with n from 1 to 16.
 
@@ -181,7 +181,7 @@ def _enclose(name: str, function: Any, tolerance: float, **inputs: Floats) -> tu
     status, excess = function(n, *inputs.values(), tolerance, center, q)
     if not status:
         return center, q, excess
-    if math.isnan(excess):
+    if status not in (Status.ECONVERGENCE, Status.ENOTPD) or math.isnan(excess):
         raise PW85Error(status, name, _core.strerror(status), _cause(tolerance, m, what, inputs))
     cause = f"the excess is {excess:.3g}, above the tolerance {tolerance:g}"
     if status == Status.ENOTPD:

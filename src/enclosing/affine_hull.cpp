@@ -35,8 +35,8 @@ void subtract_from_rows(int n, std::size_t m, double const *vector, double *rows
 } // namespace
 
 /// Finds a basis of the differences from the first point: each vector is the longest difference
-/// that is left after projection onto the ones before, until all are short. Returns whether there
-/// is memory.
+/// that is left after projection onto the ones before, until all are short, or there are n - 1.
+/// Returns whether there is memory.
 bool AffineHullSearch::find_basis() noexcept
 {
     Array<double> rows;
@@ -46,7 +46,7 @@ bool AffineHullSearch::find_basis() noexcept
         for (int k = 0; k < cloud_.n; ++k)
             rows[i * columns + static_cast<std::size_t>(k)] =
                 cloud_.coordinate(i, k) - cloud_.coordinate(0, k);
-    for (; basis_.size < cloud_.n; ++basis_.size) {
+    for (; basis_.size < cloud_.n - 1; ++basis_.size) {
         double square = 0.0;
         std::size_t const longest = find_longest(cloud_.n, cloud_.m, rows.data(), square);
         if (square <= 0x1p-48) break;
@@ -93,8 +93,16 @@ Status AffineHullSearch::run(double tolerance) noexcept
 {
     if (choose_scale(cloud_) == Status::invalid_argument) return Status::invalid_argument;
     if (!find_basis()) return Status::out_of_memory;
-    if (basis_.size == 0) return Status::success;
-    if (basis_.size == cloud_.n) return Status::not_positive_definite;
+    for (; basis_.size > 0; --basis_.size) {
+        Status const status = search_along_basis(tolerance);
+        if (status != Status::not_positive_definite) return status;
+    }
+    return Status::success; // one point
+}
+
+/// Finds the smallest ellipsoid around the coordinates.
+Status AffineHullSearch::search_along_basis(double tolerance) noexcept
+{
     Array<double> coordinates;
     if (!find_coordinates(coordinates)) return Status::out_of_memory;
     std::unique_ptr<Search> const search(new (std::nothrow)

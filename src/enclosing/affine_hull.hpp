@@ -20,8 +20,8 @@ class AffineHullSearch {
     }
 
     /// Returns success, or no_convergence if the excess is larger than the tolerance: in both cases
-    /// there is an ellipsoid. Returns not_positive_definite if the points are farther than 2^-24 of
-    /// their extents from any hyperplane.
+    /// there is an ellipsoid. Directions are left out, one at least, until a search along the
+    /// others has a certificate. Those along which points extend less than 2^-24 are the first.
     Status run(double tolerance) noexcept;
 
     double center(int i) const noexcept;
@@ -30,6 +30,7 @@ class AffineHullSearch {
 
   private:
     bool find_basis() noexcept;
+    Status search_along_basis(double tolerance) noexcept;
     bool find_coordinates(Array<double> &coordinates) const noexcept;
     void lift(Search const &search) noexcept;
 
