@@ -15,7 +15,9 @@ pw85_any_dimension.h; comparisons with the doubles around μ² must have the sig
 from its pivots in 60 digits, or from fractions where a pivot is tiny.
 
 Prints a line for each n: the largest error of μ² in units of u cond (bound 4), of κ² in units of u c (bound 2n + 20), and of the distance
-in units of u Σ (bound 4), and the numbers of decisions. Ends with 1 if any result is wrong, and prints its pair as hexadecimal numbers.
+in units of u Σ (bound 4); the comparisons whose sign the truth knows; the brackets of κ² or of the distance that did not become narrow; the
+distances that the library does not find, as the header says, because an ellipsoid is longer than 10⁹ times r12; the pairs with a form that
+is not positive definite. Ends with 1 if any result is wrong, and prints its pair as hexadecimal numbers.
 """
 
 import itertools
@@ -260,6 +262,12 @@ def random_case(rng, n, kind):
 KINDS = ("general", "general", "axes", "thin", "correlated", "equal", "unlike", "padded")
 
 
+def largest_semi_axis(n, q):
+    """The largest half-width along a coordinate: at most the longest semi-axis, and at least 1/√n of it."""
+    diagonal = np.cumsum([0, *range(n, 1, -1)])
+    return np.sqrt(q[diagonal].max())
+
+
 class Report:
     def __init__(self):
         self.wrong = 0
@@ -300,7 +308,9 @@ def check_numbers(report, worst, case, counts):
     try:
         found = pypw85.nd_distance(r12, q1, q2)
     except pypw85.PW85Error as error:
-        report.check(False, str(error), case)
+        counts["unsolved"] += 1
+        longest = max(largest_semi_axis(n, q) for q in (q1, q2))
+        report.check(longest > 1e9 * np.abs(r12).max(), f"{error}, lengths {longest / np.abs(r12).max():.3g}", case)
         return mu2
     report.check((found.distance == 0 and np.isnan(found.point1).all()) if overlap else found.distance >= 0, "zero distance", case)
     if not overlap:
@@ -324,10 +334,10 @@ def touching(rng, case, mu2):
 def main(cases=20000, seed=75):
     rng = np.random.default_rng(seed)
     report = Report()
-    print("n,cases,mu2,kappa2,distance,compared,open,refused", flush=True)
+    print("n,cases,mu2,kappa2,distance,compared,open,unsolved,refused", flush=True)
     for n in range(2, 17):
         worst = dict.fromkeys(("mu2", "kappa2", "distance"), 0.0)
-        counts = dict.fromkeys(("cases", "compared", "open", "refused"), 0)
+        counts = dict.fromkeys(("cases", "compared", "open", "unsolved", "refused"), 0)
         for kind in itertools.cycle(KINDS):
             if counts["cases"] >= cases / 15:
                 break
@@ -347,7 +357,7 @@ def main(cases=20000, seed=75):
             counts["cases"] += 1
             check_numbers(report, worst, touching(rng, case, mu2), counts)
         numbers = [f"{worst[key]:.2f}" for key in ("mu2", "kappa2", "distance")]
-        print(n, counts["cases"], *numbers, counts["compared"], counts["open"], counts["refused"], sep=",", flush=True)
+        print(n, counts["cases"], *numbers, *list(counts.values())[1:], sep=",", flush=True)
     print(f"{report.wrong} wrong")
     return report.wrong > 0
 
