@@ -10,9 +10,9 @@ Each truth is a bracket that is proved by evaluation alone, so the start of an i
 - containment: (√(sᵀQ2s) + s·r)²/(sᵀQ1s) <= κ² for any s; κ² <= ν + rᵀ(Q1 - Q2/ν)⁻¹r for any ν with a positive definite matrix.
 - distance: the width of the slab along any vector is at most the distance; the points of the surfaces along it are not closer.
 
-The iterations begin at the results of the library, and go on until a bracket is narrow: 1e-35 of the value, u Σ/16 for distances. The results must satisfy the bounds of
-pw85_any_dimension.h; comparisons with the doubles around μ² must have the sign of the truth. Whether a form is positive definite follows
-from its pivots in 60 digits, or from fractions where a pivot is tiny.
+The iterations begin at the results of the library, and go on until a bracket is narrow: 1e-35 of the value, u Σ/16 for distances. The
+results must satisfy the bounds of pw85_any_dimension.h; comparisons with the doubles around μ² must have the sign of the truth. Whether a
+form is positive definite follows from its pivots in 60 digits, or from fractions where a pivot is tiny.
 
 Prints a line for each n: the largest error of μ² in units of u cond (bound 4), of κ² in units of u c (bound 2n + 20), and of the distance
 in units of u Σ (bound 4); the comparisons whose sign the truth knows; the brackets of κ² or of the distance that did not become narrow; the
