@@ -294,7 +294,7 @@ def check_numbers(report, worst, case, counts):
         counts["compared"] += sign is not None
         report.check(sign is None or pypw85.nd_compare(r12, q1, q2, m) == sign, f"comparison with {float(m).hex()}", case)
     overlap = pypw85.nd_overlap(r12, q1, q2)
-    report.check(not (lower > 1 and overlap or upper < 1 and not overlap), "overlap", case)
+    report.check(not ((lower > 1 and overlap) or (upper < 1 and not overlap)), "overlap", case)
     kappa2, point = pypw85.nd_containment(r12, q1, q2)
     least, largest, c = containment_truth(r, full1, full2, point)
     if c is None:
@@ -304,7 +304,7 @@ def check_numbers(report, worst, case, counts):
         worst["kappa2"] = max(worst["kappa2"], float(error))
         report.check(error <= 2 * n + 20, f"kappa2 {float(error)}", case)
     contains = pypw85.nd_contains(r12, q1, q2)
-    report.check(not (largest < 1 and not contains or least > 1 and contains), "contains", case)
+    report.check(not ((largest < 1 and not contains) or (least > 1 and contains)), "contains", case)
     try:
         found = pypw85.nd_distance(r12, q1, q2)
     except pypw85.PW85Error as error:

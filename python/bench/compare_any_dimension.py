@@ -46,7 +46,7 @@ def seconds(function):
 
 
 def operations(n):
-    """Of a factorisation, and of one evaluation with its derivatives: M, its factors, two solutions, a product, a quadratic form, and sums."""
+    """Of a factorisation, and of one evaluation with its derivatives: M, its factors, two solutions, a product, a quadratic form, sums."""
     factorisation = n**3 / 3 + n**2 / 2 + n / 6
     return factorisation, factorisation + 8 * n**2 + 13 * n
 

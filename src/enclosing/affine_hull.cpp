@@ -39,40 +39,36 @@ void subtract_from_rows(int n, std::size_t m, double const *vector, double *rows
 /// Returns whether there is memory.
 bool AffineHullSearch::find_basis() noexcept
 {
-    Array<double> rows;
     auto const columns = static_cast<std::size_t>(cloud_.n);
-    if (!rows.resize(cloud_.m * columns)) return false;
+    if (!rows_.resize(cloud_.m * columns)) return false;
     for (std::size_t i = 0; i < cloud_.m; ++i)
         for (int k = 0; k < cloud_.n; ++k)
-            rows[i * columns + static_cast<std::size_t>(k)] =
+            rows_[i * columns + static_cast<std::size_t>(k)] =
                 cloud_.coordinate(i, k) - cloud_.coordinate(0, k);
     for (; basis_.size < cloud_.n - 1; ++basis_.size) {
         double square = 0.0;
-        std::size_t const longest = find_longest(cloud_.n, cloud_.m, rows.data(), square);
+        std::size_t const longest = find_longest(cloud_.n, cloud_.m, rows_.data(), square);
         if (square <= 0x1p-48) break;
         double *const next = basis_.vectors[basis_.size];
-        for (std::size_t k = 0; k < columns; ++k) next[k] = rows[longest * columns + k];
+        for (std::size_t k = 0; k < columns; ++k) next[k] = rows_[longest * columns + k];
         subtract_projection(basis_, next);
         normalize(cloud_.n, next);
-        subtract_from_rows(cloud_.n, cloud_.m, next, rows.data());
+        subtract_from_rows(cloud_.n, cloud_.m, next, rows_.data());
     }
     return true;
 }
 
-/// Computes the coordinates of the points along the basis, relative to the first point. Returns
-/// whether there is memory.
-bool AffineHullSearch::find_coordinates(Array<double> &coordinates) const noexcept
+/// Computes the coordinates of the points along the basis, relative to the first point.
+void AffineHullSearch::find_coordinates() noexcept
 {
-    auto const rank = static_cast<std::size_t>(basis_.size);
-    if (!coordinates.resize(cloud_.m * rank)) return false;
+    std::size_t end = 0;
     for (std::size_t i = 0; i < cloud_.m; ++i)
         for (int j = 0; j < basis_.size; ++j) {
             double sum = 0.0;
             for (int k = 0; k < cloud_.n; ++k)
                 sum += basis_.vectors[j][k] * (cloud_.coordinate(i, k) - cloud_.coordinate(0, k));
-            coordinates[i * rank + static_cast<std::size_t>(j)] = sum;
+            rows_[end++] = sum;
         }
-    return true;
 }
 
 /// Computes the centre Bᵀc and the form BᵀQB from those along the basis, whose rows are B.
@@ -103,10 +99,9 @@ Status AffineHullSearch::run(double tolerance) noexcept
 /// Finds the smallest ellipsoid around the coordinates.
 Status AffineHullSearch::search_along_basis(double tolerance) noexcept
 {
-    Array<double> coordinates;
-    if (!find_coordinates(coordinates)) return Status::out_of_memory;
+    find_coordinates();
     std::unique_ptr<Search> const search(new (std::nothrow)
-                                             Search(basis_.size, cloud_.m, coordinates.data()));
+                                             Search(basis_.size, cloud_.m, rows_.data()));
     if (search == nullptr) return Status::out_of_memory;
     Status const status = search->run(tolerance);
     if (status == Status::success || status == Status::no_convergence) lift(*search);

@@ -31,7 +31,7 @@ class AffineHullSearch {
   private:
     bool find_basis() noexcept;
     Status search_along_basis(double tolerance) noexcept;
-    bool find_coordinates(Array<double> &coordinates) const noexcept;
+    void find_coordinates() noexcept;
     void lift(Search const &search) noexcept;
 
     Cloud cloud_;
@@ -39,6 +39,7 @@ class AffineHullSearch {
     double center_[max_dimension] = {}; ///< relative to the first point, scaled
     double form_[max_packed] = {};      ///< the lower triangle, scaled
     double excess_ = 0.0;
+    Array<double> rows_; ///< rests of differences, and then coordinates
 };
 
 } // namespace pw85::detail::enclosing
