@@ -323,6 +323,29 @@ PW85_TEST("/containment_factor/two_dimensions")
     }
 }
 
+// A unit ball around thin ellipsoids along the axes. The longest axis is across a long separation,
+// where M is nearly singular and the upper bound cancels. The centre of ellipsoid 2 is inside the
+// scaled ball: κ² >= |r12|².
+PW85_TEST("/containment_factor/across_the_separation")
+{
+    Failures failures;
+    Random random(93);
+    for (int i = 0; i < draws(16000); ++i) {
+        double r12[3], mu2, point[3], square = 0;
+        double const q1[6] = {1, 0, 0, 1, 0, 1};
+        double q2[6] = {};
+        for (int k = 0; k < 3; ++k) {
+            double const axis = random.log_uniform(1e-8, 1e4);
+            q2[k == 0 ? 0 : k == 1 ? 3 : 5] = axis * axis;
+            r12[k] = random.log_uniform(1e-2, 1e6);
+            square += r12[k] * r12[k];
+        }
+        g_assert_cmpint(pw85_containment(r12, q1, q2, &mu2, point), ==, PW85_SUCCESS);
+        failures.check(mu2 >= square * (1 - 1e-12), "kappa2", mu2, square,
+                       [&] { return hex_text(r12, 3) + " " + hex_text(q2, 6); });
+    }
+}
+
 PW85_TEST("/containment_factor/status")
 {
     double const r12[3] = {0.1, 0.2, 0.3}, q1[6] = {9, 0, 0, 9, 0, 9}, flat[6] = {1, 1, 0, 1, 0, 1};
