@@ -492,7 +492,7 @@ PW85_TEST("/any_dimension/containment")
         }
 }
 
-// A unit ball around thin ellipsoids along the axes, with the longest axis across a long separation:
+// A unit ball around thin ellipsoids along the axes, the longest one across a long separation:
 // see /containment_factor/across_the_separation.
 PW85_TEST("/any_dimension/across_the_separation")
 {
