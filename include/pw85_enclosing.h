@@ -28,8 +28,15 @@ extern "C" {
  * centre adds about n u D/a, with the distance D of the points from 0 and the shortest semi-axis a:
  * move points that are far from 0 first.
  *
+ * Points in a hyperplane have an ellipsoid without volume. With #PW85_ENOTPD, the outputs are the
+ * smallest ellipsoid in the affine hull of the points: q is singular, with rank k < n, and the
+ * excess is that of the volume in k dimensions. This ellipsoid is not proved. Points can be outside
+ * by rounding errors, and across the hull by their distance from it. All points equal give k = 0
+ * and q = 0.
+ *
  * The time for 10⁶ random points is that of 5 to 10 passes over them. The function allocates 16
- * bytes for each point, and at most 2 MiB that do not depend on m.
+ * bytes for each point, 8 n more for points in a hyperplane, and at most 2 MiB that do not depend
+ * on m.
  *
  * @param n [1..16] dimensions
  * @param m [number of points] at least n + 1

@@ -492,6 +492,35 @@ PW85_TEST("/any_dimension/containment")
         }
 }
 
+// A unit ball around thin ellipsoids along the axes, the longest one across a long separation:
+// see /containment_factor/across_the_separation.
+PW85_TEST("/any_dimension/across_the_separation")
+{
+    Failures failures;
+    Random random(94);
+    std::vector<double> point;
+    // for this one the bound was below the other one by far
+    constexpr double known[2][2] = {{2.2135873115422884e-06, 205.65692990696988},
+                                    {671937.9735215104, 0.18853546468816945}};
+    for (int i = 0; i < draws(16000); ++i) {
+        int const n = 2 + i % 15;
+        Case c{n, std::vector<double>(Size(n)), std::vector<double>(nd::packed_size(n)),
+               std::vector<double>(nd::packed_size(n))};
+        double square = 0;
+        for (int k = 0; k < n; ++k) {
+            double const axis = i == 0 ? known[0][k] : random.log_uniform(1e-8, 1e4);
+            c.q1[nd::place(n, k, k)] = 1;
+            c.q2[nd::place(n, k, k)] = axis * axis;
+            c.r12[Size(k)] = i == 0 ? known[1][k] : random.log_uniform(1e-2, 1e6);
+            square += c.r12[Size(k)] * c.r12[Size(k)];
+        }
+        Found const found = containment(c, point);
+        auto const describe = [&] { return c.text(); };
+        failures.check(found.status == PW85_SUCCESS, "status", found.status, 0, describe);
+        failures.check(found.mu2 >= square * (1 - 1e-12), "kappa2", found.mu2, square, describe);
+    }
+}
+
 using Full = std::vector<std::vector<double>>;
 
 /// The image of a pair by a random matrix of integers. Its numbers must have few digits.

@@ -323,6 +323,35 @@ PW85_TEST("/containment_factor/two_dimensions")
     }
 }
 
+// A unit ball around thin ellipsoids along the axes. The longest axis is across a long separation,
+// where M is nearly singular and the upper bound cancels. The centre of ellipsoid 2 is inside the
+// scaled ball: κ² >= |r12|².
+PW85_TEST("/containment_factor/across_the_separation")
+{
+    Failures failures;
+    Random random(93);
+    // for these the bound was below the other one by far
+    constexpr double known[2][2][3] = {
+        {{1.6275910964207236e-06, 107.28588216361874, 1.8242096231504765e-08},
+         {245372.35565671985, 15.085282241407107, 17.984412980620625}},
+        {{1.1947616462177535e-07, 1.1891701825697902e-06, 121.32404963259958},
+         {2.59297447122125, 1327.5985394889212, 2.6325295022406077}}};
+    for (int i = 0; i < draws(16000); ++i) {
+        double r12[3], mu2, point[3], square = 0;
+        double const q1[6] = {1, 0, 0, 1, 0, 1};
+        double q2[6] = {};
+        for (int k = 0; k < 3; ++k) {
+            double const axis = i < 2 ? known[i][0][k] : random.log_uniform(1e-8, 1e4);
+            q2[k == 0 ? 0 : k == 1 ? 3 : 5] = axis * axis;
+            r12[k] = i < 2 ? known[i][1][k] : random.log_uniform(1e-2, 1e6);
+            square += r12[k] * r12[k];
+        }
+        g_assert_cmpint(pw85_containment(r12, q1, q2, &mu2, point), ==, PW85_SUCCESS);
+        failures.check(mu2 >= square * (1 - 1e-12), "kappa2", mu2, square,
+                       [&] { return hex_text(r12, 3) + " " + hex_text(q2, 6); });
+    }
+}
+
 PW85_TEST("/containment_factor/status")
 {
     double const r12[3] = {0.1, 0.2, 0.3}, q1[6] = {9, 0, 0, 9, 0, 9}, flat[6] = {1, 1, 0, 1, 0, 1};

@@ -49,6 +49,7 @@ struct Found {
     Numbers center, q;
     double excess;
 
+    double entry(int i, int j) const { return q[nd::place(static_cast<int>(center.size()), i, j)]; }
     Matrix form() const
     {
         std::size_t const n = center.size();
@@ -471,25 +472,79 @@ PW85_TEST("/enclosing/thin_simplices")
     }
 }
 
+/// The cloud without its first coordinate.
+Cloud without_first(Cloud const &cloud)
+{
+    Cloud other{cloud.n - 1, {}};
+    for (std::size_t k = 0; k < cloud.points.size(); ++k)
+        if (k % static_cast<std::size_t>(cloud.n) != 0) other.points.push_back(cloud.points[k]);
+    return other;
+}
+
+// Integers in the hyperplane x_1 = 0 or Σ x_k = 0. The ellipsoid of the affine hull is the image of
+// the one around the other coordinates, which are coordinates of the hull. Both have an excess of
+// at most ε = 1e-9. Where the smallest ellipsoid is the unit ball, its points of contact have
+// weights with Σ u x xᵀ = 1/n, so that tr Q⁻¹/n + cᵀQ⁻¹c <= 1 for any other ellipsoid around them.
+// With det Q <= (1 + ε)² the eigenvalues of Q are within 2 √ε of 1, to first order, and |c| is at
+// most √(2ε/n). Two such ellipsoids differ by twice that: 1.3e-4 and 9e-5.
 PW85_TEST("/enclosing/flat")
 {
     Failures failures;
     std::mt19937 random(7);
     for (int draw = 0; draw < draws(160); ++draw) {
         int const n = random_dimension(random);
+        bool const oblique = draw % 2 == 0;
+        double const unit = std::ldexp(1.0, draw % 7 * 13 - 39);
         Cloud cloud = random_cloud(random, n, 4 * n + 4);
         for (std::size_t i = 0; i < cloud.size(); ++i) {
             double *const x = &cloud.points[i * static_cast<std::size_t>(n)];
             double sum = 0.0; // of integers: exact
-            for (int k = 0; k < n; ++k) sum += x[k] = std::round(8.0 * x[k]);
-            x[0] -= draw % 2 == 0 ? sum : x[0];
+            for (int k = 0; k < n; ++k) sum += x[k] = unit * std::round(8.0 * x[k]);
+            x[0] -= oblique ? sum : x[0];
         }
-        Found const found = find(cloud, 1e-3);
+        Found const found = find(cloud, 1e-9);
         auto const text = [&] { return cloud.text(); };
         failures.check(found.status == PW85_ENOTPD, "status", found.status, PW85_ENOTPD, text);
-        failures.check(std::isnan(found.excess) && std::isnan(found.q.back()), "NaN", found.excess,
-                       0.0, text);
+        failures.check(found.excess <= 1e-9, "excess", found.excess, 1e-9, text);
+        if (n == 1) continue;
+        Found const other = find(without_first(cloud), 1e-9);
+        failures.check(other.status == PW85_SUCCESS, "of the hull", other.status, 0, text);
+        double across = found.center[0];
+        for (int i = 1; i < n; ++i) {
+            auto const extent = std::sqrt(other.entry(i - 1, i - 1));
+            across += oblique ? found.center[static_cast<std::size_t>(i)] : 0.0;
+            double const shift = found.center[static_cast<std::size_t>(i)] -
+                                 other.center[static_cast<std::size_t>(i - 1)];
+            failures.check(std::abs(shift) < 2e-4 * extent, "center", shift, extent, text);
+            double row = found.entry(0, i);
+            for (int j = 1; j < n; ++j) {
+                row += oblique ? found.entry(i, j) : 0.0;
+                double const bound = 2e-4 * extent * std::sqrt(other.entry(j - 1, j - 1)),
+                             change = found.entry(i, j) - other.entry(i - 1, j - 1);
+                failures.check(std::abs(change) < bound, "form", change, bound, text);
+            }
+            failures.check(std::abs(row) < 1e-11 * other.entry(i - 1, i - 1) * n, "null vector",
+                           row, 0.0, text);
+        }
+        failures.check(std::abs(across) < 1e-11 * unit, "in the plane", across, 0.0, text);
     }
+}
+
+// Equal points, and points on a line through three dimensions.
+PW85_TEST("/enclosing/line")
+{
+    double const line[12] = {1, 2, 3, 2, 4, 3, 3, 6, 3, 1, 2, 3}, point[6] = {7, 8, 7, 8, 7, 8};
+    double center[3], q[6], excess;
+    int status = pw85_enclosing_ellipsoid(3, 4, line, 1e-9, center, q, &excess);
+    g_assert_cmpint(status, ==, PW85_ENOTPD);
+    double const expected[6] = {1, 2, 0, 4, 0, 0}; // from (1, 2, 3) to (3, 6, 3)
+    for (int k = 0; k < 6; ++k) g_assert_cmpfloat(std::abs(q[k] - expected[k]), <, 1e-8);
+    g_assert_cmpfloat(std::abs(center[0] - 2) + std::abs(center[1] - 4), <, 1e-8);
+    g_assert_cmpfloat(center[2], ==, 3);
+    status = pw85_enclosing_ellipsoid(2, 3, point, 1e-9, center, q, &excess);
+    g_assert_cmpint(status, ==, PW85_ENOTPD);
+    g_assert_true(center[0] == 7 && center[1] == 8 && q[0] == 0 && q[1] == 0 && q[2] == 0 &&
+                  excess == 0);
 }
 
 PW85_TEST("/enclosing/status")

@@ -26,11 +26,11 @@ template <int D> struct EnclosingEllipsoid {
 /// Returns the ellipsoid of least volume around points, up to a tolerance, in two or three
 /// dimensions. The contract is that of the C function.
 ///
-/// @param points at least D + 1, not in a line or plane
+/// @param points at least D + 1
 /// @param tolerance of the volume, relative; above zero
 /// @return the ellipsoid; Status::invalid_argument, Status::not_positive_definite for points in a
-///         line or plane, Status::no_convergence if the excess exceeds the tolerance, or
-///         Status::out_of_memory
+///         line or plane, with the ellipsoid of their affine hull, Status::no_convergence if the
+///         excess exceeds the tolerance, or Status::out_of_memory
 template <int D> static inline EnclosingEllipsoid<D>
 enclosing_ellipsoid(std::span<Vector<double, D> const> points, double tolerance) noexcept
 {

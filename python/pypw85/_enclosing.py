@@ -31,7 +31,7 @@ def enclosing_ellipsoid(points: ArrayLike, tolerance: float = 1e-6) -> tuple[Flo
     Parameters
     ----------
     points : (m, n) array_like
-        At least n + 1 points, not all in a hyperplane.
+        At least n + 1 points.
     tolerance : float
         What the excess should not exceed. If double precision does not allow that, because points are far from the origin or the ellipsoid
         is thin, there is a `RuntimeWarning`, and the excess is larger.
@@ -42,11 +42,13 @@ def enclosing_ellipsoid(points: ArrayLike, tolerance: float = 1e-6) -> tuple[Flo
     q : (n (n + 1) / 2) array
         Form of the ellipsoid, the rows of the upper triangle: ``(xx, xy, xz, yy, yz, zz)`` for n = 3.
     excess : float
+        If the points are in a hyperplane, or nearer to one than about 2⁻²⁴ of their extents, there is a `RuntimeWarning`: the result is the
+        smallest ellipsoid in the affine hull of the points, up to rounding errors. Its form is singular.
 
     Raises
     ------
     PW85Error
-        A number is not finite, there are too few points, or they are in a hyperplane.
+        A number is not finite, or there are too few points.
     ValueError
         The points are not an (m, n) array with n from 1 to 16.
 
@@ -133,7 +135,8 @@ def credible_ellipsoid(samples: ArrayLike, share: float, tolerance: float = 1e-6
     Raises
     ------
     PW85Error
-        A number is not finite, or the samples are in a hyperplane, or there are less than n + 1.
+        A number is not finite, or there are less than n + 1 samples. As for `enclosing_ellipsoid`, samples in a hyperplane give a
+        `RuntimeWarning` and the ellipsoid of their affine hull.
     ValueError
         The samples are not an (m, n) array with n from 1 to 16, or the share is out of range, or takes less than n + 1 samples.
 
@@ -178,9 +181,12 @@ def _enclose(name: str, function: Any, tolerance: float, **inputs: Floats) -> tu
     status, excess = function(n, *inputs.values(), tolerance, center, q)
     if not status:
         return center, q, excess
-    if status != Status.ECONVERGENCE:
+    if status not in (Status.ECONVERGENCE, Status.ENOTPD) or math.isnan(excess):
         raise PW85Error(status, name, _core.strerror(status), _cause(tolerance, m, what, inputs))
-    warnings.warn(f"{name}: the excess is {excess:.3g}, above the tolerance {tolerance:g}", RuntimeWarning, stacklevel=3)
+    cause = f"the excess is {excess:.3g}, above the tolerance {tolerance:g}"
+    if status == Status.ENOTPD:
+        cause = f"the {what} are in a hyperplane: the form is singular, and is that of their affine hull"
+    warnings.warn(f"{name}: {cause}", RuntimeWarning, stacklevel=3)
     return center, q, excess
 
 

@@ -45,12 +45,32 @@ def test_what_double_precision_does_not_allow_is_said():
 @pytest.mark.parametrize("points, tolerance, words", [
     ([[0, 0], [1, 1], [0, np.nan]], 1e-6, r"row 2: points must be finite, not \[0.0, nan\]"),
     ([[0, 0], [1, 0]], 1e-6, r"points: m must be at least n \+ 1, not 2"),
-    ([[0, 0], [1, 1], [3, 3]], 1e-6, "points must not be in a hyperplane, or too close to one"),
     ([[0, 0], [1, 1], [0, 1]], 0, "tolerance must be > 0, not 0"),
 ])  # fmt: skip
 def test_bad_points(points, tolerance, words):
     with pytest.raises(pypw85.PW85Error, match=words):
         pypw85.enclosing_ellipsoid(points, tolerance)
+
+
+def test_points_in_a_plane_have_the_ellipsoid_of_their_hull():
+    """Points of the plane x + y = z: the ellipsoid is the image of the one around x and y."""
+    flat = np.random.default_rng(4).integers(-50, 50, size=(30, 2)).astype(float)
+    points = np.column_stack([flat, flat.sum(axis=1)])
+    with pytest.warns(RuntimeWarning, match="enclosing_ellipsoid: the points are in a hyperplane: the form is singular"):
+        center, q, excess = pypw85.enclosing_ellipsoid(points, 1e-9)
+    middle, form, _ = pypw85.enclosing_ellipsoid(flat, 1e-9)
+    embedding = np.array([[1, 0], [0, 1], [1, 1]])
+    expected = embedding @ [[form[0], form[1]], [form[1], form[2]]] @ embedding.T
+    np.testing.assert_allclose(center, embedding @ middle, atol=1e-3)
+    np.testing.assert_allclose(q, expected[np.triu_indices(3)], atol=2e-4 * form.max() * 4)
+    assert 0 <= excess <= 1e-9
+    with pytest.warns(RuntimeWarning, match="credible_ellipsoid: the samples are in a hyperplane"):
+        pypw85.credible_ellipsoid(points, 0.8)
+    with pytest.warns(RuntimeWarning, match="enclosing_ellipsoid: the points are in a hyperplane"):
+        pypw85.enclosing_ellipsoid([[0, 0], [1, 1], [3, 3 + 1e-9]])
+    with pytest.warns(RuntimeWarning, match="hyperplane"):
+        center, q, excess = pypw85.enclosing_ellipsoid([[7, 8]] * 5)
+    assert center.tolist() == [7, 8] and q.tolist() == [0, 0, 0] and excess == 0
 
 
 @pytest.mark.parametrize("points", [[1, 2, 3], np.zeros((4, 17)), np.zeros((4, 0))])
@@ -76,7 +96,6 @@ def test_share_of_samples():
 @pytest.mark.parametrize("samples, words", [
     (np.zeros((0, 3)), r"samples: m must be at least n \+ 1, not 0"),
     (np.eye(3), r"samples: m must be at least n \+ 1, not 3"),
-    ([[0, 0], [1, 1], [2, 2], [3, 3]], "credible_ellipsoid: samples must not be in a hyperplane, or too close to one"),
     ([[0, 0], [1, 1e200], [2, 0], [3, 1]], r"credible_ellipsoid: samples must have an extent between 2\^-480 and 2\^480 along each coord"),
 ])  # fmt: skip
 def test_bad_samples(samples, words):

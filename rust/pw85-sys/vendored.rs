@@ -17,13 +17,14 @@ const FLAGS: &str = "-std=c++20 -O3 -DNDEBUG -fPIC -fvisibility=hidden";
 const FLAGS_FOR_ALL: &str = "-ffp-contract=off -fno-math-errno -fno-tree-slp-vectorize -Wno-psabi \
     -Wno-unknown-pragmas -Wno-maybe-uninitialized -Wno-uninitialized";
 /// The words of src/folders.txt, by which a folder chooses its flags.
-const WORDS: [(&str, &str); 4] = [
+const WORDS: [(&str, &str); 5] = [
     (
         "fused",
         "-ffp-contract=fast -mprefer-vector-width=128 -mmove-max=128 -mstore-max=128",
     ),
     ("unlimited", "--param=inline-unit-growth=1000"),
     ("frugal", "--param=max-inline-insns-single=70"),
+    ("sparing", "--param=max-inline-insns-single=30"),
     ("unprotected", "-fno-stack-protector"),
 ];
 const EMPTY: &str = if cfg!(windows) { "NUL" } else { "/dev/null" };

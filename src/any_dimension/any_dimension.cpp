@@ -65,30 +65,54 @@ template <class... Others>
                                                     3 + sizeof...(others));
 }
 
-/// Calls function(k, r12, q1, q2), which returns a status, for each row. Returns the first status
-/// that is not success, and records its cause with the row; PW85_EINVAL if n is wrong, if there are
-/// rows and no arrays for them, or if the bytes of the rows cannot be counted. `others` are further
-/// arrays that must not be null.
-template <class Function, class... Others> int for_each_row(char const *name, Rows const &rows,
-                                                            Function const &function,
-                                                            Others... others) noexcept
+/// Calls a function of one row.
+using CallRow = int (*)(void const *function, Rows const &rows, Size k);
+
+/// for_each_row() with the function behind a pointer.
+[[gnu::noinline]] int call_rows(char const *name, Rows const &rows, CallRow call,
+                                void const *function, NamedArray const &first,
+                                NamedArray const &second) noexcept
 {
     if (rows.n < 1 || rows.n > PW85_ND_MAX)
         return pw85::detail::any_dimension::refuse_dimension(name, rows.n);
     if (rows.count == 0) return PW85_SUCCESS;
     Size const bytes = static_cast<Size>(packed_size(rows.n)) * sizeof(double);
-    if (any_null(rows.r12, rows.q1, rows.q2, others.pointer...) || rows.count > PTRDIFF_MAX / bytes)
+    if (any_null(rows.r12, rows.q1, rows.q2, first.pointer, second.pointer) ||
+        rows.count > PTRDIFF_MAX / bytes)
         return pw85::detail::refuse_arrays(name, "num_pairs", rows.count,
                                            NamedArray{"r12", rows.r12}, NamedArray{"q1", rows.q1},
-                                           NamedArray{"q2", rows.q2}, others...);
+                                           NamedArray{"q2", rows.q2}, first, second);
     Size bad = rows.count;
-    auto const call = [&](Size k) {
-        return function(k, rows.r12_of(k), rows.q1_of(k), rows.q2_of(k));
-    };
     for (Size k = 0; k < rows.count; ++k)
-        if (call(k) != PW85_SUCCESS && bad == rows.count) bad = k;
+        if (call(function, rows, k) != PW85_SUCCESS && bad == rows.count) bad = k;
     // Bad rows after the first one have recorded their causes, too.
-    return bad == rows.count ? PW85_SUCCESS : pw85::detail::refuse_row(call(bad), bad);
+    return bad == rows.count ? PW85_SUCCESS
+                             : pw85::detail::refuse_row(call(function, rows, bad), bad);
+}
+
+/// Calls function(k, r12, q1, q2), which returns a status, for each row. Returns the first status
+/// that is not success, and records its cause with the row; PW85_EINVAL if n is wrong, if there are
+/// rows and no arrays for them, or if the bytes of the rows cannot be counted. `first` and `second`
+/// are further arrays that must not be null.
+template <class Function> int for_each_row(char const *name, Rows const &rows,
+                                           Function const &function, NamedArray first,
+                                           NamedArray second) noexcept
+{
+    auto const call = [](void const *given, Rows const &all, Size k) {
+        return (*static_cast<Function const *>(given))(k, all.r12_of(k), all.q1_of(k),
+                                                       all.q2_of(k));
+    };
+    return call_rows(name, rows, call, &function, first, second);
+}
+template <class Function> int for_each_row(char const *name, Rows const &rows,
+                                           Function const &function, NamedArray first) noexcept
+{
+    return for_each_row(name, rows, function, first, first);
+}
+template <class Function>
+int for_each_row(char const *name, Rows const &rows, Function const &function) noexcept
+{
+    return for_each_row(name, rows, function, NamedArray{"r12", rows.r12});
 }
 
 /// Row k of an output, or null.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The C function for the smallest ellipsoid around points.
+// The C functions for the smallest ellipsoid around points and around ellipsoids.
 #include <memory>
 #include <new>
 
@@ -7,12 +7,13 @@
 
 #include "../any_dimension/causes.hpp"
 #include "../base/floating_point_environment.hpp"
+#include "affine_hull.hpp"
 #include "around_ellipsoids.hpp"
 #include "smallest.hpp"
 
 using namespace pw85;
 using namespace pw85::detail;
-using enclosing::Search;
+using enclosing::Search, enclosing::AffineHullSearch;
 
 namespace {
 
@@ -98,25 +99,26 @@ bool has_ellipsoid(Status status) noexcept
     return status == Status::success || status == Status::no_convergence;
 }
 
-Status find(int n, std::size_t m, double const *points, double tolerance,
-            Outputs const &outputs) noexcept
+/// Runs a search, whose constructor takes `given`. Puts what it finds. Returns its status.
+template <class Found, class... Given>
+Status run(double tolerance, Outputs const &outputs, Given const &...given) noexcept
 {
-    std::unique_ptr<Search> const search(new (std::nothrow) Search(n, m, points));
+    std::unique_ptr<Found> const search(new (std::nothrow) Found(given...));
     if (search == nullptr) return Status::out_of_memory;
     Status const status = search->run(tolerance);
     if (has_ellipsoid(status)) outputs.put(*search);
     return status;
 }
 
-Status find_around(enclosing::Ellipsoids const &bodies, double tolerance,
-                   Outputs const &outputs) noexcept
+/// Points in a hyperplane have the ellipsoid of their affine hull, and the status
+/// not_positive_definite.
+Status find(int n, std::size_t m, double const *points, double tolerance,
+            Outputs const &outputs) noexcept
 {
-    using enclosing::AroundEllipsoids;
-    std::unique_ptr<AroundEllipsoids> const around(new (std::nothrow) AroundEllipsoids(bodies));
-    if (around == nullptr) return Status::out_of_memory;
-    Status const status = around->run(tolerance);
-    if (has_ellipsoid(status)) outputs.put(*around);
-    return status;
+    Status const status = run<Search>(tolerance, outputs, n, m, points);
+    if (status != Status::not_positive_definite) return status;
+    Status const flat = run<AffineHullSearch>(tolerance, outputs, n, m, points);
+    return flat == Status::out_of_memory ? flat : status;
 }
 
 } // namespace
@@ -154,7 +156,8 @@ int pw85_enclosing_ellipsoid_of(int n, size_t m, double const *centers, double c
         status_of_call(call, columns, NamedArray{"centers", centers}, NamedArray{"forms", forms});
     if (status != PW85_SUCCESS) return status;
     status = in_default_environment([&] {
-        return static_cast<int>(find_around({n, m, centers, forms}, tolerance, outputs));
+        enclosing::Ellipsoids const bodies{n, m, centers, forms};
+        return static_cast<int>(run<enclosing::AroundEllipsoids>(tolerance, outputs, bodies));
     });
     auto const size = static_cast<size_t>(columns);
     if (status == PW85_EINVAL)

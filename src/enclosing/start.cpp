@@ -2,37 +2,11 @@
 // The outermost points along n directions.
 #include "start.hpp"
 
+#include "basis.hpp"
+
 namespace pw85::detail::enclosing {
 
 namespace {
-
-/// Unit vectors that are orthogonal to each other.
-struct Basis {
-    int n, size;
-    double vectors[max_dimension][max_dimension];
-};
-
-/// Subtracts the projection onto the basis, twice: a single subtraction leaves the rounding errors
-/// of a large vector.
-void project(Basis const &basis, double *x) noexcept
-{
-    for (int pass = 0; pass < 2; ++pass)
-        for (int i = 0; i < basis.size; ++i) {
-            double product = 0.0;
-            for (int k = 0; k < basis.n; ++k) product += basis.vectors[i][k] * x[k];
-            for (int k = 0; k < basis.n; ++k) x[k] -= product * basis.vectors[i][k];
-        }
-}
-
-double normalize(int n, double *x) noexcept
-{
-    using elementary::sqrt;
-    double sum = 0.0;
-    for (int k = 0; k < n; ++k) sum += x[k] * x[k];
-    double const length = sqrt(sum);
-    for (int k = 0; k < n && length > 0.0; ++k) x[k] /= length;
-    return length;
-}
 
 /// Finds the longest projection of a coordinate axis onto the orthogonal complement of the basis,
 /// normalised.
@@ -42,7 +16,7 @@ void find_direction(Basis const &basis, double *direction) noexcept
     for (int axis = 0; axis < basis.n; ++axis) {
         double x[max_dimension] = {};
         x[axis] = 1.0;
-        project(basis, x);
+        subtract_projection(basis, x);
         double const length = normalize(basis.n, x);
         if (length <= longest) continue;
         longest = length;
@@ -77,7 +51,7 @@ bool find_outermost(Cloud const &cloud, std::size_t pairs[][2]) noexcept
         double *const next = basis.vectors[i];
         for (int k = 0; k < cloud.n; ++k)
             next[k] = cloud.coordinate(pairs[i][1], k) - cloud.coordinate(pairs[i][0], k);
-        project(basis, next);
+        subtract_projection(basis, next);
         normalize(cloud.n, next);
         ++basis.size;
     }

@@ -179,7 +179,8 @@ PW85_FUNCTION inline T condition_sum(Pair<T> const &pair, SupportRatio<T> const 
 template <class T> PW85_FUNCTION inline bool
 has_converged(Pair<T> const &pair, DualBoundSearch<T> const &search, T const &tolerance) noexcept
 {
-    T const mu2 = search.best.mu2, gap = search.bound - mu2;
+    // A bound far below the other one is a rounding error: terms cancel if M is nearly singular.
+    T const mu2 = search.best.mu2, gap = absolute(T(search.bound - mu2));
     return mu2 > T(0) &&
            (gap <= tolerance * mu2 || gap <= tolerance * condition_sum(pair, search.best));
 }

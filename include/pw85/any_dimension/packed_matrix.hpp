@@ -75,6 +75,19 @@ template <class T, class N>
     }
 }
 
+/// xᵀAx, with half of the operations of product().
+template <class T, class N>
+[[gnu::noinline]] PW85_FUNCTION inline T quadratic_form(N n, T const *a, T const *x) noexcept
+{
+    T diagonal = T(0), rest = T(0);
+    for (int i = 0; i < n; ++i) {
+        T const *const row = a + row_offset(n, i);
+        diagonal = diagonal + row[i] * (x[i] * x[i]);
+        rest = rest + x[i] * dot(n - i - 1, row + i + 1, x + i + 1);
+    }
+    return diagonal + (rest + rest);
+}
+
 /// Factorises a matrix in place, A = L D Lᵀ. The rows of Lᵀ replace the rows of A, and the pivots D
 /// are on the diagonal. Returns whether all pivots are positive. If a pivot is not, the rest is not
 /// computed.

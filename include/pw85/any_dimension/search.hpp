@@ -26,34 +26,68 @@ PW85_FUNCTION inline T positive_form(N n, T const *q, T const *s, T const *qs) n
     return maximum(dot(n, s, qs), T(T(unit_roundoff<T>()) * diagonal_form(n, q, s)));
 }
 
-/// Evaluates all but v. Returns false if rounding errors make a pivot negative.
-template <class T, class N> PW85_FUNCTION inline bool evaluate(Pair<T, N> const &pair, T const &t,
-                                                               Evaluation<T, N> &at) noexcept
+/// Evaluates the factors, s, Q2 s and B. Returns false if rounding errors make a pivot negative.
+template <class T, class N> [[gnu::noinline]] PW85_FUNCTION inline bool
+solve_at(Pair<T, N> const &pair, T const &t, Evaluation<T, N> &at) noexcept
 {
     N const n = pair.n;
     int const size = packed_size(n);
     for (int k = 0; k < size; ++k) at.factors[k] = pair.q1[k] + t * pair.q2[k];
     if (!factorize(n, at.factors)) return false;
     solve(n, at.factors, pair.r12, at.s);
-    product(n, pair.q1, at.s, at.p);
     product(n, pair.q2, at.s, at.q);
-    at.a = positive_form(n, pair.q1, at.s, at.p);
     at.b = positive_form(n, pair.q2, at.s, at.q);
     return true;
 }
 
+/// Computes Q1 s and A.
+template <class T, class N>
+PW85_FUNCTION inline void apply_first(Pair<T, N> const &pair, Evaluation<T, N> &at) noexcept
+{
+    product(pair.n, pair.q1, at.s, at.p);
+    at.a = positive_form(pair.n, pair.q1, at.s, at.p);
+}
+
+/// Evaluates all but v. Returns false if rounding errors make a pivot negative.
+template <class T, class N> PW85_FUNCTION inline bool evaluate(Pair<T, N> const &pair, T const &t,
+                                                               Evaluation<T, N> &at) noexcept
+{
+    if (!solve_at(pair, t, at)) return false;
+    apply_first(pair, at);
+    return true;
+}
+
+/// Returns whether A = s·r12 - t B loses at most ten binary digits. Then sᵀQ1v = B - t sᵀQ2v adds
+/// an error of the same size to h', in which it is multiplied by t/A.
+template <class T, class N>
+PW85_FUNCTION inline bool spares_first(T const &t, Evaluation<T, N> const &at) noexcept
+{
+    return T(0x1p10) * at.a > t * at.b;
+}
+
+/// Evaluates for a step of the search: A is the difference of s·r12 and t B if this is accurate,
+/// and Q1 s is not computed then.
+template <class T, class N> PW85_FUNCTION inline bool
+evaluate_step(Pair<T, N> const &pair, T const &t, Evaluation<T, N> &at) noexcept
+{
+    if (!solve_at(pair, t, at)) return false;
+    at.a = dot(pair.n, pair.r12, at.s) - t * at.b;
+    if (!spares_first(t, at)) apply_first(pair, at);
+    return true;
+}
+
 /// A, B and their derivatives divided by A: contact/evaluation.hpp, item 2. As vᵀMv = vᵀQ2s, one
-/// product with a matrix gives both second derivatives.
+/// quadratic form gives both second derivatives.
 template <class T, class N> PW85_FUNCTION inline Jet<T> jet_of(Pair<T, N> const &pair, T const &t,
                                                                Evaluation<T, N> &at) noexcept
 {
     N const n = pair.n;
-    T w[capacity<N>];
     solve(n, at.factors, at.q, at.v);
-    product(n, pair.q2, at.v, w);
-    T const qv = dot(n, at.q, at.v), second = dot(n, at.v, w), inverse = T(1) / at.a;
+    T const qv = dot(n, at.q, at.v), second = quadratic_form(n, pair.q2, at.v);
+    T const pv = spares_first(t, at) ? T(at.b - t * qv) : dot(n, at.p, at.v);
+    T const inverse = T(1) / at.a;
     return {T(1),
-            T(-2) * (dot(n, at.p, at.v) * inverse),
+            T(-2) * (pv * inverse),
             T(6) * (maximum(T(0), T(qv - t * second)) * inverse),
             at.b * inverse,
             T(-2) * (qv * inverse),
@@ -70,7 +104,7 @@ template <class T, class N>
     auto state = safeguarded_search(candidate.t, free_factorized_steps);
     for (int i = 1;; ++i) {
         ++evaluations;
-        if (!evaluate(pair, state.t, at)) return false;
+        if (!evaluate_step(pair, state.t, at)) return false;
         Jet<T> const jet = jet_of(pair, state.t, at);
         Slope<T> const s = slope(jet, pair.ratio, state.t);
         TrustedStep<T> const trusted = trust(halley_step(s), s);

@@ -61,7 +61,8 @@ template <class T, int D>
 PW85_FUNCTION inline bool has_converged(Pair<T, D> const &pair, DualBoundSearch<T, D> const &search,
                                         T const &tolerance) noexcept
 {
-    T const mu2 = search.best.mu2, gap = search.bound - mu2;
+    // A bound far below the other one is a rounding error: terms cancel if M is nearly singular.
+    T const mu2 = search.best.mu2, gap = absolute(T(search.bound - mu2));
     return mu2 > T(0) &&
            (gap <= tolerance * mu2 || gap <= T(tolerance * ratio_condition_sum(pair, search.best)));
 }
