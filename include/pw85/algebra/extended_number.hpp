@@ -27,10 +27,8 @@ inline constexpr int undefined_sign = 2;
 /// Reads a native number x = sign·mantissa/2^(limb_bits·N)·2^exponent, exactly if it is finite, and
 /// returns the sign. For zero and for numbers that are not finite, the mantissa and the exponent
 /// become zero.
-///
-/// It is not inlined: formulas have many constants, and each would take 170 bytes.
-template <class Native, int N> [[gnu::noinline]] PW85_FUNCTION inline int
-read_digits(Native x, Digits<N> &mantissa, int &exponent) noexcept
+template <class Native, int N>
+PW85_FUNCTION inline int read_digits(Native x, Digits<N> &mantissa, int &exponent) noexcept
 {
     mantissa = {};
     exponent = 0;
@@ -45,6 +43,16 @@ read_digits(Native x, Digits<N> &mantissa, int &exponent) noexcept
         fraction = fraction - static_cast<Native>(mantissa.limbs[i]);
     }
     return x > Native(0) ? 1 : -1;
+}
+
+template <class T> struct Extended;
+
+/// Converts a native number. It is not inlined: formulas have many constants, and each would take
+/// 170 bytes.
+template <class Native, class T>
+[[gnu::noinline]] PW85_FUNCTION inline void read(Native number, Extended<T> &x) noexcept
+{
+    x.sign = read_digits(number, x.mantissa, x.exponent);
 }
 
 /// The number sign·m·2^exponent with m = mantissa/2^bits in [1/2, 1). The number is zero if the
@@ -67,7 +75,7 @@ template <class T> struct Extended {
     requires std::is_arithmetic_v<Number> PW85_MEMBER explicit Extended(Number number) noexcept
     {
         using Native = std::conditional_t<std::is_integral_v<Number>, double, Number>;
-        sign = read_digits(static_cast<Native>(number), mantissa, exponent);
+        read(static_cast<Native>(number), *this);
     }
 
     PW85_MEMBER bool is_defined() const noexcept { return sign != undefined; }
@@ -162,14 +170,16 @@ operator+(Extended<T> const &x, Extended<T> const &y) noexcept
     return x.exponent >= y.exponent ? add_ordered(x, y) : add_ordered(y, x);
 }
 
-template <class T> PW85_FUNCTION inline Extended<T> operator-(Extended<T> x) noexcept
+template <class T>
+[[gnu::noinline]] PW85_FUNCTION inline Extended<T> operator-(Extended<T> const &x) noexcept
 {
-    if (x.is_defined()) x.sign = -x.sign;
-    return x;
+    Extended<T> result = x;
+    if (x.is_defined()) result.sign = -x.sign;
+    return result;
 }
 
-template <class T>
-PW85_FUNCTION inline Extended<T> operator-(Extended<T> const &x, Extended<T> const &y) noexcept
+template <class T> [[gnu::noinline, gnu::hot]] PW85_FUNCTION inline Extended<T>
+operator-(Extended<T> const &x, Extended<T> const &y) noexcept
 {
     return x + -y;
 }
@@ -246,14 +256,14 @@ PW85_RARE_TIER_OF(operator*, double)
 PW85_RARE_TIER_OF(reciprocal, double)
 PW85_RARE_TIER_OF(sqrt, double)
 
-template <class T> PW85_FUNCTION inline Extended<T> abs(Extended<T> x) noexcept
+template <class T>
+[[gnu::noinline]] PW85_FUNCTION inline Extended<T> abs(Extended<T> const &x) noexcept
 {
-    if (x.sign == -1) x.sign = 1;
-    return x;
+    return x.sign == -1 ? -x : x;
 }
 
-template <class T>
-PW85_FUNCTION inline bool operator<(Extended<T> const &x, Extended<T> const &y) noexcept
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline bool
+operator<(Extended<T> const &x, Extended<T> const &y) noexcept
 {
     return (x - y).sign == -1;
 }
@@ -262,8 +272,8 @@ PW85_FUNCTION inline bool operator>(Extended<T> const &x, Extended<T> const &y) 
 {
     return y < x;
 }
-template <class T>
-PW85_FUNCTION inline bool operator<=(Extended<T> const &x, Extended<T> const &y) noexcept
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline bool
+operator<=(Extended<T> const &x, Extended<T> const &y) noexcept
 {
     int const sign = (x - y).sign;
     return sign == -1 || sign == 0;
