@@ -94,6 +94,30 @@ PW85_TEST("/penetration/touching")
     check_touching<2>(500);
 }
 
+// Near contact, where a certificate or a direction that separates decides, the answer is that of
+// the overlap test.
+PW85_TEST("/penetration/near_contact")
+{
+    Failures failures;
+    Random random(705);
+    int overlapping = 0;
+    for (int n = 0; n < draws(8000); ++n) {
+        double const mu2 = 1.0 + random.sign() * random.log_uniform(1e-16, 0.1);
+        auto const s = random_pair<3>(random, {.aspect = random.log_uniform(1.0, 1e3),
+                                               .size_ratio = random.log_uniform(1.0, 100.0),
+                                               .mu2_min = mu2,
+                                               .mu2_max = mu2});
+        int overlap;
+        g_assert_cmpint(pw85_overlap(s.r12.coordinates, s.q1.entries, s.q2.entries, &overlap), ==,
+                        PW85_SUCCESS);
+        auto const found = penetration(s);
+        failures.check(std::isnan(found.direction[0]) == (overlap == 0), "overlap", found.depth,
+                       overlap, [&] { return hex_text(s); });
+        overlapping += overlap;
+    }
+    g_assert_cmpint(overlapping, >, draws(2000));
+}
+
 /// The least shift over random directions, the best of which are followed downhill: on to the
 /// normal at the point of the sum of the ellipsoids that is nearest in direction, with ever shorter
 /// steps.
@@ -437,6 +461,84 @@ PW85_TEST("/penetration/vertices")
     g_assert_cmpint(100 * found, >, 99 * deeper);
 }
 
+// Where the depth is proved beyond a ratio c, r has it in W at all further ratios, up to rounding.
+// A test at half of the least of these depths mostly succeeds if c is far from the ratio of the
+// least depth.
+PW85_TEST("/penetration/beyond")
+{
+    Failures failures;
+    Random random(794);
+    int deeper = 0, found = 0;
+    for (int n = 0; n < draws(2000); ++n) {
+        auto const s = overlapping_pair<3>(random, 100.0);
+        auto const p = convert<Wide>(s);
+        bool const above = n % 2 == 0, half = n % 4 < 2;
+        double const c = random.log_uniform(1e-2, 1e2);
+        double least = std::numeric_limits<double>::infinity();
+        for (double beyond = 1.0; beyond < 1e5; beyond *= 1.3) {
+            Wide const ratio(above ? c * beyond : c / beyond), one(1);
+            auto const form =
+                pw85::detail::blend(Wide(one + ratio), p.q1, Wide(one + one / ratio), p.q2);
+            least = std::fmin(least, depth_in(form, p.r12));
+        }
+        double const level = least * (half ? 0.5 : 1.0 + random.log_uniform(1e-12, 1.0));
+        if (!(level > 0.0)) continue;
+        pw85::detail::DepthSearch<double, 3> search{s.r12, s.q1, s.q2, {}, {level, 1.0, 0.0}};
+        double const size = pw85::detail::trace(s.q1) + pw85::detail::trace(s.q2);
+        bool const deep = is_deep_beyond(search, c, above, random.log_uniform(1e-6, 1.0) * size);
+        failures.check(!deep || least >= level, "depth beyond a ratio", least, level,
+                       [&] { return hex_text(s) + ", c = " + hex_text(&c, 1); });
+        if (!half) continue;
+        ++deeper;
+        found += deep;
+    }
+    g_assert_cmpint(deeper, >, draws(400));
+    g_assert_cmpint(10 * found, >, 5 * deeper);
+}
+
+// A Newton's turn leaves an error of second order, and a correction with the same stiffness one of
+// third order: at a tenth of the distance from a minimum, a hundredth and a thousandth, up to terms
+// of the next order.
+PW85_TEST("/penetration/turns")
+{
+    using namespace pw85::detail;
+    Failures failures;
+    Random random(799);
+    int tested = 0;
+    for (int n = 0; n < draws(1600); ++n) {
+        auto const s = overlapping_pair<3>(random, 4.0);
+        auto const p = convert<Wide>(s);
+        auto const q = side_by_side(p.q1, p.q2);
+        auto const unit = [](auto m) { return Wide(1 / norm(m)) * m; };
+        bool newton = true;
+        auto const turned = [&](pw85::Vector<Wide, 3> const &m, bool corrected) {
+            pw85::Vector<Wide, 3> step{};
+            pw85::SymmetricMatrix<Wide, 3> inverse{};
+            auto const at = state_along(q, p.r12, m, false);
+            newton = normal_turn(q, p.r12, at, step, inverse) && newton;
+            if (!corrected) return unit(m + step);
+            auto const next = state_along(q, p.r12, m + step, false);
+            return unit(next.n + correction_at(next, p.r12, inverse).turn);
+        };
+        auto minimum = convert<Wide>(penetration(s).direction);
+        for (int k = 0; k < 3; ++k) minimum = turned(minimum, true);
+        auto const aside = convert<Wide>(random.direction<3>());
+        auto const error = [&](char const *distance, bool corrected) {
+            auto const m = unit(minimum + Wide(distance) * aside);
+            return static_cast<double>(norm(turned(m, corrected) - minimum));
+        };
+        double const second = error("1e-8", false) / error("1e-9", false),
+                     third = error("1e-8", true) / error("1e-9", true);
+        if (!newton || !(error("1e-8", true) > 1e-25)) continue;
+        ++tested;
+        failures.check(std::fabs(second - 100.0) <= 0.1, "Newton's turn", second, 100.0,
+                       [&] { return hex_text(s); });
+        failures.check(std::fabs(third - 1000.0) <= 1.0, "correction", third, 1000.0,
+                       [&] { return hex_text(s); });
+    }
+    g_assert_cmpint(tested, >, draws(200));
+}
+
 // The line from a vertex to the next one is below the hyperbola y = 1/c and touches it.
 PW85_TEST("/penetration/tangents")
 {
@@ -499,8 +601,7 @@ PW85_TEST("/penetration/minimum_proof")
         pw85::detail::DepthSearch<double, 3> search{
             s.r12, s.q1, s.q2, {}, {std::numeric_limits<double>::max(), 1.0, 0.0}};
         descend(search, random.log_uniform(1e-2, 1e2));
-        auto const range = proved_range(
-            search, ratio_range(pw85::detail::axis_bounds(s.q1), pw85::detail::axis_bounds(s.q2)));
+        auto const range = proved_range(search);
         ++total;
         if (!(range.upper > range.lower)) continue;
         if (range.upper > 1.5 * range.lower) ++proved;

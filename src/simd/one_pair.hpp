@@ -22,6 +22,9 @@
     X(closest_approach)                                                                            \
     X(distance)                                                                                    \
     X(distance_derivatives)                                                                        \
+    X(penetration)                                                                                 \
+    X(signed_distance)                                                                             \
+    X(signed_distance_derivatives)                                                                 \
     X(first_contact)                                                                               \
     X(contact_factored)                                                                            \
     X(contact_rounded)                                                                             \

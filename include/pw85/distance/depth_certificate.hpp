@@ -72,8 +72,10 @@ template <class T, int D> struct CertificateForms {
     SymmetricMatrix<T, D> b1, b2, r;
 };
 
-/// Returns whether the quartic proves item 3. The products in the entries of B1, B2 and R are at
-/// most those of the diagonals, because these matrices are semidefinite.
+/// Returns whether the quartic proves item 3, or N alone, because b(t) >= tᵀ(B1 + B2)t. The
+/// products in the entries of B1, B2 and R are at most those of the diagonals, because these
+/// matrices are semidefinite. So the entries of N err by less than 4u of the sums of the diagonals,
+/// and N is definite if its determinant exceeds 64u of their product.
 template <class T>
 PW85_FUNCTION inline bool is_inside_sum(CertificateForms<T, 2> const &forms) noexcept
 {
@@ -81,11 +83,12 @@ PW85_FUNCTION inline bool is_inside_sum(CertificateForms<T, 2> const &forms) noe
     auto const n = blend(blend(b1, T(1), b2), T(-1), r);
     Vector<T, 2> const d1{b1(0, 0), b1(1, 1)}, d2{b2(0, 0), b2(1, 1)},
         all{d1[0] + d2[0] + r(0, 0), d1[1] + d2[1] + r(1, 1)};
-    T const half = T(0.5), margin = T(64 * unit_roundoff<T>());
+    T const half = T(0.5), margin = T(64 * unit_roundoff<T>()),
+            determinant = n(0, 0) * n(1, 1) - n(0, 1) * n(0, 1) - margin * (all[0] * all[1]);
+    if (n(0, 0) > margin * all[0] && determinant > T(0)) return true;
     T const k[5] = {half * mixed_discriminant(b2, b2, d2), mixed_discriminant(b2, n, all),
-                    n(0, 0) * n(1, 1) - n(0, 1) * n(0, 1) - margin * (all[0] * all[1]) +
-                        mixed_discriminant(b1, b2, d2),
-                    mixed_discriminant(b1, n, all), half * mixed_discriminant(b1, b1, d1)};
+                    determinant + mixed_discriminant(b1, b2, d2), mixed_discriminant(b1, n, all),
+                    half * mixed_discriminant(b1, b1, d1)};
     return d1[0] > T(0) && d2[0] > T(0) && is_positive(k);
 }
 
@@ -158,7 +161,8 @@ second_of(SymmetricMatrix<TwoLanes<T>, D> const &a) noexcept
 }
 
 /// Returns whether the certificate proves that no direction needs less than the best shift, minus
-/// twice its rounding error ρ. `at` is the state along the best direction.
+/// twice its rounding error ρ. `at` is the state from which follow_normal() has found the best
+/// direction, whose last correction is not in it.
 ///
 /// d0 is within 1.5ρ of the best shift. So δ is between ρ/2 and 7ρ/2, σ is at most ℓ times the best
 /// shift plus 5ρℓ, and |e|² <= 2(δ²|P|² + ℓ²|w|²) gives |e|²/(δ(2ℓ - δ)) <= 7ρ|P|²/ℓ + 4ℓ|w|²/ρ for
@@ -168,13 +172,17 @@ second_of(SymmetricMatrix<TwoLanes<T>, D> const &a) noexcept
 template <class T, int D> PW85_FUNCTION inline bool
 is_certified(DepthSearch<T, D> const &search, DirectionState<T, D> const &at) noexcept
 {
-    auto const &[r12, q1, q2, n, best] = search;
+    auto const &r12 = search.r12;
+    auto const &q1 = search.q1, &q2 = search.q2;
+    Shift<T> const &best = search.best;
+    Vector<T, D> const n = at.scale * at.n;
     T const u = T(unit_roundoff<T>()), rho = best.rounding, d = best.length - T(2) * rho;
     if (!(d > T(0))) return true; // the pair overlaps: all shifts are positive
     auto const q = side_by_side(q1, q2);
-    T const scale = square_root(at.inverse_square), l = sum_of_lanes(at.extents) * scale,
-            distance = sum_of_magnitudes(r12), h = dot(n, r12) - T(8) * u * distance - rho;
-    auto const points = point_errors(q, TwoLanes<T>(TwoLanes<T>(T(T(1) / scale)) * at.factors));
+    T const l = sum_of_lanes(at.extents) * at.scale, distance = sum_of_magnitudes(r12),
+            h = dot(n, r12) - T(8) * u * distance - rho;
+    auto const points =
+        point_errors(q, TwoLanes<T>(TwoLanes<T>(T(dot(at.n, at.n) * at.scale)) * at.factors));
     T const spread = maximum(first_of(points.spread), second_of(points.spread));
     if (!(h > T(0) && T(7) * rho <= T(2) * l && spread * spread <= largest_spread<T>()))
         return false;

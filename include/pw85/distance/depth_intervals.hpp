@@ -15,6 +15,9 @@
 /// 3. Tangents of the hyperbola lie below it. So a polyline of tangents, each of which begins where
 ///    the last one ends, proves the depth for a range of c by one test at each of its vertices.
 ///
+/// 4. W grows with c, too. So a test at (c, 0) proves the depth for all larger ratios, and one at
+///    (0, 1/c) for all smaller ones. Most pairs need no tangents.
+///
 /// A vertex on the tangent at c0, at c = (1 + w) c0, has y = (1 - w)/c0. The two tangents through a
 /// vertex (c, y) touch at (1 ± √(1 - cy))/y.
 #ifndef PW85_DISTANCE_DEPTH_INTERVALS_HPP_INCLUDED
@@ -86,6 +89,14 @@ PW85_FUNCTION inline bool is_deep_at(DepthSearch<T, D> &search, DepthVertex<T> &
     T const size = square_root(dot(x, x));
     if (size > T(0)) try_direction(search, T(T(1) / size) * x);
     return false;
+}
+
+/// Returns whether the depth is proved for all ratios above c, or for all ratios below c.
+template <class T, int D> PW85_FUNCTION inline bool
+is_deep_beyond(DepthSearch<T, D> &search, T const &c, bool above, T const &sigma) noexcept
+{
+    DepthVertex<T> vertex{above ? c : T(0), above ? T(0) : T(T(1) / c), sigma};
+    return is_deep_at(search, vertex);
 }
 
 /// Returns whether the depth is proved to rounding for c from `c` to ρ²c, where a minimum is not

@@ -202,38 +202,46 @@ PW85_FUNCTION inline MinimumProof<T, D> prepare_proof(DepthSearch<T, D> const &s
     return proof;
 }
 
-/// Returns whether K is positive definite, with its margin, at a point (c, y).
-template <class T, int D> PW85_FUNCTION inline bool is_definite(MinimumProof<T, D> const &proof,
-                                                                T const &c, T const &y) noexcept
+/// Returns whether K is positive definite, with its margin, at two points (c, y): whether the
+/// pivots of K = LDLᵀ are positive.
+template <class T, int D> PW85_FUNCTION inline bool
+are_definite(MinimumProof<T, D> const &proof, TwoLanes<T> const &c, TwoLanes<T> const &y) noexcept
 {
+    using Two = TwoLanes<T>;
     auto const &[fixed, by_c, by_y] = proof.entries;
-    LowerTriangle<T, D + 1> k;
+    LowerTriangle<Two, D + 1> k;
     for (int i = 0; i <= D; ++i)
         for (int j = 0; j <= i; ++j)
-            k.entries[i][j] = fixed.entries[i][j] + c * by_c.entries[i][j] + y * by_y.entries[i][j];
-    for (int i = 0; i < D; ++i)
-        k.entries[i][i] =
-            k.entries[i][i] - (proof.margin + c * proof.margin_c + y * proof.margin_y);
-    return factorize_in_place(k);
+            k.entries[i][j] = Two(fixed.entries[i][j]) + c * Two(by_c.entries[i][j]) +
+                              y * Two(by_y.entries[i][j]);
+    auto const margin = Two(proof.margin) + c * Two(proof.margin_c) + y * Two(proof.margin_y);
+    for (int i = 0; i < D; ++i) k.entries[i][i] = k.entries[i][i] - margin;
+    for (int j = 0; j <= D; ++j) {
+        if (!all_of(k.entries[j][j] > Two(T(0)))) return false;
+        auto const inverse = Two(T(1)) / k.entries[j][j];
+        for (int i = j + 1; i <= D; ++i) {
+            auto const factor = k.entries[i][j] * inverse;
+            for (int l = j + 1; l <= i; ++l)
+                k.entries[i][l] = k.entries[i][l] - factor * k.entries[l][j];
+        }
+    }
+    return true;
 }
 
-/// The end of the range around c0 for which K is semidefinite, up to a factor of 16, or `end`. K is
+/// The end of the range around c0 for which K is semidefinite, up to a factor of 16. K is
 /// affine in c and y = 1/c. So it is semidefinite on an interval if it is at three points (c, y):
 /// at both ends, and where the tangents of the hyperbola y = 1/c at the ends meet. The arc is in
 /// the triangle of these three points. The first interval is the whole range; the ends of one that
 /// fails come closer, by a root.
 template <class T, int D>
-PW85_FUNCTION inline T proved_bound(MinimumProof<T, D> const &proof, T const &end) noexcept
+PW85_FUNCTION inline T proved_bound(MinimumProof<T, D> const &proof, bool up) noexcept
 {
-    bool const up = end > proof.ratio;
-    T c = proof.ratio;
-    T const distance = up ? T(end / c) : T(c / end), largest = minimum(distance, T(16)),
-            last = up ? T(largest * c) : T(c / largest);
-    T step = largest;
+    T c = proof.ratio, step = T(16);
+    T const last = up ? T(step * c) : T(c / step);
     for (int i = 0; i < 24 && step > (c == proof.ratio ? T(1 + 0x1p-16) : T(1.0625)); ++i) {
         T const next = up ? minimum(T(c * step), last) : maximum(T(c / step), last), sum = c + next;
-        if (is_definite(proof, next, T(T(1) / next)) &&
-            is_definite(proof, T(T(2) * c * next / sum), T(T(2) / sum))) {
+        if (are_definite<T, D>(proof, {next, T(T(2) * c * next / sum)},
+                               {T(T(1) / next), T(T(2) / sum)})) {
             c = next;
             if (c == last) break;
         } else
@@ -242,14 +250,15 @@ PW85_FUNCTION inline T proved_bound(MinimumProof<T, D> const &proof, T const &en
     return c;
 }
 
-/// The range of c around the best minimum, within `range`, for which K proves the depth.
-template <class T, int D> PW85_FUNCTION inline RatioRange<T>
-proved_range(DepthSearch<T, D> const &search, RatioRange<T> const &range) noexcept
+/// The range of c around the best minimum for which K proves the depth.
+template <class T, int D>
+PW85_FUNCTION inline RatioRange<T> proved_range(DepthSearch<T, D> const &search) noexcept
 {
     auto const proof = prepare_proof(search);
     T const c = search.best.ratio;
-    if (!(proof.valid && is_definite(proof, proof.ratio, T(T(1) / proof.ratio)))) return {c, c};
-    return {proved_bound(proof, range.lower), proved_bound(proof, range.upper)};
+    TwoLanes<T> const ratio(proof.ratio);
+    if (!(proof.valid && are_definite(proof, ratio, TwoLanes<T>(T(1)) / ratio))) return {c, c};
+    return {proved_bound(proof, false), proved_bound(proof, true)};
 }
 
 } // namespace pw85::detail

@@ -17,8 +17,21 @@
 #include <pw85/contact/solver.hpp>
 #include <pw85/distance/curvature.hpp>
 #include <pw85/distance/nearest.hpp>
+#include <pw85/overlap/overlap.hpp>
 
 namespace pw85::detail {
+
+/// The roots of both numbers, by one instruction where there is one.
+template <class T> PW85_FUNCTION inline TwoLanes<T> roots(TwoLanes<T> const &x) noexcept
+{
+    return square_root(x);
+}
+#if defined(__SSE2__) && !defined(__CUDA__) && !defined(__CUDACC__)
+PW85_FUNCTION inline TwoLanes<double> roots(TwoLanes<double> const &x) noexcept
+{
+    return __builtin_ia32_sqrtpd(x.lanes);
+}
+#endif
 
 /// The length by which ellipsoid 2 must move along n, its rounding error, and the ratio c of the
 /// half-widths.
@@ -26,17 +39,26 @@ template <class T> struct Shift {
     T length, ratio, rounding;
 };
 
+/// From both forms side by side.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Shift<T>
+shift_along(Vector<T, D> const &n, Vector<T, D> const &r12,
+            SymmetricMatrix<TwoLanes<T>, D> const &q) noexcept
+{
+    auto const along = converted<TwoLanes<T>>(n);
+    auto const weights = outer_weights(along);
+    auto const extents = roots(positive_form(q, weights)), twice = extents + extents;
+    T const a = first_of(extents), b = second_of(extents);
+    T const sum =
+        magnitude_of_dot(n, r12) + sum_of_lanes(TwoLanes<T>(magnitude_of_form(q, along) / twice));
+    return {a + b - dot(n, r12), b / a, T(8 * unit_roundoff<T>()) * sum};
+}
+
 template <class T, int D>
 PW85_FUNCTION inline Shift<T> shift_along(Vector<T, D> const &n, Vector<T, D> const &r12,
                                           SymmetricMatrix<T, D> const &q1,
                                           SymmetricMatrix<T, D> const &q2) noexcept
 {
-    auto const weights = outer_weights(n);
-    T const a = square_root(positive_form(q1, weights)),
-            b = square_root(positive_form(q2, weights));
-    T const sum = magnitude_of_dot(n, r12) + magnitude_of_form(q1, n) / (a + a) +
-                  magnitude_of_form(q2, n) / (b + b);
-    return {a + b - dot(n, r12), b / a, T(8 * unit_roundoff<T>()) * sum};
+    return shift_along(n, r12, side_by_side(q1, q2));
 }
 
 /// W(c) minus `deficit` Q2.
@@ -172,21 +194,20 @@ template <class T, int D> struct DirectionState {
     Vector<T, D> n;
     Vector<TwoLanes<T>, D> products;        ///< Qn
     TwoLanes<T> extents, inverses, factors; ///< α = √(nᵀQn), 1/α² and 1/α
-    T shift, inverse_square;                ///< g(n) and 1/|n|²
+    T shift, inverse_square, scale;         ///< g(n), 1/|n|² and 1/|n|
     T length;                               ///< the shift along the unit vector, g/|n|
 };
 
 /// Qn of both ellipsoids. If they are to be accurate, the points Qn/α err by less than 2^12 u of
 /// their distance from the centre: in plain arithmetic by 3uX (support.hpp).
-template <class T, int D>
-PW85_FUNCTION inline Vector<TwoLanes<T>, D> both_products(SymmetricMatrix<TwoLanes<T>, D> const &q,
-                                                          Vector<T, D> const &n,
-                                                          bool accurate) noexcept
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Vector<TwoLanes<T>, D>
+both_products(SymmetricMatrix<TwoLanes<T>, D> const &q, Vector<T, D> const &n,
+              bool accurate) noexcept
 {
     auto const along = converted<TwoLanes<T>>(n);
     auto const plain = product(q, along);
     auto const most = TwoLanes<T>(T(1024)) * dot(along, plain);
-    if (!accurate || all_of(TwoLanes<T>(trace(q) * dot(along, along)) < most)) return plain;
+    if (all_of(TwoLanes<T>(trace(q) * dot(along, along)) < most) || !accurate) return plain;
     return accurate_product(q, along);
 }
 
@@ -195,15 +216,15 @@ state_along(SymmetricMatrix<TwoLanes<T>, D> const &q, Vector<T, D> const &r12,
             Vector<T, D> const &n, bool accurate) noexcept
 {
     auto const along = converted<TwoLanes<T>>(n), products = both_products(q, n, accurate);
-    auto const forms = positive_form(q, along, products), extents = square_root(forms),
+    auto const forms = positive_form(q, along, products), extents = roots(forms),
                inverses = TwoLanes<T>(T(1)) / forms, factors = inverses * extents;
-    T const shift = sum_of_lanes(extents) - dot(n, r12), inverse_square = T(1) / dot(n, n);
-    return {n,       products, extents,        inverses,
-            factors, shift,    inverse_square, shift * square_root(inverse_square)};
+    T const shift = sum_of_lanes(extents) - dot(n, r12), inverse_square = T(1) / dot(n, n),
+            scale = square_root(inverse_square);
+    return {n, products, extents, inverses, factors, shift, inverse_square, scale, shift * scale};
 }
 
 /// r - p1 - p2. At a minimum it is along n.
-template <class T, int D> PW85_FUNCTION inline Vector<T, D>
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Vector<T, D>
 off_surface(DirectionState<T, D> const &at, Vector<T, D> const &r12) noexcept
 {
     Vector<T, D> off = r12;
@@ -213,7 +234,7 @@ off_surface(DirectionState<T, D> const &at, Vector<T, D> const &r12) noexcept
 }
 
 /// (A1 + A2)/|n| (curvature.hpp), which is zero along n.
-template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<T, D>
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline SymmetricMatrix<T, D>
 turn_of_sum(SymmetricMatrix<TwoLanes<T>, D> const &q, DirectionState<T, D> const &at) noexcept
 {
     SymmetricMatrix<T, D> a{};
@@ -231,69 +252,94 @@ template <class T> struct MinorsAcross {
     T trace, determinant;
 };
 
-template <class T> PW85_FUNCTION inline MinorsAcross<T>
+template <class T> [[gnu::always_inline]] PW85_FUNCTION inline MinorsAcross<T>
 minors_across(SymmetricMatrix<T, 3> const &a, DirectionState<T, 3> const &at) noexcept
 {
-    return {trace(a) - quadratic_form(a, at.n) * at.inverse_square,
-            quadratic_form(adjugate(a), at.n) * at.inverse_square};
+    auto const weights = at.inverse_square * outer_weights(at.n);
+    return {trace(a) - quadratic_form(a, weights), quadratic_form(adjugate(a), weights)};
 }
 
-template <class T> PW85_FUNCTION inline MinorsAcross<T>
+template <class T> [[gnu::always_inline]] PW85_FUNCTION inline MinorsAcross<T>
 minors_across(SymmetricMatrix<T, 2> const &a, DirectionState<T, 2> const &at) noexcept
 {
     return {T(1), trace(a) - quadratic_form(a, at.n) * at.inverse_square};
 }
 
 /// Returns whether the least eigenvalue across n is proved to exceed `floor`.
-template <class T>
-PW85_FUNCTION inline bool exceeds(MinorsAcross<T> const &minors, T const &floor) noexcept
+template <class T> [[gnu::always_inline]] PW85_FUNCTION inline bool
+exceeds(MinorsAcross<T> const &minors, T const &floor) noexcept
 {
     return minors.trace > T(0) && minors.determinant > floor * minors.trace;
 }
 
-/// The solution x across n of Ax = b across n, times the determinant of MinorsAcross. A turn by a
-/// right angle about n makes the adjugate of two dimensions.
-template <class T> PW85_FUNCTION inline Vector<T, 3> solve_across(SymmetricMatrix<T, 3> const &a,
-                                                                  DirectionState<T, 3> const &at,
-                                                                  Vector<T, 3> const &b) noexcept
+/// The inverse of A across n, times the determinant of MinorsAcross: [n]A[n]ᵀ/|n|² with the matrix
+/// [n] of the cross product. In two dimensions [n] is a turn by a right angle, and A is left out.
+template <class T> [[gnu::always_inline]] PW85_FUNCTION inline SymmetricMatrix<T, 3>
+inverse_across(SymmetricMatrix<T, 3> const &a, DirectionState<T, 3> const &at) noexcept
 {
-    return cross(product(a, at.inverse_square * cross(at.n, b)), at.n);
+    auto const &n = at.n;
+    Vector<T, 3> const m{at.inverse_square * n[0], at.inverse_square * n[1],
+                         at.inverse_square * n[2]};
+    // the columns of [n]A
+    Vector<T, 3> const x{n[1] * a[2] - n[2] * a[1], n[2] * a[0] - n[0] * a[2],
+                         n[0] * a[1] - n[1] * a[0]},
+        y{n[1] * a[4] - n[2] * a[3], n[2] * a[1] - n[0] * a[4], n[0] * a[3] - n[1] * a[1]},
+        z{n[1] * a[5] - n[2] * a[4], n[2] * a[2] - n[0] * a[5], n[0] * a[4] - n[1] * a[2]};
+    return {m[1] * z[0] - m[2] * y[0], m[2] * x[0] - m[0] * z[0], m[0] * y[0] - m[1] * x[0],
+            m[2] * x[1] - m[0] * z[1], m[0] * y[1] - m[1] * x[1], m[0] * y[2] - m[1] * x[2]};
 }
 
-template <class T> PW85_FUNCTION inline Vector<T, 2> solve_across(SymmetricMatrix<T, 2> const &,
-                                                                  DirectionState<T, 2> const &at,
-                                                                  Vector<T, 2> const &b) noexcept
+template <class T> [[gnu::always_inline]] PW85_FUNCTION inline SymmetricMatrix<T, 2>
+inverse_across(SymmetricMatrix<T, 2> const &, DirectionState<T, 2> const &at) noexcept
 {
-    T const along = at.inverse_square * cross(at.n, b)[0];
-    return {-at.n[1] * along, at.n[0] * along};
+    T const x = at.inverse_square * at.n[0], y = at.inverse_square * at.n[1];
+    return {y * at.n[1], T(-x * at.n[1]), x * at.n[0]};
+}
+
+/// Ab, with the sums written out, which keeps the numbers in registers.
+template <class T> [[gnu::always_inline]] PW85_FUNCTION inline Vector<T, 3>
+product_of(SymmetricMatrix<T, 3> const &a, Vector<T, 3> const &b) noexcept
+{
+    return {a[0] * b[0] + a[1] * b[1] + a[2] * b[2], a[1] * b[0] + a[3] * b[1] + a[4] * b[2],
+            a[2] * b[0] + a[4] * b[1] + a[5] * b[2]};
+}
+
+template <class T> [[gnu::always_inline]] PW85_FUNCTION inline Vector<T, 2>
+product_of(SymmetricMatrix<T, 2> const &a, Vector<T, 2> const &b) noexcept
+{
+    return {a[0] * b[0] + a[1] * b[1], a[1] * b[0] + a[2] * b[1]};
 }
 
 /// A turn of the normal towards a minimum, which lies across n: Newton's step (curvature.hpp), or,
 /// where the stiffness A1 + A2 - g I is not positive definite, the step with the curvatures alone.
-/// It is to be added to n.
-template <class T, int D> struct NormalTurn {
-    Vector<T, D> turn;
-    bool newton;
-};
-
+/// It is to be added to n. Returns whether it is Newton's step; `inverse` then is that of the
+/// stiffness. A structure of results would pass through memory.
+///
 /// Newton's step is taken where the direction is isolated with half of the digits to spare. If
 /// rounding hides the lesser curvature, the turn is along the force.
-template <class T, int D>
-PW85_FUNCTION inline NormalTurn<T, D> normal_turn(SymmetricMatrix<TwoLanes<T>, D> const &q,
-                                                  Vector<T, D> const &r12,
-                                                  DirectionState<T, D> const &at) noexcept
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline bool
+normal_turn(SymmetricMatrix<TwoLanes<T>, D> const &q, Vector<T, D> const &r12,
+            DirectionState<T, D> const &at, Vector<T, D> &step,
+            SymmetricMatrix<T, D> &inverse) noexcept
 {
     Vector<T, D> const off = off_surface(at, r12);
     auto const turn = turn_of_sum(q, at),
                stiffness = plus_multiple_of_identity(turn, T(-at.shift * at.inverse_square));
     T const size = trace(turn);
     auto const minors = minors_across(stiffness, at);
-    if (exceeds(minors, T(negative_power_of_two<T>(mantissa_digits<T>() / 2) * size)))
-        return {T(T(1) / minors.determinant) * solve_across(stiffness, at, off), true};
+    if (exceeds(minors, T(negative_power_of_two<T>(mantissa_digits<T>() / 2) * size))) {
+        auto const adj = inverse_across(stiffness, at);
+        Vector<T, D> const along = product_of(adj, off); // while the processor divides
+        T const reciprocal = T(1) / minors.determinant;
+        step = reciprocal * along;
+        inverse = reciprocal * adj;
+        return true;
+    }
     auto const curved = minors_across(turn, at);
-    if (exceeds(curved, T(T(unit_roundoff<T>()) * size)))
-        return {T(T(1) / curved.determinant) * solve_across(turn, at, off), false};
-    return {T(T(1) / size) * (off - (dot(at.n, off) * at.inverse_square) * at.n), false};
+    bool const definite = exceeds(curved, T(T(unit_roundoff<T>()) * size));
+    step = definite ? T(T(1) / curved.determinant) * product_of(inverse_across(turn, at), off)
+                    : T(T(1) / size) * (off - (dot(at.n, off) * at.inverse_square) * at.n);
+    return false;
 }
 
 /// The numbers of turns, and of halves of one, that follow_normal() takes at most. Three whole ones
@@ -308,25 +354,22 @@ turned(Vector<T, D> const &n, T const &factor, Vector<T, D> const &turn, bool is
     return is_large ? unit_along(next) : next;
 }
 
-/// The state after a turn, or after the longest part of it that does not lengthen the shift by more
-/// than `slack`. `taken` is that part, or zero.
-template <class T, int D> struct TakenTurn {
-    DirectionState<T, D> at;
-    T taken;
-};
-
-template <class T, int D> PW85_FUNCTION inline TakenTurn<T, D>
-take_turn(SymmetricMatrix<TwoLanes<T>, D> const &q, Vector<T, D> const &r12,
-          DirectionState<T, D> const &at, Vector<T, D> const &turn, bool accurate, bool is_large,
-          T const &slack) noexcept
+/// Takes the longest part of a turn, of halves of it, that does not lengthen the shift by more than
+/// `slack`. Returns false if there is none.
+template <class T, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline bool
+take_part_of_turn(SymmetricMatrix<TwoLanes<T>, D> const &q, Vector<T, D> const &r12,
+                  Vector<T, D> const &turn, bool accurate, bool is_large, T const &slack,
+                  DirectionState<T, D> &at) noexcept
 {
     T factor = T(1);
-    for (int k = 0; k <= max_turn_halves; ++k) {
-        auto const next = state_along(q, r12, turned(at.n, factor, turn, is_large), accurate);
-        if (next.length <= at.length + slack) return {next, factor};
+    for (int k = 0; k < max_turn_halves; ++k) {
         factor = T(0.5) * factor;
+        auto const next = state_along(q, r12, turned(at.n, factor, turn, is_large), accurate);
+        if (!(next.length <= at.length + slack)) continue;
+        at = next;
+        return true;
     }
-    return {at, T(0)};
+    return false;
 }
 
 /// The end of a path along turns. `found` is true if the turns have converged to the best direction
@@ -336,73 +379,152 @@ template <class T, int D> struct FollowedNormal {
     bool converged, found;
 };
 
-/// Follows turns from a unit vector to a local minimum. The best direction is kept.
-///
-/// A Newton's turn is about C times the square of the one before; two of them give C. The direction
-/// is as good as its isolation permits when the next turn would be below u, or after one below
-/// 2^-(digits + 16)/2, whose C may be rounding. The length then is correct up to rounding. The last
-/// turns need accurate products: those after a turn below 2^-7.
-template <class T, int D> PW85_FUNCTION inline FollowedNormal<T, D>
-follow_normal(DepthSearch<T, D> &search, Vector<T, D> const &n) noexcept
+/// A turn with the stiffness of the state before. `change` is twice that of the length, times |n|.
+template <class T, int D> struct Correction {
+    Vector<T, D> turn;
+    T change;
+};
+
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Correction<T, D>
+correction_at(DirectionState<T, D> const &at, Vector<T, D> const &r12,
+              SymmetricMatrix<T, D> const &inverse) noexcept
 {
-    T const u = T(unit_roundoff<T>()), limit = negative_power_of_two<T>(14),
-            tiny = negative_power_of_two<T>(mantissa_digits<T>() + 16);
-    auto const q = side_by_side(search.q1, search.q2);
-    bool accurate = false, converged = false;
-    T before = T(1); // the square of the last turn
-    auto at = state_along(q, search.r12, n, accurate);
-    T const slack =
-        T(8) * u *
-        (sum_of_magnitudes(search.r12) + sum_of_lanes(TwoLanes<T>(trace(q) * at.factors)));
-    for (int i = 0; i < max_normal_turns && !converged; ++i) {
-        auto const step = normal_turn(q, search.r12, at);
-        T const square = dot(step.turn, step.turn) * at.inverse_square;
-        bool const close = step.newton && square <= limit;
-        auto const next = take_turn(q, search.r12, at, step.turn, close, square > T(1), slack);
-        if (!(next.taken > T(0))) break;
-        // C² = square/before², and the square of the next turn is C² square²
-        converged = accurate && close && next.taken == T(1) &&
-                    (square <= tiny || maximum(T(before * before), square) * (square * square) <=
-                                           u * u * (before * before));
-        at = next.at;
-        accurate = close;
-        before = square;
-    }
-    Vector<T, D> const direction = unit_along(at.n);
-    Shift<T> const shift = shift_along(direction, search.r12, search.q1, search.q2);
-    bool const best = shift.length <= search.best.length + search.best.rounding;
+    Vector<T, D> const off = off_surface(at, r12),
+                       across = add_scaled(off, T(-dot(off, at.n) * at.inverse_square), at.n),
+                       turn = product_of(inverse, across);
+    return {turn, absolute(dot(across, turn))};
+}
+
+/// Corrects the direction of a path, and keeps it if it is the best one. The square of a correction
+/// is below 2^-(3/4 digits): terms of fourth order of the length of n + x are below rounding.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline FollowedNormal<T, D>
+finish_turns(DepthSearch<T, D> &search, SymmetricMatrix<TwoLanes<T>, D> const &q,
+             DirectionState<T, D> const &at, Vector<T, D> const &correction,
+             bool converged) noexcept
+{
+    Shift<T> const along = shift_along(T(at.scale) * at.n, search.r12, q);
+    T const growth =
+        at.inverse_square * (dot(at.n, correction) + T(0.5) * dot(correction, correction));
+    Vector<T, D> const direction = T(at.scale - at.scale * growth) * (at.n + correction);
+    bool const best = along.length <= search.best.length + search.best.rounding;
     if (best) {
-        search.best = shift;
+        search.best = along;
         search.direction = direction;
     }
     return {at, converged, converged && best};
 }
 
-/// λ/(1 - λ) near the maximum of f, where the ellipsoids touch if they are scaled: one step of the
-/// search for it. More steps cost more than they save in turns of the normal.
-template <class T, int D>
-PW85_FUNCTION inline T nearly_touching(DepthSearch<T, D> const &search) noexcept
+/// Follows turns from a vector n to a local minimum. The best direction is kept.
+///
+/// A Newton's turn t leaves an error of about C|t|²; two of them give C. At the end, the stiffness
+/// of the last turn corrects the direction once more, without another state. That leaves 2C²|t|³.
+/// The direction is as good as its isolation permits when this is below 32u, or after a turn below
+/// 2^-(digits + 16)/2, whose C may be rounding. The correction must change the length by less than
+/// uℓ/2, ℓ = α + β, which is an eighth of the rounding error ρ or less. So the length is correct up
+/// to rounding without it. The last turns need accurate products: those after a turn below 2^-7.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline FollowedNormal<T, D>
+follow_normal(DepthSearch<T, D> &search, Vector<T, D> const &start) noexcept
 {
-    auto const pair = pair_of(search.r12, search.q1, search.q2);
-    auto start = start_on_rational_form(pair);
-    if (start.accurate) take_step(start.search, pair);
-    T const t = start.search.candidate.t;
+    T const u = T(unit_roundoff<T>()),
+            short_square = negative_power_of_two<T>(mantissa_digits<T>() / 4 * 3),
+            limit = negative_power_of_two<T>(14),
+            tiny = negative_power_of_two<T>(mantissa_digits<T>() + 16);
+    auto const q = side_by_side(search.q1, search.q2);
+    auto const size = trace(q);
+    T const distance = sum_of_magnitudes(search.r12);
+    Vector<T, D> n = start;
+    DirectionState<T, D> at;
+    Vector<T, D> step;
+    SymmetricMatrix<T, D> inverse;
+    bool accurate = false, converged = false, is_large = false;
+    T square = T(1);                              // of the last turn
+    for (int i = 0; i <= max_normal_turns; ++i) { // the first state stands in it, too: registers
+        auto const next = state_along(q, search.r12, n, accurate);
+        T const length = dot(n, n) * next.scale,
+                slack =
+                    T(8) * u * (distance + length * sum_of_lanes(TwoLanes<T>(size * next.factors)));
+        if (i == 0 || next.length <= at.length + slack) {
+            at = next;
+        } else {
+            auto part = at; // the address of `at` would keep it in memory
+            converged = false;
+            auto const turn = step;
+            if (!take_part_of_turn(q, search.r12, turn, accurate, is_large, slack, part)) break;
+            at = part;
+        }
+        if (i == max_normal_turns || at.length < -slack) break; // the direction separates
+        if (converged) {
+            auto const [x, change] = correction_at(at, search.r12, inverse);
+            if (change <= u * sum_of_lanes(at.extents) &&
+                dot(x, x) * at.inverse_square <= short_square)
+                return finish_turns(search, q, at, x, true);
+        }
+        bool const newton = normal_turn(q, search.r12, at, step, inverse);
+        T const last = square;
+        square = dot(step, step) * at.inverse_square;
+        bool const close = both_true(newton, square <= limit);
+        T const fourth = (last * last) * (last * last), // C² is square/last²
+            left = maximum(fourth, T(square * square)) * (square * square * square);
+        bool const rough =
+            both_true(square > tiny, left > T(256) * u * u * fourth); // 2C²|t|³ > 32u
+        converged = both_true(both_true(accurate, close), !rough);
+        is_large = square > T(1);
+        n = turned(at.n, T(1), step, is_large);
+        accurate = close;
+    }
+    return finish_turns(search, q, at, Vector<T, D>{}, false);
+}
+
+/// The decision about a pair, and λ/(1 - λ) near the maximum of f, where the ellipsoids touch if
+/// they are scaled.
+template <class T> struct DepthStart {
+    T t; ///< zero if it is not known, or if the pair is undecided and seems to be apart
+    Decision decision;
+};
+
+/// Takes one step of the search for the maximum of f, with the quartic of the overlap test, which
+/// also decides. More steps cost more than they save in turns of the normal. All callers
+/// share one instance of this function: the same products are fused, and scaling changes no bit.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline DepthStart<T>
+start_depth(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+            SymmetricMatrix<T, D> const &q2) noexcept
+{
+    auto const start = start_by_quartic(r12, q1, q2);
+    if (!start.passes) return {T(0), Decision::none};
+    if (start.decision == Decision::apart) return {T(0), Decision::apart};
+    RationalSearch<T, FormOfSteps<T>> search{
+        form_of_steps(start.quartic.form), {start.t, T(0), T(0)}, start.t == start.t};
+    take_step(search, pair_of(r12, q1, q2));
+    T const t = search.candidate.t;
+    if (start.decision == Decision::overlap) return {t, Decision::overlap};
+    auto const value = evaluate_quartic(start.quartic, t);
+    auto const certainty = test_by_coefficients(value, t);
+    bool const seems_apart = t * value.a >= (T(1) + t) * value.b; // f >= 1, up to rounding
+    return {seems_apart ? T(0) : t, to_decision(certainty.apart, certainty.overlap)};
+}
+
+/// Returns t of start_depth(), or that of the maximum of f if the step has not found it.
+template <class T, int D>
+PW85_FUNCTION inline T nearly_touching(DepthSearch<T, D> const &search, T const &t) noexcept
+{
     if (t > smallest_number<T>() && t < largest_number<T>()) return t;
-    Maximum<T> const touching = maximize(pair);
+    Maximum<T> const touching = maximize(pair_of(search.r12, search.q1, search.q2));
     return touching.lambda / touching.complement;
 }
 
 /// Finds the minimum next to the direction M⁻¹r, M = Q1 + tQ2, in which the ellipsoids touch if
 /// they are scaled. It is nearly the best one if the depth is small.
-template <class T, int D>
-PW85_FUNCTION inline FollowedNormal<T, D> descend_from_touching(DepthSearch<T, D> &search) noexcept
+template <class T, int D> PW85_FUNCTION inline FollowedNormal<T, D>
+descend_from_touching(DepthSearch<T, D> &search, T const &start) noexcept
 {
     if (largest_coordinate(search.r12) == T(0)) return {{}, false, false};
-    T const t = nearly_touching(search);
+    T const t = nearly_touching(search, start);
     auto const form = blend(search.q1, t, search.q2);
-    auto const adj = adjugate(T(T(1) / trace(form)) * form);
-    auto const followed = follow_normal(search, unit_along(product(adj, search.r12)));
-    if (followed.converged) return followed;
+    T const size = trace(form),
+            limit = T(std::numeric_limits<T>::max_exponent >= 1024 ? 0x1p80 : 0x1p8);
+    auto const adj = adjugate(size < limit ? form : T(T(1) / size) * form);
+    auto const followed = follow_normal(search, product(adj, search.r12));
+    if (followed.converged || search.best.length < T(0)) return followed;
     descend(search, T(T(1) / t));
     return follow_normal(search, search.direction);
 }

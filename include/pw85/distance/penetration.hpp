@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The depth of an overlap: the shortest translation that separates two ellipsoids.
-/// src/c_api/penetration.cpp calls penetration_overlapping().
+/// src/simd/search/depth.cpp calls penetration().
 ///
 /// Turns of the normal find a local minimum (depth_search.hpp). For most pairs the curvatures there
 /// prove that it is the global one (depth_certificate.hpp). Otherwise two proofs show that the best
@@ -13,7 +13,6 @@
 #include <pw85/distance/depth_certificate.hpp>
 #include <pw85/distance/depth_intervals.hpp>
 #include <pw85/distance/depth_minimum.hpp>
-#include <pw85/overlap/overlap.hpp>
 
 namespace pw85 {
 
@@ -37,19 +36,42 @@ PW85_FUNCTION inline Penetration<T, D> no_penetration(StatusCode status) noexcep
     return result;
 }
 
-/// Proves that the best minimum is the global one, or finds a better one.
-template <class T, int D> PW85_FUNCTION inline DepthProof
-prove_once(DepthSearch<T, D> &search, RatioRange<T> const &range) noexcept
+/// The range of c = β/α over all directions of a pair.
+template <class T, int D>
+PW85_FUNCTION inline RatioRange<T> ratio_range(DepthSearch<T, D> const &search) noexcept
 {
-    RatioRange<T> around = proved_range(search, range);
+    return ratio_range(axis_bounds(search.q1), axis_bounds(search.q2));
+}
+
+/// Proves the depth by tangents where `open` says that this has not been done otherwise.
+template <class T, int D>
+PW85_FUNCTION inline DepthProof prove_by_tangents(DepthSearch<T, D> &search,
+                                                  RatioRange<T> const &around, T const &sigma,
+                                                  bool open_below, bool open_above) noexcept
+{
+    RatioRange<T> const range = ratio_range(search);
+    auto below = DepthProof::complete;
+    if (open_below) below = prove_depth(search, {range.lower, around.lower}, sigma);
+    if (below != DepthProof::complete || !open_above) return below;
+    return prove_depth(search, {around.upper, range.upper}, sigma);
+}
+
+/// Proves that the best minimum is the global one, or finds a better one.
+template <class T, int D>
+PW85_FUNCTION inline DepthProof prove_once(DepthSearch<T, D> &search) noexcept
+{
+    RatioRange<T> around = proved_range(search);
     if (!(around.lower < around.upper)) { // no isolated minimum; a better one may be
-        descend_from_all(search, range);
-        around = proved_range(search, range);
+        descend_from_all(search, ratio_range(search));
+        around = proved_range(search);
     }
-    T const d = search.best.length, sigma = d * (dot(search.direction, search.r12) + d);
-    auto const below = prove_depth(search, {range.lower, around.lower}, sigma);
-    return below == DepthProof::complete ? prove_depth(search, {around.upper, range.upper}, sigma)
-                                         : below;
+    T const d = search.best.length, sigma = d * (dot(search.direction, search.r12) + d),
+            level = d - T(2) * search.best.rounding;
+    bool const below = is_deep_beyond(search, around.lower, false, sigma),
+               above = is_deep_beyond(search, around.upper, true, sigma);
+    if (search.best.length < level) return DepthProof::better;
+    if (below && above) return DepthProof::complete;
+    return prove_by_tangents(search, around, sigma, !below, !above);
 }
 
 /// The largest number of minima for which a proof is tried. Each is lower than the last one. More
@@ -114,11 +136,11 @@ find_certified(DepthSearch<T, D> &search, FollowedNormal<T, D> minimum) noexcept
 }
 
 /// Proves a minimum that has no certificate, or finds better ones.
-template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline bool
-prove_globally(DepthSearch<T, D> &search, RatioRange<T> const &range) noexcept
+template <class T, int D>
+[[gnu::noinline]] PW85_FUNCTION inline bool prove_globally(DepthSearch<T, D> &search) noexcept
 {
     for (int i = 0; i < max_depth_minima; ++i) {
-        auto const proof = prove_once(search, range);
+        auto const proof = prove_once(search);
         if (proof != DepthProof::better) return proof == DepthProof::complete;
         auto minimum = follow_normal(search, search.direction);
         if (!minimum.converged) {
@@ -130,24 +152,45 @@ prove_globally(DepthSearch<T, D> &search, RatioRange<T> const &range) noexcept
     return false;
 }
 
-/// Computes penetration() of a valid pair that overlaps and is in range.
+/// Computes penetration() of a valid pair that overlaps and is in range, from t of start_depth().
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Penetration<T, D>
+penetration_from(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                 SymmetricMatrix<T, D> const &q2, T const &t) noexcept
+{
+    DepthSearch<T, D> search{r12, q1, q2, {}, {largest_number<T>(), T(1), T(0)}};
+    if (!find_certified(search, descend_from_touching(search, t)) && !prove_globally(search))
+        return no_penetration<T, D>(StatusCode::no_convergence);
+    return {maximum(T(0), search.best.length), search.direction, StatusCode::success};
+}
+
+/// Computes penetration() of a valid pair in range that seems to overlap, and decides whether it
+/// does. A certificate of a positive depth proves it: no direction separates the ellipsoids. A
+/// direction that separates them disproves it. For pairs near contact, this takes less time than
+/// the overlap test.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Penetration<T, D>
+penetration_if_decided(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                       SymmetricMatrix<T, D> const &q2, T const &t, Decision &decision) noexcept
+{
+    DepthSearch<T, D> search{r12, q1, q2, {}, {largest_number<T>(), T(1), T(0)}};
+    bool const certified = find_certified(search, descend_from_touching(search, t));
+    auto const &[length, ratio, rounding] = search.best;
+    decision = to_decision(length < T(-2) * rounding, certified && length > T(2) * rounding);
+    if (decision == Decision::apart) return no_penetration<T, D>(StatusCode::success);
+    return {length, search.direction, StatusCode::success};
+}
+
+template <class T, int D> PW85_FUNCTION inline Penetration<T, D>
 penetration_in_range(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                      SymmetricMatrix<T, D> const &q2) noexcept
 {
-    DepthSearch<T, D> search{r12, q1, q2, {}, {largest_number<T>(), T(1), T(0)}};
-    if (!find_certified(search, descend_from_touching(search))) {
-        RatioRange<T> const range = ratio_range(axis_bounds(q1), axis_bounds(q2));
-        if (!prove_globally(search, range)) return no_penetration<T, D>(StatusCode::no_convergence);
-    }
-    return {maximum(T(0), search.best.length), search.direction, StatusCode::success};
+    return penetration_from(r12, q1, q2, start_depth(r12, q1, q2).t);
 }
 
 /// Computes penetration() of a valid pair that overlaps. A pair of like sizes is scaled to sizes of
 /// order one, and gets the bits of a pair that needs no scaling. Otherwise the larger ellipsoid is
 /// scaled to size 2^headroom, which keeps cQ1 and Q2/c in range for any aspect ratio. A smaller
 /// ellipsoid that would leave the range is made larger. This change is far below rounding.
-template <class T, int D> PW85_FUNCTION inline Penetration<T, D>
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Penetration<T, D>
 penetration_overlapping(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                         SymmetricMatrix<T, D> const &q2) noexcept
 {
@@ -165,6 +208,30 @@ penetration_overlapping(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1
     return result;
 }
 
+/// The result of penetration(), and whether the ellipsoids are apart.
+template <class T, int D> struct FoundDepth {
+    Penetration<T, D> result;
+    bool apart;
+};
+
+template <class T, int D>
+PW85_FUNCTION inline FoundDepth<T, D> find_depth(Vector<T, D> const &r12,
+                                                 SymmetricMatrix<T, D> const &q1,
+                                                 SymmetricMatrix<T, D> const &q2) noexcept
+{
+    auto const start = start_depth(r12, q1, q2);
+    if (start.decision == Decision::overlap) return {penetration_from(r12, q1, q2, start.t), false};
+    if (start.decision == Decision::apart) return {no_penetration<T, D>(StatusCode::success), true};
+    if (start.t > T(0)) {
+        auto decision = Decision::none;
+        auto const result = penetration_if_decided(r12, q1, q2, start.t, decision);
+        if (decision != Decision::none) return {result, decision == Decision::apart};
+    }
+    Overlap const decision = call_overlap(r12, q1, q2);
+    if (decision.overlap) return {penetration_overlapping(r12, q1, q2), false};
+    return {no_penetration<T, D>(decision.status), decision.status == StatusCode::success};
+}
+
 } // namespace pw85::detail
 
 namespace pw85 {
@@ -175,10 +242,7 @@ PW85_FUNCTION inline Penetration<T, D> penetration(Vector<T, D> const &r12,
                                                    SymmetricMatrix<T, D> const &q1,
                                                    SymmetricMatrix<T, D> const &q2) noexcept
 {
-    Overlap const decision = detail::call_overlap(r12, q1, q2);
-    if (decision.status != StatusCode::success || !decision.overlap)
-        return detail::no_penetration<T, D>(decision.status);
-    return detail::penetration_overlapping(r12, q1, q2);
+    return detail::find_depth(r12, q1, q2).result;
 }
 
 } // namespace pw85

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The signed distance of two ellipsoids: their distance if they are apart, minus the depth
-/// of their overlap otherwise. The C API (src/c_api/penetration.cpp) calls
-/// signed_distance_overlapping() and signed_derivatives_overlapping(), which take the normal from
+/// of their overlap otherwise. The kernels of the C API (src/simd/search/depth.cpp) call
+/// signed_distance_overlapping() and signed_derivatives_overlapping() with the normal from
 /// penetration.hpp.
 ///
 /// The notation is that of distance.hpp, with the unit normal n, the half-widths α and β along it,
@@ -45,13 +45,13 @@ distance_through(DistancePair<T, D> const &pair, Vector<T, D> const &direction) 
             StatusCode::success};
 }
 
-/// Computes signed_distance() of a valid pair that overlaps. The distance is minus the depth that
-/// penetration() returns.
+/// Computes signed_distance() of a pair that is not apart. The distance is minus the depth that
+/// penetration() has found.
 template <class T, int D> PW85_FUNCTION inline Distance<T, D>
 signed_distance_overlapping(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                            SymmetricMatrix<T, D> const &q2) noexcept
+                            SymmetricMatrix<T, D> const &q2,
+                            Penetration<T, D> const &found) noexcept
 {
-    auto const found = penetration_overlapping(r12, q1, q2);
     if (found.status != StatusCode::success) return all_nan<Distance<T, D>>(found.status);
     auto const [pair, units] = scale_overlapping(r12, q1, q2);
     Distance<T, D> result = to_caller(distance_through(pair, found.direction), units);
@@ -84,12 +84,12 @@ derivatives_through(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
     return result;
 }
 
-/// Computes signed_distance_derivatives() of a valid pair that overlaps.
-template <class T> [[gnu::noinline]] PW85_FUNCTION inline DistanceDerivatives<T>
+/// Computes signed_distance_derivatives() of a pair that is not apart.
+template <class T> PW85_FUNCTION inline DistanceDerivatives<T>
 signed_derivatives_overlapping(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
-                               SymmetricMatrix<T, 3> const &q2) noexcept
+                               SymmetricMatrix<T, 3> const &q2,
+                               Penetration<T, 3> const &found) noexcept
 {
-    auto const found = penetration_overlapping(r12, q1, q2);
     if (found.status != StatusCode::success) return all_nan<DistanceDerivatives<T>>(found.status);
     return derivatives_through(r12, q1, q2, found.direction);
 }
@@ -105,11 +105,9 @@ PW85_FUNCTION inline Distance<T, D> signed_distance(Vector<T, D> const &r12,
                                                     SymmetricMatrix<T, D> const &q1,
                                                     SymmetricMatrix<T, D> const &q2) noexcept
 {
-    Overlap const decision = detail::call_overlap(r12, q1, q2);
-    if (decision.status != StatusCode::success)
-        return detail::all_nan<Distance<T, D>>(decision.status);
-    return decision.overlap ? detail::signed_distance_overlapping(r12, q1, q2)
-                            : detail::distance_apart(r12, q1, q2);
+    auto const found = detail::find_depth(r12, q1, q2);
+    return found.apart ? detail::distance_apart(r12, q1, q2)
+                       : detail::signed_distance_overlapping(r12, q1, q2, found.result);
 }
 
 /// The derivatives of the signed distance. The Hessian is NaN where the normal is not isolated.
@@ -117,11 +115,9 @@ template <class T> PW85_FUNCTION inline DistanceDerivatives<T>
 signed_distance_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
                             SymmetricMatrix<T, 3> const &q2) noexcept
 {
-    Overlap const decision = detail::call_overlap(r12, q1, q2);
-    if (decision.status != StatusCode::success)
-        return detail::all_nan<DistanceDerivatives<T>>(decision.status);
-    return decision.overlap ? detail::signed_derivatives_overlapping(r12, q1, q2)
-                            : detail::distance_derivatives_apart(r12, q1, q2);
+    auto const found = detail::find_depth(r12, q1, q2);
+    return found.apart ? detail::distance_derivatives_apart(r12, q1, q2)
+                       : detail::signed_derivatives_overlapping(r12, q1, q2, found.result);
 }
 
 } // namespace pw85

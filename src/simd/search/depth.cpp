@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The depth and the signed distance of one pair. They are compiled for the baseline and for one
+// newer instruction set (meson.build).
+#include "../one_pair.hpp"
+
+#include <pw85/distance/signed_distance.hpp>
+
+#include "../../base/c_arrays.hpp"
+
+namespace pw85::detail::kernels {
+
+using namespace c_api;
+
+namespace PW85_BUILDING {
+
+int penetration(double const *r12, double const *q1, double const *q2, double *depth,
+                double *direction) noexcept
+{
+    auto const found =
+        pw85::penetration(view_vector<3>(r12), view_matrix<3>(q1), view_matrix<3>(q2));
+    return put(found.status, found.depth, depth, found.direction, direction);
+}
+
+int signed_distance(double const *r12, double const *q1, double const *q2, double *length,
+                    double *point1, double *point2) noexcept
+{
+    auto const &r = view_vector<3>(r12);
+    auto const &m1 = view_matrix<3>(q1), &m2 = view_matrix<3>(q2);
+    auto const found = find_depth(r, m1, m2);
+    if (found.apart) return distance(r12, q1, q2, length, point1, point2);
+    auto const result = signed_distance_overlapping(r, m1, m2, found.result);
+    return put(result.status, result.distance, length, result.point1, point1, result.point2,
+               point2);
+}
+
+int signed_distance_derivatives(double const *r12, double const *q1, double const *q2,
+                                double *d_r12, double *d_rot1, double *d_rot2,
+                                double *hessian) noexcept
+{
+    auto const &r = view_vector<3>(r12);
+    auto const &m1 = view_matrix<3>(q1), &m2 = view_matrix<3>(q2);
+    auto const found = find_depth(r, m1, m2);
+    if (found.apart) return distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian);
+    auto const result = signed_derivatives_overlapping(r, m1, m2, found.result);
+    return put(result.status, result.r12, d_r12, result.rotation1, d_rot1, result.rotation2, d_rot2,
+               result.hessian, hessian);
+}
+
+} // namespace PW85_BUILDING
+
+} // namespace pw85::detail::kernels
