@@ -58,6 +58,7 @@ LANES = {
     "pw85_closest_approach": ("contact", "Directions{{directions, q1, q2}}", "ApproachArray{distance}"),
     "pw85_overlap": ("overlap", PAIRS, "OverlapArray{overlap}"),
     "pw85_overlap_2d": ("overlap", PLANAR, "OverlapArray{overlap}"),
+    "pw85_overlap_volume": ("volumes", PAIRS, "VolumeArray{volume}"),
     "pw85_overlap_area_2d": ("two_dimensions", PLANAR, "AreaArray{area}"),
     "pw85_distance": ("distance", PAIRS, "DistanceArrays{distance, point1, point2}"),
     "pw85_closest_passage": ("passage", PAIRS, "PassageArrays{velocity, t_max, mu2, t}"),

@@ -473,8 +473,8 @@ PW85_TEST("/overlap_volume/slender")
 /// constant converges at once, and a change below rounding counts as none.
 PW85_TEST("/overlap_volume/convergence")
 {
-    pw85::detail::EllipticRule<double> rule{{},  {},  0,     1.0,   1.0, 1.0, {},
-                                            0.0, 0.0, false, false, 0.0, 0.0};
+    pw85::detail::EllipticRule<double> rule{{},  {}, 0,   0.0, 0.0,   1.0,   1.0, 1.0,
+                                            1.0, {}, 0.0, 0.0, false, false, 0.0, 0.0};
     auto const change = [](auto const &x, auto const &y) {
         double const difference = std::abs(x.numbers[0] - y.numbers[0]);
         return pw85::detail::fraction_of(difference, std::abs(x.numbers[0]),
@@ -483,7 +483,11 @@ PW85_TEST("/overlap_volume/convergence")
     auto const run = [&](auto &&value) {
         int count = 0;
         return pw85::detail::mean_over_half_planes<double, 1>(
-            rule, [&](auto const &, auto &sums) { sums.numbers[0] += value(++count); }, change);
+            rule,
+            [&](auto const &, bool has_image, auto &sums) {
+                for (int k = 0; k < (has_image ? 2 : 1); ++k) sums.numbers[0] += value(++count);
+            },
+            change);
     };
     auto const rough = run([](int n) { return 1.0 + n; });
     g_assert_false(rough.converged);

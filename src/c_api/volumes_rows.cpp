@@ -15,15 +15,6 @@ int pw85_volume_batch(size_t n, double const *q, double *volume)
     return each_row(names, n, pw85_volume, RowsOf<6>{q}, RowsOf<1, double>{volume});
 }
 
-int pw85_overlap_volume_batch(size_t n, double const *r12, double const *q1, double const *q2,
-                              double *volume)
-{
-    static constexpr char const *names[] = {"pw85_overlap_volume_batch", "r12", "q1", "q2",
-                                            "volume"};
-    return each_row(names, n, pw85_overlap_volume, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
-                    RowsOf<1, double>{volume});
-}
-
 int pw85_overlap_volume_gradient_batch(size_t n, double const *r12, double const *q1,
                                        double const *q2, double *d_r12, double *d_q1, double *d_q2)
 {

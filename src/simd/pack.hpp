@@ -18,9 +18,9 @@
 
 #include <pw85/algebra/scalar.hpp>
 
-// At most one of PW85_LANES_AVX512, PW85_LANES_AVX2, PW85_LANES_SVE512, PW85_LANES_SVE256 and
-// PW85_LANES_NEON is defined, by the instruction set. A unit that defines PW85_TWO_LANES has
-// PW85_LANES_FMA instead of PW85_LANES_AVX2: registers of two doubles, with fused multiply-add.
+// At most one of PW85_LANES_AVX512, _AVX2, _SVE512, _SVE256 and _NEON is defined, by the set. A
+// unit that defines PW85_TWO_LANES has PW85_LANES_FMA instead of _AVX2: two doubles, with fused
+// multiply-add. PW85_FOUR_LANES takes four doubles where registers have eight.
 #define PW85_SET_avx512 1
 #define PW85_SET_avx2 2
 #define PW85_SET_sve512 3
@@ -28,11 +28,11 @@
 #define PW85_SET_neon 5
 #define PW85_SET_NUMBER(name) PW85_SET_##name
 #define PW85_SET(name) PW85_SET_NUMBER(name)
-#if PW85_SET(PW85_BUILDING) == 1
+#if PW85_SET(PW85_BUILDING) == 1 && !defined(PW85_FOUR_LANES)
 #define PW85_LANES_AVX512
 #elif PW85_SET(PW85_BUILDING) == 2 && defined(PW85_TWO_LANES)
 #define PW85_LANES_FMA
-#elif PW85_SET(PW85_BUILDING) == 2
+#elif PW85_SET(PW85_BUILDING) == 2 || PW85_SET(PW85_BUILDING) == 1
 #define PW85_LANES_AVX2
 #elif PW85_SET(PW85_BUILDING) == 3
 #define PW85_LANES_SVE512

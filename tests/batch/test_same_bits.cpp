@@ -100,6 +100,13 @@ constexpr Function functions[] = {
          return pw85_penetration_batch(n, rows.a.data(), rows.q1.data(), rows.q2.data(), number,
                                        normal);
      }},
+    {"overlap_volume",
+     [](Row const &row, double *number, double *, double *) {
+         return pw85_overlap_volume(row.a.coordinates, row.q1.entries, row.q2.entries, number);
+     },
+     [](std::size_t n, Rows const &rows, double *number, double *, double *) {
+         return pw85_overlap_volume_batch(n, rows.a.data(), rows.q1.data(), rows.q2.data(), number);
+     }},
     {"intersect_line",
      [](Row const &row, double *number, double *point, double *) {
          double t[2];

@@ -50,8 +50,8 @@ PW85_FUNCTION inline bool has_accurate_derivatives(JointFrame<T, D> const &frame
 }
 
 /// L⁻ᵀx for a lower triangular L.
-template <class T, int D>
-PW85_FUNCTION inline Vector<T, D> solve_transposed(Columns<T, D> const &l, Vector<T, D> x) noexcept
+template <class T, int D> PW85_FUNCTION inline Vector<T, D>
+solve_transposed(MatrixColumns<T, D> const &l, Vector<T, D> x) noexcept
 {
     for (int j = D - 1; j >= 0; --j) {
         for (int i = j + 1; i < D; ++i) x[j] = x[j] - l[j][i] * x[i];
@@ -62,16 +62,16 @@ PW85_FUNCTION inline Vector<T, D> solve_transposed(Columns<T, D> const &l, Vecto
 
 /// The map of gradients from the frame to space: L⁻ᵀ·turn, by its columns.
 template <class T, int D>
-PW85_FUNCTION inline Columns<T, D> gradient_map(JointFrame<T, D> const &frame) noexcept
+PW85_FUNCTION inline MatrixColumns<T, D> gradient_map(JointFrame<T, D> const &frame) noexcept
 {
-    Columns<T, D> map{};
+    MatrixColumns<T, D> map{};
     for (int j = 0; j < D; ++j) map[j] = solve_transposed(frame.lower, frame.turn[j]);
     return map;
 }
 
 /// C G Cᵀ times a factor.
 template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<T, D>
-congruent(Columns<T, D> const &c, SymmetricMatrix<T, D> const &g, T const &factor) noexcept
+congruent(MatrixColumns<T, D> const &c, SymmetricMatrix<T, D> const &g, T const &factor) noexcept
 {
     SymmetricMatrix<T, D> result{};
     for (int a = 0; a < D; ++a)

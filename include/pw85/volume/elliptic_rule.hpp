@@ -10,7 +10,6 @@
 #ifndef PW85_VOLUME_ELLIPTIC_RULE_HPP_INCLUDED
 #define PW85_VOLUME_ELLIPTIC_RULE_HPP_INCLUDED
 
-#include <pw85/algebra/two_lanes.hpp>
 #include <pw85/volume/rim_frame.hpp>
 
 namespace pw85::detail {
@@ -19,6 +18,14 @@ namespace pw85::detail {
 template <class T> struct UnitVector2 {
     T cosine, sine;
 };
+
+template <class Mask, class T>
+requires(!std::is_same_v<Mask, bool>) PW85_FUNCTION
+    inline UnitVector2<T> select(Mask const &mask, UnitVector2<T> const &yes,
+                                 UnitVector2<T> const &no) noexcept
+{
+    return {select(mask, yes.cosine, no.cosine), select(mask, yes.sine, no.sine)};
+}
 
 template <class T> PW85_FUNCTION inline UnitVector2<T> turned(UnitVector2<T> const &a,
                                                               UnitVector2<T> const &b) noexcept
@@ -48,7 +55,8 @@ template <class T> struct RimDirection {
 /// The largest number of transformations of Landen. The transformation sin φ = (1 + k1) sin φ1/(1 +
 /// k1 sin²φ1), with k1 = (1 - k')/(1 + k'), replaces k by k1 < k. A few of them make the modulus so
 /// small that φ1 itself serves as the uniform parameter. From k' = 2^-200 eleven lead to k' > 0.8.
-inline constexpr int most_landen_steps = 12;
+/// Lanes leave pairs with more than a few over.
+inline constexpr int most_landen_steps = 12, most_landen_steps_of_lanes = 4;
 
 /// The change of variable from the uniform parameter to ψ.
 ///
@@ -57,11 +65,16 @@ inline constexpr int most_landen_steps = 12;
 /// proportional to 1 - k² cos²2χ, with k² = |m|/(1 + |m|). So 2χ, less a quarter turn for m < 0, is
 /// an amplitude φ of the modulus k.
 template <class T> struct EllipticRule {
+    static constexpr int most_steps =
+        ScalarTraits<T>::lanes == 1 ? most_landen_steps : most_landen_steps_of_lanes;
+
     /// k, k1, ... and 1 - k, 1 - k1, ...
-    T moduli[most_landen_steps + 1], gaps[most_landen_steps + 1];
-    int steps;
-    T factor;  ///< Π (1 + k_j)
-    T stretch; ///< √(tan ψ/tan χ)
+    T moduli[std::size_t(most_steps + 1)], gaps[std::size_t(most_steps + 1)];
+    int steps;                  ///< the number of transformations, in lanes the largest one
+    T own_steps;                ///< the number of a lane
+    T last_modulus;             ///< k of the last transformation
+    T factor;                   ///< Π (1 + k_j)
+    T stretch, inverse_stretch; ///< √(tan ψ/tan χ), and its inverse
     /// The derivative of ψ by φ is √E times this constant over √(1 - k² sin²φ) of the last φ. The
     /// constant follows from ψ = 0, where √E = √a: it is Π (1 + k_j)/(ac)^(1/4), times k' for
     /// m < 0. So derivatives along the rim need no division by √E, which is small where the rim
@@ -73,11 +86,20 @@ template <class T> struct EllipticRule {
     /// (a/c)^(1/4) and 2y the difference of these terms, where t1 and t2 are T at the two vertices.
     /// As t1²c - t2²a = -4αγ (t1² - t2²), nothing cancels in x.
     T mean, swing;
-    bool is_shifted; ///< true if m < 0
+    typename ScalarTraits<T>::Mask is_shifted; ///< true if m < 0
     /// True if the form is not E (cover_all_scales()); then E = excess (excess + 2 `least`) +
-    /// `negative`, by the two numbers below
+    /// `negative`, by the two numbers below. Lanes leave such pairs over.
     bool is_covering;
     T least, negative;
+
+    /// Tests if a pair has a transformation: for one pair, each that the loops reach.
+    PW85_MEMBER typename ScalarTraits<T>::Mask takes_step(int j) const noexcept
+    {
+        if constexpr (ScalarTraits<T>::lanes == 1)
+            return true;
+        else
+            return T(j) <= own_steps;
+    }
 };
 
 /// The smallest ratio of E to T² that counts at the vertices: u².
@@ -94,10 +116,12 @@ template <class T>
 PW85_FUNCTION inline T complementary_modulus(T const &ratio, T const &difference) noexcept
 {
     T const u = T(unit_roundoff<T>());
-    T const square = ratio > T(1)   ? T(T(2) / T(T(1) + ratio))
-                     : ratio > T(0) ? T(T(0.5) * T(T(1) + ratio))
-                                    : T(T(T(0.5) * difference) / T(T(1) - ratio));
-    return maximum(square_root(maximum(square, T(0))), T(u * u));
+    auto const is_shifted = ratio > T(1), is_positive = ratio > T(0);
+    T const half = T(0.5), larger = T(1) + ratio,
+            numerator = select(is_shifted, T(2),
+                               select(is_positive, T(half * larger), T(half * difference))),
+            divisor = select(is_shifted, larger, select(is_positive, T(1), T(T(1) - ratio)));
+    return maximum(square_root(maximum(T(numerator / divisor), T(0))), T(u * u));
 }
 
 /// A form a cos⁴ψ + 2b cos²ψ sin²ψ + c sin⁴ψ: b/√(ac), and k' as above.
@@ -117,8 +141,8 @@ PW85_FUNCTION inline QuarticForm<T> quartic_form(RimFrame<T, 3> const &rim) noex
     T const c = maximum(T(e2 * T(e2 + more) + negative), T(tiny + rim_floor<T>() * T(t2 * t2)));
     T const scale = T(a * c), step = T(t1 - t2);
     // t1 t2 - 4αγ, without cancellation where both t are near 2√(αγ)
-    T const mixed = least > T(0) ? T(e1 * e2 + least * T(e1 + e2)) : T(T(t1 * t2) - product);
-    T const ratio = scale > T(0) ? T(mixed / square_root(scale)) : T(1);
+    T const mixed = select(least > T(0), T(e1 * e2 + least * T(e1 + e2)), T(T(t1 * t2) - product));
+    T const ratio = positive_quotient(mixed, square_root(scale), T(1));
     return {a, c, ratio,
             complementary_modulus(ratio, T(-(T(T(product * T(step * step)) / a) / c)))};
 }
@@ -134,15 +158,26 @@ inline constexpr double smallest_stretch2 = 1.0 / 32.0, least_complement_to_cove
 /// sin²ψ)(r²cos²ψ + sin²ψ) takes the place of E for the choice of nodes: their number per unit of
 /// log tan ψ is constant from r to 1. Where α and γ are of one size, the axis is short, and the
 /// rule for E is the right one.
+///
+/// These are the pairs for which E may miss half-planes, by r or its inverse.
+template <class T>
+PW85_FUNCTION inline typename ScalarTraits<T>::Mask may_miss_half_planes(RimFrame<T, 3> const &rim,
+                                                                         QuarticForm<T> const &form,
+                                                                         T const &stretch2) noexcept
+{
+    T const r = minimum(stretch2, T(T(1) / stretch2)), alpha = absolute(rim.alpha),
+            gamma = absolute(rim.gamma);
+    return r < T(smallest_stretch2) && form.complement > T(least_complement_to_cover) &&
+           minimum(alpha, gamma) <= T(T(r * r) * maximum(alpha, gamma));
+}
+
 template <class T>
 PW85_FUNCTION inline bool cover_all_scales(RimFrame<T, 3> const &rim, QuarticForm<T> &form) noexcept
 {
     T const stretch2 = square_root(square_root(T(form.a / form.c)));
+    if (!may_miss_half_planes(rim, form, stretch2)) return false;
     bool const is_small = stretch2 < T(1);
     T const r = is_small ? stretch2 : T(T(1) / stretch2), square = T(r * r);
-    if (!(r < T(smallest_stretch2) && form.complement > T(least_complement_to_cover))) return false;
-    T const alpha = absolute(rim.alpha), gamma = absolute(rim.gamma);
-    if (!(minimum(alpha, gamma) <= T(square * maximum(alpha, gamma)))) return false;
     T const ratio = T(T(T(1) + square) / T(r + r));
     form = {is_small ? square : T(1), is_small ? T(1) : square, ratio,
             complementary_modulus(ratio, T(0))};
@@ -153,14 +188,18 @@ PW85_FUNCTION inline bool cover_all_scales(RimFrame<T, 3> const &rim, QuarticFor
 template <class T>
 PW85_FUNCTION inline void add_moduli(EllipticRule<T> &rule, T complement) noexcept
 {
-    rule.moduli[0] = square_root(T(T(T(1) - complement) * T(T(1) + complement)));
+    rule.last_modulus = rule.moduli[0] =
+        square_root(T(T(T(1) - complement) * T(T(1) + complement)));
     T const enough = T(0.875);
-    while (rule.steps < most_landen_steps && complement < enough) {
+    for (auto active = complement < enough; rule.steps < rule.most_steps && any_of(active);
+         active = complement < enough) {
         T const sum = T(1) + complement, next = T(T(1) - complement) / sum;
         rule.moduli[++rule.steps] = next;
         rule.gaps[rule.steps] = T(complement + complement) / sum;
-        complement = T(T(2) * square_root(complement)) / sum;
-        rule.factor = rule.factor * T(T(1) + next);
+        complement = select(active, T(T(T(2) * square_root(complement)) / sum), complement);
+        rule.factor = select(active, T(rule.factor * T(T(1) + next)), rule.factor);
+        rule.own_steps = select(active, T(rule.steps), rule.own_steps);
+        rule.last_modulus = select(active, next, rule.last_modulus);
     }
 }
 
@@ -168,22 +207,26 @@ template <class T>
 PW85_FUNCTION inline EllipticRule<T> elliptic_rule(RimFrame<T, 3> const &rim) noexcept
 {
     auto form = quartic_form(rim);
-    bool const is_covering = cover_all_scales(rim, form);
+    bool is_covering = false;
+    if constexpr (ScalarTraits<T>::lanes == 1) is_covering = cover_all_scales(rim, form);
     auto const &[a, c, ratio, complement] = form;
     T const e1 = rim.excess[0], e2 = rim.excess[1],
             negative = maximum(T(T(-4) * T(rim.alpha * rim.gamma)), T(0));
-    EllipticRule<T> rule{{},   {},           0,           T(1),      T(1),    T(1), {e1, e2}, T(0),
-                         T(0), ratio > T(1), is_covering, rim.least, negative};
+    EllipticRule<T> rule{{},           {},          0,         T(0),     T(0), T(1),
+                         T(1),         T(1),        T(1),      {e1, e2}, T(0), T(0),
+                         ratio > T(1), is_covering, rim.least, negative};
     rule.stretch = square_root(square_root(square_root(T(a / c))));
+    rule.inverse_stretch = T(1) / rule.stretch;
     add_moduli(rule, complement);
     T const root = T(square_root(square_root(a)) * square_root(square_root(c)));
-    if (negative > T(0) && T(e1 * e2) < T(0) && !is_covering) {
+    auto const swings = negative > T(0) && T(e1 * e2) < T(0);
+    if (any_of(swings) && !is_covering) {
         T const first_term = T(e1 * square_root(c)), second_term = T(e2 * square_root(a));
         T const difference = T(first_term - second_term), half = T(T(0.5) / root);
-        rule.swing = T(difference * half);
-        rule.mean = T(T(T(negative * T(e1 * e1 - e2 * e2)) / difference) * half);
+        rule.swing = select(swings, T(difference * half), T(0));
+        rule.mean = T(T(negative * T(e1 * e1 - e2 * e2)) / difference) * half;
     }
-    rule.pace = T(rule.is_shifted ? T(rule.factor * complement) : rule.factor) / root;
+    rule.pace = select(rule.is_shifted, T(rule.factor * complement), rule.factor) / root;
     return rule;
 }
 
@@ -196,31 +239,44 @@ PW85_FUNCTION inline N root_of_quartic(EllipticRule<T> const &rule, N const &exc
     return square_root(maximum(square, N(N(smallest_number<T>()) + N(rim_floor<T>()) * N(t * t))));
 }
 
-/// The half-planes at a value of the parameter, or at values in lanes of N.
+/// The half-planes at a value of the parameter, or at values in lanes of N. `theta` is φ, less a
+/// quarter turn for m < 0. So those at -θ are the mirror images of those at θ.
 template <class T, class N> PW85_FUNCTION inline RimDirection<N>
-rim_direction(EllipticRule<T> const &rule, UnitVector2<N> phi) noexcept
+rim_direction(EllipticRule<T> const &rule, UnitVector2<N> const &theta) noexcept
 {
-    N const last(rule.moduli[rule.steps]);
+    auto phi = select(rule.is_shifted, UnitVector2<N>{-theta.sine, theta.cosine}, theta);
+    N const last(rule.last_modulus);
     N delta = square_root(N(N(1) - N(N(last * phi.sine) * N(last * phi.sine))));
-    N const pace = N(N(rule.pace) / delta);
-    N weight = rule.steps > 0 ? N(N(rule.factor) / delta) : N(rule.factor);
+    N const inverse_delta = N(1) / delta, pace = N(N(rule.pace) * inverse_delta);
+    N weight(rule.factor);
+    if (rule.steps > 0) weight = select(rule.takes_step(1), N(weight * inverse_delta), weight);
     for (int j = rule.steps; j > 0; --j) {
         N const k(rule.moduli[j]), inverse = N(1) / N(N(1) + k * N(phi.sine * phi.sine));
         N const difference = N(rule.gaps[j]) + k * N(phi.cosine * phi.cosine); // 1 - k sin²φ
-        phi = {N(N(phi.cosine * delta) * inverse), N(N(N(N(1) + k) * phi.sine) * inverse)};
-        delta = N(difference * inverse); // √(1 - k² sin²φ) of the modulus before
+        phi = select(rule.takes_step(j),
+                     UnitVector2<N>{N(N(phi.cosine * delta) * inverse),
+                                    N(N(N(N(1) + k) * phi.sine) * inverse)},
+                     phi);
+        // √(1 - k² sin²φ) of the modulus before
+        delta = select(rule.takes_step(j), N(difference * inverse), delta);
     }
-    if (rule.steps > 0) weight = weight * delta;
-    auto const chi = half_turned(rule.is_shifted ? UnitVector2<N>{phi.sine, -phi.cosine} : phi);
-    N const stretch(rule.stretch);
-    UnitVector2<N> const psi{N(chi.cosine / stretch), N(chi.sine * stretch)};
-    N const c2 = N(psi.cosine * psi.cosine), s2 = N(psi.sine * psi.sine);
+    if (rule.steps > 0) weight = select(rule.takes_step(1), N(weight * delta), weight);
+    auto const twice = select(rule.is_shifted, UnitVector2<N>{phi.sine, -phi.cosine}, phi); // 2χ
+    // The length of the vector (1 + cos 2χ, sin 2χ) is the root of 2 (1 + cos 2χ). It has the
+    // direction of χ. So has the vector (sin 2χ, 1 - cos 2χ).
+    N const larger = N(1) + absolute(twice.cosine);
+    auto const is_acute = twice.cosine > N(0);
+    UnitVector2<N> const psi{N(select(is_acute, larger, twice.sine) * N(rule.inverse_stretch)),
+                             N(select(is_acute, twice.sine, larger) * N(rule.stretch))};
+    N const square = N(larger + larger), c2 = N(psi.cosine * psi.cosine),
+            s2 = N(psi.sine * psi.sine);
     N const inverse = N(1) / N(c2 + s2), scale = square_root(inverse);
-    N const cosine2 = rule.is_shifted ? phi.sine : phi.cosine; // of 2χ
-    N const excess = rule.swing != T(0) ? N(N(rule.mean) + N(rule.swing) * cosine2)
-                                        : N(N(rule.excess[0]) * c2 + N(rule.excess[1]) * s2);
+    auto const swings = absolute(rule.swing) > T(0);
+    N excess = N(rule.excess[0]) * c2 + N(rule.excess[1]) * s2;
+    if (any_of(swings))
+        excess = select(swings, N(N(N(rule.mean) + N(rule.swing) * twice.cosine) * square), excess);
     RimDirection<N> direction{{N(psi.cosine * scale), N(psi.sine * scale)},
-                              N(weight * inverse),
+                              N(N(weight * square) * inverse),
                               pace,
                               N(excess * inverse)};
     if (rule.is_covering)
@@ -238,13 +294,19 @@ template <class T, int N> struct RimSums {
     int pairs;
 };
 
+/// The mean from the sums of two sets of half-planes, of which there are 1/inverse.
+template <class T, int N> PW85_FUNCTION inline RimSums<T, N>
+mean_of(RimSums<T, N> const &x, RimSums<T, N> const &y, T const &inverse) noexcept
+{
+    RimSums<T, N> mean{{}, x.pairs + y.pairs};
+    for (int i = 0; i < N; ++i) mean.numbers[i] = T(T(x.numbers[i] + y.numbers[i]) * inverse);
+    return mean;
+}
+
 template <class T, int N>
 PW85_FUNCTION inline RimSums<T, N> mean_of(RimSums<T, N> const &x, RimSums<T, N> const &y) noexcept
 {
-    RimSums<T, N> mean{{}, x.pairs + y.pairs};
-    T const inverse = T(1) / T(2 * mean.pairs);
-    for (int i = 0; i < N; ++i) mean.numbers[i] = T(T(x.numbers[i] + y.numbers[i]) * inverse);
-    return mean;
+    return mean_of(x, y, T(T(1) / T(2 * (x.pairs + y.pairs))));
 }
 
 /// The half-planes of one lane.
@@ -257,62 +319,103 @@ lane_of(Function const &lane, RimDirection<TwoLanes<T>> const &x) noexcept
             lane(x.excess)};
 }
 
-/// A ladder of trapezoidal rules. Their nodes φ are the multiples of 2π/2^level, or of a third of
-/// it. function(direction, sums) adds a pair of half-planes.
+/// The nodes θ: multiples of 2π/2^level, and those turned by 2π/3. Mirror images have the rest of
+/// the multiples, and of those of a third: they share roots and weights.
+template <class T> struct RuleNodes {
+    T half = T(0.5);
+    UnitVector2<T> starts[2] = {{T(1), T(0)}, {-half, T(half *square_root(T(3)))}};
+    UnitVector2<T> turns[finest_rule + 1] = {{T(1), T(0)}, {T(-1), T(0)}, {T(0), T(1)}}; ///< 2π/2^k
+
+    /// Prepares a level. The ones below it must be prepared.
+    PW85_MEMBER void prepare(int level) noexcept
+    {
+        if (level > 2) turns[level] = half_turned(turns[level - 1]);
+    }
+
+    /// Returns the number of nodes that visit() visits.
+    PW85_MEMBER static constexpr int count(int start, int k) noexcept
+    {
+        int const first_bit = start == 0 ? 2 : 1;
+        return k < first_bit ? 1 : 1 << (k - first_bit);
+    }
+
+    /// Tests if the mirror images of nodes are other ones.
+    PW85_MEMBER static constexpr bool have_images(int start, int k) noexcept
+    {
+        return start > 0 || k > 1;
+    }
+
+    /// Visits the nodes at odd multiples of 2π/2^k from a start on, without their images: by
+    /// one(θ), or by two(θ, θ') if there is more than one.
+    template <class One, class Two>
+    PW85_MEMBER void visit(int start, int k, One const &one, Two const &two) const noexcept
+    {
+        auto const first = turned(starts[start], turns[k]);
+        int const size = count(start, k);
+        if (size == 1) one(first);
+        for (int j = 0; size > 1 && j < size; j += 2) {
+            UnitVector2<T> phi = first;
+            for (int bit = 1; bit < k - 1; ++bit)
+                if ((j >> bit & 1) != 0) phi = turned(phi, turns[k - 1 - bit]);
+            two(phi, turned(phi, turns[k - 1]));
+        }
+    }
+};
+
+/// A ladder of trapezoidal rules. function(direction, has_image, sums) adds a pair of half-planes,
+/// and its mirror image if it has one.
 template <class T, int N, class Function> struct RuleLadder {
     EllipticRule<T> const &rule;
     Function const &function;
-    int level = -1, rotations = 1;
+    int level = -1, starts = 1;
     RimSums<T, N> coarse{{}, 0}, added{{}, 0}; ///< coarse: of every other node
-    T half = T(0.5), third = T(half * square_root(T(3)));
-    UnitVector2<T> starts[3] = {{T(1), T(0)}, {-half, third}, {-half, -third}};
-    UnitVector2<T> turns[finest_rule + 1] = {{T(1), T(0)}, {T(-1), T(0)}, {T(0), T(1)}}; ///< 2π/2^k
+    RuleNodes<T> nodes{};
 
     /// Adds as many nodes as there are; the first one if there is none.
     PW85_MEMBER void refine() noexcept
     {
-        if (++level > 2) turns[level] = half_turned(turns[level - 1]);
+        nodes.prepare(++level);
         for (int i = 0; i < N; ++i) coarse.numbers[i] = coarse.numbers[i] + added.numbers[i];
         coarse.pairs += added.pairs;
         added = {{}, 0};
-        for (int i = 0; i < rotations; ++i) add_nodes(starts[i], level, added);
+        for (int i = 0; i < starts; ++i) add_nodes(i, level, added);
     }
 
     /// Adds twice as many nodes as there are. To be called once.
     PW85_MEMBER void triple() noexcept
     {
-        for (; rotations < 3; ++rotations) {
-            for (int k = 0; k < level; ++k) add_nodes(starts[rotations], k, coarse);
-            add_nodes(starts[rotations], level, added);
-        }
+        for (int k = 0; k < level; ++k) add_nodes(starts, k, coarse);
+        add_nodes(starts, level, added);
+        ++starts;
     }
 
-    /// Adds the nodes at odd multiples of 2π/2^k, turned by `start`. Two opposite nodes are
-    /// computed side by side.
-    PW85_MEMBER void add_nodes(UnitVector2<T> const &start, int k,
-                               RimSums<T, N> &sums) const noexcept
+    /// Adds the nodes at odd multiples of 2π/2^k from a start on. Two nodes are computed side by
+    /// side.
+    PW85_MEMBER void add_nodes(int start, int k, RimSums<T, N> &sums) const noexcept
     {
         using Two = TwoLanes<T>;
-        auto const first = turned(start, turns[k]);
-        if (k < 2) function(rim_direction(rule, first), sums);
-        for (int j = 0; k > 1 && j < 1 << (k - 1); j += 2) {
-            UnitVector2<T> phi = first;
-            for (int bit = 1; bit < k - 1; ++bit)
-                if ((j >> bit & 1) != 0) phi = turned(phi, turns[k - 1 - bit]);
-            UnitVector2<T> const next = turned(phi, turns[k - 1]);
-            auto const both = rim_direction(
-                rule, UnitVector2<Two>{{phi.cosine, next.cosine}, {phi.sine, next.sine}});
-            function(lane_of<T>([](Two const &x) { return first_of(x); }, both), sums);
-            function(lane_of<T>([](Two const &x) { return second_of(x); }, both), sums);
-        }
-        sums.pairs += k < 2 ? 1 : 1 << (k - 1);
+        bool const has_image = nodes.have_images(start, k);
+        nodes.visit(
+            start, k,
+            [&](UnitVector2<T> const &theta) {
+                function(rim_direction(rule, theta), has_image, sums);
+            },
+            [&](UnitVector2<T> const &theta, UnitVector2<T> const &next) {
+                auto const both = rim_direction(
+                    rule, UnitVector2<Two>{{theta.cosine, next.cosine}, {theta.sine, next.sine}});
+                function(lane_of<T>([](Two const &x) { return first_of(x); }, both), has_image,
+                         sums);
+                function(lane_of<T>([](Two const &x) { return second_of(x); }, both), has_image,
+                         sums);
+            });
+        sums.pairs += nodes.count(start, k) << (has_image ? 1 : 0);
     }
 };
 
 /// The means over ψ and whether they have converged.
 template <class T, int N> struct RimMeans {
     RimSums<T, N> means;
-    bool converged;
+    typename ScalarTraits<T>::Mask converged;
 };
 
 /// The error of a rule by how far its mean is from that of half of the nodes, as a fraction of what
@@ -322,12 +425,28 @@ template <class T, int N> struct RimMeans {
 /// pole of an integrand next to the real axis may have a small residue, but a large C is not
 /// trusted.
 template <class T>
-PW85_FUNCTION inline T error_of_rule(T const &distance, T const &previous, bool by_three) noexcept
+PW85_FUNCTION inline T error_of_rule(T const &distance, T const &previous,
+                                     typename ScalarTraits<T>::Mask const &by_three) noexcept
 {
-    if (!(distance > T(0))) return T(0);
-    T const ratio = distance / previous;
-    return T(distance *
-             maximum(distance, by_three ? T(ratio * square_root(ratio)) : T(ratio * ratio)));
+    auto const is_known = previous > T(0);
+    T const ratio = distance / select(is_known, previous, T(1)),
+            power = select(is_known, T(ratio * select(by_three, square_root(ratio), ratio)),
+                           largest_number<T>());
+    return select(distance > T(0), T(distance * maximum(distance, power)), T(0));
+}
+
+/// ε: an error of ε² is enough.
+template <class T> PW85_FUNCTION inline T enough_of_rule() noexcept
+{
+    return T(T(0.5) * square_root(negative_power_of_two<T>(result_digits<T>())));
+}
+
+/// Tests if 24 nodes are expected to be enough, and 16 are not, by the distance of the rule with 8.
+template <class T>
+PW85_FUNCTION inline typename ScalarTraits<T>::Mask is_better_by_three(T const &distance) noexcept
+{
+    T const enough = enough_of_rule<T>(), expected = T(distance * distance);
+    return expected > enough && T(expected * distance) <= enough;
 }
 
 /// Means over half-planes by the trapezoidal rule. change(mean, coarse) is how far two means are
@@ -339,19 +458,17 @@ PW85_FUNCTION inline RimMeans<T, N> mean_over_half_planes(EllipticRule<T> const 
                                                           Function const &function,
                                                           Change const &change) noexcept
 {
-    T const enough = T(T(0.5) * square_root(negative_power_of_two<T>(result_digits<T>())));
+    T const enough = enough_of_rule<T>();
     RuleLadder<T, N, Function> ladder{rule, function};
     while (ladder.level < 2) ladder.refine();
     T previous = T(0);
     for (bool by_three = false;;) {
         auto const mean = mean_of(ladder.coarse, ladder.added);
-        T const distance = change(mean, mean_of(ladder.coarse, RimSums<T, N>{{}, 0})),
-                expected = T(distance * distance);
+        T const distance = change(mean, mean_of(ladder.coarse, RimSums<T, N>{{}, 0}));
         bool const has_converged =
             ladder.level > 2 && error_of_rule(distance, previous, by_three) <= T(enough * enough);
         if (has_converged || ladder.level == finest_rule) return {mean, has_converged};
-        by_three =
-            ladder.level == 3 && !by_three && expected > enough && T(expected * distance) <= enough;
+        by_three = ladder.level == 3 && !by_three && is_better_by_three(distance);
         by_three ? ladder.triple() : ladder.refine();
         previous = distance;
     }

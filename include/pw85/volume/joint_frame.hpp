@@ -25,7 +25,7 @@ PW85_FUNCTION inline Doubled<T> times_power_of_two(Doubled<T> const &x, int expo
 }
 
 /// A square matrix by its columns.
-template <class T, int D> struct Columns {
+template <class T, int D> struct MatrixColumns {
     Vector<T, D> vectors[std::size_t(D)];
 
     PW85_MEMBER constexpr Vector<T, D> &operator[](int j) noexcept { return vectors[j]; }
@@ -40,12 +40,13 @@ template <class T, int D> struct JointFrame {
     Vector<T, D> axes; ///< semi-axes of the other ellipsoid, the longest first
     /// S⁻¹c: the centre c of the other ellipsoid, each coordinate over its semi-axis
     Vector<T, D> center;
-    Columns<T, D> lower; ///< the ball is taken to space by lower·turn, in the unit of the frame
-    Columns<T, D> turn;  ///< the principal directions of the other ellipsoid
-    T determinant;       ///< of `lower`
-    Unit unit;           ///< of the frame
+    MatrixColumns<T, D>
+        lower; ///< the ball is taken to space by lower·turn, in the unit of the frame
+    MatrixColumns<T, D> turn; ///< the principal directions of the other ellipsoid
+    T determinant;            ///< of `lower`
+    Unit unit;                ///< of the frame
     /// whether the ball is ellipsoid 2; then the frame is that of the pair (-r12, Q2, Q1)
-    bool swapped;
+    typename ScalarTraits<T>::Mask swapped;
     T displacement; ///< of the surfaces by rounded forms: displacement_of()
 };
 
@@ -61,10 +62,10 @@ PW85_FUNCTION inline T distance_of_centers(JointFrame<T, D> const &frame) noexce
 
 /// The Cholesky factor.
 template <class T, int D>
-PW85_FUNCTION inline Columns<T, D> cholesky_columns(SymmetricMatrix<T, D> const &q) noexcept
+PW85_FUNCTION inline MatrixColumns<T, D> cholesky_columns(SymmetricMatrix<T, D> const &q) noexcept
 {
     auto const f = factorize(q, T(unit_roundoff<T>()));
-    Columns<T, D> l{};
+    MatrixColumns<T, D> l{};
     for (int j = 0; j < D; ++j) {
         T const root = square_root(f.pivots[j]);
         for (int i = 0; i < D; ++i)
@@ -75,7 +76,7 @@ PW85_FUNCTION inline Columns<T, D> cholesky_columns(SymmetricMatrix<T, D> const 
 
 /// L⁻¹x for a lower triangular L.
 template <class T, int D>
-PW85_FUNCTION inline Vector<T, D> solve_lower(Columns<T, D> const &l, Vector<T, D> x) noexcept
+PW85_FUNCTION inline Vector<T, D> solve_lower(MatrixColumns<T, D> const &l, Vector<T, D> x) noexcept
 {
     for (int j = 0; j < D; ++j) {
         x[j] = x[j] / l[j][j];
@@ -84,41 +85,52 @@ PW85_FUNCTION inline Vector<T, D> solve_lower(Columns<T, D> const &l, Vector<T, 
     return x;
 }
 
+/// Stores vectors in the lanes of a mask.
+template <class Mask, class T, int D> PW85_FUNCTION inline void
+store_where(Mask const &mask, Vector<T, D> const &from, Vector<T, D> &to) noexcept
+{
+    for (int i = 0; i < D; ++i) to[i] = select(mask, from[i], to[i]);
+}
+
 /// Turns two columns so that they become orthogonal (a rotation of Jacobi), with the longer one
-/// first. Returns whether they were not. The dot product of two columns errs by up to 3u of their
-/// lengths, so less than 4u counts as zero. The columns are those of a valid pair, each form in a
-/// unit of its own: fourth powers of their lengths neither overflow nor underflow.
-template <class T, int D>
-PW85_FUNCTION inline bool make_orthogonal(Vector<T, D> &x, Vector<T, D> &y) noexcept
+/// first, in the lanes of a mask. Returns the lanes in which they were not. The dot product of two
+/// columns errs by up to 3u of their lengths, so less than 4u counts as zero. The columns are those
+/// of a valid pair, each form in a unit of its own: fourth powers of their lengths neither overflow
+/// nor underflow.
+template <class Mask, class T, int D> PW85_FUNCTION inline Mask
+make_orthogonal(Mask const &active, Vector<T, D> &x, Vector<T, D> &y) noexcept
 {
     T const xx = dot(x, x), yy = dot(y, y), xy = dot(x, y), u = T(unit_roundoff<T>());
-    if (xx < yy) { // the rotation by less than π/4 leaves the longer one in its place
+    auto const is_shorter = both_true(active, Mask(xx < yy));
+    if (any_of(is_shorter)) { // the rotation by less than π/4 leaves the longer one in its place
         Vector<T, D> const old = x;
-        x = y;
-        y = old;
+        store_where(is_shorter, y, x);
+        store_where(is_shorter, old, y);
     }
-    if (!(T(xy * xy) > T(T(T(16) * T(u * u)) * T(xx * yy)))) return false;
+    auto const moves = both_true(active, Mask(T(xy * xy) > T(T(T(16) * T(u * u)) * T(xx * yy))));
+    if (!any_of(moves)) return moves;
     T const difference = absolute(T(xx - yy)), twice = T(xy + xy);
     T const tangent =
         twice / T(difference + square_root(T(difference * difference + twice * twice)));
     T const cosine = T(1) / square_root(T(T(1) + tangent * tangent)), sine = T(cosine * tangent);
     Vector<T, D> const old = x;
-    x = cosine * x + sine * y;
-    y = cosine * y - sine * old;
-    return true;
+    store_where(moves, cosine * x + sine * y, x);
+    store_where(moves, cosine * y - sine * old, y);
+    return moves;
 }
 
 /// Makes the columns of G orthogonal by Jacobi's method from the right (Hestenes), the longest
 /// first. So G = U diag(axes) Vᵀ becomes U diag(axes). The relative errors of the axes are those of
 /// columns that are scaled to length one: needles and discs lose nothing.
-template <class T, int D> PW85_FUNCTION inline void make_orthogonal(Columns<T, D> &g) noexcept
+template <class T, int D> PW85_FUNCTION inline void make_orthogonal(MatrixColumns<T, D> &g) noexcept
 {
     constexpr int most_sweeps = 30; // four or five are usual; the limit is for NaN
-    bool moved = true;
-    for (int sweep = 0; moved && sweep < most_sweeps; ++sweep) {
-        moved = false;
+    auto active = g[0][0] == g[0][0];
+    for (int sweep = 0; any_of(active) && sweep < most_sweeps; ++sweep) {
+        auto moved = !(g[0][0] == g[0][0]);
         for (int i = 0; i < D; ++i)
-            for (int j = i + 1; j < D; ++j) moved = make_orthogonal(g[i], g[j]) || moved;
+            for (int j = i + 1; j < D; ++j) moved = make_orthogonal(active, g[i], g[j]) || moved;
+        active = moved;
     }
 }
 
@@ -142,7 +154,7 @@ template <class T> PW85_FUNCTION constexpr T thinnest_axis() noexcept
 
 /// The product of the pivots of the Cholesky factor: the volume in units of that of the unit ball.
 template <class T, int D>
-PW85_FUNCTION inline T determinant_of_lower(Columns<T, D> const &l) noexcept
+PW85_FUNCTION inline T determinant_of_lower(MatrixColumns<T, D> const &l) noexcept
 {
     T product = l[0][0];
     for (int i = 1; i < D; ++i) product = product * l[i][i];
@@ -168,7 +180,7 @@ template <class T> PW85_FUNCTION inline T scaled_condition(SymmetricMatrix<T, 2>
 
 /// An ellipsoid by the Cholesky factor of its form, in a unit of its own.
 template <class T, int D> struct LowerFactor {
-    Columns<T, D> columns;
+    MatrixColumns<T, D> columns;
     T determinant, condition; ///< of the factor, and κ of the form
     Unit unit;
 };
@@ -206,6 +218,19 @@ displacement_of(JointFrame<T, D> const &frame, T const &of_ball, T const &of_oth
     return T(of_ball + of_other * T(T(1) + distance_of_centers(frame)));
 }
 
+/// Sets the axes, the centre and the principal directions of a frame from the columns of G and r,
+/// in their units.
+template <class T, int D> PW85_FUNCTION inline void
+set_principal_axes(JointFrame<T, D> &frame, MatrixColumns<T, D> &g, Vector<T, D> const &r) noexcept
+{
+    make_orthogonal(g);
+    for (int j = 0; j < D; ++j) {
+        frame.axes[j] = magnitude(g[j]);
+        frame.turn[j] = g[j] / frame.axes[j];
+        frame.center[j] = dot(frame.turn[j], r) / frame.axes[j];
+    }
+}
+
 /// The joint frame of a valid pair.
 template <class T, int D>
 PW85_FUNCTION inline JointFrame<T, D> joint_frame(Vector<T, D> const &r12,
@@ -217,24 +242,23 @@ PW85_FUNCTION inline JointFrame<T, D> joint_frame(Vector<T, D> const &r12,
     auto const &ball = swapped ? f2 : f1, &other = swapped ? f1 : f2;
     Unit const length = unit_of(r12);
     Vector<T, D> const r = solve_lower(ball.columns, length.to_local(swapped ? -r12 : r12));
-    Columns<T, D> g{};
+    MatrixColumns<T, D> g{};
     for (int j = 0; j < D; ++j) g[j] = solve_lower(ball.columns, other.columns[j]);
-    make_orthogonal(g);
 
     JointFrame<T, D> frame{{}, {}, ball.columns, {}, ball.determinant, ball.unit, swapped, T(0)};
+    set_principal_axes(frame, g, r);
     for (int j = 0; j < D; ++j) {
-        T const axis = magnitude(g[j]);
-        frame.turn[j] = g[j] / axis;
-        frame.center[j] = (length / other.unit).to_caller(T(dot(frame.turn[j], r) / axis));
-        frame.axes[j] = minimum((other.unit / ball.unit).to_caller(axis), longest_axis<T>());
+        frame.center[j] = (length / other.unit).to_caller(frame.center[j]);
+        frame.axes[j] =
+            minimum((other.unit / ball.unit).to_caller(frame.axes[j]), longest_axis<T>());
     }
     frame.displacement = displacement_of(frame, ball.condition, other.condition);
     return frame;
 }
 
-template <class T, int D> PW85_FUNCTION inline auto rounded(Columns<T, D> const &x) noexcept
+template <class T, int D> PW85_FUNCTION inline auto rounded(MatrixColumns<T, D> const &x) noexcept
 {
-    Columns<decltype(rounded(x[0][0])), D> y{};
+    MatrixColumns<decltype(rounded(x[0][0])), D> y{};
     for (int j = 0; j < D; ++j) y[j] = rounded(x[j]);
     return y;
 }

@@ -30,20 +30,29 @@ struct CommonPartDecision {
 };
 
 /// Tests whether each ellipsoid certainly exceeds the bounding box of the other one. Then neither
-/// is inside the other one. Returns false outside of the range in which exceeds() holds.
+/// is inside the other one. The pair must be in the range in which exceeds() holds.
+template <class T, int D> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
+exceed_each_other(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                  SymmetricMatrix<T, D> const &q2) noexcept
+{
+    T distance = absolute(r12[0]);
+    auto first = exceeds(q2(0, 0), q1(0, 0), distance),
+         second = exceeds(q1(0, 0), q2(0, 0), distance);
+    for (int i = 1; i < D; ++i) {
+        distance = absolute(r12[i]);
+        first = first || exceeds(q2(i, i), q1(i, i), distance);
+        second = second || exceeds(q1(i, i), q2(i, i), distance);
+    }
+    return first && second;
+}
+
+/// Tests exceed_each_other(). Returns false outside of its range.
 template <class T, int D>
 PW85_FUNCTION inline bool both_reach_beyond(Vector<T, D> const &r12,
                                             SymmetricMatrix<T, D> const &q1,
                                             SymmetricMatrix<T, D> const &q2) noexcept
 {
-    if (!passes_fast_checks(pair_of(r12, q1, q2))) return false;
-    bool first = false, second = false;
-    for (int i = 0; i < D; ++i) {
-        T const distance = absolute(r12[i]);
-        first |= exceeds(q2(i, i), q1(i, i), distance);
-        second |= exceeds(q1(i, i), q2(i, i), distance);
-    }
-    return first && second;
+    return passes_fast_checks(pair_of(r12, q1, q2)) && exceed_each_other(r12, q1, q2);
 }
 
 /// For a pair that overlaps.
@@ -74,6 +83,13 @@ template <class T> struct CheckedMeasure {
     bool is_accurate;
 };
 
+/// The common part from 3V over 2π.
+template <class T> PW85_FUNCTION inline T part_of_sum(T const &sum) noexcept
+{
+    T const third = maximum(T(sum / T(3)), T(0));
+    return T(T(T(2) * circle_constant<T>()) * third);
+}
+
 /// The measure of the common part in the joint frame; NaN if the integral has not converged. It is
 /// not inlined: its memory and that of the exact decisions are not needed at the same time.
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline CheckedMeasure<ResultOf<T>>
@@ -93,8 +109,7 @@ common_measure(JointFrame<T, 3> const &frame) noexcept
         rounded(std::is_same_v<T, Result> ? sum_of_terms(frame, integration)
                                           : resolved_sum_of_terms(frame, integration));
     if (!(absolute(sum) < infinity<Result>())) return {quiet_nan<Result>(), true};
-    Result const third = maximum(Result(sum / Result(3)), Result(0));
-    return {Result(Result(Result(2) * circle_constant<Result>()) * third), true};
+    return {part_of_sum(sum), true};
 }
 
 /// The largest displacement of surfaces by rounded forms (displacement_of()) that the bound covers.

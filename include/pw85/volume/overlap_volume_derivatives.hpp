@@ -74,16 +74,20 @@ moments_of(RimIntegration<T> const &integration, T const &scale, T const &shorte
     bool const above = rim.ends.ball_above, two = above == rim.ends.ball_below;
     using Two = TwoLanes<T>;
     Two const sign = above ? Two(1) : Two(-1), middle(axis_interval(rim).middle);
-    auto const add = [&](RimDirection<T> const &pair, RimSums<T, rim_moments> &sums) {
-        integration.for_both(pair, [&](MovingHalfPlane<Two> const &plane,
-                                       RimPoint<Two> const(&points)[2], Two const &speed) {
-            for (int body = 0; body < 2; ++body)
-                sums.numbers[body] =
-                    sums.numbers[body] + integration.area(body, plane, points, speed);
-            add_moments(sums.numbers, plane, points[0], points[0].z - middle, speed, sign);
-            if (two)
-                add_moments(sums.numbers, plane, points[1], points[1].z - middle, speed, -sign);
-        });
+    auto const add = [&](RimDirection<T> const &pair, bool has_image,
+                         RimSums<T, rim_moments> &sums) {
+        integration.for_each(
+            pair, has_image,
+            [&](MovingHalfPlane<Two> const &plane, RimPoint<Two> const(&points)[2],
+                Two const &speed) {
+                sums.numbers[0] =
+                    sums.numbers[0] + integration.template area<0>(plane, points, speed);
+                sums.numbers[1] =
+                    sums.numbers[1] + integration.template area<1>(plane, points, speed);
+                add_moments(sums.numbers, plane, points[0], points[0].z - middle, speed, sign);
+                if (two)
+                    add_moments(sums.numbers, plane, points[1], points[1].z - middle, speed, -sign);
+            });
     };
     // The areas, and the area vector by its components times the lengths of their vectors
     T const ray0 = magnitude(rim.rays[0]), ray1 = magnitude(rim.rays[1]);

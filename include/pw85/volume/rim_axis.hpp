@@ -66,12 +66,13 @@ template <class T> struct PoleInterval {
 
     PW85_MEMBER Value at(T const &delta, T const &epsilon) const noexcept
     {
-        T const below = T(1) / epsilon, above = T(1) / delta,
-                farther = beyond > T(0) ? T(T(1) / T(far_gap + delta)) : T(0);
+        T const below = T(1) / epsilon, above = T(1) / delta;
+        T farther = T(0);
+        if (any_of(beyond > T(0))) farther = T(1) / T(far_gap + delta);
         T const l = T(lower * below), u = T(upper * above), b = T(beyond * farther);
         T const l2 = T(l * below), u2 = T(u * above), b2 = T(b * farther);
         T const towards_upper = u2 * above + b2 * farther, towards_lower = l2 * below;
-        T const distance = sign > T(0) ? epsilon : delta,
+        T const distance = select(sign > T(0), epsilon, delta),
                 t = T(minimum(lower_pole, upper_pole) + distance),
                 terms = T(T(weights[0] * below) - T(weights[1] * above)) - T(weights[2] * farther);
         return {T(plain(distance) + T(t * terms)), T(1) - l2 - u2 - b2,
@@ -92,43 +93,67 @@ inline constexpr int most_newton_steps = 200;
 /// Tests whether a step of Newton's method is the last. The next step would be step² |h''/2|/|h'|,
 /// to leading order. The two terms of h'' cancel where h turns from convex to concave, but not at
 /// the end of the step. Therefore the sum of their magnitudes takes the place of |h''/2|.
-template <class T> PW85_FUNCTION inline bool
+template <class T> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 is_last_step(T const &step, T const &x, T const &sharpness, T const &slope) noexcept
 {
     T const u = T(unit_roundoff<T>());
     return step <= T(T(T(4) * u) * x) || T(T(step * step) * sharpness) <= T(T(u * x) * -slope);
 }
 
-/// Newton's method in the concave part, from above. It returns false if there is no root there.
-template <class T> PW85_FUNCTION inline bool descend(PoleInterval<T> const &f, T &delta) noexcept
+/// A step of Newton's method from x: the next x, and whether there is no root or the search ends.
+template <class T> struct NewtonStep {
+    T next;
+    typename ScalarTraits<T>::Mask fails, ends;
+};
+
+/// Newton's method in the lanes of a mask, by step(x). Returns those of them that have a root.
+template <class T, class Step> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
+find_root(typename ScalarTraits<T>::Mask active, T &x, Step const &step) noexcept
 {
-    for (int step = 0; step < most_newton_steps; ++step) {
-        auto const value = f.at(delta, T(f.gap - delta));
-        if (!(value.half_second >= T(0) && value.slope < T(0))) return false;
-        if (value.h >= T(0)) return true;
-        T const next = T(delta + value.h / value.slope);
-        if (!(next < f.gap)) return false;
-        bool const done = is_last_step(T(next - delta), delta, value.sharpness, value.slope);
-        delta = next;
-        if (done) return true;
+    auto has_root = active;
+    for (int k = 0; k < most_newton_steps && any_of(active); ++k) {
+        NewtonStep<T> const s = step(x);
+        x = select(active && !s.fails, s.next, x);
+        has_root = has_root && !(active && s.fails);
+        active = active && !(s.fails || s.ends);
     }
-    return true;
+    return has_root;
 }
 
-/// Newton's method in the convex part, from below. It returns false if there is no root there.
-template <class T> PW85_FUNCTION inline bool ascend(PoleInterval<T> const &f, T &epsilon) noexcept
+/// Newton's method in the concave part, from above, in the lanes of a mask. It returns those that
+/// have a root there.
+template <class T> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
+descend(typename ScalarTraits<T>::Mask const &active, PoleInterval<T> const &f, T &delta) noexcept
 {
-    for (int step = 0; step < most_newton_steps; ++step) {
-        auto const value = f.at(T(f.gap - epsilon), epsilon);
-        if (!(value.slope < T(0))) return false;
-        if (!(value.h > T(0))) return true;
-        T const next = T(epsilon - value.h / value.slope);
-        if (!(next < f.gap)) return false;
-        bool const done = is_last_step(T(next - epsilon), epsilon, value.sharpness, value.slope);
-        epsilon = next;
-        if (done) return true;
-    }
-    return true;
+    return find_root(active, delta, [&](T const &x) {
+        auto const value = f.at(x, T(f.gap - x));
+        auto const is_root = value.h >= T(0);
+        T const next = select(is_root, x, T(x + value.h / value.slope));
+        return NewtonStep<T>{
+            next, !(value.half_second >= T(0) && value.slope < T(0)) || !(is_root || next < f.gap),
+            is_root || is_last_step(T(next - x), x, value.sharpness, value.slope)};
+    });
+}
+
+/// Newton's method in the convex part, from below, likewise.
+template <class T> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
+ascend(typename ScalarTraits<T>::Mask const &active, PoleInterval<T> const &f, T &epsilon) noexcept
+{
+    return find_root(active, epsilon, [&](T const &x) {
+        auto const value = f.at(T(f.gap - x), x);
+        auto const is_root = !(value.h > T(0));
+        T const next = select(is_root, x, T(x - value.h / value.slope));
+        return NewtonStep<T>{next, !(value.slope < T(0)) || !(is_root || next < f.gap),
+                             is_root || is_last_step(T(next - x), x, value.sharpness, value.slope)};
+    });
+}
+
+/// x/y, or another number where y is not positive.
+template <class T>
+PW85_FUNCTION inline T positive_quotient(T const &x, T const &y, T const &otherwise) noexcept
+{
+    auto const is_positive = y > T(0);
+    return select(is_positive, T(x / select(is_positive, y, T(1))), otherwise);
 }
 
 /// Below this distance from the lower pole, h is positive in the lower half: there t w/ε of the
@@ -136,12 +161,13 @@ template <class T> PW85_FUNCTION inline bool ascend(PoleInterval<T> const &f, T 
 template <class T> PW85_FUNCTION inline T start_of_ascent(PoleInterval<T> const &f) noexcept
 {
     T const half = T(T(0.5) * f.gap);
-    bool const up = f.sign > T(0);
-    T const largest = up ? T(f.lower_pole + half) : f.lower_pole;
+    auto const up = f.sign > T(0);
+    T const largest = select(up, T(f.lower_pole + half), f.lower_pole);
     T others = T(f.weights[1] / half);
-    if (f.beyond > T(0)) others = others + f.weights[2] / T(f.far_gap + half);
-    T const least = T(up ? T(0) : f.weights[0]) + T(largest * others) - f.plain(up ? T(0) : f.gap);
-    return least > T(0) ? minimum(half, T(f.lower / least)) : half;
+    if (any_of(f.beyond > T(0))) others = others + f.weights[2] / T(f.far_gap + half);
+    T const least =
+        select(up, T(0), f.weights[0]) + T(largest * others) - f.plain(select(up, T(0), f.gap));
+    return minimum(half, positive_quotient(f.lower, least, half));
 }
 
 /// h without the term of the upper pole, at this pole.
@@ -156,11 +182,25 @@ template <class T> PW85_FUNCTION inline T value_at_upper(PoleInterval<T> const &
 template <class T> PW85_FUNCTION inline T start_of_descent(PoleInterval<T> const &f) noexcept
 {
     T const half = T(T(0.5) * f.gap);
-    bool const up = f.sign > T(0);
-    T const largest = up ? f.upper_pole : T(f.upper_pole + half);
-    T const most = f.plain(up ? f.gap : T(0)) + T(up ? f.weights[1] : T(0)) +
+    auto const up = f.sign > T(0);
+    T const largest = select(up, f.upper_pole, T(f.upper_pole + half));
+    T const most = f.plain(select(up, f.gap, T(0))) + select(up, f.weights[1], T(0)) +
                    T(largest * T(f.weights[0] / half));
-    return most > T(0) ? minimum(half, T(f.upper / most)) : half;
+    return minimum(half, positive_quotient(f.upper, most, half));
+}
+
+/// The root at which a descent ended. A small distance from the lower pole has digits of its own.
+template <class T> PW85_FUNCTION inline PoleRoot<T> root_after_descent(PoleInterval<T> const &f,
+                                                                       T const &delta) noexcept
+{
+    T epsilon = T(f.gap - delta);
+    auto const is_lower = epsilon < delta;
+    if (any_of(is_lower)) {
+        auto const value = f.at(delta, epsilon);
+        T const better = maximum(T(epsilon - value.h / value.slope), T(T(0.5) * epsilon));
+        epsilon = select(is_lower, better, epsilon);
+    }
+    return {delta, epsilon, PoleRoot<T>::Place::between};
 }
 
 /// The root of h that is nearest to the upper pole. It is in the concave part, or it is the only
@@ -177,20 +217,13 @@ PW85_FUNCTION inline PoleRoot<T> highest_root(PoleInterval<T> const &f, bool upp
     if (delta == T(0)) delta = T(T(unit_roundoff<T>()) * half);
     // If only rounding errors make h positive at a pole that does not count, no root is below it.
     bool const starts_below = f.upper > T(0) || !(value_at_upper(f) > T(0));
-    if (starts_below && descend(f, delta)) {
-        T epsilon = T(f.gap - delta);
-        if (epsilon < delta) {
-            auto const value = f.at(delta, epsilon);
-            epsilon = maximum(T(epsilon - value.h / value.slope), T(T(0.5) * epsilon));
-        }
-        return {delta, epsilon, Place::between};
-    }
+    if (starts_below && descend(true, f, delta)) return root_after_descent(f, delta);
     T epsilon = start_of_ascent(f);
     if (!(epsilon > T(0))) {
         epsilon = T(T(unit_roundoff<T>()) * half);
         if (!(f.at(T(f.gap - epsilon), epsilon).h > T(0))) return {f.gap, T(0), Place::lower};
     }
-    if (!ascend(f, epsilon) && !(f.lower > T(0))) return {f.gap, T(0), Place::lower};
+    if (!ascend(true, f, epsilon) && !(f.lower > T(0))) return {f.gap, T(0), Place::lower};
     return {T(f.gap - epsilon), epsilon, Place::between};
 }
 
@@ -207,7 +240,7 @@ PW85_FUNCTION inline bool find_lowest_root(PoleInterval<T> const &f, PoleRoot<T>
                  T(f.weights[1] / f.gap +
                    (f.beyond > T(0) ? T(f.weights[2] / T(f.far_gap + f.gap)) : T(0))));
     T epsilon = start_of_ascent(f);
-    if (!(epsilon > T(0)) || !ascend(f, epsilon)) return false;
+    if (!(epsilon > T(0)) || !ascend(true, f, epsilon)) return false;
     root = {T(f.gap - epsilon), epsilon, Place::between};
     return true;
 }
@@ -231,11 +264,11 @@ PW85_FUNCTION inline Pencil<T, D> pencil(JointFrame<T, D> const &frame) noexcept
     for (int i = 0; i < D; ++i) {
         T const ratio = shortest / frame.axes[i];
         pencil.poles[i] = ratio / frame.axes[i];
-        pencil.b[i] = ratio * frame.center[i];
-        if (absolute(pencil.b[i]) < least)
-            pencil.b[i] = T(0);
-        else
-            pencil.weights[i] = T(shortest * T(frame.center[i] * frame.center[i]));
+        T const b = T(ratio * frame.center[i]);
+        auto const is_zero = absolute(b) < least;
+        pencil.b[i] = select(is_zero, T(0), b);
+        pencil.weights[i] =
+            select(is_zero, T(0), T(shortest * T(frame.center[i] * frame.center[i])));
     }
     return pencil;
 }
@@ -294,29 +327,40 @@ pole_interval(Pencil<T, D> const &p, PoleAxes<T> const &axes) noexcept
             sign};
 }
 
+/// t at a root.
+template <class T, int D> PW85_FUNCTION inline T
+parameter_of(Pencil<T, D> const &p, PoleAxes<T> const &axes, PoleRoot<T> const &root) noexcept
+{
+    return select(root.delta <= root.epsilon, T(p.poles[axes.upper] - axes.sign * root.delta),
+                  T(p.poles[axes.lower] + axes.sign * root.epsilon));
+}
+
+/// The vertex of a root between poles.
+template <class T, int D> PW85_FUNCTION inline Vertex<T, D>
+inner_vertex(Pencil<T, D> const &p, PoleAxes<T> const &axes, PoleRoot<T> const &root) noexcept
+{
+    auto const [lower, upper, beyond, sign] = axes;
+    Vertex<T, D> v{{}, T(1), parameter_of(p, axes, root)};
+    // p_i - t, times sign: -ε, δ and far_gap + δ.
+    v.x[lower] = -(T(sign * p.b[lower]) / root.epsilon);
+    if (any_of(root.delta > T(0))) v.x[upper] = T(sign * p.b[upper]) / root.delta;
+    if constexpr (D == 3) {
+        T const far_gap = T(sign * T(p.poles[beyond] - p.poles[upper]));
+        if (any_of(!(p.b[beyond] == T(0))))
+            v.x[beyond] = T(sign * p.b[beyond]) / T(far_gap + root.delta);
+    }
+    return normalized(v);
+}
+
 /// The vertex of a root.
 template <class T, int D> PW85_FUNCTION inline Vertex<T, D>
 vertex_of(Pencil<T, D> const &p, PoleAxes<T> const &axes, PoleRoot<T> const &root) noexcept
 {
     using Place = typename PoleRoot<T>::Place;
-    auto const [lower, upper, beyond, sign] = axes;
-    Vertex<T, D> v{{}, T(0), p.poles[lower]};
-    v.root = root.delta <= root.epsilon ? T(p.poles[upper] - sign * root.delta)
-                                        : T(p.poles[lower] + sign * root.epsilon);
-    if (root.place != Place::between) {
-        v.x[root.place == Place::upper ? upper : lower] = T(1);
-        return v;
-    }
-    // p_i - t, times sign: -ε, δ and far_gap + δ.
-    v.height = T(1);
-    v.x[lower] = -(T(sign * p.b[lower]) / root.epsilon);
-    v.x[upper] = root.delta > T(0) ? T(T(sign * p.b[upper]) / root.delta) : T(0);
-    if constexpr (D == 3) {
-        T const far_gap = T(sign * T(p.poles[beyond] - p.poles[upper]));
-        v.x[beyond] =
-            p.b[beyond] != T(0) ? T(T(sign * p.b[beyond]) / T(far_gap + root.delta)) : T(0);
-    }
-    return normalized(v);
+    if (root.place == Place::between) return inner_vertex(p, axes, root);
+    Vertex<T, D> v{{}, T(0), parameter_of(p, axes, root)};
+    v.x[root.place == Place::upper ? axes.upper : axes.lower] = T(1);
+    return v;
 }
 
 /// The vertex at the root nearest to the upper one of both poles.
@@ -451,6 +495,27 @@ PW85_FUNCTION inline bool counts_as_root(Pencil<T, 3> const &p, PoleAxes<T> cons
     return interval.gap > T(0) && value_at_upper(interval) >= T(0);
 }
 
+/// Makes two vertices orthogonal with respect to B.
+template <class T> PW85_FUNCTION inline void make_orthogonal(Vertex<T, 3> (&v)[2]) noexcept
+{
+    T const along = lorentz(v[0], v[1]);
+    v[1] = normalized(
+        Vertex<T, 3>{v[1].x - along * v[0].x, T(v[1].height - along * v[0].height), v[1].root});
+}
+
+/// Sets the vertices of an axis, and its direction.
+template <class T>
+PW85_FUNCTION inline void set_vertices(RimAxis<T, 3> &axis, Vertex<T, 3> const (&v)[2]) noexcept
+{
+    for (int i = 0; i < 2; ++i) {
+        axis.vertices[i] = v[i].x;
+        axis.heights[i] = v[i].height;
+        axis.roots[i] = v[i].root;
+    }
+    Vector<T, 3> const normal = cross(v[0].x, v[1].x);
+    axis.direction = normal / magnitude(normal);
+}
+
 /// The vertices w1 and w2 of RimAxis, made orthogonal with respect to B.
 template <class T>
 PW85_FUNCTION inline void find_vertices(Pencil<T, 3> p, RimAxis<T, 3> &axis) noexcept
@@ -469,33 +534,33 @@ PW85_FUNCTION inline void find_vertices(Pencil<T, 3> p, RimAxis<T, 3> &axis) noe
         if (!first && !second)
             axis.touches_at_end = give_pole_to_touching_vertex(p, axes, counts, v);
     }
-    T const along = lorentz(v[0], v[1]);
-    v[1] = normalized(
-        Vertex<T, 3>{v[1].x - along * v[0].x, T(v[1].height - along * v[0].height), v[1].root});
+    make_orthogonal(v);
     for (int i = 0; i < 2; ++i) {
         if (second) turn_back(v[i].x, 2, 1, turn2);
         if (first) turn_back(v[i].x, 0, 1, turn1);
-        axis.vertices[i] = v[i].x;
-        axis.heights[i] = v[i].height;
-        axis.roots[i] = v[i].root;
     }
-    Vector<T, 3> const normal = cross(v[0].x, v[1].x);
-    axis.direction = normal / magnitude(normal);
+    set_vertices(axis, v);
 }
 
-/// The axis of the rim. a_i·x = height_i are the planes that contain it, and a_i·a_j = δ_ij +
-/// height_i height_j. So its point next to the centre of the ball is Σ height_i a_i/(1 + Σ
-/// height_i²).
-template <class T, int D>
-PW85_FUNCTION inline RimAxis<T, D> rim_axis(Pencil<T, D> const &p) noexcept
+/// Sets the origin and the length of an axis from its vertices. a_i·x = height_i are the planes
+/// that contain it, and a_i·a_j = δ_ij + height_i height_j. So its point next to the centre of the
+/// ball is Σ height_i a_i/(1 + Σ height_i²).
+template <class T, int D> PW85_FUNCTION inline void set_origin(RimAxis<T, D> &axis) noexcept
 {
-    RimAxis<T, D> axis{};
-    find_vertices(p, axis);
     T sum = T(1);
     for (T const &height : axis.heights) sum = sum + height * height;
     for (int i = 0; i < D - 1; ++i)
         axis.origin = axis.origin + T(axis.heights[i] / sum) * axis.vertices[i];
     axis.half_chord = T(1) / square_root(sum);
+}
+
+/// The axis of the rim.
+template <class T, int D>
+PW85_FUNCTION inline RimAxis<T, D> rim_axis(Pencil<T, D> const &p) noexcept
+{
+    RimAxis<T, D> axis{};
+    find_vertices(p, axis);
+    set_origin(axis);
     return axis;
 }
 

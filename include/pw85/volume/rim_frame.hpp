@@ -16,6 +16,7 @@
 #ifndef PW85_VOLUME_RIM_FRAME_HPP_INCLUDED
 #define PW85_VOLUME_RIM_FRAME_HPP_INCLUDED
 
+#include <pw85/algebra/two_lanes.hpp>
 #include <pw85/volume/rim_axis.hpp>
 
 namespace pw85::detail {
@@ -38,8 +39,8 @@ template <class T, int D> struct BodyOnAxis {
 };
 
 /// Flags: true if that end of the common part of the axis is an end of the chord of the ball.
-struct AxisEnds {
-    bool ball_above, ball_below;
+template <class Mask> struct AxisEnds {
+    Mask ball_above, ball_below;
 };
 
 /// Data that all half-planes of a pair share: the two bodies, the ball first, and the quadratic
@@ -57,7 +58,7 @@ template <class T, int D> struct RimFrame {
     T heading[std::size_t(D - 1)];                            ///< the unit vector along the heights
     /// t = 2h √Σ height² = 2√(1 - h²), and 2 - t
     T tilt, clearance;
-    AxisEnds ends;
+    AxisEnds<typename ScalarTraits<T>::Mask> ends;
 };
 
 /// The ball, for which ℓ is perpendicular to o and to all g_i.
@@ -113,7 +114,7 @@ body_on_axis(Vector<T, D> const &direction, Vector<T, D> const &origin,
 /// the rounded numbers.
 template <class T> PW85_FUNCTION constexpr T common_end() noexcept
 {
-    if constexpr (std::is_floating_point_v<T>) return T(0);
+    if constexpr (std::is_floating_point_v<typename ScalarTraits<T>::Lane>) return T(0);
     return negative_power_of_two<T>(2 * mantissa_digits<T>() / 3);
 }
 
@@ -133,8 +134,8 @@ set_ends(BodyOnAxis<T, D> &other, T const &half_chord, T const &nearest) noexcep
     other.below = T(-half_chord - other.low);
     if constexpr (D == 3) {
         T const limit = T(nearest * half_chord);
-        if (absolute(other.above) <= limit) other.above = T(0);
-        if (absolute(other.below) <= limit) other.below = T(0);
+        other.above = select(absolute(other.above) <= limit, T(0), other.above);
+        other.below = select(absolute(other.below) <= limit, T(0), other.below);
     }
 }
 
@@ -148,14 +149,24 @@ set_ends(BodyOnAxis<T, D> &other, T const &half_chord, T const &nearest) noexcep
 /// common end. The volume is a continuous function of α and γ, so an end which is common by
 /// rounding alone is not special. Where both ends are common, the rim passes through the lower one
 /// in half-planes in which the other body is inside the ball, and through the upper one elsewhere.
-template <class T, int D>
-PW85_FUNCTION inline AxisEnds axis_ends(BodyOnAxis<T, D> const &other) noexcept
+///
+/// Lanes leave pairs with a common end over (has_common_end()).
+template <class T, int D> PW85_FUNCTION inline AxisEnds<typename ScalarTraits<T>::Mask>
+axis_ends(BodyOnAxis<T, D> const &other) noexcept
 {
-    bool const above = other.above<T(0), below = other.below> T(0);
-    if (other.above == T(0) && other.below == T(0)) return {false, true}; // as α > 0 > γ
-    if (other.above == T(0)) return {!below, below};
-    if (other.below == T(0)) return {above, !above};
+    auto const above = other.above<T(0), below = other.below> T(0);
+    if constexpr (ScalarTraits<T>::lanes == 1) {
+        if (other.above == T(0) && other.below == T(0)) return {false, true}; // as α > 0 > γ
+        if (other.above == T(0)) return {!below, below};
+        if (other.below == T(0)) return {above, !above};
+    }
     return {above, below};
+}
+
+template <class T, int D> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
+has_common_end(BodyOnAxis<T, D> const &other) noexcept
+{
+    return other.above == T(0) || other.below == T(0);
 }
 
 /// α and γ over the square of the stretch of the axis. In space they are not zero: each half-plane
@@ -168,7 +179,7 @@ template <class T, int D> PW85_FUNCTION inline AxisProducts<T>
 axis_products(BodyOnAxis<T, D> const &other, T const &h) noexcept
 {
     T const alpha = T(other.above * T(h - other.low)), gamma = T(T(h + other.high) * -other.below);
-    if constexpr (D == 3) {
+    if constexpr (D == 3 && ScalarTraits<T>::lanes == 1) {
         T const shift = shifted_end<T>();
         if (other.above == T(0) && other.below == T(0))
             return {T(shift * T(h * h)), T(-shift * T(h * h))};
@@ -190,22 +201,23 @@ set_rim_equation(RimFrame<T, D> &rim, RimAxis<T, D> const &axis, T const &shorte
     T const h = rim.half_chord, scale = T(shortest / other.stretch) / other.stretch,
             inside = T(other.high * other.low);
     auto const [alpha, gamma] = axis_products(other, h);
-    T const sign = alpha < T(0) || (alpha == T(0) && gamma > T(0)) ? T(-1) : T(1),
+    T const sign = select(alpha < T(0) || (alpha == T(0) && gamma > T(0)), T(-1), T(1)),
             product = T(alpha * gamma);
     rim.alpha = sign * alpha;
     rim.gamma = sign * gamma;
-    rim.least = product > T(0) ? T(T(2) * square_root(product)) : T(0);
+    rim.least = T(2) * square_root(maximum(product, T(0)));
     T const mean = T(T(2) * T(h * h - inside)),
             chord = T(T(T(4) * h) * T(other.half_chord / other.stretch));
-    T const rest = sign > T(0) && rim.least > T(0) ? T(T(chord * chord) / T(mean + rim.least))
-                                                   : T(sign * mean - rim.least);
+    auto const is_small = sign > T(0) && rim.least > T(0);
+    T rest = sign * mean - rim.least;
+    if (any_of(is_small)) rest = select(is_small, T(T(chord * chord) / T(mean + rim.least)), rest);
     for (int i = 0; i < D - 1; ++i)
         rim.excess[i] = rest - T(T(T(4) * sign) * T(h * h)) * T(scale * axis.roots[i]);
     // Where there are two rims, T is below `least` by rounding errors alone. The rims then
     // coincide.
     if constexpr (D == 3)
-        if (rim.least > T(0))
-            for (T &excess : rim.excess) excess = maximum(excess, T(0));
+        for (T &excess : rim.excess)
+            excess = select(rim.least > T(0), maximum(excess, T(0)), excess);
 }
 
 /// Sets tilt, clearance and heading. A half-plane has 2 + tilt = clearance + ½ t |heading +
@@ -218,7 +230,7 @@ template <class T, int D> PW85_FUNCTION inline void set_tilt(RimFrame<T, D> &rim
     rim.tilt = T(T(2) * half_tilt);
     rim.clearance = T(T(2) * T(rim.half_chord * rim.half_chord)) / T(T(1) + half_tilt);
     for (int i = 0; i < D - 1; ++i)
-        rim.heading[i] = length > T(0) ? T(rim.heights[i] / length) : T(i == 0 ? 1 : 0);
+        rim.heading[i] = positive_quotient(rim.heights[i], length, T(i == 0 ? 1 : 0));
 }
 
 template <class T, int D> PW85_FUNCTION inline RimFrame<T, D>
@@ -337,8 +349,8 @@ inline constexpr double shortest_axis = 0.375;
 inline constexpr double largest_distance_of_rim = 16.0;
 
 /// Tests whether the digits of the result are enough for the rim.
-template <class T> PW85_FUNCTION inline bool is_rim_accurate(JointFrame<T, 3> const &frame,
-                                                             T const &half_chord) noexcept
+template <class T> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
+is_rim_accurate(JointFrame<T, 3> const &frame, T const &half_chord) noexcept
 {
     T const square = T(half_chord * half_chord);
     return half_chord >= T(shortest_axis) &&
@@ -358,16 +370,17 @@ inline constexpr double nearest_rims = 0x1p-26;
 /// Tests if the digits of the result are enough for a rim near an end of the axis, or near touching
 /// itself. A rim passes near an end in some half-planes and not in the other ones if T changes its
 /// sign.
-template <class T>
-PW85_FUNCTION inline bool is_rim_apart_from_ends(RimFrame<T, 3> const &rim) noexcept
+template <class T> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
+is_rim_apart_from_ends(RimFrame<T, 3> const &rim) noexcept
 {
     auto const &other = rim.bodies[1];
     T const distance = minimum(absolute(other.above), absolute(other.below)) / rim.half_chord;
     T const limit = T(nearest_rims), t1 = T(rim.excess[0] + rim.least),
             t2 = T(rim.excess[1] + rim.least);
-    if (!(T(t1 * t2) > T(0))) return distance >= T(nearest_ends);
-    return distance >= limit && absolute(rim.excess[0]) >= T(limit * absolute(t1)) &&
-           absolute(rim.excess[1]) >= T(limit * absolute(t2));
+    auto const has_one_sign = T(t1 * t2) > T(0);
+    return distance >= select(has_one_sign, limit, T(nearest_ends)) &&
+           (!has_one_sign || (absolute(rim.excess[0]) >= T(limit * absolute(t1)) &&
+                              absolute(rim.excess[1]) >= T(limit * absolute(t2))));
 }
 
 template <class T>
@@ -409,29 +422,60 @@ template <class T, int D>
 PW85_FUNCTION inline RimRoots<T> rim_roots(RimFrame<T, D> const &rim, T const &excess) noexcept
 {
     T const two_alpha = T(T(2) * rim.alpha), two_gamma = T(T(2) * rim.gamma);
-    if (rim.least > T(0)) {
-        T const above = maximum(excess, T(0));
-        T const sum = above + rim.least + square_root(T(above * T(above + T(2) * rim.least)));
-        return {{sum, two_gamma}, {two_alpha, sum}};
-    }
-    T const root = square_root(T(excess * excess - two_alpha * two_gamma));
-    if (excess > T(0)) return {{T(excess + root), T(0)}, {two_alpha, T(1)}};
-    return {{-two_gamma, T(0)}, {T(root - excess), T(1)}};
+    auto const two = rim.least > T(0), is_positive = excess > T(0);
+    T const above = maximum(excess, T(0));
+    T const root = square_root(select(two, T(above * T(above + T(2) * rim.least)),
+                                      T(excess * excess - two_alpha * two_gamma)));
+    T const sum = above + rim.least + root;
+    return {{select(two || is_positive, sum, T(-two_gamma)), select(two, two_gamma, T(0))},
+            {select(two || is_positive, two_alpha, T(root - excess)), select(two, sum, T(1))}};
+}
+
+/// Selects both lanes by one mask of a pack.
+template <class T>
+requires(ScalarTraits<T>::lanes > 1) PW85_FUNCTION
+    constexpr TwoLanes<T> select(typename ScalarTraits<T>::Mask const &mask, TwoLanes<T> const &yes,
+                                 TwoLanes<T> const &no) noexcept
+{
+    return {select(mask, yes.first, no.first), select(mask, yes.second, no.second)};
+}
+
+/// The number of a pair, or of one pair per lane, for a type that has a number for each of its two
+/// half-planes.
+template <class T> struct NumberOfPair {
+    using type = T;
+};
+template <class T> struct NumberOfPair<TwoLanes<T>> {
+    using type = T;
+};
+
+/// Tests if T has the numbers of one pair. Packs leave pairs with two rims over.
+template <class T> inline constexpr bool may_have_two_rims =
+    ScalarTraits<typename NumberOfPair<T>::type>::lanes == 1;
+
+/// The mask that two half-planes of a pair share.
+template <class T> using RowMask = typename ScalarTraits<typename NumberOfPair<T>::type>::Mask;
+
+/// x == y for masks.
+template <class Mask> PW85_FUNCTION inline Mask are_equal(Mask const &x, Mask const &y) noexcept
+{
+    return (x && y) || !(x || y);
 }
 
 /// A root Z as q = min(√Z, 1/√Z), with the square of q.
 template <class T> struct RimRoot {
     T q, square;
-    bool up; ///< Z >= 1
+    RowMask<T> up; ///< Z >= 1
 };
 
 template <class T>
 PW85_FUNCTION inline RimRoot<T> rim_root(RimRoots<T> const &roots, int k) noexcept
 {
     T const numerator = roots.numerators[k], denominator = roots.denominators[k];
-    bool const up = numerator >= denominator;
-    T const larger = up ? numerator : denominator, smaller = up ? denominator : numerator;
-    T const square = larger > T(0) ? T(smaller / larger) : T(1);
+    auto const up = numerator >= denominator;
+    T const larger = select(up, numerator, denominator),
+            smaller = select(up, denominator, numerator);
+    T const square = positive_quotient(smaller, larger, T(1));
     return {square_root(square), square, up};
 }
 

@@ -21,8 +21,8 @@ namespace pw85::detail {
 /// rule.
 template <class T> struct RimPoint {
     T z, rho, dz, drho;
-    T gap;   ///< h - |z|, the distance from the end of the ball's axis that is nearer along it
-    bool up; ///< true if this is the upper end
+    T gap; ///< h - |z|, the distance from the end of the ball's axis that is nearer along it
+    RowMask<T> up; ///< true if this is the upper end
 };
 
 /// A half-plane, with the derivative of its direction by the parameter.
@@ -46,7 +46,7 @@ template <class T> PW85_FUNCTION inline RimPoint<T> rim_point(RimRoot<T> const &
         rest = T(T(1) - q);
     T const scale = T(1) / T(rest * rest + plane.lift * q),
             rho = T(T(T(2) * q) * T(half_chord * scale));
-    T const speed = root.up ? half_log_derivative : T(-half_log_derivative);
+    T const speed = select(root.up, half_log_derivative, T(-half_log_derivative));
     T const drho =
         T(-rho) * T(T(T(rest * T(T(1) + q)) * speed + q * plane.tilt_derivative) * scale);
     // h - |z| = ρ (q + tilt/2): near an end of the axis all terms of the integrands are small, and
@@ -54,8 +54,8 @@ template <class T> PW85_FUNCTION inline RimPoint<T> rim_point(RimRoot<T> const &
     T const ratio = T(T(0.5) * plane.lift) - rest, gap = T(rho * ratio);
     T const change = drho * ratio + rho * T(T(T(0.5) * plane.tilt_derivative) - q * speed),
             z = half_chord - gap;
-    if (root.up) return {z, rho, -change, drho, gap, true};
-    return {-z, rho, change, drho, gap, false};
+    return {
+        select(root.up, z, T(-z)), rho, select(root.up, T(-change), change), drho, gap, root.up};
 }
 
 /// a·w of a row.
@@ -69,52 +69,73 @@ template <class T> struct PointOnBody {
     T along, s, ds, twist, twist_derivative, square;
 };
 
-template <class T>
+/// The ball has start 0, stretch 1, and `along` 0 (ball_on_axis()).
+template <bool is_ball, class T>
 PW85_FUNCTION inline PointOnBody<T> point_on_body(BodyOnAxis<T, 3> const &body,
                                                   MovingHalfPlane<T> const &plane,
                                                   RimPoint<T> const &p) noexcept
 {
+    T const twist = linear_form(body.twists, plane.weights),
+            twist_derivative = linear_form(body.twists, plane.derivatives),
+            square = T(p.rho * p.rho);
+    if constexpr (is_ball) return {T(0), p.z, p.dz, twist, twist_derivative, square};
     T const along = linear_form(body.along, plane.weights);
     return {along,
             body.start + body.stretch * p.z + along * p.rho,
             body.stretch * p.dz + along * p.drho +
                 linear_form(body.along, plane.derivatives) * p.rho,
-            linear_form(body.twists, plane.weights),
-            linear_form(body.twists, plane.derivatives),
-            T(p.rho * p.rho)};
+            twist,
+            twist_derivative,
+            square};
 }
 
-/// A point relative to the upper end of the chord (side = 1) or the lower one (side = -1): its
-/// coordinate along the axis, and its squared distance.
+/// The upper or the lower end of the chord of a body.
+template <class T> struct ChordEnd {
+    T side;           ///< 1 for the upper one, -1 for the lower one
+    T beyond, height; ///< z of the end of the ball's axis less z of this end, and z of this end
+    RowMask<T> is_upper;
+};
+
+template <class T> PW85_FUNCTION inline ChordEnd<T> chord_end(BodyOnAxis<T, 3> const &body,
+                                                              RowMask<T> const &is_upper) noexcept
+{
+    return {select(is_upper, T(1), T(-1)), select(is_upper, body.above, body.below),
+            select(is_upper, body.high, body.low), is_upper};
+}
+
+/// A point relative to an end of the chord: its coordinate along the axis, and its squared
+/// distance.
 template <class T> struct PointFromEnd {
     T s, distance2;
 };
 
-template <class T>
-PW85_FUNCTION inline PointFromEnd<T> from_end(BodyOnAxis<T, 3> const &body,
-                                              MovingHalfPlane<T> const &plane, RimPoint<T> const &p,
-                                              PointOnBody<T> const &on, int side) noexcept
+template <bool is_ball, class T> PW85_FUNCTION inline PointFromEnd<T>
+from_end(BodyOnAxis<T, 3> const &body, MovingHalfPlane<T> const &plane, RimPoint<T> const &p,
+         PointOnBody<T> const &on, ChordEnd<T> const &end) noexcept
 {
-    T const z = p.up == (side > 0) ? T((side > 0 ? body.above : body.below) - T(T(side) * p.gap))
-                                   : T(p.z - (side > 0 ? body.high : body.low));
-    T const s = body.stretch * z + on.along * p.rho;
+    T const z = select(are_equal(p.up, end.is_upper), T(end.beyond - end.side * p.gap),
+                       T(p.z - end.height));
+    T s = z;
+    if constexpr (!is_ball) s = body.stretch * z + on.along * p.rho;
     T const kappa2 = T(plane.weights[0] * T(plane.weights[0] * body.products[0][0] +
                                             T(2) * T(plane.weights[1] * body.products[0][1]))) +
                      T(T(plane.weights[1] * plane.weights[1]) * body.products[1][1]);
     return {s, T(kappa2 * on.square + s * s)};
 }
 
-/// 2 e·(d × dy)/|d|² for the upper end of the chord (side = 1) or the lower one (side = -1).
+/// 2 e·(d × dy)/|d|² for an end of the chord.
 ///
 /// A is ∮ 2 e·(dy × d)/|d|² with d = y - e, if e is a point of the unit sphere outside of a part
 /// with one rim that is traversed counterclockwise. e is one of the ends of the chord on the axis.
-template <class T>
+template <bool is_ball, class T>
 PW85_FUNCTION inline T area_beyond(BodyOnAxis<T, 3> const &body, MovingHalfPlane<T> const &plane,
-                                   RimPoint<T> const &p, T const &turn, int side) noexcept
+                                   RimPoint<T> const &p, T const &turn,
+                                   RowMask<T> const &is_upper) noexcept
 {
-    auto const on = point_on_body(body, plane, p);
-    auto const [s, distance2] = from_end(body, plane, p, on, side);
-    T const h = T(T(side) * body.half_chord);
+    auto const on = point_on_body<is_ball>(body, plane, p);
+    auto const end = chord_end(body, is_upper);
+    auto const [s, distance2] = from_end<is_ball>(body, plane, p, on, end);
+    T const h = T(end.side * body.half_chord);
     T const numerator = T(h * T(on.square * turn)) - T(s * p.drho - p.rho * on.ds) * on.twist -
                         T(T(s * p.rho) * on.twist_derivative);
     return T(T(numerator + numerator) / distance2);
@@ -124,16 +145,16 @@ PW85_FUNCTION inline T area_beyond(BodyOnAxis<T, 3> const &body, MovingHalfPlane
 /// integrands of area_beyond() with both ends. In closed form it is (f·m a + h² s k·m)/(a² - h²s²),
 /// with m = y × dy, a = h² - f·ρg⊥, and with k, f, s and h of rim_frame.hpp. That form is taken
 /// where the mean may be small: in the middle of the chord. Near its ends that form cancels.
-template <class T> PW85_FUNCTION inline T area_between(BodyOnAxis<T, 3> const &body,
-                                                       MovingHalfPlane<T> const &plane,
-                                                       RimPoint<T> const &p, T const &turn) noexcept
+template <bool is_ball, class T>
+PW85_FUNCTION inline T area_between(BodyOnAxis<T, 3> const &body, MovingHalfPlane<T> const &plane,
+                                    RimPoint<T> const &p, T const &turn) noexcept
 {
-    auto const on = point_on_body(body, plane, p);
+    auto const on = point_on_body<is_ball>(body, plane, p);
     auto const is_outer = absolute(on.s) > T(T(0.5) * body.half_chord);
     T mean = T(0);
     if (any_of(is_outer))
-        mean = T(T(0.5) *
-                 T(area_beyond(body, plane, p, turn, 1) + area_beyond(body, plane, p, turn, -1)));
+        mean = T(T(0.5) * T(area_beyond<is_ball>(body, plane, p, turn, true) +
+                            area_beyond<is_ball>(body, plane, p, turn, false)));
     if (all_of(is_outer)) return mean;
     T const h2 = T(body.half_chord * body.half_chord);
     T const foot =
@@ -153,42 +174,46 @@ template <class T> PW85_FUNCTION inline T area_between(BodyOnAxis<T, 3> const &b
 /// other side of the rim, and the rest of the whole surface is that of the side of e. A part
 /// between two rims is what two caps leave of the whole surface. Both differences err by a few u of
 /// the whole surface. They are taken only if the body is not much larger than the ball.
-struct AreaRule {
-    bool above, below; ///< true if that end of the common part of the axis is the body's
-    int side;          ///< of the end e for one rim: 1 for the upper end
-    bool is_rest;      ///< true if the area is the rest of the surface
+template <class Mask> struct AreaRule {
+    Mask above, below; ///< true if that end of the common part of the axis is the body's
+    Mask is_upper;     ///< true if the end e for one rim is the upper end
+    Mask is_rest;      ///< true if the area is the rest of the surface
+
+    PW85_MEMBER Mask has_two_rims() const noexcept { return are_equal(above, below); }
 };
 
 /// The largest volume of a body, in units of the ball, for which a part may be the rest of caps. An
 /// error of u of the surface changes the volume by u times this, and the bound has 64 u.
 inline constexpr double largest_volume_of_rest = 8.0;
 
-template <class T>
-PW85_FUNCTION inline AreaRule area_rule(RimFrame<T, 3> const &rim, int body) noexcept
+template <class T> PW85_FUNCTION inline AreaRule<typename ScalarTraits<T>::Mask>
+area_rule(RimFrame<T, 3> const &rim, int body) noexcept
 {
-    bool const above = rim.ends.ball_above == (body == 0),
-               below = rim.ends.ball_below == (body == 0);
-    return {above, below, above == below ? 0 : above ? -1 : 1, false};
+    auto const [ball_above, ball_below] = rim.ends;
+    auto const none = ball_above && !ball_above;
+    if (body == 0) return {ball_above, ball_below, !ball_above, none};
+    return {!ball_above, !ball_below, ball_above, none};
 }
 
 /// The area of the part of a body at one or two points, or of the rest of the surface with the
 /// opposite sign.
-template <class T>
+template <bool is_ball, class T>
 PW85_FUNCTION inline T area_integrand(BodyOnAxis<T, 3> const &body, MovingHalfPlane<T> const &plane,
                                       RimPoint<T> const (&points)[2], T const &speed,
-                                      AreaRule const &rule) noexcept
+                                      AreaRule<RowMask<T>> const &rule) noexcept
 {
     T const turn = T(speed * body.turn);
-    if (rule.side != 0) {
-        T const area = area_beyond(body, plane, points[0], turn, rule.side);
-        return rule.above ? -area : area;
-    }
-    if (!rule.above && !rule.is_rest)
-        return area_between(body, plane, points[0], turn) -
-               area_between(body, plane, points[1], turn);
-    T const caps = area_beyond(body, plane, points[1], turn, 1) -
-                   area_beyond(body, plane, points[0], turn, -1);
-    return rule.above ? caps : -caps;
+    if constexpr (may_have_two_rims<T>)
+        if (rule.has_two_rims()) {
+            if (!rule.above && !rule.is_rest)
+                return area_between<is_ball>(body, plane, points[0], turn) -
+                       area_between<is_ball>(body, plane, points[1], turn);
+            T const caps = area_beyond<is_ball>(body, plane, points[1], turn, true) -
+                           area_beyond<is_ball>(body, plane, points[0], turn, false);
+            return rule.above ? caps : -caps;
+        }
+    T const area = area_beyond<is_ball>(body, plane, points[0], turn, rule.is_upper);
+    return select(rule.above, T(-area), area);
 }
 
 /// The components of X × dX along ℓ × g1, ℓ × g2 and g1 × g2.
@@ -207,31 +232,61 @@ PW85_FUNCTION inline RimRoot<TwoLanes<T>> in_lanes(RimRoot<T> const &root) noexc
     return {TwoLanes<T>(root.q), TwoLanes<T>(root.square), root.up};
 }
 
+/// The numbers of a body for the two half-planes of a pair.
+template <class T>
+PW85_FUNCTION inline BodyOnAxis<TwoLanes<T>, 3> side_by_side(BodyOnAxis<T, 3> const &body) noexcept
+{
+    return converted_by<TwoLanes<T>>([](T const &x) { return TwoLanes<T>(x); }, body);
+}
+
 /// Data of all integrands: the rim, the common part of its axis, and both bodies for the two
-/// half-planes of a pair, which are computed side by side.
+/// half-planes of a pair, which are computed side by side. Packs of numbers need no copies of the
+/// bodies.
 template <class T> struct RimIntegration {
+    struct Nothing {};
+    static constexpr bool has_copies = ScalarTraits<T>::lanes == 1;
     using Two = TwoLanes<T>;
+    using Mask = typename ScalarTraits<T>::Mask;
 
     RimFrame<T, 3> rim;
-    BodyOnAxis<Two, 3> bodies[2];
-    AreaRule rules[2];
+    std::conditional_t<has_copies, BodyOnAxis<Two, 3>, Nothing> bodies[2];
+    AreaRule<typename ScalarTraits<T>::Mask> rules[2];
+
+    PW85_MEMBER decltype(auto) numbers_of(int k) const noexcept
+    {
+        if constexpr (has_copies)
+            return (bodies[k]);
+        else
+            return side_by_side(rim.bodies[k]);
+    }
+
+    /// Tests if both ends of the axis belong to one body.
+    PW85_MEMBER Mask is_of_one_body() const noexcept
+    {
+        return are_equal(rim.ends.ball_above, rim.ends.ball_below);
+    }
+
+    PW85_MEMBER bool has_two_rims() const noexcept
+    {
+        if constexpr (may_have_two_rims<T>)
+            return is_of_one_body();
+        else
+            return false;
+    }
 
     /// Tests if the chords of the axis are disjoint and there is no rim. The ellipsoids then touch
     /// from outside to rounding, and the common part counts as empty.
-    PW85_MEMBER bool is_empty() const noexcept
-    {
-        return rim.ends.ball_above != rim.ends.ball_below && rim.least > T(0);
-    }
+    PW85_MEMBER Mask is_empty() const noexcept { return !is_of_one_body() && rim.least > T(0); }
 
     /// Tests whether there is no rim because both ends of the axis belong to one body and T is at
     /// most `least` in all half-planes. Up to rounding, this body is inside the other one.
-    PW85_MEMBER bool is_whole() const noexcept
+    PW85_MEMBER Mask is_whole() const noexcept
     {
-        return rim.ends.ball_above == rim.ends.ball_below && rim.least > T(0) &&
-               !(rim.excess[0] > T(0)) && !(rim.excess[1] > T(0));
+        return is_of_one_body() && rim.least > T(0) && !(rim.excess[0] > T(0)) &&
+               !(rim.excess[1] > T(0));
     }
 
-    PW85_MEMBER bool has_no_rim() const noexcept { return is_empty() || is_whole(); }
+    PW85_MEMBER Mask has_no_rim() const noexcept { return is_empty() || is_whole(); }
 
     /// Returns the area of the whole body over 2π and the radius of the metric, or nothing for the
     /// other one, where there is no rim.
@@ -240,39 +295,52 @@ template <class T> struct RimIntegration {
         return is_whole() && rim.ends.ball_above == (body == 0) ? T(T(2) * radius) : T(0);
     }
 
-    /// Calls add(plane, points, speed) with both half-planes of a pair.
-    template <class Add>
-    PW85_MEMBER void for_both(RimDirection<T> const &pair, Add const &add) const noexcept
+    /// Calls add(plane, points, speed) with both half-planes of a pair, and with those of its
+    /// mirror image. These have the same roots.
+    template <class Add> PW85_MEMBER void for_each(RimDirection<T> const &pair, bool has_image,
+                                                   Add const &add) const noexcept
     {
-        auto const roots = rim_roots(rim, pair.excess);
+        auto const both = rim_roots(rim, pair.excess);
+        RimRoot<Two> const first = in_lanes(rim_root(both, 0));
+        RimRoot<Two> const roots[2] = {first, has_two_rims() ? in_lanes(rim_root(both, 1)) : first};
+        auto image = pair;
+        image.direction.sine = -pair.direction.sine;
+        for (int k = 0; k < (has_image ? 2 : 1); ++k) for_both(k == 0 ? pair : image, roots, add);
+    }
+
+    /// Calls add(plane, points, speed) with both half-planes of a pair.
+    template <class Add> PW85_MEMBER void for_both(RimDirection<T> const &pair,
+                                                   RimRoot<Two> const (&roots)[2],
+                                                   Add const &add) const noexcept
+    {
         T const c = pair.direction.cosine, s = pair.direction.sine;
         Two const speed(T(T(pair.pace * T(rim.excess[1] - rim.excess[0])) * T(c * s)));
-        bool const two = rim.ends.ball_above == rim.ends.ball_below;
         Two const x(c, -c), y(s, -s), w(pair.weight), tilt(rim.tilt), half_chord(rim.half_chord);
         Two const heading0(rim.heading[0]), heading1(rim.heading[1]);
         Two const v0 = heading0 + x, v1 = heading1 + y;
         Two const turn = tilt * w * (v0 * heading1 - v1 * heading0);
         Two const lift = Two(rim.clearance) + Two(T(0.5)) * tilt * (v0 * v0 + v1 * v1);
         MovingHalfPlane<Two> const plane{{x, y}, {-(w * y), w * x}, lift, turn};
-        RimPoint<Two> points[2] = {
-            rim_point(in_lanes(rim_root(roots, 0)), speed, plane, half_chord), {}};
-        points[1] =
-            two ? rim_point(in_lanes(rim_root(roots, 1)), -speed, plane, half_chord) : points[0];
+        RimPoint<Two> points[2] = {rim_point(roots[0], speed, plane, half_chord), {}};
+        points[1] = has_two_rims() ? rim_point(roots[1], -speed, plane, half_chord) : points[0];
         add(plane, points, w);
     }
 
     /// Returns the areas A1 and, over the radius of the metric, A2.
-    PW85_MEMBER T area(int body, MovingHalfPlane<Two> const &plane,
-                       RimPoint<Two> const (&points)[2], Two const &speed) const noexcept
+    template <int k> PW85_MEMBER T area(MovingHalfPlane<Two> const &plane,
+                                        RimPoint<Two> const (&points)[2],
+                                        Two const &speed) const noexcept
     {
-        return sum_of_lanes(area_integrand(bodies[body], plane, points, speed, rules[body]));
+        // a copy of the code for the ball takes 28 kB of wider numbers
+        constexpr bool is_ball = k == 0 && std::is_floating_point_v<typename ScalarTraits<T>::Lane>;
+        return sum_of_lanes(area_integrand<is_ball>(numbers_of(k), plane, points, speed, rules[k]));
     }
 
     /// Summand that completes the mean of area(): the area of a whole sphere of this radius over 2π
     /// and the radius, or nothing.
     PW85_MEMBER T whole(int body, T const &radius) const noexcept
     {
-        return rules[body].is_rest ? T(T(2) * radius) : T(0);
+        return select(rules[body].is_rest, T(T(2) * radius), T(0));
     }
 
     /// Returns the least squared distance of an end of a body from the rim in the planes of the
@@ -282,12 +350,15 @@ template <class T> struct RimIntegration {
         T least = T(64); // above the square of a diameter of bodies of this volume
         for (int vertex = 0; vertex < 2; ++vertex) {
             RimDirection<T> const pair{{T(1 - vertex), T(vertex)}, T(0), T(0), rim.excess[vertex]};
-            for_both(pair, [&](MovingHalfPlane<Two> const &plane, RimPoint<Two> const(&points)[2],
-                               Two const &) {
-                auto const on = point_on_body(bodies[body], plane, points[0]);
-                Two const distance2 = from_end(bodies[body], plane, points[0], on, side).distance2;
-                least = minimum(least, minimum(first_of(distance2), second_of(distance2)));
-            });
+            for_each(pair, false,
+                     [&](MovingHalfPlane<Two> const &plane, RimPoint<Two> const(&points)[2],
+                         Two const &) {
+                         auto const on = point_on_body<false>(bodies[body], plane, points[0]);
+                         auto const end = chord_end(bodies[body], side > 0);
+                         Two const distance2 =
+                             from_end<false>(bodies[body], plane, points[0], on, end).distance2;
+                         least = minimum(least, minimum(first_of(distance2), second_of(distance2)));
+                     });
         }
         return least;
     }
@@ -295,30 +366,28 @@ template <class T> struct RimIntegration {
     /// Takes the ends that are farther from a rim that is near an end of the axis.
     PW85_MEMBER void take_farther_ends(int body) noexcept
     {
-        auto &[above, below, side, is_rest] = rules[body];
-        if (side == 0) {
-            is_rest = !above;
+        auto &rule = rules[body];
+        if (rule.has_two_rims()) {
+            rule.is_rest = !rule.above;
             return;
         }
-        bool const is_upper = distance_from_end(body, 1) > distance_from_end(body, -1);
-        is_rest = above == is_upper;
-        side = is_upper ? 1 : -1;
+        rule.is_upper = distance_from_end(body, 1) > distance_from_end(body, -1);
+        rule.is_rest = rule.above == rule.is_upper;
     }
 };
 
 template <class T> PW85_FUNCTION inline RimIntegration<T>
 rim_integration(JointFrame<T, 3> const &frame, RimFrame<T, 3> const &rim) noexcept
 {
-    auto const side_by_side = [](T const &x) { return TwoLanes<T>(x); };
-    RimIntegration<T> integration{rim,
-                                  {converted_by<TwoLanes<T>>(side_by_side, rim.bodies[0]),
-                                   converted_by<TwoLanes<T>>(side_by_side, rim.bodies[1])},
-                                  {area_rule(rim, 0), area_rule(rim, 1)}};
-    if (!is_rim_apart_from_ends(rim)) {
-        integration.take_farther_ends(0);
-        if (T(T(frame.axes[0] * frame.axes[1]) * frame.axes[2]) <= T(largest_volume_of_rest))
-            integration.take_farther_ends(1);
-    }
+    RimIntegration<T> integration{rim, {}, {area_rule(rim, 0), area_rule(rim, 1)}};
+    if constexpr (RimIntegration<T>::has_copies)
+        for (int k = 0; k < 2; ++k) integration.bodies[k] = side_by_side(rim.bodies[k]);
+    if constexpr (ScalarTraits<T>::lanes == 1)
+        if (!is_rim_apart_from_ends(rim)) {
+            integration.take_farther_ends(0);
+            if (T(T(frame.axes[0] * frame.axes[1]) * frame.axes[2]) <= T(largest_volume_of_rest))
+                integration.take_farther_ends(1);
+        }
     return integration;
 }
 
@@ -333,7 +402,7 @@ PW85_FUNCTION inline RimIntegration<T> rim_integration(JointFrame<T, 3> const &f
 template <class T>
 PW85_FUNCTION inline T fraction_of(T const &difference, T const &scale, T const &floor) noexcept
 {
-    return difference <= floor ? T(0) : T(difference / scale);
+    return select(difference <= floor, T(0), T(difference / scale));
 }
 
 /// A change of 3V by this much, with the ball as unit, is below rounding: V changes by less than 22
@@ -369,40 +438,73 @@ template <class T> struct VolumeTerms {
     bool converged;
 };
 
+/// The integrands of the terms.
+template <class T> struct VolumeIntegrands {
+    using Two = TwoLanes<T>;
+
+    RimIntegration<T> const &integration;
+    T scale, sign; ///< D over the radius of the metric, and ½ with the sign of the flux
+    Vector<Two, 3> flux;
+
+    PW85_MEMBER void add(RimDirection<T> const &pair, bool has_image,
+                         RimSums<T, 3> &sums) const noexcept
+    {
+        integration.for_each(
+            pair, has_image,
+            [&](MovingHalfPlane<Two> const &plane, RimPoint<Two> const(&points)[2],
+                Two const &speed) {
+                sums.numbers[0] =
+                    sums.numbers[0] + integration.template area<0>(plane, points, speed);
+                sums.numbers[1] =
+                    sums.numbers[1] + scale * integration.template area<1>(plane, points, speed);
+                Two flow = dot(flux, swept(plane, points[0], points[0].z, speed));
+                if (integration.has_two_rims())
+                    flow = flow - dot(flux, swept(plane, points[1], points[1].z, speed));
+                sums.numbers[2] = sums.numbers[2] + sign * sum_of_lanes(flow);
+            });
+    }
+
+    PW85_MEMBER static T change(RimSums<T, 3> const &x, RimSums<T, 3> const &y) noexcept
+    {
+        auto const of = [&](int i) { return absolute(T(x.numbers[i] - y.numbers[i])); };
+        return fraction_of_areas({x.numbers[0], x.numbers[1]}, {of(0), of(1)}, of(2));
+    }
+};
+
+template <class T> PW85_FUNCTION inline VolumeIntegrands<T>
+volume_integrands(Vector<T, 3> const &axes, Vector<T, 3> center,
+                  RimIntegration<T> const &integration) noexcept
+{
+    using Two = TwoLanes<T>;
+    auto const &rim = integration.rim;
+    for (int i = 0; i < 3; ++i) center[i] = axes[i] * center[i];
+    return {integration,
+            T(axes[0] * axes[1]),
+            select(rim.ends.ball_above, T(-0.5), T(0.5)),
+            {Two(dot(center, cross(rim.direction, rim.rays[0]))),
+             Two(dot(center, cross(rim.direction, rim.rays[1]))),
+             Two(dot(center, cross(rim.rays[0], rim.rays[1])))}};
+}
+
 template <class T> PW85_FUNCTION inline VolumeTerms<T>
 volume_terms(JointFrame<T, 3> const &frame, RimIntegration<T> const &integration) noexcept
 {
     auto const &rim = integration.rim;
-    T const scale = T(frame.axes[0] * frame.axes[1]); // D over the radius of the metric
+    auto const integrands = volume_integrands(frame.axes, frame.center, integration);
     if (integration.has_no_rim())
         return {{integration.area_without_rim(0, T(1)),
-                 scale * integration.area_without_rim(1, frame.axes[2]), T(0)},
+                 integrands.scale * integration.area_without_rim(1, frame.axes[2]), T(0)},
                 true};
-    Vector<T, 3> center{};
-    for (int i = 0; i < 3; ++i) center[i] = frame.axes[i] * frame.center[i];
-    using Two = TwoLanes<T>;
-    Vector<Two, 3> const flux{Two(dot(center, cross(rim.direction, rim.rays[0]))),
-                              Two(dot(center, cross(rim.direction, rim.rays[1]))),
-                              Two(dot(center, cross(rim.rays[0], rim.rays[1])))};
-    bool const above = rim.ends.ball_above, two = above == rim.ends.ball_below;
-    T const sign = above ? T(-0.5) : T(0.5);
-    auto const add = [&](RimDirection<T> const &pair, RimSums<T, 3> &sums) {
-        integration.for_both(pair, [&](MovingHalfPlane<Two> const &plane,
-                                       RimPoint<Two> const(&points)[2], Two const &speed) {
-            sums.numbers[0] = sums.numbers[0] + integration.area(0, plane, points, speed);
-            sums.numbers[1] = sums.numbers[1] + scale * integration.area(1, plane, points, speed);
-            Two flow = dot(flux, swept(plane, points[0], points[0].z, speed));
-            if (two) flow = flow - dot(flux, swept(plane, points[1], points[1].z, speed));
-            sums.numbers[2] = sums.numbers[2] + sign * sum_of_lanes(flow);
-        });
+    auto const add = [&](RimDirection<T> const &pair, bool has_image, RimSums<T, 3> &sums) {
+        integrands.add(pair, has_image, sums);
     };
-    auto const change = [](RimSums<T, 3> const &x, RimSums<T, 3> const &y) {
-        auto const of = [&](int i) { return absolute(T(x.numbers[i] - y.numbers[i])); };
-        return fraction_of_areas({x.numbers[0], x.numbers[1]}, {of(0), of(1)}, of(2));
+    auto const change = [&](RimSums<T, 3> const &x, RimSums<T, 3> const &y) {
+        return integrands.change(x, y);
     };
     auto const [means, converged] = mean_over_half_planes<T, 3>(elliptic_rule(rim), add, change);
     return {{means.numbers[0] + integration.whole(0, T(1)),
-             means.numbers[1] + scale * integration.whole(1, frame.axes[2]), means.numbers[2]},
+             means.numbers[1] + integrands.scale * integration.whole(1, frame.axes[2]),
+             means.numbers[2]},
             converged};
 }
 
@@ -415,7 +517,7 @@ volume_terms(JointFrame<T, 3> const &frame, RimIntegration<T> const &integration
 inline constexpr double largest_distance_of_integrals = 64.0;
 
 /// Tests whether the digits of the result are enough for the integrals.
-template <class T> PW85_FUNCTION inline bool
+template <class T> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 are_integrals_accurate(JointFrame<T, 3> const &frame, RimIntegration<T> const &integration) noexcept
 {
     T const square = T(integration.rim.half_chord * integration.rim.half_chord);

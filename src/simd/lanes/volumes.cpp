@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lanes: volumes of common parts, with the bits of one pair.
+#define PW85_ROUNDED_PRODUCTS
+#define PW85_FOUR_LANES
+#include "chunks.hpp"
+
+#include "volumes.hpp"
+
+PW85_KERNEL(PairArrays<3>, VolumeArray)

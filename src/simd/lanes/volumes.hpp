@@ -1,0 +1,484 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Volumes of common parts of many pairs, one pair per lane. The kernel drives the integrals along
+/// the rim (volume/rim_integrals.hpp), which give the bits of the function for one pair.
+///
+/// The tests of overlap.hpp decide first. Pairs that overlap are collected, so that all lanes are
+/// in use. A pair is left over if three tests do not decide it, if a formula of the function for
+/// one pair has a case of its own for it, if it has two rims, or if its rule needs more than 64
+/// nodes.
+///
+/// Packs have four lanes. Eight need more stack than pw85.h promises, and two gain nothing: there
+/// all pairs are left over.
+#ifndef PW85_SIMD_LANES_VOLUMES_HPP_INCLUDED
+#define PW85_SIMD_LANES_VOLUMES_HPP_INCLUDED
+
+#include "../pairs.hpp"
+#include "overlap.hpp"
+
+namespace pw85::detail::kernels {
+
+/// Volumes of common parts.
+struct VolumeArray {
+    /// a few hundred microseconds of work
+    static constexpr std::size_t rows_of_block = 1024;
+    double *volume;
+
+    PW85_MEMBER VolumeArray from(std::size_t begin) const noexcept { return {volume + begin}; }
+};
+
+} // namespace pw85::detail::kernels
+
+#ifdef PW85_KERNEL
+#include <pw85/volume/overlap_volume.hpp>
+
+namespace pw85::detail {
+namespace {
+
+/// The sums of these rows are on the stack.
+inline constexpr std::size_t volume_chunk_size = 32;
+template <class Rows> constexpr std::size_t chunk_size<Rows, kernels::VolumeArray> =
+    volume_chunk_size;
+
+/// The nodes of the rules, in the order of RuleLadder.
+struct LaneNodes {
+    UnitVector2<double> first[5], sixteen[4], thirds[8]; ///< thirds: of the rule with 24
+    UnitVector2<double> finer[8 + 16];                   ///< of the rules with 32 and 64
+
+    LaneNodes() noexcept
+    {
+        RuleNodes<double> nodes;
+        for (int level = 3; level <= 6; ++level) nodes.prepare(level);
+        store(nodes, 0, 0, 3, first);
+        store(nodes, 0, 4, 4, sixteen);
+        store(nodes, 0, 5, 6, finer);
+        store(nodes, 1, 0, 3, thirds);
+    }
+
+  private:
+    static PW85_INLINE void store(RuleNodes<double> const &nodes, int start, int low, int high,
+                                  UnitVector2<double> *out) noexcept
+    {
+        for (int k = low; k <= high; ++k)
+            nodes.visit(
+                start, k, [&](UnitVector2<double> const &theta) { *out++ = theta; },
+                [&](UnitVector2<double> const &theta, UnitVector2<double> const &next) {
+                    *out++ = theta;
+                    *out++ = next;
+                });
+    }
+};
+
+PW85_INLINE UnitVector2<Pack> in_all_lanes(UnitVector2<double> const &phi) noexcept
+{
+    return {Pack(phi.cosine), Pack(phi.sine)};
+}
+
+/// The shape of a joint frame, and the lanes for which the formulas of a pack hold.
+struct LaneFrame {
+    Vector<Pack, 3> axes, center;
+    Pack determinant;
+    PackMask clear;
+
+    PW85_INLINE JointFrame<Pack, 3> frame() const noexcept
+    {
+        JointFrame<Pack, 3> frame{};
+        frame.axes = axes;
+        frame.center = center;
+        return frame;
+    }
+};
+
+/// The rim of pairs in a frame.
+struct LaneRim {
+    RimIntegration<Pack> integration;
+    EllipticRule<Pack> rule;
+};
+
+/// The joint frame of pairs in range: no power of two changes a digit there.
+PW85_INLINE JointFrame<Pack, 3> joint_frame_of(LanePair<3> const &pair) noexcept
+{
+    auto const l1 = cholesky_columns(pair.q1), l2 = cholesky_columns(pair.q2);
+    Pack const det1 = determinant_of_lower(l1), det2 = determinant_of_lower(l2);
+    PackMask const swapped = det1 > det2;
+    JointFrame<Pack, 3> frame{};
+    frame.swapped = swapped;
+    frame.determinant = select(swapped, det2, det1);
+    MatrixColumns<Pack, 3> other;
+    SymmetricMatrix<Pack, 3> of_ball, of_other;
+    for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i) {
+            frame.lower[j][i] = select(swapped, l2[j][i], l1[j][i]);
+            other[j][i] = select(swapped, l1[j][i], l2[j][i]);
+        }
+    for (int k = 0; k < 6; ++k) {
+        of_ball[k] = select(swapped, pair.q2[k], pair.q1[k]);
+        of_other[k] = select(swapped, pair.q1[k], pair.q2[k]);
+    }
+    Vector<Pack, 3> r;
+    for (int i = 0; i < 3; ++i) r[i] = select(swapped, -pair.r12[i], pair.r12[i]);
+    MatrixColumns<Pack, 3> g;
+    for (int j = 0; j < 3; ++j) g[j] = solve_lower(frame.lower, other[j]);
+    set_principal_axes(frame, g, solve_lower(frame.lower, r));
+    frame.displacement = displacement_of(frame, scaled_condition(of_ball, frame.determinant),
+                                         scaled_condition(of_other, select(swapped, det1, det2)));
+    return frame;
+}
+
+/// highest_root() between two poles whose terms are not zero. Lanes without one become NaN.
+PW85_INLINE PoleRoot<Pack> highest_root_between(PoleInterval<Pack> const &f) noexcept
+{
+    Pack const least = Pack(unit_roundoff<Pack>()) * Pack(Pack(0.5) * f.gap);
+    Pack delta = start_of_descent(f);
+    delta = select(delta == Pack(0.0), least, delta);
+    PackMask const descended = descend(f.gap > Pack(0.0), f, delta);
+    auto root = root_after_descent(f, delta);
+    if (all_of(descended)) return root;
+    Pack epsilon = start_of_ascent(f);
+    epsilon = select(epsilon > Pack(0.0), epsilon, quiet_nan<Pack>());
+    ascend(!descended, f, epsilon);
+    root.epsilon = select(descended, root.epsilon, epsilon);
+    root.delta = select(descended, root.delta, Pack(f.gap - epsilon));
+    return root;
+}
+
+/// The axis of the rim, by find_vertices() for three different poles.
+PW85_INLINE RimAxis<Pack, 3> rim_axis_of(Pencil<Pack, 3> const &p) noexcept
+{
+    PoleAxes<Pack> const axes[2] = {{0, 1, 2, Pack(1.0)}, {2, 1, 0, Pack(-1.0)}};
+    Vertex<Pack, 3> v[2];
+    for (int k = 0; k < 2; ++k)
+        v[k] = inner_vertex(p, axes[k], highest_root_between(pole_interval(p, axes[k])));
+    make_orthogonal(v);
+    RimAxis<Pack, 3> axis{};
+    set_vertices(axis, v);
+    set_origin(axis);
+    return axis;
+}
+
+/// Tests if all coordinates are zero, or none of their products underflows.
+template <class... Numbers> PW85_INLINE PackMask are_clear_of_zero(Numbers const &...x) noexcept
+{
+    return ((x == Pack(0.0) || absolute(x) > negative_power_of_two<Pack>(200)) && ...);
+}
+
+PW85_INLINE PackMask is_in_range_of_lanes(LanePair<3> const &pair) noexcept
+{
+    auto const &[r, q1, q2, ratio] = pair;
+    auto const has_axes = [](SymmetricMatrix<Pack, 3> const &q) {
+        return minimum(q[0], minimum(q[3], q[5])) > negative_power_of_two<Pack>(60);
+    };
+    return has_axes(q1) && has_axes(q2) &&
+           are_clear_of_zero(r[0], r[1], r[2], q1[1], q1[2], q1[4], q2[1], q2[2], q2[4]);
+}
+
+/// Computes the frame of pairs. This function and the next one are not inlined: their numbers are
+/// on the stack only before those of the sum are.
+[[gnu::noinline, gnu::flatten]] inline void find_frame(LanePair<3> const &pair,
+                                                       LaneFrame &lane) noexcept
+{
+    auto const frame = joint_frame_of(pair);
+    lane.axes = frame.axes;
+    lane.center = frame.center;
+    lane.determinant = frame.determinant;
+    lane.clear = is_in_range_of_lanes(pair) && exceed_each_other(pair.r12, pair.q1, pair.q2) &&
+                 frame.displacement <= largest_displacement<Pack, 3>() &&
+                 frame.axes[2] >= thinnest_axis<Pack>() && frame.axes[0] < longest_axis<Pack>();
+}
+
+/// Computes the rim of pairs, without the sum along it.
+[[gnu::noinline, gnu::flatten]] inline void find_rim(LaneFrame &lane, LaneRim &out) noexcept
+{
+    auto const frame = lane.frame();
+    auto const p = pencil(frame);
+    PackMask clear = lane.clear && p.poles[0] < p.poles[1] && p.poles[1] < p.poles[2];
+    for (int i = 0; i < 3; ++i) clear = clear && !(p.b[i] == Pack(0.0));
+    auto const axis = rim_axis_of(p);
+    auto &rim = out.integration.rim;
+    rim = rim_frame(frame, axis);
+    for (int k = 0; k < 2; ++k) out.integration.rules[k] = area_rule(rim, k);
+    out.rule = elliptic_rule(rim);
+    auto const form = quartic_form(rim);
+    Pack const stretch2 = square_root(square_root(Pack(form.a / form.c)));
+    lane.clear = clear && is_rim_accurate(frame, axis.half_chord) && is_rim_apart_from_ends(rim) &&
+                 !has_common_end(rim.bodies[1]) && !out.integration.is_of_one_body() &&
+                 !(rim.least > Pack(0.0)) && are_integrals_accurate(frame, out.integration) &&
+                 !may_miss_half_planes(rim, form, stretch2) &&
+                 out.rule.own_steps < Pack(double(out.rule.most_steps));
+}
+
+/// The sums of a row that needs more nodes.
+struct OpenSums {
+    double coarse[3], added[3], previous;
+};
+
+/// The integrals along the rim of pairs: mean_over_half_planes() with up to 64 nodes. Lanes with 16
+/// and lanes with 24 nodes are computed together.
+class LaneSums {
+  public:
+    PW85_INLINE LaneSums(LaneNodes const &nodes, LaneFrame const &lane, LaneRim const &rim) noexcept
+        : nodes_(nodes), lane_(lane), rule_(rim.rule),
+          integrands_(volume_integrands(lane.axes, lane.center, rim.integration))
+    {
+    }
+
+    /// Computes the rules with up to 24 nodes.
+    [[gnu::noinline, gnu::flatten]] void begin() noexcept
+    {
+        for (int k = 0; k < 5; ++k) {
+            if (k == 3) previous_ = distance(Pack(0.125), Pack(0.25));
+            if (k < 4) merge(PackMask::from_bits(all_lanes));
+            add_to(in_all_lanes(nodes_.first[k]), k > 1, added_);
+        }
+        PackMask const none = PackMask::from_bits(0);
+        update(none, Pack(0.0625));
+        PackMask const by_three = !converged && is_better_by_three(previous_);
+        open = lane_.clear && !converged;
+        if (!any_of(open)) return;
+        add_rest(by_three);
+        update(by_three, select(by_three, Pack(1.0 / 48.0), Pack(1.0 / 32.0)));
+        open = lane_.clear && !(converged || by_three);
+    }
+
+    /// Computes the rule of the next level, 5 or 6, with twice the nodes.
+    [[gnu::noinline, gnu::flatten]] void refine(int level) noexcept
+    {
+        int const size = 1 << (level - 2);
+        merge(PackMask::from_bits(all_lanes));
+        for (int k = 0; k < size; ++k)
+            add_to(in_all_lanes(nodes_.finer[size - 8 + k]), true, added_);
+        update(PackMask::from_bits(0), Pack(0.125 / size));
+        open = lane_.clear && !converged;
+    }
+
+    PW85_INLINE void store(unsigned i, OpenSums &sums) const noexcept
+    {
+        for (int k = 0; k < 3; ++k) {
+            sums.coarse[k] = coarse_.numbers[k][i];
+            sums.added[k] = added_.numbers[k][i];
+        }
+        sums.previous = previous_[i];
+    }
+
+    PW85_INLINE void load(OpenSums const *sums, std::size_t const (&indices)[lanes]) noexcept
+    {
+        for (std::size_t i = 0; i < lanes; ++i) {
+            OpenSums const &row = sums[indices[i]];
+            for (int k = 0; k < 3; ++k) {
+                coarse_.numbers[k].v[i] = row.coarse[k];
+                added_.numbers[k].v[i] = row.added[k];
+            }
+            previous_.v[i] = row.previous;
+        }
+    }
+
+    Pack means[3] = {Pack(0.0), Pack(0.0), Pack(0.0)};
+    PackMask converged = PackMask::from_bits(0), open = converged; ///< open: needs more nodes
+
+  private:
+    /// Stores the means in the lanes that converge now.
+    PW85_INLINE void update(PackMask by_three, Pack const &inverse) noexcept
+    {
+        Pack const change = distance(inverse, Pack(inverse + inverse)),
+                   enough = enough_of_rule<Pack>();
+        PackMask const converges =
+            !converged && error_of_rule(change, previous_, by_three) <= Pack(enough * enough);
+        auto const mean = mean_of(coarse_, added_, inverse);
+        for (int i = 0; i < 3; ++i) means[i] = select(converges, mean.numbers[i], means[i]);
+        converged = converged || converges;
+        previous_ = change;
+    }
+
+    /// Adds the nodes of the rules with 16 and 24.
+    PW85_INLINE void add_rest(PackMask by_three) noexcept
+    {
+        merge(!by_three);
+        for (unsigned k = 0; k < (any_of(by_three) ? 8 : 4); ++k) {
+            PackMask const is_coarse = k < 4 ? by_three : PackMask::from_bits(0),
+                           is_added = k < 4 ? !by_three : by_three;
+            RimSums<Pack, 3> sums{{}, 0};
+            for (int i = 0; i < 3; ++i)
+                sums.numbers[i] = select(is_coarse, coarse_.numbers[i], added_.numbers[i]);
+            add_to(select(by_three, in_all_lanes(nodes_.thirds[k]),
+                          in_all_lanes(nodes_.sixteen[k % 4])),
+                   true, sums);
+            for (int i = 0; i < 3; ++i) {
+                coarse_.numbers[i] = select(is_coarse, sums.numbers[i], coarse_.numbers[i]);
+                added_.numbers[i] = select(is_added, sums.numbers[i], added_.numbers[i]);
+            }
+        }
+    }
+
+    /// Counts the added half-planes as coarse ones in the lanes of a mask.
+    PW85_INLINE void merge(PackMask in) noexcept
+    {
+        for (int i = 0; i < 3; ++i) {
+            Pack const sum = coarse_.numbers[i] + added_.numbers[i];
+            coarse_.numbers[i] = select(in, sum, coarse_.numbers[i]);
+            added_.numbers[i] = select(in, Pack(0.0), added_.numbers[i]);
+        }
+    }
+
+    PW85_INLINE Pack distance(Pack const &inverse, Pack const &inverse_of_coarse) const noexcept
+    {
+        return integrands_.change(mean_of(coarse_, added_, inverse),
+                                  mean_of(coarse_, RimSums<Pack, 3>{{}, 0}, inverse_of_coarse));
+    }
+
+    /// Adds the half-planes of a node. It is not inlined: compute() calls it at two places.
+    [[gnu::noinline, gnu::flatten]] void add_to(UnitVector2<Pack> const &theta, bool has_image,
+                                                RimSums<Pack, 3> &sums) const noexcept
+    {
+        integrands_.add(rim_direction(rule_, theta), has_image, sums);
+    }
+
+    LaneNodes const &nodes_;
+    LaneFrame const &lane_;
+    EllipticRule<Pack> const &rule_;
+    VolumeIntegrands<Pack> integrands_;
+    RimSums<Pack, 3> coarse_{{}, 0}, added_{{}, 0};
+    Pack previous_ = Pack(0.0); ///< the distance of the rule before
+};
+
+/// The volumes of pairs, and the lanes for which they are those of the function for one pair.
+struct LaneVolumes {
+    Pack volume;
+    PackMask certain;
+};
+
+PW85_INLINE LaneVolumes volumes_of(LaneFrame const &lane, LaneSums const &sums) noexcept
+{
+    Pack const sum = Pack(sums.means[0] + sums.means[1]) + sums.means[2], part = part_of_sum(sum),
+               largest = Pack(0.999) * unit_measure<Pack, 3>();
+    return {part * lane.determinant,
+            lane.clear && sums.converged && absolute(sum) < infinity<Pack>() && part <= largest};
+}
+
+/// Pairs of a chunk that are computed together.
+using VolumeList = kernels::IndexList<volume_chunk_size>;
+
+/// Lists the pairs of a chunk that overlap, relative to its begin. The result of other pairs is 0.
+/// Pairs that three tests do not decide are left over.
+template <class Rows> [[gnu::noinline, gnu::flatten]] inline void
+list_overlaps(Rows const &rows, Chunk const &chunk, double *out, VolumeList &list,
+              kernels::Worklist &rejected_lanes) noexcept
+{
+    for (std::size_t k = 0; k < chunk.count; k += lanes) {
+        std::size_t const left = chunk.count - k;
+        auto const pair = load_consecutive(rows, chunk.begin + k, left);
+        Pack t = first_point(pair);
+        unsigned overlap = 0, decided = 0;
+        for (int test = 0; test < 3 && decided != all_lanes; ++test) {
+            LaneCertainty const certainty = test_lanes(pair, t);
+            overlap |= certainty.overlap;
+            decided |= certainty.decided;
+            t = rough_root(certainty.next);
+        }
+        decided &= passes_fast_checks(pair).to_bits();
+        unsigned const live = live_lanes(left);
+        for_lanes(live, [&](unsigned i) { out[chunk.begin + k + i] = 0.0; });
+        for_lanes(live & decided & overlap, [&](unsigned i) { list.push(k + i); });
+        for_lanes(live & ~decided, [&](unsigned i) { rejected_lanes.push(chunk.begin + k + i); });
+    }
+}
+
+/// Computes the volumes of the pairs in a list.
+template <class Rows> class ChunkVolumes {
+  public:
+    PW85_INLINE ChunkVolumes(Rows const &rows, Chunk const &chunk, double *out,
+                             kernels::Worklist &rejected_lanes) noexcept
+        : rows_(rows), begin_(chunk.begin), out_(out), rejected_lanes_(rejected_lanes)
+    {
+    }
+
+    PW85_INLINE void compute() noexcept
+    {
+        for (int level = 4; level <= 6 && list.size > 0; ++level) compute_list(level);
+    }
+
+    VolumeList list;
+
+  private:
+    /// Computes the list. Its pairs that need more nodes become the list.
+    PW85_INLINE void compute_list(int level) noexcept
+    {
+        pad(list);
+        // push() overwrites only indices that were already read
+        std::size_t const size = list.size;
+        list.size = 0;
+        for (std::size_t k = 0; k < size; k += lanes) {
+            std::size_t indices[lanes];
+            for (std::size_t i = 0; i < lanes; ++i) indices[i] = list.indices[k + i];
+            compute_pack(indices, live_lanes(size - k), level);
+        }
+    }
+
+    [[gnu::noinline]] void compute_pack(std::size_t const (&indices)[lanes], unsigned live,
+                                        int level) noexcept
+    {
+        LaneFrame frame;
+        LaneRim rim;
+        find_frame(load(rows_, indices), frame);
+        find_rim(frame, rim);
+        LaneSums sums(nodes_, frame, rim);
+        if (level == 4) {
+            sums.begin();
+        } else {
+            sums.load(open_, indices);
+            sums.refine(level);
+        }
+        auto const found = volumes_of(frame, sums);
+        unsigned const certain = found.certain.to_bits(),
+                       open = level < 6 ? sums.open.to_bits() : 0;
+        for_lanes(live & certain, [&](unsigned i) { out_[begin_ + indices[i]] = found.volume[i]; });
+        for_lanes(live & open, [&](unsigned i) {
+            sums.store(i, open_[indices[i]]);
+            list.push(indices[i]);
+        });
+        for_lanes(live & ~(certain | open),
+                  [&](unsigned i) { rejected_lanes_.push(begin_ + indices[i]); });
+    }
+
+    Rows const &rows_;
+    std::size_t const begin_;
+    double *const out_;
+    kernels::Worklist &rejected_lanes_;
+    LaneNodes const nodes_;
+    OpenSums open_[volume_chunk_size];
+};
+
+/// Computes the volumes of a chunk.
+template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk const &chunk,
+                                                     kernels::VolumeArray const &out,
+                                                     kernels::Worklist &rejected_lanes) noexcept
+{
+    if constexpr (lanes != 4) {
+        for (std::size_t i = 0; i < chunk.count; ++i) rejected_lanes.push(chunk.begin + i);
+        return;
+    }
+    Rows const rest = rows.from(chunk.begin);
+    ChunkVolumes<Rows> volumes(rest, chunk, out.volume, rejected_lanes);
+    list_overlaps(rows, chunk, out.volume, volumes.list, rejected_lanes);
+    volumes.compute();
+}
+
+} // namespace
+} // namespace pw85::detail
+
+#else
+#include <pw85.h>
+
+#include "../targets.hpp"
+
+namespace pw85::detail::kernels {
+
+static inline int scalar_fallback(Target const &, PairRow<3> const &pair,
+                                  VolumeArray const &out) noexcept
+{
+    return pw85_overlap_volume(pair.r12, pair.q1, pair.q2, out.volume);
+}
+
+} // namespace pw85::detail::kernels
+
+#endif
+#endif
