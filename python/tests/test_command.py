@@ -420,7 +420,7 @@ def test_memory(folder):
 def test_help(run):
     done = run("check", "--help")
     assert done.status == 0 and "--workers" in done.out
-    assert "has options and examples" in run("--help").out
+    assert "lists the options and has examples" in run("--help").out
     assert pypw85.version() in run("--version").out
 
 

@@ -27,7 +27,7 @@ WRONG = [
     (f"{PACK} --dimensions 4", "Invalid value for '--dimensions'"),
     (f"{PACK} --attempts 5", "--attempts has no effect without --rsa: add --rsa, or leave out --attempts"),
     (f"{PACK} --resolution 5", "--resolution has no effect without --voxels: add --voxels, or leave out --resolution"),
-    ("pack new.xyz --axes 1,1,3 --rsa --cell 10,10,10", "--rsa knows when ellipses and balls are saturated, .*: use --attempts, "),
+    ("pack new.xyz --axes 1,1,3 --rsa --cell 10,10,10", "--rsa can prove saturation of ellipses and balls only, .*: use --attempts, "),
     ("pack new.xyz --axes 1,1,1 --rsa --cell 10,10,10 --steps 5", "--steps has no effect with --rsa, .*: leave it out"),
     (f"{PACK} --align 0,0,1", "--align has no effect without --lattice"),
     (f"{PACK} --voxels image.png", r"image\.png"),
