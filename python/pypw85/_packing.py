@@ -360,8 +360,8 @@ def check_axes(axes: Floats, dimensions: int = 3) -> float:
     slenderness = axes.max(axis=1) / axes.min(axis=1)
     if slenderness.max() > _MOST_SLENDER:
         row = int(slenderness.argmax())
-        raise ValueError(f"the longest semi-axis must be at most {_MOST_SLENDER:g} times the shortest one, which forms in double precision "
-                         f"lose otherwise, not {axes[row].tolist()} of ellipsoid {row}")  # fmt: skip
+        raise ValueError(f"the longest semi-axis must be at most {_MOST_SLENDER:g} times the shortest one, as forms in double "
+                         f"precision lose shorter ones, not {axes[row].tolist()} of ellipsoid {row}")  # fmt: skip
     return volume
 
 

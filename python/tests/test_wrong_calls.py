@@ -91,10 +91,10 @@ WRONG = [
     (f"{MC} --bins 5", "has no effect without --reach"),
     # draw
     ("draw start.xyz", "Missing argument 'PICTURE'"),
-    ("draw start.xyz pic", r"^pw85: pic: no picture has such a name: end it with one of"),
-    ("draw start.xyz pic.foo", r"^pw85: pic\.foo: no picture has such a name"),
+    ("draw start.xyz pic", r"^pw85: pic: the name of a picture must end with one of"),
+    ("draw start.xyz pic.foo", r"^pw85: pic\.foo: the name of a picture must end with one of"),
     ("draw none.xyz a.png", r"none\.xyz: there is no such file"),
-    ("draw start.xyz start.xyz", r"no picture has such a name|is the input"),
+    ("draw start.xyz start.xyz", r"the name of a picture must end with one of|is the input"),
     ("draw start.xyz none/a.png", r"none/a\.png: "),
     ("draw start.xyz a.html --elevation nan", "must be a finite number of degrees, not 'nan'"),
     ("draw start.xyz a.png --azimuth inf", "must be a finite number of degrees, not 'inf'"),
@@ -104,7 +104,7 @@ WRONG = [
     ("draw start.xyz a.png --frames 7", "there is no frame 7: the file has one frame, 0"),
     # plot
     ("plot start.xyz", "Missing argument 'PICTURE'"),
-    ("plot start.xyz pic", r"^pw85: pic: no picture has such a name"),
+    ("plot start.xyz pic", r"^pw85: pic: the name of a picture must end with one of"),
     ("plot none.xyz a.png", r"none\.xyz: there is no such file"),
     ("plot start.xyz a.png --reach nan", "must be a finite number > 0, not 'nan'"),
     ("plot start.xyz a.png --reach inf", "must be a finite number > 0, not 'inf'"),

@@ -57,8 +57,8 @@ MOST_THREADS = 1024
 @click.option("--exchange", type=Finite(may_be_zero=True, below=1), default="0", show_default=True, metavar="PART",
               help="Fraction of the trials that exchange the semi-axes of two unlike particles.")
 @click.option("--wall", "walls", type=WALL, multiple=True, metavar="KIND:NUMBER,...",
-              help=f"A hard wall: {WALL.forms()}. Particles are on the side N·x >= OFFSET of a plane, and inside of the "
-                   "other walls. May be repeated.")
+              help=f"A hard wall: {WALL.forms()}. A plane is a wall that fills N·x >= OFFSET. Particles are inside of the other "
+                   "walls. May be repeated.")
 @click.option("--field", "fields", type=FIELD, multiple=True, metavar="KIND:NUMBER,...",
               help=f"A field, with energies in units of kT: {FIELD.forms()}. May be repeated.")
 @click.option("--law", type=LAW, metavar="KIND:...",
@@ -121,7 +121,7 @@ def mc(ctx: click.Context, /, given: Input | None, sweeps: int | None, checkpoin
 def _refuse_others() -> None:
     others = [text for name, text in given_options().items() if name not in _OF_RESUMED]
     if others:
-        raise click.UsageError("with --resume, the file says everything but --sweeps, --threads and --checkpoint: "
+        raise click.UsageError("with --resume, only --sweeps, --threads and --checkpoint can change, and the file has the rest: "
                                f"leave out {', '.join(others)}")  # fmt: skip
 
 
@@ -383,7 +383,7 @@ def _badly_tuned(run: Run) -> Iterator[str]:
             continue
         is_limited = run.simulation.steps.translation > _LONGEST_STEP * longest
         if accepted < _ACCEPTED[0] * trials or (accepted > _ACCEPTED[1] * trials and not is_limited):
-            yield f"{accepted / trials:.3f} of the {move}s were accepted, and {ACCEPTANCE:g} are aimed at: "
+            yield f"{accepted / trials:.3f} of the {move}s were accepted instead of about {ACCEPTANCE:g}: "
 
 
 def _unsettled(run: Run) -> Iterator[str]:
@@ -392,7 +392,7 @@ def _unsettled(run: Run) -> Iterator[str]:
     names = [] if windows is None else [name for name in windows.unsettled() if name not in run.constants]
     if windows is not None and windows.is_finished and names:
         yield (f"the equilibration ended at its limit of {windows.sweeps} sweeps: in the last {windows.window} of them {', '.join(names)} "
-               f"still changed, or too few samples could tell: equilibrate longer (--equilibrate {2 * windows.sweeps})")  # fmt: skip
+               f"still changed, or had too few samples to decide that: equilibrate longer (--equilibrate {2 * windows.sweeps})")  # fmt: skip
 
 
 # A bias of the contacts beyond this many errors is not an accident.
@@ -405,7 +405,7 @@ def _doubts(run: Run) -> Iterator[str]:
     unresolved, drifting, errors = run.unresolved(), run.observables.drifting(), run.averages()
     if unresolved and len(run.observables):
         yield (f"the run is too short for the errors of {', '.join(unresolved)}, which need {LEAST_INDEPENDENT} independent samples each, "
-               "or it began before it was in equilibrium: continue it (--resume, --sweeps)")  # fmt: skip
+               "or it was not in equilibrium at its start: continue it (--resume, --sweeps)")  # fmt: skip
     if drifting:
         drifts = ", ".join(f"{name} by {drift:.1f} times its error" for name, drift in drifting.items())
         allowance = "" if any(np.isnan(errors[name].error) for name in drifting) else "; the errors in the table allow for this"

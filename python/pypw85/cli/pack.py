@@ -181,7 +181,7 @@ def _check_plane(kinds: Any, cell: Any, dimensions: int, voxels: str | None) -> 
     if cell is not None and len(cell) not in (dimensions, dimensions**2):
         raise click.UsageError(f"--cell must have {dimensions} or {dimensions**2} numbers with --dimensions {dimensions}")
     if voxels is not None and dimensions == 2:
-        raise click.UsageError("a voxel image is that of ellipsoids: leave out --voxels for ellipses")
+        raise click.UsageError("voxel images are for ellipsoids only: leave out --voxels for ellipses")
     return cell if cell is None else np.diag(cell) if len(cell) == dimensions else cell.reshape(dimensions, dimensions)
 
 

@@ -152,7 +152,7 @@ def guess(path: Path) -> str:
         module = FORMATS[name]
         if module.recognise(start) or end.endswith(getattr(module, "RECOGNISED_NAMES", ())):
             if is_packed and module in _NOT_COMPRESSED and not start.startswith(splats.SPZ):
-                raise FileError(path, f"files of the format {name} are not read while compressed: decompress it (gunzip)")
+                raise FileError(path, f"compressed files of the format {name} are not read: decompress it (gunzip)")
             return name
     if end.endswith(".ksplat"):
         raise FileError(path, "splats in .ksplat are not read: convert them (splat-transform INPUT.ksplat OUTPUT.ply)")
@@ -213,7 +213,7 @@ def check_precision(path: Path, format: str, precision: str | None) -> None:
     if precision is not None:
         choice(precision, "write: precision", ("single", "double"))
     if precision is not None and format != "gsd":
-        raise FileError(path, f"only files of the format gsd have a precision to choose, not {format}: leave out --precision")
+        raise FileError(path, f"the precision can be chosen for the format gsd only, not for {format}: leave out --precision")
 
 
 def check_storable(path: Path, format: str, system: System, **others: str) -> None:
