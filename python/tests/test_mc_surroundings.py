@@ -259,7 +259,7 @@ BAD = [
     (["--periodic", "abc", "--law", "powers:4,6,4,12,2"], r"--law powers:4,6,4,12,2: parameters must have exponents n > m > 0, not"),
     (["--periodic", "abc", "--law", "powers:4,12,4,6,0.5"], r"--law powers:4,12,4,6,0.5: parameters must have a cutoff above μ² = 1"),
     (["--periodic", "abc", "--law", "table:no.txt"], "no.txt: No such file or directory: write table:FILE"),
-    (["--periodic", "abc", "--law", "powers:4,12,4,6,2", "--chains", "1"], "event chains do not support walls, fields and laws: leave out --chains"),
+    (["--periodic", "abc", "--law", "powers:4,12,4,6,2", "--chains", "1"], "do not support walls, fields and laws: leave out --chains"),
     (["--law", "powers:4,12,4,6,2"], r"must be periodic along its three vectors"),
     ([], r"must be periodic along its three vectors: use --cell and --periodic abc, or hold the particles by walls and fields"),
 ]  # fmt: skip

@@ -392,7 +392,7 @@ def _unsettled(run: Run) -> Iterator[str]:
     names = [] if windows is None else [name for name in windows.unsettled() if name not in run.constants]
     if windows is not None and windows.is_finished and names:
         yield (f"the equilibration ended at its limit of {windows.sweeps} sweeps: in the last {windows.window} of them {', '.join(names)} "
-               f"still changed, or had too few samples to decide that: equilibrate longer (--equilibrate {2 * windows.sweeps})")  # fmt: skip
+               f"still changed, or had too few samples to tell: equilibrate longer (--equilibrate {2 * windows.sweeps})")  # fmt: skip
 
 
 # A bias of the contacts beyond this many errors is not an accident.

@@ -381,8 +381,8 @@ def write(path: Path, systems: System | Iterable[System], format: str | None = N
     Raises
     ------
     ValueError
-                The format cannot hold such a system (because of names of types, for instance), or it can hold one frame only; or the file could
-        not be read again, because an ellipsoid has a position that is not finite or a semi-axis that is not positive.
+        The format cannot hold such a system (because of names of types, for instance), or it can hold one frame only; or the file
+        could not be read again, because an ellipsoid has a position that is not finite or a semi-axis that is not positive.
     OSError
         The file cannot be written.
     """
