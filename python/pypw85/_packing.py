@@ -277,9 +277,9 @@ def pack(
     semi_axes : (n, 3) array_like
         One row for each ellipsoid; (n, 2) for ellipses.
     fraction : float
-        Of the volume, or the area, filled by them.
+        Fraction of the volume, or of the area, that they fill.
     cell : (3, 3) array_like, optional
-        Its shape: it is scaled to the volume that the fraction asks for. A cube if absent. (2, 2) for ellipses, a square if absent.
+        Shape of the cell, which is then scaled to the fraction; (2, 2) for ellipses. By default a cube or a square.
     seed : int, optional
         For `numpy.random.default_rng`: the same one gives the same packing. Without it, each call gives another one.
     types : (n) array_like, optional
