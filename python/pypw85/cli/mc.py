@@ -57,7 +57,7 @@ MOST_THREADS = 1024
 @click.option("--exchange", type=Finite(may_be_zero=True, below=1), default="0", show_default=True, metavar="PART",
               help="Fraction of the trials that exchange the semi-axes of two unlike particles.")
 @click.option("--wall", "walls", type=WALL, multiple=True, metavar="KIND:NUMBER,...",
-              help=f"A hard wall: {WALL.forms()}. A plane is a wall that fills N·x >= OFFSET. Particles are inside of the other "
+              help=f"A hard wall: {WALL.forms()}. A plane is a wall that fills N·x > OFFSET. Particles are inside of the other "
                    "walls. May be repeated.")
 @click.option("--field", "fields", type=FIELD, multiple=True, metavar="KIND:NUMBER,...",
               help=f"A field, with energies in units of kT: {FIELD.forms()}. May be repeated.")
