@@ -46,7 +46,7 @@ def inertia(q: ArrayLike, shell: bool = False) -> Floats:
     q : (..., 6) array_like
         Forms of the ellipsoids.
     shell : bool
-        Whether a sheet of the same mass per area everywhere has the shape, and not a solid body.
+        True for a shell with the same mass per area everywhere, False for a solid body.
 
     Returns
     -------
@@ -101,7 +101,7 @@ def random_points(q: ArrayLike, n: SupportsIndex, seed: int = 0, surface: bool =
         Selects the random numbers, from 0 to 2**64 - 1. Point k depends on q, the seed and k alone, and is that of `pw85_random_points`
         in C.
     surface : bool
-        Whether the points are on the surface.
+        True for points on the surface, False for points in the body.
 
     Returns
     -------

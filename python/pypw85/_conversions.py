@@ -150,7 +150,7 @@ def from_euler(semi_axes: ArrayLike, seq: str, angles: ArrayLike, degrees: bool 
     angles : (..., number of axes) array_like
         In radians, or in degrees. A number or one-dimensional if `seq` is a single letter, as SciPy takes them.
     degrees : bool
-        Whether the angles are in degrees.
+        True if the angles are in degrees.
 
     Returns
     -------

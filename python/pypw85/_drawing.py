@@ -64,7 +64,7 @@ def check_picture(path: Any) -> None:
     suffix = pathlib.Path(path).suffix[1:].lower()
     if suffix not in known:
         ends = ", ".join(f".{name}" for name in sorted([*known, "html"]))
-        raise ValueError(f"{os.fspath(path)}: no picture has such a name: end it with one of {ends}")
+        raise ValueError(f"{os.fspath(path)}: the name of a picture must end with one of {ends}")
 
 
 def draw(system: System, path: Any, ax: Any, contacts: bool, elevation: float, azimuth: float, size: int,

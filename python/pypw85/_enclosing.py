@@ -33,7 +33,7 @@ def enclosing_ellipsoid(points: ArrayLike, tolerance: float = 1e-6) -> tuple[Flo
     points : (m, n) array_like
         At least n + 1 points.
     tolerance : float
-        What the excess should not exceed. If double precision does not allow that, because points are far from the origin or the ellipsoid
+        Largest excess that is wanted. If double precision does not allow that, because points are far from the origin or the ellipsoid
         is thin, there is a `RuntimeWarning`, and the excess is larger.
 
     Returns

@@ -35,11 +35,11 @@ class PW85Error(ValueError, ArithmeticError):
     Attributes
     ----------
     status : Status
-        What went wrong, as a number.
+        Kind of the error, as a number.
     function : str
         Name of the function that failed.
     reason : str
-        What went wrong, in words: ``strerror(status)``.
+        Kind of the error, in words: ``strerror(status)``.
     detail : str
         Which argument is bad, and why, with its value; empty if that could not be found out.
     """
@@ -67,12 +67,12 @@ def named(function: str) -> Iterator[None]:
 def bad_rows(result: Any, core_ndim: int = 0) -> NDArray[np.intp]:
     """Numbers of the rows of a result that could not be computed. Results that are dask arrays are computed for that.
 
-    Why a row is bad is told by the exception that the same function raises for this row alone.
+    To see why a row is bad, call the function for this row alone: the text of the exception gives the reason.
 
     Parameters
     ----------
     result : array or tuple of arrays
-        What a function of this package returned. Bad rows are NaN; in an array of overlap codes (``uint8``) they
+        Result of a function of this package. Bad rows are NaN; in an array of overlap codes (``uint8``) they
         are 255. A masked entry is bad, too.
     core_ndim : int
         Number of trailing dimensions that belong to one row: 0 for numbers (the default), 1 for vectors and forms. For

@@ -121,7 +121,7 @@ class Observables:
             If the cell is not periodic along its three vectors, or its two vectors in the plane, its volume is not that of a
             container, and pairs that nearly touch do not give the pressure: these numbers are NaN.
         compressibility : float
-            What `HardEllipsoids.chain` has returned. Without it, there is no ``compressibility_chains``.
+            Result of `HardEllipsoids.chain`. Without it, there is no ``compressibility_chains``.
 
         Returns
         -------

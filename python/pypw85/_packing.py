@@ -277,9 +277,9 @@ def pack(
     semi_axes : (n, 3) array_like
         One row for each ellipsoid; (n, 2) for ellipses.
     fraction : float
-        Of the volume, or the area, filled by them.
+        Fraction of the volume, or of the area, that they fill.
     cell : (3, 3) array_like, optional
-        Its shape: it is scaled to the volume that the fraction asks for. A cube if absent. (2, 2) for ellipses, a square if absent.
+        Shape of the cell, which is then scaled to the fraction; (2, 2) for ellipses. By default a cube or a square.
     seed : int, optional
         For `numpy.random.default_rng`: the same one gives the same packing. Without it, each call gives another one.
     types : (n) array_like, optional
@@ -360,8 +360,8 @@ def check_axes(axes: Floats, dimensions: int = 3) -> float:
     slenderness = axes.max(axis=1) / axes.min(axis=1)
     if slenderness.max() > _MOST_SLENDER:
         row = int(slenderness.argmax())
-        raise ValueError(f"the longest semi-axis must be at most {_MOST_SLENDER:g} times the shortest one, which forms in double precision "
-                         f"lose otherwise, not {axes[row].tolist()} of ellipsoid {row}")  # fmt: skip
+        raise ValueError(f"the longest semi-axis must be at most {_MOST_SLENDER:g} times the shortest one, as forms in double "
+                         f"precision lose shorter ones, not {axes[row].tolist()} of ellipsoid {row}")  # fmt: skip
     return volume
 
 

@@ -29,7 +29,7 @@ def plot(
     q1, q2 : (6) array_like
         Forms.
     ax : matplotlib axes with ``projection="3d"``, optional
-        Where to draw; a new figure if absent.
+        Axes to draw in. By default those of a new figure.
     resolution : int
         Number of steps from pole to pole.
 

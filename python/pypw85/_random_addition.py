@@ -55,7 +55,7 @@ class AdditionInterrupted(KeyboardInterrupt):
     Attributes
     ----------
     result : RandomAddition
-        What was added before.
+        The ellipsoids that were added until then.
     """
 
     def __init__(self, result: RandomAddition) -> None:

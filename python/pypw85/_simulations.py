@@ -577,7 +577,7 @@ class HardEllipsoids:
         quaternion: ArrayLike | None = None,
         take: bool = False,
     ) -> bool:
-        """Tests whether a particle would be free of overlaps at another position, exactly; and moves it there, if wanted.
+        """Decides exactly whether a particle would be free of overlaps at another position, and moves it there if `take` is true.
 
         Parameters
         ----------
@@ -587,7 +587,7 @@ class HardEllipsoids:
         quaternion : (4,) array_like, optional
             New orientation (w, x, y, z), of any length > 0; without it, the present one.
         take : bool
-            Whether the particle is to stay there if it is free.
+            True to move the particle there if the position is free.
 
         Returns
         -------
@@ -623,7 +623,7 @@ class HardEllipsoids:
             (w, x, y, z), of any length > 0.
         semi_axes : (3,) array_like
         take : bool
-            Whether the particle is to be inserted if it is free.
+            True to insert the particle if the position is free.
 
         Returns
         -------
@@ -748,12 +748,12 @@ class HardEllipsoids:
         return InsertionCounts(*counts)
 
     def compress(self, take: bool = False) -> float:
-        """Finds how far cell and centres can be compressed before particles touch; and compresses them, if wanted.
+        """Finds how far cell and centres can be compressed before particles touch, and compresses them if `take` is true.
 
         Parameters
         ----------
         take : bool
-            Whether the cell and the centres are to be multiplied by the factor.
+            True to multiply the cell and the centres by the factor.
 
         Returns
         -------

@@ -246,9 +246,9 @@ def smectic_order(system: System, axis: ArrayLike | None = None, spacing: ArrayL
     system : System
         Its cell is periodic along its vectors.
     axis : (3) array_like, optional
-        Of any length > 0; the `director` if absent.
+        A vector of any length > 0. By default the `director`.
     spacing : (2) array_like, optional
-        The least and the largest distance between layers; half of the longest diameter and twice it if absent.
+        The least and the largest distance between layers. By default half of the longest diameter, and twice the longest diameter.
     angle : float
         The largest angle between q and the axis, in degrees. The layers of a periodic cell must fit into it, so they may be oblique.
 
@@ -279,7 +279,7 @@ def columnar_order(
     system, axis
         As for `smectic_order`.
     spacing : (2) array_like, optional
-        The least and the largest distance between rows of columns; half of the longest diameter and twice it if absent.
+        The least and the largest distance between rows of columns. By default half of the longest diameter, and twice this diameter.
     angle : float
         The largest angle between q and the plane across the axis, in degrees.
 

@@ -67,10 +67,10 @@ class System:
         Forms.
     cell : (3, 3) array_like, optional
         Its rows are the vectors of the cell.
-    periodic : bool or three of them
-        Along which vectors of the cell the system is repeated; nothing is without a cell.
+    periodic : bool, or three of them
+        Whether the system is periodic along the vectors of the cell. A system without a cell is never periodic.
     types, ids : (n) array_like, optional
-        Names of types (any numbers or strings), 0 if absent; whole numbers to call particles by, else 1 to n.
+        Names of types (any numbers or strings; by default 0), and whole numbers that identify the particles (by default 1 to n).
     origin : (3) array_like
         Corner of the cell.
     step : int
@@ -85,9 +85,9 @@ class System:
     Attributes
     ----------
     source : str
-        What was taken of the file that the system was read from, as "lengths shapex shapey shapez as diameters"; otherwise empty.
+        How the columns of the file were read, such as "lengths shapex shapey shapez as diameters"; empty if the system is not from a file.
     notes : tuple of str
-        What to know about that.
+        Remarks on how the file was read.
     """
 
     source: str
@@ -399,18 +399,18 @@ class System:
         Parameters
         ----------
         path : path, optional
-            Of a picture (.png, .pdf, .svg), or of a page that a browser shows and turns (.html).
+            File for a picture (.png, .pdf, .svg), or for a page in which a browser shows and turns the system (.html).
         ax : axes of Matplotlib, optional
-            Where to draw, new ones if absent.
+            Axes to draw in. By default new ones.
         contacts : bool
-            Whether to mark the contact points of overlapping pairs.
+            True to mark the contact points of overlapping pairs.
         elevation, azimuth : float
             Angles of view in degrees: above the plane of x and y, and around z.
         size : int
             Pixels of the longer side.
         color : str
-            What the colours of ellipsoids are: `"overlaps"`; `"orientation"`, where the components of the main axis along x, y and z are
-            its red, green and blue; or `"type"`.
+            Meaning of the colours: `"overlaps"`; `"orientation"`, where the components of the main axis along x, y and z are red, green
+            and blue; or `"type"`.
 
         Returns
         -------

@@ -233,10 +233,10 @@ NAMES = [
     (["convert", "a.dump", "a.gsd.gz"], "is not written compressed"),
     (["convert", "a.dump", "a.csv", "--frames", "7"], "there is no frame 7: the file has one frame, 0"),
     (["convert", "a.dump", "folder/", "--to", "csv"], "folder/: is a directory: name a file"),
-    (["draw", "a.dump", "a.foo"], "a.foo: no picture has such a name"),
+    (["draw", "a.dump", "a.foo"], "a.foo: the name of a picture must end with one of"),
     (["draw", "a.dump", "no/a.png"], "no/a.png: there is no folder no"),
     (["draw", "a.dump", "a.dump.html/b.html"], "there is no folder a.dump.html"),
-    (["plot", "a.dump", "a.foo"], "a.foo: no picture has such a name"),
+    (["plot", "a.dump", "a.foo"], "a.foo: the name of a picture must end with one of"),
     (["plot", "a.dump", "no/a.png"], "no/a.png: there is no folder no"),
     (["relax", "a.dump", "no/a.xyz"], "no/a.xyz: there is no folder no"),
     (["pack", "no/a.xyz", "-n", "2", "--axes", "1,1,1", "--fraction", "0.1"], "no/a.xyz: there is no folder no"),
@@ -420,7 +420,7 @@ def test_memory(folder):
 def test_help(run):
     done = run("check", "--help")
     assert done.status == 0 and "--workers" in done.out
-    assert "has options and examples" in run("--help").out
+    assert "lists the options and has examples" in run("--help").out
     assert pypw85.version() in run("--version").out
 
 

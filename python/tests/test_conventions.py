@@ -158,11 +158,11 @@ REFUSED = {
     "x,y,z,radius,blockiness": "the column blockiness could change the shapes",
     "x_um,y_um,z_slice,radius_um": "there are two coordinates, x_um y_um, and z_slice: rename it to z",
     "x,y,a,b,angle_deg,depth": "there are two coordinates, x y, and depth",
-    "x,y,width,height,angle": "the columns may be those of opencv, and others mean .* .--convention opencv., or what they are",
-    "x,y,major,minor,angle": "the columns may be those of imagej, and others mean",
+    "x,y,width,height,angle": "the columns may be those of opencv, and other programs mean .* .--convention opencv., or what they are",
+    "x,y,major,minor,angle": "the columns may be those of imagej, and other programs mean",
     "x,y,width,height,angle_deg": "width height may be whole axes or semi-axes: use --lengths diameters or --lengths radii$",
     "AreaShape_Center_X,AreaShape_Center_Y,AreaShape_MajorAxisLength,AreaShape_MinorAxisLength,AreaShape_Orientation":
-        "the columns may be those of cellprofiler, which other versions mean otherwise: say so .--convention cellprofiler",
+        "the columns may be those of cellprofiler, whose versions differ: if they are, say so .--convention cellprofiler",
     "x,y,z,a,b,c,quat_0,quat_1,quat_2,quat_3": "quat_0 quat_1 quat_2 quat_3 is x y z w for .* and w x y z for others: use --quaternion",
     "x,y,z,l,w,h,qw,qx,qy,qz": "l w h may be whole axes or semi-axes: use --lengths diameters or --lengths radii",
     **{f"x,y,z,radius,{name}": f"the column {name} could change the shapes" for name in

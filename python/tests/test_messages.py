@@ -66,7 +66,7 @@ FILES = [
     ("a.txt", SEED + "a: -1\nb: 1\nc: 1\n", {"format": "microstructpy"}, "must be a finite number > 0, not '-1'"),
     ("a.txt", SEED + "axes: (1, 0, 1)\n", {"format": "microstructpy"}, "the semi-axes of a seed must be finite numbers > 0, not 0"),
     ("a.txt", SEED.replace("ellipsoid", "sphere"), {"format": "microstructpy"}, "the radius of a sphere must be 1 number, and is missing"),
-    ("a.txt", SEED + "axes: (1, 1, 1)\nmatrix: 1 0 0 0 1 0 0 0 1\nrot_seq: ((z, 1.0))\n", {"format": "microstructpy"}, "all say how"),
+    ("a.txt", SEED + "axes: (1, 1, 1)\nmatrix: 1 0 0 0 1 0 0 0 1\nrot_seq: ((z, 1.0))\n", {"format": "microstructpy"}, "all give the"),
     ("a.bin", b"\0\0\0\0", {"format": "splats"}, "the file must be a .splat, or have the mark of .ply or .spz at its start"),
     ("a.spz", b"\x1f\x8b\x08\0\0\0\0\0", {"format": "splats"}, "what is compressed cannot be read"),
     ("a.xyz", "1\nProperties=species:S:1:radius:R:1\nA 1\n", {}, "the property pos is missing"),
@@ -213,7 +213,7 @@ def test_gsd_files_of_runs(tmp_path):
     gsd = pytest.importorskip("pypw85.formats.gsd")
     with pytest.raises(pypw85.FileError, match="has 1 frame, and had 2 at the checkpoint: bring back the trajectory of this run"):
         gsd.Growing(str(gsd_file(tmp_path / "a.gsd")), 2)
-    with pytest.raises(pypw85.FileError, match="particles/N claims more than there is memory"):
+    with pytest.raises(pypw85.FileError, match="particles/N needs more memory than there is"):
         gsd._Chunks("a.gsd", NoMemory(), 0)
 
 

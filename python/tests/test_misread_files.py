@@ -40,7 +40,7 @@ REFUSED = {
     "x,y,z,a,b,c,t_deg,p_deg": ({"polar": ("p_deg", "t_deg")}, "0,0,0,2,2,.5,90,270", "the p_deg 270, which is not an angle from the axis"),
     "x,y,z,length,width,height,rotation_y": ({"lengths": "diameters", "euler": "y", "angle": "radians"}, "0,0,0,4,2,1,0",
                                              "the bodies turn about y alone, so that height may be along y"),
-    "x,y,a,b,theta": ({"angle": "radians"}, "0,0,2,1,0", "the columns may be those of sep, and others mean other lengths"),
+    "x,y,a,b,theta": ({"angle": "radians"}, "0,0,2,1,0", "the columns may be those of sep, and other programs mean other lengths"),
     "x,y,z,a,b,c,quat[1],quat[2],quat[3],quat[4]": ({}, f"0,0,0,2,1,1,{UP}", r"quat\[1..4\] is x y z w for"),
     "x,y,z,a,b,c,quat_1,quat_2,quat_3,quat_4": ({}, f"0,0,0,2,1,1,{UP}", "quat_1 quat_2 quat_3 quat_4 is x y z w for .* and w x y z for"),
     "x,y,MA,ma,angle_deg": ({"shape_columns": ("MA", "ma")}, "0,0,1,4,0", "MA ma may be whole axes or semi-axes"),
@@ -49,7 +49,7 @@ REFUSED = {
     "x,y,a,b,PA": ({}, "0,0,2,1,0", "PA could change .*: say what it is .--angle-columns., or leave it out"),
     "x,y,a,b,ux,uy": ({}, "0,0,2,1,0,1", "ux uy may be the direction of an axis of ellipses, which needs three .*--ignore-columns ux,uy."),
     "x,y,a,b,dir_x,dir_y,dir_z": ({}, "0,0,2,1,0,1,0", "say so .--direction-columns dir_x,dir_y,dir_z., or leave"),
-    "x,y,z,a,b,c,qw,qx,qy,qz": ({"quaternion": "xyzw"}, f"0,0,0,2,1,1,{UP}", "qw qx qy qz say which is which, and it is not"),
+    "x,y,z,a,b,c,qw,qx,qy,qz": ({"quaternion": "xyzw"}, f"0,0,0,2,1,1,{UP}", "qw qx qy qz state an order other than"),
     "label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation":
         ({}, "1,0,0,4,1,90", "has the orientation 90, and this program writes radians up to 1.571: say the unit"),
     "centroid-0,centroid-1,centroid-2,axis_major_length,axis_minor_length,orientation": ({}, "0,0,0,4,1,1", "two .* centroid-2"),
@@ -60,7 +60,7 @@ REFUSED = {
     "x,y,z,sigma1": ({"shape_columns": 3 * ("sigma1",)}, "0,0,0,1", "sigma1 may be whole axes or semi-axes"),
     **{f"x,y,z,radius ({words})": ({}, "0,0,0,1", "more than a unit in brackets")
        for words in ("log10", "squared", "full width", "mm^2")},
-    "x [scaled],y,z,radius": ({}, "0,0,0,1", r"'x \[scaled\]' says more than a unit in brackets"),
+    "x [scaled],y,z,radius": ({}, "0,0,0,1", r"'x \[scaled\]' has more than a unit in brackets"),
     "x,y,a,b,theta [deg from north]": ({}, "0,0,2,1,0", "theta"),
     "x,y,z,a,b,c,orientation_x,orientation_y,orientation_z": ({}, "0,0,0,2,.5,.5,30,0,90", "which may be angles or a direction: say"),
     "x,y,z,radius,particle_type": ({}, "0,0,0,1,cube", "particles of the type cube are not ellipsoids"),
@@ -72,7 +72,7 @@ REFUSED = {
     **{f"x,y,z,a,b,c,{','.join(f'{stem}[{k}]' for k in range(4))}": ({}, f"0,0,0,2,1,1,{UP}", rf"{stem}\[0..3\] is x y z w for")
        for stem in ("Orientation", "q", "rotation")},
     "x,y,z,2a,2b,2c": ({"shape_columns": ("2a", "2b", "2c")}, "0,0,0,2,2,2", "2a 2b 2c may be whole axes or semi-axes"),
-    **{f"x,y,z,{name}": ({"shape_columns": 3 * (name,)}, "0,0,0,1", "says another quantity than a length, or a function")
+    **{f"x,y,z,{name}": ({"shape_columns": 3 * (name,)}, "0,0,0,1", "means a quantity other than a length, or a function")
        for name in ("volume", "eigenvalue1", "cov_xx", "Cxx", "U11", "var_1", "precision_x", "I1", "lambda_1", "aspect_1",
                     "log_a", "ln_radius", "log10 radius", "1/radius", "radius_squared", "radius^2", "radius²", "log(a)", "a_log")},
     "x,y,z,scale_x,scale_y,scale_z,rot_w,rot_x,rot_y,rot_z,r,g,b,a":
@@ -84,9 +84,9 @@ REFUSED = {
     "x,y,a,b,phi1,Phi,phi2": ({"angle": "degrees"}, "0,0,2,1,9,9,9", "the columns phi1 Phi phi2 could change .*--angle-columns"),
     "x,y,z,radius,var_x,variance_y,sd_z": ({}, "0,0,0,1,1,1,1", "the columns var_x variance_y sd_z could change"),
     "label,centroid_x,centroid_y,axis_major_length,axis_minor_length,orientation":
-        ({}, "1,0,0,4,1,1", "the columns may be those of skimage, and others mean other lengths .*--convention skimage"),
+        ({}, "1,0,0,4,1,1", "the columns may be those of skimage, and other programs mean other lengths .*--convention skimage"),
     "X,Y,MajorAxisLength,MinorAxisLength,Orientation":
-        ({}, "0,0,4,1,1", "may be those of skimage or matlab, and others mean"),
+        ({}, "0,0,4,1,1", "may be those of skimage or matlab, and other programs mean"),
     "x,y,semi_major,semi_minor,orientation":
         ({}, "0,0,4,1,1", "--angle-zero x or --angle-zero y .with --angle-sense yx if it grows the other way than from x towards y."),
 }  # fmt: skip

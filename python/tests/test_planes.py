@@ -420,7 +420,7 @@ def test_ellipses_in_other_formats(tmp_path):
     with pytest.raises(pypw85.FileError, match="'Dimensions' must be 2 or 3, not 5"):
         pypw85.read(tmp_path / "a.xyz")
     flat, solid = gas(np.random.default_rng(1), 5), pypw85.System.from_axes(np.eye(3), np.ones((3, 3)), [[1, 0, 0, 0]] * 3)
-    with pytest.raises(ValueError, match="frame 1 has other dimensions"):
+    with pytest.raises(ValueError, match="frame 1 has another number of dimensions"):
         pypw85.write(tmp_path / "b.h5", [flat, solid])
 
 

@@ -275,7 +275,7 @@ def test_command(run, tmp_path, monkeypatch):
         (["--rsa", "--axes", "1,2", "--cell", "20,20,20"], "--axes must have 3 numbers with --dimensions 3"),
         (["--rsa", *plane, "--cell", "20,20", "--voxels", "a.vtk"], "leave out --voxels for ellipses"),
         (["--rsa", "--axes", "1,1,2", "--cell", "20,20,20"],
-         "--rsa knows when ellipses and balls are saturated, not other ellipsoids: use --attempts, --seconds, or -n with"),
+         "--rsa can prove saturation of ellipses and balls only, not of other ellipsoids: use --attempts, --seconds, or -n with"),
         ([*plane, "-n", 3], "give -n and --fraction"),
         ([*plane, "-n", 3, "--fraction", 0.3, "--seconds", 3], "--seconds has no effect without --rsa"),
     ):

@@ -183,7 +183,7 @@ def test_without_zstandard(monkeypatch):
 
 def test_options_of_splats_alone(tmp_path):
     for option in ({"sigma": 3}, {"scales": "log"}, {"strict": True}):
-        with pytest.raises(pypw85.FileError, match=f"only files of the format splats have a use for --{next(iter(option))}"):
+        with pytest.raises(pypw85.FileError, match=f"--{next(iter(option))} applies to the format splats only"):
             pypw85.read(FILES / "good.dump", **option)
     with pytest.raises(pypw85.FileError, match="leave out --scales"):
         pypw85.read(FILES / "two.splat", scales="log")

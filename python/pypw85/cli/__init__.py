@@ -29,7 +29,7 @@ from .plot import plot
 
 @click.group(
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110},
-    epilog="pw85 COMMAND --help has options and examples.",
+    epilog="pw85 COMMAND --help lists the options and has examples.",
 )
 @click.version_option(version(), prog_name="pw85")
 def pw85() -> None:

@@ -204,53 +204,57 @@ class Frames(click.ParamType):
 _SHAPELESS = ""
 _FILE: Callable[..., Any] = click.argument("file")
 _OPTIONS = [
-    click.option("--format", type=click.Choice(READABLE), help="Format; by what is in the file if absent."),
+    click.option("--format", type=click.Choice(READABLE), help="Format of FILE. By default it is recognised by the content."),
     click.option("--frames", type=Frames(), default=":", metavar="START:STOP:STEP",
-                 help="A frame (-1: the last), or those from START to STOP, without it, by STEP; all by default."),
+                 help="One frame (0: the first, -1: the last), or every STEP-th frame from START up to, but without, STOP. Default: all."),
     click.option("--lengths", type=click.Choice(LENGTHS),
-                 help="What shapes are; by the names of their columns, or diameters in files of LAMMPS and radii elsewhere. RMS lengths "
-                      "are standard deviations along the axes of a uniform body."),
+                 help="Meaning of the lengths. By default the names of the columns decide; if they do not, lengths are diameters in "
+                      "files of LAMMPS, and radii (semi-axes) in others. An RMS length is the standard deviation of a uniform body "
+                      "along an axis."),
     click.option("--quaternion", type=click.Choice(ORDERS),
-                 help="Order of quaternions; by the names of their columns, or xyzw in extended XYZ and wxyz elsewhere."),
+                 help="Order of the components of quaternions. By default the names of the columns decide; if they do not, the order is "
+                      "xyzw in extended XYZ, and wxyz in other formats."),
     click.option("--cell", type=Numbers(3, 9), metavar="NUMBER,...",
-                 help="The cell: three edges A,B,C, or three vectors one after the other."),
+                 help="The cell: three edges A,B,C, or nine numbers, the three vectors one after the other."),
     click.option("--periodic", type=click.Choice(["none", "a", "b", "c", "ab", "ac", "bc", "abc"]),
-                 help="Along which vectors of the cell the system is repeated."),
+                 help="The vectors of the cell along which the system is periodic."),
     click.option("--shape", type=Shape(), multiple=True, metavar="[TYPE:]A,B,C",
-                 help="Lengths of particles that have no shape: of those of a type, or of all types (*:A,B,C). Without TYPE there must be "
-                      "one type of such particles. May be repeated."),
+                 help="Lengths of the particles that have no shape in the file: of one type, or of all types ('*:A,B,C'). TYPE may be "
+                      "left out if these particles have one type. May be repeated."),
     click.option("--shape-columns", metavar="A,B,C",
-                 help="Names of the columns of a dump, CSV or XYZ file that are the shape, two of ellipses, one of spheres; NAME[1] and "
-                      "so on of a property."),
-    click.option("--quaternion-columns", metavar="A,B,C,D", help="Names of the columns that are the quaternion."),
+                 help="Columns of a dump, CSV or XYZ file that have the lengths: three, two for ellipses, one for spheres. The "
+                      "components of a property are NAME[1], NAME[2] and so on."),
+    click.option("--quaternion-columns", metavar="A,B,C,D", help="Columns that have the quaternion, in the order of --quaternion."),
     click.option("--dimensions", type=click.Choice(["2", "3"]),
-                 help="2 if the particles are ellipses in a plane of z; by the file if absent."),
+                 help="2 for ellipses in a plane z = constant, 3 for ellipsoids. By default the file decides."),
     click.option("--angle", type=click.Choice(ANGLES),
-                 help="Unit of angles; by the names of their columns if absent."),
+                 help="Unit of angles. By default the names of the columns decide."),
     click.option("--convention", type=click.Choice([*CONVENTION_NAMES, NONE]), metavar="NAME",
-                 help=f"The program that wrote a table: {', '.join(CONVENTION_NAMES)}; by the names of the columns if absent, or none of "
-                      f"them ({NONE})."),
+                 help=f"The program that wrote a table: {', '.join(CONVENTION_NAMES)}. By default the names of the columns decide; {NONE} "
+                      "reads the columns by their names alone."),
     click.option("--euler", type=EulerSequence(), metavar="SEQUENCE",
-                 help="Axes of Euler angles, as zyx (fixed axes) or ZYX (axes that turn along), in the order of the angles."),
+                 help="Axes of the Euler angles, in the order of the angles: zyx for fixed axes, ZYX for axes that turn with the body."),
     click.option("--angle-columns", metavar="A,...",
-                 help="Names of the columns of angles, in the order of --euler; or of the one of ellipses."),
+                 help="Columns of the Euler angles, in the order of --euler; or the column of the angle of ellipses."),
     click.option("--angle-zero", type=click.Choice(["x", "y"]),
-                 help="The axis from which the angles of ellipses are counted; x if absent."),
+                 help="Axis from which the angles of ellipses are counted. Default: x."),
     click.option("--angle-sense", type=click.Choice(["xy", "yx"]),
-                 help="Whether the angles of ellipses grow from x towards y (xy), or the other way (yx): counterclockwise as seen where y "
-                      "points down. xy if absent."),
+                 help="Sense in which the angles of ellipses grow: from x towards y (xy), or from y towards x (yx), which is "
+                      "counterclockwise in a picture whose y axis points down. Default: xy."),
     click.option("--polar", metavar="A,B",
-                 help="Names of the columns of the angle of an axis of revolution from z, and of that about z from x."),
-    click.option("--direction-columns", metavar="A,B,C", help="Names of the columns that are the direction of an axis of revolution."),
-    click.option("--ignore-columns", metavar="A,...", help="Names of columns that do not matter."),
+                 help="Columns of two angles of an axis of revolution: A between the axis and z, B about z, counted from x."),
+    click.option("--direction-columns", metavar="A,B,C", help="Columns of the direction of an axis of revolution."),
+    click.option("--ignore-columns", metavar="A,...", help="Columns to ignore."),
     click.option("--points", is_flag=False, flag_value=_SHAPELESS, metavar="[TYPE,...]",
-                 help="Types of particles that are points, and are left out; without TYPE: particles without a shape are points."),
+                 help="Types of particles that are points: they are left out. Without TYPE, all particles without a shape are points."),
     click.option("--sigma", type=Finite(), metavar="NUMBER",
-                 help="Of splats: how many standard deviations the semi-axes are; 1 if absent."),
-    click.option("--scales", type=click.Choice(SCALES), help="Of splats: whether scales are logarithms of lengths, or lengths."),
-    click.option("--strict", is_flag=True, help="Of splats: refuse flat ones instead of raising their semi-axes."),
+                 help="For splats: length of the semi-axes, in standard deviations. Default: 1."),
+    click.option("--scales", type=click.Choice(SCALES),
+                 help="For splats: whether the scales in the file are logarithms of lengths, or lengths."),
+    click.option("--strict", is_flag=True,
+                 help="For splats: refuse a file with splats that are too flat, instead of enlarging their semi-axes."),
     click.option("--spacing", type=Numbers(1, 2, 3, positive=True), metavar="NUMBER,...",
-                 help="Of a labelled image: the distance of its pixels, one for all dimensions or one for each; 1 if absent."),
+                 help="For a labelled image: the distance between pixels, one number for all dimensions or one for each. Default: 1."),
 ]  # fmt: skip
 
 

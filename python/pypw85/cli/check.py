@@ -25,19 +25,19 @@ from ._progress import progress, say
 from ._reports import Found, csv_report, hdf5_report, json_report
 
 
-@click.command()
+@click.command(short_help="Find the ellipsoids of a file that overlap.")
 @input_options
-@click.option("--worst", type=click.IntRange(0), default=10, show_default=True, help="How many pairs to show.")
+@click.option("--worst", type=click.IntRange(0), default=10, show_default=True, help="Number of pairs to print, those with the smallest μ.")
 @click.option("--below", type=Finite(), default="1.0", show_default=True,
-              help="Largest μ of the pairs in the files written; 1: those that overlap.")
-@click.option("--csv", "csv_path", metavar="FILE", help="Write these pairs as a table; - is the standard output.")
-@click.option("--json", "json_path", metavar="FILE", help="Write everything as JSON; - is the standard output.")
-@click.option("--hdf5", "hdf5_path", metavar="FILE", help="Write everything as HDF5.")
-@click.option("--workers", type=click.IntRange(1), default=1, show_default=True, help="Processes that share the frames.")
+              help="Write the pairs with μ below this number to the files of --csv, --json and --hdf5. 1: the pairs that overlap.")
+@click.option("--csv", "csv_path", metavar="FILE", help="Write these pairs as a table; - means the standard output.")
+@click.option("--json", "json_path", metavar="FILE", help="Write these pairs, and what is printed, as JSON; - means the standard output.")
+@click.option("--hdf5", "hdf5_path", metavar="FILE", help="Write these pairs, and what is printed, as HDF5.")
+@click.option("--workers", type=click.IntRange(1), default=1, show_default=True, help="Number of processes that share the frames.")
 @click.option("--varying", is_flag=True, help="The number of particles may change from frame to frame.")
 def check(given: Input, worst: int, below: float, csv_path: str | None, json_path: str | None,
           hdf5_path: str | None, workers: int, varying: bool) -> int:  # fmt: skip
-    """Say which ellipsoids of FILE overlap. Ends with status 0 if none do, 1 if some, 2 if the input is bad."""
+    """Find the ellipsoids of FILE that overlap. The exit status is 0 if none overlap, 1 if some do, and 2 if the input is bad."""
     refuse_idle({"below": ("csv_path", "json_path", "hdf5_path")})
     outputs = [(csv_report, csv_path), (json_report, json_path), (hdf5_report, hdf5_path)]
     check_outputs(given, csv_path, json_path, hdf5_path)

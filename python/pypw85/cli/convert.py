@@ -25,22 +25,22 @@ class Species(click.ParamType):
         return {old: new for old, _, new in pairs}
 
 
-@click.command()
+@click.command(short_help="Write frames of a file in another format.")
 @input_options
 @click.argument("output")
-@click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT; by the end of its name if absent.")
+@click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT. By default the end of its name decides.")
 @click.option("--precision", type=click.Choice(["single", "double"]),
-              help="Precision of a GSD file; single if absent. HOOMD-blue reads double since its version 7.")
+              help="Precision of a GSD file. Default: single. HOOMD-blue reads double precision since version 7.")
 @click.option("--species", type=Species(), metavar="TYPE:NAME,...",
-              help="Other names of types, as 1:H,2:He. ASE reads extended XYZ only if all are chemical elements.")
+              help="New names of types, such as 1:H,2:He. ASE reads extended XYZ only if all types are chemical elements.")
 @click.option("--deviation", type=click.FloatRange(0, min_open=True), metavar="LENGTH",
-              help="Largest distance of the triangles of a mesh from the surfaces; a hundredth of the longest semi-axis if absent.")
+              help="For a mesh: largest distance of the triangles from the surfaces. Default: a hundredth of the longest semi-axis.")
 @click.option("--fit", type=click.Choice(FITS),
-              help="Whether a mesh is inside of the ellipsoids, outside, or has their volume; volume if absent.")
+              help="For a mesh: whether it is inside of the ellipsoids, outside, or has their volume. Default: volume.")
 def convert(given: Input, output: str, to: str | None, precision: str | None, species: dict[str, str] | None, deviation: float | None,
             fit: Fit | None) -> int:  # fmt: skip
-    """Write the chosen frames of FILE to OUTPUT. For ParaView, end it with .vtk, and apply the filter Tensor Glyph with a
-    sphere of radius 1 to the tensor "shape". The ends .stl, .obj and .ply give meshes of triangles."""
+    """Write the chosen frames of FILE to OUTPUT. For ParaView, give OUTPUT a name that ends with .vtk, and apply the filter Tensor
+    Glyph with a sphere of radius 1 to the tensor "shape". If its name ends with .stl, .obj or .ply, OUTPUT is a mesh of triangles."""
     with progress() as stage:
         stage("converting")
         systems = given.systems(beside(output))

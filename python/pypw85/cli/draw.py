@@ -13,20 +13,20 @@ from ._input import Angle, Input, check_outputs, input_options, one_frame
 from ._progress import progress
 
 
-@click.command()
+@click.command(short_help="Draw one frame of a file.")
 @input_options
 @click.argument("picture")
 @click.option("--contacts", is_flag=True, help="Mark the contact points of overlapping pairs.")
 @click.option("--color", type=click.Choice(COLOURINGS), default="overlaps", show_default=True,
-              help="What colours mean. With orientation, the components of main axes along x, y and z are red, green and blue.")
+              help="Meaning of the colours. With orientation, the components of the main axes along x, y and z are red, green and blue.")
 @click.option("--elevation", type=Angle(), default=20, show_default=True, help="Angle of view above the plane xy, in degrees.")
 @click.option("--azimuth", type=Angle(), default=-60, show_default=True, help="Angle of view around z, in degrees.")
 @click.option("--size", type=click.IntRange(50, 20000), default=1200, show_default=True, help="Pixels of the longer side.")
 def draw(given: Input, picture: str, contacts: bool, elevation: float, azimuth: float, size: int, color: str) -> int:
-    """Draw the first chosen frame of FILE. PICTURE ends with .png (or .pdf, .svg), or with .html: a page that any browser
-    shows and turns, without a network. Overlapping ellipsoids are red, unless --color says something else. Centres are drawn
-    within the cell, and an arrow is the director if the nematic order is 0.2 or more. Ellipses in a plane have colours by their angles,
-    and red edges where they overlap; they are drawn with their images across the borders of the cell."""
+    """Draw the first chosen frame of FILE. The name of PICTURE ends with .png, .pdf or .svg, or with .html: a page in which you can
+    turn the system, in any browser and without a network. Overlapping ellipsoids are red, unless --color says
+    otherwise. Centres are drawn within the cell. An arrow shows the director if the nematic order is 0.2 or more. The colours of ellipses
+    in a plane show their angles, and ellipses that overlap have red edges; images across the borders of the cell are drawn, too."""
     refuse_standard_output(picture, "the end of a name says the format of a picture")
     check_picture(picture)
     check_outputs(given, picture)

@@ -39,61 +39,64 @@ _NEEDED = {
 MOST_THREADS = 1024
 
 
-@click.command()
+@click.command(short_help="Move hard ellipsoids by Monte Carlo, and print averages with errors.")
 @_START
 @click.option("--sweeps", type=WholeNumber(), metavar="N",
-              help="How many sweeps, of as many trials as there are particles: 1e5, for instance.")
+              help="Number of sweeps, such as 1e5. A sweep has as many trials as there are particles.")
 @click.option("--out", metavar="FILE",
-              help="Averages, samples and checkpoint, .h5; or .csv: the samples as a table, the rest in FILE.h5.")
+              help="File of the run. If its name ends with .h5, it has averages, samples and checkpoint. If its name ends with .csv, it "
+                   "has the samples as a table, and FILE.h5 has the rest.")
 @click.option("--pressure", type=Finite(), metavar="P",
-              help="βP in the inverse cube of the unit of length, in two dimensions its inverse square; the volume is constant if absent.")
+              help="βP, in the inverse cube of the unit of length (in two dimensions, the inverse square). Without this option the "
+                   "volume is constant.")
 @click.option("--volume", type=click.Choice(["isotropic", "axis", "triclinic"]), default="isotropic", show_default=True,
-              help="What changes of the volume scale: all axes alike, one of them, or shear, too. Changes of one axis and shear are for "
-                   "crystals: a fluid lets its cell become a needle.")
+              help="How trial moves change the cell: all axes by one factor, one axis, or also by shear. Use axis and triclinic for "
+                   "crystals only: in a fluid the cell becomes longer and thinner without limit.")
 @click.option("--volume-trials", type=WholeNumber(), default=1, show_default=True, metavar="N",
-              help="Trials of the volume after each sweep.")
+              help="Trial moves of the volume after each sweep.")
 @click.option("--exchange", type=Finite(may_be_zero=True, below=1), default="0", show_default=True, metavar="PART",
-              help="The part of the trials that exchange the semi-axes of two unlike particles.")
+              help="Fraction of the trials that exchange the semi-axes of two unlike particles.")
 @click.option("--wall", "walls", type=WALL, multiple=True, metavar="KIND:NUMBER,...",
-              help=f"A hard wall: {WALL.forms()}. A plane is the wall N·x >= OFFSET; particles are inside of the others. May be "
-                   "repeated.")
+              help=f"A hard wall: {WALL.forms()}. A plane is a wall that fills N·x > OFFSET. Particles are inside of the other "
+                   "walls. May be repeated.")
 @click.option("--field", "fields", type=FIELD, multiple=True, metavar="KIND:NUMBER,...",
-              help=f"A field, whose energy is in the unit of the thermal one: {FIELD.forms()}. May be repeated.")
+              help=f"A field, with energies in units of kT: {FIELD.forms()}. May be repeated.")
 @click.option("--law", type=LAW, metavar="KIND:...",
-              help="The energy of pairs beside the hard cores, in the unit of the thermal one: powers:A,N,B,M,MU2_MAX is A μ^-N - B μ^-M, "
-                   "less the value of that at the cutoff; table:FILE has lines of μ², U and dU/dμ², and is 0 from the last on.")
+              help="Pair potential U outside of the hard cores, in units of kT. powers:A,N,B,M,MU2_MAX is A μ^-N - B μ^-M minus its "
+                   "value at the cutoff MU2_MAX. table:FILE has lines of μ², U and dU/dμ²; U is 0 from the last line on.")
 @click.option("--equilibrate", type=WholeNumber(0), metavar="N",
-              help="Sweeps before, in which steps are tuned. By default they end once no average drifts, or after 15/16 of the "
-                   "sweeps.")
-@click.option("--every", type=WholeNumber(), metavar="N", help="Sweeps between two samples: 10 by default, in dense systems 20.")
+              help="Sweeps before the first sample, in addition to --sweeps; they tune the step sizes. By default they end as soon as no "
+                   "average drifts, and at the latest after 15/16 of --sweeps.")
+@click.option("--every", type=WholeNumber(), metavar="N", help="Sweeps between two samples. Default: 10, in dense systems 20.")
 @click.option("--chains", type=WholeNumber(0), metavar="N",
-              help="Event chains at each sample: by default one for 250 trials, in dense systems one for 1000; none with walls, "
-                   "fields or a law, of which chains know nothing.")
+              help="Event chains at each sample. Default: one for every 250 trials between two samples, in dense systems for every 1000. "
+                   "There are none with walls, fields or a law, which event chains do not support.")
 @click.option("--chain-length", type=Finite(), metavar="L",
-              help="Of each chain; by default the length that has some fifty contacts.")
-@click.option("--seed", type=WholeNumber(0, 2**64 - 1), default=1, show_default=True, help="Of the random numbers.")
+              help="Length of each event chain. Default: a length with about fifty contacts.")
+@click.option("--seed", type=WholeNumber(0, 2**64 - 1), default=1, show_default=True, help="Seed of the random numbers.")
 @click.option("--width", type=Finite(most=1.0), default="0.1", show_default=True,
               help="Width of the interval of μ - 1 from which the pressure is extrapolated; at most 1.")
 @click.option("--reach", type=Finite(may_be_zero=True), default="0", show_default=True,
-              help="Largest distance of the pair correlation; 0: none.")
+              help="Largest distance of the pair correlation; 0: no pair correlation.")
 @click.option("--bins", type=WholeNumber(), default=50, show_default=True, help="Number of bins of the pair correlation.")
-@click.option("--trajectory", metavar="FILE", help="Configurations, .gsd, .xyz or .dump.")
+@click.option("--trajectory", metavar="FILE", help="Also write configurations to this file (.gsd, .xyz or .dump).")
 @click.option("--trajectory-every", type=WholeNumber(), default="1000", show_default=True, metavar="N",
               help="Sweeps between two of these configurations.")
 @click.option("--precision", type=click.Choice(["single", "double"]), default="double", show_default=True,
-              help="Of a trajectory in GSD. Double is a newer schema, which gsd.hoomd may refuse, and gsd.fl reads.")
+              help="Precision of a trajectory in GSD. Double needs a newer schema, which gsd.fl reads, but gsd.hoomd may refuse.")
 @click.option("--checkpoint", type=Finite(may_be_zero=True), default="60", show_default=True, metavar="SECONDS",
               help="Time between two checkpoints.")
-@click.option("--threads", type=WholeNumber(most=MOST_THREADS), help="Threads; they do not change the results.")
-@click.option("--resume", "resumed", metavar="FILE", help="Continue this run, to more sweeps if --sweeps says so.")
+@click.option("--threads", type=WholeNumber(most=MOST_THREADS), help="Number of threads. It does not change the results.")
+@click.option("--resume", "resumed", metavar="FILE",
+              help="Continue the run of this file. --sweeps, if given, is the new total number of sweeps.")
 @click.pass_context
 def mc(ctx: click.Context, /, given: Input | None, sweeps: int | None, checkpoint: float, threads: int | None,
        resumed: str | None, **others: Any) -> int:  # fmt: skip
-    """Move hard ellipsoids by Monte Carlo, from the first chosen frame of START, which has no overlaps. Prints averages with
-    their errors. In two dimensions ellipses move in their plane, and areas take the place of volumes.
+    """Move hard ellipsoids by Monte Carlo, and print averages with their errors. The run starts from the first chosen frame of START,
+    which must have no overlaps. In two dimensions ellipses move in their plane, and areas take the place of volumes.
 
-    Ctrl-C finishes the sweep, and leaves a checkpoint (status 130). A run that is continued by --resume has the same bits as one that
-    was never interrupted.
+    After Ctrl-C the command finishes the sweep, writes a checkpoint, and ends with status 130. A run that --resume continues has the
+    same bits as an uninterrupted run.
     """
     if threads is not None:
         _core.set_num_threads(threads)
@@ -118,7 +121,7 @@ def mc(ctx: click.Context, /, given: Input | None, sweeps: int | None, checkpoin
 def _refuse_others() -> None:
     others = [text for name, text in given_options().items() if name not in _OF_RESUMED]
     if others:
-        raise click.UsageError("with --resume, the file says everything but --sweeps, --threads and --checkpoint: "
+        raise click.UsageError("with --resume, only --sweeps, --threads and --checkpoint can change, and the file has the rest: "
                                f"leave out {', '.join(others)}")  # fmt: skip
 
 
@@ -127,7 +130,7 @@ def _refuse_without_effect(ctx: click.Context) -> None:
     given, chains = given_options(), ctx.params["chains"]
     for name in {"chains", "chain_length"} & set(given):
         if ctx.params[name] and (ctx.params["walls"] or ctx.params["fields"] or ctx.params["law"]):
-            raise click.UsageError(f"event chains know no walls, no fields and no laws: leave out {given[name]}")
+            raise click.UsageError(f"event chains do not support walls, fields and laws: leave out {given[name]}")
     refuse_idle(_NEEDED if chains is None else _NEEDED | {"chain_length": ["chains"]})
 
 
@@ -380,7 +383,7 @@ def _badly_tuned(run: Run) -> Iterator[str]:
             continue
         is_limited = run.simulation.steps.translation > _LONGEST_STEP * longest
         if accepted < _ACCEPTED[0] * trials or (accepted > _ACCEPTED[1] * trials and not is_limited):
-            yield f"{accepted / trials:.3f} of the {move}s were accepted, and {ACCEPTANCE:g} are aimed at: "
+            yield f"{accepted / trials:.3f} of the {move}s were accepted instead of about {ACCEPTANCE:g}: "
 
 
 def _unsettled(run: Run) -> Iterator[str]:
@@ -389,7 +392,7 @@ def _unsettled(run: Run) -> Iterator[str]:
     names = [] if windows is None else [name for name in windows.unsettled() if name not in run.constants]
     if windows is not None and windows.is_finished and names:
         yield (f"the equilibration ended at its limit of {windows.sweeps} sweeps: in the last {windows.window} of them {', '.join(names)} "
-               f"still changed, or too few samples could tell: equilibrate longer (--equilibrate {2 * windows.sweeps})")  # fmt: skip
+               f"still changed, or had too few samples to tell: equilibrate longer (--equilibrate {2 * windows.sweeps})")  # fmt: skip
 
 
 # A bias of the contacts beyond this many errors is not an accident.
@@ -402,7 +405,7 @@ def _doubts(run: Run) -> Iterator[str]:
     unresolved, drifting, errors = run.unresolved(), run.observables.drifting(), run.averages()
     if unresolved and len(run.observables):
         yield (f"the run is too short for the errors of {', '.join(unresolved)}, which need {LEAST_INDEPENDENT} independent samples each, "
-               "or it began before it was in equilibrium: continue it (--resume, --sweeps)")  # fmt: skip
+               "or it was not in equilibrium at its start: continue it (--resume, --sweeps)")  # fmt: skip
     if drifting:
         drifts = ", ".join(f"{name} by {drift:.1f} times its error" for name, drift in drifting.items())
         allowance = "" if any(np.isnan(errors[name].error) for name in drifting) else "; the errors in the table allow for this"

@@ -38,44 +38,48 @@ class _Axes(Numbers):
         return Numbers(2 if count == 2 else 3, positive=True).convert(value, param, ctx)
 
 
-_steps = click.option("--steps", type=WholeNumber(), default=20000, show_default=True, help="How many steps to try.")
-_to = click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT; by the end of its name if absent.")
+_steps = click.option("--steps", type=WholeNumber(), default=20000, show_default=True, help="Largest number of steps.")
+_to = click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT. By default the end of its name decides.")
 
 
-@click.command()
+@click.command(short_help="Write a random packing without overlaps, or a lattice.")
 @click.argument("output")
-@click.option("-n", "--number", type=WholeNumber(), help="How many ellipsoids.")
+@click.option("-n", "--number", type=WholeNumber(), help="Number of ellipsoids.")
 @click.option("--axes", "kinds", type=_Axes(), multiple=True, required=True, metavar="A,B,C",
-              help="Semi-axes, or A,B of ellipses; if given several times, there are as many of each kind.")
+              help="Semi-axes A,B,C, or A,B for ellipses. If the option is repeated, each kind gets an equal number of ellipsoids.")
 @click.option("--spread", type=Finite(may_be_zero=True), default="0", show_default=True,
               help="Standard deviation of the natural logarithm of sizes.")
 @click.option("--fraction", type=Finite(below=1), help="Packing fraction.")
 @click.option("--cell", type=Numbers(2, 3, 4, 9), metavar="NUMBER,...",
-              help="Shape of the cell, A,B,C or three vectors, which is scaled to the fraction: a cube if absent. A,B or two vectors "
-                   "for ellipses.")
+              help="Shape of the cell, which is then scaled to the fraction: three edges A,B,C or three vectors (for ellipses A,B or two "
+                   "vectors). Default: a cube.")
 @click.option("--dimensions", type=click.Choice(["2", "3"]), default="3", show_default=True, help="2 for ellipses in a plane.")
-@click.option("--rsa", is_flag=True, help="Add ellipsoids at random places one after the other, until no other one finds room.")
+@click.option("--rsa", is_flag=True,
+              help="Random sequential addition: place ellipsoids at random, one after the other, until no further one fits.")
 @click.option("--attempts", type=Finite(), help="With --rsa: end after this number of attempts.")
-@click.option("--seconds", type=Finite(), help="With --rsa: end after this time.")
+@click.option("--seconds", type=Finite(), help="With --rsa: end after this time, in seconds.")
 @click.option("--lattice", "kind", type=click.Choice(["fcc", "sc", "stretched"]),
-              help="An ordered start instead: parallel ellipsoids on a cubic lattice, or on a face-centred one that is stretched with "
-                   "them.")
-@click.option("--align", type=Numbers(3), metavar="X,Y,Z", help="With --lattice: where their main axes point; along z by default.")
-@click.option("--seed", type=WholeNumber(0), default=0, show_default=True, help="Of the random numbers: another one, another packing.")
-@click.option("--voxels", metavar="FILE", help="Write a voxel image, too (.vtk or .h5): 0, or the number of the ellipsoid.")
+              help="Write parallel ellipsoids on a lattice instead of a random packing: a face-centred cubic (fcc) or a simple cubic (sc) "
+                   "lattice, or an fcc lattice of spheres that is stretched until the spheres are the ellipsoids (stretched).")
+@click.option("--align", type=Numbers(3), metavar="X,Y,Z", help="With --lattice: direction of the main axes. Default: z.")
+@click.option("--seed", type=WholeNumber(0), default=0, show_default=True,
+              help="Seed of the random numbers. Another seed gives another packing.")
+@click.option("--voxels", metavar="FILE",
+              help="Also write a voxel image to this file (.vtk or .h5). The value of a voxel is the number of its ellipsoid, or 0.")
 @click.option("--resolution", type=WholeNumber(), default=64, show_default=True, help="Voxels along each vector of the cell.")
 @_to
 @_steps
 def pack(output: str, number: int | None, kinds: Any, spread: float, fraction: float | None, cell: Any, seed: int, voxels: str | None,
          resolution: int, to: str | None, steps: int, dimensions: str, rsa: bool, attempts: float | None,
          seconds: float | None, kind: str | None, align: Any) -> int:  # fmt: skip
-    """Write a random periodic packing of ellipsoids, or of ellipses with --dimensions 2, without overlaps to OUTPUT.
+    """Write a random periodic packing without overlaps to OUTPUT: of ellipsoids, or of ellipses with --dimensions 2.
 
-    If overlaps are left after all steps, or at Ctrl-C, OUTPUT is the best that was found, and the status is 1 or 130.
+    If overlaps are left after all steps (status 1) or at Ctrl-C (status 130), OUTPUT has the best packing that was found.
 
-    With --rsa the cell is --cell, in the unit of the semi-axes, and is filled as far as possible; or it is as large as -n and --fraction
-    ask for, and is filled with as many ellipsoids. What was reached is printed. The status is 1 if there are fewer than -n, or if
-    neither that nor saturation was reached before --attempts or --seconds.
+    With --rsa there are two ways. Either --cell is the cell, in the unit of the semi-axes, and is filled until no further ellipsoid
+    fits; or -n and --fraction determine the size of the cell, --cell only its shape, and -n ellipsoids are placed in it. The command
+    prints the number and the fraction that it reached. The status is 1 if there are fewer than -n ellipsoids, or if --attempts or
+    --seconds ended the addition.
     """
     refuse_idle({"attempts": ("rsa",), "seconds": ("rsa",), "align": ("kind",), "resolution": ("voxels",)})
     to = check_written_name(output, to)
@@ -177,7 +181,7 @@ def _check_plane(kinds: Any, cell: Any, dimensions: int, voxels: str | None) -> 
     if cell is not None and len(cell) not in (dimensions, dimensions**2):
         raise click.UsageError(f"--cell must have {dimensions} or {dimensions**2} numbers with --dimensions {dimensions}")
     if voxels is not None and dimensions == 2:
-        raise click.UsageError("a voxel image is that of ellipsoids: leave out --voxels for ellipses")
+        raise click.UsageError("voxel images are for ellipsoids only: leave out --voxels for ellipses")
     return cell if cell is None else np.diag(cell) if len(cell) == dimensions else cell.reshape(dimensions, dimensions)
 
 
@@ -198,8 +202,8 @@ class _Wish(NamedTuple):
             raise click.UsageError("--rsa fills a cell (--cell), or makes one for a number and a fraction (-n, --fraction)")
         dimensions = self.kinds.shape[1]
         if dimensions == 3 and np.ptp(self.kinds, axis=1).any() and self.number is None and self.attempts is None and self.seconds is None:
-            raise click.UsageError("--rsa knows when ellipses and balls are saturated, not other ellipsoids: use --attempts, --seconds, or "
-                                   "-n with --fraction")  # fmt: skip
+            raise click.UsageError("--rsa can prove saturation of ellipses and balls only, not of other ellipsoids: use --attempts, "
+                                   "--seconds, or -n with --fraction")  # fmt: skip
         if self.number is None or self.fraction is None:
             return self.cell
         shape, volume = check_cell(np.eye(dimensions) if self.cell is None else self.cell, dimensions)
@@ -240,7 +244,7 @@ def _add(output: str, to: str, wish: _Wish, voxels: str | None, resolution: int)
     return int(result.end in ("attempts", "seconds") or (wish.number or 0) > len(result.system))
 
 
-@click.command()
+@click.command(short_help="Move and turn ellipsoids until none overlap.")
 @input_options
 @click.argument("output")
 @_to
@@ -248,8 +252,8 @@ def _add(output: str, to: str, wish: _Wish, voxels: str | None, resolution: int)
 def relax(given: Input, output: str, to: str | None, steps: int) -> int:
     """Move and turn the ellipsoids of the chosen frames of FILE until none overlap, and write them to OUTPUT.
 
-    If overlaps are left after all steps, or at Ctrl-C, OUTPUT has the best that was found, and the status is 1 or 130. After Ctrl-C
-    all further frames are written as they are.
+    If overlaps are left after all steps (status 1) or at Ctrl-C (status 130), OUTPUT has the best configuration that was found. After
+    Ctrl-C all further frames are written unchanged.
     """
     to = check_written_name(output, to)
     best, counts = _Best(output), list[int]()

@@ -21,18 +21,18 @@ from ._progress import progress, say
 from ._series import is_table, read_series, series_figure
 
 
-@click.command()
+@click.command(short_help="Plot the distribution of μ and the nematic order of a trajectory, or the averages of a run.")
 @partial(input_options, is_other=is_table)
 @click.argument("picture")
-@click.option("--reach", type=Finite(), default="2.0", show_default=True, help="Largest μ.")
-@click.option("--bins", type=click.IntRange(1), default=100, show_default=True, help="How many bins.")
+@click.option("--reach", type=Finite(), default="2.0", show_default=True, help="Largest μ in the plot.")
+@click.option("--bins", type=click.IntRange(1), default=100, show_default=True, help="Number of bins.")
 def plot(given: Input, picture: str, reach: float, bins: int) -> int:
-    """Plot, over the chosen frames of FILE, how many pairs have which μ, their pair correlation in μ, and the nematic order
-    of each frame, which is printed, too. For ellipses in a plane, plot also the pair correlation by distance, in rings, with the
-    mean cosine of twice the angle between the ellipses of a pair, and the tetratic order.
+    """Plot the histogram of μ over the pairs of the chosen frames of FILE, the pair correlation in μ, and the nematic order of each
+    frame. The command also prints the nematic orders. For ellipses in a plane, it also plots the pair correlation by distance, in rings,
+    with the mean cosine of twice the angle between the ellipses of a pair, and the tetratic order.
 
-    If FILE is the file of a run of pw85 mc, or its table (.csv), plot instead what it sampled against the sweeps, with running means: the
-    nematic order, the compressibility, and the density. A trajectory of the run has the distributions."""
+    If FILE is the file of a run of pw85 mc, or its table (.csv), the command plots the samples of the run instead, against the sweeps and
+    with running means: the nematic order, the compressibility, and the density. For the distributions, plot a trajectory of the run."""
     refuse_standard_output(picture, "the end of a name says the format of a picture")
     check_picture(picture)
     check_outputs(given, picture)

@@ -152,7 +152,7 @@ def guess(path: Path) -> str:
         module = FORMATS[name]
         if module.recognise(start) or end.endswith(getattr(module, "RECOGNISED_NAMES", ())):
             if is_packed and module in _NOT_COMPRESSED and not start.startswith(splats.SPZ):
-                raise FileError(path, f"files of the format {name} are not read while compressed: decompress it (gunzip)")
+                raise FileError(path, f"compressed files of the format {name} are not read: decompress it (gunzip)")
             return name
     if end.endswith(".ksplat"):
         raise FileError(path, "splats in .ksplat are not read: convert them (splat-transform INPUT.ksplat OUTPUT.ply)")
@@ -213,7 +213,7 @@ def check_precision(path: Path, format: str, precision: str | None) -> None:
     if precision is not None:
         choice(precision, "write: precision", ("single", "double"))
     if precision is not None and format != "gsd":
-        raise FileError(path, f"only files of the format gsd have a precision to choose, not {format}: leave out --precision")
+        raise FileError(path, f"the precision can be chosen for the format gsd only, not for {format}: leave out --precision")
 
 
 def check_storable(path: Path, format: str, system: System, **others: str) -> None:
@@ -308,24 +308,29 @@ def frames(path: Path, chosen: slice = slice(None), format: str | None = None, *
 
 
 def read(path: Path, frame: int = 0, format: str | None = None, **options: Any) -> System:
-    """One frame of a file of another program.
+    """Read one frame of a file of another program.
 
     Parameters
     ----------
     path : path
     frame : int
-        From 0, or from the last with -1.
+        The number of the frame, from 0; -1 is the last frame.
     format : str, optional
-        "lammps-dump", "lammps-data", "gsd", "xyz", "hdf5", "csv", "splats", "microstructpy" or "labels"; by what is in the file if
-        absent.
+        "lammps-dump", "lammps-data", "gsd", "xyz", "hdf5", "csv", "ds9", "splats", "microstructpy" or "labels". By default the format is
+        recognised by the content of the file.
     **options
-        What the file does not say, or wrongly: `lengths`, "radii" or "diameters"; `quaternion`, "wxyz" or "xyzw"; `cell`, its
-        vectors by rows; `periodic`, three flags; `shape`, the lengths of particles without any, and `shapes`, those of types by
-        their names, or of all types under "*"; `shape_columns` and
-        `quaternion_columns`, names of columns of a dump, a CSV or an XYZ file; `dimensions`, 2 or 3; `angle`,
-        "degrees" or "radians"; `points`, types of particles that are points and left out. Of splats: `sigma`, how many standard
-        deviations the semi-axes are; `scales`, "log" or "linear"; `strict`, which refuses splats that are too flat instead of raising their
-        semi-axes. `spacing`, the distance of the pixels of a labelled image, or one for each of its dimensions.
+        What the file lacks, or states wrongly. For all files: `lengths`, "radii", "diameters" or "rms"; `quaternion`, "wxyz" or "xyzw";
+        `cell`, an array whose rows are the vectors; `periodic`, three flags; `shape`, the lengths of the particles that have no shape in
+        the file; `shapes`, a dictionary of such lengths by the names of types, or for all types under "*"; `dimensions`, 2 or 3;
+        `angle`, "degrees" or "radians"; `points`, the types of particles that are points, which are left out.
+
+        For files with columns: `convention`, the name of the program that wrote a table, or "none"; `shape_columns`,
+        `quaternion_columns`, `angle_columns`, `polar` (two), `direction_columns` (three) and `ignore_columns`, names of columns; `euler`,
+        the sequence of axes; `angle_zero`, "x" or "y"; `angle_sense`, "xy" or "yx".
+
+        For splats: `sigma`, the length of the semi-axes in standard deviations; `scales`, "log" or "linear"; `strict`, True to refuse
+        splats that are too flat instead of enlarging their semi-axes. For a labelled image: `spacing`, the distance between pixels, a
+        number for all dimensions or one for each.
 
     Returns
     -------
@@ -334,11 +339,11 @@ def read(path: Path, frame: int = 0, format: str | None = None, **options: Any) 
     Raises
     ------
     FileError
-        There is something wrong with the file; or the frame is not there; or two programs mean different things by the names in the
-        file. The message names the options that decide, as the command spells them: ``--shape-columns`` is the argument
+        The file is wrong; or it has no such frame; or the names in the file mean different things in different programs. In the last
+        case the message names the options that decide, as the command spells them: ``--shape-columns`` is the argument
         `shape_columns`.
     OSError
-        It cannot be opened.
+        The file cannot be opened.
     """
     number = integer(frame, "read: frame", None)
     chosen = slice(number, None if number == -1 else number + 1)
@@ -349,25 +354,25 @@ def read(path: Path, frame: int = 0, format: str | None = None, **options: Any) 
 
 def write(path: Path, systems: System | Iterable[System], format: str | None = None, precision: str | None = None,
           deviation: float | None = None, fit: Fit | None = None) -> None:  # fmt: skip
-    """Write a system, or several as frames. The file is written atomically.
+    """Write a system, or several systems as frames. The file is written atomically.
 
-    A text file whose name ends with .gz is compressed. What the format cannot hold exactly, as numbers in double precision in a
-    GSD file, is lost with a warning (`UserWarning`).
+    A text file whose name ends with .gz is compressed. If the format cannot hold something exactly, such as numbers in double precision in
+    a GSD file, there is a warning (`UserWarning`).
 
     Parameters
     ----------
     path : path
     systems : System or iterable of System
     format : str, optional
-        As for `read`, or "vtk", "mjcf", "sdf", or a mesh of triangles, "stl", "obj" or "ply", but none of "splats", "microstructpy" and
-        "labels"; by the end of the name if absent.
+        "lammps-dump", "lammps-data", "gsd", "xyz", "hdf5", "csv", "vtk", "mjcf" or "sdf", or for a mesh of triangles "stl", "obj" or
+        "ply". By default the end of the name decides.
     precision : str, optional
-        Of a GSD file: "single", or "double", which HOOMD-blue reads since its version 7; "single" if absent.
+        For a GSD file: "single" (the default), or "double", which HOOMD-blue reads since its version 7.
     deviation : float, optional
-        Of a mesh: the largest distance of the triangles from the surfaces; a hundredth of the longest semi-axis if absent.
+        For a mesh: the largest distance of the triangles from the surfaces. By default a hundredth of the longest semi-axis.
     fit : str, optional
-        Of a mesh: "inscribed", "circumscribed" or "volume", as for `ellipsoid_mesh`; "volume" if absent. The first line of the file, of PLY
-        the third, says it.
+        For a mesh: "inscribed", "circumscribed" or "volume" (the default), as for `ellipsoid_mesh`. The first line of the file (of a PLY
+        file the third) has this word.
 
     Returns
     -------
@@ -376,8 +381,8 @@ def write(path: Path, systems: System | Iterable[System], format: str | None = N
     Raises
     ------
     ValueError
-        The format cannot hold such a system (names of types, for instance), or no more than one frame; or the system could
-        not be read again, because an ellipsoid has a position that is not finite or a semi-axis that is not positive.
+        The format cannot hold such a system (because of names of types, for instance), or it can hold one frame only; or the file
+        could not be read again, because an ellipsoid has a position that is not finite or a semi-axis that is not positive.
     OSError
         The file cannot be written.
     """

@@ -231,7 +231,7 @@ def _check_brackets(names: Sequence[str], error: Error) -> None:
     for name in names:
         found = _BRACKETS.search(name)
         if found and _MORE_THAN_UNITS.search(found[0]):
-            raise error(f"the name of the column '{name}' says more than a unit in brackets, which is not read: convert its numbers, "
+            raise error(f"the name of the column '{name}' has more than a unit in brackets, which is not read: convert its numbers, "
                         "and rename it")  # fmt: skip
 
 
@@ -239,8 +239,8 @@ def _check_quantities(names: Sequence[str], error: Error) -> None:
     """Refuses columns as lengths whose names say that they are others or functions of these."""
     for name in names:
         if _FUNCTIONS.fullmatch(name) or _QUANTITIES.fullmatch(plain_name(name)):
-            raise error(f"the name of the column '{name}' says another quantity than a length, or a function of one: convert its numbers "
-                        "to lengths, and rename it")  # fmt: skip
+            raise error(f"the name of the column '{name}' means a quantity other than a length, or a function of a length: convert its "
+                        "numbers to lengths, and rename it")  # fmt: skip
 
 
 def _ask_for_program(plain: dict[str, str], angle: str | None, error: Error) -> None:
@@ -248,8 +248,9 @@ def _ask_for_program(plain: dict[str, str], angle: str | None, error: Error) -> 
     says_unit = any(_turns.base(name)[1] for name in plain.values())
     names = [] if says_unit and angle is None else possible_ellipses(plain, angle)
     if names:
-        raise error(f"the columns may be those of {' or '.join(names)}, and others mean other lengths and angles by these names: say which "
-                    f"program it was (--convention {names[0]}), or what they are (--lengths, --angle)")  # fmt: skip
+        raise error(f"the columns may be those of {' or '.join(names)}, and other programs mean other lengths and angles by these "
+                    f"names: say which program wrote the table (--convention {names[0]}), or what they are (--lengths, "
+                    "--angle)")  # fmt: skip
 
 
 def _check_options(taken: Taken, options: Options, error: Error) -> None:
@@ -520,7 +521,7 @@ def _check_letters(found: Names, in_file: Names, meaning: str, order: str, error
     """Refuses an order that contradicts the letters at the ends of names."""
     by_letters = found if order == "wxyz" else found[1:] + found[:1]
     if found and meaning == "wxyz" and found[0][-1].isalpha() and in_file != by_letters:
-        raise error(f"the names of the columns {' '.join(in_file)} say which is which, and it is not --quaternion {order}: leave it out, "
+        raise error(f"the names of the columns {' '.join(in_file)} state an order other than --quaternion {order}: leave it out, "
                     "or name the columns (--quaternion-columns)")  # fmt: skip
 
 

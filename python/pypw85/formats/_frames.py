@@ -148,7 +148,7 @@ class Options:
         of_splats = {"--sigma": self.sigma, "--scales": self.scales, "--strict": self.strict or None}
         for name, one in of_splats.items():
             if one is not None and format != "splats":
-                raise FileError(path, f"only files of the format splats have a use for {name}, not {format}: leave it out")
+                raise FileError(path, f"{name} applies to the format splats only, not to {format}: leave it out")
         if self.spacing is not None and format != "labels":
             raise FileError(path, f"only files of the format labels have pixels, not {format}: leave out --spacing")
 

@@ -78,13 +78,13 @@ def _header(path: os.PathLike[str], file: Any) -> Any:
     header = np.frombuffer(start, _HEADER)[0]
     if start[:4] != SPZ or not 2 <= header["version"] <= 4:
         what = f"it is version {header['version']}" if start[:4] == SPZ else f"it begins with {start[:4]!r}, not {SPZ!r}"
-        raise FileError(path, f"of .spz files, the versions 2 to 4 are read, and {what}: write it as one of these, or as .ply", 0)
+        raise FileError(path, f"only versions 2 to 4 of .spz files are read, and {what}: write it as one of these, or as .ply", 0)
     return header
 
 
 def _refuse_short(path: os.PathLike[str], count: int, wanted: int, there: int) -> None:
     if there < wanted:
-        raise FileError(path, f"says that it has {counted(count, 'splat')}, which it is too small for: it is truncated; write it again", 0)
+        raise FileError(path, f"says that it has {counted(count, 'splat')}, but is too small for them: it is truncated; write it again", 0)
 
 
 def _sequential(path: os.PathLike[str], file: Any, version: int, count: int, is_zipped: bool) -> _Packed:

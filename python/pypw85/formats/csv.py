@@ -188,7 +188,7 @@ def _check_positions(columns: list[str], positions: list[str], lines: Lines) -> 
     if positions:
         return
     if others := possible({plain_name(name) for name in columns}):
-        raise lines.error(f"the columns may be those of {' or '.join(others)}, which other versions mean otherwise: say so "
+        raise lines.error(f"the columns may be those of {' or '.join(others)}, whose versions differ: if they are, say so "
                           f"(--convention {others[0]})")  # fmt: skip
     if all(map(_NUMBER.fullmatch, columns)):
         raise lines.error(f"the first line must name the columns (x,y,z,a,b,c,qw,qx,qy,qz), not be {' '.join(columns)}: add such a line")

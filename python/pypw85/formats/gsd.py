@@ -94,7 +94,7 @@ class _Chunks:
         self.count = int(self.get("particles/N", [0])[0])
         # Without positions, all are at 0.
         if 12 * self.count > max(os.path.getsize(path), 1 << 20):
-            raise FileError(path, f"says that it has {counted(self.count, 'particle')}, which it is too small for: it is broken", frame)
+            raise FileError(path, f"says that it has {counted(self.count, 'particle')}, but is too small for them: it is broken", frame)
 
     def _read(self, name: str, frame: int) -> Any | None:
         if not self._file.chunk_exists(frame=frame, name=name):
@@ -102,7 +102,7 @@ class _Chunks:
         try:
             return self._file.read_chunk(frame=frame, name=name)
         except MemoryError:
-            raise FileError(self._path, f"{name} claims more than there is memory: the file is broken", self._frame) from None
+            raise FileError(self._path, f"{name} needs more memory than there is: the file is broken", self._frame) from None
 
     def get(self, name: str, default: Any) -> Any:
         for frame in (self._frame, 0):

@@ -385,7 +385,7 @@ def save(path: os.PathLike[str], systems: Iterator[System]) -> None:
             if system.cell is not None:
                 elements |= {"box/edges": system.cell, "box/offset": system.origin}
             if dimensions not in (None, system.dimensions):
-                raise ValueError(f"frame {frame} has other dimensions, for which a file has one number: choose frames (--frames)")
+                raise ValueError(f"frame {frame} has another number of dimensions, and a file has only one: choose frames (--frames)")
             dimensions = system.dimensions
             if frame == 0:
                 group.attrs["dimensions"] = dimensions

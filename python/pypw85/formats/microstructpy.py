@@ -108,7 +108,7 @@ def _seeds(lines: Lines) -> Iterator[tuple[int, dict[str, str]]]:
 def _center(lines: Lines, seed: dict[str, str], dimensions: int) -> list[float]:
     found = [_vector(lines, seed, key, dimensions) for key in ("position", "center") if key in seed]
     if len(found) > 1 and found[0] != found[1]:
-        raise lines.error("the keys position and center of a seed differ: leave one of them")
+        raise lines.error("the keys position and center of a seed differ: remove one of them")
     return found[0] if found else _vector(lines, seed, "position", dimensions)
 
 
@@ -166,18 +166,18 @@ def _semi_axes(lines: Lines, seed: dict[str, str], dimensions: int) -> list[floa
         values.append(np.log(value))
     if not rows or np.linalg.matrix_rank(rows) < dimensions:
         missing = next(("abc"[k] for k in range(dimensions) if k not in direct), "a")
-        raise lines.error(f"the semi-axis {missing} of a seed must be 1 number, and cannot be had of other keys: write it")
+        raise lines.error(f"the semi-axis {missing} of a seed must be 1 number, and does not follow from other keys: write it")
     found = np.linalg.lstsq(np.array(rows, dtype=np.float64), np.array(values), rcond=None)[0]
     if np.abs(np.array(rows) @ found - values).max() > _ROUNDING:
         keys = " ".join(key for key in seed if key in (*_LENGTHS[dimensions], "axes"))
-        raise lines.error(f"the keys {keys} contradict each other: leave the semi-axes alone")
+        raise lines.error(f"the keys {keys} contradict each other: keep only the semi-axes")
     return [direct.get(k, float(np.exp(found[k]))) for k in range(dimensions)]
 
 
 def _turn(lines: Lines, seed: dict[str, str], dimensions: int) -> Floats:
     keys = [key for key in _TURNS[dimensions] if key in seed]
     if len(keys) > 1:
-        raise lines.error(f"the keys {' '.join(keys)} all say how the seed is turned: leave one of them")
+        raise lines.error(f"the keys {' '.join(keys)} all give the orientation of the seed: keep only one of them")
     if not keys:
         return np.array([1.0, 0, 0, 0])
     key = keys[0]

@@ -126,7 +126,7 @@ def _keys(lines: Lines, options: Options) -> dict[str, str]:
     try:
         words = shlex.split(comment)
     except ValueError:
-        raise lines.error("a quotation mark has no partner") from None
+        raise lines.error("a quotation mark is not closed") from None
     return dict(word.split("=", 1) for word in words if "=" in word)
 
 
