@@ -87,6 +87,28 @@ REFUSED = {
         ({}, "1,0,0,4,1,1", "the columns may be those of skimage, and others mean other lengths .*--convention skimage"),
     "X,Y,MajorAxisLength,MinorAxisLength,Orientation":
         ({}, "0,0,4,1,1", "may be those of skimage or matlab, and others mean"),
+    # What a growth of bodies, an exponent or a level of confidence could be, a calibration, and more names of lengths and of turns
+    **{f"x,y,z,radius,{name}": ({}, f"0,0,0,1{',1' * (1 + name.count(','))}", f"the columns? {name.replace(',', ' ')} could change")
+       for name in ("power", "dilation", "growth_factor", "multiplier", "confidence", "conf_level", "n_std", "superness", "um_per_px",
+                    "z_step", "binning", "bmaj,bmin", "hwhm", "x_len", "xdim", "sma", "coating", "mirror", "handedness",
+                    "eigvec1x", "pc1_x", "V1x", "rotmat00", "v_power", "i_mirror")},
+    # Directions from north, and units of angles other than degrees and radians
+    **{f"x,y,a,b,{name}": ({"angle_columns": [name]}, "0,0,2,1,30", f"{name} may be counted from the axis x or from y")
+       for name in ("azimuth_deg", "bearing_deg", "strike_deg", "PA_deg", "dip_direction_deg", "az_deg")},
+    **{f"x,y,a,b,{name}": ({"angle_columns": [name]}, "0,0,2,1,30", "has another unit than degrees and radians by its name")
+       for name in ("angle_mrad", "angle (mrad)", "angle_grad", "angle [gon]", "angle_cdeg", "angle [pi rad]", "angle_tenths_deg",
+                    "angle (turns)")},
+    "centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation (mrad)": ({}, "0,0,4,1,1", "another unit than degrees"),
+    # Four columns whose letters do not say the order, and columns that are lengths, and not directions, too
+    **{f"x,y,z,a,b,c,{names}": ({"quaternion_columns": names.split(",")}, f"0,0,0,2,1,1,{UP}", "is x y z w for OVITO")
+       for names in ("d_4,d_5,d_6,d_7", "q1,q2,q3,q4", "qv1,qv2,qv3,qs", "quat[1],quat[2],quat[3],quat[4]")},
+    **{f"x,y,z,{names}": ({"shape_columns": names.split(","), "lengths": "radii"}, "0,0,0,1,1,2", "is not a sphere, and lacks")
+       for names in ("U1,U2,U3", "n0,n1,n2", "axis_1,axis_2,axis_3")},
+    **{f"x,y,z,{names}": ({"shape_columns": names.split(",")}, "0,0,0,1,1,2", "may be whole axes or semi-axes")
+       for names in ("fwhm_x,fwhm_y,fwhm_z", "err_x,err_y,err_z", "xlen,ylen,zlen", "obb_x,obb_y,obb_z", "bmaj,bmid,bmin", "d10,d50,d90")},
+    **{f"x,y,z,{names}": ({"shape_columns": names.split(",")}, "0,0,0,1,1,2", "says another quantity than a length")
+       for names in ("lna,lnb,lnc", "asq,bsq,csq", "curv1,curv2,curv3")},
+    "x,y,z,a,b,c,qw,qx,qy,qz,AsphericalShape.X,AsphericalShape.Y,AsphericalShape.Z": ({}, f"0,0,0,2,1,1,{UP},4,2,2", "the columns a b c could change"),
     "x,y,semi_major,semi_minor,orientation":
         ({}, "0,0,4,1,1", "--angle-zero x or --angle-zero y .with --angle-sense yx if it grows the other way than from x towards y."),
 }  # fmt: skip
@@ -120,6 +142,22 @@ TABLES = {
     'x,y,z,radius,"name, long"\n0,0,0,1,a, b': "line 2: 6 columns instead of 5",
     "id,x,y,z,radius\n1,0,0,0,1\nP-2,0,9,0,1": "line 3: column 1 .id. must be a number, not 'P-2'",
     "# periodic: xyz\nx,y,z,radius\n0,0,0,1": "could say the cell",
+    # Rows that are no bodies
+    "x,y,z,radius\nmm,mm,mm,um\n0,0,0,1": "line 2: the row beneath the names has words, not numbers, such as mm: remove it",
+    ",x,y,z,radius\n0,0,0,0,1\n1,9,0,0,1\nmean,4.5,0,0,1": "line 4: the row with the word 'mean' is a summary of others",
+    "name;x;y;z;radius\na;0;0;0;1\nMean;9;0;0;1\nSt.dev.;1;1;1;1\nStd.Dev.;1;1;1;1\n\n": "line 5: the row with the word 'Std.Dev.' is",
+    " ,Label,X,Y,Major,Minor,Angle\n1,,5,5,4,1,90\n2,Mean,5,5,4,1,90\n3,SD,1,1,1,1,0": "the row with the word 'SD' is a summary",
+    # Comments that contradict what would be taken
+    f"# quaternion order: x y z w\nx,y,z,a,b,c,q0,q1,q2,q3\n0,0,0,2,1,1,{UP}": "'# quaternion order: x y z w' could mean .*--quaternion.",
+    f"# quaternions are scalar-last\nx,y,z,a,b,c,q0,q1,q2,q3\n0,0,0,2,1,1,{UP}": "say the order .--quaternion.",
+    f"# full axis lengths\nx,y,z,a,b,c,qw,qx,qy,qz\n0,0,0,2,1,1,{UP}": "say what the lengths are .--lengths.",
+    "# r: particle diameter in mm\nx,y,z,r\n0,0,0,1": "say what the lengths are .--lengths.",
+    "# angles in radians\nx,y,a,b,angle_deg\n0,0,2,1,1": "say the unit .--angle.",
+    "# angles in degrees\nx,y,a,b,angle_rad\n0,0,2,1,1": "say the unit .--angle.",
+    "# measured clockwise\nx,y,a,b,angle_deg\n0,0,2,1,1": "say from where angles are counted",
+    "# radius_scale = 0.5\nx,y,z,radius\n0,0,0,1": "convert the numbers, and remove it",
+    "# pixel size: 0.2 um\nx,y,z,radius\n0,0,0,1": "convert the numbers, and remove it",
+    "# superquadrics with blockiness 8\nx,y,z,radius\n0,0,0,1": "convert the numbers, and remove it",
 }
 
 
@@ -179,6 +217,22 @@ PAIRS = {
                             "2,3,1,1,5,6.5,5,2,.5,.5,90,0,0,4,.5", {}, 0.375),
     "photutils": ("label,xcentroid,ycentroid,semimajor_sigma,semiminor_sigma,orientation,eccentricity,elongation,ellipticity,fwhm,gini\n"
                   "1,5,5,1,.25,90,.9,4,.75,2,.5\n2,5,6.5,1,.25,90,.9,4,.75,2,.5", {}, 0.375),
+    # Orders that names say, or the user by naming columns in another order than in the file
+    **{f"order of {names}": (f"x,y,z,a,b,c,{names}\n0,0,0,2,.5,.5,{turn}\n0,1.5,0,2,.5,.5,{turn}",
+                             {"quaternion_columns": names.split(",")}, 0.375)
+       for names, turn in (("q_x,q_y,q_z,q_s", f"0,0,{HALF!r},{HALF!r}"), ("x_quat,y_quat,z_quat,w_quat", f"0,0,{HALF!r},{HALF!r}"),
+                           ("i,j,k,w", f"0,0,{HALF!r},{HALF!r}"), ("qs,qx,qy,qz", UP), ("e_r,e_i,e_j,e_k", UP))},
+    **{f"order of {stem}": (f"x,y,z,a,b,c,{','.join(f'{stem}[{k}]' for k in range(1, 5))}\n0,0,0,2,.5,.5,{turn}\n0,1.5,0,2,.5,.5,{turn}",
+                            {}, 0.375)
+       for stem, turn in (("quat_xyzw", f"0,0,{HALF!r},{HALF!r}"), ("q_scalar_last", f"0,0,{HALF!r},{HALF!r}"), ("rot_wxyz", UP))},
+    "columns in another order": (f"x,y,z,a,b,c,d_1,d_2,d_3,d_4\n0,0,0,2,.5,.5,0,0,{HALF!r},{HALF!r}\n0,1.5,0,2,.5,.5,0,0,{HALF!r},{HALF!r}",
+                                 {"quaternion_columns": ["d_4", "d_1", "d_2", "d_3"]}, 0.375),
+    "an azimuth from north": ("x,y,a,b,azimuth_deg\n0,0,2,.5,0\n0,1.5,2,.5,180",
+                              {"angle_columns": ["azimuth_deg"], "angle_zero": "y", "angle_sense": "yx"}, 0.375),
+    "comments that agree": (f"# semi-axes a b c; quaternions x y z w\nx,y,z,a,b,c,qx,qy,qz,qw\n0,0,0,2,.5,.5,0,0,{HALF!r},{HALF!r}\n"
+                            f"0,1.5,0,2,.5,.5,0,0,{HALF!r},{HALF!r}", {}, 0.375),
+    "a comment and an option": (f"# scalar last\nx,y,z,a,b,c,q0,q1,q2,q3\n0,0,0,2,.5,.5,0,0,{HALF!r},{HALF!r}\n"
+                                f"0,1.5,0,2,.5,.5,0,0,{HALF!r},{HALF!r}", {"quaternion": "xyzw"}, 0.375),
     "a cell that is given": ("# Box = 9 9 9\nx,y,z,radius\n0,0,0,1\n0,8,0,1", {"cell": 9 * np.eye(3)}, 0.5),
 }  # fmt: skip
 
@@ -303,6 +357,17 @@ def test_keys_of_extended_xyz(tmp_path):
     for name in ("cell_energy", "Box_volume"):
         assert read_text(tmp_path / "a.xyz", text.format(name)).source == f"lengths radius as radii, keys that are not used: {name} units"
     assert read_text(tmp_path / "a.xyz", text.format("Lattice")).source == "lengths radius as radii, keys that are not used: units"
+
+
+def test_keys_of_extended_xyz_that_change_bodies(tmp_path):
+    text = "1\n{} Properties=species:S:1:pos:R:3:aspherical_shape:R:3:orientation:R:4\nA 0 0 0 1 1 1 0 0 0 1\n"
+    for key in ("radius_scale=2", "n_sigma=3", "blockiness=8", "shape=cube", "quaternion_order=wxyz", "power=4"):
+        with pytest.raises(pypw85.FileError, match=f"line 2: the key {key.partition('=')[0]} could change .*--ignore-columns"):
+            read_text(tmp_path / "a.xyz", text.format(key))
+        assert len(read(tmp_path / "a.xyz", ignore_columns=[key.partition("=")[0]])) == 1
+    with pytest.raises(pypw85.FileError, match=r"'comment=quaternions are w x y z' could mean .*--quaternion"):
+        read_text(tmp_path / "a.xyz", text.format('comment="quaternions are w x y z"'))
+    assert "energy units" in read_text(tmp_path / "a.xyz", text.format("energy=1 units=nm")).source
 
 
 def test_words_of_extended_xyz(tmp_path):
@@ -529,6 +594,28 @@ def test_units_of_h5md(tmp_path):
     assert len(read(tmp_path / "a.h5")) == 1
     h5md(tmp_path / "a.h5", [0, 10], unit="um")
     with pytest.raises(pypw85.FileError, match=r"position \(nm\) and semi_axes \(um\) have different units"):
+        read(tmp_path / "a.h5")
+
+
+ATTRIBUTES = {
+    ("position", "Units"): (b"nm", "position .nm. and semi_axes .um. have different units"),
+    ("semi_axes", "scale_factor"): (2.0, "'scale_factor=2.0' could mean"),
+    ("position", "add_offset"): (2.0, "'add_offset=2.0' could mean"),
+    ("orientation", "order"): ("xyzw", "'order=xyzw' could mean .*--quaternion"),
+    ("semi_axes", "description"): ("full axes", "'description=full axes' could mean .*--lengths"),
+    (".", "lengths"): ("diameters", "'lengths=diameters' could mean"),
+}
+
+
+@pytest.mark.parametrize("where", ATTRIBUTES)
+def test_attributes_of_h5md(where, tmp_path):
+    value, sentence = ATTRIBUTES[where]
+    with h5py.File(tmp_path / "a.h5", "w") as file:
+        group = file.create_group("particles/all")
+        group["position"], group["semi_axes"], group["orientation"] = np.zeros((1, 3)), np.ones((1, 3)), [[1.0, 0, 0, 0]]
+        group["semi_axes"].attrs["units"] = "um"
+        group[where[0]].attrs[where[1]] = value
+    with pytest.raises(pypw85.FileError, match=sentence):
         read(tmp_path / "a.h5")
 
 

@@ -24,6 +24,9 @@ Names = tuple[str, ...]
 Error = Callable[[str], FileError]
 
 _UNITS = re.compile(r"(.*?)[\s_.:/(\[-]*(?:(deg|degs|degrees?|°)|(rad|rads|radians?))?(?:\s|\)|(?<!\d)\])*")
+# Units of angles that are neither degrees nor radians, at the end of a name
+_OTHER_UNITS = re.compile(r".*[\W_](([mcuµμ]|milli|centi|micro|tenths?|pi|x?10+)[\W_]*(deg|rad)\w*|gon|g(ra)?ds?|grads?|turns?|rev\w*|arc\w*|"
+                          r"m?as|h(ou)?rs?|hourangle|pi|rad/pi)\W*", re.IGNORECASE)  # fmt: skip
 # The axis about which an angle of this name turns
 _AXES = {"yaw": "z", "heading": "z", "azim": "z", "azimuth": "z", "pitch": "y", "elev": "y", "elevation": "y", "roll": "x", "bank": "x"}
 _AXES |= {stem + axis: axis for stem in ("rot", "rotation", "angle", "euler", "eulerangle", "theta") for axis in "xyz"}
@@ -55,6 +58,8 @@ _POLAR = ("{0} may be the angle from the axis z and that about it, or others: sa
           "--polar {1}), or the sequence of Euler angles (--euler), or leave them out (--ignore-columns {1})")  # fmt: skip
 _ONE_ANGLE = ("{0} may be the angle of ellipses in a plane, or a rotation in space: say --dimensions 2, or the axis (--euler z), or leave "
               "the column out (--ignore-columns {1})")  # fmt: skip
+# Names of angles of ellipses that programs count from y: orientations in pictures, directions from north
+_FROM_EITHER = re.compile(r"orientation|.*(azim|bearing|heading|strike|trend|course|posang|positionangle|north|dipdir).*|az|b?pa")
 # Angles from the plane of x and y, in which those from the axis z are 90°
 _FROM_PLANE = ("elevation", "elev", "latitude", "lat", "altitude", "alt", "plunge", "pitch", "dip", "declination")
 _ELEVATION = ("{0} may be an angle from the plane of x and y, and is not that from the axis z which --polar takes: write 90 degrees less "
@@ -174,7 +179,7 @@ def _of_ellipses(columns: Sequence[str], options: Options, error: Error) -> Turn
     first = next(iter(found))
     same = [name for name in columns if base(name)[0] == base(found[first])[0]]
     name = min(same, key=lambda one: (base(one)[1] != "degrees", base(one)[1] != "radians")) if not options.angle_columns else found[first]
-    if base(name)[0] == "orientation" and options.angle_zero is None:
+    if _FROM_EITHER.fullmatch(base(name)[0]) and options.angle_zero is None:
         raise error(_ZERO.format(name))
     return Turn("angle", (name,), _units_of((name,), options, error), zero=options.angle_zero or "x", sense=options.angle_sense or "xy")
 
@@ -240,10 +245,17 @@ def _bases(columns: Sequence[str], wanted: Sequence[str]) -> dict[str, str]:
 
 
 def _units_of(names: Names, options: Options, error: Error) -> Names:
+    check_units(names, error)
     units = tuple(options.angle or base(name)[1] for name in names)
     if unknown := [name for name, unit in zip(names, units) if not unit]:
         raise error(_TWO_UNITS.format(" ".join(unknown)))
     return units
+
+
+def check_units(names: Iterable[str], error: Error) -> None:
+    for name in names:
+        if _OTHER_UNITS.fullmatch(name):
+            raise error(f"{name} has another unit than degrees and radians by its name: convert it, and rename the column")
 
 
 def _given(columns: Sequence[str], names: Sequence[str], error: Error) -> Names:

@@ -21,8 +21,9 @@ import numpy as np
 
 from .._system import System
 from .._typing import Floats
+from . import _comments
 from ._boxes import SAYS_CELL
-from ._columns import UNIT_AT_END, Taken, centers_of, convention_of, fill, plain_name, take
+from ._columns import UNIT_AT_END, Taken, centers_of, convention_of, fill, meaning_of, plain_name, take
 from ._conventions import CONVENTIONS, Convention, named, possible, recognised
 from ._errors import for_option
 from ._frames import Frame, Location, Options, said_dimensions
@@ -39,6 +40,11 @@ _LIKE_KEYS = re.compile(rf"[#%]\s*{SAYS_CELL}", re.IGNORECASE)
 _UNIT_OF_ECSV = re.compile(r"#\s*- \{name: ([\w.]+), unit: ([\w.]+)")
 # The line that YADE writes before spheres (export.textExt)
 _FORMAT_OF_YADE = re.compile(r"^#\s*format\s+(x_y_z_r\w*)$")
+# Words in the last row of a table that is not a body
+_SUMMARY = re.compile(r"(arithmetic )?mean|average|avg|median|sd|std\.?( ?dev\w*\.?)?|standard deviation|min(imum)?|max(imum)?|(grand )?total|"
+                      r"sum(mary)?|count|var(iance)?|(25|50|75) ?%", re.IGNORECASE)  # fmt: skip
+# A unit of a column in a row of its own
+_UNIT_ALONE = re.compile(r"[(\[]?[^\W\d][^\d]{0,11}[)\]]?")
 _NUMBERED = re.compile(r"#\s*(\d{1,4})\s+([A-Za-z]\w*)")
 _THIRD = ("z", "zc", "depth", "elevation", "posz", "positionz", "centerz", "centrez", "centroidz", "cz", "pz", "upward", "altitude",
           "zslice", "zindex", "zstack", "zplane", "zpos", "zposition", "centroid2", "centroid3")
@@ -129,7 +135,7 @@ def locate(path: os.PathLike[str]) -> Iterator[Location]:
 
 def load(path: os.PathLike[str], location: Location, options: Options) -> System:
     with Lines(path, location) as lines:
-        keys, line = _keys(lines, options)
+        keys, line, comments = _keys(lines, options)
         separator, positions, columns = _names(lines, line, options)
         columns = _without_empty_end(lines, separator, columns)
         convention = convention_of(columns, options, lines.error)
@@ -143,6 +149,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         ids, types, notes = _ids_and_types(lines, separator, columns, options)
         taken = take(columns, options, lines.error, "radii", "wxyz", [*positions, ids, types],
                      (dimensions or len(positions)) == 2, convention)  # fmt: skip
+        _comments.check(comments, meaning_of(taken, options), lines.error)
         _check_lengths(columns, positions, taken, (options.dimensions or dimensions) is not None, lines)
         step = lines.whole(keys.get("step", "0"), "step", -(2**63))
         cell = _cell(lines, keys["cell"]) if "cell" in keys else None
@@ -151,9 +158,10 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         origin = lines.numbers(keys.get("origin", "0 0 0"), 3, "origin")
         periodic = lines.flags(keys.get("periodic", "T T T"), "periodic")
         # Behind the rows that DREAM.3D says there are, lists of neighbours may follow.
-        count = min(_remaining(lines), lines.whole(keys.get("rows", str(2**62)), "the number of rows"))
+        count = min(_remaining(lines, separator), lines.whole(keys.get("rows", str(2**62)), "the number of rows"))
         if not count:
             raise lines.error("there are no particles: no row follows the names of the columns; write the file again")
+        _check_units_row(lines, separator, [columns.index(name) for name in positions])
         series = _series(columns, len(positions), options, convention)
         wanted = [name for name in (*positions, *taken.columns, ids, types, *series) if name]
         table = lines.table(count, columns, [types, *series], separator, wanted, decimal_comma=separator != ",")
@@ -203,6 +211,16 @@ def _starts_with_number(lines: Lines, separator: str | None, column: int) -> boo
     return column >= len(words) or _NUMBER.fullmatch(words[column].replace(",", ".")) is not None
 
 
+def _check_units_row(lines: Lines, separator: str | None, places: list[int]) -> None:
+    """Refuses a row of units beneath the names."""
+    place = lines.location(lines.frame)
+    words = _split(lines.next("\r\n") or "", separator)
+    if max(places) < len(words) and all(_UNIT_ALONE.fullmatch(words[k]) and words[k].lower() not in ("nan", "inf") for k in places):
+        raise lines.error(f"the row beneath the names has words, not numbers, such as {words[places[0]]}: remove it, and if these are units, "
+                          "write them into the names, as x (mm)")  # fmt: skip
+    lines.back(place)
+
+
 def _series(columns: list[str], dimensions: int, options: Options, convention: Convention | None) -> list[str]:
     """Columns of which a table of one system has one value: those of `_SERIES`, of ellipses the third coordinate of their centres, and of
     ImageJ the labels, which begin with the name of the picture."""
@@ -239,8 +257,8 @@ def _completed(keys: dict[str, str]) -> dict[str, str]:
     return keys | {name: keys[name] + end for name, end in others.items() if len(keys.get(name, "").split()) == 2}
 
 
-def _keys(lines: Lines, options: Options) -> tuple[dict[str, str], str]:
-    """Reads the lines before the names. Also returns the line with the names, or the first row if no line has names."""
+def _keys(lines: Lines, options: Options) -> tuple[dict[str, str], str, list[str]]:
+    """Reads the lines before the names. Also returns the line with the names, or the first row if no line has names; and the comments."""
     keys: dict[str, str] = {}
     units: dict[str, str] = {}
     comments = []
@@ -261,16 +279,16 @@ def _keys(lines: Lines, options: Options) -> tuple[dict[str, str], str]:
             comments.append(text)
         place = lines.location(lines.frame)
     if line is not None and not _is_row(line):
-        return keys, _with_units(line, units)
+        return keys, _with_units(line, units), comments
     # The names may be a comment: one that has as many words as the first row, or SExtractor's list.
     counts = {len(words) for words in _rows_of(line or "")}
     lines.back(place)
     if (listed := _listed(comments)) is not None:
-        return keys, listed
+        return keys, listed, []
     for comment in reversed(comments):
         if _are_names(comment) and (line is None or len(_header(comment)[2]) in counts):
-            return keys, comment
-    return keys, line if line is not None else lines.expect("the names of the columns")
+            return keys, comment, [one for one in comments if one != comment]
+    return keys, line if line is not None else lines.expect("the names of the columns"), comments
 
 
 def _with_units(line: str, units: dict[str, str]) -> str:
@@ -350,15 +368,20 @@ def _unit(name: str) -> str:
     return next(filter(None, found.groups())).strip() if found else ""
 
 
-def _remaining(lines: Lines) -> int:
-    """The number of lines up to the last one that is not blank."""
+def _remaining(lines: Lines, separator: str | None) -> int:
+    """The number of lines up to the last one that is not blank, which must be a body."""
     place = lines.location(lines.frame)
     count = last = 0
+    end = b""
     while (block := lines.read_block(2**62))[1]:
         text = block[0].rstrip()
-        last = count + text.count(b"\n") + 1 if text else last
+        last, end = (count + text.count(b"\n") + 1, text.rpartition(b"\n")[2]) if text else (last, end)
         count += block[1]
     lines.back(place)
+    for word in _split(end.decode("utf-8", errors="replace"), separator):
+        if _SUMMARY.fullmatch(word):
+            lines.number += last
+            raise lines.error(f"the row with the word '{word}' is a summary of others, and not a body: remove such rows")
     return last
 
 
