@@ -90,7 +90,7 @@ REFUSED = {
     # What a growth of bodies, an exponent or a level of confidence could be, a calibration, and more names of lengths and of turns
     **{f"x,y,z,radius,{name}": ({}, f"0,0,0,1{',1' * (1 + name.count(','))}", f"the columns? {name.replace(',', ' ')} could change")
        for name in ("power", "dilation", "growth_factor", "multiplier", "confidence", "conf_level", "n_std", "superness", "um_per_px",
-                    "z_step", "binning", "bmaj,bmin", "hwhm", "x_len", "xdim", "sma", "coating", "mirror", "handedness",
+                    "z_step", "binning", "bmaj,bmin", "hwhm", "DC_Maj", "r_perp,r_par", "d50", "x_len", "xdim", "sma", "coating", "mirror", "handedness",
                     "eigvec1x", "pc1_x", "V1x", "rotmat00", "v_power", "i_mirror")},
     # Directions from north, and units of angles other than degrees and radians
     **{f"x,y,a,b,{name}": ({"angle_columns": [name]}, "0,0,2,1,30", f"{name} may be counted from the axis x or from y")
@@ -125,6 +125,8 @@ def test_columns(header, tmp_path):
 TABLES = {
     " ,Label,X,Y,Major,Minor,Angle\n1,a.tif:1,5,5,4,1,90\n2,a.tif:2,5,5,4,1,90\n3,b.tif,5,5,4,1,90":
         "line 4: the column Label has several values, a.tif and b.tif",
+    **{f"{name},label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation\nA1,1,5,5,4,1,0\nA2,1,6.5,5,4,1,0":
+           f"line 3: the column {name} has several values, A1 and A2" for name in ("well", "FOV", "Metadata_Well", "image_path", "dataset")},
     "frame_id,x,y,z,radius\n0,0,0,0,1\n1,0,1.5,0,1": "line 3: the column frame_id has several values, 0 and 1",
     "t,x,y,z,radius\n0,0,0,0,1\n0.5,0,1.5,0,1": "line 3: the column t has several values",
     "x\ty\tz\tradius\n0\t0\t0\t0.5\n1,500\t0\t0\t0.5": "line 3: '1,500' has a comma, and '0.5' a point",
@@ -202,6 +204,7 @@ PAIRS = {
                 {"lengths": "diameters", "euler": "y", "shape_columns": ["length", "height", "width"]}, 0.75),
     "plugin": ("Label,Ellipsoid.Center.X,Ellipsoid.Center.Y,Ellipsoid.Center.Z,Ellipsoid.Radius1,Ellipsoid.Radius2,Ellipsoid.Radius3,"
                "Ellipsoid.Phi,Ellipsoid.Theta,Ellipsoid.Psi\n1,5,5,5,2,0.5,0.5,90,0,0\n2,5,6.5,5,2,0.5,0.5,90,0,0", {}, 0.375),
+    "all of ImageJ": (" ,Area,Mean,Min,Max,X,Y,Major,Minor,Angle\n1,3,9,1,9,5,5,4,1,90\n2,3,9,1,9,5,6.5,4,1,90", {}, 0.375),
     "degrees in brackets": ("label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation (deg)\n1,5,5,4,1,0\n"
                             "2,6.5,5,4,1,180", {}, 0.375),
     "radians of ECSV": ("# %ECSV 1.0\n# ---\n# datatype:\n# - {name: orientation, unit: rad, datatype: float64}\n# schema: astropy-2.0\n"
@@ -652,6 +655,11 @@ REGIONS = {
 def test_systems_of_regions(text, tmp_path):
     with pytest.raises(pypw85.FileError, match=REGIONS[text]):
         read_text(tmp_path / "a.reg", f"# Region file format: DS9 version 4.1\n{text}\n")
+
+
+def test_semicolons_in_texts_of_regions(tmp_path):
+    text = "# Region file format: DS9\nimage; ellipse(10,20,4,2,30) # text={a; b}\ncircle(1,2,3) # text=\"x;y\"; circle(30,2,3)\n"
+    np.testing.assert_array_equal(read_text(tmp_path / "a.reg", text).centers[:, 0], [10, 1, 30])
 
 
 def test_included_regions(tmp_path):

@@ -65,6 +65,10 @@ _POSITIONS = [
 _SERIES = re.compile(r"(slice|frame|image|picture|step|timestep|timepoint|time|timestamp|snapshot|iteration|cycle|plane|zplane|layer|scan|"
                      r"file|sample|stack|replica|replicate|realization|realisation|run|trial|specimen|scene)"
                      r"(s|id|no|nr|num|number|index|idx|name)?|t")
+# The same in tables of programs that measure pictures
+_PICTURES = re.compile(r"(metadata)?(well|site|field|fieldofview|fov|tile|crop|position|movie|video|experiment|dataset|channel|series|section|"
+                       r"(image|file)?path|epoch|tp|tindex|condition|animal|mouse|patient|subject|date|day)"
+                       r"(s|id|no|nr|num|number|index|idx|name)?")  # fmt: skip
 _IDS = ("id", "ids", "particleid", "featureid", "index", "number")
 _TYPES = ("type", "types", "species", "phase", "phases", "particletype", "bodytype", "objecttype", "graintype", "body", "object", "class")
 
@@ -225,7 +229,8 @@ def _series(columns: list[str], dimensions: int, options: Options, convention: C
     """Columns of which a table of one system has one value: those of `_SERIES`, of ellipses the third coordinate of their centres, and of
     ImageJ the labels, which begin with the name of the picture."""
     found = [name for name in columns if _SERIES.fullmatch(plain_name(name)) or (dimensions == 2 and plain_name(name).endswith("centerz"))]
-    found += [name for name in columns if name == "Label" and convention is not None and convention.name == "imagej"]
+    if convention is not None and convention.first:
+        found += [name for name in columns if _PICTURES.fullmatch(plain_name(name)) or (name == "Label" and convention.name == "imagej")]
     return [name for name in found if name not in (options.ignore_columns or ())]
 
 
