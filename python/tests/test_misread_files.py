@@ -37,6 +37,7 @@ REFUSED = {
     "x,y,z,a,b,c,elevation_deg,azimuth_deg":
         ({}, "0,0,0,2,2,.5,0,1", "elevation_deg may be an angle from the plane of x and y, and is not that from the axis z"),
     "x,y,z,a,b,c,plunge,trend": ({"polar": ("plunge", "trend")}, "0,0,0,2,2,.5,0,1", "plunge may be an angle from the plane"),
+    "x,y,z,a,b,tilt_deg,strike_deg": ({"polar": ("tilt_deg", "strike_deg")}, "0,0,0,2,.5,9,9", "strike_deg may be counted from north"),
     "x,y,z,a,b,c,t_deg,p_deg": ({"polar": ("p_deg", "t_deg")}, "0,0,0,2,2,.5,90,270", "the p_deg 270, which is not an angle from the axis"),
     "x,y,z,length,width,height,rotation_y": ({"lengths": "diameters", "euler": "y", "angle": "radians"}, "0,0,0,4,2,1,0",
                                              "the bodies turn about y alone, so that height may be along y"),

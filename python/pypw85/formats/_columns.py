@@ -199,7 +199,7 @@ class Taken(NamedTuple):
 
 
 def meaning_of(taken: Taken, options: Options) -> Meaning:
-    """What is taken of columns whose names do not say what they are."""
+    """Meaning of columns whose names do not say what they are."""
     are_silent = bool(taken.shape) and not taken.spheroid and all(len(plain_name(name)) < 3 for name in taken.shape)
     turn = taken.turn
     return Meaning(

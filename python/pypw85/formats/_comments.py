@@ -12,7 +12,7 @@ from ._errors import FileError
 
 
 class Meaning(NamedTuple):
-    """What is taken of a file where neither an option nor the name of a column says so: "radii" or "diameters", the order of quaternions,
+    """Meanings that neither an option nor the name of a column says: "radii" or "diameters", the order of quaternions,
     the unit of angles, and whether angles of ellipses are counted from x towards y. Empty or false for what is said, or not there."""
 
     lengths: str = ""

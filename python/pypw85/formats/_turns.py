@@ -59,13 +59,16 @@ _POLAR = ("{0} may be the angle from the axis z and that about it, or others: sa
 _ONE_ANGLE = ("{0} may be the angle of ellipses in a plane, or a rotation in space: say --dimensions 2, or the axis (--euler z), or leave "
               "the column out (--ignore-columns {1})")  # fmt: skip
 # Names of angles of ellipses that programs count from y: orientations in pictures, directions from north
-_FROM_EITHER = re.compile(r"orientation|.*(azim|bearing|heading|strike|trend|course|posang|positionangle|north|dipdir).*|az|b?pa")
+_FROM_NORTH = re.compile(r".*(bearing|heading|strike|trend|course|north|dipdir).*")
+_FROM_EITHER = re.compile(rf"orientation|{_FROM_NORTH.pattern}|.*(azim|posang|positionangle).*|az|b?pa")
 # Angles from the plane of x and y, in which those from the axis z are 90°
 _FROM_PLANE = ("elevation", "elev", "latitude", "lat", "altitude", "alt", "plunge", "pitch", "dip", "declination")
 _ELEVATION = ("{0} may be an angle from the plane of x and y, and is not that from the axis z which --polar takes: write 90 degrees less "
               "it in a column of another name, or leave it out (--ignore-columns {1})")  # fmt: skip
 _ZERO = ("{} may be counted from the axis x or from y: use --angle-zero x or --angle-zero y (with --angle-sense yx if it grows the other "
          "way than from x towards y)")  # fmt: skip
+_BEARING = ("{0} may be counted from north, and is not the angle from the axis x towards y that --polar takes: write 90 degrees less it in a "
+            "column of another name, or leave it out (--ignore-columns {1})")  # fmt: skip
 # Names of an angle about an axis that others give
 _ABOUT_AXES = ("angle", "axisangle", "rotationangle", "rotangle", "theta", "axisw")
 _AXIS_AND_ANGLE = ("{0} may be an axis and the angle of a rotation about it, which is not read: write quaternions, or say that the axis is "
@@ -140,7 +143,7 @@ def find(columns: Sequence[str], options: Options, error: Error, is_flat: bool, 
         return Turn("direction", _given(columns, options.direction_columns, error))
     if options.polar:
         names = _given(columns, options.polar, error)
-        _refuse_elevation(names, error)
+        _refuse_geographic(names, error)
         return Turn("polar", names, _units_of(names, options, error))
     if options.euler:
         return _euler(columns, options.euler, options, error)
@@ -188,7 +191,7 @@ def _of_bodies(columns: Sequence[str], options: Options, error: Error) -> Turn:
     if names := _triple(columns):
         raise error(_SEQUENCES.format(" ".join(names), for_option(names)))
     if names := _first(columns, _PAIRS):
-        _refuse_elevation(names, error)
+        _refuse_geographic(names, error)
         raise error(_POLAR.format(" ".join(names), for_option(names)))
     if names := _first(columns, _DIRECTIONS):
         if base(names[0])[0].startswith("axis") and (angles := _bases(columns, _ABOUT_AXES)):
@@ -200,9 +203,11 @@ def _of_bodies(columns: Sequence[str], options: Options, error: Error) -> Turn:
     return Turn()
 
 
-def _refuse_elevation(names: Names, error: Error) -> None:
+def _refuse_geographic(names: Names, error: Error) -> None:
     if base(names[0])[0] in _FROM_PLANE:
         raise error(_ELEVATION.format(names[0], for_option(names)))
+    if _FROM_NORTH.fullmatch(base(names[1])[0]):
+        raise error(_BEARING.format(names[1], for_option(names)))
 
 
 def _euler(columns: Sequence[str], sequence: str, options: Options, error: Error) -> Turn:
