@@ -91,7 +91,7 @@ REFUSED = {
     # What a growth of bodies, an exponent or a level of confidence could be, a calibration, and more names of lengths and of turns
     **{f"x,y,z,radius,{name}": ({}, f"0,0,0,1{',1' * (1 + name.count(','))}", f"the columns? {name.replace(',', ' ')} could change")
        for name in ("power", "dilation", "growth_factor", "multiplier", "confidence", "conf_level", "n_std", "superness", "um_per_px",
-                    "z_step", "binning", "bmaj,bmin", "hwhm", "DC_Maj", "r_perp,r_par", "d50", "x_len", "xdim", "sma", "coating", "mirror", "handedness",
+                    "z_step", "binning", "bmaj,bmin", "hwhm", "DC_Maj", "r_perp,r_par", "d50", "x_len", "xdim", "sma", "coating", "box_x", "mirror", "handedness",
                     "eigvec1x", "pc1_x", "V1x", "rotmat00", "v_power", "i_mirror")},
     # Directions from north, and units of angles other than degrees and radians
     **{f"x,y,a,b,{name}": ({"angle_columns": [name]}, "0,0,2,1,30", f"{name} may be counted from the axis x or from y")
@@ -145,6 +145,9 @@ TABLES = {
     'x,y,z,radius,"name, long"\n0,0,0,1,a, b': "line 2: 6 columns instead of 5",
     "id,x,y,z,radius\n1,0,0,0,1\nP-2,0,9,0,1": "line 3: column 1 .id. must be a number, not 'P-2'",
     "# periodic: xyz\nx,y,z,radius\n0,0,0,1": "could say the cell",
+    **{f"# {comment}\nx,y,z,radius\n0,0,0,1": "could say the cell" for comment in
+       ("Lx Ly Lz = 9 9 9", "L = 9", "domain size: 9 9 9", "bounds: 0 9 0 9 0 9", "xlo xhi 0 9", "extent 9 9 9")},
+    "# step 1\n# step 2\nx,y,z,radius\n0,0,0,1": "line 2: the comment '# step' is there twice",
     # Rows that are no bodies
     "x,y,z,radius\nmm,mm,mm,um\n0,0,0,1": "line 2: the row beneath the names has words, not numbers, such as mm: remove it",
     ",x,y,z,radius\n0,0,0,0,1\n1,9,0,0,1\nmean,4.5,0,0,1": "line 4: the row with the word 'mean' is a summary of others",

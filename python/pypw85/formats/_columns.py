@@ -106,7 +106,7 @@ _SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thi
                     r"power\d?|dilat(ion|ed)|inflat(ion|ed)|swell(ing)?|shrink(age)?|growth|zoom|enlargement|multiplier|binning|zstep|"
                     r"((dilat|inflat|swell|grow|shrink|expan|conv|correct|calib|unit)\w*|[ap]d?)?factor|qexp|conf(idence)?(level)?|"
                     r"n(std|sig)|super(ness|quad\w*)|squircle\w*|polydispersity|z?anisotropy|(um|nm|mm|microns?)perp\w*|hwhm\w*|hpbw\w*|"
-                    r"[bs](maj|min)(ax)?|(err|dc|s)?maj|(err|dc)min|r[ep]|r(perp|par|half|eff|pol)\w*|(rad|r)eq|e[cs]d|d[1-9]0|x(dim|len|ext|rad)|(dim|len|ext|rad)x|[xyz](err|unc)|sm[abc]|bboxw|boxw|obb\w|"
+                    r"[bs](maj|min)(ax)?|(err|dc|s)?maj|(err|dc)min|r[ep]|r(perp|par|half|eff|pol)\w*|(rad|r)eq|e[cs]d|d[1-9]0|x(dim|len|ext|rad)|(dim|len|ext|rad)x|[xyz](err|unc)|sm[abc]|(box|cell|lattice|domain)[xyzabc]|bboxw|boxw|obb\w|"
                     r"h[wh]|coating|shell")
 _TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bearing|trend|plunge|strike|rake|tilt|inclin|"
                     r"(?<!mis)orient|rotat|quat|phi|theta|psi|direct|(?<!ab)normal|posang|rodrig|sequence).*|alpha|beta|gamma|"

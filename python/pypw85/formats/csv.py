@@ -270,6 +270,8 @@ def _keys(lines: Lines, options: Options) -> tuple[dict[str, str], str, list[str
     place = lines.location(lines.frame)
     while (line := lines.next("\r\n")) is not None and _may_precede(text := line.strip()):
         name, _, value = text[1:].strip().partition(" ")
+        if name in keys:
+            raise lines.error(f"the comment '# {name}' is there twice: remove one")
         if name in _KEYS:
             keys[name] = value
         elif found := _UNIT_OF_ECSV.match(text):
