@@ -108,7 +108,11 @@ REFUSED = {
     **{f"x,y,z,{names}": ({"shape_columns": names.split(",")}, "0,0,0,1,1,2", "may be whole axes or semi-axes")
        for names in ("fwhm_x,fwhm_y,fwhm_z", "err_x,err_y,err_z", "xlen,ylen,zlen", "obb_x,obb_y,obb_z", "bmaj,bmid,bmin", "d10,d50,d90")},
     **{f"x,y,z,{names}": ({"shape_columns": names.split(",")}, "0,0,0,1,1,2", "says another quantity than a length")
-       for names in ("lna,lnb,lnc", "asq,bsq,csq", "curv1,curv2,curv3")},
+       for names in ("lna,lnb,lnc", "asq,bsq,csq", "curv1,curv2,curv3", "hwhm_x,hwhm_y,hwhm_z")},
+    **{f"x,y,z,{name}": ({"shape_columns": [name]}, "0,0,0,1", "says another quantity than a length")
+       for name in ("radius_of_gyration", "Rg", "radius_of_curvature", "radius_ratio", "perimeter", "surface", "mass", "n_voxels")},
+    **{f"id,x,y,z,radius,{option}": ({option: columns}, "1,0,0,0,1,1", f"the column {columns[0]} is a position, an id, a type")
+       for option, columns in (("shape_columns", ["x"]), ("quaternion_columns", ["id", "x", "y", "z"]), ("angle_columns", ["y"]))},
     "x,y,z,a,b,c,qw,qx,qy,qz,AsphericalShape.X,AsphericalShape.Y,AsphericalShape.Z": ({}, f"0,0,0,2,1,1,{UP},4,2,2", "the columns a b c could change"),
     "x,y,semi_major,semi_minor,orientation":
         ({}, "0,0,4,1,1", "--angle-zero x or --angle-zero y .with --angle-sense yx if it grows the other way than from x towards y."),

@@ -159,7 +159,8 @@ _COLORS: list[tuple[Names, Names]] = [
 _FUNCTIONS = re.compile(r"(log|log10|ln|exp|sqrt|inv|inverse|1/)(?=[\W\d_]|(?<=/)).*|.*[\W_](log|squared|sq|cubed|inv|inverse)|"
                         r".*(\^|\*\*).*|.*[²³]", re.IGNORECASE)  # fmt: skip
 # Names of other quantities than lengths, as `plain_name` makes them: variances, volumes, moments, elements of matrices
-_QUANTITIES = re.compile(r"(?!.*(radi(us|i)|diam|length|ax[ei]s|width)).*(eigenval|variance|covar|precision|volume|area|moment|inertia|"
+_QUANTITIES = re.compile(r".*(gyrat\w*|ofcurvature|ratio|perimeter|circumference|surface|mass|charge|voxels|pixels|npix|solidity|"
+                         r"half(fwhm|width\w*half)\w*)|hwhm\w*|rg\w?|n|(?!.*(radi(us|i)|diam|length|ax[ei]s|width)).*(eigenval|variance|covar|precision|volume|area|moment|inertia|"
                          r"curvature|aspect|ratio(?!n)|elong|eccentr|tensor|matrix).*|semivar\w*|(log|ln)[abcr]|[abcr]sq|curv\w*|kappa\d|(var|cov|eig|lambda|i)\W?[xyz0-3]|"
                          r"[a-z]{0,5}(xx|yy|zz|xy|xz|yz)|[a-z]{1,3}(11|22|33|00)")  # fmt: skip
 
@@ -226,6 +227,9 @@ def take(columns: Sequence[str], options: Options, error: Error, lengths: str, o
     columns = [name for name in columns if name not in (options.ignore_columns or ())]
     is_flat = is_flat if options.dimensions is None else options.dimensions == 2
     _check_quantities(options.shape_columns or (), error)
+    for name in (*(options.shape_columns or ()), *(options.quaternion_columns or ()), *(options.angle_columns or ())):
+        if name in known and name[:2] not in ("c_", "f_", "v_"):
+            raise error(f"the column {name} is a position, an id, a type or a charge, and cannot be a length or a turn, too: name another")
     colors = _colors(columns, options, is_flat)
     others = [name for name in columns if name not in colors]
     plain = {plain_name(name): name for name in reversed(others)}
