@@ -91,7 +91,8 @@ REFUSED = {
     # What a growth of bodies, an exponent or a level of confidence could be, a calibration, and more names of lengths and of turns
     **{f"x,y,z,radius,{name}": ({}, f"0,0,0,1{',1' * (1 + name.count(','))}", f"the columns? {name.replace(',', ' ')} could change")
        for name in ("power", "dilation", "growth_factor", "multiplier", "confidence", "conf_level", "n_std", "superness", "um_per_px",
-                    "z_step", "binning", "bmaj,bmin", "hwhm", "DC_Maj", "r_perp,r_par", "d50", "x_len", "xdim", "sma", "coating", "box_x", "mirror", "handedness",
+                    "z_step", "binning", "bmaj,bmin", "hwhm", "DC_Maj", "r_perp,r_par", "d50",
+                    "x_len", "xdim", "sma", "coating", "box_x", "mirror", "handedness",
                     "eigvec1x", "pc1_x", "V1x", "rotmat00", "v_power", "i_mirror")},
     # Directions from north, and units of angles other than degrees and radians
     **{f"x,y,a,b,{name}": ({"angle_columns": [name]}, "0,0,2,1,30", f"{name} may be counted from the axis x or from y")
@@ -113,7 +114,8 @@ REFUSED = {
        for name in ("radius_of_gyration", "Rg", "radius_of_curvature", "radius_ratio", "perimeter", "surface", "mass", "n_voxels")},
     **{f"id,x,y,z,radius,{option}": ({option: columns}, "1,0,0,0,1,1", f"the column {columns[0]} is a position, an id, a type")
        for option, columns in (("shape_columns", ["x"]), ("quaternion_columns", ["id", "x", "y", "z"]), ("angle_columns", ["y"]))},
-    "x,y,z,a,b,c,qw,qx,qy,qz,AsphericalShape.X,AsphericalShape.Y,AsphericalShape.Z": ({}, f"0,0,0,2,1,1,{UP},4,2,2", "the columns a b c could change"),
+    "x,y,z,a,b,c,qw,qx,qy,qz,AsphericalShape.X,AsphericalShape.Y,AsphericalShape.Z":
+        ({}, f"0,0,0,2,1,1,{UP},4,2,2", "the columns a b c could change"),
     "x,y,semi_major,semi_minor,orientation":
         ({}, "0,0,4,1,1", "--angle-zero x or --angle-zero y .with --angle-sense yx if it grows the other way than from x towards y."),
 }  # fmt: skip
@@ -131,7 +133,7 @@ TABLES = {
     " ,Label,X,Y,Major,Minor,Angle\n1,a.tif:1,5,5,4,1,90\n2,a.tif:2,5,5,4,1,90\n3,b.tif,5,5,4,1,90":
         "line 4: the column Label has several values, a.tif and b.tif",
     **{f"{name},label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation\nA1,1,5,5,4,1,0\nA2,1,6.5,5,4,1,0":
-           f"line 3: the column {name} has several values, A1 and A2" for name in ("well", "FOV", "Metadata_Well", "image_path", "dataset")},
+           f"line 3: the column {name} has several values, A1 and A2" for name in ("well", "FOV", "Metadata_Well", "image_path")},
     "frame_id,x,y,z,radius\n0,0,0,0,1\n1,0,1.5,0,1": "line 3: the column frame_id has several values, 0 and 1",
     "t,x,y,z,radius\n0,0,0,0,1\n0.5,0,1.5,0,1": "line 3: the column t has several values",
     "x\ty\tz\tradius\n0\t0\t0\t0.5\n1,500\t0\t0\t0.5": "line 3: '1,500' has a comma, and '0.5' a point",

@@ -106,7 +106,8 @@ _SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thi
                     r"power\d?|dilat(ion|ed)|inflat(ion|ed)|swell(ing)?|shrink(age)?|growth|zoom|enlargement|multiplier|binning|zstep|"
                     r"((dilat|inflat|swell|grow|shrink|expan|conv|correct|calib|unit)\w*|[ap]d?)?factor|qexp|conf(idence)?(level)?|"
                     r"n(std|sig)|super(ness|quad\w*)|squircle\w*|polydispersity|z?anisotropy|(um|nm|mm|microns?)perp\w*|hwhm\w*|hpbw\w*|"
-                    r"[bs](maj|min)(ax)?|(err|dc|s)?maj|(err|dc)min|r[ep]|r(perp|par|half|eff|pol)\w*|(rad|r)eq|e[cs]d|d[1-9]0|x(dim|len|ext|rad)|(dim|len|ext|rad)x|[xyz](err|unc)|sm[abc]|(box|cell|lattice|domain)[xyzabc]|bboxw|boxw|obb\w|"
+                    r"[bs](maj|min)(ax)?|(err|dc|s)?maj|(err|dc)min|r[ep]|r(perp|par|half|eff|pol)\w*|(rad|r)eq|e[cs]d|d[1-9]0|"
+                    r"x(dim|len|ext|rad)|(dim|len|ext|rad)x|[xyz](err|unc)|sm[abc]|(box|cell|lattice|domain)[xyzabc]|bboxw|boxw|obb\w|"
                     r"h[wh]|coating|shell")
 _TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bearing|trend|plunge|strike|rake|tilt|inclin|"
                     r"(?<!mis)orient|rotat|quat|phi|theta|psi|direct|(?<!ab)normal|posang|rodrig|sequence).*|alpha|beta|gamma|"
@@ -115,7 +116,8 @@ _TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bear
                     r"rw|q(uat)?[wxyzijk0-4rs]?|qv\w*|[unde][xyz0-3]|dir[xyz]|ori[xyz]|e[1-3][xyz]|axis\w*")  # fmt: skip
 # Names of whole lengths, and of half ones
 _SOUND_WHOLE = re.compile(r".*(diam|length|width|height|thick|breadth|feret|calliper|caliper|size).*|"
-                          r"(?!aspherical)\w*shape(\[[1-3]\]|[1-3])|[fv]?[dl](max|mid|int|min|[xyz]|\d)|[lwh]|full[xyz]|(long|mid|short)d|d[1-9]0|2\W?[abcr]")
+                          r"(?!aspherical)\w*shape(\[[1-3]\]|[1-3])|[fv]?[dl](max|mid|int|min|[xyz]|\d)|[lwh]|full[xyz]|"
+                          r"(long|mid|short)d|d[1-9]0|2\W?[abcr]")
 _SOUND_HALF = re.compile(r".*(radi(us|i)|semi|half).*|[fv]?r(max|mid|int|min|[xyz]|\d)|r")
 # Names of lengths that say neither
 _SOUND_EITHER = re.compile(r"(?!.*(semi|half|radi|diam)).*(scal|sigma|std|rms|ext|fwhm|hpbw|iqr|unc|err|dev|spread|reach|range|singular|"
@@ -141,7 +143,8 @@ _SEVERAL_UNUSED = ("the columns {0} could change the shapes or how they are turn
 
 
 # A unit of length behind a name, not in brackets. A compute, a fix or a variable of LAMMPS may be called px.
-UNIT_AT_END = re.compile(r"(?<=[^\W_])(?<![_/ ]per)(?:[_/ ](mm|[uµμn]m|cm|microns?|voxels?)|(?<!^[cfv])[_/ ](px|pix|pixels?)|/(m))$", re.IGNORECASE)
+UNIT_AT_END = re.compile(r"(?<=[^\W_])(?<![_/ ]per)"
+                         r"(?:[_/ ](mm|[uµμn]m|cm|microns?|voxels?)|(?<!^[cfv])[_/ ](px|pix|pixels?)|/(m))$", re.IGNORECASE)
 
 
 # What stands in brackets, but an index; and words there that are not units
@@ -159,9 +162,11 @@ _COLORS: list[tuple[Names, Names]] = [
 _FUNCTIONS = re.compile(r"(log|log10|ln|exp|sqrt|inv|inverse|1/)(?=[\W\d_]|(?<=/)).*|.*[\W_](log|squared|sq|cubed|inv|inverse)|"
                         r".*(\^|\*\*).*|.*[²³]", re.IGNORECASE)  # fmt: skip
 # Names of other quantities than lengths, as `plain_name` makes them: variances, volumes, moments, elements of matrices
-_QUANTITIES = re.compile(r".*(gyrat\w*|ofcurvature|ratio|perimeter|circumference|surface|mass|charge|voxels|pixels|npix|solidity|"
-                         r"half(fwhm|width\w*half)\w*)|hwhm\w*|rg\w?|n|(?!.*(radi(us|i)|diam|length|ax[ei]s|width)).*(eigenval|variance|covar|precision|volume|area|moment|inertia|"
-                         r"curvature|aspect|ratio(?!n)|elong|eccentr|tensor|matrix).*|semivar\w*|(log|ln)[abcr]|[abcr]sq|curv\w*|kappa\d|(var|cov|eig|lambda|i)\W?[xyz0-3]|"
+_QUANTITIES = re.compile(r".*(gyrat\w*|ofcurvature|ratio(?!n)|perimeter|circumference|surface|mass|charge|voxels|pixels|npix|solidity|"
+                         r"half(fwhm|width\w*half)\w*)|hwhm\w*|rg\w?|n|"
+                         r"(?!.*(radi(us|i)|diam|length|ax[ei]s|width)).*(eigenval|variance|covar|precision|volume|area|moment|inertia|"
+                         r"curvature|aspect|ratio(?!n)|elong|eccentr|tensor|matrix).*|semivar\w*|(log|ln)[abcr]|[abcr]sq|curv\w*|kappa\d|"
+                         r"(var|cov|eig|lambda|i)\W?[xyz0-3]|"
                          r"[a-z]{0,5}(xx|yy|zz|xy|xz|yz)|[a-z]{1,3}(11|22|33|00)")  # fmt: skip
 
 

@@ -25,8 +25,8 @@ Error = Callable[[str], FileError]
 
 _UNITS = re.compile(r"(.*?)[\s_.:/(\[-]*(?:(deg|degs|degrees?|°)|(rad|rads|radians?))?(?:\s|\)|(?<!\d)\])*")
 # Units of angles that are neither degrees nor radians, at the end of a name
-_OTHER_UNITS = re.compile(r".*[\W_](([mcuµμ]|milli|centi|micro|tenths?|pi|x?10+)[\W_]*(deg|rad)\w*|gon|g(ra)?ds?|grads?|turns?|rev\w*|arc\w*|"
-                          r"m?as|h(ou)?rs?|hourangle|pi|rad/pi)\W*", re.IGNORECASE)  # fmt: skip
+_OTHER_UNITS = re.compile(r".*[\W_](([mcuµμ]|milli|centi|micro|tenths?|pi|x?10+)[\W_]*(deg|rad)\w*|gon|grads?|turns?|rev\w*|"
+                          r"arc\w*|m?as|hours?|hrs?|hourangle|pi|rad/pi)\W*", re.IGNORECASE)  # fmt: skip
 # The axis about which an angle of this name turns
 _AXES = {"yaw": "z", "heading": "z", "azim": "z", "azimuth": "z", "pitch": "y", "elev": "y", "elevation": "y", "roll": "x", "bank": "x"}
 _AXES |= {stem + axis: axis for stem in ("rot", "rotation", "angle", "euler", "eulerangle", "theta") for axis in "xyz"}
@@ -67,8 +67,8 @@ _ELEVATION = ("{0} may be an angle from the plane of x and y, and is not that fr
               "it in a column of another name, or leave it out (--ignore-columns {1})")  # fmt: skip
 _ZERO = ("{} may be counted from the axis x or from y: use --angle-zero x or --angle-zero y (with --angle-sense yx if it grows the other "
          "way than from x towards y)")  # fmt: skip
-_BEARING = ("{0} may be counted from north, and is not the angle from the axis x towards y that --polar takes: write 90 degrees less it in a "
-            "column of another name, or leave it out (--ignore-columns {1})")  # fmt: skip
+_BEARING = ("{0} may be counted from north, and is not the angle from the axis x towards y that --polar takes: write 90 degrees less it in "
+            "a column of another name, or leave it out (--ignore-columns {1})")  # fmt: skip
 # Names of an angle about an axis that others give
 _ABOUT_AXES = ("angle", "axisangle", "rotationangle", "rotangle", "theta", "axisw")
 _AXIS_AND_ANGLE = ("{0} may be an axis and the angle of a rotation about it, which is not read: write quaternions, or say that the axis is "

@@ -41,8 +41,8 @@ _UNIT_OF_ECSV = re.compile(r"#\s*- \{name: ([\w.]+), unit: ([\w.]+)")
 # The line that YADE writes before spheres (export.textExt)
 _FORMAT_OF_YADE = re.compile(r"^#\s*format\s+(x_y_z_r\w*)$")
 # Words in the last row of a table that is not a body
-_SUMMARY = re.compile(r"(arithmetic )?mean|average|avg|median|sd|std\.?( ?dev\w*\.?)?|standard deviation|min(imum)?|max(imum)?|(grand )?total|"
-                      r"sum(mary)?|count|var(iance)?|(25|50|75) ?%", re.IGNORECASE)  # fmt: skip
+_SUMMARY = re.compile(r"(arithmetic )?mean|average|avg|median|sd|std\.?( ?dev\w*\.?)?|standard deviation|min(imum)?|max(imum)?|"
+                      r"(grand )?total|sum(mary)?|count|var(iance)?|(25|50|75) ?%", re.IGNORECASE)  # fmt: skip
 # A unit of a column in a row of its own
 _UNIT_ALONE = re.compile(r"[(\[]?[^\W\d][^\d]{0,11}[)\]]?")
 _NUMBERED = re.compile(r"#\s*(\d{1,4})\s+([A-Za-z]\w*)")
@@ -66,8 +66,8 @@ _SERIES = re.compile(r"(slice|frame|image|picture|step|timestep|timepoint|time|t
                      r"file|sample|stack|replica|replicate|realization|realisation|run|trial|specimen|scene)"
                      r"(s|id|no|nr|num|number|index|idx|name)?|t")
 # The same in tables of programs that measure pictures
-_PICTURES = re.compile(r"(metadata)?(well|site|field|fieldofview|fov|tile|crop|position|movie|video|experiment|dataset|channel|series|section|"
-                       r"(image|file)?path|epoch|tp|tindex|condition|animal|mouse|patient|subject|date|day)"
+_PICTURES = re.compile(r"(metadata)?(well|site|field|fieldofview|fov|tile|crop|position|movie|video|experiment|dataset|channel|series|"
+                       r"section|(image|file)?path|epoch|tp|tindex|condition|animal|mouse|patient|subject|date|day)"
                        r"(s|id|no|nr|num|number|index|idx|name)?")  # fmt: skip
 _IDS = ("id", "ids", "particleid", "featureid", "index", "number")
 _TYPES = ("type", "types", "species", "phase", "phases", "particletype", "bodytype", "objecttype", "graintype", "body", "object", "class")
@@ -220,8 +220,8 @@ def _check_units_row(lines: Lines, separator: str | None, places: list[int]) -> 
     place = lines.location(lines.frame)
     words = _split(lines.next("\r\n") or "", separator)
     if max(places) < len(words) and all(_UNIT_ALONE.fullmatch(words[k]) and words[k].lower() not in ("nan", "inf") for k in places):
-        raise lines.error(f"the row beneath the names has words, not numbers, such as {words[places[0]]}: remove it, and if these are units, "
-                          "write them into the names, as x (mm)")  # fmt: skip
+        raise lines.error(f"the row beneath the names has words, not numbers, such as {words[places[0]]}: remove it, and if these are "
+                          "units, write them into the names, as x (mm)")  # fmt: skip
     lines.back(place)
 
 
