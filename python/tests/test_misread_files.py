@@ -380,6 +380,8 @@ def test_keys_of_extended_xyz_that_change_bodies(tmp_path):
         assert len(read(tmp_path / "a.xyz", ignore_columns=[key.partition("=")[0]])) == 1
     with pytest.raises(pypw85.FileError, match=r"'comment=quaternions are w x y z' could mean .*--quaternion"):
         read_text(tmp_path / "a.xyz", text.format('comment="quaternions are w x y z"'))
+    with pytest.raises(pypw85.FileError, match="line 2: the key Lattice is there twice: remove one"):
+        read_text(tmp_path / "a.xyz", text.format('Lattice="9 0 0 0 9 0 0 0 9" energy=1 Lattice="8 0 0 0 8 0 0 0 8"'))
     assert "energy units" in read_text(tmp_path / "a.xyz", text.format("energy=1 units=nm")).source
 
 

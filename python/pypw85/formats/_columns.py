@@ -538,8 +538,8 @@ def _quaternion(columns: Sequence[str], plain: dict[str, str], options: Options,
     found, meaning = _first(_QUATERNIONS, {plain_name(name): name for name in given} if given else plain)
     if given and found != given:
         # Names in another order than in the file were put into that of the option.
-        in_file = given == tuple(sorted(given, key=list(columns).index))
-        found, meaning = given, _order_of_letters(given) or (_ASK if in_file else order)
+        is_as_in_file = given == tuple(sorted(given, key=list(columns).index))
+        found, meaning = given, _order_of_letters(given) or (_ASK if is_as_in_file else order)
     if found and plain_name(found[0]) == "quat1" and not is_liggghts(plain):
         meaning = _ASK
     if meaning == _ASK and found and options.quaternion is None:

@@ -134,7 +134,12 @@ def _keys(lines: Lines, options: Options) -> dict[str, str]:
         words = shlex.split(comment)
     except ValueError:
         raise lines.error("a quotation mark has no partner") from None
-    return dict(word.split("=", 1) for word in words if "=" in word)
+    pairs = [word.split("=", 1) for word in words if "=" in word]
+    keys = dict(pairs)
+    if len(keys) < len(pairs):
+        again = next(name for k, (name, _) in enumerate(pairs) if name in dict(pairs[:k]))
+        raise lines.error(f"the key {again[:40]} is there twice: remove one")
+    return keys
 
 
 def _check_keys(keys: dict[str, str], options: Options, lines: Lines) -> None:
