@@ -167,6 +167,7 @@ TABLES = {
     "# angles in radians\nx,y,a,b,angle_deg\n0,0,2,1,1": "say the unit .--angle.",
     "# angles in degrees\nx,y,a,b,angle_rad\n0,0,2,1,1": "say the unit .--angle.",
     "# measured clockwise\nx,y,a,b,angle_deg\n0,0,2,1,1": "say from where angles are counted",
+    "# angles are counted from the y axis\nx,y,a,b,angle_deg\n0,0,2,1,1": "say from where angles are counted",
     "# radius_scale = 0.5\nx,y,z,radius\n0,0,0,1": "convert the numbers, and remove it",
     "# pixel size: 0.2 um\nx,y,z,radius\n0,0,0,1": "convert the numbers, and remove it",
     "# superquadrics with blockiness 8\nx,y,z,radius\n0,0,0,1": "convert the numbers, and remove it",
@@ -320,6 +321,13 @@ def test_harmless_columns(name, tmp_path):
     system = read_text(tmp_path / "a.csv", f"type,x,y,z,a,b,c,qw,qx,qy,qz,{name}\n1,0,0,0,2,.5,.5,{UP},7\n")
     assert system.semi_axes.tolist() == [[2, 0.5, 0.5]]
     assert system.source.endswith(f", columns that are not used: {name}")
+
+
+@pytest.mark.parametrize("comment", ["created by code v1.2", "Radii in mm", "scale bar 10 um", "20 ellipsoids", "mean diameter = 1.0",
+                                     "L: left, R: right", "from Y. Smith", "angles counter-clockwise from x", "semi-axes, in degrees",
+                                     "the data begin at y = 0, measured from y = 0", "aspect ratio 2", "w x y z"])  # fmt: skip
+def test_harmless_comments(comment, tmp_path):
+    assert len(read_text(tmp_path / "a.csv", f"# {comment}\nx,y,a,b,angle_deg\n0,0,2,1,30\n")) == 1
 
 
 def test_material_of_spheres(tmp_path):

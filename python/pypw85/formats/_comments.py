@@ -33,7 +33,8 @@ _CLAIMS: list[tuple[str, str, Callable[[Meaning], bool], str]] = [
     (r"\bradi(us|i)|\bsemi|\bhalf", r"diameter|full|whole", lambda one: one.lengths == "diameters", "say what the lengths are (--lengths)"),
     (r"\bradians?\b", r"degree", lambda one: one.unit == "degrees", "say the unit (--angle)"),
     (r"\bdegrees?\b", r"radian", lambda one: one.unit == "radians", "say the unit (--angle)"),
-    (r"(?<!counter)(?<!counter[\s-])(?<!anti)(?<!anti[\s-])clockwise|\bfrom (the )?(north|y\b)", r"$.", lambda one: one.is_from_x,
+    (r"(?<!counter)(?<!counter[\s-])(?<!anti)(?<!anti[\s-])clockwise|"
+     r"\b(angle|orientation|counted|measured|azimuth)\w*\b.*\bfrom (the )?(north|y\b(?!\s*=))", r"$.", lambda one: one.is_from_x,
      "say from where angles are counted (--angle-zero, and --angle-sense yx if they grow from y towards x)"),
     (r"(\b|_)(scal(e|ing)|(pixel|voxel)[\s_-]*size|spacing|resolution|magnification|(add|axis)[\s_-]*offset|\w*factor|exponents?|power|"
      rf"blockiness|dilat(ion|ed)|inflat(ion|ed)|roundness|n[\s_-]*sigma|confidence([\s_-]*level)?)\w*{_NUMBER}|"
