@@ -323,7 +323,7 @@ def test_harmless_columns(name, tmp_path):
     assert system.source.endswith(f", columns that are not used: {name}")
 
 
-@pytest.mark.parametrize("comment", ["created by code v1.2", "Radii in mm", "scale bar 10 um", "20 ellipsoids", "mean diameter = 1.0",
+@pytest.mark.parametrize("comment", ["created by code v1.2", "Radii in mm", "scale bar 10 um", "20 ellipsoids",
                                      "L: left, R: right", "from Y. Smith", "angles counter-clockwise from x", "semi-axes, in degrees",
                                      "the data begin at y = 0, measured from y = 0", "aspect ratio 2", "w x y z"])  # fmt: skip
 def test_harmless_comments(comment, tmp_path):
