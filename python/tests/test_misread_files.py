@@ -154,6 +154,13 @@ TABLES = {
     **{f"# {comment}\nx,y,z,radius\n0,0,0,1": "could say the cell" for comment in
        ("Lx Ly Lz = 9 9 9", "L = 9", "domain size: 9 9 9", "bounds: 0 9 0 9 0 9", "xlo xhi 0 9", "extent 9 9 9")},
     "# step 1\n# step 2\nx,y,z,radius\n0,0,0,1": "line 2: the comment '# step' is there twice",
+    # Units of ECSV in any order, and comments that are rows of units
+    "# - {name: x, unit: pix, datatype: float64}\n# - {name: radius, datatype: float64, unit: um}\nx,y,z,radius\n0,0,0,1":
+        "the columns x.pix. and radius.um. have different units",
+    "# - {name: x, unit: pix}\n# -\n#   name: radius\n#   unit: um\nx y z radius\n0 0 0 1": "x.pix. and radius.um. have different units",
+    "# - {name: r, unit: pix, description: full diameter}\nx y z r\n0 0 0 1": "say what the lengths are .--lengths.",
+    **{text: "the columns z and radius have different units" for text in
+       ("# x y z radius\n# [mm] [mm] [mm] [um]\n0 0 0 1", "# mm mm mm um\n# x y z radius\n0 0 0 1", "# mm,mm,mm,px\nx,y,z,radius\n0,0,0,1")},
     # Rows that are no bodies
     "x,y,z,radius\nmm,mm,mm,um\n0,0,0,1": "line 2: the row beneath the names has words, not numbers, such as mm: remove it",
     ",x,y,z,radius\n0,0,0,0,1\n1,9,0,0,1\nmean,4.5,0,0,1": "line 4: the row with the word 'mean' is a summary of others",
@@ -245,6 +252,7 @@ PAIRS = {
                               {"angle_columns": ["azimuth_deg"], "angle_zero": "y", "angle_sense": "yx"}, 0.375),
     "comments that agree": (f"# semi-axes a b c; quaternions x y z w\nx,y,z,a,b,c,qx,qy,qz,qw\n0,0,0,2,.5,.5,0,0,{HALF!r},{HALF!r}\n"
                             f"0,1.5,0,2,.5,.5,0,0,{HALF!r},{HALF!r}", {}, 0.375),
+    "a comment of units": ("# x y z radius angle_deg\n# mm mm mm mm deg\n0 0 0 .5 1\n0 1.5 0 .5 1", {"ignore_columns": ["angle_deg"]}, 1.5),
     "a comment and an option": (f"# scalar last\nx,y,z,a,b,c,q0,q1,q2,q3\n0,0,0,2,.5,.5,0,0,{HALF!r},{HALF!r}\n"
                                 f"0,1.5,0,2,.5,.5,0,0,{HALF!r},{HALF!r}", {"quaternion": "xyzw"}, 0.375),
     "a cell that is given": ("# Box = 9 9 9\nx,y,z,radius\n0,0,0,1\n0,8,0,1", {"cell": 9 * np.eye(3)}, 0.5),

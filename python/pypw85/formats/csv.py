@@ -36,8 +36,10 @@ _POSITION, _SHAPE, _QUATERNION = ["x", "y", "z"], ["a", "b", "c"], ["qw", "qx", 
 _KEYS = ("cell", "dimensions", "origin", "periodic", "step")
 # Comments that say the cell in another way
 _LIKE_KEYS = re.compile(rf"[#%]\s*{SAYS_CELL}", re.IGNORECASE)
-# A column of the header of ECSV (Astropy) that has a unit
-_UNIT_OF_ECSV = re.compile(r"#\s*- \{name: ([\w.]+), unit: ([\w.]+)")
+# Names and units of columns in the header of ECSV (Astropy), on one line or on several
+_OF_ECSV = re.compile(r"\b(name|unit): ['\"]?([\w.]+)")
+# A comment that is a row of units
+_UNIT_WORD = re.compile(r"[(\[]?(mm|[uµμnk]?m|cm|Å|microns?|px|pix|pixels?|voxels?|deg(rees?)?|rad(ians?)?|[-1])[)\]]?")
 # The line that YADE writes before spheres (export.textExt)
 _FORMAT_OF_YADE = re.compile(r"^#\s*format\s+(x_y_z_r\w*)$")
 # Words in the last row of a table that is not a body
@@ -154,7 +156,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         taken = take(columns, options, lines.error, "radii", "wxyz", [*positions, ids, types],
                      (dimensions or len(positions)) == 2, convention)  # fmt: skip
         _comments.check(comments, meaning_of(taken, options), lines.error)
-        _check_lengths(columns, positions, taken, (options.dimensions or dimensions) is not None, lines)
+        _check_lengths(columns, positions, taken, (options.dimensions or dimensions) is not None, _units_row(comments, columns), lines)
         step = lines.whole(keys.get("step", "0"), "step", -(2**63))
         cell = _cell(lines, keys["cell"]) if "cell" in keys else None
         if cell is not None and len(keys["cell"].split()) == 4:
@@ -266,7 +268,7 @@ def _keys(lines: Lines, options: Options) -> tuple[dict[str, str], str, list[str
     """Reads the lines before the names. Also returns the line with the names, or the first row if no line has names; and the comments."""
     keys: dict[str, str] = {}
     units: dict[str, str] = {}
-    comments = []
+    comments, column = [], ""
     place = lines.location(lines.frame)
     while (line := lines.next("\r\n")) is not None and _may_precede(text := line.strip()):
         name, _, value = text[1:].strip().partition(" ")
@@ -274,8 +276,6 @@ def _keys(lines: Lines, options: Options) -> tuple[dict[str, str], str, list[str
             raise lines.error(f"the comment '# {name}' is there twice: remove one")
         if name in _KEYS:
             keys[name] = value
-        elif found := _UNIT_OF_ECSV.match(text):
-            units[found[1]] = found[2]
         elif options.cell is None and (found := _LIKE_KEYS.match(text)):
             raise lines.error(f"the comment '{text[:60]}' could say the cell, and is not read: write '# cell' and nine numbers, '# origin' "
                               f"and three, '# periodic' and three of T and F, give the cell (--cell), or put another word before "
@@ -284,6 +284,9 @@ def _keys(lines: Lines, options: Options) -> tuple[dict[str, str], str, list[str
             keys["rows"] = text
         elif text:
             comments.append(text)
+            for key, value in _OF_ECSV.findall(text):
+                column = value if key == "name" else column
+                units |= {column: value} if key == "unit" else {}
         place = lines.location(lines.frame)
     if line is not None and not _is_row(line):
         return keys, _with_units(line, units), comments
@@ -350,9 +353,10 @@ def _check_third(columns: list[str], positions: list[str], options: Options, lin
                                   f"(--ignore-columns {for_option([name])})")  # fmt: skip
 
 
-def _check_lengths(columns: list[str], positions: list[str], taken: Taken, says_dimensions: bool, lines: Lines) -> None:
+def _check_lengths(columns: list[str], positions: list[str], taken: Taken, says_dimensions: bool, units_row: dict[str, str],
+                   lines: Lines) -> None:  # fmt: skip
     """Refuses a coordinate that is there twice, as in pixels and in a length; three lengths beside two coordinates; and several units of
-    length, where names say them in brackets."""
+    length, where names or a row of units say them."""
     for name in positions:
         same = [one for one in columns if plain_name(one) == plain_name(name)]
         if len(set(same)) > 1:
@@ -360,13 +364,19 @@ def _check_lengths(columns: list[str], positions: list[str], taken: Taken, says_
     if len(positions) == 2 and len(taken.shape) == 3 and not says_dimensions:
         raise lines.error(f"there are two coordinates, {' '.join(positions)}, and three lengths, {' '.join(taken.shape)}: write the "
                           "third coordinate, or say that these are ellipses in a plane (--dimensions 2)")  # fmt: skip
-    said = [(name, unit) for name in (*positions, *taken.shape, *taken.sphere) if (unit := _unit(name))]
+    said = [(name, unit) for name in (*positions, *taken.shape, *taken.sphere) if (unit := _unit(name) or units_row.get(name))]
     units = {_SAME_UNITS.get(unit.lower(), unit): name for name, unit in said}
     if len(units) > 1:
         raise lines.error(f"the columns {' and '.join(units.values())} have different units: convert them to one, and rename them")
-    silent = [name for name in (*positions, *taken.shape, *taken.sphere) if not _unit(name)]
+    silent = [name for name in (*positions, *taken.shape, *taken.sphere) if name not in dict(said)]
     if said and silent:
         taken.notes.append(f"{' '.join(silent)} without a unit are taken in that of {said[0][0]}")
+
+
+def _units_row(comments: list[str], columns: list[str]) -> dict[str, str]:
+    """The units of columns that a comment says."""
+    rows = [words for comment in comments for words in _rows_of(comment.lstrip("#% ")) if all(map(_UNIT_WORD.fullmatch, words))]
+    return next((dict(zip(columns, [word.strip("()[]") for word in words])) for words in rows if len(words) == len(columns)), {})
 
 
 def _unit(name: str) -> str:
