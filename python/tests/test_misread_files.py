@@ -159,8 +159,9 @@ TABLES = {
         "the columns x.pix. and radius.um. have different units",
     "# - {name: x, unit: pix}\n# -\n#   name: radius\n#   unit: um\nx y z radius\n0 0 0 1": "x.pix. and radius.um. have different units",
     "# - {name: r, unit: pix, description: full diameter}\nx y z r\n0 0 0 1": "say what the lengths are .--lengths.",
-    **{text: "the columns z and radius have different units" for text in
-       ("# x y z radius\n# [mm] [mm] [mm] [um]\n0 0 0 1", "# mm mm mm um\n# x y z radius\n0 0 0 1", "# mm,mm,mm,px\nx,y,z,radius\n0,0,0,1")},
+    "# x y z radius\n# [mm] [mm] [mm] [um]\n0 0 0 1": "the columns z and radius have different units",
+    "# mm mm mm um\n# x y z radius\n0 0 0 1": "the columns z and radius have different units",
+    "# mm,mm,mm,px\nx,y,z,radius\n0,0,0,1": "the columns z and radius have different units",
     # Rows that are no bodies
     "x,y,z,radius\nmm,mm,mm,um\n0,0,0,1": "line 2: the row beneath the names has words, not numbers, such as mm: remove it",
     ",x,y,z,radius\n0,0,0,0,1\n1,9,0,0,1\nmean,4.5,0,0,1": "line 4: the row with the word 'mean' is a summary of others",
