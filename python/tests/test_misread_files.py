@@ -60,7 +60,7 @@ REFUSED = {
     "x,y,z,scale_x,scale_y,scale_z": ({"shape_columns": ("scale_x", "scale_y", "scale_z")}, "0,0,0,1,1,1", "may be whole axes or"),
     "x,y,z,sigma1": ({"shape_columns": 3 * ("sigma1",)}, "0,0,0,1", "sigma1 may be whole axes or semi-axes"),
     **{f"x,y,z,radius ({words})": ({}, "0,0,0,1", "more than a unit in brackets")
-       for words in ("log10", "squared", "full width", "mm^2")},
+       for words in ("log10", "squared", "full width", "mm^2", "%", "1e-6 m", "x2", "1/um", "um-1", "max", "FWHM", "95%", "2 sigma")},
     "x [scaled],y,z,radius": ({}, "0,0,0,1", r"'x \[scaled\]' says more than a unit in brackets"),
     "x,y,a,b,theta [deg from north]": ({}, "0,0,2,1,0", "theta"),
     "x,y,z,a,b,c,orientation_x,orientation_y,orientation_z": ({}, "0,0,0,2,.5,.5,30,0,90", "which may be angles or a direction: say"),
@@ -100,6 +100,10 @@ REFUSED = {
     **{f"x,y,a,b,{name}": ({"angle_columns": [name]}, "0,0,2,1,30", "has another unit than degrees and radians by its name")
        for name in ("angle_mrad", "angle (mrad)", "angle_grad", "angle [gon]", "angle_cdeg", "angle [pi rad]", "angle_tenths_deg",
                     "angle (turns)")},
+    **{f"x,y,a,b,{name}": ({"angle_columns": [name]}, "0,0,2,1,30", "may be counted from the axis x or from y")
+       for name in ("angle_cw_deg", "angle_from_y_deg", "angle_to_vertical_deg", "angle_y_deg")},
+    **{f"x,y,a,b,{name}": ({"angle_columns": [name], "angle": "degrees"}, "0,0,2,1,30", "another quantity than the angle of the axis a")
+       for name in ("minor_axis_angle", "angle_std", "half_angle", "cos_theta", "2theta_deg", "neg_angle_deg", "angle_of_minor", "misorientation")},
     "centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation (mrad)": ({}, "0,0,4,1,1", "another unit than degrees"),
     # Four columns whose letters do not say the order, and columns that are lengths, and not directions, too
     **{f"x,y,z,a,b,c,{names}": ({"quaternion_columns": names.split(",")}, f"0,0,0,2,1,1,{UP}", "is x y z w for OVITO")
@@ -162,6 +166,7 @@ TABLES = {
     "# x y z radius\n# [mm] [mm] [mm] [um]\n0 0 0 1": "the columns z and radius have different units",
     "# mm mm mm um\n# x y z radius\n0 0 0 1": "the columns z and radius have different units",
     "# mm,mm,mm,px\nx,y,z,radius\n0,0,0,1": "the columns z and radius have different units",
+    "# px px px px rad\nx,y,a,b,angle_deg\n0,0,2,1,1": "the angle angle_deg is taken in degrees, and a comment says rad",
     # Rows that are no bodies
     "x,y,z,radius\nmm,mm,mm,um\n0,0,0,1": "line 2: the row beneath the names has words, not numbers, such as mm: remove it",
     ",x,y,z,radius\n0,0,0,0,1\n1,9,0,0,1\nmean,4.5,0,0,1": "line 4: the row with the word 'mean' is a summary of others",

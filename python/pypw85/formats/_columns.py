@@ -150,6 +150,7 @@ UNIT_AT_END = re.compile(r"(?<=[^\W_])(?<![_/ ]per)"
 # What stands in brackets, but an index; and words there that are not units
 _BRACKETS = re.compile(r"\([^)]*\)|\[(?!\d+\])[^]]*\]")
 _MORE_THAN_UNITS = re.compile(r"full|whole|half|semi|diam|radi(us|i)|log|\bln|exp|squar|cub|inv|\^|[²³*]|scal|frac|norm|relat|rms|std|"
+                              r"%|\d\s*[^\W\d]|[^\W\d]\W*\d|[*/]|max|\bmin\b|fwhm|sigma|\berr|"
                               r"from|clock|\bc?cw\b|body|world|conj|transp|minus|[+]", re.IGNORECASE)  # fmt: skip
 
 

@@ -60,7 +60,11 @@ _ONE_ANGLE = ("{0} may be the angle of ellipses in a plane, or a rotation in spa
               "the column out (--ignore-columns {1})")  # fmt: skip
 # Names of angles of ellipses that programs count from y: orientations in pictures, directions from north
 _FROM_NORTH = re.compile(r".*(bearing|heading|strike|trend|course|north|dipdir).*")
-_FROM_EITHER = re.compile(rf"orientation|{_FROM_NORTH.pattern}|.*(azim|posang|positionangle).*|az|b?pa")
+_FROM_EITHER = re.compile(rf"orientation|{_FROM_NORTH.pattern}|.*(azim|posang|positionangle|vertical|fromy|toy|(?<!c)cw|"
+                          r"(?<!counter)clockwise).*|angley|az|b?pa")  # fmt: skip
+# Names of functions of angles, of their errors, and of angles of other axes or between bodies
+_OTHER_ANGLES = re.compile(r"(half|\d(?!d)|neg|minus|delta|err|std).*|.*minor.*|.*(std|err(or)?|var(iance)?|misorient\w*)|"
+                           r"a?(cos|sin|tan)2?(theta|phi|psi|angle|alpha|beta|orientation)?")  # fmt: skip
 # Angles from the plane of x and y, in which those from the axis z are 90°
 _FROM_PLANE = ("elevation", "elev", "latitude", "lat", "altitude", "alt", "plunge", "pitch", "dip", "declination")
 _ELEVATION = ("{0} may be an angle from the plane of x and y, and is not that from the axis z which --polar takes: write 90 degrees less "
@@ -259,6 +263,8 @@ def _units_of(names: Names, options: Options, error: Error) -> Names:
 
 def check_units(names: Iterable[str], error: Error) -> None:
     for name in names:
+        if _OTHER_ANGLES.fullmatch(base(name)[0]):
+            raise error(f"the name of the column '{name}' says another quantity than the angle of the axis a: convert it, and rename it")
         if _OTHER_UNITS.fullmatch(name):
             raise error(f"{name} has another unit than degrees and radians by its name: convert it, and rename the column")
 

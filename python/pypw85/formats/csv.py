@@ -365,6 +365,9 @@ def _check_lengths(columns: list[str], positions: list[str], taken: Taken, says_
         raise lines.error(f"there are two coordinates, {' '.join(positions)}, and three lengths, {' '.join(taken.shape)}: write the "
                           "third coordinate, or say that these are ellipses in a plane (--dimensions 2)")  # fmt: skip
     said = [(name, unit) for name in (*positions, *taken.shape, *taken.sphere) if (unit := _unit(name) or units_row.get(name))]
+    for name, unit in zip(taken.turn.columns, taken.turn.units):
+        if (row := units_row.get(name, "-")).isalpha() and row[:3] != unit[:3]:
+            raise lines.error(f"the angle {name} is taken in {unit}, and a comment says {row}: correct one of both")
     units = {_SAME_UNITS.get(unit.lower(), unit): name for name, unit in said}
     if len(units) > 1:
         raise lines.error(f"the columns {' and '.join(units.values())} have different units: convert them to one, and rename them")
