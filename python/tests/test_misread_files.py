@@ -103,7 +103,8 @@ REFUSED = {
     **{f"x,y,a,b,{name}": ({"angle_columns": [name]}, "0,0,2,1,30", "may be counted from the axis x or from y")
        for name in ("angle_cw_deg", "angle_from_y_deg", "angle_to_vertical_deg", "angle_y_deg")},
     **{f"x,y,a,b,{name}": ({"angle_columns": [name], "angle": "degrees"}, "0,0,2,1,30", "another quantity than the angle of the axis a")
-       for name in ("minor_axis_angle", "angle_std", "half_angle", "cos_theta", "2theta_deg", "neg_angle_deg", "angle_of_minor", "misorientation")},
+       for name in ("minor_axis_angle", "angle_std", "half_angle",
+                    "cos_theta", "2theta_deg", "neg_angle_deg", "angle_of_minor", "misorientation")},
     "centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation (mrad)": ({}, "0,0,4,1,1", "another unit than degrees"),
     # Four columns whose letters do not say the order, and columns that are lengths, and not directions, too
     **{f"x,y,z,a,b,c,{names}": ({"quaternion_columns": names.split(",")}, f"0,0,0,2,1,1,{UP}", "is x y z w for OVITO")
