@@ -233,9 +233,6 @@ def take(columns: Sequence[str], options: Options, error: Error, lengths: str, o
     columns = [name for name in columns if name not in (options.ignore_columns or ())]
     is_flat = is_flat if options.dimensions is None else options.dimensions == 2
     _check_quantities(options.shape_columns or (), error)
-    for name in (*(options.shape_columns or ()), *(options.quaternion_columns or ()), *(options.angle_columns or ())):
-        if name in known and name[:2] not in ("c_", "f_", "v_"):
-            raise error(f"the column {name} is a position, an id, a type or a charge, and cannot be a length or a turn, too: name another")
     colors = _colors(columns, options, is_flat)
     others = [name for name in columns if name not in colors]
     plain = {plain_name(name): name for name in reversed(others)}
@@ -243,6 +240,9 @@ def take(columns: Sequence[str], options: Options, error: Error, lengths: str, o
         _ask_for_program(plain, options.angle, error)
     taken = (_by_names(others, plain, options, error, lengths, order, is_flat) if convention is None else
              _by_convention(plain, options, convention))  # fmt: skip
+    for name in (*(options.shape_columns or ()), *(options.quaternion_columns or ()), *(options.angle_columns or ())):
+        if name in known and name[:2] not in ("c_", "f_", "v_"):
+            raise error(f"the column {name} is a position, an id, a type or a charge, and cannot be a length or a turn, too: name another")
     _check_brackets([*known, *taken.columns], error)
     _turns.check_units(taken.turn.columns, error)
     _check_unused(columns, taken, [*known, *colors], options, error, is_flat, convention)
