@@ -118,7 +118,7 @@ REFUSED = {
     **{f"x,y,z,{name}": ({"shape_columns": [name]}, "0,0,0,1", "says another quantity than a length")
        for name in ("radius_of_gyration", "Rg", "radius_of_curvature", "radius_ratio", "perimeter", "surface", "mass", "n_voxels")},
     **{f"id,x,y,z,radius,{option}": ({option: columns}, "1,0,0,0,1,1", f"the column {columns[0]} is a position, an id, a type")
-       for option, columns in (("shape_columns", ["x"]), ("quaternion_columns", ["x", "y", "z", "id"]), ("angle_columns", ["y"]))},
+       for option, columns in (("shape_columns", ["x"]), ("angle_columns", ["y"]))},
     "x,y,z,a,b,c,qw,qx,qy,qz,AsphericalShape.X,AsphericalShape.Y,AsphericalShape.Z":
         ({}, f"0,0,0,2,1,1,{UP},4,2,2", "the columns a b c could change"),
     "x,y,semi_major,semi_minor,orientation":
