@@ -187,7 +187,8 @@ def test_named_columns(file):
     path = file(changed("shapex shapey shapez quatw quati quatj quatk", "v_1 v_2 v_3 d_4 d_5 d_6 d_7"))
     with pytest.raises(pypw85.FileError, match="no shapes"):
         pypw85.read(path)
-    system = pypw85.read(path, shape_columns=["v_1", "v_2", "v_3"], quaternion_columns=["d_4", "d_5", "d_6", "d_7"])
+    system = pypw85.read(path, shape_columns=["v_1", "v_2", "v_3"], quaternion_columns=["d_4", "d_5", "d_6", "d_7"],
+                         quaternion="wxyz")  # fmt: skip
     np.testing.assert_array_equal(system.semi_axes, [[1, 2, 3], [1, 1, 1]])
 
 

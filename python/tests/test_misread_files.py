@@ -37,6 +37,7 @@ REFUSED = {
     "x,y,z,a,b,c,elevation_deg,azimuth_deg":
         ({}, "0,0,0,2,2,.5,0,1", "elevation_deg may be an angle from the plane of x and y, and is not that from the axis z"),
     "x,y,z,a,b,c,plunge,trend": ({"polar": ("plunge", "trend")}, "0,0,0,2,2,.5,0,1", "plunge may be an angle from the plane"),
+    "x,y,z,a,b,tilt_deg,strike_deg": ({"polar": ("tilt_deg", "strike_deg")}, "0,0,0,2,.5,9,9", "strike_deg may be counted from north"),
     "x,y,z,a,b,c,t_deg,p_deg": ({"polar": ("p_deg", "t_deg")}, "0,0,0,2,2,.5,90,270", "the p_deg 270, which is not an angle from the axis"),
     "x,y,z,length,width,height,rotation_y": ({"lengths": "diameters", "euler": "y", "angle": "radians"}, "0,0,0,4,2,1,0",
                                              "the bodies turn about y alone, so that height may be along y"),
@@ -59,7 +60,7 @@ REFUSED = {
     "x,y,z,scale_x,scale_y,scale_z": ({"shape_columns": ("scale_x", "scale_y", "scale_z")}, "0,0,0,1,1,1", "may be whole axes or"),
     "x,y,z,sigma1": ({"shape_columns": 3 * ("sigma1",)}, "0,0,0,1", "sigma1 may be whole axes or semi-axes"),
     **{f"x,y,z,radius ({words})": ({}, "0,0,0,1", "more than a unit in brackets")
-       for words in ("log10", "squared", "full width", "mm^2")},
+       for words in ("log10", "squared", "full width", "mm^2", "%", "1e-6 m", "x2", "1/um", "um-1", "max", "FWHM", "95%", "2 sigma")},
     "x [scaled],y,z,radius": ({}, "0,0,0,1", r"'x \[scaled\]' has more than a unit in brackets"),
     "x,y,a,b,theta [deg from north]": ({}, "0,0,2,1,0", "theta"),
     "x,y,z,a,b,c,orientation_x,orientation_y,orientation_z": ({}, "0,0,0,2,.5,.5,30,0,90", "which may be angles or a direction: say"),
@@ -87,6 +88,39 @@ REFUSED = {
         ({}, "1,0,0,4,1,1", "the columns may be those of skimage, and other programs mean other lengths .*--convention skimage"),
     "X,Y,MajorAxisLength,MinorAxisLength,Orientation":
         ({}, "0,0,4,1,1", "may be those of skimage or matlab, and other programs mean"),
+    # What a growth of bodies, an exponent or a level of confidence could be, a calibration, and more names of lengths and of turns
+    **{f"x,y,z,radius,{name}": ({}, f"0,0,0,1{',1' * (1 + name.count(','))}", f"the columns? {name.replace(',', ' ')} could change")
+       for name in ("power", "dilation", "growth_factor", "multiplier", "confidence", "conf_level", "n_std", "superness", "um_per_px",
+                    "z_step", "binning", "bmaj,bmin", "hwhm", "DC_Maj", "r_perp,r_par", "d50",
+                    "x_len", "xdim", "sma", "coating", "box_x", "mirror", "handedness",
+                    "eigvec1x", "pc1_x", "V1x", "rotmat00", "v_power", "i_mirror")},
+    # Directions from north, and units of angles other than degrees and radians
+    **{f"x,y,a,b,{name}": ({"angle_columns": [name]}, "0,0,2,1,30", f"{name} may be counted from the axis x or from y")
+       for name in ("azimuth_deg", "bearing_deg", "strike_deg", "PA_deg", "dip_direction_deg", "az_deg")},
+    **{f"x,y,a,b,{name}": ({"angle_columns": [name]}, "0,0,2,1,30", "has another unit than degrees and radians by its name")
+       for name in ("angle_mrad", "angle (mrad)", "angle_grad", "angle [gon]", "angle_cdeg", "angle [pi rad]", "angle_tenths_deg",
+                    "angle (turns)")},
+    **{f"x,y,a,b,{name}": ({"angle_columns": [name]}, "0,0,2,1,30", "may be counted from the axis x or from y")
+       for name in ("angle_cw_deg", "angle_from_y_deg", "angle_to_vertical_deg", "angle_y_deg")},
+    **{f"x,y,a,b,{name}": ({"angle_columns": [name], "angle": "degrees"}, "0,0,2,1,30", "another quantity than the angle of the axis a")
+       for name in ("minor_axis_angle", "angle_std", "half_angle",
+                    "cos_theta", "2theta_deg", "neg_angle_deg", "angle_of_minor", "misorientation")},
+    "centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation (mrad)": ({}, "0,0,4,1,1", "another unit than degrees"),
+    # Four columns whose letters do not say the order, and columns that are lengths, and not directions, too
+    **{f"x,y,z,a,b,c,{names}": ({"quaternion_columns": names.split(",")}, f"0,0,0,2,1,1,{UP}", "is x y z w for OVITO")
+       for names in ("d_4,d_5,d_6,d_7", "q1,q2,q3,q4", "qv1,qv2,qv3,qs", "quat[1],quat[2],quat[3],quat[4]")},
+    **{f"x,y,z,{names}": ({"shape_columns": names.split(","), "lengths": "radii"}, "0,0,0,1,1,2", "is not a sphere, and lacks")
+       for names in ("U1,U2,U3", "n0,n1,n2", "axis_1,axis_2,axis_3")},
+    **{f"x,y,z,{names}": ({"shape_columns": names.split(",")}, "0,0,0,1,1,2", "may be whole axes or semi-axes")
+       for names in ("fwhm_x,fwhm_y,fwhm_z", "err_x,err_y,err_z", "xlen,ylen,zlen", "obb_x,obb_y,obb_z", "bmaj,bmid,bmin", "d10,d50,d90")},
+    **{f"x,y,z,{names}": ({"shape_columns": names.split(",")}, "0,0,0,1,1,2", "means a quantity other than a length")
+       for names in ("lna,lnb,lnc", "asq,bsq,csq", "curv1,curv2,curv3", "hwhm_x,hwhm_y,hwhm_z")},
+    **{f"x,y,z,{name}": ({"shape_columns": [name]}, "0,0,0,1", "means a quantity other than a length")
+       for name in ("radius_of_gyration", "Rg", "radius_of_curvature", "radius_ratio", "perimeter", "surface", "mass", "n_voxels")},
+    **{f"id,x,y,z,radius,{option}": ({option: columns}, "1,0,0,0,1,1", f"the column {columns[0]} is a position, an id, a type")
+       for option, columns in (("shape_columns", ["x"]), ("angle_columns", ["y"]))},
+    "x,y,z,a,b,c,qw,qx,qy,qz,AsphericalShape.X,AsphericalShape.Y,AsphericalShape.Z":
+        ({}, f"0,0,0,2,1,1,{UP},4,2,2", "the columns a b c could change"),
     "x,y,semi_major,semi_minor,orientation":
         ({}, "0,0,4,1,1", "--angle-zero x or --angle-zero y .with --angle-sense yx if it grows the other way than from x towards y."),
 }  # fmt: skip
@@ -103,6 +137,8 @@ def test_columns(header, tmp_path):
 TABLES = {
     " ,Label,X,Y,Major,Minor,Angle\n1,a.tif:1,5,5,4,1,90\n2,a.tif:2,5,5,4,1,90\n3,b.tif,5,5,4,1,90":
         "line 4: the column Label has several values, a.tif and b.tif",
+    **{f"{name},label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation\nA1,1,5,5,4,1,0\nA2,1,6.5,5,4,1,0":
+           f"line 3: the column {name} has several values, A1 and A2" for name in ("well", "FOV", "Metadata_Well", "image_path")},
     "frame_id,x,y,z,radius\n0,0,0,0,1\n1,0,1.5,0,1": "line 3: the column frame_id has several values, 0 and 1",
     "t,x,y,z,radius\n0,0,0,0,1\n0.5,0,1.5,0,1": "line 3: the column t has several values",
     "x\ty\tz\tradius\n0\t0\t0\t0.5\n1,500\t0\t0\t0.5": "line 3: '1,500' has a comma, and '0.5' a point",
@@ -120,6 +156,35 @@ TABLES = {
     'x,y,z,radius,"name, long"\n0,0,0,1,a, b': "line 2: 6 columns instead of 5",
     "id,x,y,z,radius\n1,0,0,0,1\nP-2,0,9,0,1": "line 3: column 1 .id. must be a number, not 'P-2'",
     "# periodic: xyz\nx,y,z,radius\n0,0,0,1": "could say the cell",
+    **{f"# {comment}\nx,y,z,radius\n0,0,0,1": "could say the cell" for comment in
+       ("Lx Ly Lz = 9 9 9", "L = 9", "domain size: 9 9 9", "bounds: 0 9 0 9 0 9", "xlo xhi 0 9", "extent 9 9 9")},
+    "# step 1\n# step 2\nx,y,z,radius\n0,0,0,1": "line 2: the comment '# step' is there twice",
+    # Units of ECSV in any order, and comments that are rows of units
+    "# - {name: x, unit: pix, datatype: float64}\n# - {name: radius, datatype: float64, unit: um}\nx,y,z,radius\n0,0,0,1":
+        "the columns x.pix. and radius.um. have different units",
+    "# - {name: x, unit: pix}\n# -\n#   name: radius\n#   unit: um\nx y z radius\n0 0 0 1": "x.pix. and radius.um. have different units",
+    "# - {name: r, unit: pix, description: full diameter}\nx y z r\n0 0 0 1": "say what the lengths are .--lengths.",
+    "# x y z radius\n# [mm] [mm] [mm] [um]\n0 0 0 1": "the columns z and radius have different units",
+    "# mm mm mm um\n# x y z radius\n0 0 0 1": "the columns z and radius have different units",
+    "# mm,mm,mm,px\nx,y,z,radius\n0,0,0,1": "the columns z and radius have different units",
+    "# px px px px rad\nx,y,a,b,angle_deg\n0,0,2,1,1": "the angle angle_deg is taken in degrees, and a comment says rad",
+    # Rows that are no bodies
+    "x,y,z,radius\nmm,mm,mm,um\n0,0,0,1": "line 2: the row beneath the names has words, not numbers, such as mm: remove it",
+    ",x,y,z,radius\n0,0,0,0,1\n1,9,0,0,1\nmean,4.5,0,0,1": "line 4: the row with the word 'mean' is a summary of others",
+    "name;x;y;z;radius\na;0;0;0;1\nMean;9;0;0;1\nSt.dev.;1;1;1;1\nStd.Dev.;1;1;1;1\n\n": "line 5: the row with the word 'Std.Dev.' is",
+    " ,Label,X,Y,Major,Minor,Angle\n1,,5,5,4,1,90\n2,Mean,5,5,4,1,90\n3,SD,1,1,1,1,0": "the row with the word 'SD' is a summary",
+    # Comments that contradict what would be taken
+    f"# quaternion order: x y z w\nx,y,z,a,b,c,q0,q1,q2,q3\n0,0,0,2,1,1,{UP}": "'# quaternion order: x y z w' could mean .*--quaternion.",
+    f"# quaternions are scalar-last\nx,y,z,a,b,c,q0,q1,q2,q3\n0,0,0,2,1,1,{UP}": "say the order .--quaternion.",
+    f"# full axis lengths\nx,y,z,a,b,c,qw,qx,qy,qz\n0,0,0,2,1,1,{UP}": "say what the lengths are .--lengths.",
+    "# r: particle diameter in mm\nx,y,z,r\n0,0,0,1": "say what the lengths are .--lengths.",
+    "# angles in radians\nx,y,a,b,angle_deg\n0,0,2,1,1": "say the unit .--angle.",
+    "# angles in degrees\nx,y,a,b,angle_rad\n0,0,2,1,1": "say the unit .--angle.",
+    "# measured clockwise\nx,y,a,b,angle_deg\n0,0,2,1,1": "say from where angles are counted",
+    "# angles are counted from the y axis\nx,y,a,b,angle_deg\n0,0,2,1,1": "say from where angles are counted",
+    "# radius_scale = 0.5\nx,y,z,radius\n0,0,0,1": "convert the numbers, and remove it",
+    "# pixel size: 0.2 um\nx,y,z,radius\n0,0,0,1": "convert the numbers, and remove it",
+    "# superquadrics with blockiness 8\nx,y,z,radius\n0,0,0,1": "convert the numbers, and remove it",
 }
 
 
@@ -164,6 +229,7 @@ PAIRS = {
                 {"lengths": "diameters", "euler": "y", "shape_columns": ["length", "height", "width"]}, 0.75),
     "plugin": ("Label,Ellipsoid.Center.X,Ellipsoid.Center.Y,Ellipsoid.Center.Z,Ellipsoid.Radius1,Ellipsoid.Radius2,Ellipsoid.Radius3,"
                "Ellipsoid.Phi,Ellipsoid.Theta,Ellipsoid.Psi\n1,5,5,5,2,0.5,0.5,90,0,0\n2,5,6.5,5,2,0.5,0.5,90,0,0", {}, 0.375),
+    "all of ImageJ": (" ,Area,Mean,Min,Max,X,Y,Major,Minor,Angle\n1,3,9,1,9,5,5,4,1,90\n2,3,9,1,9,5,6.5,4,1,90", {}, 0.375),
     "degrees in brackets": ("label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation (deg)\n1,5,5,4,1,0\n"
                             "2,6.5,5,4,1,180", {}, 0.375),
     "radians of ECSV": ("# %ECSV 1.0\n# ---\n# datatype:\n# - {name: orientation, unit: rad, datatype: float64}\n# schema: astropy-2.0\n"
@@ -179,6 +245,23 @@ PAIRS = {
                             "2,3,1,1,5,6.5,5,2,.5,.5,90,0,0,4,.5", {}, 0.375),
     "photutils": ("label,xcentroid,ycentroid,semimajor_sigma,semiminor_sigma,orientation,eccentricity,elongation,ellipticity,fwhm,gini\n"
                   "1,5,5,1,.25,90,.9,4,.75,2,.5\n2,5,6.5,1,.25,90,.9,4,.75,2,.5", {}, 0.375),
+    # Orders that names say, or the user by naming columns in another order than in the file
+    **{f"order of {names}": (f"x,y,z,a,b,c,{names}\n0,0,0,2,.5,.5,{turn}\n0,1.5,0,2,.5,.5,{turn}",
+                             {"quaternion_columns": names.split(",")}, 0.375)
+       for names, turn in (("q_x,q_y,q_z,q_s", f"0,0,{HALF!r},{HALF!r}"), ("x_quat,y_quat,z_quat,w_quat", f"0,0,{HALF!r},{HALF!r}"),
+                           ("i,j,k,w", f"0,0,{HALF!r},{HALF!r}"), ("qs,qx,qy,qz", UP), ("e_r,e_i,e_j,e_k", UP))},
+    **{f"order of {stem}": (f"x,y,z,a,b,c,{','.join(f'{stem}[{k}]' for k in range(1, 5))}\n0,0,0,2,.5,.5,{turn}\n0,1.5,0,2,.5,.5,{turn}",
+                            {}, 0.375)
+       for stem, turn in (("quat_xyzw", f"0,0,{HALF!r},{HALF!r}"), ("q_scalar_last", f"0,0,{HALF!r},{HALF!r}"), ("rot_wxyz", UP))},
+    "columns in another order": (f"x,y,z,a,b,c,d_1,d_2,d_3,d_4\n0,0,0,2,.5,.5,0,0,{HALF!r},{HALF!r}\n0,1.5,0,2,.5,.5,0,0,{HALF!r},{HALF!r}",
+                                 {"quaternion_columns": ["d_4", "d_1", "d_2", "d_3"]}, 0.375),
+    "an azimuth from north": ("x,y,a,b,azimuth_deg\n0,0,2,.5,0\n0,1.5,2,.5,180",
+                              {"angle_columns": ["azimuth_deg"], "angle_zero": "y", "angle_sense": "yx"}, 0.375),
+    "comments that agree": (f"# semi-axes a b c; quaternions x y z w\nx,y,z,a,b,c,qx,qy,qz,qw\n0,0,0,2,.5,.5,0,0,{HALF!r},{HALF!r}\n"
+                            f"0,1.5,0,2,.5,.5,0,0,{HALF!r},{HALF!r}", {}, 0.375),
+    "a comment of units": ("# x y z radius angle_deg\n# mm mm mm mm deg\n0 0 0 .5 1\n0 1.5 0 .5 1", {"ignore_columns": ["angle_deg"]}, 1.5),
+    "a comment and an option": (f"# scalar last\nx,y,z,a,b,c,q0,q1,q2,q3\n0,0,0,2,.5,.5,0,0,{HALF!r},{HALF!r}\n"
+                                f"0,1.5,0,2,.5,.5,0,0,{HALF!r},{HALF!r}", {"quaternion": "xyzw"}, 0.375),
     "a cell that is given": ("# Box = 9 9 9\nx,y,z,radius\n0,0,0,1\n0,8,0,1", {"cell": 9 * np.eye(3)}, 0.5),
 }  # fmt: skip
 
@@ -255,6 +338,13 @@ def test_harmless_columns(name, tmp_path):
     assert system.source.endswith(f", columns that are not used: {name}")
 
 
+@pytest.mark.parametrize("comment", ["created by code v1.2", "Radii in mm", "scale bar 10 um", "20 ellipsoids",
+                                     "L: left, R: right", "from Y. Smith", "angles counter-clockwise from x", "semi-axes, in degrees",
+                                     "the data begin at y = 0, measured from y = 0", "aspect ratio 2", "w x y z"])  # fmt: skip
+def test_harmless_comments(comment, tmp_path):
+    assert len(read_text(tmp_path / "a.csv", f"# {comment}\nx,y,a,b,angle_deg\n0,0,2,1,30\n")) == 1
+
+
 def test_material_of_spheres(tmp_path):
     (tmp_path / "a.csv").write_text("x,y,z,radius,poisson_ratio,Poisson's ratio\n0,0,0,1,.3,.3\n")
     assert read(tmp_path / "a.csv").source == "lengths radius as radii, columns that are not used: poisson_ratio Poisson's ratio"
@@ -303,6 +393,19 @@ def test_keys_of_extended_xyz(tmp_path):
     for name in ("cell_energy", "Box_volume"):
         assert read_text(tmp_path / "a.xyz", text.format(name)).source == f"lengths radius as radii, keys that are not used: {name} units"
     assert read_text(tmp_path / "a.xyz", text.format("Lattice")).source == "lengths radius as radii, keys that are not used: units"
+
+
+def test_keys_of_extended_xyz_that_change_bodies(tmp_path):
+    text = "1\n{} Properties=species:S:1:pos:R:3:aspherical_shape:R:3:orientation:R:4\nA 0 0 0 1 1 1 0 0 0 1\n"
+    for key in ("radius_scale=2", "n_sigma=3", "blockiness=8", "shape=cube", "quaternion_order=wxyz", "power=4"):
+        with pytest.raises(pypw85.FileError, match=f"line 2: the key {key.partition('=')[0]} could change .*--ignore-columns"):
+            read_text(tmp_path / "a.xyz", text.format(key))
+        assert len(read(tmp_path / "a.xyz", ignore_columns=[key.partition("=")[0]])) == 1
+    with pytest.raises(pypw85.FileError, match=r"'comment=quaternions are w x y z' could mean .*--quaternion"):
+        read_text(tmp_path / "a.xyz", text.format('comment="quaternions are w x y z"'))
+    with pytest.raises(pypw85.FileError, match="line 2: the key Lattice is there twice: remove one"):
+        read_text(tmp_path / "a.xyz", text.format('Lattice="9 0 0 0 9 0 0 0 9" energy=1 Lattice="8 0 0 0 8 0 0 0 8"'))
+    assert "energy units" in read_text(tmp_path / "a.xyz", text.format("energy=1 units=nm")).source
 
 
 def test_words_of_extended_xyz(tmp_path):
@@ -532,6 +635,28 @@ def test_units_of_h5md(tmp_path):
         read(tmp_path / "a.h5")
 
 
+ATTRIBUTES = {
+    ("position", "Units"): (b"nm", "position .nm. and semi_axes .um. have different units"),
+    ("semi_axes", "scale_factor"): (2.0, "'scale_factor=2.0' could mean"),
+    ("position", "add_offset"): (2.0, "'add_offset=2.0' could mean"),
+    ("orientation", "order"): ("xyzw", "'order=xyzw' could mean .*--quaternion"),
+    ("semi_axes", "description"): ("full axes", "'description=full axes' could mean .*--lengths"),
+    (".", "lengths"): ("diameters", "'lengths=diameters' could mean"),
+}
+
+
+@pytest.mark.parametrize("where", ATTRIBUTES)
+def test_attributes_of_h5md(where, tmp_path):
+    value, sentence = ATTRIBUTES[where]
+    with h5py.File(tmp_path / "a.h5", "w") as file:
+        group = file.create_group("particles/all")
+        group["position"], group["semi_axes"], group["orientation"] = np.zeros((1, 3)), np.ones((1, 3)), [[1.0, 0, 0, 0]]
+        group["semi_axes"].attrs["units"] = "um"
+        group[where[0]].attrs[where[1]] = value
+    with pytest.raises(pypw85.FileError, match=sentence):
+        read(tmp_path / "a.h5")
+
+
 def test_unused_data_sets_are_said(tmp_path):
     """Of H5MD: what has no meaning here, and forms and angles beside semi-axes and quaternions."""
     h5md(tmp_path / "a.h5", [0, 10])
@@ -565,6 +690,11 @@ REGIONS = {
 def test_systems_of_regions(text, tmp_path):
     with pytest.raises(pypw85.FileError, match=REGIONS[text]):
         read_text(tmp_path / "a.reg", f"# Region file format: DS9 version 4.1\n{text}\n")
+
+
+def test_semicolons_in_texts_of_regions(tmp_path):
+    text = "# Region file format: DS9\nimage; ellipse(10,20,4,2,30) # text={a; b}\ncircle(1,2,3) # text=\"x;y\"; circle(30,2,3)\n"
+    np.testing.assert_array_equal(read_text(tmp_path / "a.reg", text).centers[:, 0], [10, 1, 30])
 
 
 def test_included_regions(tmp_path):

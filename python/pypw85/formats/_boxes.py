@@ -18,6 +18,8 @@ _MARGIN = 2.0**-20
 _ROUNDED = 2.0**-40
 # How a comment begins that may say the cell; its first group is the word for that
 SAYS_CELL = (r"((?:(?:simulation|periodic|unit)[ _-]?)?(?:cell|box|lattice)(?:[ _-]?(?:size|lengths?|vectors?|edges))?|"
+             r"domain(?:[ _-]?(?:size|lengths?|bounds))?|bounds|extents?|[xyz]lo(?:[ ,]+[xyz]hi)?|"
+             r"l[xyz](?:[ ,]+l[xyz])*|l(?=\s*[=:]\s*[-+.\d])|"
              r"pbc|periodic\w*|boundar(?:y|ies)|lattice)\s*(?:[:=(\[]|[-+]?\.?\d|[TFtf]\b)")  # fmt: skip
 
 

@@ -15,6 +15,7 @@ import numpy as np
 
 from .._typing import Floats
 from . import _turns
+from ._comments import Meaning
 from ._conventions import NONE, Convention, is_harmless, named, possible, possible_ellipses, recognised
 from ._errors import FileError, for_option
 from ._frames import Frame, Options, lengths_in_words
@@ -53,6 +54,8 @@ _LENGTHS_OF_ELLIPSES: list[tuple[str, list[Names], str]] = [
 _LETTERS: list[Names] = [("w", "x", "y", "z"), ("w", "i", "j", "k"), ("r", "i", "j", "k")]
 _QUADRUPLE = ("[1]", "[2]", "[3]", "[4]")
 _QUATERNIONS: list[tuple[str, list[Names], str]] = [
+    (r".*(?:wxyz|wijk|scalarfirst|wfirst)", [_QUADRUPLE], "wxyz"),
+    (r".*(?:xyzw|ijkw|scalarlast|wlast)", [_QUADRUPLE], "xyzw"),
     ("quat|q|quaternion|quaternions|quats|orientation|orient|ori|rotation|rot", _LETTERS, "wxyz"),
     ("orientation", [_QUADRUPLE], "xyzw"),
     ("quat", [("1", "2", "3", "4")], "wxyz"),  # of LIGGGHTS
@@ -75,6 +78,8 @@ _EXPONENTS: list[tuple[str, tuple[float, ...]]] = [
 ]  # fmt: skip
 _SHAPE_OF_SMD = ("{} may be lengths of property/atom, which are diameters, or of smd/tlsph/shape, which are radii: say which "
                  "(--lengths diameters or --lengths radii)")  # fmt: skip
+# Letters of four names that say the order
+_ORDERS = {"wxyz": re.compile("[wsr](xyz|ijk)"), "xyzw": re.compile("(xyz|ijk)[wsr]")}
 _TWO_ORDERS = ("{} is x y z w for OVITO and moltemplate, and w x y z for others: use --quaternion xyzw or --quaternion wxyz")
 
 
@@ -97,18 +102,28 @@ _SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thi
                     r"eps(ilon)?[12]|geom|geometry|primitive|kind|[xyz](2|end)|(end|tip|tail)[xyz]|[abcdhlrsw]|"
                     r"[abdhrsl][xyz0-3]|[fv]?[rd](max|mid|int|min)|rad|len|dia|(?!chi)[a-z]?(xx|yy|zz|xy|xz|yz)|"
                     r"(?![cfv]\d)[a-z]{1,2}(0[0-2]|[123][0-3])|[ub](iso|eq|equiv|aniso)|"
-                    r"units?|spacing|resolution|magnification|calibration|pixel|voxel")
+                    r"units?|spacing|resolution|magnification|calibration|pixel|voxel|"
+                    r"power\d?|dilat(ion|ed)|inflat(ion|ed)|swell(ing)?|shrink(age)?|growth|zoom|enlargement|multiplier|binning|zstep|"
+                    r"((dilat|inflat|swell|grow|shrink|expan|conv|correct|calib|unit)\w*|[ap]d?)?factor|qexp|confidence(level)?|conflevel|"
+                    r"n(std|sig)|super(ness|quad\w*)|squircle\w*|polydispersity|z?anisotropy|(um|nm|mm|microns?)perp\w*|hwhm\w*|hpbw\w*|"
+                    r"[bs](maj|min)(ax)?|(err|dc|s)?maj|(err|dc)min|r(perp|par|half|eff|pol)\w*|(rad|r)eq|e[cs]d|d[1-9]0|"
+                    r"x(dim|len|ext|rad)|(dim|len|ext|rad)x|[xyz](err|unc)|sm[abc]|(box|cell|lattice|domain)[xyzabc]|bboxw|boxw|obb\w|"
+                    r"h[wh]|coating|shell")
 _TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bearing|trend|plunge|strike|rake|tilt|inclin|"
                     r"(?<!mis)orient|rotat|quat|phi|theta|psi|direct|(?<!ab)normal|posang|rodrig|sequence).*|alpha|beta|gamma|"
                     r"dip|dipdir\w*|rot|rot\w|rotvec\w*|rot.?\[\d\]|roll|pa|"
+                    r"mirror(ed)?|flip(ped)?|handedness|lefthanded|e(ig)?vec\w*|pca?[1-3]\w|v[1-3][xyz]|(rot)?mat\d+|dcm\d+|r\[\d\]|"
                     r"rw|q(uat)?[wxyzijk0-4rs]?|qv\w*|[unde][xyz0-3]|dir[xyz]|ori[xyz]|e[1-3][xyz]|axis\w*")  # fmt: skip
 # Names of whole lengths, and of half ones
 _SOUND_WHOLE = re.compile(r".*(diam|length|width|height|thick|breadth|feret|calliper|caliper|size).*|"
-                          r"(?!aspherical)\w*shape(\[[1-3]\]|[1-3])|[fv]?[dl](max|mid|int|min|[xyz]|\d)|[lwh]|2\W?[abcr]")
+                          r"(?!aspherical)\w*shape(\[[1-3]\]|[1-3])|[fv]?[dl](max|mid|int|min|[xyz]|\d)|[lwh]|full[xyz]|"
+                          r"(long|mid|short)d|d[1-9]0|2\W?[abcr]")
 _SOUND_HALF = re.compile(r".*(radi(us|i)|semi|half).*|[fv]?r(max|mid|int|min|[xyz]|\d)|r")
 # Names of lengths that say neither
-_SOUND_EITHER = re.compile(r"(?!.*(semi|half|radi|diam)).*(scal|sigma|std|rms|extent|dimension|span|ax[ei]s|principal|eigen|major|minor|"
-                           r"intermediate).*|maj|min|m[ai]|long|short")
+_SOUND_EITHER = re.compile(r"(?!.*(semi|half|radi|diam)).*(scal|sigma|std|rms|ext|fwhm|hpbw|iqr|unc|err|dev|spread|reach|range|singular|"
+                           r"dimension|span|ax[ei]s|principal|eigen|major|minor|"
+                           r"intermediate).*|maj|min|m[ai]|long|short|[bs](maj|mid|min)|(maj|med|min)r|(bbox|obb|sig|sd|dim|[sw])[xyz]|"
+                           r"[xyz]?(len|dim)[xyz1-3]?")
 # Those of other things: stresses, velocities, contacts, positions, counts
 _OTHERS = re.compile(r"(bond|cluster|group|sample|batch|step|wave|track)\w*(length|size|width)|temperature\w*|charge\w*|mass\w*|density\w*|"
                      r"(stress|strain|virial|pressure|force|torque|velocity)\w*|c?stress\[\d\]|number\w*|.*neighbou?rs?|"
@@ -116,7 +131,8 @@ _OTHERS = re.compile(r"(bond|cluster|group|sample|batch|step|wave|track)\w*(leng
                      r"orient(ational)?order(parameter)?(\[\d+\])?|psi[468]|erotate\w*|cavityradius|poisson('?s)?ratio|"
                      r"(phi|theta|psi|alpha|beta|gamma|angle|yaw|pitch|roll)(d?dot|rate|velocity)|deformationgradient.*")  # fmt: skip
 # Measures of bodies whose lengths are all there
-_DERIVED = re.compile(r".*(aspect|ratio|elong|eccentr|ellipticity|flatten|flatness|oblate|prolate|round(?!ness\W?\d)|circular|spheric|"
+_DERIVED = re.compile(r".*(aspect|ratio|elong|eccentr|ellipticity|flatten|flatness|oblate|prolate|round(?!ness\W?\d)|circular|"
+                      r"(?<!a)spheric|"
                       r"cylindric|triaxial|slender|feret|caliper|calliper|gyrat|equivalent|bounding|bbox|inscr).*|"
                       r"ecc|oval(ity|ness)?|ba|ca|cb|[abc](to|over)[abc]|perim\w*|(shape)?anisotropy|ar|(form|shape)factor|"
                       r"(moments?(of)?)?inertia[\w\[\]]*")  # fmt: skip
@@ -127,12 +143,14 @@ _SEVERAL_UNUSED = ("the columns {0} could change the shapes or how they are turn
 
 
 # A unit of length behind a name, not in brackets. A compute, a fix or a variable of LAMMPS may be called px.
-UNIT_AT_END = re.compile(r"(?<=[^\W_])(?:[_/ ](mm|[uµμn]m|cm|microns?|voxels?)|(?<!^[cfv])[_/ ](px|pix|pixels?)|/(m))$", re.IGNORECASE)
+UNIT_AT_END = re.compile(r"(?<=[^\W_])(?<![_/ ]per)"
+                         r"(?:[_/ ](mm|[uµμn]m|cm|microns?|voxels?)|(?<!^[cfv])[_/ ](px|pix|pixels?)|/(m))$", re.IGNORECASE)
 
 
 # What stands in brackets, but an index; and words there that are not units
 _BRACKETS = re.compile(r"\([^)]*\)|\[(?!\d+\])[^]]*\]")
 _MORE_THAN_UNITS = re.compile(r"full|whole|half|semi|diam|radi(us|i)|log|\bln|exp|squar|cub|inv|\^|[²³*]|scal|frac|norm|relat|rms|std|"
+                              r"%|\d\s*[^\W\d]|[^\W\d]\W*\d|[*/]|max|\bmin\b|fwhm|sigma|\berr|"
                               r"from|clock|\bc?cw\b|body|world|conj|transp|minus|[+]", re.IGNORECASE)  # fmt: skip
 
 
@@ -145,20 +163,22 @@ _COLORS: list[tuple[Names, Names]] = [
 _FUNCTIONS = re.compile(r"(log|log10|ln|exp|sqrt|inv|inverse|1/)(?=[\W\d_]|(?<=/)).*|.*[\W_](log|squared|sq|cubed|inv|inverse)|"
                         r".*(\^|\*\*).*|.*[²³]", re.IGNORECASE)  # fmt: skip
 # Names of other quantities than lengths, as `plain_name` makes them: variances, volumes, moments, elements of matrices
-_QUANTITIES = re.compile(r"(?!.*(radi(us|i)|diam|length|ax[ei]s|width)).*(eigenval|variance|covar|precision|volume|area|moment|inertia|"
-                         r"curvature|aspect|ratio(?!n)|elong|eccentr|tensor|matrix).*|(var|cov|eig|lambda|i)\W?[xyz0-3]|"
+_QUANTITIES = re.compile(r".*(gyrat\w*|ofcurvature|ratio(?!n)|perimeter|circumference|surface|mass|charge|voxels|pixels|npix|solidity|"
+                         r"half(fwhm|width\w*half)\w*)|hwhm\w*|rg\w?|n|"
+                         r"(?!.*(radi(us|i)|diam|length|ax[ei]s|width)).*(eigenval|variance|covar|precision|volume|area|moment|inertia|"
+                         r"curvature|aspect|ratio(?!n)|elong|eccentr|tensor|matrix).*|semivar\w*|(log|ln)[abcr]|[abcr]sq|curv\w*|kappa\d|"
+                         r"(var|cov|eig|lambda|i)\W?[xyz0-3]|"
                          r"[a-z]{0,5}(xx|yy|zz|xy|xz|yz)|[a-z]{1,3}(11|22|33|00)")  # fmt: skip
 
 
 def could_change(name: str) -> bool:
     """Returns whether a column of this name could change the shape or the orientation of a body."""
-    plain = plain_name(name)
-    return not _matches(_OTHERS, name) and (_SIZES.fullmatch(plain) is not None or _TURNS.fullmatch(plain) is not None)
+    return not _matches(_OTHERS, name) and (_matches(_SIZES, name) or _matches(_TURNS, name))
 
 
 def _matches(pattern: re.Pattern[str], name: str) -> bool:
     """Returns whether a name matches a pattern of plain names, with or without what LAMMPS writes before computes, fixes and variables."""
-    names = (name, name[2:]) if name[:2] in ("c_", "f_", "v_") else (name,)
+    names = (name, name[2:]) if name[:2] in ("c_", "d_", "f_", "i_", "v_") else (name,)
     return any(pattern.fullmatch(plain_name(one)) for one in names)
 
 
@@ -185,6 +205,18 @@ class Taken(NamedTuple):
         yield from (*self.shape, *self.quaternion, *self.sphere, *(name for name, _ in self.exponents), *self.turn.columns)
 
 
+def meaning_of(taken: Taken, options: Options) -> Meaning:
+    """Meaning of columns whose names do not say what they are."""
+    are_silent = bool(taken.shape) and not taken.spheroid and all(len(plain_name(name)) < 3 for name in taken.shape)
+    turn = taken.turn
+    return Meaning(
+        taken.lengths if are_silent and options.lengths is None else "",
+        taken.order if taken.quaternion and options.quaternion is None and not _order_of_letters(taken.quaternion) else "",
+        turn.units[0] if turn.units and options.angle is None else "",
+        turn.kind == "angle" and (turn.zero, turn.sense, options.angle_zero, options.angle_sense) == ("x", "xy", None, None),
+    )
+
+
 def plain_name(name: str) -> str:
     """A name without its unit, capitals, blanks, dots, hyphens and underscores."""
     without_unit = _BRACKETS.sub("", UNIT_AT_END.sub("", name.lower()))
@@ -208,7 +240,11 @@ def take(columns: Sequence[str], options: Options, error: Error, lengths: str, o
         _ask_for_program(plain, options.angle, error)
     taken = (_by_names(others, plain, options, error, lengths, order, is_flat) if convention is None else
              _by_convention(plain, options, convention))  # fmt: skip
+    for name in (*(options.shape_columns or ()), *(options.quaternion_columns or ()), *(options.angle_columns or ())):
+        if name in known and name[:2] not in ("c_", "f_", "v_"):
+            raise error(f"the column {name} is a position, an id, a type or a charge, and cannot be a length or a turn, too: name another")
     _check_brackets([*known, *taken.columns], error)
+    _turns.check_units(taken.turn.columns, error)
     _check_unused(columns, taken, [*known, *colors], options, error, is_flat, convention)
     _check_options(taken, options, error)
     unused = " ".join(name for name in dict.fromkeys(columns) if name not in {"", *known, *taken.columns})
@@ -305,7 +341,7 @@ def _by_convention(plain: dict[str, str], options: Options, convention: Conventi
 def _by_names(columns: Sequence[str], plain: dict[str, str], options: Options, error: Error, lengths: str, order: str,
               is_flat: bool) -> Taken:  # fmt: skip
     quaternion, order = ((), order) if options.says_turns else _quaternion(columns, plain, options, error, order)
-    turn = _turns.find(columns, options, error, is_flat, bool(quaternion))
+    turn = _turns.find([name for name in columns if name not in (options.shape_columns or ())], options, error, is_flat, bool(quaternion))
     shape, lengths, spheroid, factors = _shape_or_spheroid(columns, plain, options, error, lengths, turn, is_flat)
     sphere: Names = next(((plain[name],) for name in (_OF_ZEROS if shape else _SPHERES)
                           if name in plain and plain[name] not in shape), ())  # fmt: skip
@@ -379,7 +415,7 @@ def _check_unused(columns: Sequence[str], taken: Taken, known: Sequence[str], op
             continue
         if _turns.is_other_unit(name, taken.turn) or (has_all and not taken.spheroid and _matches(_DERIVED, name)):
             continue
-        is_size, is_turn = _SIZES.fullmatch(plain) is not None, _TURNS.fullmatch(plain) is not None
+        is_size, is_turn = _matches(_SIZES, name), _matches(_TURNS, name)
         if (is_size and not says_sizes) or (is_turn and not names_turns):
             found[name] = is_size, is_turn
     if found:
@@ -503,9 +539,9 @@ def _quaternion(columns: Sequence[str], plain: dict[str, str], options: Options,
     given = _given(columns, options.quaternion_columns, error)
     found, meaning = _first(_QUATERNIONS, {plain_name(name): name for name in given} if given else plain)
     if given and found != given:
-        # The letters of the names say the order; otherwise it is that of the option
-        is_scalar_last = bool(found) and meaning == "wxyz" and given[-1:] + given[:-1] == found
-        found, meaning = given, "xyzw" if is_scalar_last and not found[0].endswith("]") else order
+        # Names in another order than in the file were put into that of the option.
+        is_as_in_file = given == tuple(sorted(given, key=list(columns).index))
+        found, meaning = given, _order_of_letters(given) or (_ASK if is_as_in_file else order)
     if found and plain_name(found[0]) == "quat1" and not is_liggghts(plain):
         meaning = _ASK
     if meaning == _ASK and found and options.quaternion is None:
@@ -515,6 +551,12 @@ def _quaternion(columns: Sequence[str], plain: dict[str, str], options: Options,
         _check_letters(found, in_file, meaning, options.quaternion, error)
         found = in_file
     return found, options.quaternion or (meaning if found else order)
+
+
+def _order_of_letters(names: Names) -> str:
+    """The order that the letters at the ends of four names say, or at their starts."""
+    spelled = ["".join(plain_name(name)[place] for name in names) for place in (-1, 0)]
+    return next((order for order, pattern in _ORDERS.items() if any(map(pattern.fullmatch, spelled))), _ASK)
 
 
 def _check_letters(found: Names, in_file: Names, meaning: str, order: str, error: Error) -> None:

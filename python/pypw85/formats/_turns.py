@@ -24,6 +24,9 @@ Names = tuple[str, ...]
 Error = Callable[[str], FileError]
 
 _UNITS = re.compile(r"(.*?)[\s_.:/(\[-]*(?:(deg|degs|degrees?|°)|(rad|rads|radians?))?(?:\s|\)|(?<!\d)\])*")
+# Units of angles that are neither degrees nor radians, at the end of a name
+_OTHER_UNITS = re.compile(r".*[\W_](([mcuµμ]|milli|centi|micro|tenths?|pi|x?10+)[\W_]*(deg|rad)\w*|gon|grads?|turns?|rev\w*|"
+                          r"arc\w*|m?as|hours?|hrs?|hourangle|pi|rad/pi)\W*", re.IGNORECASE)  # fmt: skip
 # The axis about which an angle of this name turns
 _AXES = {"yaw": "z", "heading": "z", "azim": "z", "azimuth": "z", "pitch": "y", "elev": "y", "elevation": "y", "roll": "x", "bank": "x"}
 _AXES |= {stem + axis: axis for stem in ("rot", "rotation", "angle", "euler", "eulerangle", "theta") for axis in "xyz"}
@@ -55,12 +58,21 @@ _POLAR = ("{0} may be the angle from the axis z and that about it, or others: sa
           "--polar {1}), or the sequence of Euler angles (--euler), or leave them out (--ignore-columns {1})")  # fmt: skip
 _ONE_ANGLE = ("{0} may be the angle of ellipses in a plane, or a rotation in space: say --dimensions 2, or the axis (--euler z), or leave "
               "the column out (--ignore-columns {1})")  # fmt: skip
+# Names of angles of ellipses that programs count from y: orientations in pictures, directions from north
+_FROM_NORTH = re.compile(r".*(bearing|heading|strike|trend|course|north|dipdir).*")
+_FROM_EITHER = re.compile(rf"orientation|{_FROM_NORTH.pattern}|.*(azim|posang|positionangle|vertical|fromy|toy|(?<!c)cw|"
+                          r"(?<!counter)clockwise).*|angley|az|b?pa")  # fmt: skip
+# Names of functions of angles, of their errors, and of angles of other axes or between bodies
+_OTHER_ANGLES = re.compile(r"(half|\d(?!d)|neg|minus|delta|err|std).*|.*minor.*|.*(std|err(or)?|var(iance)?|misorient\w*)|"
+                           r"a?(cos|sin|tan)2?(theta|phi|psi|angle|alpha|beta|orientation)?")  # fmt: skip
 # Angles from the plane of x and y, in which those from the axis z are 90°
 _FROM_PLANE = ("elevation", "elev", "latitude", "lat", "altitude", "alt", "plunge", "pitch", "dip", "declination")
 _ELEVATION = ("{0} may be an angle from the plane of x and y, and is not that from the axis z which --polar takes: write 90 degrees less "
               "it in a column of another name, or leave it out (--ignore-columns {1})")  # fmt: skip
 _ZERO = ("{} may be counted from the axis x or from y: use --angle-zero x or --angle-zero y (with --angle-sense yx if it grows the other "
          "way than from x towards y)")  # fmt: skip
+_BEARING = ("{0} may be counted from north, and is not the angle from the axis x towards y that --polar takes: write 90 degrees less it in "
+            "a column of another name, or leave it out (--ignore-columns {1})")  # fmt: skip
 # Names of an angle about an axis that others give
 _ABOUT_AXES = ("angle", "axisangle", "rotationangle", "rotangle", "theta", "axisw")
 _AXIS_AND_ANGLE = ("{0} may be an axis and the angle of a rotation about it, which is not read: write quaternions, or say that the axis is "
@@ -135,7 +147,7 @@ def find(columns: Sequence[str], options: Options, error: Error, is_flat: bool, 
         return Turn("direction", _given(columns, options.direction_columns, error))
     if options.polar:
         names = _given(columns, options.polar, error)
-        _refuse_elevation(names, error)
+        _refuse_geographic(names, error)
         return Turn("polar", names, _units_of(names, options, error))
     if options.euler:
         return _euler(columns, options.euler, options, error)
@@ -174,7 +186,7 @@ def _of_ellipses(columns: Sequence[str], options: Options, error: Error) -> Turn
     first = next(iter(found))
     same = [name for name in columns if base(name)[0] == base(found[first])[0]]
     name = min(same, key=lambda one: (base(one)[1] != "degrees", base(one)[1] != "radians")) if not options.angle_columns else found[first]
-    if base(name)[0] == "orientation" and options.angle_zero is None:
+    if _FROM_EITHER.fullmatch(base(name)[0]) and options.angle_zero is None:
         raise error(_ZERO.format(name))
     return Turn("angle", (name,), _units_of((name,), options, error), zero=options.angle_zero or "x", sense=options.angle_sense or "xy")
 
@@ -183,7 +195,7 @@ def _of_bodies(columns: Sequence[str], options: Options, error: Error) -> Turn:
     if names := _triple(columns):
         raise error(_SEQUENCES.format(" ".join(names), for_option(names)))
     if names := _first(columns, _PAIRS):
-        _refuse_elevation(names, error)
+        _refuse_geographic(names, error)
         raise error(_POLAR.format(" ".join(names), for_option(names)))
     if names := _first(columns, _DIRECTIONS):
         if base(names[0])[0].startswith("axis") and (angles := _bases(columns, _ABOUT_AXES)):
@@ -195,9 +207,11 @@ def _of_bodies(columns: Sequence[str], options: Options, error: Error) -> Turn:
     return Turn()
 
 
-def _refuse_elevation(names: Names, error: Error) -> None:
+def _refuse_geographic(names: Names, error: Error) -> None:
     if base(names[0])[0] in _FROM_PLANE:
         raise error(_ELEVATION.format(names[0], for_option(names)))
+    if _FROM_NORTH.fullmatch(base(names[1])[0]):
+        raise error(_BEARING.format(names[1], for_option(names)))
 
 
 def _euler(columns: Sequence[str], sequence: str, options: Options, error: Error) -> Turn:
@@ -240,10 +254,19 @@ def _bases(columns: Sequence[str], wanted: Sequence[str]) -> dict[str, str]:
 
 
 def _units_of(names: Names, options: Options, error: Error) -> Names:
+    check_units(names, error)
     units = tuple(options.angle or base(name)[1] for name in names)
     if unknown := [name for name, unit in zip(names, units) if not unit]:
         raise error(_TWO_UNITS.format(" ".join(unknown)))
     return units
+
+
+def check_units(names: Iterable[str], error: Error) -> None:
+    for name in names:
+        if _OTHER_ANGLES.fullmatch(base(name)[0]):
+            raise error(f"the name of the column '{name}' says another quantity than the angle of the axis a: convert it, and rename it")
+        if _OTHER_UNITS.fullmatch(name):
+            raise error(f"{name} has another unit than degrees and radians by its name: convert it, and rename the column")
 
 
 def _given(columns: Sequence[str], names: Sequence[str], error: Error) -> Names:

@@ -21,8 +21,9 @@ import numpy as np
 
 from .._system import System
 from .._typing import Floats
+from . import _comments
 from ._boxes import SAYS_CELL
-from ._columns import UNIT_AT_END, Taken, centers_of, convention_of, fill, plain_name, take
+from ._columns import UNIT_AT_END, Taken, centers_of, convention_of, fill, meaning_of, plain_name, take
 from ._conventions import CONVENTIONS, Convention, named, possible, recognised
 from ._errors import for_option
 from ._frames import Frame, Location, Options, said_dimensions
@@ -35,10 +36,17 @@ _POSITION, _SHAPE, _QUATERNION = ["x", "y", "z"], ["a", "b", "c"], ["qw", "qx", 
 _KEYS = ("cell", "dimensions", "origin", "periodic", "step")
 # Comments that say the cell in another way
 _LIKE_KEYS = re.compile(rf"[#%]\s*{SAYS_CELL}", re.IGNORECASE)
-# A column of the header of ECSV (Astropy) that has a unit
-_UNIT_OF_ECSV = re.compile(r"#\s*- \{name: ([\w.]+), unit: ([\w.]+)")
+# Names and units of columns in the header of ECSV (Astropy), on one line or on several
+_OF_ECSV = re.compile(r"\b(name|unit): ['\"]?([\w.]+)")
+# A comment that is a row of units
+_UNIT_WORD = re.compile(r"[(\[]?(mm|[uµμnk]?m|cm|Å|microns?|px|pix|pixels?|voxels?|deg(rees?)?|rad(ians?)?|[-1])[)\]]?")
 # The line that YADE writes before spheres (export.textExt)
 _FORMAT_OF_YADE = re.compile(r"^#\s*format\s+(x_y_z_r\w*)$")
+# Words in the last row of a table that is not a body
+_SUMMARY = re.compile(r"(arithmetic )?mean|average|avg|median|sd|std\.?( ?dev\w*\.?)?|standard deviation|min(imum)?|max(imum)?|"
+                      r"(grand )?total|sum(mary)?|count|var(iance)?|(25|50|75) ?%", re.IGNORECASE)  # fmt: skip
+# A unit of a column in a row of its own
+_UNIT_ALONE = re.compile(r"[(\[]?[^\W\d][^\d]{0,11}[)\]]?")
 _NUMBERED = re.compile(r"#\s*(\d{1,4})\s+([A-Za-z]\w*)")
 _THIRD = ("z", "zc", "depth", "elevation", "posz", "positionz", "centerz", "centrez", "centroidz", "cz", "pz", "upward", "altitude",
           "zslice", "zindex", "zstack", "zplane", "zpos", "zposition", "centroid2", "centroid3")
@@ -59,6 +67,10 @@ _POSITIONS = [
 _SERIES = re.compile(r"(slice|frame|image|picture|step|timestep|timepoint|time|timestamp|snapshot|iteration|cycle|plane|zplane|layer|scan|"
                      r"file|sample|stack|replica|replicate|realization|realisation|run|trial|specimen|scene)"
                      r"(s|id|no|nr|num|number|index|idx|name)?|t")
+# The same in tables of programs that measure pictures
+_PICTURES = re.compile(r"(metadata)?(well|site|field|fieldofview|fov|tile|crop|position|movie|video|experiment|dataset|channel|series|"
+                       r"section|(image|file)?path|epoch|tp|tindex|condition|animal|mouse|patient|subject|date|day)"
+                       r"(s|id|no|nr|num|number|index|idx|name)?")  # fmt: skip
 _IDS = ("id", "ids", "particleid", "featureid", "index", "number")
 _TYPES = ("type", "types", "species", "phase", "phases", "particletype", "bodytype", "objecttype", "graintype", "body", "object", "class")
 
@@ -129,7 +141,7 @@ def locate(path: os.PathLike[str]) -> Iterator[Location]:
 
 def load(path: os.PathLike[str], location: Location, options: Options) -> System:
     with Lines(path, location) as lines:
-        keys, line = _keys(lines, options)
+        keys, line, comments = _keys(lines, options)
         separator, positions, columns = _names(lines, line, options)
         columns = _without_empty_end(lines, separator, columns)
         convention = convention_of(columns, options, lines.error)
@@ -141,14 +153,16 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         ids, types, notes = _ids_and_types(lines, separator, columns, options)
         taken = take(columns, options, lines.error, "radii", "wxyz", [*positions, ids, types],
                      (dimensions or len(positions)) == 2, convention)  # fmt: skip
-        _check_lengths(columns, positions, taken, (options.dimensions or dimensions) is not None, lines)
+        _comments.check(comments, meaning_of(taken, options), lines.error)
+        _check_lengths(columns, positions, taken, (options.dimensions or dimensions) is not None, _units_row(comments, columns), lines)
         step = lines.whole(keys.get("step", "0"), "step", -(2**63))
         cell = _cell(lines, keys["cell"]) if "cell" in keys else None
         if cell is not None and len(keys["cell"].split()) == 4:
             keys = _completed(keys)
         origin = lines.numbers(keys.get("origin", "0 0 0"), 3, "origin")
         periodic = lines.flags(keys.get("periodic", "T T T"), "periodic")
-        count = _count(keys, lines)
+        count = _count(keys, lines, separator)
+        _check_units_row(lines, separator, [columns.index(name) for name in positions])
         series = _series(columns, len(positions), options, convention)
         wanted = [name for name in (*positions, *taken.columns, ids, types, *series) if name]
         table = lines.table(count, columns, [types, *series], separator, wanted, decimal_comma=separator != ",")
@@ -175,9 +189,9 @@ def _dimensions(keys: dict[str, str], lines: Lines) -> int | None:
     return dimensions
 
 
-def _count(keys: dict[str, str], lines: Lines) -> int:
+def _count(keys: dict[str, str], lines: Lines, separator: str | None) -> int:
     """The number of rows. Behind those that DREAM.3D says there are, lists of neighbours may follow."""
-    count = min(_remaining(lines), lines.whole(keys.get("rows", str(2**62)), "the number of rows"))
+    count = min(_remaining(lines, separator), lines.whole(keys.get("rows", str(2**62)), "the number of rows"))
     if not count:
         raise lines.error("there are no particles: no row follows the names of the columns; write the file again")
     return count
@@ -214,11 +228,22 @@ def _starts_with_number(lines: Lines, separator: str | None, column: int) -> boo
     return column >= len(words) or _NUMBER.fullmatch(words[column].replace(",", ".")) is not None
 
 
+def _check_units_row(lines: Lines, separator: str | None, places: list[int]) -> None:
+    """Refuses a row of units beneath the names."""
+    place = lines.location(lines.frame)
+    words = _split(lines.next("\r\n") or "", separator)
+    if max(places) < len(words) and all(_UNIT_ALONE.fullmatch(words[k]) and words[k].lower() not in ("nan", "inf") for k in places):
+        raise lines.error(f"the row beneath the names has words, not numbers, such as {words[places[0]]}: remove it, and if these are "
+                          "units, write them into the names, as x (mm)")  # fmt: skip
+    lines.back(place)
+
+
 def _series(columns: list[str], dimensions: int, options: Options, convention: Convention | None) -> list[str]:
     """Columns of which a table of one system has one value: those of `_SERIES`, of ellipses the third coordinate of their centres, and of
     ImageJ the labels, which begin with the name of the picture."""
     found = [name for name in columns if _SERIES.fullmatch(plain_name(name)) or (dimensions == 2 and plain_name(name).endswith("centerz"))]
-    found += [name for name in columns if name == "Label" and convention is not None and convention.name == "imagej"]
+    if convention is not None and convention.first:
+        found += [name for name in columns if _PICTURES.fullmatch(plain_name(name)) or (name == "Label" and convention.name == "imagej")]
     return [name for name in found if name not in (options.ignore_columns or ())]
 
 
@@ -250,18 +275,18 @@ def _completed(keys: dict[str, str]) -> dict[str, str]:
     return keys | {name: keys[name] + end for name, end in others.items() if len(keys.get(name, "").split()) == 2}
 
 
-def _keys(lines: Lines, options: Options) -> tuple[dict[str, str], str]:
-    """Reads the lines before the names. Also returns the line with the names, or the first row if no line has names."""
+def _keys(lines: Lines, options: Options) -> tuple[dict[str, str], str, list[str]]:
+    """Reads the lines before the names. Also returns the line with the names, or the first row if no line has names; and the comments."""
     keys: dict[str, str] = {}
     units: dict[str, str] = {}
-    comments = []
+    comments, column = [], ""
     place = lines.location(lines.frame)
     while (line := lines.next("\r\n")) is not None and _may_precede(text := line.strip()):
         name, _, value = text[1:].strip().partition(" ")
+        if name in keys:
+            raise lines.error(f"the comment '# {name}' is there twice: remove one")
         if name in _KEYS:
             keys[name] = value
-        elif found := _UNIT_OF_ECSV.match(text):
-            units[found[1]] = found[2]
         elif options.cell is None and (found := _LIKE_KEYS.match(text)):
             raise lines.error(f"the comment '{text[:60]}' could say the cell, and is not read: write '# cell' and nine numbers, '# origin' "
                               f"and three, '# periodic' and three of T and F, give the cell (--cell), or put another word before "
@@ -270,18 +295,21 @@ def _keys(lines: Lines, options: Options) -> tuple[dict[str, str], str]:
             keys["rows"] = text
         elif text:
             comments.append(text)
+            for key, value in _OF_ECSV.findall(text):
+                column = value if key == "name" else column
+                units |= {column: value} if key == "unit" else {}
         place = lines.location(lines.frame)
     if line is not None and not _is_row(line):
-        return keys, _with_units(line, units)
+        return keys, _with_units(line, units), comments
     # The names may be a comment: one that has as many words as the first row, or SExtractor's list.
     counts = {len(words) for words in _rows_of(line or "")}
     lines.back(place)
     if (listed := _listed(comments)) is not None:
-        return keys, listed
+        return keys, listed, []
     for comment in reversed(comments):
         if _are_names(comment) and (line is None or len(_header(comment)[2]) in counts):
-            return keys, comment
-    return keys, line if line is not None else lines.expect("the names of the columns")
+            return keys, comment, [one for one in comments if one != comment]
+    return keys, line if line is not None else lines.expect("the names of the columns"), comments
 
 
 def _with_units(line: str, units: dict[str, str]) -> str:
@@ -336,9 +364,10 @@ def _check_third(columns: list[str], positions: list[str], options: Options, lin
                                   f"(--ignore-columns {for_option([name])})")  # fmt: skip
 
 
-def _check_lengths(columns: list[str], positions: list[str], taken: Taken, says_dimensions: bool, lines: Lines) -> None:
+def _check_lengths(columns: list[str], positions: list[str], taken: Taken, says_dimensions: bool, units_row: dict[str, str],
+                   lines: Lines) -> None:  # fmt: skip
     """Refuses a coordinate that is there twice, as in pixels and in a length; three lengths beside two coordinates; and several units of
-    length, where names say them in brackets."""
+    length, where names or a row of units say them."""
     for name in positions:
         same = [one for one in columns if plain_name(one) == plain_name(name)]
         if len(set(same)) > 1:
@@ -346,13 +375,22 @@ def _check_lengths(columns: list[str], positions: list[str], taken: Taken, says_
     if len(positions) == 2 and len(taken.shape) == 3 and not says_dimensions:
         raise lines.error(f"there are two coordinates, {' '.join(positions)}, and three lengths, {' '.join(taken.shape)}: write the "
                           "third coordinate, or say that these are ellipses in a plane (--dimensions 2)")  # fmt: skip
-    said = [(name, unit) for name in (*positions, *taken.shape, *taken.sphere) if (unit := _unit(name))]
+    said = [(name, unit) for name in (*positions, *taken.shape, *taken.sphere) if (unit := _unit(name) or units_row.get(name))]
+    for name, unit in zip(taken.turn.columns, taken.turn.units):
+        if (row := units_row.get(name, "-")).isalpha() and row[:3] != unit[:3]:
+            raise lines.error(f"the angle {name} is taken in {unit}, and a comment says {row}: correct one of both")
     units = {_SAME_UNITS.get(unit.lower(), unit): name for name, unit in said}
     if len(units) > 1:
         raise lines.error(f"the columns {' and '.join(units.values())} have different units: convert them to one, and rename them")
-    silent = [name for name in (*positions, *taken.shape, *taken.sphere) if not _unit(name)]
+    silent = [name for name in (*positions, *taken.shape, *taken.sphere) if name not in dict(said)]
     if said and silent:
         taken.notes.append(f"{' '.join(silent)} without a unit are taken in that of {said[0][0]}")
+
+
+def _units_row(comments: list[str], columns: list[str]) -> dict[str, str]:
+    """The units of columns that a comment says."""
+    rows = [words for comment in comments for words in _rows_of(comment.lstrip("#% ")) if all(map(_UNIT_WORD.fullmatch, words))]
+    return next((dict(zip(columns, [word.strip("()[]") for word in words])) for words in rows if len(words) == len(columns)), {})
 
 
 def _unit(name: str) -> str:
@@ -361,15 +399,20 @@ def _unit(name: str) -> str:
     return next(filter(None, found.groups())).strip() if found else ""
 
 
-def _remaining(lines: Lines) -> int:
-    """The number of lines up to the last one that is not blank."""
+def _remaining(lines: Lines, separator: str | None) -> int:
+    """The number of lines up to the last one that is not blank, which must be a body."""
     place = lines.location(lines.frame)
     count = last = 0
+    end = b""
     while (block := lines.read_block(2**62))[1]:
         text = block[0].rstrip()
-        last = count + text.count(b"\n") + 1 if text else last
+        last, end = (count + text.count(b"\n") + 1, text.rpartition(b"\n")[2]) if text else (last, end)
         count += block[1]
     lines.back(place)
+    for word in _split(end.decode("utf-8", errors="replace"), separator):
+        if _SUMMARY.fullmatch(word):
+            lines.number += last
+            raise lines.error(f"the row with the word '{word}' is a summary of others, and not a body: remove such rows")
     return last
 
 

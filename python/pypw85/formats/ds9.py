@@ -19,6 +19,8 @@ SUFFIXES: tuple[str, ...] = ()
 _SYSTEMS = ("image", "physical", "detector", "amplifier", "linear", "fk4", "fk5", "icrs", "galactic", "ecliptic", "b1950", "j2000", "wcs")
 _OF_PIXELS = ("image", "physical")
 _REGION = re.compile(r"\+?\s*(ellipse|circle)\s*[( ]\s*([^)#]*)\)?\s*(?:#.*)?", re.IGNORECASE)
+# Names that users give, in which there may be semicolons
+_TEXT = re.compile(r"=\s*(\{[^}]*\}|\"[^\"]*\"|'[^']*')")
 _COMMENT = re.compile(r"#.*|global\b.*|$", re.IGNORECASE)
 
 
@@ -35,6 +37,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
     with Lines(path, location) as lines:
         system, taken = "", set[str]()
         while (line := lines.next()) is not None:
+            line = _TEXT.sub("", line)
             for part in filter(None, map(str.strip, itertools.chain([line] if line.startswith("#") else line.split(";")))):
                 if part.lower() in _SYSTEMS:
                     system = part.lower()

@@ -23,6 +23,7 @@ from .._system import System, quaternions_of
 from .._typing import Floats
 from .._words import counted
 from ._columns import could_change
+from ._comments import Meaning, check
 from ._errors import FileError, guarded
 from ._files import check_input, checksum
 from ._frames import Frame, Location, Options, check_lengths_of_names
@@ -176,6 +177,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
             _take_angles(frame, source, n)
         _take_box(frame, source)
         _check_units(source)
+        _check_attributes(source, options)
         _check_names(source, frame, options, unused)
     return frame.system(options)
 
@@ -240,7 +242,7 @@ def _take_angles(frame: Frame, source: _Source, n: int) -> None:
 def _unit(source: _Source, name: str) -> str:
     """The attribute unit of an element, or of its data set; empty if there is none."""
     found = (_find(source.path, source.group, name), _values(source, name)[0])
-    units = [one.attrs["unit"] for one in found if one is not None and "unit" in one.attrs]
+    units = [value for one in found if one is not None for key, value in one.attrs.items() if key.lower() in ("unit", "units")]
     return "" if not units else units[0].decode() if isinstance(units[0], bytes) else str(units[0])
 
 
@@ -250,6 +252,15 @@ def _check_units(source: _Source) -> None:
     if len(units) > 1:
         named = " and ".join(f"{name} ({unit})" for unit, name in units.items())
         raise FileError(source.path, f"the data sets {named} have different units: convert them to one", source.frame)
+
+
+def _check_attributes(source: _Source, options: Options) -> None:
+    """Refuses attributes that could change bodies."""
+    meaning = Meaning("" if options.lengths else "radii", "" if options.quaternion else "wxyz")
+    for name in ("", "position", "semi_axes", "orientation", "form", "angle"):
+        for one in (_find(source.path, source.group, name), _values(source, name)[0] if name else None):
+            texts = [] if one is None else [f"{key}={value}" for key, value in one.attrs.items()]
+            check(texts, meaning, lambda reason: FileError(source.path, f"the attribute {reason}", source.frame))
 
 
 def _take_box(frame: Frame, source: _Source) -> None:

@@ -6,6 +6,7 @@ ASE reads such files too, but says neither in which line nor in which column one
 
 from __future__ import annotations
 
+import dataclasses
 import os
 import re
 import shlex
@@ -16,8 +17,10 @@ import numpy as np
 
 from .._system import System
 from .._words import counted
+from . import _comments
 from ._boxes import SAYS_CELL
-from ._columns import fill, take
+from ._columns import Taken, could_change, fill, meaning_of, take
+from ._errors import for_option
 from ._frames import Frame, Location, Options, said_dimensions
 from ._names import ONE_WORD, PRINTED, checked_names, type_names
 from ._table import Lines, coded, locate_frames, write_rows
@@ -89,8 +92,12 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         positions = [f"pos[{k}]" for k in (1, 2, 3) if f"pos[{min(k, 2)}]" not in columns or f"pos[{k}]" in columns]
         if positions[0] not in columns:
             raise lines.error("the property pos is missing in 'Properties='")
+        ignored = [name for name in options.ignore_columns or () if name in keys and name not in columns]
+        others = [name for name in options.ignore_columns or () if name not in ignored]
+        options = dataclasses.replace(options, ignore_columns=others or None)
         taken = take(columns, options, lines.error, "radii", "xyzw", ["id", *positions, *_TYPES],
                      len(positions) == 2 or dimensions == 2)  # fmt: skip
+        _check_others({name: value for name, value in keys.items() if name not in (*_KEYS, *ignored)}, taken, options, lines)
         cell = keys.get("Lattice")
         box = None if cell is None else np.reshape(lines.numbers(cell, 9, "Lattice"), (3, 3))
         origin = lines.numbers(keys.get("Origin", "0 0 0"), 3, "Origin")
@@ -127,7 +134,12 @@ def _keys(lines: Lines, options: Options) -> dict[str, str]:
         words = shlex.split(comment)
     except ValueError:
         raise lines.error("a quotation mark is not closed") from None
-    return dict(word.split("=", 1) for word in words if "=" in word)
+    pairs = [word.split("=", 1) for word in words if "=" in word]
+    keys = dict(pairs)
+    if len(keys) < len(pairs):
+        again = next(name for k, (name, _) in enumerate(pairs) if name in dict(pairs[:k]))
+        raise lines.error(f"the key {again[:40]} is there twice: remove one")
+    return keys
 
 
 def _check_keys(keys: dict[str, str], options: Options, lines: Lines) -> None:
@@ -138,6 +150,15 @@ def _check_keys(keys: dict[str, str], options: Options, lines: Lines) -> None:
         if name not in _KEYS and _OF_CELLS.fullmatch(name) and options.cell is None:
             raise lines.error(f"the key {name[:40]} could be the cell, and is not used: extended XYZ has Lattice, Origin and pbc for it; "
                               "rename it, or give the cell (--cell)")  # fmt: skip
+
+
+def _check_others(keys: dict[str, str], taken: Taken, options: Options, lines: Lines) -> None:
+    """Refuses keys that are not used, and whose names or values could change bodies."""
+    for name in keys:
+        if could_change(name) and not re.fullmatch(r"(\w+_)?units?", name, re.IGNORECASE):  # which all lengths have
+            raise lines.error(f"the key {name[:40]} could change the shapes or how they are turned, and is not used: write what it says as "
+                              f"properties, or leave it out (--ignore-columns {for_option([name])})")  # fmt: skip
+    _comments.check((f"{name}={value}" for name, value in keys.items()), meaning_of(taken, options), lines.error)
 
 
 def _columns(keys: dict[str, str], lines: Lines, count: int) -> tuple[list[str], list[str]]:
