@@ -3,15 +3,16 @@
 # The tensor "aniso" of an atom is in Cartesian axes if it was read as a macromolecule, and in those of the cell if it was read as a small
 # molecule. Its eigenvalues are mean squares of displacements in the first case only, and both have the same methods.
 #
-# gemmi 0.5.7 (Debian 12, python3-gemmi 0.5.7+ds-2+b1). An atom whose displacements are 0.2 in all directions (U = 0.04), in the cell 10, 10, 10
-# with the angles 90, 90, 120. The CIF file has U11 = U22 = U33 = 0.04 and U12 = 0.02, as its dictionary defines them; the PDB file
-# has 400 400 400 0 0 0. calculate_eigenvalues(), seen on 30 November 2026:
+# gemmi 0.5.7 (Debian 12, python3-gemmi 0.5.7+ds-2+b1). An atom whose displacements are 0.2 in all directions (U = 0.04), in the cell
+# 10, 10, 10 with the angles 90, 90, 120. The CIF file has U11 = U22 = U33 = 0.04 and U12 = 0.02, as its dictionary defines them; the PDB
+# file has 400 400 400 0 0 0. calculate_eigenvalues(), seen on 30 November 2026:
 #
 #   read_pdb, Atom.aniso                              0.04 0.04 0.04
 #   SmallStructure of the CIF file, Site.aniso        0.06 0.04 0.02
 #
-# Semi-axes of 0.245, 0.2 and 0.141 instead of a ball; in cells with right angles both agree. Site.aniso becomes Cartesian as A N U N A', where
-# A turns fractional coordinates into Cartesian ones (cell.orth.mat) and N = diag(a*, b*, c*). The six numbers are 11, 22, 33, 12, 13, 23.
+# Semi-axes of 0.245, 0.2 and 0.141 instead of a ball; in cells with right angles both agree. Site.aniso becomes Cartesian as A N U N A',
+# where A turns fractional coordinates into Cartesian ones (cell.orthogonalization_matrix) and N = diag(a*, b*, c*). The six numbers are
+# 11, 22, 33, 12, 13, 23.
 # Needs python3 with NumPy, apt-get and dpkg.
 set -eu
 dir=$(mktemp -d)

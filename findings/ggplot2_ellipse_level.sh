@@ -11,10 +11,11 @@
 #   stat_ellipse(type = "norm")          5.98     0.951          8.49
 #   stat_ellipse(), that is type = "t"   4.55     0.899          7.14
 #
-# The default fits a t distribution with 5 degrees of freedom (MASS::cov.trob) and takes its matrix, which is 0.761 of the covariance for normal
-# points, with the radius sqrt(2 qf(0.95, 2, n - 1)) that belongs to a covariance. The radius of "norm" is the same; that of ellipse::ellipse
-# is sqrt(qchisq(0.95, 2)) = 2.448. ggplot2 draws 51 chords, whose polygon has 0.997 of the area. The documentation of this version says "assumes a
-# multivariate t-distribution"; later ones name cov.trob. Who reads semi-axes off such a picture has those of another level.
+# The default fits a t distribution with 5 degrees of freedom (MASS::cov.trob) and takes its matrix, which is 0.761 of the covariance for
+# normal points, with the radius sqrt(2 qf(0.95, 2, n - 1)) that belongs to a covariance. The radius of "norm" is the same; that of
+# ellipse::ellipse is sqrt(qchisq(0.95, 2)) = 2.448. ggplot2 draws 51 chords, whose polygon has 0.997 of the area. The documentation of this
+# version says that type "t" assumes a multivariate t distribution; later ones name cov.trob. Who reads semi-axes off such a picture has
+# those of another level.
 # Needs the libraries of R (libblas3, liblapack3, libtre5, libtirpc3, libgomp1), apt-get and dpkg.
 set -eu
 dir=$(mktemp -d)
@@ -59,9 +60,10 @@ of_ten <- areas(ten)
 radii <- sqrt(mahalanobis(drawn(ten, type = "norm"), colMeans(ten), cov(ten)))
 print(of_many); print(shares); print(of_ten)
 cat("matrix of the t distribution", v, "expected area", v * qchisq(0.95, 2), "and share", 1 - 0.05^v, "\n")
-stopifnot(abs(of_many / qchisq(0.95, 2) - c(1, 1, v)) < 0.01, abs(shares - c(0.95, 0.95, 1 - 0.05^v)) < 0.005, shares["default"] < 0.91,
-          abs(of_ten - c(5.99, 8.49, 7.14)) < 0.02, abs(radii - sqrt(2 * qf(0.95, 2, 9))) < 1e-6)
+stopifnot(abs(of_many / qchisq(0.95, 2) - c(1, 1, v)) < 0.01, abs(shares - c(0.95, 0.95, 1 - 0.05^v)) < 0.005,
+          shares["default"] < 0.91, abs(of_ten - c(5.99, 8.49, 7.14)) < 0.02, abs(radii - sqrt(2 * qf(0.95, 2, 9))) < 1e-6)
 EOR
 home=$dir/usr/lib/R
 EDITOR=vi PAGER=cat R_HOME=$home LD_LIBRARY_PATH=$home/lib \
-  R_LIBS=$dir/usr/lib/R/site-library:$home/library:/usr/lib/R/site-library:/usr/lib/R/library "$home/bin/exec/R" --vanilla --no-echo -f check.R
+  R_LIBS=$dir/usr/lib/R/site-library:$home/library:/usr/lib/R/site-library:/usr/lib/R/library \
+  "$home/bin/exec/R" --vanilla --no-echo -f check.R

@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # A density that is set before the shape is a mass: it does not become one when the shape follows, and the data file states another density.
 #
-# LAMMPS of 7 January 2022 (Debian 12, 20220106.git7586adbb6a+ds1-2+b2), two ellipsoids with the diameters 1, 2, 3 (volume pi) and "density 2":
+# LAMMPS of 7 January 2022 (Debian 12, 20220106.git7586adbb6a+ds1-2+b2), two ellipsoids with the diameters 1, 2, 3 (volume pi) and
+# "density 2", seen on 30 November 2026:
 #
 #   set density, then shape    mass 2          density in the file of write_data 0.63662
 #   set shape, then density    mass 6.28319    2
 #
-# Atoms begin as points, and the density of a point is its mass; "set shape" keeps masses. Kinetic energies, moments of inertia and frequencies
-# follow the mass. There is no warning. The documentation of set says that the density uses the shape at that moment.
+# Atoms begin as points, and the density of a point is its mass; "set shape" keeps masses. Kinetic energies, moments of
+# inertia and frequencies follow the mass. There is no warning.
 # Needs apt-get; MPI runs on one machine.
 set -eu
 dir=$(mktemp -d)
@@ -46,5 +47,6 @@ tail -n 2 masses
 sed -n '/^Atoms/,/^Velocities/p' out.data | awk 'NF > 6 { print $1, "density", $4 }' | sort | tee densities
 awk 'NF == 2 && $1 == 1 { one = $2 } NF == 2 && $1 == 2 { two = $2 }
   END { if (!(one == 2 && two > 6.283 && two < 6.2833)) exit 1 }' masses
-awk '$1 == 1 { one = $3 } $1 == 2 { two = $3 } END { if (!(one > 0.63661 && one < 0.63663 && two > 1.9999 && two < 2.0001)) exit 1 }' densities
+awk '$1 == 1 { one = $3 } $1 == 2 { two = $3 }
+  END { if (!(one > 0.63661 && one < 0.63663 && two > 1.9999 && two < 2.0001)) exit 1 }' densities
 if grep -i warning log.order | grep -i "density\|shape\|mass"; then exit 1; fi

@@ -12,7 +12,8 @@
 #   1000    -0.0941356    -0.122468
 #
 # The quaternions that the rerun writes are 1 0 0 0 in each snapshot. read_dump, which rerun calls, keeps the old orientations too; it has
-# no field for quaternions: "quatw" is an illegal command. The documentation lists the fields, and says nothing of orientations.
+# no field for quaternions: "quatw" is an illegal command. The documentation says that other properties, such as charges, come from a data
+# file; orientations, which differ in each snapshot, are not named.
 # What helps: a data file of each snapshot (write_data), read by read_data and followed by "run 0".
 # Needs apt-get; MPI runs on one machine.
 set -eu
