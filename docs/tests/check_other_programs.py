@@ -15,7 +15,7 @@ import pypw85
 
 SOURCE = Path(sys.argv[1])
 FINDINGS = SOURCE / "findings"
-KINDS = {"engine", "simulation", "viewer"}
+KINDS = {"engine", "simulation", "viewer", "analysis"}
 STATEMENTS = {"lengths", "scale", "quaternion", "mass", "margin", "depth", "tolerance", "wrong"}
 KEYS = {"name", "kind", "packages", "script", "established"} | STATEMENTS
 AXES = (1, 2, 3)
@@ -73,6 +73,7 @@ TRUTHS = {
     "disc_shell": lambda: shell(1, 0.01),
     "needle_shell": lambda: shell(0.01, 1),
     "half_normal": half_normal,
+    "normal_95": lambda: math.sqrt(-2 * math.log(0.05)),
 }
 
 
