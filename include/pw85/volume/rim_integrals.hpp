@@ -446,30 +446,34 @@ template <class T> struct VolumeIntegrands {
     T scale, sign; ///< D over the radius of the metric, and ½ with the sign of the flux
     Vector<Two, 3> flux;
 
-    PW85_MEMBER void add(RimDirection<T> const &pair, bool has_image,
-                         RimSums<T, 3> &sums) const noexcept
-    {
-        integration.for_each(
-            pair, has_image,
-            [&](MovingHalfPlane<Two> const &plane, RimPoint<Two> const(&points)[2],
-                Two const &speed) {
-                sums.numbers[0] =
-                    sums.numbers[0] + integration.template area<0>(plane, points, speed);
-                sums.numbers[1] =
-                    sums.numbers[1] + scale * integration.template area<1>(plane, points, speed);
-                Two flow = dot(flux, swept(plane, points[0], points[0].z, speed));
-                if (integration.has_two_rims())
-                    flow = flow - dot(flux, swept(plane, points[1], points[1].z, speed));
-                sums.numbers[2] = sums.numbers[2] + sign * sum_of_lanes(flow);
-            });
-    }
-
     PW85_MEMBER static T change(RimSums<T, 3> const &x, RimSums<T, 3> const &y) noexcept
     {
         auto const of = [&](int i) { return absolute(T(x.numbers[i] - y.numbers[i])); };
         return fraction_of_areas({x.numbers[0], x.numbers[1]}, {of(0), of(1)}, of(2));
     }
 };
+
+/// Adds the integrands at both half-planes of a pair, and at those of its mirror image. The function
+/// is not a member: Clang gives the symbol of a lambda in a member to the whole program.
+template <class T> PW85_FUNCTION inline void add_integrands(VolumeIntegrands<T> const &integrands,
+                                                            RimDirection<T> const &pair,
+                                                            bool has_image,
+                                                            RimSums<T, 3> &sums) noexcept
+{
+    using Two = TwoLanes<T>;
+    auto const &integration = integrands.integration;
+    integration.for_each(
+        pair, has_image,
+        [&](MovingHalfPlane<Two> const &plane, RimPoint<Two> const(&points)[2], Two const &speed) {
+            sums.numbers[0] = sums.numbers[0] + integration.template area<0>(plane, points, speed);
+            sums.numbers[1] = sums.numbers[1] +
+                              integrands.scale * integration.template area<1>(plane, points, speed);
+            Two flow = dot(integrands.flux, swept(plane, points[0], points[0].z, speed));
+            if (integration.has_two_rims())
+                flow = flow - dot(integrands.flux, swept(plane, points[1], points[1].z, speed));
+            sums.numbers[2] = sums.numbers[2] + integrands.sign * sum_of_lanes(flow);
+        });
+}
 
 template <class T> PW85_FUNCTION inline VolumeIntegrands<T>
 volume_integrands(Vector<T, 3> const &axes, Vector<T, 3> center,
@@ -496,7 +500,7 @@ volume_terms(JointFrame<T, 3> const &frame, RimIntegration<T> const &integration
                  integrands.scale * integration.area_without_rim(1, frame.axes[2]), T(0)},
                 true};
     auto const add = [&](RimDirection<T> const &pair, bool has_image, RimSums<T, 3> &sums) {
-        integrands.add(pair, has_image, sums);
+        add_integrands(integrands, pair, has_image, sums);
     };
     auto const change = [&](RimSums<T, 3> const &x, RimSums<T, 3> const &y) {
         return integrands.change(x, y);

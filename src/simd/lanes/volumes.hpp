@@ -329,7 +329,7 @@ class LaneSums {
     [[gnu::noinline, gnu::flatten]] void add_to(UnitVector2<Pack> const &theta, bool has_image,
                                                 RimSums<Pack, 3> &sums) const noexcept
     {
-        integrands_.add(rim_direction(rule_, theta), has_image, sums);
+        add_integrands(integrands_, rim_direction(rule_, theta), has_image, sums);
     }
 
     LaneNodes const &nodes_;
