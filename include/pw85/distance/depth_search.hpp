@@ -424,6 +424,17 @@ finish_turns(DepthSearch<T, D> &search, SymmetricMatrix<TwoLanes<T>, D> const &q
     return {at, converged, converged && best};
 }
 
+/// Tests if the correction after a Newton's turn t leaves an error of more than 32u, by |t|² and
+/// that of the turn before: see follow_normal().
+template <class T>
+[[gnu::always_inline]] PW85_FUNCTION inline bool is_rough(T const &square, T const &last) noexcept
+{
+    T const u = T(unit_roundoff<T>()), tiny = negative_power_of_two<T>(mantissa_digits<T>() + 16);
+    T const fourth = (last * last) * (last * last), // C² is square/last²
+        left = maximum(fourth, T(square * square)) * (square * square * square);
+    return both_true(square > tiny, left > T(256) * u * u * fourth); // 2C²|t|³ > 32u
+}
+
 /// Follows turns from a vector n to a local minimum. The best direction is kept.
 ///
 /// A Newton's turn t leaves an error of about C|t|²; two of them give C. At the end, the stiffness
@@ -437,8 +448,7 @@ follow_normal(DepthSearch<T, D> &search, Vector<T, D> const &start) noexcept
 {
     T const u = T(unit_roundoff<T>()),
             short_square = negative_power_of_two<T>(mantissa_digits<T>() / 4 * 3),
-            limit = negative_power_of_two<T>(14),
-            tiny = negative_power_of_two<T>(mantissa_digits<T>() + 16);
+            limit = negative_power_of_two<T>(14);
     auto const q = side_by_side(search.q1, search.q2);
     auto const size = trace(q);
     T const distance = sum_of_magnitudes(search.r12);
@@ -473,11 +483,7 @@ follow_normal(DepthSearch<T, D> &search, Vector<T, D> const &start) noexcept
         T const last = square;
         square = dot(step, step) * at.inverse_square;
         bool const close = both_true(newton, square <= limit);
-        T const fourth = (last * last) * (last * last), // C² is square/last²
-            left = maximum(fourth, T(square * square)) * (square * square * square);
-        bool const rough =
-            both_true(square > tiny, left > T(256) * u * u * fourth); // 2C²|t|³ > 32u
-        converged = both_true(both_true(accurate, close), !rough);
+        converged = both_true(both_true(accurate, close), !is_rough(square, last));
         is_large = square > T(1);
         n = turned(at.n, T(1), step, is_large);
         accurate = close;
