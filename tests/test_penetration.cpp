@@ -327,6 +327,31 @@ PW85_TEST("/penetration/extremes")
     }
 }
 
+// Centres that nearly coincide: squares of the distance, and of its multiples, underflow.
+PW85_TEST("/penetration/nearly_concentric")
+{
+    Failures failures;
+    Random random(765);
+    for (int n = 0; n < 300; ++n) {
+        auto s = random_pair<3>(random, {.aspect = n % 3 == 0 ? 1.0 : random.log_uniform(1.0, 1e4),
+                                         .size_ratio = random.log_uniform(1.0, 100.0)});
+        if (n % 2 == 0) s.q2 = s.q1;
+        s.r12 = random.log_uniform(1e-320, 1e-100) * random.direction<3>();
+        auto const found = penetration(s);
+        auto const text = [&] { return hex_text(s); };
+        double const bound = 8 * u * sensitivity(s, found.direction),
+                     length = shift(s, found.direction);
+        failures.check(std::fabs(norm(found.direction) - 1.0) <= 4 * u, "unit",
+                       norm(found.direction), 1.0, text);
+        failures.check(found.status == pw85::Status::success &&
+                           std::fabs(found.depth - length) <= bound,
+                       "depth", found.depth, length, text);
+        double const exchanged = penetration(Sample<double, 3>{s.r12, s.q2, s.q1}).depth;
+        failures.check(std::fabs(found.depth - exchanged) <= 8 * bound, "exchanged", found.depth,
+                       exchanged, text); // 32 u Σ
+    }
+}
+
 // The ends of the range at once: axes of 1e150 and 1e121, whose ratio must not meet their squares.
 PW85_TEST("/penetration/widest")
 {

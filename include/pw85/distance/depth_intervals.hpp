@@ -86,8 +86,7 @@ PW85_FUNCTION inline bool is_deep_at(DepthSearch<T, D> &search, DepthVertex<T> &
         bool const inside = trial.definite && trial.next > lower && trial.next < upper;
         sigma = inside ? trial.next : T(T(0.5) * (lower + upper));
     }
-    T const size = square_root(dot(x, x));
-    if (size > T(0)) try_direction(search, T(T(1) / size) * x);
+    if (largest_coordinate(x) > T(0)) try_direction(search, unit_along(with_square_in_range(x)));
     return false;
 }
 

@@ -78,6 +78,16 @@ template <class T, int D> struct DepthSearch {
     Shift<T> best;
 };
 
+/// A multiple of a vector that is not zero, whose square does not underflow.
+template <class T, int D>
+PW85_FUNCTION inline Vector<T, D> with_square_in_range(Vector<T, D> const &x) noexcept
+{
+    T const largest = largest_coordinate(x);
+    return largest > negative_power_of_two<T>(std::numeric_limits<T>::max_exponent / 8)
+               ? x
+               : x / largest;
+}
+
 /// Computes the shift along a direction, and keeps the direction if it is the best one.
 template <class T, int D> PW85_FUNCTION inline Shift<T>
 try_direction(DepthSearch<T, D> &search, Vector<T, D> const &n) noexcept
@@ -414,6 +424,17 @@ finish_turns(DepthSearch<T, D> &search, SymmetricMatrix<TwoLanes<T>, D> const &q
     return {at, converged, converged && best};
 }
 
+/// Tests if the correction after a Newton's turn t leaves an error of more than 32u, by |t|² and
+/// that of the turn before: see follow_normal().
+template <class T>
+[[gnu::always_inline]] PW85_FUNCTION inline bool is_rough(T const &square, T const &last) noexcept
+{
+    T const u = T(unit_roundoff<T>()), tiny = negative_power_of_two<T>(mantissa_digits<T>() + 16);
+    T const fourth = (last * last) * (last * last), // C² is square/last²
+        left = maximum(fourth, T(square * square)) * (square * square * square);
+    return both_true(square > tiny, left > T(256) * u * u * fourth); // 2C²|t|³ > 32u
+}
+
 /// Follows turns from a vector n to a local minimum. The best direction is kept.
 ///
 /// A Newton's turn t leaves an error of about C|t|²; two of them give C. At the end, the stiffness
@@ -427,8 +448,7 @@ follow_normal(DepthSearch<T, D> &search, Vector<T, D> const &start) noexcept
 {
     T const u = T(unit_roundoff<T>()),
             short_square = negative_power_of_two<T>(mantissa_digits<T>() / 4 * 3),
-            limit = negative_power_of_two<T>(14),
-            tiny = negative_power_of_two<T>(mantissa_digits<T>() + 16);
+            limit = negative_power_of_two<T>(14);
     auto const q = side_by_side(search.q1, search.q2);
     auto const size = trace(q);
     T const distance = sum_of_magnitudes(search.r12);
@@ -463,11 +483,7 @@ follow_normal(DepthSearch<T, D> &search, Vector<T, D> const &start) noexcept
         T const last = square;
         square = dot(step, step) * at.inverse_square;
         bool const close = both_true(newton, square <= limit);
-        T const fourth = (last * last) * (last * last), // C² is square/last²
-            left = maximum(fourth, T(square * square)) * (square * square * square);
-        bool const rough =
-            both_true(square > tiny, left > T(256) * u * u * fourth); // 2C²|t|³ > 32u
-        converged = both_true(both_true(accurate, close), !rough);
+        converged = both_true(both_true(accurate, close), !is_rough(square, last));
         is_large = square > T(1);
         n = turned(at.n, T(1), step, is_large);
         accurate = close;
@@ -503,12 +519,14 @@ start_depth(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
     return {seems_apart ? T(0) : t, to_decision(certainty.apart, certainty.overlap)};
 }
 
-/// Returns t of start_depth(), or that of the maximum of f if the step has not found it.
+/// Returns t of start_depth(), or that of the maximum of f if the step has not found it. It does
+/// not depend on the length of r12.
 template <class T, int D>
-PW85_FUNCTION inline T nearly_touching(DepthSearch<T, D> const &search, T const &t) noexcept
+PW85_FUNCTION inline T nearly_touching(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                       SymmetricMatrix<T, D> const &q2, T const &t) noexcept
 {
     if (t > smallest_number<T>() && t < largest_number<T>()) return t;
-    Maximum<T> const touching = maximize(pair_of(search.r12, search.q1, search.q2));
+    Maximum<T> const touching = maximize(pair_of(r12, q1, q2));
     return touching.lambda / touching.complement;
 }
 
@@ -518,12 +536,13 @@ template <class T, int D> PW85_FUNCTION inline FollowedNormal<T, D>
 descend_from_touching(DepthSearch<T, D> &search, T const &start) noexcept
 {
     if (largest_coordinate(search.r12) == T(0)) return {{}, false, false};
-    T const t = nearly_touching(search, start);
+    Vector<T, D> const r = with_square_in_range(search.r12);
+    T const t = nearly_touching(r, search.q1, search.q2, start);
     auto const form = blend(search.q1, t, search.q2);
     T const size = trace(form),
             limit = T(std::numeric_limits<T>::max_exponent >= 1024 ? 0x1p80 : 0x1p8);
     auto const adj = adjugate(size < limit ? form : T(T(1) / size) * form);
-    auto const followed = follow_normal(search, product(adj, search.r12));
+    auto const followed = follow_normal(search, product(adj, r));
     if (followed.converged || search.best.length < T(0)) return followed;
     descend(search, T(T(1) / t));
     return follow_normal(search, search.direction);

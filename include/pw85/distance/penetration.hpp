@@ -214,12 +214,10 @@ template <class T, int D> struct FoundDepth {
     bool apart;
 };
 
-template <class T, int D>
-PW85_FUNCTION inline FoundDepth<T, D> find_depth(Vector<T, D> const &r12,
-                                                 SymmetricMatrix<T, D> const &q1,
-                                                 SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D> PW85_FUNCTION inline FoundDepth<T, D>
+find_depth(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+           SymmetricMatrix<T, D> const &q2, DepthStart<T> const &start) noexcept
 {
-    auto const start = start_depth(r12, q1, q2);
     if (start.decision == Decision::overlap) return {penetration_from(r12, q1, q2, start.t), false};
     if (start.decision == Decision::apart) return {no_penetration<T, D>(StatusCode::success), true};
     if (start.t > T(0)) {
@@ -230,6 +228,14 @@ PW85_FUNCTION inline FoundDepth<T, D> find_depth(Vector<T, D> const &r12,
     Overlap const decision = call_overlap(r12, q1, q2);
     if (decision.overlap) return {penetration_overlapping(r12, q1, q2), false};
     return {no_penetration<T, D>(decision.status), decision.status == StatusCode::success};
+}
+
+template <class T, int D>
+PW85_FUNCTION inline FoundDepth<T, D> find_depth(Vector<T, D> const &r12,
+                                                 SymmetricMatrix<T, D> const &q1,
+                                                 SymmetricMatrix<T, D> const &q2) noexcept
+{
+    return find_depth(r12, q1, q2, start_depth(r12, q1, q2));
 }
 
 } // namespace pw85::detail

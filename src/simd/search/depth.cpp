@@ -16,8 +16,14 @@ namespace PW85_BUILDING {
 int penetration(double const *r12, double const *q1, double const *q2, double *depth,
                 double *direction) noexcept
 {
-    auto const found =
-        pw85::penetration(view_vector<3>(r12), view_matrix<3>(q1), view_matrix<3>(q2));
+    auto const &r = view_vector<3>(r12);
+    auto const &m1 = view_matrix<3>(q1), &m2 = view_matrix<3>(q2);
+    auto const start = start_depth(r, m1, m2);
+    if (start.decision == Decision::apart) { // no result passes through memory
+        constexpr double nan = quiet_nan<double>();
+        return put(StatusCode::success, 0.0, depth, Vector<double, 3>{nan, nan, nan}, direction);
+    }
+    auto const found = find_depth(r, m1, m2, start).result;
     return put(found.status, found.depth, depth, found.direction, direction);
 }
 
