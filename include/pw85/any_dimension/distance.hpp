@@ -31,10 +31,15 @@ struct NdDistance {
 
 namespace pw85::detail::any_dimension {
 
+template <class T> struct NormalFactors {
+    T m[max_packed_size];
+};
+
 /// A pair in one unit of length, with the factors that a DistancePair has.
 template <class T> struct DistancePair {
     Pair<T> pair;
     T scale1, scale2;
+    NormalFactors<T> *factors; ///< memory of factorize_normal()
 };
 
 template <class T> struct Direction {
@@ -47,16 +52,12 @@ template <class T> struct NormalVector {
     NormalJet<T> jet;
 };
 
-template <class T> struct NormalFactors {
-    T m[max_packed_size];
-};
-
-/// Returns the factors of M = Q1 + t Q2 + s I.
-template <class T> PW85_FUNCTION inline NormalFactors<T>
+/// Returns the factors of M = Q1 + t Q2 + s I, which the next call overwrites.
+template <class T> PW85_FUNCTION inline NormalFactors<T> const &
 factorize_normal(DistancePair<T> const &given, Multipliers<T> const &x) noexcept
 {
     auto const &pair = given.pair;
-    NormalFactors<T> factors;
+    NormalFactors<T> &factors = *given.factors;
     for (int k = 0; k < packed_size(pair.n); ++k) factors.m[k] = pair.q1[k] + x.ratio * pair.q2[k];
     for (int i = 0; i < pair.n; ++i) {
         T &diagonal = factors.m[packed_index(pair.n, i, i)];
@@ -106,20 +107,19 @@ advance(NormalVector<T> const &v, Multipliers<T> const &x, NormalStep<T> const &
     return u;
 }
 
-/// A slab between the ellipsoids, and what touches it, with twice the digits.
-struct NormalSlab {
-    Doubled<double> normal[max_dimension], point1[max_dimension], point2[max_dimension];
-    Doubled<double> extent1, extent2, width;
+/// A slab between the ellipsoids, and what touches it, in numbers of more digits than double.
+template <class W> struct NormalSlab {
+    W normal[max_dimension], point1[max_dimension], point2[max_dimension];
+    W extent1, extent2, width;
     bool accurate;
 };
 
 /// Returns the point Qn/√(nᵀQn), and the width √(nᵀQn).
-PW85_FUNCTION inline Doubled<double> find_support(int n, Doubled<double> const *q,
-                                                  Doubled<double> const *normal,
-                                                  Doubled<double> *point) noexcept
+template <class W>
+PW85_FUNCTION inline W find_support(int n, W const *q, W const *normal, W *point) noexcept
 {
     product(n, q, normal, point);
-    auto const extent = square_root(dot(n, normal, point));
+    W const extent = square_root(dot(n, normal, point));
     for (int i = 0; i < n; ++i) point[i] = point[i] / extent;
     return extent;
 }
@@ -130,10 +130,9 @@ inline constexpr double largest_off = 0x1p17;
 
 /// Computes the slab of a direction. It is accurate if the part of w across the normal is below
 /// largest_off and satisfies off² <= 2u (n·r12) max(φ, u n·r12): then |w| - φ is at most 2u n·r12.
-template <class T> [[gnu::noinline]] PW85_FUNCTION inline void
-find_slab(Pair<Doubled<double>> const &pair, Direction<T> const &u, NormalSlab &slab) noexcept
+template <class T, class W> [[gnu::noinline]] PW85_FUNCTION inline void
+find_slab(Pair<W> const &pair, Direction<T> const &u, NormalSlab<W> &slab) noexcept
 {
-    using W = Doubled<double>;
     int const n = pair.n;
     for (int i = 0; i < n; ++i) slab.normal[i] = W(u.x[i]);
     W const norm = square_root(dot(n, slab.normal, slab.normal));
@@ -154,24 +153,22 @@ find_slab(Pair<Doubled<double>> const &pair, Direction<T> const &u, NormalSlab &
 }
 
 /// Returns the t and s that belong to a slab: with the half-widths α and β they are α/β and αφ.
-template <class T> PW85_FUNCTION inline Multipliers<T> multipliers(NormalSlab const &slab) noexcept
+template <class T, class W>
+PW85_FUNCTION inline Multipliers<T> multipliers(NormalSlab<W> const &slab) noexcept
 {
-    using W = Doubled<double>;
     W const shift = maximum(W(0.0), slab.extent1 * slab.width);
     if constexpr (std::is_same_v<T, W>)
         return {slab.extent1 / slab.extent2, shift};
     else
-        return {rounded(slab.extent1 / slab.extent2), rounded(shift)};
+        return {T(rounded(slab.extent1 / slab.extent2)), T(rounded(shift))};
 }
 
 /// Searches from t and s by Newton's method, and by the nested search if this fails. Returns
 /// whether the slab is accurate.
-template <class T>
-[[gnu::noinline]] PW85_FUNCTION inline bool find_normal(DistancePair<T> const &given,
-                                                        Pair<Doubled<double>> const &wide,
-                                                        NormalSlab &slab) noexcept
+template <class T, class W> [[gnu::noinline]] PW85_FUNCTION inline bool
+find_normal(DistancePair<T> const &given, Multipliers<T> const &start, Pair<W> const &wide,
+            NormalSlab<W> &slab) noexcept
 {
-    Multipliers<T> const start = multipliers<T>(slab);
     Multipliers<T> x = start;
     for (int i = 0; i < max_normal_steps + max_last_steps; ++i) {
         auto const v = solve_normal(given, factorize_normal(given, x), x);
@@ -189,44 +186,75 @@ template <class T>
 /// Continues the search with twice the digits: a step from an accurate normal can still leave a
 /// slab that is not accurate to rounding.
 [[gnu::cold, gnu::noinline]] PW85_FUNCTION inline bool
-find_normal_wider(Pair<Doubled<double>> const &wide, NormalSlab &slab) noexcept
+find_normal_wider(Pair<Doubled<double>> const &wide, NormalSlab<Doubled<double>> &slab) noexcept
 {
     using W = Doubled<double>;
     if constexpr (FLT_EVAL_METHOD != 0) return false;
-    DistancePair<W> given;
-    given.pair = wide;
-    given.scale1 = given.scale2 = W(1.0);
-    return find_normal(given, wide, slab);
+    NormalFactors<W> factors;
+    DistancePair<W> const given{wide, W(1.0), W(1.0), &factors};
+    return find_normal(given, multipliers<W>(slab), wide, slab);
 }
 
 /// Finds the slab of a pair that does not overlap, in one unit.
-[[gnu::noinline]] PW85_FUNCTION inline bool find_distance(Input const &in, Unit unit,
-                                                          NormalSlab &slab) noexcept
+[[gnu::noinline]] PW85_FUNCTION inline bool
+find_distance(Input const &in, Unit unit, NormalSlab<Doubled<double>> &slab) noexcept
 {
     Units const units{unit, unit, unit, false, {}};
     Pair<Doubled<double>> wide;
     scale(in, units, wide);
     Direction<double> along{};
+    NormalFactors<double> factors;
     DistancePair<double> given;
     scale(in, units, given.pair);
     given.scale1 = given.scale2 = 1.0;
+    given.factors = &factors;
     for (int i = 0; i < in.n; ++i) along.x[i] = given.pair.r12[i];
     find_slab(wide, along, slab);
-    if (slab.accurate || find_normal(given, wide, slab)) return true;
+    if (slab.accurate || find_normal(given, multipliers<double>(slab), wide, slab)) return true;
     return find_normal_wider(wide, slab);
 }
 
 /// Rounds the outputs, and converts them to the units of the caller.
-PW85_FUNCTION inline void store(Input const &in, Unit unit, NormalSlab const &slab,
-                                NdClosestPoints const &out) noexcept
+template <class W> [[gnu::noinline]] PW85_FUNCTION inline NdDistance
+store(Input const &in, Unit unit, NormalSlab<W> const &slab, NdClosestPoints const &out) noexcept
 {
     for (int i = 0; i < in.n; ++i) {
-        auto const r12 = Doubled<double>(unit.to_local(in.r12[i]));
+        auto const r12 = W(unit.to_local(in.r12[i]));
         double const point1 = rounded(slab.point1[i]), point2 = rounded(r12 - slab.point2[i]);
         if (out.point1 != nullptr) out.point1[i] = unit.to_caller(point1);
         if (out.point2 != nullptr) out.point2[i] = unit.to_caller(point2);
         if (out.normal != nullptr) out.normal[i] = rounded(slab.normal[i]);
     }
+    return {unit.to_caller(maximum(0.0, rounded(slab.width))), StatusCode::success};
+}
+
+/// Memory of a search with seven times the digits of double, which is allocated.
+struct ExtendedDistance {
+    using Number = exact::Extended<double>;
+
+    DistancePair<Number> given;
+    NormalFactors<Number> factors;
+    NormalSlab<Number> slab;
+};
+
+/// Continues the search with seven times the digits, from the t and s of a slab that is not
+/// accurate.
+[[gnu::cold, gnu::noinline]] PW85_FUNCTION inline NdDistance
+distance_extended(Input const &in, Unit unit, NormalSlab<Doubled<double>> const &start,
+                  NdClosestPoints const &out) noexcept
+{
+    using Number = ExtendedDistance::Number;
+    auto *const work = static_cast<ExtendedDistance *>(std::malloc(sizeof(ExtendedDistance)));
+    if (work == nullptr) return {quiet_nan<double>(), StatusCode::out_of_memory};
+    auto &given = work->given;
+    scale(in, {unit, unit, unit, false, {}}, given.pair);
+    given.scale1 = given.scale2 = Number(1.0);
+    given.factors = &work->factors;
+    NdDistance result{quiet_nan<double>(), StatusCode::no_convergence};
+    if (find_normal(given, multipliers<Number>(start), given.pair, work->slab))
+        result = store(in, unit, work->slab, out);
+    std::free(work);
+    return result;
 }
 
 } // namespace pw85::detail::any_dimension
@@ -246,12 +274,11 @@ PW85_FUNCTION inline NdDistance nd_distance(int n, double const *r12, double con
     if (decision.status != StatusCode::success) return {quiet_nan<double>(), decision.status};
     if (decision.overlap) return {0.0, StatusCode::success};
     Unit const unit = unit_of(largest_magnitude(n, r12));
-    NormalSlab slab;
-    if (!keeps_digits(n, q1, unit) || !keeps_digits(n, q2, unit) || !find_distance(in, unit, slab))
+    if (!keeps_digits(n, q1, unit) || !keeps_digits(n, q2, unit))
         return {quiet_nan<double>(), StatusCode::no_convergence};
-    store(in, unit, slab, out);
-    double const width = maximum(0.0, rounded(slab.width));
-    return {unit.to_caller(width), StatusCode::success};
+    NormalSlab<Doubled<double>> slab;
+    return find_distance(in, unit, slab) ? store(in, unit, slab, out)
+                                         : distance_extended(in, unit, slab, out);
 }
 
 } // namespace pw85
