@@ -7,6 +7,12 @@
 /// Any vector u gives the lower bound φ = (u·r12 - √(uᵀQ1u) - √(uᵀQ2u))/|u| of the distance, and
 /// the vector w between the points of the surfaces along u the upper bound |w|. Both are computed
 /// with twice the digits of double. The search ends where they agree to rounding.
+///
+/// Let L be the longest semi-axis, h a half-width along the normal, and 2^-p the rounding error of
+/// an operation. The point Qu/h errs by 2^-p L²/h where the terms of Qu cancel. |w| needs u n·r12
+/// if the ellipsoids nearly touch. So L² <= 2^p u h n·r12 is enough: with h about n·r12, lengths up
+/// to some 2^26 n·r12 for twice the digits of double, and 2^157 n·r12 for seven times the digits.
+/// The latter numbers continue the search where the former do not suffice.
 #ifndef PW85_ANY_DIMENSION_DISTANCE_HPP_INCLUDED
 #define PW85_ANY_DIMENSION_DISTANCE_HPP_INCLUDED
 
@@ -163,55 +169,70 @@ PW85_FUNCTION inline Multipliers<T> multipliers(NormalSlab<W> const &slab) noexc
         return {T(rounded(slab.extent1 / slab.extent2)), T(rounded(shift))};
 }
 
-/// Searches from t and s by Newton's method, and by the nested search if this fails. Returns
-/// whether the slab is accurate.
+/// Searches from t and s by Newton's method. Returns whether it converges; then the slab is that of
+/// its normal.
 template <class T, class W> [[gnu::noinline]] PW85_FUNCTION inline bool
-find_normal(DistancePair<T> const &given, Multipliers<T> const &start, Pair<W> const &wide,
-            NormalSlab<W> &slab) noexcept
+follow_normal(DistancePair<T> const &given, Multipliers<T> x, Pair<W> const &wide,
+              NormalSlab<W> &slab) noexcept
 {
-    Multipliers<T> x = start;
     for (int i = 0; i < max_normal_steps + max_last_steps; ++i) {
         auto const v = solve_normal(given, factorize_normal(given, x), x);
         auto const step = newton_step(given, v.jet, x);
         if (is_within(step, v.jet, last_digits<T>())) {
             find_slab(wide, advance(v, x, step), slab);
-            return slab.accurate;
+            return true;
         }
         x = advance(x, step);
     }
-    find_slab(wide, search_normal(given, start.ratio), slab);
+    return false;
+}
+
+/// Searches from the t and s of a slab by Newton's method, and by the nested search if this fails.
+/// Returns whether the slab is accurate.
+template <class T, class W> PW85_FUNCTION inline bool
+find_normal(DistancePair<T> const &given, Multipliers<T> const &start, Pair<W> const &wide,
+            NormalSlab<W> &slab) noexcept
+{
+    if (!follow_normal(given, start, wide, slab))
+        find_slab(wide, search_normal(given, start.ratio), slab);
     return slab.accurate;
 }
 
-/// Continues the search with twice the digits: a step from an accurate normal can still leave a
-/// slab that is not accurate to rounding.
-[[gnu::cold, gnu::noinline]] PW85_FUNCTION inline bool
-find_normal_wider(Pair<Doubled<double>> const &wide, NormalSlab<Doubled<double>> &slab) noexcept
+/// Brings a pair to one unit, with memory for its factors.
+template <class T>
+PW85_FUNCTION inline void prepare(Input const &in, Unit unit, NormalFactors<T> &factors,
+                                  DistancePair<T> &given) noexcept
 {
-    using W = Doubled<double>;
-    if constexpr (FLT_EVAL_METHOD != 0) return false;
-    NormalFactors<W> factors;
-    DistancePair<W> const given{wide, W(1.0), W(1.0), &factors};
-    return find_normal(given, multipliers<W>(slab), wide, slab);
+    scale(in, {unit, unit, unit, false, {}}, given.pair);
+    given.scale1 = given.scale2 = T(1);
+    given.factors = &factors;
 }
 
 /// Finds the slab of a pair that does not overlap, in one unit.
 [[gnu::noinline]] PW85_FUNCTION inline bool
 find_distance(Input const &in, Unit unit, NormalSlab<Doubled<double>> &slab) noexcept
 {
-    Units const units{unit, unit, unit, false, {}};
     Pair<Doubled<double>> wide;
-    scale(in, units, wide);
-    Direction<double> along{};
+    scale(in, {unit, unit, unit, false, {}}, wide);
     NormalFactors<double> factors;
     DistancePair<double> given;
-    scale(in, units, given.pair);
-    given.scale1 = given.scale2 = 1.0;
-    given.factors = &factors;
+    prepare(in, unit, factors, given);
+    Direction<double> along{};
     for (int i = 0; i < in.n; ++i) along.x[i] = given.pair.r12[i];
     find_slab(wide, along, slab);
-    if (slab.accurate || find_normal(given, multipliers<double>(slab), wide, slab)) return true;
-    return find_normal_wider(wide, slab);
+    return slab.accurate || find_normal(given, multipliers<double>(slab), wide, slab);
+}
+
+/// Continues the search with twice the digits: a step from an accurate normal can still leave a
+/// slab that is not accurate to rounding.
+[[gnu::cold, gnu::noinline]] PW85_FUNCTION inline bool
+find_distance_wider(Input const &in, Unit unit, NormalSlab<Doubled<double>> &slab) noexcept
+{
+    if constexpr (FLT_EVAL_METHOD != 0) return false;
+    NormalFactors<Doubled<double>> factors;
+    DistancePair<Doubled<double>> given;
+    prepare(in, unit, factors, given);
+    return find_normal(given, multipliers<Doubled<double>>(slab), given.pair, slab);
 }
 
 /// Rounds the outputs, and converts them to the units of the caller.
@@ -232,29 +253,35 @@ store(Input const &in, Unit unit, NormalSlab<W> const &slab, NdClosestPoints con
 struct ExtendedDistance {
     using Number = exact::Extended<double>;
 
-    DistancePair<Number> given;
+    DistancePair<Number> pair;
     NormalFactors<Number> factors;
     NormalSlab<Number> slab;
 };
 
-/// Continues the search with seven times the digits, from the t and s of a slab that is not
-/// accurate.
+/// Continues the search with seven times the digits. It starts at the t and s of the given slab if
+/// these are in the range of double.
 [[gnu::cold, gnu::noinline]] PW85_FUNCTION inline NdDistance
-distance_extended(Input const &in, Unit unit, NormalSlab<Doubled<double>> const &start,
+distance_extended(Input const &in, Unit unit, NormalSlab<Doubled<double>> const &given,
                   NdClosestPoints const &out) noexcept
 {
     using Number = ExtendedDistance::Number;
     auto *const work = static_cast<ExtendedDistance *>(std::malloc(sizeof(ExtendedDistance)));
     if (work == nullptr) return {quiet_nan<double>(), StatusCode::out_of_memory};
-    auto &given = work->given;
-    scale(in, {unit, unit, unit, false, {}}, given.pair);
-    given.scale1 = given.scale2 = Number(1.0);
-    given.factors = &work->factors;
+    auto &[pair, factors, slab] = *work;
+    prepare(in, unit, factors, pair);
+    auto start = multipliers<Number>(given);
+    if (!(start.ratio > Number(0) && start.shift >= Number(0))) start = {Number(1), Number(0)};
     NdDistance result{quiet_nan<double>(), StatusCode::no_convergence};
-    if (find_normal(given, multipliers<Number>(start), given.pair, work->slab))
-        result = store(in, unit, work->slab, out);
+    if (find_normal(pair, start, pair.pair, slab)) result = store(in, unit, slab, out);
     std::free(work);
     return result;
+}
+
+/// Returns whether a form can be written in a unit: its half-widths along the axes are at least
+/// 2^-400 and at most 2^500.
+PW85_FUNCTION inline bool is_in_range(int n, double const *q, Unit unit) noexcept
+{
+    return keeps_digits(n, q, unit) && unit.to_local(largest_diagonal(n, q), 2) <= 0x1p1000;
 }
 
 } // namespace pw85::detail::any_dimension
@@ -274,11 +301,12 @@ PW85_FUNCTION inline NdDistance nd_distance(int n, double const *r12, double con
     if (decision.status != StatusCode::success) return {quiet_nan<double>(), decision.status};
     if (decision.overlap) return {0.0, StatusCode::success};
     Unit const unit = unit_of(largest_magnitude(n, r12));
-    if (!keeps_digits(n, q1, unit) || !keeps_digits(n, q2, unit))
+    if (!any_dimension::is_in_range(n, q1, unit) || !any_dimension::is_in_range(n, q2, unit))
         return {quiet_nan<double>(), StatusCode::no_convergence};
     NormalSlab<Doubled<double>> slab;
-    return find_distance(in, unit, slab) ? store(in, unit, slab, out)
-                                         : distance_extended(in, unit, slab, out);
+    if (find_distance(in, unit, slab) || find_distance_wider(in, unit, slab))
+        return store(in, unit, slab, out);
+    return distance_extended(in, unit, slab, out);
 }
 
 } // namespace pw85
