@@ -2,6 +2,7 @@
 // Two ellipsoids in n dimensions: contact, point, normal and derivatives, overlap and comparison.
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include <glib.h>
 
@@ -811,6 +812,84 @@ PW85_TEST("/any_dimension/distance")
         g_assert_cmpfloat(found.distance, ==, 0);
         g_assert_true(std::isnan(found.normal[0]) && std::isnan(found.point2[0]));
     }
+}
+
+/// A pair with a known distance. Let m be a vector of integers. The form p pᵀ + k (mᵀm I - m mᵀ)
+/// has the half-width p·m/|m| along m, at the point p. Let j be p1 + p2. With r12 = j + d m the slab
+/// between the ellipsoids that is normal to m has the width d |m|, and touches both on one line
+/// along m. So this is the distance. p1 and p2 are integers up to 2^26, j and m are small integers:
+/// all entries are exact, and the terms of p1·m cancel.
+struct LongPair {
+    Case c;
+    std::vector<double> normal;
+    double distance, half_widths;
+};
+
+LongPair long_pair(Random &random, int n, double d)
+{
+    auto const integer = [&](double low, double high) {
+        return std::floor(random.uniform(low, high + 1));
+    };
+    auto const at = Size(integer(0, n - 1)), next = (at + 1) % Size(n), last = (at + 2) % Size(n);
+    std::vector<double> const zero(Size(n), 0.0);
+    auto m = zero, p1 = zero, j = zero;
+    m[last] = 1, m[next] = 2 * integer(0, 1) - 1, m[at] = 1;
+    if (n == 2) m[next] = 2;
+    double const share1 = integer(1, 5), share2 = integer(1, 5); // p1·m and p2·m
+    for (Size i = 0; i < Size(n); ++i) p1[i] = integer(-0x1p24, 0x1p24), j[i] = integer(-1, 1);
+    auto const along = [&](std::vector<double> const &x) {
+        return std::inner_product(x.begin(), x.end(), m.begin(), 0.0);
+    };
+    double const m2 = along(m), norm = std::sqrt(m2);
+    p1[at] += share1 - along(p1);
+    j[at] += share1 + share2 - along(j);
+    double const unit = std::ldexp(1.0, int(integer(-40, 40)));
+    LongPair pair{{n, j, {}, {}}, m, d * norm * unit, (share1 + share2) / norm * unit};
+    for (Size i = 0; i < Size(n); ++i) {
+        pair.c.r12[i] = (j[i] + d * m[i]) * unit;
+        pair.normal[i] /= norm;
+        for (Size k = i; k < Size(n); ++k) {
+            double const rest = (i == k ? m2 : 0) - m[i] * m[k];
+            pair.c.q1.push_back((p1[i] * p1[k] + rest) * unit * unit);
+            pair.c.q2.push_back(((j[i] - p1[i]) * (j[k] - p1[k]) + 3 * rest) * unit * unit);
+        }
+    }
+    return pair;
+}
+
+// Ellipsoids that are up to 10⁸ times as long as r12. Σ is at least the n·r12 of the exact normal
+// and half of both half-widths. A normal that errs by δ moves the points apart across it by δ times
+// the distance and the eigenvalues of Q/h, which exceed n·r12/2: δ is at most 2^18 u.
+PW85_TEST("/any_dimension/distance_of_long_ellipsoids")
+{
+    Failures failures;
+    Random random(91);
+    for (int n = 2; n <= PW85_ND_MAX; ++n)
+        for (double d : {0.0, 0x1p-40, 0x1p-20, 1.0, 0x1p12}) {
+            LongPair const pair = long_pair(random, n, d);
+            for (double side : {1.0, -1.0}) {
+                Case const c = side > 0 ? pair.c : pair.c.exchanged();
+                auto const describe = [&] { return c.text(); };
+                FoundDistance const found = distance(c);
+                failures.check(found.status == PW85_SUCCESS, "status", found.status, 0, describe);
+                double const bound = 4 * u * (pair.distance + 1.5 * pair.half_widths),
+                             error = std::abs(found.distance - pair.distance);
+                failures.check(error <= bound, "distance", found.distance, pair.distance, describe);
+                if (d == 0.0) continue; // they touch
+                double off2 = 0, r2 = 0, points = 0;
+                for (Size i = 0; i < Size(n); ++i) {
+                    double const step = found.distance * found.normal[i];
+                    off2 += std::pow(found.point2[i] - found.point1[i] - step, 2);
+                    points += std::abs(found.point1[i]) + std::abs(found.point2[i]);
+                    r2 += c.r12[i] * c.r12[i];
+                    failures.check(std::abs(found.normal[i] - side * pair.normal[i]) <= 0x1p18 * u,
+                                   "normal", found.normal[i], side * pair.normal[i], describe);
+                }
+                double const largest = 0x1p18 * u * std::sqrt(r2) + u * points;
+                failures.check(std::sqrt(off2) <= largest, "points", std::sqrt(off2), largest,
+                               describe);
+            }
+        }
 }
 
 // A tiny ellipsoid in a large one, and a large one around a tiny one.
