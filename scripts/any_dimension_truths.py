@@ -302,7 +302,11 @@ def check_numbers(report, worst, case, counts):
         report.check(error <= 2 * n + 20, f"kappa2 {float(error)}", case)
     contains = pypw85.nd_contains(r12, q1, q2)
     report.check(not ((largest < 1 and not contains) or (least > 1 and contains)), "contains", case)
-    found = pypw85.nd_distance(r12, q1, q2)
+    try:
+        found = pypw85.nd_distance(r12, q1, q2)
+    except pypw85.PW85Error as error:
+        report.check(False, f"distance: {error}", case)
+        return mu2
     report.check((found.distance == 0 and np.isnan(found.point1).all()) if overlap else found.distance >= 0, "zero distance", case)
     if not overlap:
         least, largest, sums = distance_truth(r, full1, full2, found.normal)
