@@ -171,9 +171,10 @@ PW85_FUNCTION inline Multipliers<T> multipliers(NormalSlab<W> const &slab) noexc
 
 /// Searches from t and s by Newton's method. Returns whether it converges; then the slab is that of
 /// its normal.
-template <class T, class W> [[gnu::noinline]] PW85_FUNCTION inline bool
-follow_normal(DistancePair<T> const &given, Multipliers<T> x, Pair<W> const &wide,
-              NormalSlab<W> &slab) noexcept
+template <class T, class W>
+[[gnu::noinline]] PW85_FUNCTION inline bool follow_normal(DistancePair<T> const &given,
+                                                          Multipliers<T> x, Pair<W> const &wide,
+                                                          NormalSlab<W> &slab) noexcept
 {
     for (int i = 0; i < max_normal_steps + max_last_steps; ++i) {
         auto const v = solve_normal(given, factorize_normal(given, x), x);
@@ -189,9 +190,9 @@ follow_normal(DistancePair<T> const &given, Multipliers<T> x, Pair<W> const &wid
 
 /// Searches from the t and s of a slab by Newton's method, and by the nested search if this fails.
 /// Returns whether the slab is accurate.
-template <class T, class W> PW85_FUNCTION inline bool
-find_normal(DistancePair<T> const &given, Multipliers<T> const &start, Pair<W> const &wide,
-            NormalSlab<W> &slab) noexcept
+template <class T, class W>
+PW85_FUNCTION inline bool find_normal(DistancePair<T> const &given, Multipliers<T> const &start,
+                                      Pair<W> const &wide, NormalSlab<W> &slab) noexcept
 {
     if (!follow_normal(given, start, wide, slab))
         find_slab(wide, search_normal(given, start.ratio), slab);
@@ -199,9 +200,8 @@ find_normal(DistancePair<T> const &given, Multipliers<T> const &start, Pair<W> c
 }
 
 /// Brings a pair to one unit, with memory for its factors.
-template <class T>
-PW85_FUNCTION inline void prepare(Input const &in, Unit unit, NormalFactors<T> &factors,
-                                  DistancePair<T> &given) noexcept
+template <class T> PW85_FUNCTION inline void
+prepare(Input const &in, Unit unit, NormalFactors<T> &factors, DistancePair<T> &given) noexcept
 {
     scale(in, {unit, unit, unit, false, {}}, given.pair);
     given.scale1 = given.scale2 = T(1);
