@@ -673,6 +673,52 @@ PW85_TEST("/any_dimension/across_the_longest_axis")
             }
 }
 
+// The first direction of the search with twice the digits is far from the best one, and S there is
+// 10¹⁷. The factor and S at the result, 6060.4, are from mpmath with 60 and 150 digits: the bound
+// max over s of (√(sᵀQ2s) + s·r12)²/(sᵀQ1s), and the dual one.
+PW85_TEST("/any_dimension/far_direction")
+{
+    Case const c{9,
+                 {-0x1.a8e290d441b63p+25, 0x1.5bfe4a9c73011p+21, 0x1.027a1dec27be5p+23,
+                  0x1.34dba4d8280dap+25, -0x1.36a478c7acc5ap+22, 0x1.049d4e340017ep+26,
+                  -0x1.6f9fa4fc84eeap+22, -0x1.122af8bf037f8p+23, -0x1.2f8be0bbfab19p+23},
+                 {0x1.6b903f80cf9fdp+57,  -0x1.9d28cc106aa2cp+49, 0x1.fe6a58bfa71fep+54,
+                  -0x1.4ec3a1da361bdp+52, 0x1.0c03db94e2162p+54,  -0x1.e7e0193b1907dp+54,
+                  -0x1.67405fe9f3255p+52, -0x1.b0c9a57cecd72p+53, 0x1.c730adb373c1dp+54,
+                  0x1.5d2a3971f52bcp+55,  -0x1.4d948369ecbb3p+54, -0x1.2685c7da69e53p+55,
+                  0x1.a8029e2e39754p+53,  0x1.2acffb9860edap+54,  0x1.4925b8f88c3a0p+55,
+                  -0x1.2fc9701c9e9a0p+55, -0x1.5ff1503eb8088p+54, 0x1.b53ecd658061ap+57,
+                  0x1.ffa72573999cep+53,  -0x1.bf264c9491f45p+56, -0x1.c6b509e95fc7fp+55,
+                  0x1.5fcfce40bdd1ap+55,  -0x1.a18a456c3737fp+55, 0x1.1468e482e7f96p+55,
+                  0x1.59e68b9cb8f16p+56,  -0x1.497882036613bp+54, -0x1.7d00857c269c3p+54,
+                  -0x1.050f58a00bddap+55, 0x1.2d1b6ccf78b80p+55,  0x1.33c51e3982927p+56,
+                  0x1.6d765d331f45dp+56,  0x1.0dbbb9a30a0f1p+55,  -0x1.10894b7f6ea7cp+55,
+                  0x1.ba8b68edae492p+54,  -0x1.621d5da5758ecp+55, 0x1.e66d1142492c0p+55,
+                  -0x1.6a7b3043e2f24p+54, -0x1.4da511a60df12p+52, -0x1.f879dad6ba20fp+55,
+                  0x1.21ee35b49c8ecp+57,  -0x1.c69dca762cf3ep+55, 0x1.b40d9596df837p+55,
+                  0x1.204fd746206e6p+56,  0x1.24067862deaddp+55,  0x1.64a9a4d2bf9bap+57},
+                 {0x1.0070b990c01c1p+57,  0x1.cc7eae6afac73p+51,  -0x1.1cf3a37197b02p+51,
+                  -0x1.78bb15ee6c808p+52, 0x1.11df3a46a9a30p+54,  0x1.a6e9dbe02f1bfp+47,
+                  -0x1.6bfc45c582d58p+53, -0x1.3c49845ed2383p+54, -0x1.26f62d028931ep+52,
+                  0x1.f09578758e12ap+55,  -0x1.965a93c1b111ap+52, 0x1.a0f61395e211cp+53,
+                  0x1.44e6ae3c3f23dp+52,  0x1.718c1839fccc8p+54,  -0x1.de45589200c49p+53,
+                  -0x1.ade3ebe4b35f8p+54, 0x1.b1226ae5fb56cp+54,  0x1.fa0f4b983352ep+55,
+                  0x1.881919c8794d6p+52,  0x1.f7ffc1a4c29a6p+52,  -0x1.3e01859af37dep+53,
+                  -0x1.53b8bc788245bp+53, 0x1.f00ac8359b238p+52,  -0x1.a90115ce5feb8p+51,
+                  0x1.4583fcf68b373p+56,  -0x1.3616ecef0768ap+53, 0x1.c26cebbbce0f7p+55,
+                  -0x1.09e3cb8c6c4f4p+52, -0x1.48fcbecbdcc61p+55, 0x1.9000adc1d4caep+52,
+                  0x1.155c9f7e676d6p+56,  -0x1.5b7bdc7a1b660p+52, 0x1.77b91a853631fp+53,
+                  0x1.3815b7768d4bbp+54,  -0x1.fb74baf61cd81p+52, 0x1.20b9931fb190ap+56,
+                  -0x1.29c62c126f74fp+53, -0x1.28bf915ba7366p+55, -0x1.29e8fe7569408p+47,
+                  0x1.0e716931e5962p+56,  0x1.00038a10f7380p+52,  0x1.1002a81a328e5p+54,
+                  0x1.69a21efd44a66p+55,  -0x1.7329ce44c05fcp+52, 0x1.5f0497b1c5a6cp+55}};
+    double const kappa2 = 7.1355773768117679241;
+    std::vector<double> point;
+    Found const found = containment(c, point);
+    g_assert_cmpint(found.status, ==, PW85_SUCCESS);
+    g_assert_cmpfloat(std::abs(found.mu2 - kappa2), <=, (2 * 9 + 20) * u * 6060.4);
+}
+
 /// Ellipsoids that touch from inside in the directions s with sᵀQ2s = (s·r12)²: Q1 = 2 Q2 + 2 r rᵀ.
 /// No such direction proves that ellipsoid 2 is not inside, however its numbers are rounded.
 PW85_TEST("/any_dimension/proof_of_outside")
