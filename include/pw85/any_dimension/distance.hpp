@@ -12,7 +12,7 @@
 /// an operation. The point Qu/h errs by 2^-p L²/h where the terms of Qu cancel. |w| needs u n·r12
 /// if the ellipsoids nearly touch. So L² <= 2^p u h n·r12 is enough: with h about n·r12, lengths up
 /// to some 2^26 n·r12 for twice the digits of double, and 2^157 n·r12 for seven times the digits.
-/// The latter numbers continue the search where the former do not suffice.
+/// Numbers with seven times the digits continue the search where twice the digits do not suffice.
 #ifndef PW85_ANY_DIMENSION_DISTANCE_HPP_INCLUDED
 #define PW85_ANY_DIMENSION_DISTANCE_HPP_INCLUDED
 
