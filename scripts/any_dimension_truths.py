@@ -150,6 +150,8 @@ def containment_truth(r, q1, q2, point):
     """κ² from below and from above, and the sum c of its error bound."""
     factors = factorize(q2)
     s = solve(factors, [mpf(float(x)) - y for x, y in zip(point, r)])
+    if not any(s):  # the point is the centre up to rounding
+        s = solve(factorize(q1), r)
     lower, upper, best = mpf(0), mpf("inf"), None
     floor, ceiling = mpf(0), mpf("inf")  # of ν
     nu = None
