@@ -15,8 +15,8 @@ results must satisfy the bounds of pw85_any_dimension.h; comparisons with the do
 form is positive definite follows from its pivots in 60 digits, or from fractions where a pivot is tiny.
 
 Prints a line for each n: the largest error of μ² in units of u cond (bound 4), of κ² in units of u c (bound 2n + 20), and of the distance
-in units of u Σ (bound 4); the comparisons whose sign the truth knows; the brackets of κ² or of the distance that did not become narrow; the pairs with a
-form that is not positive definite. Ends with 1 if any result is wrong, and prints its pair as hexadecimal numbers.
+in units of u Σ (bound 4); the comparisons whose sign the truth knows; the brackets of κ² or of the distance that did not become narrow; the
+pairs with a form that is not positive definite. Ends with 1 if any result is wrong, and prints its pair as hexadecimal numbers.
 """
 
 import itertools
