@@ -176,8 +176,8 @@ PW85_FUNCTION inline T condition_sum(Pair<T> const &pair, SupportRatio<T> const 
     return reach.mu2 * (form1 / reach.form1) + factor * (form2 / reach.root2 + T(2) * along);
 }
 
-/// Returns whether the bounds of κ² agree. S is at least 2κ². At a direction far from the best one it
-/// can be much larger than at the result. So in double it counts only where the bounds agree to
+/// Returns whether the bounds of κ² agree. S is at least 2κ². At a direction far from the best one
+/// it can be much larger than at the result. So in double it counts only where the bounds agree to
 /// half of the digits, and not at all for wider numbers, which have digits to spare.
 template <class T> PW85_FUNCTION inline bool
 has_converged(Pair<T> const &pair, DualBoundSearch<T> const &search, T const &tolerance) noexcept
