@@ -863,8 +863,8 @@ PW85_TEST("/any_dimension/distance")
 /// A pair with a known distance. Let m be a vector of integers. The form p pᵀ + k (mᵀm I - m mᵀ)
 /// has the half-width p·m/|m| along m, at the point p. Let j be p1 + p2. With r12 = j + d m, the
 /// slab between the ellipsoids that is normal to m has the width d |m|, and touches both on one
-/// line along m. So this is the distance. p1 and p2 are integers up to 2^26, j and m are small integers:
-/// all entries are exact, and the terms of p1·m cancel.
+/// line along m. So this is the distance. p1 and p2 are integers up to 2^26, j and m are small
+/// integers: all entries are exact, and the terms of p1·m cancel.
 struct LongPair {
     Case c;
     std::vector<double> normal;
