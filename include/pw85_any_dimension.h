@@ -135,8 +135,9 @@ PW85_API int pw85_nd_containment(int n, double const *r12, double const *q1, dou
  * @param[out] normal [n; optional] unit vector, outward from ellipsoid 1: the derivative of the
  *        distance with respect to r12; NaN if the ellipsoids overlap, also on success
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM, or #PW85_ECONVERGENCE if
- *        semi-axes are below 2⁻⁴⁰⁰ or above 10⁹ of the largest coordinate of r12 (otherwise never
- *        seen) */
+ *        half-widths along coordinates are below 2⁻⁴⁰⁰ or above 2⁵⁰⁰ of the largest coordinate of
+ *        r12, or if the pair is too near to singular for numbers of 384 binary digits (never seen)
+ */
 PW85_API int pw85_nd_distance(int n, double const *r12, double const *q1, double const *q2,
                               double *distance, double *point1, double *point2, double *normal);
 

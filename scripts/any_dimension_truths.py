@@ -16,8 +16,7 @@ form is positive definite follows from its pivots in 60 digits, or from fraction
 
 Prints a line for each n: the largest error of μ² in units of u cond (bound 4), of κ² in units of u c (bound 2n + 20), and of the distance
 in units of u Σ (bound 4); the comparisons whose sign the truth knows; the brackets of κ² or of the distance that did not become narrow; the
-distances that the library does not find, as the header says, because an ellipsoid is longer than 10⁹ times r12; the pairs with a form that
-is not positive definite. Ends with 1 if any result is wrong, and prints its pair as hexadecimal numbers.
+pairs with a form that is not positive definite. Ends with 1 if any result is wrong, and prints its pair as hexadecimal numbers.
 """
 
 import itertools
@@ -151,6 +150,8 @@ def containment_truth(r, q1, q2, point):
     """κ² from below and from above, and the sum c of its error bound."""
     factors = factorize(q2)
     s = solve(factors, [mpf(float(x)) - y for x, y in zip(point, r)])
+    if not any(s):  # the point is the centre up to rounding
+        s = solve(factorize(q1), r)
     lower, upper, best = mpf(0), mpf("inf"), None
     floor, ceiling = mpf(0), mpf("inf")  # of ν
     nu = None
@@ -184,8 +185,12 @@ def containment_truth(r, q1, q2, point):
     return lower, upper, sums
 
 
+@mp.workdps(100)
 def distance_truth(r, q1, q2, normal):
-    """The distance from below and from above, and Σ. From u = (Q1 + t Q2 + s)⁻¹r with the t and s of a normal follows a better one."""
+    """The distance from below and from above, and Σ. From u = (Q1 + t Q2 + s)⁻¹r with the t and s of a normal follows a better one.
+
+    Ellipsoids much longer than r12 need more than 60 digits.
+    """
     n = [mpf(float(x)) for x in normal]
     for _ in range(60):
         length = sqrt(dot(n, n))
@@ -262,12 +267,6 @@ def random_case(rng, n, kind):
 KINDS = ("general", "general", "axes", "thin", "correlated", "equal", "unlike", "padded")
 
 
-def largest_semi_axis(n, q):
-    """The largest half-width along a coordinate: at most the longest semi-axis, and at least 1/√n of it."""
-    diagonal = np.cumsum([0, *range(n, 1, -1)])
-    return np.sqrt(q[diagonal].max())
-
-
 class Report:
     def __init__(self):
         self.wrong = 0
@@ -308,9 +307,7 @@ def check_numbers(report, worst, case, counts):
     try:
         found = pypw85.nd_distance(r12, q1, q2)
     except pypw85.PW85Error as error:
-        counts["unsolved"] += 1
-        longest = max(largest_semi_axis(n, q) for q in (q1, q2))
-        report.check(longest > 1e9 * np.abs(r12).max(), f"{error}, lengths {longest / np.abs(r12).max():.3g}", case)
+        report.check(False, f"distance: {error}", case)
         return mu2
     report.check((found.distance == 0 and np.isnan(found.point1).all()) if overlap else found.distance >= 0, "zero distance", case)
     if not overlap:
@@ -334,10 +331,10 @@ def touching(rng, case, mu2):
 def main(cases=20000, seed=75):
     rng = np.random.default_rng(seed)
     report = Report()
-    print("n,cases,mu2,kappa2,distance,compared,open,unsolved,refused", flush=True)
+    print("n,cases,mu2,kappa2,distance,compared,open,refused", flush=True)
     for n in range(2, 17):
         worst = dict.fromkeys(("mu2", "kappa2", "distance"), 0.0)
-        counts = dict.fromkeys(("cases", "compared", "open", "unsolved", "refused"), 0)
+        counts = dict.fromkeys(("cases", "compared", "open", "refused"), 0)
         for kind in itertools.cycle(KINDS):
             if counts["cases"] >= cases / 15:
                 break

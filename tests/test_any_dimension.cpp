@@ -2,6 +2,7 @@
 // Two ellipsoids in n dimensions: contact, point, normal and derivatives, overlap and comparison.
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include <glib.h>
 
@@ -672,6 +673,52 @@ PW85_TEST("/any_dimension/across_the_longest_axis")
             }
 }
 
+// The first direction of the search with twice the digits is far from the best one, and S there is
+// 10¹⁷. The factor and S at the result, 6060.4, are from mpmath with 60 and 150 digits: the bound
+// max over s of (√(sᵀQ2s) + s·r12)²/(sᵀQ1s), and the dual one.
+PW85_TEST("/any_dimension/far_direction")
+{
+    Case const c{9,
+                 {-0x1.a8e290d441b63p+25, 0x1.5bfe4a9c73011p+21, 0x1.027a1dec27be5p+23,
+                  0x1.34dba4d8280dap+25, -0x1.36a478c7acc5ap+22, 0x1.049d4e340017ep+26,
+                  -0x1.6f9fa4fc84eeap+22, -0x1.122af8bf037f8p+23, -0x1.2f8be0bbfab19p+23},
+                 {0x1.6b903f80cf9fdp+57,  -0x1.9d28cc106aa2cp+49, 0x1.fe6a58bfa71fep+54,
+                  -0x1.4ec3a1da361bdp+52, 0x1.0c03db94e2162p+54,  -0x1.e7e0193b1907dp+54,
+                  -0x1.67405fe9f3255p+52, -0x1.b0c9a57cecd72p+53, 0x1.c730adb373c1dp+54,
+                  0x1.5d2a3971f52bcp+55,  -0x1.4d948369ecbb3p+54, -0x1.2685c7da69e53p+55,
+                  0x1.a8029e2e39754p+53,  0x1.2acffb9860edap+54,  0x1.4925b8f88c3a0p+55,
+                  -0x1.2fc9701c9e9a0p+55, -0x1.5ff1503eb8088p+54, 0x1.b53ecd658061ap+57,
+                  0x1.ffa72573999cep+53,  -0x1.bf264c9491f45p+56, -0x1.c6b509e95fc7fp+55,
+                  0x1.5fcfce40bdd1ap+55,  -0x1.a18a456c3737fp+55, 0x1.1468e482e7f96p+55,
+                  0x1.59e68b9cb8f16p+56,  -0x1.497882036613bp+54, -0x1.7d00857c269c3p+54,
+                  -0x1.050f58a00bddap+55, 0x1.2d1b6ccf78b80p+55,  0x1.33c51e3982927p+56,
+                  0x1.6d765d331f45dp+56,  0x1.0dbbb9a30a0f1p+55,  -0x1.10894b7f6ea7cp+55,
+                  0x1.ba8b68edae492p+54,  -0x1.621d5da5758ecp+55, 0x1.e66d1142492c0p+55,
+                  -0x1.6a7b3043e2f24p+54, -0x1.4da511a60df12p+52, -0x1.f879dad6ba20fp+55,
+                  0x1.21ee35b49c8ecp+57,  -0x1.c69dca762cf3ep+55, 0x1.b40d9596df837p+55,
+                  0x1.204fd746206e6p+56,  0x1.24067862deaddp+55,  0x1.64a9a4d2bf9bap+57},
+                 {0x1.0070b990c01c1p+57,  0x1.cc7eae6afac73p+51,  -0x1.1cf3a37197b02p+51,
+                  -0x1.78bb15ee6c808p+52, 0x1.11df3a46a9a30p+54,  0x1.a6e9dbe02f1bfp+47,
+                  -0x1.6bfc45c582d58p+53, -0x1.3c49845ed2383p+54, -0x1.26f62d028931ep+52,
+                  0x1.f09578758e12ap+55,  -0x1.965a93c1b111ap+52, 0x1.a0f61395e211cp+53,
+                  0x1.44e6ae3c3f23dp+52,  0x1.718c1839fccc8p+54,  -0x1.de45589200c49p+53,
+                  -0x1.ade3ebe4b35f8p+54, 0x1.b1226ae5fb56cp+54,  0x1.fa0f4b983352ep+55,
+                  0x1.881919c8794d6p+52,  0x1.f7ffc1a4c29a6p+52,  -0x1.3e01859af37dep+53,
+                  -0x1.53b8bc788245bp+53, 0x1.f00ac8359b238p+52,  -0x1.a90115ce5feb8p+51,
+                  0x1.4583fcf68b373p+56,  -0x1.3616ecef0768ap+53, 0x1.c26cebbbce0f7p+55,
+                  -0x1.09e3cb8c6c4f4p+52, -0x1.48fcbecbdcc61p+55, 0x1.9000adc1d4caep+52,
+                  0x1.155c9f7e676d6p+56,  -0x1.5b7bdc7a1b660p+52, 0x1.77b91a853631fp+53,
+                  0x1.3815b7768d4bbp+54,  -0x1.fb74baf61cd81p+52, 0x1.20b9931fb190ap+56,
+                  -0x1.29c62c126f74fp+53, -0x1.28bf915ba7366p+55, -0x1.29e8fe7569408p+47,
+                  0x1.0e716931e5962p+56,  0x1.00038a10f7380p+52,  0x1.1002a81a328e5p+54,
+                  0x1.69a21efd44a66p+55,  -0x1.7329ce44c05fcp+52, 0x1.5f0497b1c5a6cp+55}};
+    double const kappa2 = 7.1355773768117679241;
+    std::vector<double> point;
+    Found const found = containment(c, point);
+    g_assert_cmpint(found.status, ==, PW85_SUCCESS);
+    g_assert_cmpfloat(std::abs(found.mu2 - kappa2), <=, (2 * 9 + 20) * u * 6060.4);
+}
+
 /// Ellipsoids that touch from inside in the directions s with sᵀQ2s = (s·r12)²: Q1 = 2 Q2 + 2 r rᵀ.
 /// No such direction proves that ellipsoid 2 is not inside, however its numbers are rounded.
 PW85_TEST("/any_dimension/proof_of_outside")
@@ -811,6 +858,84 @@ PW85_TEST("/any_dimension/distance")
         g_assert_cmpfloat(found.distance, ==, 0);
         g_assert_true(std::isnan(found.normal[0]) && std::isnan(found.point2[0]));
     }
+}
+
+/// A pair with a known distance. Let m be a vector of integers. The form p pᵀ + k (mᵀm I - m mᵀ)
+/// has the half-width p·m/|m| along m, at the point p. Let j be p1 + p2. With r12 = j + d m, the
+/// slab between the ellipsoids that is normal to m has the width d |m|, and touches both on one
+/// line along m. So this is the distance. p1 and p2 are integers up to 2^26, j and m are small
+/// integers: all entries are exact, and the terms of p1·m cancel.
+struct LongPair {
+    Case c;
+    std::vector<double> normal;
+    double distance, half_widths;
+};
+
+LongPair long_pair(Random &random, int n, double d)
+{
+    auto const integer = [&](double low, double high) {
+        return std::floor(random.uniform(low, high + 1));
+    };
+    auto const at = Size(integer(0, n - 1)), next = (at + 1) % Size(n), last = (at + 2) % Size(n);
+    std::vector<double> const zero(Size(n), 0.0);
+    auto m = zero, p1 = zero, j = zero;
+    m[last] = 1, m[next] = 2 * integer(0, 1) - 1, m[at] = 1;
+    if (n == 2) m[next] = 2;
+    double const share1 = integer(1, 5), share2 = integer(1, 5); // p1·m and p2·m
+    for (Size i = 0; i < Size(n); ++i) p1[i] = integer(-0x1p24, 0x1p24), j[i] = integer(-1, 1);
+    auto const along = [&](std::vector<double> const &x) {
+        return std::inner_product(x.begin(), x.end(), m.begin(), 0.0);
+    };
+    double const m2 = along(m), norm = std::sqrt(m2);
+    p1[at] += share1 - along(p1);
+    j[at] += share1 + share2 - along(j);
+    double const unit = std::ldexp(1.0, int(integer(-40, 40)));
+    LongPair pair{{n, j, {}, {}}, m, d * norm * unit, (share1 + share2) / norm * unit};
+    for (Size i = 0; i < Size(n); ++i) {
+        pair.c.r12[i] = (j[i] + d * m[i]) * unit;
+        pair.normal[i] /= norm;
+        for (Size k = i; k < Size(n); ++k) {
+            double const rest = (i == k ? m2 : 0) - m[i] * m[k];
+            pair.c.q1.push_back((p1[i] * p1[k] + rest) * unit * unit);
+            pair.c.q2.push_back(((j[i] - p1[i]) * (j[k] - p1[k]) + 3 * rest) * unit * unit);
+        }
+    }
+    return pair;
+}
+
+// Ellipsoids that are up to 10⁸ times as long as r12. Σ is at least the n·r12 of the exact normal
+// and half of both half-widths. A normal that errs by δ moves the points apart across it by δ times
+// the distance and the eigenvalues of Q/h, which exceed n·r12/2: δ is at most 2^18 u.
+PW85_TEST("/any_dimension/distance_of_long_ellipsoids")
+{
+    Failures failures;
+    Random random(91);
+    for (int n = 2; n <= PW85_ND_MAX; ++n)
+        for (double d : {0.0, 0x1p-40, 0x1p-20, 1.0, 0x1p12}) {
+            LongPair const pair = long_pair(random, n, d);
+            for (double side : {1.0, -1.0}) {
+                Case const c = side > 0 ? pair.c : pair.c.exchanged();
+                auto const describe = [&] { return c.text(); };
+                FoundDistance const found = distance(c);
+                failures.check(found.status == PW85_SUCCESS, "status", found.status, 0, describe);
+                double const bound = 4 * u * (pair.distance + 1.5 * pair.half_widths),
+                             error = std::abs(found.distance - pair.distance);
+                failures.check(error <= bound, "distance", found.distance, pair.distance, describe);
+                if (d == 0.0) continue; // they touch
+                double off2 = 0, r2 = 0, points = 0;
+                for (Size i = 0; i < Size(n); ++i) {
+                    double const step = found.distance * found.normal[i];
+                    off2 += std::pow(found.point2[i] - found.point1[i] - step, 2);
+                    points += std::abs(found.point1[i]) + std::abs(found.point2[i]);
+                    r2 += c.r12[i] * c.r12[i];
+                    failures.check(std::abs(found.normal[i] - side * pair.normal[i]) <= 0x1p18 * u,
+                                   "normal", found.normal[i], side * pair.normal[i], describe);
+                }
+                double const largest = 0x1p18 * u * std::sqrt(r2) + u * points;
+                failures.check(std::sqrt(off2) <= largest, "points", std::sqrt(off2), largest,
+                               describe);
+            }
+        }
 }
 
 // A tiny ellipsoid in a large one, and a large one around a tiny one.

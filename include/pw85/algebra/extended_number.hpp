@@ -311,6 +311,7 @@ template <class T> class std::numeric_limits<pw85::detail::exact::Extended<T>> {
   public:
     static constexpr bool is_specialized = true, is_integer = false;
     static constexpr int digits = Extended::bits - 16,
+                         min_exponent = std::numeric_limits<T>::min_exponent,
                          max_exponent = std::numeric_limits<T>::max_exponent;
 
     PW85_MEMBER static Extended(max)() noexcept

@@ -7,6 +7,12 @@
 /// Any vector u gives the lower bound φ = (u·r12 - √(uᵀQ1u) - √(uᵀQ2u))/|u| of the distance, and
 /// the vector w between the points of the surfaces along u the upper bound |w|. Both are computed
 /// with twice the digits of double. The search ends where they agree to rounding.
+///
+/// Let L be the longest semi-axis, h a half-width along the normal, and 2^-p the rounding error of
+/// an operation. The point Qu/h errs by 2^-p L²/h where the terms of Qu cancel. |w| needs u n·r12
+/// if the ellipsoids nearly touch. So L² <= 2^p u h n·r12 is enough: with h about n·r12, lengths up
+/// to some 2^26 n·r12 for twice the digits of double, and 2^157 n·r12 for seven times the digits.
+/// Numbers with seven times the digits continue the search where twice the digits do not suffice.
 #ifndef PW85_ANY_DIMENSION_DISTANCE_HPP_INCLUDED
 #define PW85_ANY_DIMENSION_DISTANCE_HPP_INCLUDED
 
@@ -31,10 +37,15 @@ struct NdDistance {
 
 namespace pw85::detail::any_dimension {
 
+template <class T> struct NormalFactors {
+    T m[max_packed_size];
+};
+
 /// A pair in one unit of length, with the factors that a DistancePair has.
 template <class T> struct DistancePair {
     Pair<T> pair;
     T scale1, scale2;
+    NormalFactors<T> *factors; ///< memory of factorize_normal()
 };
 
 template <class T> struct Direction {
@@ -47,16 +58,12 @@ template <class T> struct NormalVector {
     NormalJet<T> jet;
 };
 
-template <class T> struct NormalFactors {
-    T m[max_packed_size];
-};
-
-/// Returns the factors of M = Q1 + t Q2 + s I.
-template <class T> PW85_FUNCTION inline NormalFactors<T>
+/// Returns the factors of M = Q1 + t Q2 + s I, which the next call overwrites.
+template <class T> PW85_FUNCTION inline NormalFactors<T> const &
 factorize_normal(DistancePair<T> const &given, Multipliers<T> const &x) noexcept
 {
     auto const &pair = given.pair;
-    NormalFactors<T> factors;
+    NormalFactors<T> &factors = *given.factors;
     for (int k = 0; k < packed_size(pair.n); ++k) factors.m[k] = pair.q1[k] + x.ratio * pair.q2[k];
     for (int i = 0; i < pair.n; ++i) {
         T &diagonal = factors.m[packed_index(pair.n, i, i)];
@@ -106,20 +113,19 @@ advance(NormalVector<T> const &v, Multipliers<T> const &x, NormalStep<T> const &
     return u;
 }
 
-/// A slab between the ellipsoids, and what touches it, with twice the digits.
-struct NormalSlab {
-    Doubled<double> normal[max_dimension], point1[max_dimension], point2[max_dimension];
-    Doubled<double> extent1, extent2, width;
+/// A slab between the ellipsoids, and what touches it, in numbers of more digits than double.
+template <class W> struct NormalSlab {
+    W normal[max_dimension], point1[max_dimension], point2[max_dimension];
+    W extent1, extent2, width;
     bool accurate;
 };
 
 /// Returns the point Qn/√(nᵀQn), and the width √(nᵀQn).
-PW85_FUNCTION inline Doubled<double> find_support(int n, Doubled<double> const *q,
-                                                  Doubled<double> const *normal,
-                                                  Doubled<double> *point) noexcept
+template <class W>
+PW85_FUNCTION inline W find_support(int n, W const *q, W const *normal, W *point) noexcept
 {
     product(n, q, normal, point);
-    auto const extent = square_root(dot(n, normal, point));
+    W const extent = square_root(dot(n, normal, point));
     for (int i = 0; i < n; ++i) point[i] = point[i] / extent;
     return extent;
 }
@@ -130,10 +136,9 @@ inline constexpr double largest_off = 0x1p17;
 
 /// Computes the slab of a direction. It is accurate if the part of w across the normal is below
 /// largest_off and satisfies off² <= 2u (n·r12) max(φ, u n·r12): then |w| - φ is at most 2u n·r12.
-template <class T> [[gnu::noinline]] PW85_FUNCTION inline void
-find_slab(Pair<Doubled<double>> const &pair, Direction<T> const &u, NormalSlab &slab) noexcept
+template <class T, class W> [[gnu::noinline]] PW85_FUNCTION inline void
+find_slab(Pair<W> const &pair, Direction<T> const &u, NormalSlab<W> &slab) noexcept
 {
-    using W = Doubled<double>;
     int const n = pair.n;
     for (int i = 0; i < n; ++i) slab.normal[i] = W(u.x[i]);
     W const norm = square_root(dot(n, slab.normal, slab.normal));
@@ -154,79 +159,129 @@ find_slab(Pair<Doubled<double>> const &pair, Direction<T> const &u, NormalSlab &
 }
 
 /// Returns the t and s that belong to a slab: with the half-widths α and β they are α/β and αφ.
-template <class T> PW85_FUNCTION inline Multipliers<T> multipliers(NormalSlab const &slab) noexcept
+template <class T, class W>
+PW85_FUNCTION inline Multipliers<T> multipliers(NormalSlab<W> const &slab) noexcept
 {
-    using W = Doubled<double>;
     W const shift = maximum(W(0.0), slab.extent1 * slab.width);
     if constexpr (std::is_same_v<T, W>)
         return {slab.extent1 / slab.extent2, shift};
     else
-        return {rounded(slab.extent1 / slab.extent2), rounded(shift)};
+        return {T(rounded(slab.extent1 / slab.extent2)), T(rounded(shift))};
 }
 
-/// Searches from t and s by Newton's method, and by the nested search if this fails. Returns
-/// whether the slab is accurate.
-template <class T>
-[[gnu::noinline]] PW85_FUNCTION inline bool find_normal(DistancePair<T> const &given,
-                                                        Pair<Doubled<double>> const &wide,
-                                                        NormalSlab &slab) noexcept
+/// Searches from t and s by Newton's method. Returns whether it converges; then the slab is that of
+/// its normal.
+template <class T, class W>
+[[gnu::noinline]] PW85_FUNCTION inline bool follow_normal(DistancePair<T> const &given,
+                                                          Multipliers<T> x, Pair<W> const &wide,
+                                                          NormalSlab<W> &slab) noexcept
 {
-    Multipliers<T> const start = multipliers<T>(slab);
-    Multipliers<T> x = start;
     for (int i = 0; i < max_normal_steps + max_last_steps; ++i) {
         auto const v = solve_normal(given, factorize_normal(given, x), x);
         auto const step = newton_step(given, v.jet, x);
         if (is_within(step, v.jet, last_digits<T>())) {
             find_slab(wide, advance(v, x, step), slab);
-            return slab.accurate;
+            return true;
         }
         x = advance(x, step);
     }
-    find_slab(wide, search_normal(given, start.ratio), slab);
+    return false;
+}
+
+/// Searches from the t and s of a slab by Newton's method, and by the nested search if this fails.
+/// Returns whether the slab is accurate.
+template <class T, class W>
+PW85_FUNCTION inline bool find_normal(DistancePair<T> const &given, Multipliers<T> const &start,
+                                      Pair<W> const &wide, NormalSlab<W> &slab) noexcept
+{
+    if (!follow_normal(given, start, wide, slab))
+        find_slab(wide, search_normal(given, start.ratio), slab);
     return slab.accurate;
+}
+
+/// Brings a pair to one unit, with memory for its factors.
+template <class T> PW85_FUNCTION inline void
+prepare(Input const &in, Unit unit, NormalFactors<T> &factors, DistancePair<T> &given) noexcept
+{
+    scale(in, {unit, unit, unit, false, {}}, given.pair);
+    given.scale1 = given.scale2 = T(1);
+    given.factors = &factors;
+}
+
+/// Finds the slab of a pair that does not overlap, in one unit.
+[[gnu::noinline]] PW85_FUNCTION inline bool
+find_distance(Input const &in, Unit unit, NormalSlab<Doubled<double>> &slab) noexcept
+{
+    Pair<Doubled<double>> wide;
+    scale(in, {unit, unit, unit, false, {}}, wide);
+    NormalFactors<double> factors;
+    DistancePair<double> given;
+    prepare(in, unit, factors, given);
+    Direction<double> along{};
+    for (int i = 0; i < in.n; ++i) along.x[i] = given.pair.r12[i];
+    find_slab(wide, along, slab);
+    return slab.accurate || find_normal(given, multipliers<double>(slab), wide, slab);
 }
 
 /// Continues the search with twice the digits: a step from an accurate normal can still leave a
 /// slab that is not accurate to rounding.
 [[gnu::cold, gnu::noinline]] PW85_FUNCTION inline bool
-find_normal_wider(Pair<Doubled<double>> const &wide, NormalSlab &slab) noexcept
+find_distance_wider(Input const &in, Unit unit, NormalSlab<Doubled<double>> &slab) noexcept
 {
-    using W = Doubled<double>;
     if constexpr (FLT_EVAL_METHOD != 0) return false;
-    DistancePair<W> given;
-    given.pair = wide;
-    given.scale1 = given.scale2 = W(1.0);
-    return find_normal(given, wide, slab);
-}
-
-/// Finds the slab of a pair that does not overlap, in one unit.
-[[gnu::noinline]] PW85_FUNCTION inline bool find_distance(Input const &in, Unit unit,
-                                                          NormalSlab &slab) noexcept
-{
-    Units const units{unit, unit, unit, false, {}};
-    Pair<Doubled<double>> wide;
-    scale(in, units, wide);
-    Direction<double> along{};
-    DistancePair<double> given;
-    scale(in, units, given.pair);
-    given.scale1 = given.scale2 = 1.0;
-    for (int i = 0; i < in.n; ++i) along.x[i] = given.pair.r12[i];
-    find_slab(wide, along, slab);
-    if (slab.accurate || find_normal(given, wide, slab)) return true;
-    return find_normal_wider(wide, slab);
+    NormalFactors<Doubled<double>> factors;
+    DistancePair<Doubled<double>> given;
+    prepare(in, unit, factors, given);
+    return find_normal(given, multipliers<Doubled<double>>(slab), given.pair, slab);
 }
 
 /// Rounds the outputs, and converts them to the units of the caller.
-PW85_FUNCTION inline void store(Input const &in, Unit unit, NormalSlab const &slab,
-                                NdClosestPoints const &out) noexcept
+template <class W> [[gnu::noinline]] PW85_FUNCTION inline NdDistance
+store(Input const &in, Unit unit, NormalSlab<W> const &slab, NdClosestPoints const &out) noexcept
 {
     for (int i = 0; i < in.n; ++i) {
-        auto const r12 = Doubled<double>(unit.to_local(in.r12[i]));
+        auto const r12 = W(unit.to_local(in.r12[i]));
         double const point1 = rounded(slab.point1[i]), point2 = rounded(r12 - slab.point2[i]);
         if (out.point1 != nullptr) out.point1[i] = unit.to_caller(point1);
         if (out.point2 != nullptr) out.point2[i] = unit.to_caller(point2);
         if (out.normal != nullptr) out.normal[i] = rounded(slab.normal[i]);
     }
+    return {unit.to_caller(maximum(0.0, rounded(slab.width))), StatusCode::success};
+}
+
+/// Memory of a search with seven times the digits of double, which is allocated.
+struct ExtendedDistance {
+    using Number = exact::Extended<double>;
+
+    DistancePair<Number> pair;
+    NormalFactors<Number> factors;
+    NormalSlab<Number> slab;
+};
+
+/// Continues the search with seven times the digits. It starts at the t and s of the given slab if
+/// these are in the range of double.
+[[gnu::cold, gnu::noinline]] PW85_FUNCTION inline NdDistance
+distance_extended(Input const &in, Unit unit, NormalSlab<Doubled<double>> const &given,
+                  NdClosestPoints const &out) noexcept
+{
+    using Number = ExtendedDistance::Number;
+    auto *const work = static_cast<ExtendedDistance *>(std::malloc(sizeof(ExtendedDistance)));
+    if (work == nullptr) return {quiet_nan<double>(), StatusCode::out_of_memory};
+    auto &[pair, factors, slab] = *work;
+    prepare(in, unit, factors, pair);
+    auto start = multipliers<Number>(given);
+    if (!(start.ratio > Number(0) && start.shift >= Number(0))) start = {Number(1), Number(0)};
+    NdDistance result{quiet_nan<double>(), StatusCode::no_convergence};
+    if (find_normal(pair, start, pair.pair, slab)) result = store(in, unit, slab, out);
+    std::free(work);
+    return result;
+}
+
+/// Returns whether a form can be written in a unit: its half-widths along the axes are at least
+/// 2^-400 and at most 2^500.
+PW85_FUNCTION inline bool is_in_range(int n, double const *q, Unit unit) noexcept
+{
+    return keeps_digits(n, q, unit) && unit.to_local(largest_diagonal(n, q), 2) <= 0x1p1000;
 }
 
 } // namespace pw85::detail::any_dimension
@@ -246,12 +301,12 @@ PW85_FUNCTION inline NdDistance nd_distance(int n, double const *r12, double con
     if (decision.status != StatusCode::success) return {quiet_nan<double>(), decision.status};
     if (decision.overlap) return {0.0, StatusCode::success};
     Unit const unit = unit_of(largest_magnitude(n, r12));
-    NormalSlab slab;
-    if (!keeps_digits(n, q1, unit) || !keeps_digits(n, q2, unit) || !find_distance(in, unit, slab))
+    if (!any_dimension::is_in_range(n, q1, unit) || !any_dimension::is_in_range(n, q2, unit))
         return {quiet_nan<double>(), StatusCode::no_convergence};
-    store(in, unit, slab, out);
-    double const width = maximum(0.0, rounded(slab.width));
-    return {unit.to_caller(width), StatusCode::success};
+    NormalSlab<Doubled<double>> slab;
+    if (find_distance(in, unit, slab) || find_distance_wider(in, unit, slab))
+        return store(in, unit, slab, out);
+    return distance_extended(in, unit, slab, out);
 }
 
 } // namespace pw85

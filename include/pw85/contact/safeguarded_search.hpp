@@ -91,8 +91,10 @@ template <class T> PW85_FUNCTION inline T probe(SafeguardedSearch<T> &search) no
     bool const above = !(search.upper < largest_number<T>());
     if (below || above) {
         T const t = below ? T(search.upper / search.reach) : T(search.lower * search.reach);
-        search.reach = search.reach * search.reach;
-        if (t > search.lower && t < search.upper) return t;
+        if (t > search.lower && t < search.upper) {
+            search.reach = search.reach * search.reach;
+            return t;
+        }
     }
     return square_root(search.lower) * square_root(search.upper);
 }

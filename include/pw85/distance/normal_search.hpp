@@ -373,12 +373,13 @@ find_normal(DistancePair<T, D> const &pair, NormalSearch<T> search) noexcept
 /// The left side is concave in s and increases. So Newton's method is monotone from s = 0. From
 /// another s, the first step ends below the root, or at zero. Each step divides residual times
 /// slope by at least 4. For aspect ratios up to 2^127 the slope falls by at most 2^254 in all, and
-/// the residual by 2^85 for 50 digits. 171 steps exhaust their product.
+/// the residual by 2^last_digits(). With the first step, 129 + last_digits()/2 steps exhaust their
+/// product.
 template <class Pair, class T>
 PW85_FUNCTION inline T find_shift(Pair const &pair, T const &ratio, T shift) noexcept
 {
     T const target = pair.scale1 + pair.scale2 / ratio;
-    for (int i = 0; i < 171; ++i) {
+    for (int i = 0; i < 129 + last_digits<T>() / 2; ++i) {
         Multipliers<T> const x{ratio, shift};
         auto const jet = solve_normal(pair, factorize_normal(pair, x), x).jet;
         T const step = jet.sum * (square_root(T(jet.sum / target)) - T(1)) / jet.sum_shift;
