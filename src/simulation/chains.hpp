@@ -30,6 +30,8 @@ struct EventChain {
 class Chains {
   public:
     explicit Chains(Configuration &configuration) noexcept
+        // The analyser does not follow the constructor of the search.
+        // NOLINTNEXTLINE(clang-analyzer-optin.cplusplus.UninitializedObject)
         : bodies_(configuration), search_(bodies_)
     {
     }

@@ -378,6 +378,7 @@ template <class T>
     to_local({}, 1, n, given.r12, pair.r12);
     to_local({}, 2, packed_size(n), given.q1, pair.q1);
     to_local({}, 2, packed_size(n), given.q2, pair.q2);
+    memory.search.best.mu2 = T(0); // analysers do not follow the search, which sets it
     bool const converged = find_dual(memory, tolerance);
     auto const &best = memory.search.best;
     mu2 = rounded(best.mu2);

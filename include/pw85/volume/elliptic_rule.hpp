@@ -64,6 +64,8 @@ inline constexpr int most_landen_steps = 12, most_landen_steps_of_lanes = 4;
 /// (a/c)^(1/4) tan χ it is proportional to 1 - m sin²2χ with m = (1 - b/√(ac))/2. For m < 0 it is
 /// proportional to 1 - k² cos²2χ, with k² = |m|/(1 + |m|). So 2χ, less a quarter turn for m < 0, is
 /// an amplitude φ of the modulus k.
+// The order is that of the derivation, not the one with the least padding.
+// NOLINTNEXTLINE(clang-analyzer-optin.performance.Padding)
 template <class T> struct EllipticRule {
     static constexpr int most_steps =
         ScalarTraits<T>::lanes == 1 ? most_landen_steps : most_landen_steps_of_lanes;
