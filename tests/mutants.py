@@ -46,7 +46,7 @@ MUTANTS = [
     ("volume/chord_derivatives.hpp", "{-d.r12, d.q2, d.q1", "{d.r12, d.q2, d.q1", "test_overlap_volume_derivatives"),
     ("volume/circular_segment.hpp", "T(half * T(a.sine / larger))", "T(0)", "test_overlap_volume"),
     ("volume/rim_frame.hpp", "nearest_rims = 0x1p-26", "nearest_rims = 0.0", "test_space_kinds"),
-    ("volume/rim_integrals.hpp", "rule.is_rest = rule.above == rule.is_upper", "rule.is_rest = rule.above != rule.is_upper", "test_space_kinds"),
+    ("volume/rim_integrals.hpp", "= rule.above == rule.is_upper", "= rule.above != rule.is_upper", "test_space_kinds"),
     ("volume/rim_frame.hpp", "largest_distance_of_rim = 16.0", "largest_distance_of_rim = 1e6", "test_overlap_volume"),
     ("volume/rim_integrals.hpp", "largest_distance_of_integrals = 64.0", "largest_distance_of_integrals = 1e6", "test_overlap_volume"),
     ("volume/chord_area.hpp", "return end(0) && end(1);", "return end(0) || true;", "test_overlap_area"),
