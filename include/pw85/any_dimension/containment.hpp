@@ -382,6 +382,7 @@ template <class T>
     bool const converged = find_dual(memory, tolerance);
     auto const &best = memory.search.best;
     mu2 = rounded(best.mu2);
+    // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): set by the search, too
     for (int i = 0; i < n; ++i) point[i] = rounded(T(pair.r12[i] + best.q2s[i] / best.root2));
     return converged;
 }
