@@ -56,8 +56,8 @@ template <class Rows, class Arrays>
 Failure scalar_fallback_all(Target const &target, Rows const &rows, Arrays const &out,
                             Worklist const &rejected_lanes) noexcept
 {
-    // with 5, overlaps of lists take more stack in AVX-512 than pw85.h promises
-    constexpr std::size_t group = 4;
+    // with 4, common volumes of rows take more stack than pw85.h promises
+    constexpr std::size_t group = 3;
     auto const gather = gather_of<Rows>(target);
     PairRow<Rows::dimension> pairs[group];
     Failure first{0, 0};
