@@ -453,8 +453,8 @@ template <class T> struct VolumeIntegrands {
     }
 };
 
-/// Adds the integrands at both half-planes of a pair, and at those of its mirror image. The function
-/// is not a member: Clang gives the symbol of a lambda in a member to the whole program.
+/// Adds the integrands at both half-planes of a pair, and at those of its mirror image. The
+/// function is not a member: Clang gives the symbol of a lambda in a member to the whole program.
 template <class T> [[gnu::always_inline]] PW85_FUNCTION inline void
 add_integrands(VolumeIntegrands<T> const &integrands, RimDirection<T> const &pair, bool has_image,
                RimSums<T, 3> &sums) noexcept
