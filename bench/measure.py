@@ -63,6 +63,8 @@ LAMMPS = {
 NAMED = "closest_approach common_parts condition digits evaluations factored peers rounded shapes signed_distance".split()
 # Tables of sizes.py: its word for each
 SIZES = {"sizes": "functions", "size_parts": "parts"}
+# Those that take numbers of pairs or particles from the smallest to the largest, which takes minutes: what a trial run takes
+LEAST = {"growth": ["1e3"], "public_monte_carlo": ["1024"], "monte_carlo": ["1e3", "1e3"]}
 COMPARED = {"pw85 2.0", "HOOMD-blue 2 (quaternions)"}  # libraries that are not in Debian
 DISPATCHED = "^(contact|overlap|contact_batch|overlap_batch)/[0-9e+]+$"
 
@@ -108,7 +110,9 @@ def number(text):
 
 def program_rows(name, program, target):
     """The rows of a program of this folder, from several processes if libraries are compared by times of below a microsecond."""
-    return (least_rows if name in {"side_by_side", "signed_distance_peers"} else read_table)(program, target=target)
+    if name in {"side_by_side", "signed_distance_peers"}:
+        return least_rows(program, target)
+    return read_table(program, *(LEAST.get(name, []) if "PW85_MEASURE_ONCE" in os.environ else []), target=target)
 
 
 def python_rows(name, build, target):
@@ -208,24 +212,13 @@ def thread_rows(program, target):
 
 
 def speed_tables(program, targets):
-    """The tables of speed, with the context of the first."""
+    """The names and rows of the tables of speed."""
     best = targets[-1]
-    context, times = nanoseconds(program, "^[a-z0-9_]+/[0-9e+]+$", best, REPETITIONS)
     others = [row for t in targets[:-1] for row in speed_rows(nanoseconds(program, DISPATCHED, t, REPETITIONS)[1], t)]
-    tables = {
-        "speed": others + speed_rows(times, best),
-        "near": near_rows(nanoseconds(program, "^overlap[a-z_]*/[0-9]+/[0-9]", best, REPETITIONS)[1], best),
-        "lists": list_rows(nanoseconds(program, "/list/", best, 1)[1], best),
-        "threads": list(thread_rows(program, best)),
-    }
-    return context, tables
-
-
-def rows_of_numbers(name, program, target):
-    """The rows of a program that goes from small to large numbers of pairs or particles. In a trial run the numbers stay small."""
-    least = {"growth": ["1e3"], "monte_carlo": ["1e3", "1e3"], "public_monte_carlo": ["1024"]}
-    arguments = least[name] if "PW85_MEASURE_ONCE" in os.environ else []
-    return read_table(program, *arguments, target=target)
+    yield "speed", others + speed_rows(nanoseconds(program, "^[a-z0-9_]+/[0-9e+]+$", best, REPETITIONS)[1], best)
+    yield "near", near_rows(nanoseconds(program, "^overlap[a-z_]*/[0-9]+/[0-9]", best, REPETITIONS)[1], best)
+    yield "lists", list_rows(nanoseconds(program, "/list/", best, 1)[1], best)
+    yield "threads", list(thread_rows(program, best))
 
 
 def worst_rows(program, targets):
@@ -256,33 +249,42 @@ def available_targets():
     return [target for target, needed in instruction_sets().items() if needed <= flags]
 
 
-def measure(programs):
+def context_of(program, target):
+    return nanoseconds(program, "^overlap/2$", target, 1)[0]
+
+
+def measured_tables(programs):
+    """The names and rows of all tables that can be measured, one after the other: those that take long come last."""
     targets = available_targets()
     best = targets[-1]
-    context, tables = speed_tables(programs["speed"], targets)
-    tables["accuracy"] = read_table(programs["accuracy"], target=best)
-    tables["worst"] = worst_rows(programs["accuracy"], targets)
-    for name in NAMED:
-        tables[name] = read_table(programs[name], target=best)
-    tables |= {name: rows_of_numbers(name, programs[name], best) for name in ("growth", "monte_carlo", "public_monte_carlo")}
-    tables |= {name: size_rows(name, build_of(programs), best) for name in SIZES}
-    if has_python(build_of(programs)):
-        tables |= {name: python_rows(name, build_of(programs), best) for name in PYTHON}
-    if "pw85_uninstalled" in programs:
-        tables |= {name: lammps_rows(name, programs["pw85_uninstalled"], best) for name in LAMMPS}
+    yield from speed_tables(programs["speed"], targets)
+    yield "accuracy", read_table(programs["accuracy"], target=best)
+    yield "worst", worst_rows(programs["accuracy"], targets)
     side_by_side = program_rows("side_by_side", programs["side_by_side"], best)
     if COMPARED <= {row["library"] for row in side_by_side}:
-        tables["side_by_side"] = side_by_side
-    return with_last({"conditions": conditions_of(context), "tables": tables})
+        yield "side_by_side", side_by_side
+    named = [*NAMED, *SIZES]
+    named += PYTHON if has_python(build_of(programs)) else []
+    named += LAMMPS if "pw85_uninstalled" in programs else []
+    for name in [*named, *LEAST]:
+        yield name, rows_alone(name, programs, best)
+
+
+def measure(programs):
+    """Writes each table as soon as it is measured, so that a program that fails loses no other's numbers."""
+    results = {"conditions": conditions_of(context_of(programs["speed"], available_targets()[-1])), "tables": {}}
+    for name, rows in measured_tables(programs):
+        results["tables"][name] = rows
+        write(with_last(results))
 
 
 def with_last(results):
-    """Adds the previous tables of everything that was not measured now."""
+    """The results, with the previous tables of everything that was not measured now."""
     last = last_results()
-    for name in sorted(last["tables"].keys() - results["tables"].keys()):
-        results["tables"][name] = last["tables"][name]
-        results.setdefault("apart", {})[name] = last.get("apart", {}).get(name, last["conditions"])
-    return results
+    kept = sorted(last["tables"].keys() - results["tables"].keys())
+    conditions = {name: last.get("apart", {}).get(name, last["conditions"]) for name in kept}
+    tables = results["tables"] | {name: last["tables"][name] for name in kept}
+    return {"conditions": results["conditions"]} | ({"apart": conditions} if kept else {}) | {"tables": tables}
 
 
 def last_results():
@@ -299,7 +301,7 @@ def put_apart(name, rows, conditions):
 
 def measure_only(name, programs):
     best = available_targets()[-1]
-    context = nanoseconds(programs["speed"], "^overlap/2$", best, 1)[0]
+    context = context_of(programs["speed"], best)
     for table in {"lammps": LAMMPS, "sizes": SIZES}.get(name, [name]):
         put_apart(table, rows_alone(table, programs, best), conditions_of(context))
 
@@ -340,7 +342,6 @@ def to_json(results):
 
 def write(results):
     RESULTS.write_text(to_json(results), encoding="utf-8")
-    subprocess.run([sys.executable, ROOT / "docs" / "measured_pages.py"], check=True)
 
 
 def main():
@@ -354,7 +355,8 @@ def main():
     elif only:
         measure_only(only, programs)
     else:
-        write(measure(programs))
+        measure(programs)
+    subprocess.run([sys.executable, ROOT / "docs" / "measured_pages.py"], check=True)
 
 
 if __name__ == "__main__":

@@ -106,7 +106,10 @@ class Sizes:
 
 def parts(build):
     for library in LIBRARIES:
-        yield {"part": library, "bytes": text_bytes(next((build / "src").rglob(f"{library}.so")))}
+        built = next((build / "src").rglob(f"{library}.so"), None)
+        if built is None:
+            sys.exit(f"{build} has no {library}.so: build the whole project first")
+        yield {"part": library, "bytes": text_bytes(built)}
     units = {}
     for unit in [*(build / "src").glob("libpw85*.p/*.o"), *(build / "src/simd").glob("*.p/*.o")]:
         name, kind = unit.name.removeprefix(".._"), unit.parent.name.removeprefix("libpw85_").partition(".")[0].partition("_")[0]
