@@ -43,12 +43,6 @@ def continued(line):
     return [f"{one} &" for one in lines[:-1]] + lines[-1:]
 
 
-def declarations_of(arguments):
-    """One declaration for consecutive arguments with the same attributes."""
-    for attributes, group in groupby(arguments, lambda one: one[0]):
-        yield f"{attributes} :: {', '.join(name for _, name in group)}"
-
-
 def interface(function, template):
     """The lines of the interface of a function. The name is c_… if the template has a procedure with the name of the function."""
     name = function.name.lower()
@@ -59,16 +53,20 @@ def interface(function, template):
         variable = "status" if function.type == "int" else "value"
         kind, suffix = "function", f" result({variable})"
         result = [f"{'type(c_ptr)' if '*' in function.type else TYPES[function.type]} :: {variable}"]
+    matrices = ", ".join(f"{one.name}(:, k)" for one in function.parameters if [type(extent) for extent in one.shape[-2:]] == [int, int])
     if not own:
-        yield from wrapped(function.brief() + ".", first="    !> ")
+        text = f" In matrices of C, row k is {matrices}." if matrices else ""
+        yield from wrapped(f"{function.brief()}.{text}", first="    !> ")
     yield from continued(f"    {kind} {bound}({', '.join(function.parameter_names())}){suffix} bind(C, name='{function.name}')")
     yield "      import"
     structs = {name: one.name for one in function.parameters if one.is_struct() for name in one.member_names()}
     owners = {name: owner for name, owner in structs.items() if name not in function.parameter_names()}
     # Extents come first, because shapes refer to them.
     extents = [one for one in function.parameters if one.is_struct() or (not one.pointer and (one.type == "size_t" or one.name == "n"))]
-    sizes_first = sorted(function.parameters, key=lambda one: one not in extents)
-    for line in [*declarations_of(argument(one, owners) for one in sizes_first), *result]:
+    sizes_first = (argument(one, owners) for one in sorted(function.parameters, key=lambda one: one not in extents))
+    grouped = groupby(sizes_first, lambda one: one[0])
+    declared = (f"{attributes} :: {', '.join(name for _, name in group)}" for attributes, group in grouped)
+    for line in [*declared, *result]:
         yield from continued("      " + line)
     yield from (f"    end {kind} {bound}", "")
 

@@ -55,9 +55,9 @@ class Question:
     def is_constructor(self):
         return self.name in CONSTRUCTORS
 
-    def voice(self, names):
-        """What the headers say, where functions of C have these names."""
-        return PlainVoice(self.first, names)
+    def voice(self, name_of):
+        """What the headers say, in a language in which a question has a name, or none."""
+        return PlainVoice(self.first, {row.function.name: name_of(one) for one in questions() for row in one.rows.values()})
 
 
 def is_asked(row):

@@ -7,7 +7,6 @@ frames with a row for each ellipsoid. r/src/rows.c reads their columns and calls
 
 import re
 import unicodedata
-from functools import cache
 
 from declarations import SOURCE, version
 from layout import filled
@@ -17,7 +16,7 @@ from voice import with_named_statuses
 FOLDER = SOURCE / "r"
 NAMES = {"overlap": "overlaps"}  # the names in R that are others than those of C
 ENTRIES = {(2, 2): "x y", (2, 3): "xx xy yy", (3, 3): "x y z", (3, 6): "xx xy xz yy yz zz"}  # by the dimension and their number
-ELLIPSOIDS = {"x": "A data frame with a row for each ellipse or ellipsoid, see pw85-package.", "y": "The second ellipsoids, as `x`."}
+WHICH = {(2, 3): "ellipse or ellipsoid", (2,): "ellipse", (3,): "ellipsoid"}
 MARK = "made by api/r.py from the headers of the C API"
 # Letters that pages of help have in other words, because not every typesetter of R has them.
 ASCII = {"λ": "lambda", "μ": "mu", "α": "alpha", "β": "beta", "κ": "kappa", "ρ": "rho", "ε": "epsilon", "ω": "omega", "δ": "delta",
@@ -30,20 +29,13 @@ def name_of(question):
     return NAMES.get(question.name, question.name)
 
 
-@cache
 def exported():
     """The questions that users ask, without what the constructors call: these are called by r/R/ellipsoids.R."""
     return [one for one in questions() if not one.is_constructor()]
 
 
-@cache
-def names_in_r():
-    """The names in R of functions of C."""
-    return {row.function.name: name_of(one) for one in exported() for row in one.rows.values()}
-
-
 def voice(question):
-    return question.voice(names_in_r())
+    return question.voice(lambda one: "" if one.is_constructor() else name_of(one))
 
 
 def usage(question):
@@ -89,10 +81,9 @@ def c_source():
 
 
 def r_source():
-    lines = [f"# SPDX-License-Identifier: BSD-3-Clause\n# The questions of ellipsoids: {MARK}.\n"]
-    for one in questions():
-        lines.append(f"{usage(one).replace('(', ' <- function(', 1)} .Call({', '.join([f'C_{name_of(one)}', *one.arguments])})")
-    return "\n".join([*lines, ""])
+    called = [(usage(one).replace("(", " <- function(", 1), ", ".join([f"C_{name_of(one)}", *one.arguments])) for one in questions()]
+    lines = [f"{defined} .Call({given})" for defined, given in called]
+    return "\n".join([f"# SPDX-License-Identifier: BSD-3-Clause\n# The questions of ellipsoids: {MARK}.\n", *lines, ""])
 
 
 def help_text(text):
@@ -107,19 +98,19 @@ def help_text(text):
 
 def described(question):
     """What is said of each argument."""
-    for name in question.ellipsoids:
-        yield name, ELLIPSOIDS[name]
-    for one in question.others:
+    which = WHICH[tuple(sorted(question.rows))]
+    first, second = f"A data frame with a row for each {which}, see pw85-package.", f"The second {which.split()[-1]}s, as `x`."
+    yield from zip(question.ellipsoids, (first, second) if "x" in question.ellipsoids else (second,))
+    for text, group in voice(question).grouped(question.others):
+        one, names = group[0], ", ".join(one.name for one in group)
         size = f" A matrix or data frame with {one.size} columns, or {one.size} numbers for all rows" if one.shape else ""
-        end = f": {MOTION}" if one.is_motion() else "." if one.shape else ""
-        yield one.name, f"{voice(question).described(one.name)}{size}{end}"
+        yield names, f"{text}{size}{f': {MOTION}' if one.is_motion() else '.' if one.shape else ''}"
 
 
 def value_of(question):
     """What the function returns."""
     row, dimension = question.first, max(question.rows)
-    groups = row.outputs_by_parameter()
-    texts = [(", ".join(f"\\code{{{one.name}}}" for one in group), voice(question).described(group[0].parameter.name)) for group in groups]
+    texts = [(", ".join(f"\\code{{{one.name}}}" for one in group), text) for text, group in voice(question).grouped(row.outputs)]
     if len(row.outputs) == 1:
         kind = "logical vector" if row.is_truth() else "matrix" if row.outputs[0].shape else "numeric vector"
         text = f"A {kind} with {'a row' if kind == 'matrix' else 'an element'} for each row. {'' if row.is_truth() else texts[0][1]}"
@@ -139,7 +130,7 @@ def page(question):
         "ellipsoid 2 minus that of ellipsoid 1. Fewer rows are recycled." if "y" in question.arguments else "The centre plays no part."
     )
     errors = help_text("If a row has an NA, its result is NA. A row that is refused is an error of class `pw85_error`: see pw85-package.")
-    title = help_text(re.split(r"[,:;(]|\. | which | that |\.$", brief)[0].strip()).replace("\n", " ")
+    title = help_text(brief.rstrip(".")).replace("\n", " ")
     function = f"The function of the C API is \\code{{{question.first.function.name}}}."
     return "\n".join([
         f"% SPDX-License-Identifier: BSD-3-Clause\n% {MARK[0].upper()}{MARK[1:]}.",

@@ -8,7 +8,6 @@ members of the result, as `out` with `mu2` and `lambda`, is as many results.
 
 from dataclasses import dataclass
 from functools import cache
-from itertools import groupby
 from math import prod
 
 from declarations import HOST_HEADERS, Function, Parameter, functions
@@ -33,10 +32,6 @@ class Operand:
     def size(self):
         """The number of its numbers."""
         return prod(self.shape)
-
-    def core(self):
-        """Its shape as in the signature of a generalised ufunc."""
-        return f"({','.join(map(str, self.shape))})"
 
     def is_motion(self):
         return self.parameter is not None and self.parameter.type == "pw85_motion"
@@ -94,12 +89,14 @@ class RowFunction:
         listed = self.many.parameters[1:] if self.many is not None else []
         return bool(listed) and all(one.pointer and (one.type == "double" or (self.is_truth() and one.is_output())) for one in listed)
 
-    def outputs_by_parameter(self):
-        """The outputs, those together that are numbers in one array of C, of which one sentence is said."""
-        return [list(group) for _, group in groupby(self.outputs, lambda one: id(one.parameter))]
+    def is_overlap(self):
+        """Whether the result is the answer whether there is an overlap."""
+        return self.is_truth() and self.name.startswith("overlap")
 
     def signature(self):
-        return "->".join(",".join(one.core() for one in operands) for operands in (self.inputs, self.outputs))
+        """That of a generalised ufunc."""
+        cores = ([f"({','.join(map(str, one.shape))})" for one in operands] for operands in (self.inputs, self.outputs))
+        return "->".join(map(",".join, cores))
 
 
 def is_of_one_row(function):
@@ -123,9 +120,8 @@ def name_of_many(name):
 
 
 def operand(one):
-    if one.type == "pw85_motion":
-        return Operand(one.name, (NUMBERS_OF_MOTION,), one)
-    return Operand(one.name, tuple(extent for extent in one.shape if extent != "n"), one)
+    shape = (NUMBERS_OF_MOTION,) if one.type == "pw85_motion" else tuple(extent for extent in one.shape if extent != "n")
+    return Operand(one.name, shape, one)
 
 
 def results(function):

@@ -92,14 +92,17 @@ def result_of(row):
 @cache
 def voice(row):
     """What the headers say, in the words of Rust."""
-    return PlainVoice(row, names_in_rust())
+    return PlainVoice(row, names_in_rust(), has_matrices=True)
 
 
 def told(row, listed):
     """Texts, and arguments."""
     said = voice(row)
-    texts = [(one.name, said.described(one.name), f"Unit: {one.attributes.unit}." * bool(one.attributes.unit)) for one in listed]
-    arguments = "\n".join(f"- `{name}`: {' '.join(filter(None, words))}" for name, *words in texts if any(words))
+    items = []
+    for text, group in said.grouped(listed):
+        words = [text, f"Unit: {group[0].attributes.unit}." * bool(group[0].attributes.unit)]
+        items += [f"- {', '.join(f'`{one.name}`' for one in group)}: {' '.join(filter(None, words))}"] * any(words)
+    arguments = "\n".join(items)
     return [*said.head(), *said.notes(), *["# Arguments", arguments] * bool(arguments)]
 
 
@@ -193,10 +196,10 @@ def many(row):
 def struct(name, rows):
     shared = ", ".join(f"`{names_in_rust()[one.function.name]}()`" for one in rows)
     yield from [*comment([f"Results of {shared}."]), f"#[derive(Clone, Copy, Debug, PartialEq)]\npub struct {name} {{"]
-    for group in rows[0].outputs_by_parameter():
+    for text, group in voice(rows[0]).grouped(rows[0].outputs):
         names = f"{', '.join(f'`{one.name}`' for one in group)}: " if len(group) > 1 else ""
         for one in group:
-            text = "Whether the ellipsoids overlap." if result_type(one) == "bool" else voice(rows[0]).described(one.parameter.name)
+            text = "Whether the ellipsoids overlap." if result_type(one) == "bool" else text
             yield from [*comment([f"{names}{text}"], "    "), f"    pub {one.name}: {result_type(one)},"]
     yield "}\n"
 

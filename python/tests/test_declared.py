@@ -109,9 +109,6 @@ def make(tmp_path):
         text = header.read_text(encoding="utf-8")
         place = text.index("/** @}")
         header.write_text(text[:place] + added.lstrip() + text[place:], encoding="utf-8")
-    batch = tmp_path / "api/pw85_batch.h.in"
-    text = batch.read_text(encoding="utf-8").replace("@lanes pw85_contact:", "@rows pw85_girth ellipsoids\n\n@lanes pw85_contact:")
-    batch.write_text(text, encoding="utf-8")
 
     def run(kind, template="", succeeds=True):
         (tmp_path / "in").write_text(template, encoding="utf-8")
