@@ -20,7 +20,7 @@ import re
 
 from cpp import CLASSES, FOLDER, TEMPLATES, is_of_list, is_of_rows, name_in_cpp, structs
 from cpp_calls import Call
-from declarations import c_functions, sections
+from declarations import SIMULATION, c_functions, functions, sections
 from layout import arguments, cpp_header
 
 MARK = re.compile(
@@ -91,4 +91,9 @@ def header(name, path):
 
 def files():
     """The texts of the headers by their paths."""
-    return {FOLDER / f"{name}.hpp": header(name, path) for name, path in TEMPLATES.items()}
+    made = {FOLDER / f"{name}.hpp": header(name, path) for name, path in TEMPLATES.items()}
+    called = set(re.findall(r"\bpw85_\w+", "".join(made.values())))
+    for function in (one for name in ("pw85_systems.h", *SIMULATION) for one in functions(name)):
+        if function.name not in called:
+            raise ValueError(f"{function.place}: in no template of C++, api/*.hpp.in")
+    return made

@@ -82,15 +82,15 @@ def row_type(function, one):
     """The type of a row, or of an array of one row."""
     extents = one.shape[bool(one.rows) :]
     if one.type == "double":
-        own = {(3, 3): "Cell"} if function.header == "pw85_systems.h" else {} if one.rows else {(2,): "Vector<double, 2>"}
-        return (ELEMENTS[function.dimension] | own).get(extents) or f"std::array<double, {prod(extents)}>"
+        cell = {(3, 3): "Cell"} if function.header == "pw85_systems.h" else {}
+        return (ELEMENTS[function.dimension] | cell).get(extents) or f"std::array<double, {prod(extents)}>"
     name = NUMBERS.get(one.type, one.type)
     return ELEMENTS_OF_OTHERS.get((one.type, prod(extents))) or (f"std::array<{name}, {prod(extents)}>" if extents else name)
 
 
-def address(kind, name, shape):
-    """The pointer to the numbers of one row. Other matrices than those of ENDS are arrays of rows."""
-    return name + ENDS.get(kind.split("<")[0], "[0]" if len(shape) == 2 else ".data()")
+def address(kind, name):
+    """The pointer to the numbers of one row."""
+    return name + ENDS.get(kind.split("<")[0], ".data()")
 
 
 def in_cpp(text):

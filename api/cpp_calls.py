@@ -33,11 +33,12 @@ class Call:
     `checked` are pairs of arrays of as many rows.
 
     `types` are those of parameters of C++, with defaults, or of structs of several parameters. `without` is a parameter for which null is
-    passed. `result` is the type that has the outputs; if there is none, the function returns what that of C returns."""
+    passed. `result` is the type that has the outputs; if there is none, the function returns what that of C returns. `out` is a function of C++ that
+    gives a pointer to the numbers of a member of the result."""
 
-    def __init__(self, function, types, is_member=False, without=None, result=None):
+    def __init__(self, function, types, is_member=False, without=None, result=None, out=None):
         flags = {one.name: "bool" for one in function.parameters if one.type == "int" and one.name in FLAGS}
-        self.function, self.types, self.is_member, self.result = function, flags | types, is_member, result
+        self.function, self.types, self.is_member, self.result, self.out = function, flags | types, is_member, result, out
         self.declared, self.first, self.marked, self.checked, self.before, self.after = [], [], [], [], [], []
         self.sizes, own = {}, function.parameter_names()
         self.members = structs().get((result or "").partition("<")[0], ())  # of the result
@@ -66,7 +67,7 @@ class Call:
         owners = (struct for struct, kind in self.types.items() if struct != one.name and name in structs().get(kind, ()))
         place = next((f"{struct}.{name}" for struct in owners), NAMES.get(one.name, one.name))
         if one.attributes.members and "." not in place:
-            raise ValueError(f"{self.function.descriptions[one.name].place}: no struct of the template has the member {name}")
+            raise ValueError(f"{one.place}: no struct of the template has the member {name}")
         return place
 
     def declare(self, one, text):
@@ -136,12 +137,14 @@ class Call:
             return f"&{one.name}_in_c"
         if one.is_output() and place == one.name:
             self.mark(one)
+        if self.out and one.is_output() and one.type == "double":
+            return f"{self.out}({place})"
         if row == "Cell" and one.nullable:
             return f"detail::in_c({place})"
         if one.type == "pw85_motion":
             self.before.append(f"pw85_motion const {one.name}_in_c = detail::in_c({place});")
             return f"&{one.name}_in_c"
-        return address(row, place, one.shape) if one.shape else f"&{place}"
+        return address(row, place) if one.shape else f"&{place}"
 
     def split(self, one):
         """An output whose numbers are members of the result."""

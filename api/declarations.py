@@ -83,6 +83,7 @@ class Parameter:
     outer: bool  # whether it is a pointer to a pointer, by which the function returns a new handle
     text: str  # its sentence, or the sentence of the parameter that it is like
     attributes: Attributes
+    place: str  # where it is described: file and line
     is_count: bool = False  # whether it is the number of rows of other parameters
 
     @property
@@ -343,6 +344,13 @@ def referenced(function, known):
     return found
 
 
+def entry_of(table, key, name, place):
+    """The entry of a table. If there is none, the error says which declaration needs one in the table of this name."""
+    if key not in table:
+        raise ValueError(f"{place}: {name} has no entry {key}")
+    return table[key]
+
+
 def returned(function):
     """What the comment of a function of C, or of the first to which it refers, says of the status; empty if none does."""
     comments = (" ".join(other.comment.split()) for other in referenced(function, c_functions()))
@@ -390,7 +398,7 @@ def parameter(written, said, own):
     if length is not None and not (shape and (own.attributes.shape or prod(shape) == length)):
         shape = (length,)
     one = Parameter(match["name"], match["type"], "*" in match["pointers"] or length is not None, bool(match["const"]), length,
-                    "**" in match["pointers"], said.text, changed(said.attributes, shape=shape))  # fmt: skip
+                    "**" in match["pointers"], said.text, changed(said.attributes, shape=shape), own.place)  # fmt: skip
     for wrong in own.attributes.misfits(one, own.is_output):
         raise ValueError(f"{own.place}: {wrong}")
     return one

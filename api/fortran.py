@@ -11,7 +11,7 @@ from collections import namedtuple
 from itertools import groupby
 
 from attributes import PACKED
-from declarations import CALLBACKS, HOST_HEADERS, SOURCE, STRUCTS, constants, functions, version
+from declarations import CALLBACKS, HOST_HEADERS, SOURCE, STRUCTS, constants, entry_of, functions, version
 from layout import WIDTH, insert, wrapped
 
 FORTRAN = SOURCE / "fortran"
@@ -31,9 +31,10 @@ def argument(one, owners):
     if one.is_handle():
         kind = "type(c_funptr)" if one.type in CALLBACKS else "type(c_ptr)"
         return f"{kind}, {'intent(out)' if one.outer else 'value'}", name
+    kind = entry_of(TYPES, one.type, "TYPES of api/fortran.py", one.place)
     if not one.pointer:
-        return f"{TYPES[one.type]}, value", name
-    return f"{TYPES[one.type]}, intent({'out' if one.is_output() else 'in'}){', optional' if one.nullable else ''}", name
+        return f"{kind}, value", name
+    return f"{kind}, intent({'out' if one.is_output() else 'in'}){', optional' if one.nullable else ''}", name
 
 
 def continued(line):

@@ -33,7 +33,7 @@ def is_relative(template, function):
     name, outputs = result_of(template, 0).partition("<")[0], function.outputs
     for one in outputs if name in structs() else ():
         if unknown := {member.partition(".")[0] for member in one.members()} - {*structs()[name]}:
-            raise ValueError(f"{function.descriptions[one.name].place}: {name} has no member {min(unknown)}")
+            raise ValueError(f"{one.place}: {name} has no member {min(unknown)}")
     fixed = {found for one in template.written for found in re.findall(r"<T, ([23])>", one)}
     if template.type.startswith("constexpr ") or fixed not in (set(), {str(function.dimension)}):
         return False
@@ -50,7 +50,7 @@ def relatives():
 
 
 def definition(template, function):
-    call = Call(function, {}, result=result_of(template, function.dimension))
+    call = Call(function, {}, result=result_of(template, function.dimension), out="detail::out")
     call.after += [f"found.{name} = OverlapTier::unknown;" for name in NOT_GIVEN_OUT.get(call.result, ())]
     return call.text(template.name, head="PW85_LINKED", comment=[f"Computes {template.name}() by {function.name}()."])
 

@@ -8,7 +8,7 @@ fills. A struct is given by its members.
 """
 
 from attributes import PACKED
-from declarations import OBJECTS, SIMULATION, functions, values_of_members
+from declarations import OBJECTS, SIMULATION, entry_of, functions, values_of_members
 from rows import row_functions
 
 NUMBERS_OF_FORM = 6
@@ -139,7 +139,7 @@ class Body:
         if one.is_handle():
             return f"reinterpret_cast<{one.type} *>(in.address())"
         if not one.pointer:
-            return f"in.{SCALARS[one.type]}()"
+            return f"in.{entry_of(SCALARS, one.type, 'SCALARS of api/python_calls.py', one.place)}()"
         kind, optional = f"{one.type}{' const' if one.const else ''}", str(one.nullable or one.name == "cell").lower()
         if one.rows not in self.counts:
             return f"in.numbers<{kind}>({product(one.shape)}, {optional})"

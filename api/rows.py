@@ -10,13 +10,16 @@ from dataclasses import dataclass
 from functools import cache
 from math import prod
 
-from declarations import HOST_HEADERS, Function, Parameter, functions
+from declarations import HOST_HEADERS, ONE_ROW, Function, Parameter, functions
 
 # Python has one number of what this building block of 1.0's programs gives: f, by a function of python/src/function.cpp.
 ONE_OF_MANY = {"pw85__residual": "f"}
 NUMBERS_OF_MOTION = 7  # in a pw85_motion
 # Python has these for matrices (python/pypw85/_conversions.py), and says there which row is wrong.
 BY_HAND = ("pw85_from_moments", "pw85_from_moments_2d")
+# Other functions of one or many rows that languages have by hand: their parameters are not numbers and arrays of stated length alone.
+NOT_OF_ROWS = ("pw85_set_reproducible", "pw85_is_reproducible", "pw85_inertia", "pw85_inertia_batch", "pw85_overlap_any",
+               "pw85_contact_polytope", "pw85_contact_polytope_batch", "pw85_overlap_polytope", "pw85_overlap_polytope_batch")  # fmt: skip
 TRUTHS = ("overlap", "contains")  # integers that are truth values; others are signs and indices
 
 
@@ -154,4 +157,6 @@ def row_functions():
             relatives.add(name_of_many(name))
         elif is_of_many_rows(function):
             found.append(row_function(function, function))
+        elif function.type == "int" and function.header in (*ONE_ROW, "pw85_batch.h") and name not in NOT_OF_ROWS:
+            raise ValueError(f"{function.place}: parameters that languages cannot take as rows, and not in NOT_OF_ROWS of api/rows.py")
     return found

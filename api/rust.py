@@ -7,7 +7,7 @@ A function of one row takes arrays and returns a number, an array or a struct; o
 import re
 from functools import cache
 
-from declarations import ONE_ROW, SOURCE, c_functions, functions, statuses, version
+from declarations import ONE_ROW, SOURCE, c_functions, entry_of, functions, statuses, version
 from examples import example_value
 from layout import in_one_line_or_each as listing
 from layout import wrapped
@@ -76,7 +76,7 @@ def values():
     of_function, rows, outputs = {}, {}, {}
     for row in (one for one in asked() if len(one.outputs) > 1 and not one.is_of_many()):
         name = row.name.removesuffix("_2d")
-        like = in_cpp.get(name) or in_cpp[name.split("_")[0]]
+        like = in_cpp.get(name) or entry_of(in_cpp, name.split("_")[0], "pw85.hpp", row.function.place)
         key = [(one.name, result_type(one)) for one in row.outputs]
         names = f"{like[1]}{'2d' if like[2] and row.name.endswith('_2d') else ''}", camel(row.name)
         struct = next(one for one in names if outputs.setdefault(one, key) == key)
@@ -133,7 +133,7 @@ def comment(paragraphs, indent="", example=()):
 
 def literal(function, one):
     """A valid argument of one row."""
-    value = example_value(function, one.name, (*one.shape[is_of_rows(one) :], 0)[0])
+    value = example_value(function, one, (*one.shape[is_of_rows(one) :], 0)[0])
     text = f"pw85::Motion {{ velocity: {value[:3]}, ..Default::default() }}" if one.type == "pw85_motion" else str(value)
     return re.sub(r"(?<![\w.])\d+(?![\w.])", r"\g<0>.0", text)
 
@@ -153,6 +153,8 @@ def passed(one):
 def single(row):
     """The function of one row."""
     name, inputs, outputs = names_in_rust()[row.function.name], row.function.inputs, row.function.outputs
+    if not outputs:
+        raise ValueError(f"{row.function.place}: api/rust.py makes no functions of those that return a number")
     errors = sentence(re.sub(r"^For a single (row|value): | Rows of arrays become NaN\.$", "", voice(row).raises())).strip()
     given = [f"{'&' * (argument_type(one)[0] == '&')}{literal(row.function, one)}" for one in inputs]
     shown = [*listing(f"let found = pw85::{name}(", given, ")?;"), 'println!("{found:?}");']

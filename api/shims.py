@@ -134,7 +134,7 @@ def checks(function):
     answers = [one for one in function.outputs if one.type == "int"]
     for one in (*function.inputs, *answers):
         if one.nullable:
-            raise ValueError(f"{function.descriptions[one.name].place}: only outputs of doubles can be optional in a function of one row")
+            raise ValueError(f"{one.place}: only outputs of doubles can be optional in a function of one row")
     numbers = [one for one in function.outputs if one.type != "int"]
     needed = [one.name for one in function.parameters if one.pointer and one not in answers and not (one.is_output() and one.nullable)]
     condition = f"    if (any_null({', '.join(needed)}))"
@@ -142,7 +142,7 @@ def checks(function):
     yield from (f"    store_nan({numbers});" for numbers in marked if answers)
     for one in answers:
         if not one.attributes.on_error:
-            raise ValueError(f"{function.descriptions[one.name].place}: no value on error, such as -1 on error")
+            raise ValueError(f"{one.place}: no value on error, such as -1 on error")
         yield from (f"    if (any_null({one.name})) return refused(PW85_EINVAL);", f"    *{one.name} = {one.attributes.on_error};")
     status = "PW85_EINVAL" if answers else f"null_pointer({', '.join(marked)})"
     line = f"{condition} return refused({status});"

@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 from attributes import PACKED
-from declarations import HOST_HEADERS, OBJECTS, functions, values_of_members
+from declarations import HOST_HEADERS, OBJECTS, entry_of, functions, values_of_members
 
 TYPES = {
     "double": "real",
@@ -41,10 +41,10 @@ def power(unit, name):
 
 def row_of(parameter, names):
     shape = ", ".join(extent(one, names) for one in parameter.shape)
-    unit = parameter.attributes.unit
+    unit, kind = parameter.attributes.unit, entry_of(TYPES, parameter.type, "TYPES of api/tables.py", parameter.place)
     flags = (unit == "mixed units", parameter.pointer, parameter.is_output() or parameter.outer, parameter.nullable)
     listed = ", ".join(str(flag).lower() for flag in flags)
-    return f'{{"{parameter.name}", Type::{TYPES[parameter.type]}, {power(unit, "length")}, {power(unit, "time")}, {listed}, {{{shape}}}}}'
+    return f'{{"{parameter.name}", Type::{kind}, {power(unit, "length")}, {power(unit, "time")}, {listed}, {{{shape}}}}}'
 
 
 def argument(one, names):

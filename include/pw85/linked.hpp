@@ -40,13 +40,19 @@ PW85_LINKED pw85_motion in_c(Motion<double, 3> const &m) noexcept
             m.growth};
 }
 
+/// The numbers of a member of a result.
+template <class Member> PW85_LINKED double *out(Member &member) noexcept
+{
+    return reinterpret_cast<double *>(&member);
+}
+
 } // namespace detail
 
 /// Computes ellipse() by pw85_ellipse().
 PW85_LINKED Form<double, 2> ellipse(double a, double b, double angle) noexcept
 {
     Form<double, 2> found{};
-    found.status = static_cast<StatusCode>(pw85_ellipse(a, b, angle, found.q.coordinates));
+    found.status = static_cast<StatusCode>(pw85_ellipse(a, b, angle, detail::out(found.q)));
     return found;
 }
 
@@ -114,7 +120,7 @@ PW85_LINKED Condition<double> condition(Vector<double, 3> const &r12,
 {
     Condition<double> found{};
     found.status = static_cast<StatusCode>(pw85_condition(r12.coordinates, q1.entries, q2.entries,
-                                                          lambda, &found.condition));
+                                                          lambda, detail::out(found.condition)));
     return found;
 }
 
@@ -127,8 +133,8 @@ PW85_LINKED ContactGeometry<double, 3> contact_geometry(Vector<double, 3> const 
     ContactGeometry<double, 3> found{};
     found.status = static_cast<StatusCode>(pw85_contact_geometry(r12.coordinates, q1.entries,
                                                                  q2.entries, lambda,
-                                                                 found.point.coordinates,
-                                                                 found.normal.coordinates));
+                                                                 detail::out(found.point),
+                                                                 detail::out(found.normal)));
     return found;
 }
 
@@ -141,8 +147,8 @@ PW85_LINKED ContactGeometry<double, 2> contact_geometry(Vector<double, 2> const 
     ContactGeometry<double, 2> found{};
     found.status = static_cast<StatusCode>(pw85_contact_geometry_2d(r12.coordinates, q1.entries,
                                                                     q2.entries, lambda,
-                                                                    found.point.coordinates,
-                                                                    found.normal.coordinates));
+                                                                    detail::out(found.point),
+                                                                    detail::out(found.normal)));
     return found;
 }
 
@@ -155,9 +161,9 @@ PW85_LINKED ContactGradient<double, 3> contact_gradient(Vector<double, 3> const 
     ContactGradient<double, 3> found{};
     found.status = static_cast<StatusCode>(pw85_contact_gradient(r12.coordinates, q1.entries,
                                                                  q2.entries, lambda,
-                                                                 found.r12.coordinates,
-                                                                 found.q1.entries,
-                                                                 found.q2.entries));
+                                                                 detail::out(found.r12),
+                                                                 detail::out(found.q1),
+                                                                 detail::out(found.q2)));
     return found;
 }
 
@@ -170,9 +176,9 @@ PW85_LINKED ContactGradient<double, 2> contact_gradient(Vector<double, 2> const 
     ContactGradient<double, 2> found{};
     found.status = static_cast<StatusCode>(pw85_contact_gradient_2d(r12.coordinates, q1.entries,
                                                                     q2.entries, lambda,
-                                                                    found.r12.coordinates,
-                                                                    found.q1.entries,
-                                                                    found.q2.entries));
+                                                                    detail::out(found.r12),
+                                                                    detail::out(found.q1),
+                                                                    detail::out(found.q2)));
     return found;
 }
 
@@ -184,8 +190,8 @@ PW85_LINKED ContactGeometry<double, 3> contact_geometry_factored(Vector<double, 
 {
     ContactGeometry<double, 3> found{};
     found.status = static_cast<StatusCode>(pw85_contact_geometry_factored(
-        r12.coordinates, s1.entries, s2.entries, lambda, found.point.coordinates,
-        found.normal.coordinates));
+        r12.coordinates, s1.entries, s2.entries, lambda, detail::out(found.point),
+        detail::out(found.normal)));
     return found;
 }
 
@@ -199,9 +205,9 @@ PW85_LINKED FactorGradient<double, 3> contact_gradient_factored(Vector<double, 3
     found.status = static_cast<StatusCode>(pw85_contact_gradient_factored(r12.coordinates,
                                                                           s1.entries, s2.entries,
                                                                           lambda,
-                                                                          found.r12.coordinates,
-                                                                          found.s1.entries,
-                                                                          found.s2.entries));
+                                                                          detail::out(found.r12),
+                                                                          detail::out(found.s1),
+                                                                          detail::out(found.s2)));
     return found;
 }
 
@@ -214,8 +220,8 @@ PW85_LINKED ContactTorque<double, 3> contact_torque(Vector<double, 3> const &r12
     ContactTorque<double, 3> found{};
     found.status = static_cast<StatusCode>(pw85_contact_torque(r12.coordinates, q1.entries,
                                                                q2.entries, lambda,
-                                                               found.rotation1.coordinates,
-                                                               found.rotation2.coordinates));
+                                                               detail::out(found.rotation1),
+                                                               detail::out(found.rotation2)));
     return found;
 }
 
@@ -228,8 +234,8 @@ PW85_LINKED ContactTorque<double, 2> contact_torque(Vector<double, 2> const &r12
     ContactTorque<double, 2> found{};
     found.status = static_cast<StatusCode>(pw85_contact_torque_2d(r12.coordinates, q1.entries,
                                                                   q2.entries, lambda,
-                                                                  &found.rotation1,
-                                                                  &found.rotation2));
+                                                                  detail::out(found.rotation1),
+                                                                  detail::out(found.rotation2)));
     return found;
 }
 
@@ -242,7 +248,7 @@ PW85_LINKED ContactHessian<double, 3> contact_hessian(Vector<double, 3> const &r
     ContactHessian<double, 3> found{};
     found.status = static_cast<StatusCode>(pw85_contact_hessian(r12.coordinates, q1.entries,
                                                                 q2.entries, lambda,
-                                                                found.entries[0]));
+                                                                detail::out(found.entries)));
     return found;
 }
 
@@ -255,7 +261,7 @@ PW85_LINKED ContactHessian<double, 2> contact_hessian(Vector<double, 2> const &r
     ContactHessian<double, 2> found{};
     found.status = static_cast<StatusCode>(pw85_contact_hessian_2d(r12.coordinates, q1.entries,
                                                                    q2.entries, lambda,
-                                                                   found.entries[0]));
+                                                                   detail::out(found.entries)));
     return found;
 }
 
@@ -329,7 +335,8 @@ PW85_LINKED ContainmentScale<double, 3> containment(Vector<double, 3> const &r12
 {
     ContainmentScale<double, 3> found{};
     found.status = static_cast<StatusCode>(pw85_containment(r12.coordinates, q1.entries, q2.entries,
-                                                            &found.mu2, found.point.coordinates));
+                                                            detail::out(found.mu2),
+                                                            detail::out(found.point)));
     return found;
 }
 
@@ -340,8 +347,8 @@ PW85_LINKED ContainmentScale<double, 2> containment(Vector<double, 2> const &r12
 {
     ContainmentScale<double, 2> found{};
     found.status = static_cast<StatusCode>(pw85_containment_2d(r12.coordinates, q1.entries,
-                                                               q2.entries, &found.mu2,
-                                                               found.point.coordinates));
+                                                               q2.entries, detail::out(found.mu2),
+                                                               detail::out(found.point)));
     return found;
 }
 
@@ -349,7 +356,7 @@ PW85_LINKED ContainmentScale<double, 2> containment(Vector<double, 2> const &r12
 PW85_LINKED Volume<double> volume(SymmetricMatrix<double, 3> const &q) noexcept
 {
     Volume<double> found{};
-    found.status = static_cast<StatusCode>(pw85_volume(q.entries, &found.volume));
+    found.status = static_cast<StatusCode>(pw85_volume(q.entries, detail::out(found.volume)));
     return found;
 }
 
@@ -357,7 +364,7 @@ PW85_LINKED Volume<double> volume(SymmetricMatrix<double, 3> const &q) noexcept
 PW85_LINKED Area<double> area(SymmetricMatrix<double, 2> const &q) noexcept
 {
     Area<double> found{};
-    found.status = static_cast<StatusCode>(pw85_area_2d(q.entries, &found.area));
+    found.status = static_cast<StatusCode>(pw85_area_2d(q.entries, detail::out(found.area)));
     return found;
 }
 
@@ -365,7 +372,7 @@ PW85_LINKED Area<double> area(SymmetricMatrix<double, 2> const &q) noexcept
 PW85_LINKED Area<double> surface_area(SymmetricMatrix<double, 3> const &q) noexcept
 {
     Area<double> found{};
-    found.status = static_cast<StatusCode>(pw85_surface_area(q.entries, &found.area));
+    found.status = static_cast<StatusCode>(pw85_surface_area(q.entries, detail::out(found.area)));
     return found;
 }
 
@@ -373,7 +380,8 @@ PW85_LINKED Area<double> surface_area(SymmetricMatrix<double, 3> const &q) noexc
 PW85_LINKED Perimeter<double> perimeter(SymmetricMatrix<double, 2> const &q) noexcept
 {
     Perimeter<double> found{};
-    found.status = static_cast<StatusCode>(pw85_perimeter_2d(q.entries, &found.perimeter));
+    found.status = static_cast<StatusCode>(pw85_perimeter_2d(q.entries,
+                                                             detail::out(found.perimeter)));
     return found;
 }
 
@@ -381,7 +389,8 @@ PW85_LINKED Perimeter<double> perimeter(SymmetricMatrix<double, 2> const &q) noe
 PW85_LINKED Moments<double, 3> second_moments(SymmetricMatrix<double, 3> const &q) noexcept
 {
     Moments<double, 3> found{};
-    found.status = static_cast<StatusCode>(pw85_second_moments(q.entries, found.moments.entries));
+    found.status = static_cast<StatusCode>(pw85_second_moments(q.entries,
+                                                               detail::out(found.moments)));
     return found;
 }
 
@@ -390,7 +399,7 @@ PW85_LINKED Moments<double, 2> second_moments(SymmetricMatrix<double, 2> const &
 {
     Moments<double, 2> found{};
     found.status = static_cast<StatusCode>(pw85_second_moments_2d(q.entries,
-                                                                  found.moments.entries));
+                                                                  detail::out(found.moments)));
     return found;
 }
 
@@ -399,7 +408,7 @@ PW85_LINKED Form<double, 3> from_moments(SymmetricMatrix<double, 3> const &secon
 {
     Form<double, 3> found{};
     found.status = static_cast<StatusCode>(pw85_from_moments(second_moments.entries,
-                                                             found.q.entries));
+                                                             detail::out(found.q)));
     return found;
 }
 
@@ -408,7 +417,7 @@ PW85_LINKED Form<double, 2> from_moments(SymmetricMatrix<double, 2> const &secon
 {
     Form<double, 2> found{};
     found.status = static_cast<StatusCode>(pw85_from_moments_2d(second_moments.entries,
-                                                                found.q.entries));
+                                                                detail::out(found.q)));
     return found;
 }
 
@@ -416,7 +425,8 @@ PW85_LINKED Form<double, 2> from_moments(SymmetricMatrix<double, 2> const &secon
 PW85_LINKED Moments<double, 3> shell_moments(SymmetricMatrix<double, 3> const &q) noexcept
 {
     Moments<double, 3> found{};
-    found.status = static_cast<StatusCode>(pw85_shell_moments(q.entries, found.moments.entries));
+    found.status = static_cast<StatusCode>(pw85_shell_moments(q.entries,
+                                                              detail::out(found.moments)));
     return found;
 }
 
@@ -424,7 +434,8 @@ PW85_LINKED Moments<double, 3> shell_moments(SymmetricMatrix<double, 3> const &q
 PW85_LINKED Moments<double, 2> shell_moments(SymmetricMatrix<double, 2> const &q) noexcept
 {
     Moments<double, 2> found{};
-    found.status = static_cast<StatusCode>(pw85_shell_moments_2d(q.entries, found.moments.entries));
+    found.status = static_cast<StatusCode>(pw85_shell_moments_2d(q.entries,
+                                                                 detail::out(found.moments)));
     return found;
 }
 
@@ -432,7 +443,8 @@ PW85_LINKED Moments<double, 2> shell_moments(SymmetricMatrix<double, 2> const &q
 PW85_LINKED Inertia<double> inertia(SymmetricMatrix<double, 3> const &q, int shell) noexcept
 {
     Inertia<double> found{};
-    found.status = static_cast<StatusCode>(pw85_inertia(q.entries, shell, found.inertia.entries));
+    found.status = static_cast<StatusCode>(pw85_inertia(q.entries, shell,
+                                                        detail::out(found.inertia)));
     return found;
 }
 
@@ -443,7 +455,8 @@ PW85_LINKED Volume<double> overlap_volume(Vector<double, 3> const &r12,
 {
     Volume<double> found{};
     found.status = static_cast<StatusCode>(pw85_overlap_volume(r12.coordinates, q1.entries,
-                                                               q2.entries, &found.volume));
+                                                               q2.entries,
+                                                               detail::out(found.volume)));
     return found;
 }
 
@@ -454,7 +467,8 @@ PW85_LINKED Area<double> overlap_area(Vector<double, 2> const &r12,
 {
     Area<double> found{};
     found.status = static_cast<StatusCode>(pw85_overlap_area_2d(r12.coordinates, q1.entries,
-                                                                q2.entries, &found.area));
+                                                                q2.entries,
+                                                                detail::out(found.area)));
     return found;
 }
 
@@ -466,9 +480,9 @@ PW85_LINKED OverlapVolumeGradient<double> overlap_volume_gradient(
     OverlapVolumeGradient<double> found{};
     found.status = static_cast<StatusCode>(pw85_overlap_volume_gradient(r12.coordinates, q1.entries,
                                                                         q2.entries,
-                                                                        found.r12.coordinates,
-                                                                        found.q1.entries,
-                                                                        found.q2.entries));
+                                                                        detail::out(found.r12),
+                                                                        detail::out(found.q1),
+                                                                        detail::out(found.q2)));
     return found;
 }
 
@@ -478,10 +492,9 @@ PW85_LINKED OverlapVolumeTorque<double> overlap_volume_torque(
     SymmetricMatrix<double, 3> const &q2) noexcept
 {
     OverlapVolumeTorque<double> found{};
-    found.status = static_cast<StatusCode>(pw85_overlap_volume_torque(r12.coordinates, q1.entries,
-                                                                      q2.entries,
-                                                                      found.rotation1.coordinates,
-                                                                      found.rotation2.coordinates));
+    found.status = static_cast<StatusCode>(pw85_overlap_volume_torque(
+        r12.coordinates, q1.entries, q2.entries, detail::out(found.rotation1),
+        detail::out(found.rotation2)));
     return found;
 }
 
@@ -493,9 +506,9 @@ PW85_LINKED OverlapAreaGradient<double> overlap_area_gradient(
     OverlapAreaGradient<double> found{};
     found.status = static_cast<StatusCode>(pw85_overlap_area_gradient_2d(r12.coordinates,
                                                                          q1.entries, q2.entries,
-                                                                         found.r12.coordinates,
-                                                                         found.q1.entries,
-                                                                         found.q2.entries));
+                                                                         detail::out(found.r12),
+                                                                         detail::out(found.q1),
+                                                                         detail::out(found.q2)));
     return found;
 }
 
@@ -505,9 +518,9 @@ PW85_LINKED OverlapAreaTorque<double> overlap_area_torque(
     SymmetricMatrix<double, 2> const &q2) noexcept
 {
     OverlapAreaTorque<double> found{};
-    found.status = static_cast<StatusCode>(pw85_overlap_area_torque_2d(r12.coordinates, q1.entries,
-                                                                       q2.entries, &found.rotation1,
-                                                                       &found.rotation2));
+    found.status = static_cast<StatusCode>(pw85_overlap_area_torque_2d(
+        r12.coordinates, q1.entries, q2.entries, detail::out(found.rotation1),
+        detail::out(found.rotation2)));
     return found;
 }
 
@@ -517,7 +530,8 @@ PW85_LINKED Volume<double> overlap_volume_plane(Vector<double, 3> const &normal,
 {
     Volume<double> found{};
     found.status = static_cast<StatusCode>(pw85_overlap_volume_plane(normal.coordinates, offset,
-                                                                     q.entries, &found.volume));
+                                                                     q.entries,
+                                                                     detail::out(found.volume)));
     return found;
 }
 
@@ -538,7 +552,8 @@ PW85_LINKED ClosestApproach<double> closest_approach(Vector<double, 3> const &di
 {
     ClosestApproach<double> found{};
     found.status = static_cast<StatusCode>(pw85_closest_approach(direction.coordinates, q1.entries,
-                                                                 q2.entries, &found.distance));
+                                                                 q2.entries,
+                                                                 detail::out(found.distance)));
     return found;
 }
 
@@ -550,7 +565,7 @@ PW85_LINKED ClosestApproach<double> closest_approach(Vector<double, 2> const &di
     ClosestApproach<double> found{};
     found.status = static_cast<StatusCode>(pw85_closest_approach_2d(direction.coordinates,
                                                                     q1.entries, q2.entries,
-                                                                    &found.distance));
+                                                                    detail::out(found.distance)));
     return found;
 }
 
@@ -562,10 +577,10 @@ PW85_LINKED DistanceDerivatives<double> distance_derivatives(
     DistanceDerivatives<double> found{};
     found.status = static_cast<StatusCode>(pw85_distance_derivatives(r12.coordinates, q1.entries,
                                                                      q2.entries,
-                                                                     found.r12.coordinates,
-                                                                     found.rotation1.coordinates,
-                                                                     found.rotation2.coordinates,
-                                                                     found.hessian[0]));
+                                                                     detail::out(found.r12),
+                                                                     detail::out(found.rotation1),
+                                                                     detail::out(found.rotation2),
+                                                                     detail::out(found.hessian)));
     return found;
 }
 
@@ -576,8 +591,8 @@ PW85_LINKED Penetration<double, 3> penetration(Vector<double, 3> const &r12,
 {
     Penetration<double, 3> found{};
     found.status = static_cast<StatusCode>(pw85_penetration(r12.coordinates, q1.entries, q2.entries,
-                                                            &found.depth,
-                                                            found.direction.coordinates));
+                                                            detail::out(found.depth),
+                                                            detail::out(found.direction)));
     return found;
 }
 
@@ -588,8 +603,8 @@ PW85_LINKED Penetration<double, 2> penetration(Vector<double, 2> const &r12,
 {
     Penetration<double, 2> found{};
     found.status = static_cast<StatusCode>(pw85_penetration_2d(r12.coordinates, q1.entries,
-                                                               q2.entries, &found.depth,
-                                                               found.direction.coordinates));
+                                                               q2.entries, detail::out(found.depth),
+                                                               detail::out(found.direction)));
     return found;
 }
 
@@ -600,9 +615,10 @@ PW85_LINKED GapInside<double, 3> gap_inside(Vector<double, 3> const &r12,
 {
     GapInside<double, 3> found{};
     found.status = static_cast<StatusCode>(pw85_gap_inside(r12.coordinates, q1.entries, q2.entries,
-                                                           &found.gap, found.point1.coordinates,
-                                                           found.point2.coordinates,
-                                                           found.normal.coordinates));
+                                                           detail::out(found.gap),
+                                                           detail::out(found.point1),
+                                                           detail::out(found.point2),
+                                                           detail::out(found.normal)));
     return found;
 }
 
@@ -613,10 +629,10 @@ PW85_LINKED GapInside<double, 2> gap_inside(Vector<double, 2> const &r12,
 {
     GapInside<double, 2> found{};
     found.status = static_cast<StatusCode>(pw85_gap_inside_2d(r12.coordinates, q1.entries,
-                                                              q2.entries, &found.gap,
-                                                              found.point1.coordinates,
-                                                              found.point2.coordinates,
-                                                              found.normal.coordinates));
+                                                              q2.entries, detail::out(found.gap),
+                                                              detail::out(found.point1),
+                                                              detail::out(found.point2),
+                                                              detail::out(found.normal)));
     return found;
 }
 
@@ -627,8 +643,8 @@ PW85_LINKED DistanceDerivatives<double> signed_distance_derivatives(
 {
     DistanceDerivatives<double> found{};
     found.status = static_cast<StatusCode>(pw85_signed_distance_derivatives(
-        r12.coordinates, q1.entries, q2.entries, found.r12.coordinates, found.rotation1.coordinates,
-        found.rotation2.coordinates, found.hessian[0]));
+        r12.coordinates, q1.entries, q2.entries, detail::out(found.r12),
+        detail::out(found.rotation1), detail::out(found.rotation2), detail::out(found.hessian)));
     return found;
 }
 
@@ -645,7 +661,8 @@ PW85_LINKED FirstContact<double> first_contact(Vector<double, 3> const &r12,
     pw85_motion const motion2_in_c = detail::in_c(motion2);
     found.status = static_cast<StatusCode>(pw85_first_contact(r12.coordinates, q1.entries,
                                                               q2.entries, &motion1_in_c,
-                                                              &motion2_in_c, t_max, &found.time));
+                                                              &motion2_in_c, t_max,
+                                                              detail::out(found.time)));
     return found;
 }
 
@@ -659,7 +676,8 @@ PW85_LINKED ClosestPassage<double> closest_passage(Vector<double, 3> const &r12,
     ClosestPassage<double> found{};
     found.status = static_cast<StatusCode>(pw85_closest_passage(r12.coordinates, q1.entries,
                                                                 q2.entries, velocity.coordinates,
-                                                                t_max, &found.mu2, &found.time));
+                                                                t_max, detail::out(found.mu2),
+                                                                detail::out(found.time)));
     return found;
 }
 
@@ -672,7 +690,7 @@ PW85_LINKED FreePath<double> free_path(Vector<double, 3> const &r12,
     FreePath<double> found{};
     found.status = static_cast<StatusCode>(pw85_free_path(r12.coordinates, q1.entries, q2.entries,
                                                           direction.coordinates, t_max,
-                                                          &found.length));
+                                                          detail::out(found.length)));
     return found;
 }
 
@@ -685,10 +703,11 @@ PW85_LINKED GrainContact<double> grain_contact(Vector<double, 3> const &r12,
     GrainContact<double> found{};
     found.status = static_cast<StatusCode>(pw85_grain_contact(r12.coordinates, q1.entries,
                                                               q2.entries, start.coordinates,
-                                                              found.normal.coordinates,
-                                                              &found.depth, found.point.coordinates,
-                                                              found.curvatures.coordinates,
-                                                              &found.radius));
+                                                              detail::out(found.normal),
+                                                              detail::out(found.depth),
+                                                              detail::out(found.point),
+                                                              detail::out(found.curvatures),
+                                                              detail::out(found.radius)));
     return found;
 }
 
@@ -698,12 +717,9 @@ PW85_LINKED GrainRadiusGradient<double> grain_radius_gradient(
     SymmetricMatrix<double, 3> const &q2, Vector<double, 3> const &normal) noexcept
 {
     GrainRadiusGradient<double> found{};
-    found.status = static_cast<StatusCode>(pw85_grain_radius_gradient(r12.coordinates, q1.entries,
-                                                                      q2.entries,
-                                                                      normal.coordinates,
-                                                                      found.r12.coordinates,
-                                                                      found.rotation1.coordinates,
-                                                                      found.rotation2.coordinates));
+    found.status = static_cast<StatusCode>(pw85_grain_radius_gradient(
+        r12.coordinates, q1.entries, q2.entries, normal.coordinates, detail::out(found.r12),
+        detail::out(found.rotation1), detail::out(found.rotation2)));
     return found;
 }
 
@@ -715,10 +731,11 @@ PW85_LINKED GrainWallContact<double> grain_contact_wall(
     GrainWallContact<double> found{};
     found.status = static_cast<StatusCode>(pw85_grain_contact_wall(normal.coordinates, offset,
                                                                    direction.coordinates, curvature,
-                                                                   q.entries, &found.depth,
-                                                                   found.point.coordinates,
-                                                                   found.curvatures.coordinates,
-                                                                   &found.radius));
+                                                                   q.entries,
+                                                                   detail::out(found.depth),
+                                                                   detail::out(found.point),
+                                                                   detail::out(found.curvatures),
+                                                                   detail::out(found.radius)));
     return found;
 }
 
@@ -728,7 +745,7 @@ PW85_LINKED PlaneDerivatives<double> distance_plane_derivatives(
 {
     PlaneDerivatives<double> found{};
     found.status = static_cast<StatusCode>(pw85_distance_plane_derivatives(
-        normal.coordinates, q.entries, found.center.coordinates, found.rotation.coordinates));
+        normal.coordinates, q.entries, detail::out(found.center), detail::out(found.rotation)));
     return found;
 }
 
@@ -738,7 +755,8 @@ PW85_LINKED PlaneContact<double, 3> contact_plane(Vector<double, 3> const &norma
 {
     PlaneContact<double, 3> found{};
     found.status = static_cast<StatusCode>(pw85_contact_plane(normal.coordinates, offset, q.entries,
-                                                              &found.mu2, found.point.coordinates));
+                                                              detail::out(found.mu2),
+                                                              detail::out(found.point)));
     return found;
 }
 
@@ -748,8 +766,8 @@ PW85_LINKED PlaneDerivatives<double> contact_plane_derivatives(
 {
     PlaneDerivatives<double> found{};
     found.status = static_cast<StatusCode>(pw85_contact_plane_derivatives(
-        normal.coordinates, offset, q.entries, found.center.coordinates,
-        found.rotation.coordinates));
+        normal.coordinates, offset, q.entries, detail::out(found.center),
+        detail::out(found.rotation)));
     return found;
 }
 
@@ -760,9 +778,9 @@ PW85_LINKED SurfaceDistance<double, 3> distance_box(Vector<double, 3> const &low
 {
     SurfaceDistance<double, 3> found{};
     found.status = static_cast<StatusCode>(pw85_distance_box(lower.coordinates, upper.coordinates,
-                                                             q.entries, &found.distance,
-                                                             found.point.coordinates,
-                                                             found.normal.coordinates));
+                                                             q.entries, detail::out(found.distance),
+                                                             detail::out(found.point),
+                                                             detail::out(found.normal)));
     return found;
 }
 
@@ -774,9 +792,9 @@ PW85_LINKED SurfaceDistance<double, 3> distance_cylinder(
     SurfaceDistance<double, 3> found{};
     found.status = static_cast<StatusCode>(pw85_distance_cylinder(axis.coordinates, radius,
                                                                   center.coordinates, q.entries,
-                                                                  &found.distance,
-                                                                  found.point.coordinates,
-                                                                  found.normal.coordinates));
+                                                                  detail::out(found.distance),
+                                                                  detail::out(found.point),
+                                                                  detail::out(found.normal)));
     return found;
 }
 
@@ -786,9 +804,9 @@ PW85_LINKED SurfaceDistance<double, 3> distance_point(Vector<double, 3> const &r
 {
     SurfaceDistance<double, 3> found{};
     found.status = static_cast<StatusCode>(pw85_distance_point(r.coordinates, q.entries,
-                                                               &found.distance,
-                                                               found.point.coordinates,
-                                                               found.normal.coordinates));
+                                                               detail::out(found.distance),
+                                                               detail::out(found.point),
+                                                               detail::out(found.normal)));
     return found;
 }
 
@@ -798,9 +816,9 @@ PW85_LINKED SurfaceDistance<double, 2> distance_point(Vector<double, 2> const &r
 {
     SurfaceDistance<double, 2> found{};
     found.status = static_cast<StatusCode>(pw85_distance_point_2d(r.coordinates, q.entries,
-                                                                  &found.distance,
-                                                                  found.point.coordinates,
-                                                                  found.normal.coordinates));
+                                                                  detail::out(found.distance),
+                                                                  detail::out(found.point),
+                                                                  detail::out(found.normal)));
     return found;
 }
 
@@ -826,8 +844,8 @@ PW85_LINKED ShapeContact<double, 3> contact_segment(Vector<double, 3> const &end
 {
     ShapeContact<double, 3> found{};
     found.status = static_cast<StatusCode>(pw85_contact_segment(end1.coordinates, end2.coordinates,
-                                                                q.entries, &found.mu2,
-                                                                found.point.coordinates));
+                                                                q.entries, detail::out(found.mu2),
+                                                                detail::out(found.point)));
     return found;
 }
 
@@ -841,8 +859,8 @@ PW85_LINKED ShapeContact<double, 3> contact_triangle(Vector<double, 3> const &ve
     found.status = static_cast<StatusCode>(pw85_contact_triangle(vertex1.coordinates,
                                                                  vertex2.coordinates,
                                                                  vertex3.coordinates, q.entries,
-                                                                 &found.mu2,
-                                                                 found.point.coordinates));
+                                                                 detail::out(found.mu2),
+                                                                 detail::out(found.point)));
     return found;
 }
 
@@ -853,8 +871,8 @@ PW85_LINKED ShapeContact<double, 3> contact_box(Vector<double, 3> const &lower,
 {
     ShapeContact<double, 3> found{};
     found.status = static_cast<StatusCode>(pw85_contact_box(lower.coordinates, upper.coordinates,
-                                                            q.entries, &found.mu2,
-                                                            found.point.coordinates));
+                                                            q.entries, detail::out(found.mu2),
+                                                            detail::out(found.point)));
     return found;
 }
 
@@ -906,10 +924,11 @@ PW85_LINKED ShapeDistance<double> distance_segment(Vector<double, 3> const &end1
 {
     ShapeDistance<double> found{};
     found.status = static_cast<StatusCode>(pw85_distance_segment(end1.coordinates, end2.coordinates,
-                                                                 q.entries, &found.distance,
-                                                                 found.point1.coordinates,
-                                                                 found.point2.coordinates,
-                                                                 found.normal.coordinates));
+                                                                 q.entries,
+                                                                 detail::out(found.distance),
+                                                                 detail::out(found.point1),
+                                                                 detail::out(found.point2),
+                                                                 detail::out(found.normal)));
     return found;
 }
 
@@ -923,10 +942,10 @@ PW85_LINKED ShapeDistance<double> distance_triangle(Vector<double, 3> const &ver
     found.status = static_cast<StatusCode>(pw85_distance_triangle(vertex1.coordinates,
                                                                   vertex2.coordinates,
                                                                   vertex3.coordinates, q.entries,
-                                                                  &found.distance,
-                                                                  found.point1.coordinates,
-                                                                  found.point2.coordinates,
-                                                                  found.normal.coordinates));
+                                                                  detail::out(found.distance),
+                                                                  detail::out(found.point1),
+                                                                  detail::out(found.point2),
+                                                                  detail::out(found.normal)));
     return found;
 }
 
@@ -938,10 +957,10 @@ PW85_LINKED ShapeDistance<double> distance_solid_box(Vector<double, 3> const &lo
     ShapeDistance<double> found{};
     found.status = static_cast<StatusCode>(pw85_distance_solid_box(lower.coordinates,
                                                                    upper.coordinates, q.entries,
-                                                                   &found.distance,
-                                                                   found.point1.coordinates,
-                                                                   found.point2.coordinates,
-                                                                   found.normal.coordinates));
+                                                                   detail::out(found.distance),
+                                                                   detail::out(found.point1),
+                                                                   detail::out(found.point2),
+                                                                   detail::out(found.normal)));
     return found;
 }
 
@@ -952,8 +971,9 @@ PW85_LINKED ShapeContact<double, 3> contact_capsule(Vector<double, 3> const &end
 {
     ShapeContact<double, 3> found{};
     found.status = static_cast<StatusCode>(pw85_contact_capsule(end1.coordinates, end2.coordinates,
-                                                                radius, q.entries, &found.mu2,
-                                                                found.point.coordinates));
+                                                                radius, q.entries,
+                                                                detail::out(found.mu2),
+                                                                detail::out(found.point)));
     return found;
 }
 
@@ -977,10 +997,11 @@ PW85_LINKED ShapeDistance<double> distance_capsule(Vector<double, 3> const &end1
 {
     ShapeDistance<double> found{};
     found.status = static_cast<StatusCode>(pw85_distance_capsule(end1.coordinates, end2.coordinates,
-                                                                 radius, q.entries, &found.distance,
-                                                                 found.point1.coordinates,
-                                                                 found.point2.coordinates,
-                                                                 found.normal.coordinates));
+                                                                 radius, q.entries,
+                                                                 detail::out(found.distance),
+                                                                 detail::out(found.point1),
+                                                                 detail::out(found.point2),
+                                                                 detail::out(found.normal)));
     return found;
 }
 
@@ -992,8 +1013,8 @@ PW85_LINKED ShapeContact<double, 2> contact_segment(Vector<double, 2> const &end
     ShapeContact<double, 2> found{};
     found.status = static_cast<StatusCode>(pw85_contact_segment_2d(end1.coordinates,
                                                                    end2.coordinates, q.entries,
-                                                                   &found.mu2,
-                                                                   found.point.coordinates));
+                                                                   detail::out(found.mu2),
+                                                                   detail::out(found.point)));
     return found;
 }
 
@@ -1004,8 +1025,8 @@ PW85_LINKED ShapeContact<double, 2> contact_box(Vector<double, 2> const &lower,
 {
     ShapeContact<double, 2> found{};
     found.status = static_cast<StatusCode>(pw85_contact_box_2d(lower.coordinates, upper.coordinates,
-                                                               q.entries, &found.mu2,
-                                                               found.point.coordinates));
+                                                               q.entries, detail::out(found.mu2),
+                                                               detail::out(found.point)));
     return found;
 }
 

@@ -206,6 +206,8 @@ SPOILED = {
         ("@return [NaN on error]", "@return [nan on error]", "unknown attribute: nan on error"),
         ("pw85_contact(double const r12[3]", "pw85_contact(float const r12[3]", "of no type in TYPES of api/declarations.py: float const r12[3]"),
         ("pw85_contact(double const r12[3]", "pw85_contact(double const r12[2 + 1]", "of no type in TYPES"),
+        ("pw85_is_reproducible(int *on)", "pw85_is_reproducible(char *on)", "on: TYPES of api/fortran.py has no entry char"),
+        ("int *contains", "int64_t *contains", "pw85_contains(): parameters that languages cannot take as rows"),
         ("PW85_API int pw85_contact(", "PW85_API pw85_contact(", "not understood: PW85_API pw85_contact("),
         ("#define PW85_DIM 3", "#define PW85_DIM 0x3", "constants are macros of decimal numbers"),
         ("#define PW85_DIM 3", "enum pw85_mode {", "constants are macros of decimal numbers"),
@@ -225,6 +227,7 @@ SPOILED_TEMPLATES = (
     ("hard_ellipsoids.hpp.in", "        fractions: Trial", "        fraction: Trial", "no such parameter: fraction"),
     ("hard_ellipsoids.hpp.in", "@member chain without direction", "@member chain without a direction", "not understood"),
     ("neighbors.hpp.in", "@function neighbors_holds", "@functions neighbors_holds", "not understood"),
+    ("sums.hpp.in", "@function law_forces_pairs\n    out: ForceSpans\n", "", "pw85_law_forces_pairs(): in no template of C++"),
     ("lists.hpp.in", "@pairs pw85_systems.h", "@triples pw85_systems.h", "not understood"),
     ("linked.hpp.in", "//@ others", "//@ other", "not understood"),
     ("pw85_batch.h.in", "@rows without", "@row without", "no mark @rows"),
@@ -250,13 +253,16 @@ def complaints_of_spoiling(folder):
     sys.path.insert(0, str(folder / "api"))
     import classes
     import declarations
+    import fortran
     import linked
+    import rows
     import shims
 
     def make(header):
         for one in declarations.functions(header):
             one.flattened, one.is_nan_on_error()
-        return classes.files() if header == "pw85_systems.h" else (linked.files(), shims.files(), declarations.constants())
+        rows.row_functions.cache_clear()
+        return classes.files() if header == "pw85_systems.h" else (linked.files(), shims.files(), rows.row_functions(), fortran.files())
 
     for header, listed in SPOILED.items():
         text = (folder / "include" / header).read_text(encoding="utf-8")
@@ -285,7 +291,7 @@ def complaints_of_templates(folder):
             yield f"{name} does not say {old}"
             continue
         template.write_text(text.replace(old, new, 1), encoding="utf-8")
-        yield from complaint_of(lambda: (batch.header(), classes.files(), linked.files()), new, said, rf"{name}:(?:\d+:)? ")
+        yield from complaint_of(lambda: (batch.header(), classes.files(), linked.files()), new, said, rf"(?:{name}|pw85_\w+\.h):(?:\d+:)? ")
         template.write_text(text, encoding="utf-8")
 
 
