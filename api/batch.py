@@ -56,7 +56,7 @@ class Statement:
 
     def __init__(self, function, said=None):
         self.function, self.name = function, name_of_many(function.name)
-        self.rows = said and said["rows"] or rows_of(function)
+        self.rows = (said and said["rows"]) or rows_of(function)
         self.row = self.rows.split()[0].removesuffix("s")
         self.results = said and said["results"]
         self.said = dict(line.strip().split(": ", 1) for line in said["parameters"].splitlines()) if said else {}

@@ -33,8 +33,8 @@ class Call:
     `checked` are pairs of arrays of as many rows.
 
     `types` are those of parameters of C++, with defaults, or of structs of several parameters. `without` is a parameter for which null is
-    passed. `result` is the type that has the outputs; if there is none, the function returns what that of C returns. `out` is a function of C++ that
-    gives a pointer to the numbers of a member of the result."""
+    passed. `result` is the type that has the outputs; if there is none, the function returns what that of C returns. `out` is a function
+    of C++ that gives a pointer to the numbers of a member of the result."""
 
     def __init__(self, function, types, is_member=False, without=None, result=None, out=None):
         flags = {one.name: "bool" for one in function.parameters if one.type == "int" and one.name in FLAGS}

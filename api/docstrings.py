@@ -34,7 +34,8 @@ def output_entry(name, shapes):
     count, (*others, last) = len(shapes), map(rows_of, shapes)
     if count == 1:
         return entry(f"{name} : {last} array, optional", f"Where to put the result{'' if name == 'out' else ', which is returned'}.")
-    kind = f"tuple of {count} arrays, {', '.join(others)} and {last}" if any(shapes) else f"(..., {count}) array, or tuple of {count} arrays"
+    arrays = f"tuple of {count} arrays"
+    kind = f"{arrays}, {', '.join(others)} and {last}" if any(shapes) else f"(..., {count}) array, or {arrays}"
     return entry(f"{name} : {kind}, optional", "Where to put the results.")
 
 

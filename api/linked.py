@@ -60,6 +60,9 @@ def files():
     listed = list(relatives())
     done = {template.name for template, _ in listed}
     rest = ", ".join(dict.fromkeys(f"{one.name}()" for one in functions(TEMPLATES) if one.name not in done))
-    made = {"others": layout.wrapped(f"{OTHERS} {rest}.", first="/// "), "functions": [line for one in listed for line in (definition(*one), "")]}
     path, template = INCLUDE / "pw85/linked.hpp", SOURCE / "api/linked.hpp.in"
+    made = {
+        "others": layout.wrapped(f"{OTHERS} {rest}.", first="/// "),
+        "functions": [line for one in listed for line in (definition(*one), "")],
+    }
     return {path: layout.cpp_header(path, layout.insert(template, "//@", made), template)}

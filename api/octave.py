@@ -167,6 +167,7 @@ def files():
     """The texts of all made files by their paths."""
     log, described = (path.read_text(encoding="utf-8") for path in (SOURCE / "CHANGELOG.md", FOLDER / "DESCRIPTION.in"))
     released = re.search(rf"^## \[{re.escape(version())}\] - (\S+)$", log, re.MULTILINE)[1]  # the day, which pkg wants to know
-    made = {"DESCRIPTION": described.replace("@version@", version()).replace("@date@", released), "INDEX": index(), "src/questions.c": c_source()}
+    described = described.replace("@version@", version()).replace("@date@", released)
+    made = {"DESCRIPTION": described, "INDEX": index(), "src/questions.c": c_source()}
     made |= {f"inst/{name}.m": page(name, one) for name, one in functions().items()}
     return {FOLDER / path: text for path, text in made.items()}

@@ -204,7 +204,7 @@ SPOILED = {
         ("overlap [-1 on error]", "overlap", "no value on error"),
         ("@param params [15; mixed units]", "@param params [mixed units]", "an array without extents"),
         ("@return [NaN on error]", "@return [nan on error]", "unknown attribute: nan on error"),
-        ("pw85_contact(double const r12[3]", "pw85_contact(float const r12[3]", "of no type in TYPES of api/declarations.py: float const r12[3]"),
+        ("pw85_contact(double const r12[3]", "pw85_contact(float const r12[3]", "r12: of no type in TYPES of api/declarations.py"),
         ("pw85_contact(double const r12[3]", "pw85_contact(double const r12[2 + 1]", "of no type in TYPES"),
         ("pw85_is_reproducible(int *on)", "pw85_is_reproducible(char *on)", "on: TYPES of api/fortran.py has no entry char"),
         ("int *contains", "int64_t *contains", "pw85_contains(): parameters that languages cannot take as rows"),
