@@ -11,14 +11,13 @@ import re
 
 from declarations import HOST_HEADERS, SOURCE, sections, version
 from layout import filled
-from questions import MOTION, function_in_c, kind_of, questions, wrapped
+from questions import MOTION, c_source, questions
 from voice import with_named_statuses
 
 FOLDER = SOURCE / "octave"
 MARK = "made by api/octave.py from the headers of the C API"
 BY_HAND = {"pw85_from_matgeom": "Quadratic forms", "pw85_reproducible": "Version and errors", "pw85_version": "Version and errors",
            "pw85_enclosing_ellipsoid": "Enclosing ellipsoids", "pw85_enclosing_ellipsoid_of": "Enclosing ellipsoids"}  # fmt: skip
-MOST_COLUMNS = 128  # PW85_COLUMNS
 # What the tests give for other arguments than ellipsoids.
 VALUES = {"lambda": "0.5", "mu2": "1", "t_max": "Inf", "motion1": "zeros (1, 7)", "motion2": "[-1, zeros(1, 6)]", "a": "[3; 2]",
           "b": "1", "angle": "0.5", "semi_axes": "[3 2 1; 4 1 1]", "rotation": "eye (3)", "quaternion": "[0.9 0.1 0.3 0.2]"}  # fmt: skip
@@ -58,28 +57,9 @@ def result(question):
     return found[0] if len(found) == 1 else f"[{', '.join(found)}]"
 
 
-def entry(question):
-    """The entry in the list of all questions in C."""
-    is_endless = str(inputs(question)[-1] == "t_max").lower()
-    yield f'    {{"{question.name}", {len(question.ellipsoids)}, {is_endless}, {{'
-    for dimension, row in sorted(question.rows.items()):
-        given = ", ".join(f'{{"{one.name}", {kind_of(one)}, {one.size}}}' for one in row.inputs)
-        sizes = [one.size for one in row.outputs]
-        assert sum(sizes) + sum(one.size for one in row.inputs) <= MOST_COLUMNS, question.name
-        text = f"{question.name}_{dimension}, {str(row.is_truth()).lower()}, {len(row.inputs)}, {{{given}}}, "
-        yield wrapped(f"        [{dimension - 2}] = {{{text}{len(sizes)}, {{{', '.join(map(str, sizes))}}}}},")
-    yield "    }},"
-
-
-def c_source():
-    listed = sorted(questions(), key=lambda one: one.name)
-    made = [function_in_c(f"{one.name}_{dimension}", row) for one in listed for dimension, row in sorted(one.rows.items())]
-    head = f"/* SPDX-License-Identifier: BSD-3-Clause */\n/* The functions of ellipsoids: {MARK}. */\n/* clang-format off */"
-    return "\n".join([
-        head, '#include "pw85_octave.h"', "", *made, "struct pw85_question const pw85_questions[] = {",
-        *(line for one in listed for line in entry(one)), "};\n",
-        "size_t const pw85_num_questions = sizeof pw85_questions / sizeof *pw85_questions;\n",
-    ])  # fmt: skip
+def is_endless(question):
+    """Whether the last argument may be missing: it is infinite then."""
+    return f"{str(inputs(question)[-1] == 't_max').lower()}, "
 
 
 def paragraph(text, indent="  ", first=None):
@@ -168,6 +148,6 @@ def files():
     log, described = (path.read_text(encoding="utf-8") for path in (SOURCE / "CHANGELOG.md", FOLDER / "DESCRIPTION.in"))
     released = re.search(rf"^## \[{re.escape(version())}\] - (\S+)$", log, re.MULTILINE)[1]  # the day, which pkg wants to know
     described = described.replace("@version@", version()).replace("@date@", released)
-    made = {"DESCRIPTION": described, "INDEX": index(), "src/questions.c": c_source()}
+    made = {"DESCRIPTION": described, "INDEX": index(), "src/questions.c": c_source(MARK, "pw85_octave.h", is_endless)}
     made |= {f"inst/{name}.m": page(name, one) for name, one in functions().items()}
     return {FOLDER / path: text for path, text in made.items()}

@@ -108,6 +108,25 @@ def function_in_c(name, row):
     return "\n".join([head, "{", *map(wrapped, call(row)), "}\n"])
 
 
-def kind_of(one):
-    """What an input is: a part of an ellipsoid, or values."""
-    return KINDS.get(one.name, "PW85_VALUES")
+def entry(question, facts, columns):
+    """The lines of a question in the table: its functions in two and three dimensions, and what c_source() is given."""
+    yield f'    {{"{question.name}", {len(question.ellipsoids)}, {facts(question)}{{'
+    for dimension, row in sorted(question.rows.items()):
+        assert [one.name for one in row.inputs if one.name not in KINDS] == [one.name for one in question.others], question.name
+        given = ", ".join(f'{{"{one.name}", {KINDS.get(one.name, "PW85_VALUES")}, {one.size}}}' for one in row.inputs)
+        sizes = ", ".join(str(one.size) for one in row.outputs)
+        text = f"{question.name}_{dimension}, {str(row.is_truth()).lower()}, {len(row.inputs)}, {{{given}}}, "
+        yield wrapped(f"        [{dimension - 2}] = {{{text}{len(row.outputs)}, {{{sizes}}}{columns(question, dimension)}}},")
+    yield "    }},"
+
+
+def c_source(mark, header, facts=lambda question: "", columns=lambda question, dimension: ""):
+    """The functions and the table of all questions by their names. A language can have facts of a question, and of its columns."""
+    listed = sorted(questions(), key=lambda one: one.name)
+    made = [function_in_c(f"{one.name}_{dimension}", row) for one in listed for dimension, row in sorted(one.rows.items())]
+    head = f"/* SPDX-License-Identifier: BSD-3-Clause */\n/* The functions of ellipsoids: {mark}. */\n/* clang-format off */"
+    return "\n".join([
+        head, f'#include "{header}"', "", *made, "struct pw85_question const pw85_questions[] = {",
+        *(line for one in listed for line in entry(one, facts, columns)), "};\n",
+        "size_t const pw85_num_questions = sizeof pw85_questions / sizeof *pw85_questions;\n",
+    ])  # fmt: skip

@@ -10,7 +10,7 @@ import unicodedata
 
 from declarations import SOURCE, version
 from layout import filled
-from questions import MOTION, function_in_c, kind_of, questions, wrapped
+from questions import MOTION, c_source, questions
 from voice import with_named_statuses
 
 FOLDER = SOURCE / "r"
@@ -54,35 +54,15 @@ def columns(question, dimension):
     return found
 
 
-def table(question):
-    """The C code of a question."""
-    name, arguments, count = name_of(question), question.arguments, len(question.ellipsoids)
-    yield from (function_in_c(f"{name}_{dimension}", row) for dimension, row in question.rows.items())
-    yield f'static struct pw85_question const {name}_question = {{\n    "{name}",\n    {{'
-    for dimension, row in sorted(question.rows.items()):
-        place = {one: k for k, one in enumerate(arguments[count:])}
-        inputs = ", ".join(f'{{"{one.name}", {kind_of(one)}, {one.size}, {place.get(one.name, 0)}}}' for one in row.inputs)
-        outputs = ", ".join(str(one.size) for one in row.outputs)
-        names = ", ".join(f'"{one}"' for one in columns(question, dimension))
-        yield f"        [{dimension - 2}] = {{{name}_{dimension}, {str(row.is_truth()).lower()}, {len(row.inputs)},"
-        yield wrapped(f"{' ' * 15}{{{inputs}}}, {len(row.outputs)}, {{{outputs}}}, {{{names}}}}},")
-    yield "    },\n};\n"
-    yield wrapped(f"static SEXP call_{name}({', '.join(f'SEXP {one}' for one in arguments)})")
-    yield f"{{\n    SEXP const given[] = {{{', '.join(arguments)}}};"
-    yield f"    return pw85_rows(&{name}_question, {count}, {len(arguments) - count}, given);\n}}\n"
-
-
-def c_source():
-    lines = [f"/* SPDX-License-Identifier: BSD-3-Clause */\n/* The questions of ellipsoids: {MARK}. */\n/* clang-format off */"]
-    lines += ['#include "pw85_r.h"', "", *(line for question in questions() for line in table(question))]
-    calls = [(name_of(one), len(one.arguments)) for one in questions()]
-    lines += ["R_CallMethodDef const pw85_questions[] = {", *(f'    {{"{one}", (DL_FUNC)&call_{one}, {count}}},' for one, count in calls)]
-    return "\n".join([*lines, "    {NULL, NULL, 0},", "};", ""])
+def names_of_columns(question, dimension):
+    """The columns of the result in the table of C."""
+    names = ", ".join(f'"{one}"' for one in columns(question, dimension))
+    return f", {{{names}}}"
 
 
 def r_source():
-    called = [(usage(one).replace("(", " <- function(", 1), ", ".join([f"C_{name_of(one)}", *one.arguments])) for one in questions()]
-    lines = [f"{defined} .Call({given})" for defined, given in called]
+    called = [(usage(one).replace("(", " <- function(", 1), ", ".join([f'"{one.name}"', *one.arguments])) for one in questions()]
+    lines = [f"{defined} .External(C_ask, {given})" for defined, given in called]
     return "\n".join([f"# SPDX-License-Identifier: BSD-3-Clause\n# The questions of ellipsoids: {MARK}.\n", *lines, ""])
 
 
@@ -152,5 +132,5 @@ def example_of(question):
 def files():
     """The texts of all made files by their paths."""
     made = {"DESCRIPTION": (FOLDER / "DESCRIPTION.in").read_text(encoding="utf-8").replace("@version@", version())}
-    made |= {"src/questions.c": c_source(), "R/questions.R": r_source()} | {f"man/{name_of(one)}.Rd": page(one) for one in exported()}
+    made |= {"src/questions.c": c_source(MARK, "pw85_r.h", columns=names_of_columns), "R/questions.R": r_source()} | {f"man/{name_of(one)}.Rd": page(one) for one in exported()}
     return {FOLDER / path: text for path, text in made.items()}
