@@ -242,3 +242,17 @@ def test_linked_functions_are_compared():
     header, program = ((SOURCE / name).read_text(encoding="utf-8") for name in ("include/pw85/linked.hpp", "tests/test_linked.cpp"))
     linked = set(re.findall(r"^/// Computes (\w+)\(\) by pw85_", header, re.MULTILINE))
     assert {"contact", "overlap", "area"} <= linked and linked == set(re.findall(r"^    COMPARE\((\w+), ", program, re.MULTILINE))
+
+
+@pytest.mark.parametrize("files, line", [("r/man/*.Rd", ""), ("octave/inst/*.m", "%"), ("rust/pw85/src/questions.rs", " *///"),
+                                         ("js/pw85.d.ts", r" *\* @param")])  # fmt: skip
+def test_words_of_c(files, line):
+    """What the headers say is said without pointers and statuses in languages that have none."""
+    text = "\n".join(path.read_text(encoding="utf-8") for path in sorted(SOURCE.glob(files)))
+    said = " ".join(found for found in text.splitlines() if re.match(line, found))
+    assert len(said) > 1000 and re.findall(r"\bnull\b|\bpointers?\b|\w+ success\b|#PW85\w+|.{20}may be the same array", said) == []
+
+
+def test_titles_of_r():
+    titles = [re.search(r"^\\title\{(.*)\}$", path.read_text(encoding="utf-8"), re.M)[1] for path in (SOURCE / "r/man").glob("*.Rd")]
+    assert len(titles) > 40 and not [title for title in titles if re.search(r" (?:all|at|by|in|of|to|that|which)$|`", title)]
