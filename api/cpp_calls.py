@@ -53,6 +53,9 @@ class Call:
             return self.object(one)
         if one.is_struct():
             return self.struct(one)
+        if one.is_handle():
+            self.declare(one, f"{one.type} *{one.name}")
+            return one.name
         if one.is_count:
             return f"{self.sizes[one.name]}.size()"
         if one.rows:

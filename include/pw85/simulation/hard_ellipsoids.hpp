@@ -114,12 +114,13 @@ class HardEllipsoids {
             pw85_hard_ellipsoids_set_potential(get(), call, const_cast<Energy *>(&energy)));
     }
 
-    /// Sets a potential of the C API, or none for null.
+    /// Sets the potential of a simulation, in addition to its fields, or removes it: see
+    /// pw85_hard_ellipsoids_set_potential().
     [[gnu::always_inline]] StatusCode set_potential(pw85_potential *potential,
                                                     void *context) noexcept
     {
-        return static_cast<StatusCode>(
-            pw85_hard_ellipsoids_set_potential(get(), potential, context));
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_potential(get(), potential,
+                                                                          context));
     }
 
     /// Computes the energy of all particles in the fields, the potential and the law of pairs, in
