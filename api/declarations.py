@@ -51,9 +51,7 @@ CPP = re.compile(
     re.MULTILINE,
 )
 REFERENCE = re.compile(r"(?:as for|contract as|see|arguments of) (?:in )?(\w+)\(\)", re.IGNORECASE)
-PARAMETER = re.compile(
-    r"(?P<type>(?:unsigned )?\w+)(?P<const> const)?(?P<pointers>[ *]*)(?P<name>\w+)(?:\[(?P<length>\d+)\])?"
-)
+PARAMETER = re.compile(r"(?P<type>(?:unsigned )?\w+)(?P<const> const)?(?P<pointers>[ *]*)(?P<name>\w+)(?:\[(?P<length>\d+)\])?")
 DESCRIPTION = re.compile(
     r"@param(?P<output>\[out\])? (?P<names>\w+(?:,\w+)*)(?!\S)(?:\s+\[(?P<attributes>[^\]]*)\])?(?P<text>.*)", re.DOTALL
 )
@@ -275,8 +273,7 @@ def sections(header):
             continue
         comment = re.sub(r"^ ?(?:/\*\*|\*/|\*|///) ?| *\*/", "", match["comment"] or "", flags=re.MULTILINE)
         found[-1].functions.append(
-            Function(match["name"], match["type"].strip(), match["parameters"], comment, header,
-                     text.count("\n", 0, match.start()) + 1)
+            Function(match["name"], match["type"].strip(), match["parameters"], comment, header, text.count("\n", 0, match.start()) + 1)
         )
     refuse_unread(header, text, end, len(text))
     return found

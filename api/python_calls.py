@@ -27,7 +27,7 @@ def call_of_row(row, outputs):
     written = f"{function.name}({', '.join([*['1'] * row.is_of_many(), *inputs, *outputs])})"
     if function.type != "int" or function.header not in SILENT_HEADERS:
         return written
-    name, = {function.descriptions[one.name].attributes.like for one in row.inputs}
+    (name,) = {function.descriptions[one.name].attributes.like for one in row.inputs}
     return f"recorded({written}, {', '.join([name, *inputs])})"
 
 

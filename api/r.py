@@ -107,7 +107,9 @@ def page(question):
     details = [*rest, *voice(question).notes(), question.dimensions]
     details.append(
         "Row i of the result belongs to row i of `x` (ellipsoid 1, form q1) and of `y` (ellipsoid 2, form q2); r12 is the centre of "
-        "ellipsoid 2 minus that of ellipsoid 1. Fewer rows are recycled." if "y" in question.arguments else "The centre plays no part."
+        "ellipsoid 2 minus that of ellipsoid 1. Fewer rows are recycled."
+        if "y" in question.arguments
+        else "The centre plays no part."
     )
     errors = help_text("If a row has an NA, its result is NA. A row that is refused is an error of class `pw85_error`: see pw85-package.")
     title = help_text(brief.rstrip(".")).replace("\n", " ")
@@ -132,5 +134,6 @@ def example_of(question):
 def files():
     """The texts of all made files by their paths."""
     made = {"DESCRIPTION": (FOLDER / "DESCRIPTION.in").read_text(encoding="utf-8").replace("@version@", version())}
-    made |= {"src/questions.c": c_source(MARK, "pw85_r.h", columns=names_of_columns), "R/questions.R": r_source()} | {f"man/{name_of(one)}.Rd": page(one) for one in exported()}
+    made |= {"src/questions.c": c_source(MARK, "pw85_r.h", columns=names_of_columns), "R/questions.R": r_source()}
+    made |= {f"man/{name_of(one)}.Rd": page(one) for one in exported()}
     return {FOLDER / path: text for path, text in made.items()}
