@@ -102,12 +102,6 @@ def wrapped(line):
     return filled(line.strip(), first=indent, rest=indent + "    ")
 
 
-def function_in_c(name, row):
-    """The function that answers n rows."""
-    head = wrapped(f"static int {name}(size_t n, double const *const *in, void *const *out, size_t *row)")
-    return "\n".join([head, "{", *map(wrapped, call(row)), "}\n"])
-
-
 def entry(question, facts, columns):
     """The lines of a question in the table: its functions in two and three dimensions, and what c_source() is given."""
     yield f'    {{"{question.name}", {len(question.ellipsoids)}, {facts(question)}{{'
@@ -123,10 +117,12 @@ def entry(question, facts, columns):
 def c_source(mark, header, facts=lambda question: "", columns=lambda question, dimension: ""):
     """The functions and the table of all questions by their names. A language can have facts of a question, and of its columns."""
     listed = sorted(questions(), key=lambda one: one.name)
-    made = [function_in_c(f"{one.name}_{dimension}", row) for one in listed for dimension, row in sorted(one.rows.items())]
+    rows = {f"{one.name}_{dimension}": row for one in listed for dimension, row in sorted(one.rows.items())}
+    arguments = "size_t n, double const *const *in, void *const *out, size_t *row"
+    made = [line for name, row in rows.items() for line in (f"static int {name}({arguments})", "{", *call(row), "}", "")]
     head = f"/* SPDX-License-Identifier: BSD-3-Clause */\n/* The functions of ellipsoids: {mark}. */\n/* clang-format off */"
     return "\n".join([
-        head, f'#include "{header}"', "", *made, "struct pw85_question const pw85_questions[] = {",
+        head, f'#include "{header}"', "", *map(wrapped, made), "struct pw85_question const pw85_questions[] = {",
         *(line for one in listed for line in entry(one, facts, columns)), "};\n",
         "size_t const pw85_num_questions = sizeof pw85_questions / sizeof *pw85_questions;\n",
     ])  # fmt: skip
