@@ -16,17 +16,13 @@ INFINITY = next(cause for cause in CAUSES if cause.key == "infinity")
 # What is wrong where a contract names a cause of an error (api/causes.py), of one parameter.
 WRONG = {
     "not definite": "a form is not positive definite",
-    "not positive": "`{name}` is not positive",
     "range": "the square of `{name}` overflows or underflows",
-    "negative": "`{name}` is negative",
     "no rotation": "`{name}` is not orthonormal",
-    "zero": "`{name}` is zero",
     "concentric": "`{name}` is zero",
     "lambda": "λ is not in [0, 1]",
     "empty box": "`lower` is larger than `upper`",
     "shrinks": "an ellipsoid shrinks to nothing before `t_max`",
-    "singular": "`{name}` is singular",
-}
+} | {key: f"`{{name}}` is {key}" for key in ("not positive", "negative", "zero")}
 
 
 def sentence(text):
