@@ -54,9 +54,10 @@ def interface(function, template):
         variable = "status" if function.type == "int" else "value"
         kind, suffix = "function", f" result({variable})"
         result = [f"{'type(c_ptr)' if '*' in function.type else TYPES[function.type]} :: {variable}"]
-    matrices = ", ".join(f"{one.name}(:, k)" for one in function.parameters if [type(extent) for extent in one.shape[-2:]] == [int, int])
+    matrices = [one for one in function.parameters if [type(extent) for extent in one.shape[-2:]] == [int, int]]
     if not own:
-        text = f" In matrices of C, row k is {matrices}." if matrices else ""
+        rows = ", ".join(f"{one.name}(:, k{', i' if one.rows else ''})" for one in matrices)
+        text = f" Row k in C is {rows}." if matrices else ""
         yield from wrapped(f"{function.brief()}.{text}", first="    !> ")
     yield from continued(f"    {kind} {bound}({', '.join(function.parameter_names())}){suffix} bind(C, name='{function.name}')")
     yield "      import"

@@ -19,7 +19,8 @@ MARK = "// SPDX-License-Identifier: BSD-3-Clause\n// Made by api/rust.py from th
 HEADERS = (*ONE_ROW, "pw85_batch.h")
 TYPES = {"double": "f64", "int": "c_int", "size_t": "usize", "unsigned char": "u8", "char": "c_char"}
 BY_HAND_IN_RUST = ("pw85_version", "pw85_set_reproducible", "pw85_is_reproducible", "pw85_contact_polytope", "pw85_overlap_polytope",
-                   "pw85_overlap_any", "pw85_inertia", "pw85_enclosing_ellipsoid", "pw85_enclosing_ellipsoid_of", "pw85_random_points")  # fmt: skip
+                   "pw85_overlap_any", "pw85_inertia", "pw85_enclosing_ellipsoid", "pw85_enclosing_ellipsoid_of",
+                   "pw85_random_points")  # fmt: skip
 
 
 @cache

@@ -431,8 +431,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_ellipsoid_quaternion
 
-    !> Computes a factor S of the quadratic form of an ellipsoid, Q = S Sᵀ. In matrices of C, row k
-    !> is s(:, k).
+    !> Computes a factor S of the quadratic form of an ellipsoid, Q = S Sᵀ. Row k in C is s(:, k).
     function pw85_ellipsoid_factor(semi_axes, quaternion, s) result(status) bind(C, &
       name='pw85_ellipsoid_factor')
       import
@@ -467,7 +466,7 @@ module pw85
     end function pw85_contact_rounded
 
     !> Computes the contact function of two ellipsoids that are given by factors of their forms, Q1
-    !> = S1 S1ᵀ and Q2 = S2 S2ᵀ. In matrices of C, row k is s1(:, k), s2(:, k).
+    !> = S1 S1ᵀ and Q2 = S2 S2ᵀ. Row k in C is s1(:, k), s2(:, k).
     function pw85_contact_factored(r12, s1, s2, out) result(status) bind(C, &
       name='pw85_contact_factored')
       import
@@ -506,7 +505,7 @@ module pw85
     end function pw85_contact_geometry
 
     !> Computes the point and the normal of pw85_contact_geometry() for ellipsoids that are given by
-    !> factors of their forms. In matrices of C, row k is s1(:, k), s2(:, k).
+    !> factors of their forms. Row k in C is s1(:, k), s2(:, k).
     function pw85_contact_geometry_factored(r12, s1, s2, lambda, point, normal) result(status) &
       bind(C, name='pw85_contact_geometry_factored')
       import
@@ -526,8 +525,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_gradient
 
-    !> Computes the derivatives of μ² for ellipsoids that are given by factors of their forms. In
-    !> matrices of C, row k is s1(:, k), s2(:, k), d_s1(:, k), d_s2(:, k).
+    !> Computes the derivatives of μ² for ellipsoids that are given by factors of their forms. Row k
+    !> in C is s1(:, k), s2(:, k), d_s1(:, k), d_s2(:, k).
     function pw85_contact_gradient_factored(r12, s1, s2, lambda, d_r12, d_s1, d_s2) result(status) &
       bind(C, name='pw85_contact_gradient_factored')
       import
@@ -547,8 +546,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_torque
 
-    !> Computes the second derivatives of μ² with respect to r12 and rotations of the ellipsoids. In
-    !> matrices of C, row k is hessian(:, k).
+    !> Computes the second derivatives of μ² with respect to r12 and rotations of the ellipsoids.
+    !> Row k in C is hessian(:, k).
     function pw85_contact_hessian(r12, q1, q2, lambda, hessian) result(status) bind(C, &
       name='pw85_contact_hessian')
       import
@@ -567,7 +566,7 @@ module pw85
     end function pw85_overlap
 
     !> Tests whether two ellipsoids overlap that are given by factors of their forms, Q1 = S1 S1ᵀ
-    !> and Q2 = S2 S2ᵀ. In matrices of C, row k is s1(:, k), s2(:, k).
+    !> and Q2 = S2 S2ᵀ. Row k in C is s1(:, k), s2(:, k).
     function pw85_overlap_factored(r12, s1, s2, overlap) result(status) bind(C, &
       name='pw85_overlap_factored')
       import
@@ -733,8 +732,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_torque_2d
 
-    !> Computes the second derivatives of μ² of two ellipses. In matrices of C, row k is hessian(:,
-    !> k).
+    !> Computes the second derivatives of μ² of two ellipses. Row k in C is hessian(:, k).
     function pw85_contact_hessian_2d(r12, q1, q2, lambda, hessian) result(status) bind(C, &
       name='pw85_contact_hessian_2d')
       import
@@ -788,8 +786,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance
 
-    !> Computes the derivatives of the distance of two ellipsoids. In matrices of C, row k is
-    !> hessian(:, k).
+    !> Computes the derivatives of the distance of two ellipsoids. Row k in C is hessian(:, k).
     function pw85_distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) result(status) &
       bind(C, name='pw85_distance_derivatives')
       import
@@ -816,8 +813,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_signed_distance
 
-    !> Computes the derivatives of the signed distance of two ellipsoids. In matrices of C, row k is
-    !> hessian(:, k).
+    !> Computes the derivatives of the signed distance of two ellipsoids. Row k in C is hessian(:,
+    !> k).
     function pw85_signed_distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) &
       result(status) bind(C, name='pw85_signed_distance_derivatives')
       import
@@ -938,7 +935,7 @@ module pw85
   interface
 
     !> Computes the principal curvatures of the surface of an ellipsoid, and their directions, at
-    !> the point with a given normal. In matrices of C, row k is directions(:, k).
+    !> the point with a given normal. Row k in C is directions(:, k).
     function pw85_curvature(normal, q, curvatures, directions) result(status) bind(C, &
       name='pw85_curvature')
       import
@@ -957,7 +954,7 @@ module pw85
     end function pw85_hertz
 
     !> Computes the geometry of the contact of two grains along a given normal, for laws of contact
-    !> such as Hertz's. In matrices of C, row k is directions(:, k).
+    !> such as Hertz's. Row k in C is directions(:, k).
     function pw85_hertz_contact(r12, q1, q2, normal, depth, point, curvatures, directions, radius, &
       ellipse) result(status) bind(C, name='pw85_hertz_contact')
       import
@@ -1374,8 +1371,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_ellipsoid_quaternion_batch
 
-    !> Computes pw85_ellipsoid_factor() for n ellipsoids, with the same bits. In matrices of C, row
-    !> k is s(:, k).
+    !> Computes pw85_ellipsoid_factor() for n ellipsoids, with the same bits. Row k in C is s(:, k,
+    !> i).
     function pw85_ellipsoid_factor_batch(n, semi_axes, quaternions, s) result(status) bind(C, &
       name='pw85_ellipsoid_factor_batch')
       import
@@ -1406,8 +1403,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_rounded_batch
 
-    !> Computes pw85_contact_factored() for n pairs, with the same bits. In matrices of C, row k is
-    !> s1(:, k), s2(:, k).
+    !> Computes pw85_contact_factored() for n pairs, with the same bits. Row k in C is s1(:, k, i),
+    !> s2(:, k, i).
     function pw85_contact_factored_batch(n, r12, s1, s2, mu2, lambda) result(status) bind(C, &
       name='pw85_contact_factored_batch')
       import
@@ -1447,8 +1444,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_geometry_batch
 
-    !> Computes pw85_contact_geometry_factored() for n pairs, with the same bits. In matrices of C,
-    !> row k is s1(:, k), s2(:, k).
+    !> Computes pw85_contact_geometry_factored() for n pairs, with the same bits. Row k in C is
+    !> s1(:, k, i), s2(:, k, i).
     function pw85_contact_geometry_factored_batch(n, r12, s1, s2, lambda, point, normal) &
       result(status) bind(C, name='pw85_contact_geometry_factored_batch')
       import
@@ -1468,8 +1465,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_gradient_batch
 
-    !> Computes pw85_contact_gradient_factored() for n pairs, with the same bits. In matrices of C,
-    !> row k is s1(:, k), s2(:, k), d_s1(:, k), d_s2(:, k).
+    !> Computes pw85_contact_gradient_factored() for n pairs, with the same bits. Row k in C is
+    !> s1(:, k, i), s2(:, k, i), d_s1(:, k, i), d_s2(:, k, i).
     function pw85_contact_gradient_factored_batch(n, r12, s1, s2, lambda, d_r12, d_s1, d_s2) &
       result(status) bind(C, name='pw85_contact_gradient_factored_batch')
       import
@@ -1489,8 +1486,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_torque_batch
 
-    !> Computes pw85_contact_hessian() for n pairs, with the same bits. In matrices of C, row k is
-    !> hessian(:, k).
+    !> Computes pw85_contact_hessian() for n pairs, with the same bits. Row k in C is hessian(:, k,
+    !> i).
     function pw85_contact_hessian_batch(n, r12, q1, q2, lambda, hessian) result(status) bind(C, &
       name='pw85_contact_hessian_batch')
       import
@@ -1510,8 +1507,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_batch
 
-    !> Computes pw85_overlap_factored() for n pairs, with the same answers. In matrices of C, row k
-    !> is s1(:, k), s2(:, k).
+    !> Computes pw85_overlap_factored() for n pairs, with the same answers. Row k in C is s1(:, k,
+    !> i), s2(:, k, i).
     function pw85_overlap_factored_batch(n, r12, s1, s2, overlap) result(status) bind(C, &
       name='pw85_overlap_factored_batch')
       import
@@ -1691,8 +1688,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_torque_batch_2d
 
-    !> Computes pw85_contact_hessian_2d() for n pairs, with the same bits. In matrices of C, row k
-    !> is hessian(:, k).
+    !> Computes pw85_contact_hessian_2d() for n pairs, with the same bits. Row k in C is hessian(:,
+    !> k, i).
     function pw85_contact_hessian_batch_2d(n, r12, q1, q2, lambda, hessian) result(status) bind(C, &
       name='pw85_contact_hessian_batch_2d')
       import
@@ -1732,8 +1729,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_batch
 
-    !> Computes pw85_distance_derivatives() for n pairs, with the same bits. In matrices of C, row k
-    !> is hessian(:, k).
+    !> Computes pw85_distance_derivatives() for n pairs, with the same bits. Row k in C is
+    !> hessian(:, k, i).
     function pw85_distance_derivatives_batch(n, r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) &
       result(status) bind(C, name='pw85_distance_derivatives_batch')
       import
@@ -1764,8 +1761,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_signed_distance_batch
 
-    !> Computes pw85_signed_distance_derivatives() for n pairs, with the same bits. In matrices of
-    !> C, row k is hessian(:, k).
+    !> Computes pw85_signed_distance_derivatives() for n pairs, with the same bits. Row k in C is
+    !> hessian(:, k, i).
     function pw85_signed_distance_derivatives_batch(n, r12, q1, q2, d_r12, d_rot1, d_rot2, &
       hessian) result(status) bind(C, name='pw85_signed_distance_derivatives_batch')
       import
@@ -1860,8 +1857,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_free_path_batch
 
-    !> Computes pw85_curvature() for n ellipsoids, with the same bits. In matrices of C, row k is
-    !> directions(:, k).
+    !> Computes pw85_curvature() for n ellipsoids, with the same bits. Row k in C is directions(:,
+    !> k, i).
     function pw85_curvature_batch(n, normals, q, curvatures, directions) result(status) bind(C, &
       name='pw85_curvature_batch')
       import
@@ -1881,8 +1878,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hertz_batch
 
-    !> Computes pw85_hertz_contact() for n pairs, with the same bits. In matrices of C, row k is
-    !> directions(:, k).
+    !> Computes pw85_hertz_contact() for n pairs, with the same bits. Row k in C is directions(:, k,
+    !> i).
     function pw85_hertz_contact_batch(n, r12, q1, q2, normals, depth, point, curvatures, &
       directions, radius, ellipse) result(status) bind(C, name='pw85_hertz_contact_batch')
       import
@@ -2433,8 +2430,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_derivatives_pairs
 
-    !> Computes the sums of the forces, torques and virial of an energy U(μ²) of pairs. In matrices
-    !> of C, row k is virial(:, k).
+    !> Computes the sums of the forces, torques and virial of an energy U(μ²) of pairs. Row k in C
+    !> is virial(:, k).
     function pw85_contact_forces_pairs(list, system, d_u, d_r12, d_rot1, d_rot2, forces, torques, &
       virial) result(status) bind(C, name='pw85_contact_forces_pairs')
       import
@@ -2448,8 +2445,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_forces_pairs
 
-    !> Computes the sums of the energies, forces, torques and virial of the pairs of a list. In
-    !> matrices of C, row k is virial(:, k).
+    !> Computes the sums of the energies, forces, torques and virial of the pairs of a list. Row k
+    !> in C is virial(:, k).
     function pw85_law_forces_pairs(list, system, law, energy, forces, torques, virial) &
       result(status) bind(C, name='pw85_law_forces_pairs')
       import
@@ -2476,8 +2473,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_first_contact_pairs
 
-    !> Computes a reduced cell of the same lattice. In matrices of C, row k is cell(:, k),
-    !> reduced(:, k).
+    !> Computes a reduced cell of the same lattice. Row k in C is cell(:, k), reduced(:, k).
     function pw85_cell_reduce(cell, reduced) result(status) bind(C, name='pw85_cell_reduce')
       import
       real(c_double), intent(in) :: cell(3, 3)
