@@ -2,15 +2,16 @@
 """The header include/pw85_batch.h, made of its template api/pw85_batch.h.in and of the functions of one row in pw85.h,
 pw85_grains.h and pw85_shapes.h.
 
-A line of the template
+At the mark @rows stand the functions of many rows for all functions of one row with an array among their inputs, except for those that
+the mark names. Their arrays have a row in the place of each number or array; what else is to be said of them stands in those headers.
+Lines below the mark say what is particular to a function:
 
-    @rows pw85_f ellipsoids and boxes: what is said of the results
+    pw85_f ellipsoids and boxes: what is said of the results
+        name: [n; optional] text
 
-becomes the declaration of pw85_f_batch() with its contract. "@lanes" is the same for functions that have lanes (LANES of shims.py). Its
-arrays have a row in the place of each number or array; what else is to be said of them stands in those headers. Where the line does not
-say of what the rows are, they are pairs; where it says nothing of the results, their bits or answers are the same.
-Indented lines below, "name: [n; optional] text", describe parameters. A number "name: [as pw85_f()]" is one for all rows. The
-declarations of functions that have none of one row are in the template as they are.
+Where such a line does not say of what the rows are, the inputs do (BESIDE); where it says nothing of the results, their bits or answers
+are the same. Indented lines describe parameters. A number "name: [as pw85_f()]" is one for all rows. Functions that have none of one row
+are in the template as they are.
 """
 
 import re
@@ -18,50 +19,58 @@ from itertools import groupby
 
 import layout
 from attributes import LIMITS
-from declarations import INCLUDE, SOURCE, c_functions
+from declarations import INCLUDE, ONE_ROW, SOURCE, c_functions, functions
 from rows import TRUTHS, name_of_many
 
 HEADER, TEMPLATE = INCLUDE / "pw85_batch.h", SOURCE / "api/pw85_batch.h.in"
-ROWS = re.compile(
-    r"^@(?P<kind>rows|lanes) (?P<name>\w+)(?: (?P<rows>[\w -]+))?(?:: (?P<results>.*))?\n(?P<said>(?:    .*\n)*)", re.MULTILINE
-)
+MARK = re.compile(r"^@rows without (?P<without>.*)\n(?P<said>(?:(?:    )?\w.*\n)*)", re.MULTILINE)
+SAID = re.compile(r"^(?P<name>\w+)(?: (?P<rows>[\w -]+))?(?:: (?P<results>.*))?\n(?P<parameters>(?:    .*\n)*)", re.MULTILINE)
 PLURALS = {"normal": "normals", "offset": "offsets", "direction": "directions", "quaternion": "quaternions", "start": "starts"}  # of inputs
+# What there is beside ellipsoids, by an input.
+BESIDE = {"offset": "{} and half-spaces", "lower": "{} and boxes", "vertex1": "{} and triangles", "end1": "{} and segments",
+          "axis": "{} and cylinders", "r": "points and {}", "origin": "lines and {}"}  # fmt: skip
 
 
-def names_and_shape(one):
-    """The names that a parameter of one row has in the function of many rows, and the shape of a row."""
+def has_rows(function):
+    """Whether there is a function of many rows: each parameter is a number or an array of stated length, and an input is an array."""
+    is_known = all(one.type in ("double", "int", "pw85_motion") and not one.rows for one in function.parameters)
+    return function.type == "int" and "__" not in function.name and is_known and any(one.length for one in function.inputs)
+
+
+def rows_of(function):
+    """What the rows are."""
+    names = {one.name for one in function.inputs}
+    text = next((text for name, text in BESIDE.items() if name in names), "{}")
+    return "pairs" if names & {"q2", "s2"} else text.format("ellipses" if function.dimension == 2 else "ellipsoids")
+
+
+def names_of(one):
+    """The names that a parameter of one row has in the function of many rows."""
     if one.is_output():
-        return (one.members(), ()) if one.length == len(one.members()) else ([one.name], one.shape)
-    return [PLURALS.get(one.name, one.name)], one.shape
+        return one.members() if one.length == len(one.members()) else [one.name]
+    return [PLURALS.get(one.name, one.name)]
 
 
 class Statement:
-    """A line of the template."""
+    """The function of many rows for a function of one row, with what the template says of it."""
 
-    def __init__(self, match):
-        self.place = f"{TEMPLATE.name}:{match.string.count(chr(10), 0, match.start()) + 1}"
-        if match["name"] not in c_functions():
-            raise ValueError(f"{self.place}: no function {match['name']}()")
-        self.function = c_functions()[match["name"]]
-        self.name = name_of_many(self.function.name)
-        self.has_lanes = match["kind"] == "lanes"
-        self.rows = match["rows"] or "pairs"
+    def __init__(self, function, said=None):
+        self.function, self.name = function, name_of_many(function.name)
+        self.rows = (said and said["rows"]) or rows_of(function)
         self.row = self.rows.split()[0].removesuffix("s")
-        self.said = dict(line.strip().split(": ", 1) for line in match["said"].splitlines())
-        self.results = match["results"]
-        if unknown := self.said.keys() - {name for one in self.function.parameters for name in names_and_shape(one)[0]}:
-            raise ValueError(f"{self.place}: {self.name}() has no parameter {', '.join(sorted(unknown))}")
+        self.results = said and said["results"]
+        self.said = dict(line.strip().split(": ", 1) for line in said["parameters"].splitlines()) if said else {}
 
     def arguments(self):
         """The parameters of one row, each with those of the made header that stand for it."""
         many = {one.name: one for one in c_functions()[self.name].parameters}
-        return [(one, [many[name] for name in names_and_shape(one)[0]]) for one in self.function.parameters]
+        return [(one, [many[name] for name in names_of(one)]) for one in self.function.parameters]
 
-    def made(self, one, name, shape):
+    def made(self, one, name):
         """The parameter of many rows that stands for one of one row: its declaration, and tag, name, attributes and text of its comment."""
         is_truth = one.is_output() and one.type == "int" and one.name in TRUTHS
         is_optional = one.is_output() and (one.nullable or len(one.members()) > 1)
-        extents = "×".join(["n", *map(str, shape)])
+        extents = "×".join(["n", *(map(str, one.shape) if len(names_of(one)) == 1 else ())])
         limits = [limit for limit in LIMITS if limit in one.attributes.words]
         attributes = "; ".join(filter(None, [extents, one.attributes.unit, "optional" if is_optional else "", *limits]))
         said = self.said.get(name, f"[{attributes}] {f'1, 0, or 255 for a bad {self.row}' if is_truth else ''}")
@@ -72,8 +81,7 @@ class Statement:
 
     def declaration(self):
         """The declaration of the function of many rows with its comment."""
-        names = ((one, *names_and_shape(one)) for one in self.function.parameters)
-        listed = [self.made(one, name, shape) for one, own, shape in names for name in own]
+        listed = [self.made(one, name) for one in self.function.parameters for name in names_of(one)]
         has_answers = any(declared.startswith("unsigned char") for declared, *_ in listed)
         results = self.results or f"with the same {'answers' if has_answers else 'bits'}."
         mark = "." if results[0].isupper() else "," if results.startswith("with ") else ";"
@@ -87,14 +95,29 @@ class Statement:
         return f"/**{comment[2:]} */\n{head}\n"
 
 
-def header():
-    text = TEMPLATE.read_text(encoding="utf-8")
-    made = ROWS.sub(lambda match: Statement(match).declaration() + "\n" * text.startswith("@", match.end()), text)
-    if left := re.search(r"^@.*", made, re.MULTILINE):
-        raise ValueError(f"{TEMPLATE.name}: {left[0]}: not understood")
-    return made
-
-
 def statements():
-    """The lines of the template, in order."""
-    return [Statement(match) for match in ROWS.finditer(TEMPLATE.read_text(encoding="utf-8"))]
+    """Those of all functions, in the order of the headers."""
+    text = TEMPLATE.read_text(encoding="utf-8")
+    mark = MARK.search(text)
+    if mark is None:
+        raise ValueError(f"{TEMPLATE.name}: no mark @rows")
+    known = {one.name: one for header in ONE_ROW for one in functions(header) if has_rows(one)}
+    said = {one["name"]: one for one in SAID.finditer(mark["said"])}
+    for name in (*mark["without"].split(", "), *said):
+        if name not in known:
+            raise ValueError(f"{TEMPLATE.name}: no function {name}() of one row")
+    for name in mark["without"].split(", "):
+        del known[name]
+    found = [Statement(function, said.get(name)) for name, function in known.items()]
+    for one in found:
+        if unknown := one.said.keys() - {name for own in one.function.parameters for name in names_of(own)}:
+            raise ValueError(f"{TEMPLATE.name}: {one.name}() has no parameter {', '.join(sorted(unknown))}")
+    return found
+
+
+def header():
+    made = "\n".join(one.declaration() for one in statements())
+    text = MARK.sub(lambda match: made, TEMPLATE.read_text(encoding="utf-8"))
+    if left := re.search(r"^@.*", text, re.MULTILINE):
+        raise ValueError(f"{TEMPLATE.name}: {left[0]}: not understood")
+    return text

@@ -7,6 +7,7 @@ A line of a template becomes a function that calls that of C of its name (cpp_ca
         options: NeighborOptions
     @member sweep                   a member of the class, by pw85_hard_ellipsoids_sweep()
     @member steps returns TrialSteps
+    @member remove, save            several of the same kind
 
 "as" gives another name, and "without direction" passes null. A function that "returns" a type has its outputs in it, and the status if
 it has such a member. Indented lines below give the C++ type of a parameter, with its default, or that of a struct that has several
@@ -19,30 +20,43 @@ import re
 
 from cpp import CLASSES, FOLDER, TEMPLATES, is_of_list, is_of_rows, name_in_cpp, structs
 from cpp_calls import Call
-from declarations import c_functions, sections
-from layout import arguments
+from declarations import SIMULATION, c_functions, functions, sections
+from layout import arguments, cpp_header
 
 MARK = re.compile(
-    r"^(?P<indent> *)@(?P<kind>member|function) (?P<name>\w+)(?: as (?P<own>\w+))?(?: without (?P<without>\w+))?"
+    r"^(?P<indent> *)@(?P<kind>member|function) (?P<names>\w+(?:, \w+)*)(?: as (?P<own>\w+))?(?: without (?P<without>\w+))?"
     r"(?: returns (?P<type>\w+))?\n(?P<said>(?: *\w+: .*\n)*)",
     re.MULTILINE,
 )
+# The mark @private at the end of a class: the object that it owns, and how that is destroyed.
+PRIVATE = """\
+  private:
+    struct Destroy {{
+        [[gnu::always_inline]] void operator()({0} *object) const noexcept
+        {{
+            {0}_destroy(object);
+        }}
+    }};
+    std::unique_ptr<{0}, Destroy> object_;
+"""
 MARK_OF_MANY = re.compile(r"^@(?P<kind>rows|pairs) (?P<header>\w+\.h)\n", re.MULTILINE)
 KINDS = {"rows": is_of_rows, "pairs": is_of_list}
 
 
-def definition(match, prefix, path):
-    is_member, name = match["kind"] == "member", match["name"]
-    place, c_name = f"{path.name}: @{match['kind']} {name}", f"pw85_{prefix * is_member}{name}"
-    if c_name not in c_functions():
-        raise ValueError(f"{place}: no function {c_name}()")
-    function, types = c_functions()[c_name], dict(line.strip().split(": ", 1) for line in match["said"].splitlines())
-    call = Call(function, types, is_member, match["without"], match["type"])
-    unknown = {*types, match["without"]} - {None, *function.parameter_names(), *(one.name for one in call.declared)}
-    if unknown:
-        raise ValueError(f"{place}: no such parameter: {', '.join(sorted(unknown))}")
-    text = call.text(match["own"] or name, match["indent"])
-    return text + "\n" if MARK.match(match.string, match.end()) else text
+def definitions_of(match, prefix, path):
+    """The functions of a line; an empty line is between them and those of the next one."""
+    is_member, texts = match["kind"] == "member", []
+    types = dict(line.strip().split(": ", 1) for line in match["said"].splitlines())
+    for name in match["names"].split(", "):
+        place, c_name = f"{path.name}: @{match['kind']} {name}", f"{prefix if is_member else 'pw85_'}{name}"
+        if c_name not in c_functions():
+            raise ValueError(f"{place}: no function {c_name}()")
+        call = Call(c_functions()[c_name], types, is_member, match["without"], match["type"])
+        known = {None, *call.function.parameter_names(), *(one.name for one in call.declared)}
+        if unknown := {*types, match["without"]} - known:
+            raise ValueError(f"{place}: no such parameter: {', '.join(sorted(unknown))}")
+        texts.append(call.text(match["own"] or name, match["indent"]))
+    return "\n".join(texts) + "\n" * bool(MARK.match(match.string, match.end()))
 
 
 def call_of_all(function, kind):
@@ -65,17 +79,21 @@ def definitions(match):
     return "\n".join(texts)
 
 
-def header(path):
+def header(name, path):
     template = path.read_text(encoding="utf-8")
-    owner = re.search(r"^class (\w+) \{", template, re.MULTILINE)
-    prefixes = {kind: f"{c_name.removeprefix('pw85_')}_" for c_name, kind in CLASSES.items()}
-    made = MARK.sub(lambda match: definition(match, prefixes[owner[1]] if owner else "", path), template)
-    made = MARK_OF_MANY.sub(definitions, made)
+    owned = next((c_name for c_name, kind in CLASSES.items() if f"\nclass {kind} {{" in template), "pw85")
+    made = MARK.sub(lambda match: definitions_of(match, f"{owned}_", path), template)
+    made = MARK_OF_MANY.sub(definitions, made.replace("@private\n", PRIVATE.format(owned)))
     if left := re.search(r"^ *@(?!\{|\}).*", made, re.MULTILINE):
         raise ValueError(f"{path.name}: {left[0].strip()}: not understood")
-    return made
+    return cpp_header(FOLDER / f"{name}.hpp", made, path)
 
 
 def files():
     """The texts of the headers by their paths."""
-    return {FOLDER / f"{name}.hpp": header(path) for name, path in TEMPLATES.items()}
+    made = {FOLDER / f"{name}.hpp": header(name, path) for name, path in TEMPLATES.items()}
+    called = set(re.findall(r"\bpw85_\w+", "".join(made.values())))
+    for function in (one for name in ("pw85_systems.h", *SIMULATION) for one in functions(name)):
+        if function.name not in called:
+            raise ValueError(f"{function.place}: in no template of C++, api/*.hpp.in")
+    return made

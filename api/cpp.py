@@ -34,7 +34,7 @@ SHORT_NAMES = {
 STRUCT = re.compile(r"^(?:template <[^>]*> )?struct (\w+) \{\n(.*?)^\};", re.MULTILINE | re.DOTALL)
 DETAIL = re.compile(r"^namespace pw85::detail \{$.*?^\} // namespace pw85::detail$", re.MULTILINE | re.DOTALL)
 MEMBERS = re.compile(r"^    (?!static |using )[\w:, ]+? \**(\w+(?:, \w+)*);", re.MULTILINE)
-ENDS = {"Cell": ".front().coordinates", "Vector": ".coordinates", "SymmetricMatrix": ".entries"}
+ENDS = {"Cell": ".front().coordinates", "Vector": ".coordinates", "SymmetricMatrix": ".entries", "Factor": ".entries"}
 
 
 def has_rows(listed, extent):

@@ -8,7 +8,6 @@ be members of one struct of C++, and outputs can be returned. api/classes.py mak
 
 import re
 from collections import namedtuple
-from dataclasses import dataclass, field
 from itertools import groupby
 
 from cpp import CLASSES, NUMBERS, SHORT_NAMES, STRUCTS, address, brief, described, in_cpp, row_type, structs
@@ -16,6 +15,7 @@ from declarations import members_read, returned
 from layout import arguments, wrapped
 
 NAMES = {"system": "particles"}  # of parameters in C++
+FLAGS = ("contains", "is_free", "overlap", "take")  # integers of C that are truth values
 EXTENTS = {"num_pairs": "list.pairs", "num_particles": "particles.centers"}  # of members of structs
 VALUES = {"NaN": "detail::quiet_nan<double>()", "num_particles": "particles.centers.size()"}
 TEXTS = {
@@ -28,28 +28,24 @@ TEXTS = {
 Declared = namedtuple("Declared", "text is_output name parameter")
 
 
-@dataclass
 class Call:
-    """A function of C++, in the parts that its parameters make."""
+    """A function of C++, in the parts that its parameters make: statements in their order; `marked` are those if sizes are compared, and
+    `checked` are pairs of arrays of as many rows.
 
-    function: object
-    types: dict = field(default_factory=dict)  # of parameters of C++, with defaults, or of structs of several parameters
-    is_member: bool = False  # of the class that owns the object
-    without: str | None = None  # a parameter for which null is passed
-    result: str | None = None  # the type that has the outputs; if there is none, the function returns what that of C returns
-    declared: list = field(default_factory=list)
-    first: list = field(default_factory=list)
-    marked: list = field(default_factory=list)  # if sizes are compared, which comes next
-    checked: list = field(default_factory=list)  # pairs of arrays of as many rows
-    before: list = field(default_factory=list)
-    after: list = field(default_factory=list)
+    `types` are those of parameters of C++, with defaults, or of structs of several parameters. `without` is a parameter for which null is
+    passed. `result` is the type that has the outputs; if there is none, the function returns what that of C returns. `out` is a function
+    of C++ that gives a pointer to the numbers of a member of the result."""
 
-    def __post_init__(self):
-        self.sizes, own = {}, self.function.parameter_names()
-        for one in self.function.parameters:
+    def __init__(self, function, types, is_member=False, without=None, result=None, out=None):
+        flags = {one.name: "bool" for one in function.parameters if one.type == "int" and one.name in FLAGS}
+        self.function, self.types, self.is_member, self.result, self.out = function, flags | types, is_member, result, out
+        self.declared, self.first, self.marked, self.checked, self.before, self.after = [], [], [], [], [], []
+        self.sizes, own = {}, function.parameter_names()
+        self.members = structs().get((result or "").partition("<")[0], ())  # of the result
+        for one in function.parameters:
             if one.rows:
                 self.sizes.setdefault(one.rows, self.place(one) if one.rows in own else EXTENTS[one.rows])
-        self.passed = ["nullptr" if one.name == self.without else self.argument(one) for one in self.function.parameters]
+        self.passed = ["nullptr" if one.name == without else self.argument(one) for one in function.parameters]
 
     def argument(self, one):
         """What is passed for a parameter, which it declares."""
@@ -57,6 +53,9 @@ class Call:
             return self.object(one)
         if one.is_struct():
             return self.struct(one)
+        if one.is_handle():
+            self.declare(one, f"{one.type} *{one.name}")
+            return one.name
         if one.is_count:
             return f"{self.sizes[one.name]}.size()"
         if one.rows:
@@ -66,12 +65,12 @@ class Call:
     def place(self, one):
         """Where a parameter is: a parameter of C++, or a member of one or of the result."""
         name = one.members()[0]
-        if one.is_output() and name in structs().get(self.result, ()):
+        if one.is_output() and name in self.members:
             return f"found.{name}"
         owners = (struct for struct, kind in self.types.items() if struct != one.name and name in structs().get(kind, ()))
         place = next((f"{struct}.{name}" for struct in owners), NAMES.get(one.name, one.name))
         if one.attributes.members and "." not in place:
-            raise ValueError(f"{self.function.descriptions[one.name].place}: no struct of the template has the member {name}")
+            raise ValueError(f"{one.place}: no struct of the template has the member {name}")
         return place
 
     def declare(self, one, text):
@@ -132,6 +131,8 @@ class Call:
             return self.members_of(kind, one)
         if self.result and one.is_output() and self.place(one) == one.name:
             return self.returned(one)
+        if len(one.members()) > 1:
+            return self.split(one)
         place = self.declare_or_find(one, f"{kind or row} {'' if one.is_output() else 'const '}&{one.name}")
         if kind == "bool":
             self.before.append(f"int {one.name}_in_c = -1;")
@@ -139,9 +140,20 @@ class Call:
             return f"&{one.name}_in_c"
         if one.is_output() and place == one.name:
             self.mark(one)
+        if self.out and one.is_output() and one.type == "double":
+            return f"{self.out}({place})"
         if row == "Cell" and one.nullable:
             return f"detail::in_c({place})"
+        if one.type == "pw85_motion":
+            self.before.append(f"pw85_motion const {one.name}_in_c = detail::in_c({place});")
+            return f"&{one.name}_in_c"
         return address(row, place) if one.shape else f"&{place}"
+
+    def split(self, one):
+        """An output whose numbers are members of the result."""
+        self.before.append(f"double {one.name}[{one.size}];")
+        self.after += [f"found.{name} = {one.name}[{k}];" for k, name in enumerate(one.members())]
+        return one.name
 
     def members_of(self, struct, one):
         """An input whose numbers are the members of a struct of C++."""
@@ -193,7 +205,7 @@ class Call:
 
     def frame(self):
         """What stands before and behind the call of the function of C, and at the end."""
-        if "status" in structs().get(self.result, ()):
+        if "status" in self.members:
             return "found.status = static_cast<StatusCode>(", ");", ["return found;"]
         if self.result:
             return "static_cast<void>(", ");", [] if self.after else ["return found;"]
@@ -223,14 +235,13 @@ class Call:
             return f"rows in all spans, or in some: see {self.function.name}()" if one.shape else f"see {self.types[name]}"
         return described(self.function, one)
 
-    def text(self, name, indent="", body=None):
+    def text(self, name, indent="", body=None, head="static inline", comment=()):
         """The definition; `body` stands for the statements of the call."""
         kind = self.result or ("StatusCode" if self.function.type == "int" else NUMBERS[self.function.type])
-        head, is_const = "static inline", ""
-        if self.is_member:
-            head, is_const = "[[gnu::always_inline]]", " const" if self.function.parameters[0].const else ""
+        is_const = " const" if self.is_member and self.function.parameters[0].const else ""
+        head = "[[gnu::always_inline]]" if self.is_member else head
         mark, inner = f"{indent}/// ", f"{indent}    "
-        lines = [text for line in self.comment() for text in wrapped(line, first=mark) or [mark.rstrip()]]
+        lines = [text for line in comment or self.comment() for text in wrapped(line, first=mark) or [mark.rstrip()]]
         declared = arguments(f"{indent}{head} {kind} {name}(", [one.text for one in self.declared], f"){is_const} noexcept")
         statements = (f"{inner}{line}" for line in body or self.body(inner))
         return "".join(f"{line}\n" for line in (*lines, declared, f"{indent}{{", *statements, f"{indent}}}"))

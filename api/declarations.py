@@ -11,7 +11,8 @@ docs/ (reference pages, checks of the comments), the other programs of this fold
 """
 
 import re
-from dataclasses import dataclass, field
+from collections import namedtuple
+from dataclasses import dataclass
 from dataclasses import replace as changed
 from functools import cache, cached_property
 from math import prod
@@ -50,27 +51,22 @@ CPP = re.compile(
     re.MULTILINE,
 )
 REFERENCE = re.compile(r"(?:as for|contract as|see|arguments of) (?:in )?(\w+)\(\)", re.IGNORECASE)
-PARAMETER = re.compile(
-    r"(?P<type>(?:unsigned )?\w+)(?P<const> const)?(?P<pointers>[ *]*)(?P<name>\w+)(?:\[(?P<length>.*)\])?"
-)
+PARAMETER = re.compile(r"(?P<type>(?:unsigned )?\w+)(?P<const> const)?(?P<pointers>[ *]*)(?P<name>\w+)(?:\[(?P<length>\d+)\])?")
 DESCRIPTION = re.compile(
     r"@param(?P<output>\[out\])? (?P<names>\w+(?:,\w+)*)(?!\S)(?:\s+\[(?P<attributes>[^\]]*)\])?(?P<text>.*)", re.DOTALL
 )
-STRUCTS = ("pw85_pair_list", "pw85_system", "pw85_law")  # structs that are arguments; other structs are elements of arrays
+STRUCTS = ("pw85_pair_list", "pw85_system", "pw85_law")  # structs that are arguments
 OBJECTS = ("pw85_neighbors", "pw85_mesh", "pw85_hard_ellipsoids")  # what the library owns
 CALLBACKS = ("pw85_potential",)  # types of functions of the caller
+ELEMENTS = ("pw85_motion", "pw85_wall", "pw85_field")  # structs that are elements of arrays
+NUMBERS = ("double", "int", "size_t", "int32_t", "int64_t", "unsigned char", "char", "void")
+TYPES = (*NUMBERS, *STRUCTS, *ELEMENTS, *OBJECTS, *CALLBACKS)
 STRUCT = re.compile(r"^typedef struct (?P<name>\w+) \{\n(?P<members>.*?)^\} (?P=name);", re.DOTALL | re.MULTILINE)
 MEMBER = re.compile(r"/\*\*(?P<comment>(?:(?!\*/).)*)\*/\s*(?P<declaration>[^;/]+);", re.DOTALL)
 
 
-@dataclass
-class Description:
-    """What a comment says of a parameter."""
-
-    attributes: Attributes
-    text: str
-    is_output: bool
-    place: str  # file and line
+# What a comment says of a parameter, and the place where: file and line.
+Description = namedtuple("Description", "attributes text is_output place")
 
 
 @dataclass
@@ -85,6 +81,7 @@ class Parameter:
     outer: bool  # whether it is a pointer to a pointer, by which the function returns a new handle
     text: str  # its sentence, or the sentence of the parameter that it is like
     attributes: Attributes
+    place: str  # where it is described: file and line
     is_count: bool = False  # whether it is the number of rows of other parameters
 
     @property
@@ -143,6 +140,11 @@ class Function:
     def written(self):
         """The parameters in the header, without defaults."""
         return split_parameters(self.list_of_parameters)
+
+    @property
+    def place(self):
+        """File and line, for errors."""
+        return f"{self.header}:{self.line}: {self.name}()"
 
     @property
     def plain(self):
@@ -204,14 +206,14 @@ class Function:
                 if name in found:
                     raise ValueError(f"{place}: {name} is described twice")
                 members = each[k : k + 1] or whole.attributes.members
-                found[name] = changed(whole, attributes=changed(whole.attributes, members=members))
+                found[name] = whole._replace(attributes=changed(whole.attributes, members=members))
         return found
 
     def is_nan_on_error(self):
         """Whether a function without status gives NaN for invalid input."""
         returned = re.search(r"@return\s+\[([^\]]*)\]", self.comment)
         if returned and returned[1] != "NaN on error":
-            raise ValueError(f"{self.header}:{self.line}: {self.name}(), @return: unknown attribute: {returned[1]}")
+            raise ValueError(f"{self.place}, @return: unknown attribute: {returned[1]}")
         found = [one.attributes.on_error for one in self.descriptions.values() if self.type in ("void", "double")]
         return returned is not None or "NaN" in found
 
@@ -219,19 +221,12 @@ class Function:
         """Whether its results depend on the calls before, so that it has tests of its own: tests/test_hard_ellipsoids.cpp."""
         return self.name.startswith("pw85_hard_ellipsoids_")
 
-    def is_of_object(self):
-        """Whether it has a status and an object of the library, which it makes or on which it works."""
-        return self.type == "int" and any(one.type in OBJECTS for one in self.parameters)
-
     def references(self):
         """The names of the functions to which the comment refers."""
         return REFERENCE.findall(" ".join(self.comment.split()))
 
 
-@dataclass
-class Section:
-    title: str
-    functions: list = field(default_factory=list)
+Section = namedtuple("Section", "title functions")
 
 
 def first_sentence(text):
@@ -257,7 +252,7 @@ replaced = {}  # texts of headers that are not yet those of the files
 def replace(texts):
     """Takes these texts for those of headers."""
     replaced.update(texts)
-    for cached in (sections, c_functions, members):
+    for cached in (sections, c_functions, constants, members):
         cached.cache_clear()
 
 
@@ -268,18 +263,28 @@ def text_of(header):
 @cache
 def sections(header):
     """The sections of a header, in order; the first has no title, and is empty where every function is in one that has."""
-    found = [Section("")]
-    text = text_of(header)
+    found = [Section("", [])]
+    text, end = text_of(header), 0
     for match in (CPP if header.endswith("pp") else C).finditer(text):
+        refuse_unread(header, text, end, match.start())
+        end = match.end()
         if match["title"]:
-            found.append(Section(match["title"].strip()))
+            found.append(Section(match["title"].strip(), []))
             continue
         comment = re.sub(r"^ ?(?:/\*\*|\*/|\*|///) ?| *\*/", "", match["comment"] or "", flags=re.MULTILINE)
         found[-1].functions.append(
-            Function(match["name"], match["type"].strip(), match["parameters"], comment, header,
-                     text.count("\n", 0, match.start()) + 1)
+            Function(match["name"], match["type"].strip(), match["parameters"], comment, header, text.count("\n", 0, match.start()) + 1)
         )
+    refuse_unread(header, text, end, len(text))
     return found
+
+
+def refuse_unread(header, text, begin, end):
+    """Refuses a declaration of C in a part of a header in which none was found."""
+    place = text.find("\nPW85_API ", begin, end) + 1
+    if place:
+        line = text[place:].partition("\n")[0]
+        raise ValueError(f"{header}:{text.count(chr(10), 0, place) + 1}: not understood: {line}")
 
 
 def values(header):
@@ -309,8 +314,13 @@ def statuses():
 @cache
 def constants():
     """The macros of the C headers that are numbers, and the status codes, as texts."""
-    text = "".join(map(text_of, C_HEADERS))
-    found = dict(re.findall(r"^#define (PW85_\w+) ([\d.e-]+)$", text, re.MULTILINE))
+    found = {}
+    for header in HOST_HEADERS:
+        for line, text in enumerate(text_of(header).splitlines(), 1):
+            if match := re.match(r"#define (PW85_\w+) (\S.*)|(?:typedef )?enum (?!pw85_status )", text):
+                if not match[1] or not re.fullmatch(r"[\d.e-]+", match[2]):
+                    raise ValueError(f"{header}:{line}: constants are macros of decimal numbers, not: {text}")
+                found[match[1]] = match[2]
     return found | {name: value for name, (_, value) in statuses().items()}
 
 
@@ -331,16 +341,17 @@ def referenced(function, known):
     return found
 
 
+def entry_of(table, key, name, place):
+    """The entry of a table. If there is none, the error says which declaration needs one in the table of this name."""
+    if key not in table:
+        raise ValueError(f"{place}: {name} has no entry {key}")
+    return table[key]
+
+
 def returned(function):
     """What the comment of a function of C, or of the first to which it refers, says of the status; empty if none does."""
     comments = (" ".join(other.comment.split()) for other in referenced(function, c_functions()))
     return next((found[1] for text in comments if (found := re.search(r"@return (.*?)(?= @|$)", text))), "")
-
-
-def length_of(text):
-    """The value of the length in a declaration, which is a sum or product of numbers and constants."""
-    integers = {name: int(value) for name, value in constants().items() if value.isdigit()}
-    return eval(text, {"__builtins__": {}}, integers)
 
 
 def counts_of(declared):
@@ -359,7 +370,7 @@ def description(attributes, text, is_output, extents, place):
 def described(function, name, seen=()):
     """The description of a parameter, with the attributes of the one that it is like, and the beginning of its text."""
     if name not in function.descriptions:
-        raise ValueError(f"{function.header}:{function.line}: {function.name}(), {name}: not described")
+        raise ValueError(f"{function.place}, {name}: not described")
     own = function.descriptions[name]
     like = own.attributes.like
     if not like:
@@ -378,11 +389,13 @@ def described(function, name, seen=()):
 def parameter(written, said, own):
     """A parameter or member. Extents of another function's parameter count where they are as many numbers as the declaration says."""
     match, shape = PARAMETER.fullmatch(written), said.attributes.shape
-    length = None if match["length"] is None else length_of(match["length"])
+    if match is None or match["type"] not in TYPES:
+        raise ValueError(f"{own.place}: of no type in TYPES of api/declarations.py: {written}")
+    length = int(match["length"]) if match["length"] else None
     if length is not None and not (shape and (own.attributes.shape or prod(shape) == length)):
         shape = (length,)
     one = Parameter(match["name"], match["type"], "*" in match["pointers"] or length is not None, bool(match["const"]), length,
-                    "**" in match["pointers"], said.text, changed(said.attributes, shape=shape))  # fmt: skip
+                    "**" in match["pointers"], said.text, changed(said.attributes, shape=shape), own.place)  # fmt: skip
     for wrong in own.attributes.misfits(one, own.is_output):
         raise ValueError(f"{own.place}: {wrong}")
     return one

@@ -2,7 +2,6 @@
 """Docstrings in the form of NumPy: what the C headers say (voice.py), and what Python says otherwise in its place."""
 
 import re
-from itertools import groupby
 
 from layout import filled
 
@@ -10,7 +9,6 @@ WIDTH = 116
 INDENT = " " * 4
 SECTION = re.compile(r"^([A-Z][\w ]+)\n-{3,}\n", re.MULTILINE)
 ORDER = ("Parameters", "Returns", "Raises", "See Also", "Notes", "Examples")
-NUMBERS = {2: "two", 3: "three", 4: "four", 5: "five", 6: "six", 7: "seven"}
 
 
 def parse(text):
@@ -31,25 +29,14 @@ def rows_of(shape):
     return f"({', '.join(['...', *map(str, shape)])})"
 
 
-def of_same(operands, text_of):
-    """Neighbours of the same shape of which the same is said: their shape, the text, and them."""
-    for (shape, text), group in groupby(operands, lambda one: (one.shape, text_of(one))):
-        yield shape, text, list(group)
-
-
 def output_entry(name, shapes):
     """What is said of the array into which results of these shapes go."""
-    count, written = NUMBERS.get(len(shapes)), [rows_of(shape) for shape in shapes]
-    put = f"Where to put the result{'s' if count else ''}{'' if count or name == 'out' else ', which is returned'}."
-    if not count:
-        kind = f"{written[0]} array"
-    elif len({*written}) > 1:
-        kind = f"tuple of {count} arrays, {', '.join(written[:-1])} and {written[-1]}"
-    elif shapes[0]:
-        kind = f"tuple of {count} {written[0]} arrays"
-    else:
-        kind = f"(..., {len(shapes)}) array, or a tuple of {count} (...) arrays"
-    return entry(f"{name} : {kind}, optional", put)
+    count, (*others, last) = len(shapes), map(rows_of, shapes)
+    if count == 1:
+        return entry(f"{name} : {last} array, optional", f"Where to put the result{'' if name == 'out' else ', which is returned'}.")
+    arrays = f"tuple of {count} arrays"
+    kind = f"{arrays}, {', '.join(others)} and {last}" if any(shapes) else f"(..., {count}) array, or {arrays}"
+    return entry(f"{name} : {kind}, optional", "Where to put the results.")
 
 
 def in_place(made, given):
@@ -71,9 +58,9 @@ def arguments_of(row, signature, voice, given):
     """The section of parameters."""
     optional = {one.name for one, argument in zip(row.inputs, signature.inputs) if argument.default is not None}
     made = []
-    for shape, (text, is_optional), group in of_same(row.inputs, lambda one: (voice.described(one.name), one.name in optional)):
+    for text, group in voice.grouped(row.inputs):
         names = ", ".join(voice.arguments[one.name] for one in group)
-        made.append(entry(f"{names} : {rows_of(shape)} array_like{', optional' if is_optional else ''}", text))
+        made.append(entry(f"{names} : {rows_of(group[0].shape)} array_like{', optional' * (group[0].name in optional)}", text))
     codes = " With ``dtype=np.uint8`` the result is 1, 0, or 255 for a bad row, for `bad_rows`."
     made.append(output_entry(signature.output.name, [one.shape for one in row.outputs]))
     made.append(entry("**kwargs", f"As for any ufunc.{codes if row.is_truth() else ''}"))
@@ -82,11 +69,13 @@ def arguments_of(row, signature, voice, given):
 
 def results_of(row, voice):
     """The section of results."""
-    for shape, text, group in of_same(row.outputs, lambda one: voice.described(one.parameter.name) if one.parameter else ""):
+    if row.is_truth():
+        yield entry("(...) array of bool, or bool", f"A bad row {'counts as an overlap' if row.is_overlap() else 'is not inside'}.")
+        return
+    for text, group in voice.grouped(row.outputs):
         names, plural = ", ".join(one.name.replace("lambda", "lambda_") for one in group), "s" if len(group) > 1 else ""
-        kind = f"{rows_of(shape)} array{plural}" + ("" if shape else f" or number{plural}")
-        head = "(...) array of bool, or bool" if row.is_truth() else kind if len(row.outputs) == 1 else f"{names} : {kind}"
-        yield entry(head, text)
+        kind = f"{rows_of(group[0].shape)} array{plural}" + ("" if group[0].shape else f" or number{plural}")
+        yield entry(kind if len(row.outputs) == 1 else f"{names} : {kind}", text)
 
 
 def docstring(row, signature, given, voice):

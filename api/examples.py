@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Valid arguments of the functions of one row, for the examples of the languages."""
 
+from declarations import entry_of
+
 # By their names: in three dimensions, and those that are others in two.
 VALUES = {
     "r12": [3, 0.5, 0], "q": [9, 0, 0, 4, 0, 1], "q1": [9, 0, 0, 4, 0, 1], "q2": [0.25, 0, 0, 0.25, 0, 0.25], "semi_axes": [3, 2, 1],
@@ -16,8 +18,9 @@ R12 = {"distance": [5, 0.5, 0], "gap": [0.5, 0.25, 0]}  # by the first word of t
 PLANE = {"q": [9, 0, 4], "q1": [9, 0, 4], "q2": [0.25, 0, 0.25], "second_moments": [9, 0, 4]}
 
 
-def example_value(function, name, count):
+def example_value(function, one, count):
     """Numbers, nested as rows of a matrix, of an argument whose first extent is count; a number if that is 0."""
-    name = name if name in VALUES else name.removesuffix("s")
-    value = R12.get(function.name.split("_")[1], VALUES[name]) if name == "r12" else VALUES[name]
+    name = one.name if one.name in VALUES else one.name.removesuffix("s")
+    value = entry_of(VALUES, name, "VALUES of api/examples.py", one.place)
+    value = R12.get(function.name.split("_")[1], value) if name == "r12" else value
     return PLANE.get(name, value[:count]) if count and len(value) != count else value

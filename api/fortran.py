@@ -11,7 +11,7 @@ from collections import namedtuple
 from itertools import groupby
 
 from attributes import PACKED
-from declarations import CALLBACKS, HOST_HEADERS, SOURCE, STRUCTS, constants, functions, version
+from declarations import CALLBACKS, HOST_HEADERS, SOURCE, STRUCTS, constants, entry_of, functions, version
 from layout import WIDTH, insert, wrapped
 
 FORTRAN = SOURCE / "fortran"
@@ -31,9 +31,10 @@ def argument(one, owners):
     if one.is_handle():
         kind = "type(c_funptr)" if one.type in CALLBACKS else "type(c_ptr)"
         return f"{kind}, {'intent(out)' if one.outer else 'value'}", name
+    kind = entry_of(TYPES, one.type, "TYPES of api/fortran.py", one.place)
     if not one.pointer:
-        return f"{TYPES[one.type]}, value", name
-    return f"{TYPES[one.type]}, intent({'out' if one.is_output() else 'in'}){', optional' if one.nullable else ''}", name
+        return f"{kind}, value", name
+    return f"{kind}, intent({'out' if one.is_output() else 'in'}){', optional' if one.nullable else ''}", name
 
 
 def continued(line):
@@ -41,12 +42,6 @@ def continued(line):
     indent = re.match(" *", line)[0]
     lines = wrapped(line, WIDTH - 2, "", indent + "  ") if len(line) > WIDTH else [line]
     return [f"{one} &" for one in lines[:-1]] + lines[-1:]
-
-
-def declarations_of(arguments):
-    """One declaration for consecutive arguments with the same attributes."""
-    for attributes, group in groupby(arguments, lambda one: one[0]):
-        yield f"{attributes} :: {', '.join(name for _, name in group)}"
 
 
 def interface(function, template):
@@ -59,16 +54,21 @@ def interface(function, template):
         variable = "status" if function.type == "int" else "value"
         kind, suffix = "function", f" result({variable})"
         result = [f"{'type(c_ptr)' if '*' in function.type else TYPES[function.type]} :: {variable}"]
+    matrices = [one for one in function.parameters if [type(extent) for extent in one.shape[-2:]] == [int, int]]
     if not own:
-        yield from wrapped(function.brief() + ".", first="    !> ")
+        rows = ", ".join(f"{one.name}(:, k{', i' if one.rows else ''})" for one in matrices)
+        text = f" Row k in C is {rows}." if matrices else ""
+        yield from wrapped(f"{function.brief()}.{text}", first="    !> ")
     yield from continued(f"    {kind} {bound}({', '.join(function.parameter_names())}){suffix} bind(C, name='{function.name}')")
     yield "      import"
     structs = {name: one.name for one in function.parameters if one.is_struct() for name in one.member_names()}
     owners = {name: owner for name, owner in structs.items() if name not in function.parameter_names()}
     # Extents come first, because shapes refer to them.
     extents = [one for one in function.parameters if one.is_struct() or (not one.pointer and (one.type == "size_t" or one.name == "n"))]
-    sizes_first = sorted(function.parameters, key=lambda one: one not in extents)
-    for line in [*declarations_of(argument(one, owners) for one in sizes_first), *result]:
+    sizes_first = (argument(one, owners) for one in sorted(function.parameters, key=lambda one: one not in extents))
+    grouped = groupby(sizes_first, lambda one: one[0])
+    declared = (f"{attributes} :: {', '.join(name for _, name in group)}" for attributes, group in grouped)
+    for line in [*declared, *result]:
         yield from continued("      " + line)
     yield from (f"    end {kind} {bound}", "")
 

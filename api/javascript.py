@@ -90,12 +90,6 @@ def voice(row):
     return PlainVoice(row, {one.function.name: camel(one.name) for one in asked()}, {one.name: camel(one.name) for one in row.inputs})
 
 
-def argument_text(row, one):
-    """What an argument is, with its numbers."""
-    said = plain(voice(row).described(one.name))
-    return f"{said}{MOTION if one.is_motion() else ''}{f' {one.size} numbers.' if one.shape else ''}"
-
-
 def comment(lines):
     """A comment of the lines, each of which may be wrapped."""
     yield "/**"
@@ -130,8 +124,12 @@ def signature(row):
 def declaration(row):
     """The types of a function and of that for many rows, whose caller may give arrays for the results."""
     name, both = camel(row.name), "Numbers | number"
-    said = [plain(text) for text in [*voice(row).head(), *voice(row).notes()]]
-    yield from comment([*said, *(f"@param {camel(one.name)} {argument_text(row, one)}" for one in row.inputs)])
+    said = [*voice(row).head(), *voice(row).notes()]
+    for text, (first, *others) in voice(row).grouped(row.inputs):
+        size = f"{MOTION if first.is_motion() else ''}{f' {first.size} numbers.' if first.shape else ''}"
+        said.append(f"@param {camel(first.name)} {text}{size}")
+        said += [f"@param {camel(one.name)} As `{camel(first.name)}`." for one in others]
+    yield from comment(map(plain, said))
     yield f"{signature(row)};"
     yield from comment([f"{name}() of many rows: see {{@link Numbers}}."])
     yield f"{name}Rows({parameters_of(row, both)}): {one_or_object(names_and(row, lambda one: ARRAYS[type_of(row, one)]))};"
@@ -145,13 +143,10 @@ def types():
     return insert(FOLDER / "pw85.in.d.ts", "//@", made)
 
 
-def package():
-    return (FOLDER / "package.in.json").read_text(encoding="utf-8").replace("@version@", version())
-
-
 def files():
     """The texts of all made files by their paths."""
-    made = {"questions.js": table(), "pw85.d.ts": types(), "package.json": package()}
+    package = (FOLDER / "package.in.json").read_text(encoding="utf-8").replace("@version@", version())
+    made = {"questions.js": table(), "pw85.d.ts": types(), "package.json": package}
     return {FOLDER / path: text for path, text in made.items()}
 
 

@@ -35,6 +35,15 @@ def in_one_line_or_each(begin, listed, end, indent="", width=WIDTH):
     return [line] if len(line) <= width else [indent + begin.rstrip(), *(f"{indent}    {one}," for one in listed), indent + end.lstrip()]
 
 
+def cpp_header(path, text, template=None):
+    """A made header of C++: a text, whose first lines are its comment, with what stands around the text of each."""
+    comment, _, rest = text.partition("\n\n")
+    guard = "_".join(part.upper() for part in re.split(r"\W", "/".join(path.parts[-2:])))
+    guard = f"PW85_{guard.removeprefix('PW85_')}_INCLUDED"
+    made = f"//\n// Made from the headers{f' and api/{template.name}' if template else ''} by api/committed.py.\n// clang-format off"
+    return f"{comment}\n{made}\n#ifndef {guard}\n#define {guard}\n\n{rest}\n#endif\n"
+
+
 def insert(template, mark, made):
     """The text of a template, a path, with lines in the place of each line that has the mark and their name, indented as this is."""
 

@@ -7,7 +7,7 @@ references in the place of pointers to objects and structs that must not be null
 """
 
 from declarations import OBJECTS, SIMULATION, SOURCE, functions, members_read
-from layout import arguments
+from layout import arguments, cpp_header
 from shims import FOLDER, HEAD, described
 
 NAMES = {header: "objects_" + header.removeprefix("pw85_").removesuffix(".h") for header in ("pw85_systems.h", *SIMULATION)}
@@ -17,11 +17,6 @@ HEADER = """\
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The functions that work on objects, each called by the function of the C API of its name.
-//
-// Made from pw85_systems.h and the parts of pw85_simulation.h by api/committed.py.
-// clang-format off
-#ifndef PW85_BASE_OBJECTS_HPP_INCLUDED
-#define PW85_BASE_OBJECTS_HPP_INCLUDED
 
 #include <pw85_simulation.h>
 
@@ -30,9 +25,12 @@ namespace pw85::detail {{
 {declarations}
 
 }} // namespace pw85::detail
-
-#endif
 """
+
+
+def is_of_object(function):
+    """Whether a function has a status and an object of the library, which it makes or on which it works."""
+    return function.type == "int" and any(one.type in OBJECTS for one in function.parameters)
 
 
 def is_reference(one):
@@ -85,11 +83,11 @@ def shim(function):
 
 def files():
     """The texts of the files by their paths."""
-    listed = {header: [one for one in functions(header) if one.is_of_object()] for header in NAMES}
+    listed = {header: [one for one in functions(header) if is_of_object(one)] for header in NAMES}
     made = {}
     for header, own in listed.items():
         head = HEAD.format(what=f" of objects: the functions of {header}", sources=header, includes=INCLUDES,
                            namespaces="using namespace pw85::detail;")  # fmt: skip
         made[FOLDER / f"{NAMES[header]}.cpp"] = head + "".join(map(shim, own))
-    workers = "\n".join(worker(function) for own in listed.values() for function in own)
-    return made | {SOURCE / "src/base/objects.hpp": HEADER.format(declarations=workers)}
+    workers, header = "\n".join(worker(function) for own in listed.values() for function in own), SOURCE / "src/base/objects.hpp"
+    return made | {header: cpp_header(header, HEADER.format(declarations=workers))}

@@ -8,19 +8,16 @@ arguments by the tables made here.
 """
 
 import re
-from functools import cache
-from itertools import zip_longest
 
 from declarations import HOST_HEADERS, SOURCE, sections, version
 from layout import filled
-from questions import MOTION, function_in_c, kind_of, questions, wrapped
+from questions import MOTION, c_source, questions
 from voice import with_named_statuses
 
 FOLDER = SOURCE / "octave"
 MARK = "made by api/octave.py from the headers of the C API"
 BY_HAND = {"pw85_from_matgeom": "Quadratic forms", "pw85_reproducible": "Version and errors", "pw85_version": "Version and errors",
            "pw85_enclosing_ellipsoid": "Enclosing ellipsoids", "pw85_enclosing_ellipsoid_of": "Enclosing ellipsoids"}  # fmt: skip
-MOST_COLUMNS = 128  # PW85_COLUMNS
 # What the tests give for other arguments than ellipsoids.
 VALUES = {"lambda": "0.5", "mu2": "1", "t_max": "Inf", "motion1": "zeros (1, 7)", "motion2": "[-1, zeros(1, 6)]", "a": "[3; 2]",
           "b": "1", "angle": "0.5", "semi_axes": "[3 2 1; 4 1 1]", "rotation": "eye (3)", "quaternion": "[0.9 0.1 0.3 0.2]"}  # fmt: skip
@@ -32,20 +29,18 @@ ROWS_OF_ALL = ("Each argument has a row for each row of the results, or one row 
 COLUMNS = {2: "[xc yc a b theta]", 3: "[xc yc zc a b c phi theta psi]"}
 
 
-@cache
+def name_of(question):
+    """The name in Octave, which is that of the C API without `_2d`."""
+    return f"pw85_{question.name}"
+
+
 def functions():
-    """The questions by their names in Octave, which are those of the C API without `_2d`."""
-    return {f"pw85_{one.name}": one for one in questions()}
-
-
-@cache
-def names_in_octave():
-    """The names in Octave of functions of C."""
-    return {row.function.name: name for name, one in functions().items() for row in one.rows.values()}
+    """The questions by their names in Octave."""
+    return {name_of(one): one for one in questions()}
 
 
 def voice(question):
-    return question.voice(names_in_octave())
+    return question.voice(name_of)
 
 
 def inputs(question):
@@ -62,28 +57,9 @@ def result(question):
     return found[0] if len(found) == 1 else f"[{', '.join(found)}]"
 
 
-def entry(question):
-    """The entry in the list of all questions in C."""
-    is_endless = str(inputs(question)[-1] == "t_max").lower()
-    yield f'    {{"{question.name}", {len(question.ellipsoids)}, {is_endless}, {{'
-    for dimension, row in sorted(question.rows.items()):
-        given = ", ".join(f'{{"{one.name}", {kind_of(one)}, {one.size}}}' for one in row.inputs)
-        sizes = [one.size for one in row.outputs]
-        assert sum(sizes) + sum(one.size for one in row.inputs) <= MOST_COLUMNS, question.name
-        text = f"{question.name}_{dimension}, {str(row.is_truth()).lower()}, {len(row.inputs)}, {{{given}}}, "
-        yield wrapped(f"        [{dimension - 2}] = {{{text}{len(sizes)}, {{{', '.join(map(str, sizes))}}}}},")
-    yield "    }},"
-
-
-def c_source():
-    listed = sorted(questions(), key=lambda one: one.name)
-    made = [function_in_c(f"{one.name}_{dimension}", row) for one in listed for dimension, row in sorted(one.rows.items())]
-    head = f"/* SPDX-License-Identifier: BSD-3-Clause */\n/* The functions of ellipsoids: {MARK}. */\n/* clang-format off */"
-    return "\n".join([
-        head, '#include "pw85_octave.h"', "", *made, "struct pw85_question const pw85_questions[] = {",
-        *(line for one in listed for line in entry(one)), "};\n",
-        "size_t const pw85_num_questions = sizeof pw85_questions / sizeof *pw85_questions;\n",
-    ])  # fmt: skip
+def is_endless(question):
+    """Whether the last argument may be missing: it is infinite then."""
+    return f"{str(inputs(question)[-1] == 't_max').lower()}, "
 
 
 def paragraph(text, indent="  ", first=None):
@@ -102,29 +78,28 @@ def usages(name, question):
 
 
 def operands(question, attribute):
-    """The inputs or outputs in the highest dimension, each with what is said of its columns: those of ellipsoids, and of ellipses if
-    they differ."""
-    flat = getattr(question.rows[2], attribute) if len(question.rows) == 2 else []
-    for one, other in zip_longest(getattr(question.first, attribute), flat):
-        sizes = dict.fromkeys(operand.size for operand in (one, other) if operand is not None)
-        yield one, f"{' or '.join(map(str, sizes))} column{'s' if max(sizes) > 1 else ''}"
+    """The inputs or outputs in the highest dimension of which the same is said: their names, the first one, the text, and how many columns
+    they have, of ellipsoids, and of ellipses if these are others."""
+    listed = [getattr(row, attribute) for _, row in sorted(question.rows.items(), reverse=True)]
+    sizes = {one.name: dict.fromkeys([one.size, *(other.size for other in others)]) for one, *others in zip(*listed)}
+    for text, group in voice(question).grouped(listed[0]):
+        known, each = sizes[group[0].name], " each" if len(group) > 1 else ""
+        columns = f"{' or '.join(map(str, known))} column{'s' if max(known) > 1 else ''}{each}"
+        yield ", ".join(one.name or question.name for one in group), group[0], text, columns
 
 
 def described_items(question):
-    for one, columns in operands(question, "inputs"):
+    for names, one, text, columns in operands(question, "inputs"):
         motion = f": {MOTION}" if one.is_motion() else "."
         absent = " Infinite if it is missing." if one.name == "t_max" else ""
-        yield item(one.name, f"{voice(question).described(one.parameter.name)} {columns}{motion}{absent}")
+        yield item(names, f"{text} {columns}{motion}{absent}")
     if question.ellipsoids:
         shapes = " or, in the plane, ".join(COLUMNS[dimension] for dimension in sorted(question.rows, reverse=True))
         yield item(", ".join(question.ellipsoids), f"Rows of matGeom, {shapes}: see pw85_from_matgeom.")
     yield "%"
-    columns_of = {id(one): columns for one, columns in operands(question, "outputs")}
-    for one, *others in question.first.outputs_by_parameter():
-        names = ", ".join(other.name or question.name for other in (one, *others))
+    for names, one, text, columns in operands(question, "outputs"):
         matrix = f", a matrix of {one.shape[0]} x {one.shape[1]} row by row" if len(one.shape) == 2 else ""
-        text = f"{voice(question).described(one.parameter.name)} {columns_of[id(one)]}{' each' if others else matrix}."
-        yield item(names, "true or false." if question.first.is_truth() else text)
+        yield item(names, "true or false." if question.first.is_truth() else f"{text} {columns}{matrix}.")
 
 
 def page(name, question):
@@ -168,15 +143,11 @@ def index():
     return "\n".join([*lines, ""])
 
 
-def released():
-    """The day of this version, which pkg wants to know."""
-    text = (SOURCE / "CHANGELOG.md").read_text(encoding="utf-8")
-    return re.search(rf"^## \[{re.escape(version())}\] - (\S+)$", text, re.MULTILINE)[1]
-
-
 def files():
     """The texts of all made files by their paths."""
-    described = (FOLDER / "DESCRIPTION.in").read_text(encoding="utf-8").replace("@version@", version())
-    made = {"DESCRIPTION": described.replace("@date@", released()), "INDEX": index(), "src/questions.c": c_source()}
+    log, described = (path.read_text(encoding="utf-8") for path in (SOURCE / "CHANGELOG.md", FOLDER / "DESCRIPTION.in"))
+    released = re.search(rf"^## \[{re.escape(version())}\] - (\S+)$", log, re.MULTILINE)[1]  # the day, which pkg wants to know
+    described = described.replace("@version@", version()).replace("@date@", released)
+    made = {"DESCRIPTION": described, "INDEX": index(), "src/questions.c": c_source(MARK, "pw85_octave.h", is_endless)}
     made |= {f"inst/{name}.m": page(name, one) for name, one in functions().items()}
     return {FOLDER / path: text for path, text in made.items()}

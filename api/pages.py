@@ -12,18 +12,12 @@ FUNCTION = re.compile(r":c:func:`(\w+)`")
 PURPOSE_HEADERS = (*PARTS, "pw85_zheng.h")  # the table of purposes has all their functions
 
 
-def names_in_python():
-    """The names in Python of the functions of C that the package has."""
-    public = package_names()
-    same = {name: name.removeprefix("pw85_") for name in c_functions() if name.removeprefix("pw85_") in public}
-    return same | python_names()
-
-
 @cache
 def places_in_python():
     """The section, or the header without sections, that has each function of Python first. The function for one row comes before that
     for many, which has the same name in Python."""
-    names, places = names_in_python(), {}
+    public, places = package_names(), {}
+    names = {one.name: one.plain for one in c_functions().values() if one.plain in public} | python_names()
     for header in C_HEADERS:
         for section in sections(header):
             for function in section.functions:

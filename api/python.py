@@ -29,7 +29,7 @@ from pathlib import Path
 
 from declarations import SOURCE
 from docstrings import INDENT, docstring
-from layout import insert
+from layout import in_one_line_or_each, insert
 from python_calls import objects_table, rows_table, stubs
 from rows import row_functions
 from voice import Voice
@@ -84,14 +84,8 @@ def signature_of(row, node):
 
 
 def definition(name, arguments, result, end):
-    """The head of a function, in one line if that fits."""
-    line = f"def {name}({', '.join(arguments)}) -> {result}:{end}"
-    if len(line) <= LINE:
-        return line
-    inner = f"{INDENT}{', '.join(arguments)}"
-    if len(inner) > LINE:
-        inner = "\n".join(f"{INDENT}{argument}," for argument in arguments)
-    return f"def {name}(\n{inner}\n) -> {result}:{end}"
+    """The head of a function."""
+    return "\n".join(in_one_line_or_each(f"def {name}(", arguments, f") -> {result}:{end}", width=LINE))
 
 
 def tuple_of(types):
@@ -134,7 +128,7 @@ def made(row, node=None):
     statements = [one for one in node.body[text is not None :] if not isinstance(one, ast.Pass)] if node else []
     arguments = [argument.name for argument in (*signature.inputs, signature.output)]
     body = "\n".join(map(ast.unparse, statements)) or f"return _core.call_{row.name}({', '.join([*arguments, 'kwargs'])})"
-    voice = Voice(row, python_names(), dict(zip((one.name for one in row.inputs), arguments)))
+    voice = Voice(row, python_names(), dict(zip((one.name for one in row.inputs), arguments)), has_matrices=True)
     whole = f'"""{docstring(row, signature, inspect.cleandoc(text or ""), voice)}\n"""\n{body}'
     return f"{heads(row, signature)}\n{textwrap.indent(whole, INDENT)}\n"
 
@@ -188,15 +182,8 @@ def package_names():
 
 def main(kind, *paths):
     *templates, output = map(Path, paths)
-    if kind == "table":
-        text = rows_table(row_functions())
-    elif kind == "objects":
-        text = objects_table()
-    elif kind == "names":
-        text = with_names(*templates)
-    else:
-        text = module(*templates)
-    output.write_text(text, encoding="utf-8")
+    made = {"table": rows_table, "objects": objects_table, "names": with_names, "functions": module}
+    output.write_text(made[kind](*templates), encoding="utf-8")
 
 
 if __name__ == "__main__":

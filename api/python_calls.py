@@ -8,7 +8,7 @@ fills. A struct is given by its members.
 """
 
 from attributes import PACKED
-from declarations import OBJECTS, SIMULATION, functions, values_of_members
+from declarations import OBJECTS, SIMULATION, entry_of, functions, values_of_members
 from rows import row_functions
 
 NUMBERS_OF_FORM = 6
@@ -19,21 +19,15 @@ OTHERS = ("pw85_overlap_any", "pw85_contact_polytope_batch", "pw85_overlap_polyt
 SCALARS = {"size_t": "size", "int": "integer", "double": "real"}
 
 
-def input_of_row(one, number):
-    """The argument of one row at a place among the inputs."""
-    if one.is_motion():
-        return f"motion(in[{number}])"
-    return f"{'' if one.shape else '*'}in[{number}]"
-
-
 def call_of_row(row, outputs):
     """The call of the function. Where its library keeps no record of refusals, the function of the library pw85 that has the same inputs,
     all of which are declared "as" its own, tells why it is refused."""
-    function, inputs = row.function, [input_of_row(one, k) for k, one in enumerate(row.inputs)]
+    function = row.function
+    inputs = [f"motion(in[{k}])" if one.is_motion() else f"{'' if one.shape else '*'}in[{k}]" for k, one in enumerate(row.inputs)]
     written = f"{function.name}({', '.join([*['1'] * row.is_of_many(), *inputs, *outputs])})"
     if function.type != "int" or function.header not in SILENT_HEADERS:
         return written
-    name, = {function.descriptions[one.name].attributes.like for one in row.inputs}
+    (name,) = {function.descriptions[one.name].attributes.like for one in row.inputs}
     return f"recorded({written}, {', '.join([name, *inputs])})"
 
 
@@ -82,12 +76,12 @@ def codes(row):
     return f"codes_of_each<{', '.join([row.function.name, *(str(one.size) for one in row.inputs)])}>"
 
 
-def rows_table(rows):
+def rows_table():
     """The rows of the table. The truth value of a bad row is true for overlaps, so that a simulation refuses it."""
     return "".join(
         f'{{"{row.name}", "{row.signature()}",\n [](Inputs in, Outputs out) -> int {{ {body_of_row(row)} }},\n'
-        f" {batch(row)}, {codes(row)}, {str(row.is_truth() and row.name.startswith('overlap')).lower()}}},\n"
-        for row in rows
+        f" {batch(row)}, {codes(row)}, {str(row.is_overlap()).lower()}}},\n"
+        for row in row_functions()
     )
 
 
@@ -145,7 +139,7 @@ class Body:
         if one.is_handle():
             return f"reinterpret_cast<{one.type} *>(in.address())"
         if not one.pointer:
-            return f"in.{SCALARS[one.type]}()"
+            return f"in.{entry_of(SCALARS, one.type, 'SCALARS of api/python_calls.py', one.place)}()"
         kind, optional = f"{one.type}{' const' if one.const else ''}", str(one.nullable or one.name == "cell").lower()
         if one.rows not in self.counts:
             return f"in.numbers<{kind}>({product(one.shape)}, {optional})"

@@ -55,9 +55,9 @@ class Question:
     def is_constructor(self):
         return self.name in CONSTRUCTORS
 
-    def voice(self, names):
-        """What the headers say, where functions of C have these names."""
-        return PlainVoice(self.first, names)
+    def voice(self, name_of):
+        """What the headers say, in a language in which a question has a name, or none."""
+        return PlainVoice(self.first, {row.function.name: name_of(one) for one in questions() for row in one.rows.values()})
 
 
 def is_asked(row):
@@ -102,12 +102,27 @@ def wrapped(line):
     return filled(line.strip(), first=indent, rest=indent + "    ")
 
 
-def function_in_c(name, row):
-    """The function that answers n rows."""
-    head = wrapped(f"static int {name}(size_t n, double const *const *in, void *const *out, size_t *row)")
-    return "\n".join([head, "{", *map(wrapped, call(row)), "}\n"])
+def entry(question, facts, columns):
+    """The lines of a question in the table: its functions in two and three dimensions, and what c_source() is given."""
+    yield f'    {{"{question.name}", {len(question.ellipsoids)}, {facts(question)}{{'
+    for dimension, row in sorted(question.rows.items()):
+        assert [one.name for one in row.inputs if one.name not in KINDS] == [one.name for one in question.others], question.name
+        given = ", ".join(f'{{"{one.name}", {KINDS.get(one.name, "PW85_VALUES")}, {one.size}}}' for one in row.inputs)
+        sizes = ", ".join(str(one.size) for one in row.outputs)
+        text = f"{question.name}_{dimension}, {str(row.is_truth()).lower()}, {len(row.inputs)}, {{{given}}}, "
+        yield wrapped(f"        [{dimension - 2}] = {{{text}{len(row.outputs)}, {{{sizes}}}{columns(question, dimension)}}},")
+    yield "    }},"
 
 
-def kind_of(one):
-    """What an input is: a part of an ellipsoid, or values."""
-    return KINDS.get(one.name, "PW85_VALUES")
+def c_source(mark, header, facts=lambda question: "", columns=lambda question, dimension: ""):
+    """The functions and the table of all questions by their names. A language can have facts of a question, and of its columns."""
+    listed = sorted(questions(), key=lambda one: one.name)
+    rows = {f"{one.name}_{dimension}": row for one in listed for dimension, row in sorted(one.rows.items())}
+    arguments = "size_t n, double const *const *in, void *const *out, size_t *row"
+    made = [line for name, row in rows.items() for line in (f"static int {name}({arguments})", "{", *call(row), "}", "")]
+    head = f"/* SPDX-License-Identifier: BSD-3-Clause */\n/* The functions of ellipsoids: {mark}. */\n/* clang-format off */"
+    return "\n".join([
+        head, f'#include "{header}"', "", *map(wrapped, made), "struct pw85_question const pw85_questions[] = {",
+        *(line for one in listed for line in entry(one, facts, columns)), "};\n",
+        "size_t const pw85_num_questions = sizeof pw85_questions / sizeof *pw85_questions;\n",
+    ])  # fmt: skip

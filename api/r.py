@@ -7,17 +7,16 @@ frames with a row for each ellipsoid. r/src/rows.c reads their columns and calls
 
 import re
 import unicodedata
-from functools import cache
 
 from declarations import SOURCE, version
 from layout import filled
-from questions import MOTION, function_in_c, kind_of, questions, wrapped
+from questions import MOTION, c_source, questions
 from voice import with_named_statuses
 
 FOLDER = SOURCE / "r"
 NAMES = {"overlap": "overlaps"}  # the names in R that are others than those of C
 ENTRIES = {(2, 2): "x y", (2, 3): "xx xy yy", (3, 3): "x y z", (3, 6): "xx xy xz yy yz zz"}  # by the dimension and their number
-ELLIPSOIDS = {"x": "A data frame with a row for each ellipse or ellipsoid, see pw85-package.", "y": "The second ellipsoids, as `x`."}
+WHICH = {(2, 3): "ellipse or ellipsoid", (2,): "ellipse", (3,): "ellipsoid"}
 MARK = "made by api/r.py from the headers of the C API"
 # Letters that pages of help have in other words, because not every typesetter of R has them.
 ASCII = {"λ": "lambda", "μ": "mu", "α": "alpha", "β": "beta", "κ": "kappa", "ρ": "rho", "ε": "epsilon", "ω": "omega", "δ": "delta",
@@ -30,20 +29,13 @@ def name_of(question):
     return NAMES.get(question.name, question.name)
 
 
-@cache
 def exported():
     """The questions that users ask, without what the constructors call: these are called by r/R/ellipsoids.R."""
     return [one for one in questions() if not one.is_constructor()]
 
 
-@cache
-def names_in_r():
-    """The names in R of functions of C."""
-    return {row.function.name: name_of(one) for one in exported() for row in one.rows.values()}
-
-
 def voice(question):
-    return question.voice(names_in_r())
+    return question.voice(lambda one: "" if one.is_constructor() else name_of(one))
 
 
 def usage(question):
@@ -62,37 +54,16 @@ def columns(question, dimension):
     return found
 
 
-def table(question):
-    """The C code of a question."""
-    name, arguments, count = name_of(question), question.arguments, len(question.ellipsoids)
-    yield from (function_in_c(f"{name}_{dimension}", row) for dimension, row in question.rows.items())
-    yield f'static struct pw85_question const {name}_question = {{\n    "{name}",\n    {{'
-    for dimension, row in sorted(question.rows.items()):
-        place = {one: k for k, one in enumerate(arguments[count:])}
-        inputs = ", ".join(f'{{"{one.name}", {kind_of(one)}, {one.size}, {place.get(one.name, 0)}}}' for one in row.inputs)
-        outputs = ", ".join(str(one.size) for one in row.outputs)
-        names = ", ".join(f'"{one}"' for one in columns(question, dimension))
-        yield f"        [{dimension - 2}] = {{{name}_{dimension}, {str(row.is_truth()).lower()}, {len(row.inputs)},"
-        yield wrapped(f"{' ' * 15}{{{inputs}}}, {len(row.outputs)}, {{{outputs}}}, {{{names}}}}},")
-    yield "    },\n};\n"
-    yield wrapped(f"static SEXP call_{name}({', '.join(f'SEXP {one}' for one in arguments)})")
-    yield f"{{\n    SEXP const given[] = {{{', '.join(arguments)}}};"
-    yield f"    return pw85_rows(&{name}_question, {count}, {len(arguments) - count}, given);\n}}\n"
-
-
-def c_source():
-    lines = [f"/* SPDX-License-Identifier: BSD-3-Clause */\n/* The questions of ellipsoids: {MARK}. */\n/* clang-format off */"]
-    lines += ['#include "pw85_r.h"', "", *(line for question in questions() for line in table(question))]
-    calls = [(name_of(one), len(one.arguments)) for one in questions()]
-    lines += ["R_CallMethodDef const pw85_questions[] = {", *(f'    {{"{one}", (DL_FUNC)&call_{one}, {count}}},' for one, count in calls)]
-    return "\n".join([*lines, "    {NULL, NULL, 0},", "};", ""])
+def names_of_columns(question, dimension):
+    """The columns of the result in the table of C."""
+    names = ", ".join(f'"{one}"' for one in columns(question, dimension))
+    return f", {{{names}}}"
 
 
 def r_source():
-    lines = [f"# SPDX-License-Identifier: BSD-3-Clause\n# The questions of ellipsoids: {MARK}.\n"]
-    for one in questions():
-        lines.append(f"{usage(one).replace('(', ' <- function(', 1)} .Call({', '.join([f'C_{name_of(one)}', *one.arguments])})")
-    return "\n".join([*lines, ""])
+    called = [(usage(one).replace("(", " <- function(", 1), ", ".join([f'"{one.name}"', *one.arguments])) for one in questions()]
+    lines = [f"{defined} .External(C_ask, {given})" for defined, given in called]
+    return "\n".join([f"# SPDX-License-Identifier: BSD-3-Clause\n# The questions of ellipsoids: {MARK}.\n", *lines, ""])
 
 
 def help_text(text):
@@ -107,19 +78,19 @@ def help_text(text):
 
 def described(question):
     """What is said of each argument."""
-    for name in question.ellipsoids:
-        yield name, ELLIPSOIDS[name]
-    for one in question.others:
+    which = WHICH[tuple(sorted(question.rows))]
+    first, second = f"A data frame with a row for each {which}, see pw85-package.", f"The second {which.split()[-1]}s, as `x`."
+    yield from zip(question.ellipsoids, (first, second) if "x" in question.ellipsoids else (second,))
+    for text, group in voice(question).grouped(question.others):
+        one, names = group[0], ", ".join(one.name for one in group)
         size = f" A matrix or data frame with {one.size} columns, or {one.size} numbers for all rows" if one.shape else ""
-        end = f": {MOTION}" if one.is_motion() else "." if one.shape else ""
-        yield one.name, f"{voice(question).described(one.name)}{size}{end}"
+        yield names, f"{text}{size}{f': {MOTION}' if one.is_motion() else '.' if one.shape else ''}"
 
 
 def value_of(question):
     """What the function returns."""
     row, dimension = question.first, max(question.rows)
-    groups = row.outputs_by_parameter()
-    texts = [(", ".join(f"\\code{{{one.name}}}" for one in group), voice(question).described(group[0].parameter.name)) for group in groups]
+    texts = [(", ".join(f"\\code{{{one.name}}}" for one in group), text) for text, group in voice(question).grouped(row.outputs)]
     if len(row.outputs) == 1:
         kind = "logical vector" if row.is_truth() else "matrix" if row.outputs[0].shape else "numeric vector"
         text = f"A {kind} with {'a row' if kind == 'matrix' else 'an element'} for each row. {'' if row.is_truth() else texts[0][1]}"
@@ -136,10 +107,12 @@ def page(question):
     details = [*rest, *voice(question).notes(), question.dimensions]
     details.append(
         "Row i of the result belongs to row i of `x` (ellipsoid 1, form q1) and of `y` (ellipsoid 2, form q2); r12 is the centre of "
-        "ellipsoid 2 minus that of ellipsoid 1. Fewer rows are recycled." if "y" in question.arguments else "The centre plays no part."
+        "ellipsoid 2 minus that of ellipsoid 1. Fewer rows are recycled."
+        if "y" in question.arguments
+        else "The centre plays no part."
     )
     errors = help_text("If a row has an NA, its result is NA. A row that is refused is an error of class `pw85_error`: see pw85-package.")
-    title = help_text(re.split(r"[,:;(]|\. | which | that |\.$", brief)[0].strip()).replace("\n", " ")
+    title = help_text(brief.rstrip(".")).replace("\n", " ")
     function = f"The function of the C API is \\code{{{question.first.function.name}}}."
     return "\n".join([
         f"% SPDX-License-Identifier: BSD-3-Clause\n% {MARK[0].upper()}{MARK[1:]}.",
@@ -161,5 +134,6 @@ def example_of(question):
 def files():
     """The texts of all made files by their paths."""
     made = {"DESCRIPTION": (FOLDER / "DESCRIPTION.in").read_text(encoding="utf-8").replace("@version@", version())}
-    made |= {"src/questions.c": c_source(), "R/questions.R": r_source()} | {f"man/{name_of(one)}.Rd": page(one) for one in exported()}
+    made |= {"src/questions.c": c_source(MARK, "pw85_r.h", columns=names_of_columns), "R/questions.R": r_source()}
+    made |= {f"man/{name_of(one)}.Rd": page(one) for one in exported()}
     return {FOLDER / path: text for path, text in made.items()}

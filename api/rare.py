@@ -9,7 +9,7 @@
 import re
 
 from declarations import INCLUDE, SOURCE
-from layout import wrapped
+from layout import cpp_header, wrapped
 
 LINE = re.compile(r"^PW85_(RARE_TIER|SHARED_BY_QUESTIONS)(?:_OF)?\((\w+)(?:, (.+))?\)$", re.MULTILINE)
 TEMPLATE = r"template <((?:class|int) [^<>{}();]*)>\s(?:[^{}();]|\([^{}();]*\))*?\b%s\(((?:[^()]|\([^()]*\))*)\)\s*noexcept\s*{"
@@ -31,19 +31,8 @@ SIGNATURES = """\
 /// @file
 /// The parameters and arguments of functions that are compiled once (attributes.hpp), as
 /// define(name, (parameters), (arguments)).
-//
-// Made from the headers by api/committed.py.
-// clang-format off
-#ifndef PW85_BASE_SIGNATURES_HPP_INCLUDED
-#define PW85_BASE_SIGNATURES_HPP_INCLUDED
 
-{signatures}
-#endif
 """
-
-
-def is_shape(path, text):
-    return path.parent.name == "shapes" or "#include <pw85/distance/solids.hpp>" in text
 
 
 def signature(name, texts):
@@ -65,10 +54,11 @@ def files():
         lines = LINE.findall(text)
         for _, name, _ in lines:
             signatures.setdefault(name, signature(name, [text, *texts.values()]))
-        if is_shape(path, text) and (tiers := [(name, given) for tier, name, given in lines if tier == "RARE_TIER"]):
+        is_shape = path.parent.name == "shapes" or "#include <pw85/distance/solids.hpp>" in text
+        if is_shape and (tiers := [(name, given) for tier, name, given in lines if tier == "RARE_TIER"]):
             includes += f"#include <pw85/{path.relative_to(root).as_posix()}>\n"
             definitions += "".join(f"PW85_DEFINE_OF({name}, {given})\n" if given else f"PW85_DEFINE({name})\n" for name, given in tiers)
-    return {
-        SOURCE / "src/rare/shapes.cpp": SHAPES.format(includes=includes, definitions=definitions),
-        SOURCE / "src/base/signatures.hpp": SIGNATURES.format(signatures="".join(signatures[name] for name in sorted(signatures))),
-    }
+    header = SOURCE / "src/base/signatures.hpp"
+    text = SIGNATURES + "".join(signatures[name] for name in sorted(signatures))
+    shapes = SHAPES.format(includes=includes, definitions=definitions)
+    return {SOURCE / "src/rare/shapes.cpp": shapes, header: cpp_header(header, text)}

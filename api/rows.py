@@ -8,16 +8,18 @@ members of the result, as `out` with `mu2` and `lambda`, is as many results.
 
 from dataclasses import dataclass
 from functools import cache
-from itertools import groupby
 from math import prod
 
-from declarations import HOST_HEADERS, Function, Parameter, functions
+from declarations import HOST_HEADERS, ONE_ROW, Function, Parameter, functions
 
 # Python has one number of what this building block of 1.0's programs gives: f, by a function of python/src/function.cpp.
 ONE_OF_MANY = {"pw85__residual": "f"}
 NUMBERS_OF_MOTION = 7  # in a pw85_motion
 # Python has these for matrices (python/pypw85/_conversions.py), and says there which row is wrong.
 BY_HAND = ("pw85_from_moments", "pw85_from_moments_2d")
+# Other functions of one or many rows that languages have by hand: their parameters are not numbers and arrays of stated length alone.
+NOT_OF_ROWS = ("pw85_set_reproducible", "pw85_is_reproducible", "pw85_inertia", "pw85_inertia_batch", "pw85_overlap_any",
+               "pw85_contact_polytope", "pw85_contact_polytope_batch", "pw85_overlap_polytope", "pw85_overlap_polytope_batch")  # fmt: skip
 TRUTHS = ("overlap", "contains")  # integers that are truth values; others are signs and indices
 
 
@@ -33,10 +35,6 @@ class Operand:
     def size(self):
         """The number of its numbers."""
         return prod(self.shape)
-
-    def core(self):
-        """Its shape as in the signature of a generalised ufunc."""
-        return f"({','.join(map(str, self.shape))})"
 
     def is_motion(self):
         return self.parameter is not None and self.parameter.type == "pw85_motion"
@@ -94,12 +92,14 @@ class RowFunction:
         listed = self.many.parameters[1:] if self.many is not None else []
         return bool(listed) and all(one.pointer and (one.type == "double" or (self.is_truth() and one.is_output())) for one in listed)
 
-    def outputs_by_parameter(self):
-        """The outputs, those together that are numbers in one array of C, of which one sentence is said."""
-        return [list(group) for _, group in groupby(self.outputs, lambda one: id(one.parameter))]
+    def is_overlap(self):
+        """Whether the result is the answer whether there is an overlap."""
+        return self.is_truth() and self.name.startswith("overlap")
 
     def signature(self):
-        return "->".join(",".join(one.core() for one in operands) for operands in (self.inputs, self.outputs))
+        """That of a generalised ufunc."""
+        cores = ([f"({','.join(map(str, one.shape))})" for one in operands] for operands in (self.inputs, self.outputs))
+        return "->".join(map(",".join, cores))
 
 
 def is_of_one_row(function):
@@ -123,9 +123,8 @@ def name_of_many(name):
 
 
 def operand(one):
-    if one.type == "pw85_motion":
-        return Operand(one.name, (NUMBERS_OF_MOTION,), one)
-    return Operand(one.name, tuple(extent for extent in one.shape if extent != "n"), one)
+    shape = (NUMBERS_OF_MOTION,) if one.type == "pw85_motion" else tuple(extent for extent in one.shape if extent != "n")
+    return Operand(one.name, shape, one)
 
 
 def results(function):
@@ -158,4 +157,6 @@ def row_functions():
             relatives.add(name_of_many(name))
         elif is_of_many_rows(function):
             found.append(row_function(function, function))
+        elif function.type == "int" and function.header in (*ONE_ROW, "pw85_batch.h") and name not in NOT_OF_ROWS:
+            raise ValueError(f"{function.place}: parameters that languages cannot take as rows, and not in NOT_OF_ROWS of api/rows.py")
     return found

@@ -7,7 +7,7 @@ A function of one row takes arrays and returns a number, an array or a struct; o
 import re
 from functools import cache
 
-from declarations import ONE_ROW, SOURCE, c_functions, functions, statuses, version
+from declarations import ONE_ROW, SOURCE, c_functions, entry_of, functions, statuses, version
 from examples import example_value
 from layout import in_one_line_or_each as listing
 from layout import wrapped
@@ -19,7 +19,8 @@ MARK = "// SPDX-License-Identifier: BSD-3-Clause\n// Made by api/rust.py from th
 HEADERS = (*ONE_ROW, "pw85_batch.h")
 TYPES = {"double": "f64", "int": "c_int", "size_t": "usize", "unsigned char": "u8", "char": "c_char"}
 BY_HAND_IN_RUST = ("pw85_version", "pw85_set_reproducible", "pw85_is_reproducible", "pw85_contact_polytope", "pw85_overlap_polytope",
-                   "pw85_overlap_any", "pw85_inertia", "pw85_enclosing_ellipsoid", "pw85_enclosing_ellipsoid_of", "pw85_random_points")
+                   "pw85_overlap_any", "pw85_inertia", "pw85_enclosing_ellipsoid", "pw85_enclosing_ellipsoid_of",
+                   "pw85_random_points")  # fmt: skip
 
 
 @cache
@@ -76,7 +77,7 @@ def values():
     of_function, rows, outputs = {}, {}, {}
     for row in (one for one in asked() if len(one.outputs) > 1 and not one.is_of_many()):
         name = row.name.removesuffix("_2d")
-        like = in_cpp.get(name) or in_cpp[name.split("_")[0]]
+        like = in_cpp.get(name) or entry_of(in_cpp, name.split("_")[0], "pw85.hpp", row.function.place)
         key = [(one.name, result_type(one)) for one in row.outputs]
         names = f"{like[1]}{'2d' if like[2] and row.name.endswith('_2d') else ''}", camel(row.name)
         struct = next(one for one in names if outputs.setdefault(one, key) == key)
@@ -92,14 +93,17 @@ def result_of(row):
 @cache
 def voice(row):
     """What the headers say, in the words of Rust."""
-    return PlainVoice(row, names_in_rust())
+    return PlainVoice(row, names_in_rust(), has_matrices=True)
 
 
 def told(row, listed):
     """Texts, and arguments."""
     said = voice(row)
-    texts = [(one.name, said.described(one.name), f"Unit: {one.attributes.unit}." * bool(one.attributes.unit)) for one in listed]
-    arguments = "\n".join(f"- `{name}`: {' '.join(filter(None, words))}" for name, *words in texts if any(words))
+    items = []
+    for text, group in said.grouped(listed):
+        words = [text, f"Unit: {group[0].attributes.unit}." * bool(group[0].attributes.unit)]
+        items += [f"- {', '.join(f'`{one.name}`' for one in group)}: {' '.join(filter(None, words))}"] * any(words)
+    arguments = "\n".join(items)
     return [*said.head(), *said.notes(), *["# Arguments", arguments] * bool(arguments)]
 
 
@@ -130,7 +134,7 @@ def comment(paragraphs, indent="", example=()):
 
 def literal(function, one):
     """A valid argument of one row."""
-    value = example_value(function, one.name, (*one.shape[is_of_rows(one) :], 0)[0])
+    value = example_value(function, one, (*one.shape[is_of_rows(one) :], 0)[0])
     text = f"pw85::Motion {{ velocity: {value[:3]}, ..Default::default() }}" if one.type == "pw85_motion" else str(value)
     return re.sub(r"(?<![\w.])\d+(?![\w.])", r"\g<0>.0", text)
 
@@ -150,6 +154,8 @@ def passed(one):
 def single(row):
     """The function of one row."""
     name, inputs, outputs = names_in_rust()[row.function.name], row.function.inputs, row.function.outputs
+    if not outputs:
+        raise ValueError(f"{row.function.place}: api/rust.py makes no functions of those that return a number")
     errors = sentence(re.sub(r"^For a single (row|value): | Rows of arrays become NaN\.$", "", voice(row).raises())).strip()
     given = [f"{'&' * (argument_type(one)[0] == '&')}{literal(row.function, one)}" for one in inputs]
     shown = [*listing(f"let found = pw85::{name}(", given, ")?;"), 'println!("{found:?}");']
@@ -193,10 +199,10 @@ def many(row):
 def struct(name, rows):
     shared = ", ".join(f"`{names_in_rust()[one.function.name]}()`" for one in rows)
     yield from [*comment([f"Results of {shared}."]), f"#[derive(Clone, Copy, Debug, PartialEq)]\npub struct {name} {{"]
-    for group in rows[0].outputs_by_parameter():
+    for text, group in voice(rows[0]).grouped(rows[0].outputs):
         names = f"{', '.join(f'`{one.name}`' for one in group)}: " if len(group) > 1 else ""
         for one in group:
-            text = "Whether the ellipsoids overlap." if result_type(one) == "bool" else voice(rows[0]).described(one.parameter.name)
+            text = "Whether the ellipsoids overlap." if result_type(one) == "bool" else text
             yield from [*comment([f"{names}{text}"], "    "), f"    pub {one.name}: {result_type(one)},"]
     yield "}\n"
 

@@ -4,9 +4,9 @@
 - For each question of pw85.h, pw85_grains.h and pw85_shapes.h a file with its functions of one row: they check pointers, set the
   floating-point environment, load the inputs, call the template of the same name (or the kernel of the chosen instruction set), store the
   members of its result by their names, and record the cause of a refusal (src/base/last_error.hpp).
-- The files *_rows.cpp have the functions of many rows that have no lanes, the lines "@rows" of api/pw85_batch.h.in. They call the
-  function of one row for each row, with an argument of src/rows/each_row.hpp for each parameter.
-- The files *_lanes.cpp have those of many rows that have lanes, the lines "@lanes": they call the kernel of LANES.
+- The files *_rows.cpp have the functions of many rows that have no lanes. They call the function of one row for each row, with an
+  argument of src/rows/each_row.hpp for each parameter.
+- The files *_lanes.cpp have those of many rows that have lanes: they call the kernel of LANES.
 
 A function that a file of src/c_api/ defines by hand is not made.
 """
@@ -16,7 +16,7 @@ import re
 import batch
 from attributes import LIMITS
 from declarations import ONE_ROW, SOURCE, c_functions, sections
-from layout import arguments
+from layout import WIDTH, arguments
 
 FOLDER = SOURCE / "src/c_api"
 # The files: their titles, and the headers that they include. A file has few questions, so that programs with the static library get what
@@ -46,31 +46,29 @@ FILES = {
     "contact_function": ("The contact function by Brent's method", ()),
     "others": ("Functions of other sections", ()),
 }
-# The files of functions and of sections that have other names.
-FILE_OF = {"pw85_contact_rounded": "rounded", "pw85_overlap_witness": "witness", "Time": "passage"}
-# The files of sections that the table does not have, by their headers.
-FILE_OF_HEADER = {"pw85_shapes.h": "solids"}
-# The kernels of functions of many rows that have lanes: the header of the question in src/simd/lanes/, the rows, and the arrays.
-PAIRS, PLANAR = "PairArrays<3>{r12, q1, q2}", "PairArrays<2>{r12, q1, q2}"
+# The files of functions, sections and headers that have other names.
+FILE_OF = {"pw85_contact_rounded": "rounded", "pw85_overlap_witness": "witness", "Time": "passage", "pw85_shapes.h": "solids"}
+# The kernels of functions of many rows that have lanes: the header of the question in src/simd/lanes/, the
+# arrays, whose members are the parameters that the rows do not have, and the rows, if they are not those of pairs.
 LANES = {
-    "pw85_contact": ("contact", PAIRS, "ContactArrays{mu2, lambda}"),
-    "pw85_contact_2d": ("contact", PLANAR, "ContactArrays{mu2, lambda}"),
-    "pw85_closest_approach": ("contact", "Directions{{directions, q1, q2}}", "ApproachArray{distance}"),
-    "pw85_overlap": ("overlap", PAIRS, "OverlapArray{overlap}"),
-    "pw85_overlap_2d": ("overlap", PLANAR, "OverlapArray{overlap}"),
-    "pw85_overlap_volume": ("volumes", PAIRS, "VolumeArray{volume}"),
-    "pw85_overlap_area_2d": ("two_dimensions", PLANAR, "AreaArray{area}"),
-    "pw85_distance": ("distance", PAIRS, "DistanceArrays{distance, point1, point2}"),
-    "pw85_closest_passage": ("passage", PAIRS, "PassageArrays{velocity, t_max, mu2, t}"),
-    "pw85_grain_contact": ("grains", PAIRS, "GrainArrays{starts, normal, depth, point, curvatures, radius}"),
-    "pw85_distance_point": ("surface_distances", "PointRows{r, q}", "SurfaceArrays{distance, point, normal}"),
-    "pw85_distance_cylinder": ("surface_distances", "CylinderRows{axis, radius, center, q}", "SurfaceArrays{distance, point, normal}"),
-    "pw85_intersect_line": ("lines", "SetRows<Lines>{{origin, directions}, q}", "ChordArrays{enter, leave}"),
+    "contact": ("contact", "ContactArrays"),
+    "contact_2d": ("contact", "ContactArrays"),
+    "closest_approach": ("contact", "ApproachArray", "Directions{{directions, q1, q2}}"),
+    "overlap": ("overlap", "OverlapArray"),
+    "overlap_2d": ("overlap", "OverlapArray"),
+    "overlap_volume": ("volumes", "VolumeArray"),
+    "overlap_area_2d": ("two_dimensions", "AreaArray"),
+    "distance": ("distance", "DistanceArrays"),
+    "closest_passage": ("passage", "PassageArrays"),
+    "grain_contact": ("grains", "GrainArrays"),
+    "distance_point": ("surface_distances", "SurfaceArrays", "PointRows{r, q}"),
+    "distance_cylinder": ("surface_distances", "SurfaceArrays", "CylinderRows{axis, radius, center, q}"),
+    "intersect_line": ("lines", "ChordArrays", "SetRows<Lines>{{origin, directions}, q}"),
 }
 SETS = {"segment": "SetRows<Segments>{{end1, end2}, q}", "triangle": "SetRows<Triangles>{{vertex1, vertex2, vertex3}, q}",
         "box": "SetRows<Boxes>{{lower, upper}, q}"}  # fmt: skip
-LANES |= {f"pw85_contact_{name}": ("shapes", rows, "SetContactArrays{mu2, point}") for name, rows in SETS.items()}
-LANES |= {f"pw85_overlap_{name}": ("shapes", rows, "OverlapArray{overlap}") for name, rows in SETS.items()}
+LANES |= {f"contact_{name}": ("shapes", "SetContactArrays", rows) for name, rows in SETS.items()}
+LANES |= {f"overlap_{name}": ("shapes", "OverlapArray", rows) for name, rows in SETS.items()}
 MARK = "by api/committed.py"
 DEFINITION = re.compile(r"^(?:int|void|double|char const \*) ?(pw85\w+)\(", re.MULTILINE)
 # Those that are compiled per instruction set: the list of src/simd/one_pair.hpp.
@@ -86,11 +84,6 @@ HEAD = """\
 {namespaces}
 """
 SOURCES_OF_ONE, SOURCES_OF_MANY = "pw85.h, pw85_grains.h and pw85_shapes.h", "pw85.h, pw85_grains.h, pw85_shapes.h and api/pw85_batch.h.in"
-
-
-def dispatched():
-    names = DISPATCHED.findall((SOURCE / "src/simd/one_pair.hpp").read_text(encoding="utf-8"))
-    return {f"pw85_{name}" for name in names}
 
 
 def by_hand():
@@ -136,36 +129,24 @@ def described(one, places=None):
     return f"Argument{kind}({', '.join(filter(None, [chr(34) + one.name + chr(34), place, rows, *checked]))})"
 
 
-def refused(function):
-    """The function that records the cause, and the statement that defines refused(status), which calls it. It is not inlined, so that
-    calls that succeed do not make room for what it needs."""
-    kept = {one.name: one for one in function.parameters if not one.is_output() or not one.nullable}
-    written = [text for text, one in zip(function.written, function.parameters) if one.name in kept]
-    begin = arguments(f"[[gnu::cold, gnu::noinline]] static int refuse_{function.plain}(", ["int status", *written], ") noexcept")
-    call = arguments("    return refuse_call(", ["status", f'"{function.name}"', *map(described, kept.values())], ");")
-    called = arguments(f"        return refuse_{function.plain}(", ["status", *kept], ");")
-    statement = f"    auto const refused = [&](int status) PW85_IN_COLD_PATH {{\n{called}\n    }};"
-    return f"\n{begin}\n{{\n{call}\n}}\n", statement
-
-
 def checks(function):
     """Statements that refuse null pointers. Answers and numbers are marked before anything else can fail."""
     answers = [one for one in function.outputs if one.type == "int"]
+    for one in (*function.inputs, *answers):
+        if one.nullable:
+            raise ValueError(f"{one.place}: only outputs of doubles can be optional in a function of one row")
     numbers = [one for one in function.outputs if one.type != "int"]
     needed = [one.name for one in function.parameters if one.pointer and one not in answers and not (one.is_output() and one.nullable)]
     condition = f"    if (any_null({', '.join(needed)}))"
-    if answers:
-        yield from (f"    store_nan({one.name}, {one.length or 1});" for one in numbers)
-        for one in answers:
-            if not one.attributes.on_error:
-                raise ValueError(f"{function.descriptions[one.name].place}: no value on error, such as -1 on error")
-            yield from (f"    if (any_null({one.name})) return refused(PW85_EINVAL);", f"    *{one.name} = {one.attributes.on_error};")
-        yield f"{condition} return refused(PW85_EINVAL);"
-        return
     marked = [f"{one.name}, {one.length or 1}" for one in numbers]
-    line = f"{condition} return refused(null_pointer({', '.join(marked)}));"
-    below = arguments("        return refused(null_pointer(", marked, "));")
-    yield from [line] if len(line) <= 100 else [condition, below]
+    yield from (f"    store_nan({numbers});" for numbers in marked if answers)
+    for one in answers:
+        if not one.attributes.on_error:
+            raise ValueError(f"{one.place}: no value on error, such as -1 on error")
+        yield from (f"    if (any_null({one.name})) return refused(PW85_EINVAL);", f"    *{one.name} = {one.attributes.on_error};")
+    status = "PW85_EINVAL" if answers else f"null_pointer({', '.join(marked)})"
+    line = f"{condition} return refused({status});"
+    yield line if len(line) <= WIDTH else f"{condition}\n{arguments('        return refused(null_pointer(', marked, '));')}"
 
 
 def body(function, of_kernels):
@@ -180,13 +161,23 @@ def body(function, of_kernels):
 
 
 def of_one_row(function, of_kernels):
-    recorder, statement = refused(function)
-    begin = arguments(f"int {function.name}(", function.written, ")")
-    return recorder + "\n".join(["", begin, "{", statement, *checks(function), body(function, of_kernels), "}", ""])
+    """The function, and before it the one that records the cause of a refusal. This is not inlined, so that calls that succeed do not
+    make room for what it needs."""
+    kept = {one.name: one for one in function.parameters if not one.is_output() or not one.nullable}
+    written = [text for text, one in zip(function.written, function.parameters) if one.name in kept]
+    return "\n".join([
+        "", arguments(f"[[gnu::cold, gnu::noinline]] static int refuse_{function.plain}(", ["int status", *written], ") noexcept"),
+        "{", arguments("    return refuse_call(", ["status", f'"{function.name}"', *map(described, kept.values())], ");"), "}",
+        "", arguments(f"int {function.name}(", function.written, ")"),
+        "{", "    auto const refused = [&](int status) PW85_IN_COLD_PATH {",
+        arguments(f"        return refuse_{function.plain}(", ["status", *kept], ");"), "    };",
+        *checks(function), body(function, of_kernels), "}", "",
+    ])  # fmt: skip
 
 
 def one_row_file(title, headers, listed):
-    of_kernels = dispatched()
+    names = DISPATCHED.findall((SOURCE / "src/simd/one_pair.hpp").read_text(encoding="utf-8"))
+    of_kernels = {f"pw85_{name}" for name in names}
     own = ["../base/c_arrays.hpp", "../base/floating_point_environment.hpp", "../base/last_error.hpp"]
     own += ["../simd/one_pair.hpp"] if any(one.name in of_kernels for one in listed) else []
     includes = ["#include <pw85.h>\n", *(f"#include <pw85/{header}.hpp>" for header in headers), *[""] * bool(headers)]
@@ -213,11 +204,20 @@ def row_argument(one, many):
     return f"RowsOf<{one.size}{'' if element == 'double const' else f', {element}'}>{{{names}}}"
 
 
+def kernel_of(function):
+    """The header of the question, the rows and the arrays of a function that has lanes."""
+    question, arrays, *rows = LANES[function.plain]
+    return question, (rows or [f"PairArrays<{function.dimension}>{{r12, q1, q2}}"])[0], arrays
+
+
 def of_many_rows(statement):
     listed = statement.arguments()
-    if statement.has_lanes:
-        names = [one.name for _, many in listed for one in many if one.pointer and not one.nullable]
-        begin, passed = "    return compute_rows(", [*LANES[statement.function.name][1:], *names]
+    if statement.function.plain in LANES:
+        _, rows, arrays = kernel_of(statement.function)
+        own = [one for _, many in listed for one in many]
+        others = ", ".join(one.name for one in own if one.name not in re.findall(r"\w+", rows))
+        names = [one.name for one in own if one.pointer and not one.nullable]
+        begin, passed = "    return compute_rows(", [rows, f"{arrays}{{{others}}}", *names]
     else:
         names = [many[0].name for _, many in listed]
         begin, passed = "    return each_row(", [statement.function.name, *(row_argument(one, many) for one, many in listed)]
@@ -227,8 +227,8 @@ def of_many_rows(statement):
 
 
 def many_rows_file(title, listed):
-    has_lanes = listed[0].has_lanes
-    questions = sorted({LANES[one.function.name][0] for one in listed}) if has_lanes else []
+    has_lanes = listed[0].function.plain in LANES
+    questions = sorted({kernel_of(one.function)[0] for one in listed}) if has_lanes else []
     own = ["rows/many_pairs", *(f"simd/lanes/{name}" for name in questions)] if has_lanes else ["rows/each_row"]
     head = HEAD.format(what=f", many rows with{'' if has_lanes else 'out'} lanes: {title[0].lower()}{title[1:]}", sources=SOURCES_OF_MANY,
                        includes="\n".join(["#include <pw85_batch.h>\n", *(f'#include "../{name}.hpp"' for name in own)]),
@@ -243,8 +243,7 @@ def file_of(function, section):
     if function.name.endswith("_factored"):
         return "factored"
     titles = {title: name for name, (title, _) in FILES.items()} | {f"pw85_{name}": name for name in FILES} | FILE_OF
-    other = FILE_OF_HEADER.get(function.header, "others")
-    return titles.get(function.name, titles.get(section.title, other))
+    return next((titles[key] for key in (function.name, section.title, function.header) if key in titles), "others")
 
 
 def files():
@@ -256,7 +255,7 @@ def files():
             if function.name not in hands:
                 of_one.setdefault(name, []).append(function)
     for statement in batch.statements():
-        name = f"{known[statement.function.name]}_{'lanes' if statement.has_lanes else 'rows'}"
+        name = f"{known[statement.function.name]}_{'lanes' if statement.function.plain in LANES else 'rows'}"
         of_many.setdefault(name, []).append(statement)
     made = {FOLDER / f"{name}.cpp": one_row_file(*FILES[name], listed) for name, listed in of_one.items()}
     return made | {FOLDER / f"{name}.cpp": many_rows_file(FILES[name.rpartition("_")[0]][0], listed) for name, listed in of_many.items()}

@@ -6,11 +6,12 @@ Usage: tables.py OUTPUT
 writes the rows of the table that tests/functions.cpp includes.
 """
 
+import re
 import sys
 from pathlib import Path
 
 from attributes import PACKED
-from declarations import HOST_HEADERS, OBJECTS, functions, values_of_members
+from declarations import HOST_HEADERS, OBJECTS, entry_of, functions, values_of_members
 
 TYPES = {
     "double": "real",
@@ -32,23 +33,18 @@ def extent(one, names):
     return f"{{-1, {one}}}" if isinstance(one, int) else f"{{{names.index(one)}, 0}}"
 
 
-def powers(unit):
-    """The powers of length and of time in a unit."""
-    found = {"length": 0, "time": 0, "energy": 0}
-    for sign, part in zip((1, -1), unit.split("/"), strict=False):
-        name = part.rstrip("²³")
-        if name in found:
-            found[name] += sign * POWERS[part[len(name) :]]
-    return found["length"], found["time"]
+def power(unit, name):
+    """The power of a length or a time in a unit."""
+    found = re.search(rf"(/?){name}([²³]?)", unit)
+    return POWERS[found[2]] * (-1 if found[1] else 1) if found else 0
 
 
 def row_of(parameter, names):
     shape = ", ".join(extent(one, names) for one in parameter.shape)
-    unit = parameter.attributes.unit
-    length, time = powers(unit)
+    unit, kind = parameter.attributes.unit, entry_of(TYPES, parameter.type, "TYPES of api/tables.py", parameter.place)
     flags = (unit == "mixed units", parameter.pointer, parameter.is_output() or parameter.outer, parameter.nullable)
     listed = ", ".join(str(flag).lower() for flag in flags)
-    return f'{{"{parameter.name}", Type::{TYPES[parameter.type]}, {length}, {time}, {listed}, {{{shape}}}}}'
+    return f'{{"{parameter.name}", Type::{kind}, {power(unit, "length")}, {power(unit, "time")}, {listed}, {{{shape}}}}}'
 
 
 def argument(one, names):

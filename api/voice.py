@@ -2,6 +2,7 @@
 """What the comments of the C headers say, in the words of Python: other names, no pointers, whole sentences."""
 
 import re
+from itertools import groupby
 
 from causes import CAUSES, can_have, is_named
 from declarations import described, first_sentence, returned
@@ -15,16 +16,13 @@ INFINITY = next(cause for cause in CAUSES if cause.key == "infinity")
 # What is wrong where a contract names a cause of an error (api/causes.py), of one parameter.
 WRONG = {
     "not definite": "a form is not positive definite",
-    "not positive": "`{name}` is not positive",
-    "negative": "`{name}` is negative",
+    "range": "the square of `{name}` overflows or underflows",
     "no rotation": "`{name}` is not orthonormal",
-    "zero": "`{name}` is zero",
     "concentric": "`{name}` is zero",
     "lambda": "λ is not in [0, 1]",
     "empty box": "`lower` is larger than `upper`",
     "shrinks": "an ellipsoid shrinks to nothing before `t_max`",
-    "singular": "`{name}` is singular",
-}
+} | {key: f"`{{name}}` is {key}" for key in ("not positive", "negative", "zero")}
 
 
 def sentence(text):
@@ -59,8 +57,9 @@ def with_named_statuses(text):
 class Voice:
     """How texts of the C headers are said in Python, of one function."""
 
-    def __init__(self, row, names, arguments=None):
+    def __init__(self, row, names, arguments=None, has_matrices=False):
         self.row = row
+        self.has_matrices = has_matrices  # arrays of two dimensions; otherwise rows of numbers
         self.names = names  # C functions that the language has, with the names that they have there
         self.arguments = {one.name: one.name for one in row.inputs} | (arguments or {})  # the names of arguments, by those in C
         has_flat_forms = any(one.name in ("q", "q1", "q2") and one.shape == (3,) for one in row.inputs)
@@ -85,6 +84,11 @@ class Voice:
         text = re.sub(r"#(PW85_\w+)", constant, re.sub(r"\blambda\b", "λ", text))
         if self.is_flat and is_inherited:
             text = text.replace("forms of the ellipsoids", "forms (xx, xy, yy) of the ellipses").replace("ellipsoid", "ellipse")
+            text = text.replace("∂V/", "∂A/")
+        if self.has_matrices:
+            text = re.sub(r"\brow-major:? ", "", text)
+        for name, own in self.arguments.items():
+            text = re.sub(rf"\b{name}(?![a-z0-9_])", own, text) if "_" in name else text
         return text
 
     def described(self, name):
@@ -92,6 +96,15 @@ class Voice:
         one, is_inherited = described(self.row.function, name), bool(self.row.function.descriptions[name].attributes.like)
         text = "; ".join(filter(None, [in_python(one.text.rstrip(".")), *limits_of(one)]))
         return sentence(self.said(text, is_inherited))
+
+    def grouped(self, operands):
+        """Neighbours of the same shape and unit of which the same is said, with the text."""
+
+        def said(one):
+            parameter = getattr(one, "parameter", one)
+            return (one.shape, parameter.attributes.unit, self.described(parameter.name)) if parameter else ((), "", "")
+
+        return [(text, list(group)) for (*_, text), group in groupby(operands, said)]
 
     def paragraphs(self):
         text = re.split(r"@(?:param|return)", self.row.function.comment)[0]

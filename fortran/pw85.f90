@@ -211,26 +211,60 @@ module pw85
   public :: pw85_contact_box_2d
   public :: pw85_overlap_segment_2d
   public :: pw85_overlap_box_2d
+  public :: pw85_ellipsoid_quaternion_batch
+  public :: pw85_ellipsoid_factor_batch
   public :: pw85_contact_batch
-  public :: pw85_overlap_batch
   public :: pw85_contact_rounded_batch
+  public :: pw85_contact_factored_batch
+  public :: pw85_condition_batch
+  public :: pw85_contact_function_batch
+  public :: pw85_contact_geometry_batch
+  public :: pw85_contact_geometry_factored_batch
+  public :: pw85_contact_gradient_batch
+  public :: pw85_contact_gradient_factored_batch
+  public :: pw85_contact_torque_batch
+  public :: pw85_contact_hessian_batch
+  public :: pw85_overlap_batch
   public :: pw85_overlap_factored_batch
   public :: pw85_compare_batch
   public :: pw85_overlap_witness_batch
   public :: pw85_contains_batch
   public :: pw85_containment_batch
-  public :: pw85_closest_passage_batch
-  public :: pw85_free_path_batch
   public :: pw85_closest_approach_batch
   public :: pw85_volume_batch
   public :: pw85_overlap_volume_batch
   public :: pw85_overlap_volume_gradient_batch
   public :: pw85_overlap_volume_torque_batch
-  public :: pw85_overlap_volume_plane_batch
   public :: pw85_area_batch_2d
   public :: pw85_overlap_area_batch_2d
   public :: pw85_overlap_area_gradient_batch_2d
   public :: pw85_overlap_area_torque_batch_2d
+  public :: pw85_contact_batch_2d
+  public :: pw85_contact_geometry_batch_2d
+  public :: pw85_contact_gradient_batch_2d
+  public :: pw85_contact_torque_batch_2d
+  public :: pw85_contact_hessian_batch_2d
+  public :: pw85_overlap_batch_2d
+  public :: pw85_closest_approach_batch_2d
+  public :: pw85_distance_batch
+  public :: pw85_distance_derivatives_batch
+  public :: pw85_penetration_batch
+  public :: pw85_signed_distance_batch
+  public :: pw85_signed_distance_derivatives_batch
+  public :: pw85_gap_inside_batch
+  public :: pw85_distance_batch_2d
+  public :: pw85_penetration_batch_2d
+  public :: pw85_signed_distance_batch_2d
+  public :: pw85_gap_inside_batch_2d
+  public :: pw85_first_contact_batch
+  public :: pw85_closest_passage_batch
+  public :: pw85_free_path_batch
+  public :: pw85_curvature_batch
+  public :: pw85_hertz_batch
+  public :: pw85_hertz_contact_batch
+  public :: pw85_grain_contact_batch
+  public :: pw85_grain_radius_gradient_batch
+  public :: pw85_grain_contact_wall_batch
   public :: pw85_surface_area_batch
   public :: pw85_second_moments_batch
   public :: pw85_from_moments_batch
@@ -240,39 +274,6 @@ module pw85
   public :: pw85_second_moments_batch_2d
   public :: pw85_from_moments_batch_2d
   public :: pw85_shell_moments_batch_2d
-  public :: pw85_contact_factored_batch
-  public :: pw85_condition_batch
-  public :: pw85_contact_function_batch
-  public :: pw85_contact_geometry_batch
-  public :: pw85_contact_gradient_batch
-  public :: pw85_contact_geometry_factored_batch
-  public :: pw85_contact_gradient_factored_batch
-  public :: pw85_contact_torque_batch
-  public :: pw85_contact_hessian_batch
-  public :: pw85_contact_batch_2d
-  public :: pw85_overlap_batch_2d
-  public :: pw85_contact_geometry_batch_2d
-  public :: pw85_contact_gradient_batch_2d
-  public :: pw85_contact_torque_batch_2d
-  public :: pw85_contact_hessian_batch_2d
-  public :: pw85_closest_approach_batch_2d
-  public :: pw85_contact_derivatives_batch
-  public :: pw85_distance_batch
-  public :: pw85_distance_derivatives_batch
-  public :: pw85_distance_batch_2d
-  public :: pw85_penetration_batch_2d
-  public :: pw85_signed_distance_batch_2d
-  public :: pw85_penetration_batch
-  public :: pw85_signed_distance_batch
-  public :: pw85_signed_distance_derivatives_batch
-  public :: pw85_gap_inside_batch
-  public :: pw85_gap_inside_batch_2d
-  public :: pw85_curvature_batch
-  public :: pw85_hertz_batch
-  public :: pw85_hertz_contact_batch
-  public :: pw85_grain_contact_batch
-  public :: pw85_grain_radius_gradient_batch
-  public :: pw85_grain_contact_wall_batch
   public :: pw85_distance_plane_batch
   public :: pw85_distance_plane_derivatives_batch
   public :: pw85_contact_plane_batch
@@ -280,16 +281,17 @@ module pw85
   public :: pw85_distance_box_batch
   public :: pw85_distance_cylinder_batch
   public :: pw85_distance_point_batch
-  public :: pw85_distance_segment_batch
-  public :: pw85_distance_triangle_batch
-  public :: pw85_distance_solid_box_batch
   public :: pw85_intersect_line_batch
+  public :: pw85_overlap_volume_plane_batch
   public :: pw85_contact_segment_batch
   public :: pw85_contact_triangle_batch
   public :: pw85_contact_box_batch
   public :: pw85_overlap_segment_batch
   public :: pw85_overlap_triangle_batch
   public :: pw85_overlap_box_batch
+  public :: pw85_distance_segment_batch
+  public :: pw85_distance_triangle_batch
+  public :: pw85_distance_solid_box_batch
   public :: pw85_contact_capsule_batch
   public :: pw85_overlap_capsule_batch
   public :: pw85_distance_capsule_batch
@@ -298,12 +300,10 @@ module pw85
   public :: pw85_contact_box_batch_2d
   public :: pw85_overlap_segment_batch_2d
   public :: pw85_overlap_box_batch_2d
+  public :: pw85_contact_derivatives_batch
   public :: pw85_contact_polytope_batch
   public :: pw85_overlap_polytope_batch
-  public :: pw85_first_contact_batch
   public :: pw85_overlap_any
-  public :: pw85_ellipsoid_factor_batch
-  public :: pw85_ellipsoid_quaternion_batch
   public :: pw85_bounding_boxes
   public :: pw85_enclosing_ellipsoid
   public :: pw85_enclosing_ellipsoid_of
@@ -431,7 +431,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_ellipsoid_quaternion
 
-    !> Computes a factor S of the quadratic form of an ellipsoid, Q = S Sᵀ.
+    !> Computes a factor S of the quadratic form of an ellipsoid, Q = S Sᵀ. Row k in C is s(:, k).
     function pw85_ellipsoid_factor(semi_axes, quaternion, s) result(status) bind(C, &
       name='pw85_ellipsoid_factor')
       import
@@ -466,7 +466,7 @@ module pw85
     end function pw85_contact_rounded
 
     !> Computes the contact function of two ellipsoids that are given by factors of their forms, Q1
-    !> = S1 S1ᵀ and Q2 = S2 S2ᵀ.
+    !> = S1 S1ᵀ and Q2 = S2 S2ᵀ. Row k in C is s1(:, k), s2(:, k).
     function pw85_contact_factored(r12, s1, s2, out) result(status) bind(C, &
       name='pw85_contact_factored')
       import
@@ -505,7 +505,7 @@ module pw85
     end function pw85_contact_geometry
 
     !> Computes the point and the normal of pw85_contact_geometry() for ellipsoids that are given by
-    !> factors of their forms.
+    !> factors of their forms. Row k in C is s1(:, k), s2(:, k).
     function pw85_contact_geometry_factored(r12, s1, s2, lambda, point, normal) result(status) &
       bind(C, name='pw85_contact_geometry_factored')
       import
@@ -525,7 +525,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_gradient
 
-    !> Computes the derivatives of μ² for ellipsoids that are given by factors of their forms.
+    !> Computes the derivatives of μ² for ellipsoids that are given by factors of their forms. Row k
+    !> in C is s1(:, k), s2(:, k), d_s1(:, k), d_s2(:, k).
     function pw85_contact_gradient_factored(r12, s1, s2, lambda, d_r12, d_s1, d_s2) result(status) &
       bind(C, name='pw85_contact_gradient_factored')
       import
@@ -546,6 +547,7 @@ module pw85
     end function pw85_contact_torque
 
     !> Computes the second derivatives of μ² with respect to r12 and rotations of the ellipsoids.
+    !> Row k in C is hessian(:, k).
     function pw85_contact_hessian(r12, q1, q2, lambda, hessian) result(status) bind(C, &
       name='pw85_contact_hessian')
       import
@@ -564,7 +566,7 @@ module pw85
     end function pw85_overlap
 
     !> Tests whether two ellipsoids overlap that are given by factors of their forms, Q1 = S1 S1ᵀ
-    !> and Q2 = S2 S2ᵀ.
+    !> and Q2 = S2 S2ᵀ. Row k in C is s1(:, k), s2(:, k).
     function pw85_overlap_factored(r12, s1, s2, overlap) result(status) bind(C, &
       name='pw85_overlap_factored')
       import
@@ -730,7 +732,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_torque_2d
 
-    !> Computes the second derivatives of μ² of two ellipses.
+    !> Computes the second derivatives of μ² of two ellipses. Row k in C is hessian(:, k).
     function pw85_contact_hessian_2d(r12, q1, q2, lambda, hessian) result(status) bind(C, &
       name='pw85_contact_hessian_2d')
       import
@@ -784,7 +786,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance
 
-    !> Computes the derivatives of the distance of two ellipsoids.
+    !> Computes the derivatives of the distance of two ellipsoids. Row k in C is hessian(:, k).
     function pw85_distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) result(status) &
       bind(C, name='pw85_distance_derivatives')
       import
@@ -811,7 +813,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_signed_distance
 
-    !> Computes the derivatives of the signed distance of two ellipsoids.
+    !> Computes the derivatives of the signed distance of two ellipsoids. Row k in C is hessian(:,
+    !> k).
     function pw85_signed_distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) &
       result(status) bind(C, name='pw85_signed_distance_derivatives')
       import
@@ -932,7 +935,7 @@ module pw85
   interface
 
     !> Computes the principal curvatures of the surface of an ellipsoid, and their directions, at
-    !> the point with a given normal.
+    !> the point with a given normal. Row k in C is directions(:, k).
     function pw85_curvature(normal, q, curvatures, directions) result(status) bind(C, &
       name='pw85_curvature')
       import
@@ -951,7 +954,7 @@ module pw85
     end function pw85_hertz
 
     !> Computes the geometry of the contact of two grains along a given normal, for laws of contact
-    !> such as Hertz's.
+    !> such as Hertz's. Row k in C is directions(:, k).
     function pw85_hertz_contact(r12, q1, q2, normal, depth, point, curvatures, directions, radius, &
       ellipse) result(status) bind(C, name='pw85_hertz_contact')
       import
@@ -1358,6 +1361,27 @@ module pw85
   ! pw85_batch.h
   interface
 
+    !> Computes pw85_ellipsoid_quaternion() for n ellipsoids, with the same bits.
+    function pw85_ellipsoid_quaternion_batch(n, semi_axes, quaternions, q) result(status) bind(C, &
+      name='pw85_ellipsoid_quaternion_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: semi_axes(3, n), quaternions(4, n)
+      real(c_double), intent(out) :: q(6, n)
+      integer(c_int) :: status
+    end function pw85_ellipsoid_quaternion_batch
+
+    !> Computes pw85_ellipsoid_factor() for n ellipsoids, with the same bits. Row k in C is s(:, k,
+    !> i).
+    function pw85_ellipsoid_factor_batch(n, semi_axes, quaternions, s) result(status) bind(C, &
+      name='pw85_ellipsoid_factor_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: semi_axes(3, n), quaternions(4, n)
+      real(c_double), intent(out) :: s(3, 3, n)
+      integer(c_int) :: status
+    end function pw85_ellipsoid_factor_batch
+
     !> Computes pw85_contact() for n pairs.
     function pw85_contact_batch(n, r12, q1, q2, mu2, lambda) result(status) bind(C, &
       name='pw85_contact_batch')
@@ -1369,16 +1393,6 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_batch
 
-    !> Computes pw85_overlap() for n pairs, with the same answers.
-    function pw85_overlap_batch(n, r12, q1, q2, overlap) result(status) bind(C, &
-      name='pw85_overlap_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
-      integer(c_int8_t), intent(out) :: overlap(n)
-      integer(c_int) :: status
-    end function pw85_overlap_batch
-
     !> Computes pw85_contact_rounded() for n pairs, with the same bits.
     function pw85_contact_rounded_batch(n, r12, q1, q2, mu2, lambda) result(status) bind(C, &
       name='pw85_contact_rounded_batch')
@@ -1389,7 +1403,112 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_rounded_batch
 
-    !> Computes pw85_overlap_factored() for n pairs, with the same answers.
+    !> Computes pw85_contact_factored() for n pairs, with the same bits. Row k in C is s1(:, k, i),
+    !> s2(:, k, i).
+    function pw85_contact_factored_batch(n, r12, s1, s2, mu2, lambda) result(status) bind(C, &
+      name='pw85_contact_factored_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), s1(3, 3, n), s2(3, 3, n)
+      real(c_double), intent(out), optional :: mu2(n), lambda(n)
+      integer(c_int) :: status
+    end function pw85_contact_factored_batch
+
+    !> Computes pw85_condition() for n pairs, with the same bits.
+    function pw85_condition_batch(n, r12, q1, q2, lambda, cond) result(status) bind(C, &
+      name='pw85_condition_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), lambda(n)
+      real(c_double), intent(out) :: cond(n)
+      integer(c_int) :: status
+    end function pw85_condition_batch
+
+    !> Computes pw85_contact_function() for n pairs, with the same bits.
+    function pw85_contact_function_batch(n, r12, q1, q2, mu2, lambda) result(status) bind(C, &
+      name='pw85_contact_function_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
+      real(c_double), intent(out), optional :: mu2(n), lambda(n)
+      integer(c_int) :: status
+    end function pw85_contact_function_batch
+
+    !> Computes pw85_contact_geometry() for n pairs, with the same bits.
+    function pw85_contact_geometry_batch(n, r12, q1, q2, lambda, point, normal) result(status) &
+      bind(C, name='pw85_contact_geometry_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), lambda(n)
+      real(c_double), intent(out), optional :: point(3, n), normal(3, n)
+      integer(c_int) :: status
+    end function pw85_contact_geometry_batch
+
+    !> Computes pw85_contact_geometry_factored() for n pairs, with the same bits. Row k in C is
+    !> s1(:, k, i), s2(:, k, i).
+    function pw85_contact_geometry_factored_batch(n, r12, s1, s2, lambda, point, normal) &
+      result(status) bind(C, name='pw85_contact_geometry_factored_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), s1(3, 3, n), s2(3, 3, n), lambda(n)
+      real(c_double), intent(out), optional :: point(3, n), normal(3, n)
+      integer(c_int) :: status
+    end function pw85_contact_geometry_factored_batch
+
+    !> Computes pw85_contact_gradient() for n pairs, with the same bits.
+    function pw85_contact_gradient_batch(n, r12, q1, q2, lambda, d_r12, d_q1, d_q2) result(status) &
+      bind(C, name='pw85_contact_gradient_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), lambda(n)
+      real(c_double), intent(out), optional :: d_r12(3, n), d_q1(6, n), d_q2(6, n)
+      integer(c_int) :: status
+    end function pw85_contact_gradient_batch
+
+    !> Computes pw85_contact_gradient_factored() for n pairs, with the same bits. Row k in C is
+    !> s1(:, k, i), s2(:, k, i), d_s1(:, k, i), d_s2(:, k, i).
+    function pw85_contact_gradient_factored_batch(n, r12, s1, s2, lambda, d_r12, d_s1, d_s2) &
+      result(status) bind(C, name='pw85_contact_gradient_factored_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), s1(3, 3, n), s2(3, 3, n), lambda(n)
+      real(c_double), intent(out), optional :: d_r12(3, n), d_s1(3, 3, n), d_s2(3, 3, n)
+      integer(c_int) :: status
+    end function pw85_contact_gradient_factored_batch
+
+    !> Computes pw85_contact_torque() for n pairs, with the same bits.
+    function pw85_contact_torque_batch(n, r12, q1, q2, lambda, d_rot1, d_rot2) result(status) &
+      bind(C, name='pw85_contact_torque_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), lambda(n)
+      real(c_double), intent(out), optional :: d_rot1(3, n), d_rot2(3, n)
+      integer(c_int) :: status
+    end function pw85_contact_torque_batch
+
+    !> Computes pw85_contact_hessian() for n pairs, with the same bits. Row k in C is hessian(:, k,
+    !> i).
+    function pw85_contact_hessian_batch(n, r12, q1, q2, lambda, hessian) result(status) bind(C, &
+      name='pw85_contact_hessian_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), lambda(n)
+      real(c_double), intent(out) :: hessian(9, 9, n)
+      integer(c_int) :: status
+    end function pw85_contact_hessian_batch
+
+    !> Computes pw85_overlap() for n pairs, with the same answers.
+    function pw85_overlap_batch(n, r12, q1, q2, overlap) result(status) bind(C, &
+      name='pw85_overlap_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
+      integer(c_int8_t), intent(out) :: overlap(n)
+      integer(c_int) :: status
+    end function pw85_overlap_batch
+
+    !> Computes pw85_overlap_factored() for n pairs, with the same answers. Row k in C is s1(:, k,
+    !> i), s2(:, k, i).
     function pw85_overlap_factored_batch(n, r12, s1, s2, overlap) result(status) bind(C, &
       name='pw85_overlap_factored_batch')
       import
@@ -1440,28 +1559,6 @@ module pw85
       integer(c_int) :: status
     end function pw85_containment_batch
 
-    !> Computes pw85_closest_passage() for n pairs.
-    function pw85_closest_passage_batch(n, r12, q1, q2, velocity, t_max, mu2, t) result(status) &
-      bind(C, name='pw85_closest_passage_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), velocity(3, n)
-      real(c_double), value :: t_max
-      real(c_double), intent(out) :: mu2(n)
-      real(c_double), intent(out), optional :: t(n)
-      integer(c_int) :: status
-    end function pw85_closest_passage_batch
-
-    !> Computes pw85_free_path() for n pairs, with the same bits.
-    function pw85_free_path_batch(n, r12, q1, q2, directions, t_max, t) result(status) bind(C, &
-      name='pw85_free_path_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), directions(3, n), t_max(n)
-      real(c_double), intent(out) :: t(n)
-      integer(c_int) :: status
-    end function pw85_free_path_batch
-
     !> Computes pw85_closest_approach() for n pairs.
     function pw85_closest_approach_batch(n, directions, q1, q2, distance) result(status) bind(C, &
       name='pw85_closest_approach_batch')
@@ -1511,16 +1608,6 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_torque_batch
 
-    !> Computes pw85_overlap_volume_plane() for n ellipsoids and half-spaces, with the same bits.
-    function pw85_overlap_volume_plane_batch(n, normals, offsets, q, volume) result(status) &
-      bind(C, name='pw85_overlap_volume_plane_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: normals(3, n), offsets(n), q(6, n)
-      real(c_double), intent(out) :: volume(n)
-      integer(c_int) :: status
-    end function pw85_overlap_volume_plane_batch
-
     !> Computes pw85_area_2d() for n ellipses, with the same bits.
     function pw85_area_batch_2d(n, q, area) result(status) bind(C, name='pw85_area_batch_2d')
       import
@@ -1559,6 +1646,281 @@ module pw85
       real(c_double), intent(out), optional :: d_rot1(n), d_rot2(n)
       integer(c_int) :: status
     end function pw85_overlap_area_torque_batch_2d
+
+    !> Computes pw85_contact_2d() for n pairs.
+    function pw85_contact_batch_2d(n, r12, q1, q2, mu2, lambda) result(status) bind(C, &
+      name='pw85_contact_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
+      real(c_double), intent(out) :: mu2(n)
+      real(c_double), intent(out), optional :: lambda(n)
+      integer(c_int) :: status
+    end function pw85_contact_batch_2d
+
+    !> Computes pw85_contact_geometry_2d() for n pairs, with the same bits.
+    function pw85_contact_geometry_batch_2d(n, r12, q1, q2, lambda, point, normal) result(status) &
+      bind(C, name='pw85_contact_geometry_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n), lambda(n)
+      real(c_double), intent(out), optional :: point(2, n), normal(2, n)
+      integer(c_int) :: status
+    end function pw85_contact_geometry_batch_2d
+
+    !> Computes pw85_contact_gradient_2d() for n pairs, with the same bits.
+    function pw85_contact_gradient_batch_2d(n, r12, q1, q2, lambda, d_r12, d_q1, d_q2) &
+      result(status) bind(C, name='pw85_contact_gradient_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n), lambda(n)
+      real(c_double), intent(out), optional :: d_r12(2, n), d_q1(3, n), d_q2(3, n)
+      integer(c_int) :: status
+    end function pw85_contact_gradient_batch_2d
+
+    !> Computes pw85_contact_torque_2d() for n pairs, with the same bits.
+    function pw85_contact_torque_batch_2d(n, r12, q1, q2, lambda, d_rot1, d_rot2) result(status) &
+      bind(C, name='pw85_contact_torque_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n), lambda(n)
+      real(c_double), intent(out), optional :: d_rot1(n), d_rot2(n)
+      integer(c_int) :: status
+    end function pw85_contact_torque_batch_2d
+
+    !> Computes pw85_contact_hessian_2d() for n pairs, with the same bits. Row k in C is hessian(:,
+    !> k, i).
+    function pw85_contact_hessian_batch_2d(n, r12, q1, q2, lambda, hessian) result(status) bind(C, &
+      name='pw85_contact_hessian_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n), lambda(n)
+      real(c_double), intent(out) :: hessian(4, 4, n)
+      integer(c_int) :: status
+    end function pw85_contact_hessian_batch_2d
+
+    !> Computes pw85_overlap_2d() for n pairs.
+    function pw85_overlap_batch_2d(n, r12, q1, q2, overlap) result(status) bind(C, &
+      name='pw85_overlap_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
+      integer(c_int8_t), intent(out) :: overlap(n)
+      integer(c_int) :: status
+    end function pw85_overlap_batch_2d
+
+    !> Computes pw85_closest_approach_2d() for n pairs, with the same bits.
+    function pw85_closest_approach_batch_2d(n, directions, q1, q2, distance) result(status) &
+      bind(C, name='pw85_closest_approach_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: directions(2, n), q1(3, n), q2(3, n)
+      real(c_double), intent(out) :: distance(n)
+      integer(c_int) :: status
+    end function pw85_closest_approach_batch_2d
+
+    !> Computes pw85_distance() for n pairs.
+    function pw85_distance_batch(n, r12, q1, q2, distance, point1, point2) result(status) bind(C, &
+      name='pw85_distance_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
+      real(c_double), intent(out), optional :: distance(n), point1(3, n), point2(3, n)
+      integer(c_int) :: status
+    end function pw85_distance_batch
+
+    !> Computes pw85_distance_derivatives() for n pairs, with the same bits. Row k in C is
+    !> hessian(:, k, i).
+    function pw85_distance_derivatives_batch(n, r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) &
+      result(status) bind(C, name='pw85_distance_derivatives_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
+      real(c_double), intent(out), optional :: d_r12(3, n), d_rot1(3, n), d_rot2(3, n), hessian(9, &
+        9, n)
+      integer(c_int) :: status
+    end function pw85_distance_derivatives_batch
+
+    !> Computes pw85_penetration() for n pairs, with the same bits.
+    function pw85_penetration_batch(n, r12, q1, q2, depth, direction) result(status) bind(C, &
+      name='pw85_penetration_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
+      real(c_double), intent(out), optional :: depth(n), direction(3, n)
+      integer(c_int) :: status
+    end function pw85_penetration_batch
+
+    !> Computes pw85_signed_distance() for n pairs, with the same bits.
+    function pw85_signed_distance_batch(n, r12, q1, q2, distance, point1, point2) result(status) &
+      bind(C, name='pw85_signed_distance_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
+      real(c_double), intent(out), optional :: distance(n), point1(3, n), point2(3, n)
+      integer(c_int) :: status
+    end function pw85_signed_distance_batch
+
+    !> Computes pw85_signed_distance_derivatives() for n pairs, with the same bits. Row k in C is
+    !> hessian(:, k, i).
+    function pw85_signed_distance_derivatives_batch(n, r12, q1, q2, d_r12, d_rot1, d_rot2, &
+      hessian) result(status) bind(C, name='pw85_signed_distance_derivatives_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
+      real(c_double), intent(out), optional :: d_r12(3, n), d_rot1(3, n), d_rot2(3, n), hessian(9, &
+        9, n)
+      integer(c_int) :: status
+    end function pw85_signed_distance_derivatives_batch
+
+    !> Computes pw85_gap_inside() for n pairs, with the same bits.
+    function pw85_gap_inside_batch(n, r12, q1, q2, gap, point1, point2, normal) result(status) &
+      bind(C, name='pw85_gap_inside_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
+      real(c_double), intent(out), optional :: gap(n), point1(3, n), point2(3, n), normal(3, n)
+      integer(c_int) :: status
+    end function pw85_gap_inside_batch
+
+    !> Computes pw85_distance_2d() for n pairs, with the same bits.
+    function pw85_distance_batch_2d(n, r12, q1, q2, distance, point1, point2) result(status) &
+      bind(C, name='pw85_distance_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
+      real(c_double), intent(out), optional :: distance(n), point1(2, n), point2(2, n)
+      integer(c_int) :: status
+    end function pw85_distance_batch_2d
+
+    !> Computes pw85_penetration_2d() for n pairs, with the same bits.
+    function pw85_penetration_batch_2d(n, r12, q1, q2, depth, direction) result(status) bind(C, &
+      name='pw85_penetration_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
+      real(c_double), intent(out), optional :: depth(n), direction(2, n)
+      integer(c_int) :: status
+    end function pw85_penetration_batch_2d
+
+    !> Computes pw85_signed_distance_2d() for n pairs, with the same bits.
+    function pw85_signed_distance_batch_2d(n, r12, q1, q2, distance, point1, point2) &
+      result(status) bind(C, name='pw85_signed_distance_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
+      real(c_double), intent(out), optional :: distance(n), point1(2, n), point2(2, n)
+      integer(c_int) :: status
+    end function pw85_signed_distance_batch_2d
+
+    !> Computes pw85_gap_inside_2d() for n pairs, with the same bits.
+    function pw85_gap_inside_batch_2d(n, r12, q1, q2, gap, point1, point2, normal) result(status) &
+      bind(C, name='pw85_gap_inside_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
+      real(c_double), intent(out), optional :: gap(n), point1(2, n), point2(2, n), normal(2, n)
+      integer(c_int) :: status
+    end function pw85_gap_inside_batch_2d
+
+    !> Computes pw85_first_contact() for n pairs, with the same bits.
+    function pw85_first_contact_batch(n, r12, q1, q2, motion1, motion2, t_max, t) result(status) &
+      bind(C, name='pw85_first_contact_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
+      type(pw85_motion), intent(in) :: motion1(n), motion2(n)
+      real(c_double), value :: t_max
+      real(c_double), intent(out) :: t(n)
+      integer(c_int) :: status
+    end function pw85_first_contact_batch
+
+    !> Computes pw85_closest_passage() for n pairs.
+    function pw85_closest_passage_batch(n, r12, q1, q2, velocity, t_max, mu2, t) result(status) &
+      bind(C, name='pw85_closest_passage_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), velocity(3, n)
+      real(c_double), value :: t_max
+      real(c_double), intent(out) :: mu2(n)
+      real(c_double), intent(out), optional :: t(n)
+      integer(c_int) :: status
+    end function pw85_closest_passage_batch
+
+    !> Computes pw85_free_path() for n pairs, with the same bits.
+    function pw85_free_path_batch(n, r12, q1, q2, directions, t_max, t) result(status) bind(C, &
+      name='pw85_free_path_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), directions(3, n), t_max(n)
+      real(c_double), intent(out) :: t(n)
+      integer(c_int) :: status
+    end function pw85_free_path_batch
+
+    !> Computes pw85_curvature() for n ellipsoids, with the same bits. Row k in C is directions(:,
+    !> k, i).
+    function pw85_curvature_batch(n, normals, q, curvatures, directions) result(status) bind(C, &
+      name='pw85_curvature_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: normals(3, n), q(6, n)
+      real(c_double), intent(out), optional :: curvatures(2, n), directions(3, 2, n)
+      integer(c_int) :: status
+    end function pw85_curvature_batch
+
+    !> Computes pw85_hertz() for n contacts, with the same bits.
+    function pw85_hertz_batch(n, curvatures, radius, ellipse) result(status) bind(C, &
+      name='pw85_hertz_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: curvatures(2, n)
+      real(c_double), intent(out), optional :: radius(n), ellipse(2, n)
+      integer(c_int) :: status
+    end function pw85_hertz_batch
+
+    !> Computes pw85_hertz_contact() for n pairs, with the same bits. Row k in C is directions(:, k,
+    !> i).
+    function pw85_hertz_contact_batch(n, r12, q1, q2, normals, depth, point, curvatures, &
+      directions, radius, ellipse) result(status) bind(C, name='pw85_hertz_contact_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), normals(3, n)
+      real(c_double), intent(out), optional :: depth(n), point(3, n), curvatures(2, n), &
+        directions(3, 2, n), radius(n), ellipse(2, n)
+      integer(c_int) :: status
+    end function pw85_hertz_contact_batch
+
+    !> Computes pw85_grain_contact() for n pairs.
+    function pw85_grain_contact_batch(n, r12, q1, q2, starts, normal, depth, point, curvatures, &
+      radius) result(status) bind(C, name='pw85_grain_contact_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), starts(3, n)
+      real(c_double), intent(out), optional :: normal(3, n), depth(n), point(3, n), curvatures(2, &
+        n), radius(n)
+      integer(c_int) :: status
+    end function pw85_grain_contact_batch
+
+    !> Computes pw85_grain_radius_gradient() for n pairs, with the same bits.
+    function pw85_grain_radius_gradient_batch(n, r12, q1, q2, normals, d_r12, d_rot1, d_rot2) &
+      result(status) bind(C, name='pw85_grain_radius_gradient_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), normals(3, n)
+      real(c_double), intent(out), optional :: d_r12(3, n), d_rot1(3, n), d_rot2(3, n)
+      integer(c_int) :: status
+    end function pw85_grain_radius_gradient_batch
+
+    !> Computes pw85_grain_contact_wall() for n ellipsoids and walls, with the same bits.
+    function pw85_grain_contact_wall_batch(n, normals, offsets, directions, curvature, q, depth, &
+      point, curvatures, radius) result(status) bind(C, name='pw85_grain_contact_wall_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: normals(3, n), offsets(n), directions(3, n), curvature(n), &
+        q(6, n)
+      real(c_double), intent(out), optional :: depth(n), point(3, n), curvatures(2, n), radius(n)
+      integer(c_int) :: status
+    end function pw85_grain_contact_wall_batch
 
     !> Computes pw85_surface_area() for n ellipsoids, with the same bits.
     function pw85_surface_area_batch(n, q, area) result(status) bind(C, &
@@ -1651,343 +2013,6 @@ module pw85
       integer(c_int) :: status
     end function pw85_shell_moments_batch_2d
 
-    !> Computes pw85_contact_factored() for n pairs, with the same bits.
-    function pw85_contact_factored_batch(n, r12, s1, s2, mu2, lambda) result(status) bind(C, &
-      name='pw85_contact_factored_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(3, n), s1(3, 3, n), s2(3, 3, n)
-      real(c_double), intent(out), optional :: mu2(n), lambda(n)
-      integer(c_int) :: status
-    end function pw85_contact_factored_batch
-
-    !> Computes pw85_condition() for n pairs, with the same bits.
-    function pw85_condition_batch(n, r12, q1, q2, lambda, cond) result(status) bind(C, &
-      name='pw85_condition_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), lambda(n)
-      real(c_double), intent(out) :: cond(n)
-      integer(c_int) :: status
-    end function pw85_condition_batch
-
-    !> Computes pw85_contact_function() for n pairs, with the same bits.
-    function pw85_contact_function_batch(n, r12, q1, q2, mu2, lambda) result(status) bind(C, &
-      name='pw85_contact_function_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
-      real(c_double), intent(out), optional :: mu2(n), lambda(n)
-      integer(c_int) :: status
-    end function pw85_contact_function_batch
-
-    !> Computes pw85_contact_geometry() for n pairs, with the same bits.
-    function pw85_contact_geometry_batch(n, r12, q1, q2, lambda, point, normal) result(status) &
-      bind(C, name='pw85_contact_geometry_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), lambda(n)
-      real(c_double), intent(out), optional :: point(3, n), normal(3, n)
-      integer(c_int) :: status
-    end function pw85_contact_geometry_batch
-
-    !> Computes pw85_contact_gradient() for n pairs, with the same bits.
-    function pw85_contact_gradient_batch(n, r12, q1, q2, lambda, d_r12, d_q1, d_q2) result(status) &
-      bind(C, name='pw85_contact_gradient_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), lambda(n)
-      real(c_double), intent(out), optional :: d_r12(3, n), d_q1(6, n), d_q2(6, n)
-      integer(c_int) :: status
-    end function pw85_contact_gradient_batch
-
-    !> Computes pw85_contact_geometry_factored() for n pairs, with the same bits.
-    function pw85_contact_geometry_factored_batch(n, r12, s1, s2, lambda, point, normal) &
-      result(status) bind(C, name='pw85_contact_geometry_factored_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(3, n), s1(3, 3, n), s2(3, 3, n), lambda(n)
-      real(c_double), intent(out), optional :: point(3, n), normal(3, n)
-      integer(c_int) :: status
-    end function pw85_contact_geometry_factored_batch
-
-    !> Computes pw85_contact_gradient_factored() for n pairs, with the same bits.
-    function pw85_contact_gradient_factored_batch(n, r12, s1, s2, lambda, d_r12, d_s1, d_s2) &
-      result(status) bind(C, name='pw85_contact_gradient_factored_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(3, n), s1(3, 3, n), s2(3, 3, n), lambda(n)
-      real(c_double), intent(out), optional :: d_r12(3, n), d_s1(3, 3, n), d_s2(3, 3, n)
-      integer(c_int) :: status
-    end function pw85_contact_gradient_factored_batch
-
-    !> Computes pw85_contact_torque() for n pairs, with the same bits.
-    function pw85_contact_torque_batch(n, r12, q1, q2, lambda, d_rot1, d_rot2) result(status) &
-      bind(C, name='pw85_contact_torque_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), lambda(n)
-      real(c_double), intent(out), optional :: d_rot1(3, n), d_rot2(3, n)
-      integer(c_int) :: status
-    end function pw85_contact_torque_batch
-
-    !> Computes pw85_contact_hessian() for n pairs, with the same bits.
-    function pw85_contact_hessian_batch(n, r12, q1, q2, lambda, hessian) result(status) bind(C, &
-      name='pw85_contact_hessian_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), lambda(n)
-      real(c_double), intent(out) :: hessian(9, 9, n)
-      integer(c_int) :: status
-    end function pw85_contact_hessian_batch
-
-    !> Computes pw85_contact_2d() for n pairs.
-    function pw85_contact_batch_2d(n, r12, q1, q2, mu2, lambda) result(status) bind(C, &
-      name='pw85_contact_batch_2d')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
-      real(c_double), intent(out) :: mu2(n)
-      real(c_double), intent(out), optional :: lambda(n)
-      integer(c_int) :: status
-    end function pw85_contact_batch_2d
-
-    !> Computes pw85_overlap_2d() for n pairs.
-    function pw85_overlap_batch_2d(n, r12, q1, q2, overlap) result(status) bind(C, &
-      name='pw85_overlap_batch_2d')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
-      integer(c_int8_t), intent(out) :: overlap(n)
-      integer(c_int) :: status
-    end function pw85_overlap_batch_2d
-
-    !> Computes pw85_contact_geometry_2d() for n pairs, with the same bits.
-    function pw85_contact_geometry_batch_2d(n, r12, q1, q2, lambda, point, normal) result(status) &
-      bind(C, name='pw85_contact_geometry_batch_2d')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n), lambda(n)
-      real(c_double), intent(out), optional :: point(2, n), normal(2, n)
-      integer(c_int) :: status
-    end function pw85_contact_geometry_batch_2d
-
-    !> Computes pw85_contact_gradient_2d() for n pairs, with the same bits.
-    function pw85_contact_gradient_batch_2d(n, r12, q1, q2, lambda, d_r12, d_q1, d_q2) &
-      result(status) bind(C, name='pw85_contact_gradient_batch_2d')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n), lambda(n)
-      real(c_double), intent(out), optional :: d_r12(2, n), d_q1(3, n), d_q2(3, n)
-      integer(c_int) :: status
-    end function pw85_contact_gradient_batch_2d
-
-    !> Computes pw85_contact_torque_2d() for n pairs, with the same bits.
-    function pw85_contact_torque_batch_2d(n, r12, q1, q2, lambda, d_rot1, d_rot2) result(status) &
-      bind(C, name='pw85_contact_torque_batch_2d')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n), lambda(n)
-      real(c_double), intent(out), optional :: d_rot1(n), d_rot2(n)
-      integer(c_int) :: status
-    end function pw85_contact_torque_batch_2d
-
-    !> Computes pw85_contact_hessian_2d() for n pairs, with the same bits.
-    function pw85_contact_hessian_batch_2d(n, r12, q1, q2, lambda, hessian) result(status) bind(C, &
-      name='pw85_contact_hessian_batch_2d')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n), lambda(n)
-      real(c_double), intent(out) :: hessian(4, 4, n)
-      integer(c_int) :: status
-    end function pw85_contact_hessian_batch_2d
-
-    !> Computes pw85_closest_approach_2d() for n pairs, with the same bits.
-    function pw85_closest_approach_batch_2d(n, directions, q1, q2, distance) result(status) &
-      bind(C, name='pw85_closest_approach_batch_2d')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: directions(2, n), q1(3, n), q2(3, n)
-      real(c_double), intent(out) :: distance(n)
-      integer(c_int) :: status
-    end function pw85_closest_approach_batch_2d
-
-    !> Computes all that the forces and torques of an energy U(μ²) need, for n pairs.
-    function pw85_contact_derivatives_batch(n, r12, q1, q2, mu2, lambda, point, normal, d_r12, &
-      d_rot1, d_rot2) result(status) bind(C, name='pw85_contact_derivatives_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
-      real(c_double), intent(out), optional :: mu2(n), lambda(n), point(3, n), normal(3, n), &
-        d_r12(3, n), d_rot1(3, n), d_rot2(3, n)
-      integer(c_int) :: status
-    end function pw85_contact_derivatives_batch
-
-    !> Computes pw85_distance() for n pairs.
-    function pw85_distance_batch(n, r12, q1, q2, distance, point1, point2) result(status) bind(C, &
-      name='pw85_distance_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
-      real(c_double), intent(out), optional :: distance(n), point1(3, n), point2(3, n)
-      integer(c_int) :: status
-    end function pw85_distance_batch
-
-    !> Computes pw85_distance_derivatives() for n pairs, with the same bits.
-    function pw85_distance_derivatives_batch(n, r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) &
-      result(status) bind(C, name='pw85_distance_derivatives_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
-      real(c_double), intent(out), optional :: d_r12(3, n), d_rot1(3, n), d_rot2(3, n), hessian(9, &
-        9, n)
-      integer(c_int) :: status
-    end function pw85_distance_derivatives_batch
-
-    !> Computes pw85_distance_2d() for n pairs, with the same bits.
-    function pw85_distance_batch_2d(n, r12, q1, q2, distance, point1, point2) result(status) &
-      bind(C, name='pw85_distance_batch_2d')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
-      real(c_double), intent(out), optional :: distance(n), point1(2, n), point2(2, n)
-      integer(c_int) :: status
-    end function pw85_distance_batch_2d
-
-    !> Computes pw85_penetration_2d() for n pairs, with the same bits.
-    function pw85_penetration_batch_2d(n, r12, q1, q2, depth, direction) result(status) bind(C, &
-      name='pw85_penetration_batch_2d')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
-      real(c_double), intent(out), optional :: depth(n), direction(2, n)
-      integer(c_int) :: status
-    end function pw85_penetration_batch_2d
-
-    !> Computes pw85_signed_distance_2d() for n pairs, with the same bits.
-    function pw85_signed_distance_batch_2d(n, r12, q1, q2, distance, point1, point2) &
-      result(status) bind(C, name='pw85_signed_distance_batch_2d')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
-      real(c_double), intent(out), optional :: distance(n), point1(2, n), point2(2, n)
-      integer(c_int) :: status
-    end function pw85_signed_distance_batch_2d
-
-    !> Computes pw85_penetration() for n pairs, with the same bits.
-    function pw85_penetration_batch(n, r12, q1, q2, depth, direction) result(status) bind(C, &
-      name='pw85_penetration_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
-      real(c_double), intent(out), optional :: depth(n), direction(3, n)
-      integer(c_int) :: status
-    end function pw85_penetration_batch
-
-    !> Computes pw85_signed_distance() for n pairs, with the same bits.
-    function pw85_signed_distance_batch(n, r12, q1, q2, distance, point1, point2) result(status) &
-      bind(C, name='pw85_signed_distance_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
-      real(c_double), intent(out), optional :: distance(n), point1(3, n), point2(3, n)
-      integer(c_int) :: status
-    end function pw85_signed_distance_batch
-
-    !> Computes pw85_signed_distance_derivatives() for n pairs, with the same bits.
-    function pw85_signed_distance_derivatives_batch(n, r12, q1, q2, d_r12, d_rot1, d_rot2, &
-      hessian) result(status) bind(C, name='pw85_signed_distance_derivatives_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
-      real(c_double), intent(out), optional :: d_r12(3, n), d_rot1(3, n), d_rot2(3, n), hessian(9, &
-        9, n)
-      integer(c_int) :: status
-    end function pw85_signed_distance_derivatives_batch
-
-    !> Computes pw85_gap_inside() for n pairs, with the same bits.
-    function pw85_gap_inside_batch(n, r12, q1, q2, gap, point1, point2, normal) result(status) &
-      bind(C, name='pw85_gap_inside_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
-      real(c_double), intent(out), optional :: gap(n), point1(3, n), point2(3, n), normal(3, n)
-      integer(c_int) :: status
-    end function pw85_gap_inside_batch
-
-    !> Computes pw85_gap_inside_2d() for n pairs, with the same bits.
-    function pw85_gap_inside_batch_2d(n, r12, q1, q2, gap, point1, point2, normal) result(status) &
-      bind(C, name='pw85_gap_inside_batch_2d')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
-      real(c_double), intent(out), optional :: gap(n), point1(2, n), point2(2, n), normal(2, n)
-      integer(c_int) :: status
-    end function pw85_gap_inside_batch_2d
-
-    !> Computes pw85_curvature() for n ellipsoids, with the same bits.
-    function pw85_curvature_batch(n, normals, q, curvatures, directions) result(status) bind(C, &
-      name='pw85_curvature_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: normals(3, n), q(6, n)
-      real(c_double), intent(out), optional :: curvatures(2, n), directions(3, 2, n)
-      integer(c_int) :: status
-    end function pw85_curvature_batch
-
-    !> Computes pw85_hertz() for n contacts, with the same bits.
-    function pw85_hertz_batch(n, curvatures, radius, ellipse) result(status) bind(C, &
-      name='pw85_hertz_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: curvatures(2, n)
-      real(c_double), intent(out), optional :: radius(n), ellipse(2, n)
-      integer(c_int) :: status
-    end function pw85_hertz_batch
-
-    !> Computes pw85_hertz_contact() for n pairs, with the same bits.
-    function pw85_hertz_contact_batch(n, r12, q1, q2, normals, depth, point, curvatures, &
-      directions, radius, ellipse) result(status) bind(C, name='pw85_hertz_contact_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), normals(3, n)
-      real(c_double), intent(out), optional :: depth(n), point(3, n), curvatures(2, n), &
-        directions(3, 2, n), radius(n), ellipse(2, n)
-      integer(c_int) :: status
-    end function pw85_hertz_contact_batch
-
-    !> Computes pw85_grain_contact() for n pairs.
-    function pw85_grain_contact_batch(n, r12, q1, q2, starts, normal, depth, point, curvatures, &
-      radius) result(status) bind(C, name='pw85_grain_contact_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), starts(3, n)
-      real(c_double), intent(out), optional :: normal(3, n), depth(n), point(3, n), curvatures(2, &
-        n), radius(n)
-      integer(c_int) :: status
-    end function pw85_grain_contact_batch
-
-    !> Computes pw85_grain_radius_gradient() for n pairs, with the same bits.
-    function pw85_grain_radius_gradient_batch(n, r12, q1, q2, normals, d_r12, d_rot1, d_rot2) &
-      result(status) bind(C, name='pw85_grain_radius_gradient_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), normals(3, n)
-      real(c_double), intent(out), optional :: d_r12(3, n), d_rot1(3, n), d_rot2(3, n)
-      integer(c_int) :: status
-    end function pw85_grain_radius_gradient_batch
-
-    !> Computes pw85_grain_contact_wall() for n ellipsoids and walls, with the same bits.
-    function pw85_grain_contact_wall_batch(n, normals, offsets, directions, curvature, q, depth, &
-      point, curvatures, radius) result(status) bind(C, name='pw85_grain_contact_wall_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: normals(3, n), offsets(n), directions(3, n), curvature(n), &
-        q(6, n)
-      real(c_double), intent(out), optional :: depth(n), point(3, n), curvatures(2, n), radius(n)
-      integer(c_int) :: status
-    end function pw85_grain_contact_wall_batch
-
     !> Computes pw85_distance_plane() for n ellipsoids and half-spaces, with the same bits.
     function pw85_distance_plane_batch(n, normals, offsets, q, distance, point) result(status) &
       bind(C, name='pw85_distance_plane_batch')
@@ -2060,36 +2085,6 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_point_batch
 
-    !> Computes pw85_distance_segment() for n ellipsoids and segments, with the same bits.
-    function pw85_distance_segment_batch(n, end1, end2, q, distance, point1, point2, normal) &
-      result(status) bind(C, name='pw85_distance_segment_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: end1(3, n), end2(3, n), q(6, n)
-      real(c_double), intent(out), optional :: distance(n), point1(3, n), point2(3, n), normal(3, n)
-      integer(c_int) :: status
-    end function pw85_distance_segment_batch
-
-    !> Computes pw85_distance_triangle() for n ellipsoids and triangles, with the same bits.
-    function pw85_distance_triangle_batch(n, vertex1, vertex2, vertex3, q, distance, point1, &
-      point2, normal) result(status) bind(C, name='pw85_distance_triangle_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: vertex1(3, n), vertex2(3, n), vertex3(3, n), q(6, n)
-      real(c_double), intent(out), optional :: distance(n), point1(3, n), point2(3, n), normal(3, n)
-      integer(c_int) :: status
-    end function pw85_distance_triangle_batch
-
-    !> Computes pw85_distance_solid_box() for n ellipsoids and boxes, with the same bits.
-    function pw85_distance_solid_box_batch(n, lower, upper, q, distance, point1, point2, normal) &
-      result(status) bind(C, name='pw85_distance_solid_box_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: lower(3, n), upper(3, n), q(6, n)
-      real(c_double), intent(out), optional :: distance(n), point1(3, n), point2(3, n), normal(3, n)
-      integer(c_int) :: status
-    end function pw85_distance_solid_box_batch
-
     !> Computes pw85_intersect_line() for n lines and ellipsoids, with the same bits.
     function pw85_intersect_line_batch(n, origin, directions, q, enter, leave) result(status) &
       bind(C, name='pw85_intersect_line_batch')
@@ -2099,6 +2094,16 @@ module pw85
       real(c_double), intent(out), optional :: enter(n), leave(n)
       integer(c_int) :: status
     end function pw85_intersect_line_batch
+
+    !> Computes pw85_overlap_volume_plane() for n ellipsoids and half-spaces, with the same bits.
+    function pw85_overlap_volume_plane_batch(n, normals, offsets, q, volume) result(status) &
+      bind(C, name='pw85_overlap_volume_plane_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: normals(3, n), offsets(n), q(6, n)
+      real(c_double), intent(out) :: volume(n)
+      integer(c_int) :: status
+    end function pw85_overlap_volume_plane_batch
 
     !> Computes pw85_contact_segment() for n ellipsoids and segments.
     function pw85_contact_segment_batch(n, end1, end2, q, mu2, point) result(status) bind(C, &
@@ -2159,6 +2164,36 @@ module pw85
       integer(c_int8_t), intent(out) :: overlap(n)
       integer(c_int) :: status
     end function pw85_overlap_box_batch
+
+    !> Computes pw85_distance_segment() for n ellipsoids and segments, with the same bits.
+    function pw85_distance_segment_batch(n, end1, end2, q, distance, point1, point2, normal) &
+      result(status) bind(C, name='pw85_distance_segment_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: end1(3, n), end2(3, n), q(6, n)
+      real(c_double), intent(out), optional :: distance(n), point1(3, n), point2(3, n), normal(3, n)
+      integer(c_int) :: status
+    end function pw85_distance_segment_batch
+
+    !> Computes pw85_distance_triangle() for n ellipsoids and triangles, with the same bits.
+    function pw85_distance_triangle_batch(n, vertex1, vertex2, vertex3, q, distance, point1, &
+      point2, normal) result(status) bind(C, name='pw85_distance_triangle_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: vertex1(3, n), vertex2(3, n), vertex3(3, n), q(6, n)
+      real(c_double), intent(out), optional :: distance(n), point1(3, n), point2(3, n), normal(3, n)
+      integer(c_int) :: status
+    end function pw85_distance_triangle_batch
+
+    !> Computes pw85_distance_solid_box() for n ellipsoids and boxes, with the same bits.
+    function pw85_distance_solid_box_batch(n, lower, upper, q, distance, point1, point2, normal) &
+      result(status) bind(C, name='pw85_distance_solid_box_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: lower(3, n), upper(3, n), q(6, n)
+      real(c_double), intent(out), optional :: distance(n), point1(3, n), point2(3, n), normal(3, n)
+      integer(c_int) :: status
+    end function pw85_distance_solid_box_batch
 
     !> Computes pw85_contact_capsule() for n ellipsoids and capsules, with the same bits.
     function pw85_contact_capsule_batch(n, end1, end2, radius, q, mu2, point) result(status) &
@@ -2240,6 +2275,17 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_box_batch_2d
 
+    !> Computes all that the forces and torques of an energy U(μ²) need, for n pairs.
+    function pw85_contact_derivatives_batch(n, r12, q1, q2, mu2, lambda, point, normal, d_r12, &
+      d_rot1, d_rot2) result(status) bind(C, name='pw85_contact_derivatives_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
+      real(c_double), intent(out), optional :: mu2(n), lambda(n), point(3, n), normal(3, n), &
+        d_r12(3, n), d_rot1(3, n), d_rot2(3, n)
+      integer(c_int) :: status
+    end function pw85_contact_derivatives_batch
+
     !> Computes pw85_contact_polytope() for many ellipsoids and one polytope.
     function pw85_contact_polytope_batch(num_ellipsoids, centers, q, num_planes, normals, offsets, &
       mu2, point) result(status) bind(C, name='pw85_contact_polytope_batch')
@@ -2262,18 +2308,6 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_polytope_batch
 
-    !> Computes pw85_first_contact() for n pairs, with the same bits.
-    function pw85_first_contact_batch(n, r12, q1, q2, motion1, motion2, t_max, t) result(status) &
-      bind(C, name='pw85_first_contact_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
-      type(pw85_motion), intent(in) :: motion1(n), motion2(n)
-      real(c_double), value :: t_max
-      real(c_double), intent(out) :: t(n)
-      integer(c_int) :: status
-    end function pw85_first_contact_batch
-
     !> Tests whether an ellipsoid overlaps any of n others.
     function pw85_overlap_any(q1, n, r12, q2, any) result(status) bind(C, name='pw85_overlap_any')
       import
@@ -2282,26 +2316,6 @@ module pw85
       integer(c_int), intent(out) :: any
       integer(c_int) :: status
     end function pw85_overlap_any
-
-    !> Computes pw85_ellipsoid_factor() for n ellipsoids, with the same bits.
-    function pw85_ellipsoid_factor_batch(n, semi_axes, quaternions, s) result(status) bind(C, &
-      name='pw85_ellipsoid_factor_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: semi_axes(3, n), quaternions(4, n)
-      real(c_double), intent(out) :: s(3, 3, n)
-      integer(c_int) :: status
-    end function pw85_ellipsoid_factor_batch
-
-    !> Computes pw85_ellipsoid_quaternion() for n ellipsoids, with the same bits.
-    function pw85_ellipsoid_quaternion_batch(n, semi_axes, quaternions, q) result(status) bind(C, &
-      name='pw85_ellipsoid_quaternion_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: semi_axes(3, n), quaternions(4, n)
-      real(c_double), intent(out) :: q(6, n)
-      integer(c_int) :: status
-    end function pw85_ellipsoid_quaternion_batch
 
     !> Computes the smallest boxes, with sides along the axes, around n ellipsoids.
     function pw85_bounding_boxes(n, q, half_widths) result(status) bind(C, &
@@ -2416,7 +2430,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_derivatives_pairs
 
-    !> Computes the sums of the forces, torques and virial of an energy U(μ²) of pairs.
+    !> Computes the sums of the forces, torques and virial of an energy U(μ²) of pairs. Row k in C
+    !> is virial(:, k).
     function pw85_contact_forces_pairs(list, system, d_u, d_r12, d_rot1, d_rot2, forces, torques, &
       virial) result(status) bind(C, name='pw85_contact_forces_pairs')
       import
@@ -2430,7 +2445,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_forces_pairs
 
-    !> Computes the sums of the energies, forces, torques and virial of the pairs of a list.
+    !> Computes the sums of the energies, forces, torques and virial of the pairs of a list. Row k
+    !> in C is virial(:, k).
     function pw85_law_forces_pairs(list, system, law, energy, forces, torques, virial) &
       result(status) bind(C, name='pw85_law_forces_pairs')
       import
@@ -2457,7 +2473,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_first_contact_pairs
 
-    !> Computes a reduced cell of the same lattice.
+    !> Computes a reduced cell of the same lattice. Row k in C is cell(:, k), reduced(:, k).
     function pw85_cell_reduce(cell, reduced) result(status) bind(C, name='pw85_cell_reduce')
       import
       real(c_double), intent(in) :: cell(3, 3)

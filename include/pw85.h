@@ -409,8 +409,8 @@ PW85_API int pw85_compare(double const r12[3], double const q1[6], double const 
  * If the ellipsoids are apart, the proof is a double λ with f(λ) > 1. The function finds one
  * whenever one exists. If they overlap, the proof is a point inside both. The function searches for
  * it near the point at which the ellipsoids, scaled by μ, touch. It may find none if 1 - μ² is
- * below 1e-13. Tangent ellipsoids have no proof: `lambda` and `point` are then NaN, with success.
- * Rational arithmetic can check a proof, which holds exactly for the numbers given.
+ * below 1e-13. Tangent ellipsoids have no proof: `lambda` and `point` are then NaN, also on
+ * success. Rational arithmetic can check a proof, which holds exactly for the numbers given.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] overlap [-1 on error] 1 or 0

@@ -35,6 +35,26 @@ extern "C" {
  * threads and then forks, the child must set one thread before it calls them.
  * @{ */
 
+/** Computes pw85_ellipsoid_quaternion() for n ellipsoids, with the same bits.
+ *
+ * @param n [number of ellipsoids]
+ * @param semi_axes [n×3; length; > 0; finite square]
+ * @param quaternions [n×4; != 0]
+ * @param[out] q [n×6; length²]
+ * @return as for pw85_ellipsoid_quaternion(), of the first bad ellipsoid */
+PW85_API int pw85_ellipsoid_quaternion_batch(size_t n, double const *semi_axes,
+                                             double const *quaternions, double *q);
+
+/** Computes pw85_ellipsoid_factor() for n ellipsoids, with the same bits.
+ *
+ * @param n [number of ellipsoids]
+ * @param semi_axes [n×3; length; > 0; finite square]
+ * @param quaternions [n×4; != 0]
+ * @param[out] s [n×3×3; length]
+ * @return as for pw85_ellipsoid_factor(), of the first bad ellipsoid */
+PW85_API int pw85_ellipsoid_factor_batch(size_t n, double const *semi_axes,
+                                         double const *quaternions, double *s);
+
 /** Computes pw85_contact() for n pairs. The relative error of μ² is below 4 u cond as for one pair.
  * The last bits may differ from those of pw85_contact().
  *
@@ -47,16 +67,6 @@ extern "C" {
 PW85_API int pw85_contact_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                 double *mu2, double *lambda);
 
-/** Computes pw85_overlap() for n pairs, with the same answers.
- *
- * @param n [number of pairs]
- * @param r12 [n×3; length]
- * @param q1,q2 [n×6; length²; definite]
- * @param[out] overlap [n] 1, 0, or 255 for a bad pair
- * @return as for pw85_overlap(), of the first bad pair */
-PW85_API int pw85_overlap_batch(size_t n, double const *r12, double const *q1, double const *q2,
-                                unsigned char *overlap);
-
 /** Computes pw85_contact_rounded() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
@@ -66,6 +76,122 @@ PW85_API int pw85_overlap_batch(size_t n, double const *r12, double const *q1, d
  * @return as for pw85_contact_rounded(), of the first bad pair */
 PW85_API int pw85_contact_rounded_batch(size_t n, double const *r12, double const *q1,
                                         double const *q2, double *mu2, double *lambda);
+
+/** Computes pw85_contact_factored() for n pairs, with the same bits.
+ *
+ * @param n [number of pairs]
+ * @param r12 [n×3; length]
+ * @param s1,s2 [n×3×3; length]
+ * @param[out] mu2,lambda [n; optional]
+ * @return as for pw85_contact_factored(), of the first bad pair */
+PW85_API int pw85_contact_factored_batch(size_t n, double const *r12, double const *s1,
+                                         double const *s2, double *mu2, double *lambda);
+
+/** Computes pw85_condition() for n pairs, with the same bits.
+ *
+ * @param n [number of pairs]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
+ * @param lambda [n; 0..1]
+ * @param[out] cond [n]
+ * @return as for pw85_condition(), of the first bad pair */
+PW85_API int pw85_condition_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                  double const *lambda, double *cond);
+
+/** Computes pw85_contact_function() for n pairs, with the same bits.
+ *
+ * @param n [number of pairs]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
+ * @param[out] mu2,lambda [n; optional]
+ * @return as for pw85_contact_function(), of the first bad pair */
+PW85_API int pw85_contact_function_batch(size_t n, double const *r12, double const *q1,
+                                         double const *q2, double *mu2, double *lambda);
+
+/** Computes pw85_contact_geometry() for n pairs, with the same bits.
+ *
+ * @param n [number of pairs]
+ * @param r12 [n×3; length; != 0]
+ * @param q1,q2 [n×6; length²; definite]
+ * @param lambda [n; 0..1]
+ * @param[out] point [n×3; length; optional]
+ * @param[out] normal [n×3; optional]
+ * @return as for pw85_contact_geometry(), of the first bad pair */
+PW85_API int pw85_contact_geometry_batch(size_t n, double const *r12, double const *q1,
+                                         double const *q2, double const *lambda, double *point,
+                                         double *normal);
+
+/** Computes pw85_contact_geometry_factored() for n pairs, with the same bits.
+ *
+ * @param n [number of pairs]
+ * @param r12 [n×3; length; != 0]
+ * @param s1,s2 [n×3×3; length]
+ * @param lambda [n; 0..1]
+ * @param[out] point [n×3; length; optional]
+ * @param[out] normal [n×3; optional]
+ * @return as for pw85_contact_geometry_factored(), of the first bad pair */
+PW85_API int pw85_contact_geometry_factored_batch(size_t n, double const *r12, double const *s1,
+                                                  double const *s2, double const *lambda,
+                                                  double *point, double *normal);
+
+/** Computes pw85_contact_gradient() for n pairs, with the same bits.
+ *
+ * @param n [number of pairs]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
+ * @param lambda [n; 0..1]
+ * @param[out] d_r12 [n×3; 1/length; optional]
+ * @param[out] d_q1,d_q2 [n×6; 1/length²; optional]
+ * @return as for pw85_contact_gradient(), of the first bad pair */
+PW85_API int pw85_contact_gradient_batch(size_t n, double const *r12, double const *q1,
+                                         double const *q2, double const *lambda, double *d_r12,
+                                         double *d_q1, double *d_q2);
+
+/** Computes pw85_contact_gradient_factored() for n pairs, with the same bits.
+ *
+ * @param n [number of pairs]
+ * @param r12 [n×3; length]
+ * @param s1,s2 [n×3×3; length]
+ * @param lambda [n; 0..1]
+ * @param[out] d_r12 [n×3; 1/length; optional]
+ * @param[out] d_s1,d_s2 [n×3×3; 1/length; optional]
+ * @return as for pw85_contact_gradient_factored(), of the first bad pair */
+PW85_API int pw85_contact_gradient_factored_batch(size_t n, double const *r12, double const *s1,
+                                                  double const *s2, double const *lambda,
+                                                  double *d_r12, double *d_s1, double *d_s2);
+
+/** Computes pw85_contact_torque() for n pairs, with the same bits.
+ *
+ * @param n [number of pairs]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
+ * @param lambda [n; 0..1]
+ * @param[out] d_rot1,d_rot2 [n×3; optional]
+ * @return as for pw85_contact_torque(), of the first bad pair */
+PW85_API int pw85_contact_torque_batch(size_t n, double const *r12, double const *q1,
+                                       double const *q2, double const *lambda, double *d_rot1,
+                                       double *d_rot2);
+
+/** Computes pw85_contact_hessian() for n pairs, with the same bits.
+ *
+ * @param n [number of pairs]
+ * @param r12 [n×3; length; != 0]
+ * @param q1,q2 [n×6; length²; definite]
+ * @param lambda [n; 0..1]
+ * @param[out] hessian [n×9×9; mixed units]
+ * @return as for pw85_contact_hessian(), of the first bad pair */
+PW85_API int pw85_contact_hessian_batch(size_t n, double const *r12, double const *q1,
+                                        double const *q2, double const *lambda, double *hessian);
+
+/** Computes pw85_overlap() for n pairs, with the same answers.
+ *
+ * @param n [number of pairs]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
+ * @param[out] overlap [n] 1, 0, or 255 for a bad pair
+ * @return as for pw85_overlap(), of the first bad pair */
+PW85_API int pw85_overlap_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                unsigned char *overlap);
 
 /** Computes pw85_overlap_factored() for n pairs, with the same answers.
  *
@@ -122,33 +248,6 @@ PW85_API int pw85_contains_batch(size_t n, double const *r12, double const *q1, 
 PW85_API int pw85_containment_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                     double *mu2, double *point);
 
-/** Computes pw85_closest_passage() for n pairs. The error of μ² is below 8 u S as for one pair. The
- * last bits may differ from those of pw85_closest_passage().
- *
- * @param n [number of pairs]
- * @param r12 [n×3; length]
- * @param q1,q2 [n×6; length²; definite]
- * @param velocity [n×3; length/time]
- * @param t_max [as pw85_closest_passage()] for all rows
- * @param[out] mu2 [n]
- * @param[out] t [n; time; optional]
- * @return as for pw85_closest_passage(), of the first bad pair */
-PW85_API int pw85_closest_passage_batch(size_t n, double const *r12, double const *q1,
-                                        double const *q2, double const *velocity, double t_max,
-                                        double *mu2, double *t);
-
-/** Computes pw85_free_path() for n pairs, with the same bits.
- *
- * @param n [number of pairs]
- * @param r12 [n×3; length]
- * @param q1,q2 [n×6; length²; definite]
- * @param directions [n×3; != 0]
- * @param t_max [n; length; >= 0; or infinite]
- * @param[out] t [n; length]
- * @return as for pw85_free_path(), of the first bad pair */
-PW85_API int pw85_free_path_batch(size_t n, double const *r12, double const *q1, double const *q2,
-                                  double const *directions, double const *t_max, double *t);
-
 /** Computes pw85_closest_approach() for n pairs. The relative error is below 2 u cond + 4 u. The
  * last bits may differ from those of pw85_closest_approach().
  *
@@ -200,17 +299,6 @@ PW85_API int pw85_overlap_volume_gradient_batch(size_t n, double const *r12, dou
 PW85_API int pw85_overlap_volume_torque_batch(size_t n, double const *r12, double const *q1,
                                               double const *q2, double *d_rot1, double *d_rot2);
 
-/** Computes pw85_overlap_volume_plane() for n ellipsoids and half-spaces, with the same bits.
- *
- * @param n [number of ellipsoids]
- * @param normals [n×3; != 0]
- * @param offsets [n; length]
- * @param q [n×6; length²; definite]
- * @param[out] volume [n; length³]
- * @return as for pw85_overlap_volume_plane(), of the first bad ellipsoid */
-PW85_API int pw85_overlap_volume_plane_batch(size_t n, double const *normals, double const *offsets,
-                                             double const *q, double *volume);
-
 /** Computes pw85_area_2d() for n ellipses, with the same bits.
  *
  * @param n [number of ellipses]
@@ -251,185 +339,6 @@ PW85_API int pw85_overlap_area_gradient_batch_2d(size_t n, double const *r12, do
 PW85_API int pw85_overlap_area_torque_batch_2d(size_t n, double const *r12, double const *q1,
                                                double const *q2, double *d_rot1, double *d_rot2);
 
-/** Computes pw85_surface_area() for n ellipsoids, with the same bits.
- *
- * @param n [number of ellipsoids]
- * @param q [n×6; length²; definite]
- * @param[out] area [n; length²]
- * @return as for pw85_surface_area(), of the first bad ellipsoid */
-PW85_API int pw85_surface_area_batch(size_t n, double const *q, double *area);
-
-/** Computes pw85_second_moments() for n ellipsoids, with the same bits.
- *
- * @param n [number of ellipsoids]
- * @param q [n×6; length²; definite]
- * @param[out] moments [n×6; length²]
- * @return as for pw85_second_moments(), of the first bad ellipsoid */
-PW85_API int pw85_second_moments_batch(size_t n, double const *q, double *moments);
-
-/** Computes pw85_from_moments() for n ellipsoids, with the same bits.
- *
- * @param n [number of ellipsoids]
- * @param second_moments [n×6; length²; definite]
- * @param[out] q [n×6; length²]
- * @return as for pw85_from_moments(), of the first bad ellipsoid */
-PW85_API int pw85_from_moments_batch(size_t n, double const *second_moments, double *q);
-
-/** Computes pw85_shell_moments() for n ellipsoids, with the same bits.
- *
- * @param n [number of ellipsoids]
- * @param q [n×6; length²; definite]
- * @param[out] moments [n×6; length²]
- * @return as for pw85_shell_moments(), of the first bad ellipsoid */
-PW85_API int pw85_shell_moments_batch(size_t n, double const *q, double *moments);
-
-/** Computes pw85_inertia() for n ellipsoids, with the same bits.
- *
- * @param n [number of ellipsoids]
- * @param q [n×6; length²; definite]
- * @param shell [as pw85_inertia()] for all rows
- * @param[out] inertia [n×6; mixed units]
- * @return as for pw85_inertia(), of the first bad ellipsoid */
-PW85_API int pw85_inertia_batch(size_t n, double const *q, int shell, double *inertia);
-
-/** Computes pw85_perimeter_2d() for n ellipses, with the same bits.
- *
- * @param n [number of ellipses]
- * @param q [n×3; length²; definite]
- * @param[out] perimeter [n; length]
- * @return as for pw85_perimeter_2d(), of the first bad ellipse */
-PW85_API int pw85_perimeter_batch_2d(size_t n, double const *q, double *perimeter);
-
-/** Computes pw85_second_moments_2d() for n ellipses, with the same bits.
- *
- * @param n [number of ellipses]
- * @param q [n×3; length²; definite]
- * @param[out] moments [n×3; length²]
- * @return as for pw85_second_moments_2d(), of the first bad ellipse */
-PW85_API int pw85_second_moments_batch_2d(size_t n, double const *q, double *moments);
-
-/** Computes pw85_from_moments_2d() for n ellipses, with the same bits.
- *
- * @param n [number of ellipses]
- * @param second_moments [n×3; length²; definite]
- * @param[out] q [n×3; length²]
- * @return as for pw85_from_moments_2d(), of the first bad ellipse */
-PW85_API int pw85_from_moments_batch_2d(size_t n, double const *second_moments, double *q);
-
-/** Computes pw85_shell_moments_2d() for n ellipses, with the same bits.
- *
- * @param n [number of ellipses]
- * @param q [n×3; length²; definite]
- * @param[out] moments [n×3; length²]
- * @return as for pw85_shell_moments_2d(), of the first bad ellipse */
-PW85_API int pw85_shell_moments_batch_2d(size_t n, double const *q, double *moments);
-
-/** Computes pw85_contact_factored() for n pairs, with the same bits.
- *
- * @param n [number of pairs]
- * @param r12 [n×3; length]
- * @param s1,s2 [n×3×3; length]
- * @param[out] mu2,lambda [n; optional]
- * @return as for pw85_contact_factored(), of the first bad pair */
-PW85_API int pw85_contact_factored_batch(size_t n, double const *r12, double const *s1,
-                                         double const *s2, double *mu2, double *lambda);
-
-/** Computes pw85_condition() for n pairs, with the same bits.
- *
- * @param n [number of pairs]
- * @param r12 [n×3; length]
- * @param q1,q2 [n×6; length²; definite]
- * @param lambda [n; 0..1]
- * @param[out] cond [n]
- * @return as for pw85_condition(), of the first bad pair */
-PW85_API int pw85_condition_batch(size_t n, double const *r12, double const *q1, double const *q2,
-                                  double const *lambda, double *cond);
-
-/** Computes pw85_contact_function() for n pairs, with the same bits.
- *
- * @param n [number of pairs]
- * @param r12 [n×3; length]
- * @param q1,q2 [n×6; length²; definite]
- * @param[out] mu2,lambda [n; optional]
- * @return as for pw85_contact_function(), of the first bad pair */
-PW85_API int pw85_contact_function_batch(size_t n, double const *r12, double const *q1,
-                                         double const *q2, double *mu2, double *lambda);
-
-/** Computes pw85_contact_geometry() for n pairs, with the same bits.
- *
- * @param n [number of pairs]
- * @param r12 [n×3; length; != 0]
- * @param q1,q2 [n×6; length²; definite]
- * @param lambda [n; 0..1]
- * @param[out] point [n×3; length; optional]
- * @param[out] normal [n×3; optional]
- * @return as for pw85_contact_geometry(), of the first bad pair */
-PW85_API int pw85_contact_geometry_batch(size_t n, double const *r12, double const *q1,
-                                         double const *q2, double const *lambda, double *point,
-                                         double *normal);
-
-/** Computes pw85_contact_gradient() for n pairs, with the same bits.
- *
- * @param n [number of pairs]
- * @param r12 [n×3; length]
- * @param q1,q2 [n×6; length²; definite]
- * @param lambda [n; 0..1]
- * @param[out] d_r12 [n×3; 1/length; optional]
- * @param[out] d_q1,d_q2 [n×6; 1/length²; optional]
- * @return as for pw85_contact_gradient(), of the first bad pair */
-PW85_API int pw85_contact_gradient_batch(size_t n, double const *r12, double const *q1,
-                                         double const *q2, double const *lambda, double *d_r12,
-                                         double *d_q1, double *d_q2);
-
-/** Computes pw85_contact_geometry_factored() for n pairs, with the same bits.
- *
- * @param n [number of pairs]
- * @param r12 [n×3; length; != 0]
- * @param s1,s2 [n×3×3; length]
- * @param lambda [n; 0..1]
- * @param[out] point [n×3; length; optional]
- * @param[out] normal [n×3; optional]
- * @return as for pw85_contact_geometry_factored(), of the first bad pair */
-PW85_API int pw85_contact_geometry_factored_batch(size_t n, double const *r12, double const *s1,
-                                                  double const *s2, double const *lambda,
-                                                  double *point, double *normal);
-
-/** Computes pw85_contact_gradient_factored() for n pairs, with the same bits.
- *
- * @param n [number of pairs]
- * @param r12 [n×3; length]
- * @param s1,s2 [n×3×3; length]
- * @param lambda [n; 0..1]
- * @param[out] d_r12 [n×3; 1/length; optional]
- * @param[out] d_s1,d_s2 [n×3×3; 1/length; optional]
- * @return as for pw85_contact_gradient_factored(), of the first bad pair */
-PW85_API int pw85_contact_gradient_factored_batch(size_t n, double const *r12, double const *s1,
-                                                  double const *s2, double const *lambda,
-                                                  double *d_r12, double *d_s1, double *d_s2);
-
-/** Computes pw85_contact_torque() for n pairs, with the same bits.
- *
- * @param n [number of pairs]
- * @param r12 [n×3; length]
- * @param q1,q2 [n×6; length²; definite]
- * @param lambda [n; 0..1]
- * @param[out] d_rot1,d_rot2 [n×3; optional]
- * @return as for pw85_contact_torque(), of the first bad pair */
-PW85_API int pw85_contact_torque_batch(size_t n, double const *r12, double const *q1,
-                                       double const *q2, double const *lambda, double *d_rot1,
-                                       double *d_rot2);
-
-/** Computes pw85_contact_hessian() for n pairs, with the same bits.
- *
- * @param n [number of pairs]
- * @param r12 [n×3; length; != 0]
- * @param q1,q2 [n×6; length²; definite]
- * @param lambda [n; 0..1]
- * @param[out] hessian [n×9×9; mixed units]
- * @return as for pw85_contact_hessian(), of the first bad pair */
-PW85_API int pw85_contact_hessian_batch(size_t n, double const *r12, double const *q1,
-                                        double const *q2, double const *lambda, double *hessian);
-
 /** Computes pw85_contact_2d() for n pairs; see pw85_contact_batch().
  *
  * @param n [number of pairs]
@@ -440,16 +349,6 @@ PW85_API int pw85_contact_hessian_batch(size_t n, double const *r12, double cons
  * @return as for pw85_contact_2d(), of the first bad pair */
 PW85_API int pw85_contact_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
                                    double *mu2, double *lambda);
-
-/** Computes pw85_overlap_2d() for n pairs; see pw85_overlap_batch().
- *
- * @param n [number of pairs]
- * @param r12 [n×2; length]
- * @param q1,q2 [n×3; length²; definite]
- * @param[out] overlap [n] 1, 0, or 255 for a bad pair
- * @return as for pw85_overlap_2d(), of the first bad pair */
-PW85_API int pw85_overlap_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
-                                   unsigned char *overlap);
 
 /** Computes pw85_contact_geometry_2d() for n pairs, with the same bits.
  *
@@ -500,6 +399,16 @@ PW85_API int pw85_contact_torque_batch_2d(size_t n, double const *r12, double co
 PW85_API int pw85_contact_hessian_batch_2d(size_t n, double const *r12, double const *q1,
                                            double const *q2, double const *lambda, double *hessian);
 
+/** Computes pw85_overlap_2d() for n pairs; see pw85_overlap_batch().
+ *
+ * @param n [number of pairs]
+ * @param r12 [n×2; length]
+ * @param q1,q2 [n×3; length²; definite]
+ * @param[out] overlap [n] 1, 0, or 255 for a bad pair
+ * @return as for pw85_overlap_2d(), of the first bad pair */
+PW85_API int pw85_overlap_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
+                                   unsigned char *overlap);
+
 /** Computes pw85_closest_approach_2d() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
@@ -509,26 +418,6 @@ PW85_API int pw85_contact_hessian_batch_2d(size_t n, double const *r12, double c
  * @return as for pw85_closest_approach_2d(), of the first bad pair */
 PW85_API int pw85_closest_approach_batch_2d(size_t n, double const *directions, double const *q1,
                                             double const *q2, double *distance);
-
-/** Computes all that the forces and torques of an energy U(μ²) need, for n pairs: the results of
- * pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and pw85_contact_torque(). A
- * pair with r12 = 0 is valid: its derivatives are zero, its point and normal NaN.
- *
- * @param n [number of pairs]
- * @param r12 [n×3; length]
- * @param q1,q2 [n×6; length²; definite]
- * @param[out] mu2,lambda [n; optional]
- * @param[out] point [n×3; length; optional] contact points relative to the centres of the first
- *        ellipsoids
- * @param[out] normal [n×3; optional] unit normals
- * @param[out] d_r12 [n×3; 1/length; optional] ∂μ²/∂r12
- * @param[out] d_rot1,d_rot2 [n×3; optional] derivatives with respect to rotations, as for
- *        pw85_contact_torque()
- * @return as for pw85_contact_batch() */
-PW85_API int pw85_contact_derivatives_batch(size_t n, double const *r12, double const *q1,
-                                            double const *q2, double *mu2, double *lambda,
-                                            double *point, double *normal, double *d_r12,
-                                            double *d_rot1, double *d_rot2);
 
 /** Computes pw85_distance() for n pairs. Points of pairs that overlap are NaN.
  *
@@ -553,40 +442,6 @@ PW85_API int pw85_distance_batch(size_t n, double const *r12, double const *q1, 
 PW85_API int pw85_distance_derivatives_batch(size_t n, double const *r12, double const *q1,
                                              double const *q2, double *d_r12, double *d_rot1,
                                              double *d_rot2, double *hessian);
-
-/** Computes pw85_distance_2d() for n pairs, with the same bits.
- *
- * @param n [number of pairs]
- * @param r12 [n×2; length]
- * @param q1,q2 [n×3; length²; definite]
- * @param[out] distance [n; length; optional]
- * @param[out] point1,point2 [n×2; length; optional]
- * @return as for pw85_distance_2d(), of the first bad pair */
-PW85_API int pw85_distance_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
-                                    double *distance, double *point1, double *point2);
-
-/** Computes pw85_penetration_2d() for n pairs, with the same bits.
- *
- * @param n [number of pairs]
- * @param r12 [n×2; length]
- * @param q1,q2 [n×3; length²; definite]
- * @param[out] depth [n; length; optional]
- * @param[out] direction [n×2; optional]
- * @return as for pw85_penetration_2d(), of the first bad pair */
-PW85_API int pw85_penetration_batch_2d(size_t n, double const *r12, double const *q1,
-                                       double const *q2, double *depth, double *direction);
-
-/** Computes pw85_signed_distance_2d() for n pairs, with the same bits.
- *
- * @param n [number of pairs]
- * @param r12 [n×2; length]
- * @param q1,q2 [n×3; length²; definite]
- * @param[out] distance [n; length; optional]
- * @param[out] point1,point2 [n×2; length; optional]
- * @return as for pw85_signed_distance_2d(), of the first bad pair */
-PW85_API int pw85_signed_distance_batch_2d(size_t n, double const *r12, double const *q1,
-                                           double const *q2, double *distance, double *point1,
-                                           double *point2);
 
 /** Computes pw85_penetration() for n pairs, with the same bits.
  *
@@ -636,6 +491,40 @@ PW85_API int pw85_signed_distance_derivatives_batch(size_t n, double const *r12,
 PW85_API int pw85_gap_inside_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                    double *gap, double *point1, double *point2, double *normal);
 
+/** Computes pw85_distance_2d() for n pairs, with the same bits.
+ *
+ * @param n [number of pairs]
+ * @param r12 [n×2; length]
+ * @param q1,q2 [n×3; length²; definite]
+ * @param[out] distance [n; length; optional]
+ * @param[out] point1,point2 [n×2; length; optional]
+ * @return as for pw85_distance_2d(), of the first bad pair */
+PW85_API int pw85_distance_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
+                                    double *distance, double *point1, double *point2);
+
+/** Computes pw85_penetration_2d() for n pairs, with the same bits.
+ *
+ * @param n [number of pairs]
+ * @param r12 [n×2; length]
+ * @param q1,q2 [n×3; length²; definite]
+ * @param[out] depth [n; length; optional]
+ * @param[out] direction [n×2; optional]
+ * @return as for pw85_penetration_2d(), of the first bad pair */
+PW85_API int pw85_penetration_batch_2d(size_t n, double const *r12, double const *q1,
+                                       double const *q2, double *depth, double *direction);
+
+/** Computes pw85_signed_distance_2d() for n pairs, with the same bits.
+ *
+ * @param n [number of pairs]
+ * @param r12 [n×2; length]
+ * @param q1,q2 [n×3; length²; definite]
+ * @param[out] distance [n; length; optional]
+ * @param[out] point1,point2 [n×2; length; optional]
+ * @return as for pw85_signed_distance_2d(), of the first bad pair */
+PW85_API int pw85_signed_distance_batch_2d(size_t n, double const *r12, double const *q1,
+                                           double const *q2, double *distance, double *point1,
+                                           double *point2);
+
 /** Computes pw85_gap_inside_2d() for n pairs, with the same bits.
  *
  * @param n [number of pairs]
@@ -648,6 +537,46 @@ PW85_API int pw85_gap_inside_batch(size_t n, double const *r12, double const *q1
 PW85_API int pw85_gap_inside_batch_2d(size_t n, double const *r12, double const *q1,
                                       double const *q2, double *gap, double *point1, double *point2,
                                       double *normal);
+
+/** Computes pw85_first_contact() for n pairs, with the same bits.
+ *
+ * @param n [number of pairs]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
+ * @param motion1,motion2 [n; mixed units; > 0 until t_max]
+ * @param t_max [as pw85_first_contact()] for all rows
+ * @param[out] t [n; time]
+ * @return as for pw85_first_contact(), of the first bad pair */
+PW85_API int pw85_first_contact_batch(size_t n, double const *r12, double const *q1,
+                                      double const *q2, pw85_motion const *motion1,
+                                      pw85_motion const *motion2, double t_max, double *t);
+
+/** Computes pw85_closest_passage() for n pairs. The error of μ² is below 8 u S as for one pair. The
+ * last bits may differ from those of pw85_closest_passage().
+ *
+ * @param n [number of pairs]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
+ * @param velocity [n×3; length/time]
+ * @param t_max [as pw85_closest_passage()] for all rows
+ * @param[out] mu2 [n]
+ * @param[out] t [n; time; optional]
+ * @return as for pw85_closest_passage(), of the first bad pair */
+PW85_API int pw85_closest_passage_batch(size_t n, double const *r12, double const *q1,
+                                        double const *q2, double const *velocity, double t_max,
+                                        double *mu2, double *t);
+
+/** Computes pw85_free_path() for n pairs, with the same bits.
+ *
+ * @param n [number of pairs]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
+ * @param directions [n×3; != 0]
+ * @param t_max [n; length; >= 0; or infinite]
+ * @param[out] t [n; length]
+ * @return as for pw85_free_path(), of the first bad pair */
+PW85_API int pw85_free_path_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                  double const *directions, double const *t_max, double *t);
 
 /** Computes pw85_curvature() for n ellipsoids, with the same bits.
  *
@@ -735,6 +664,79 @@ PW85_API int pw85_grain_contact_wall_batch(size_t n, double const *normals, doub
                                            double const *directions, double const *curvature,
                                            double const *q, double *depth, double *point,
                                            double *curvatures, double *radius);
+
+/** Computes pw85_surface_area() for n ellipsoids, with the same bits.
+ *
+ * @param n [number of ellipsoids]
+ * @param q [n×6; length²; definite]
+ * @param[out] area [n; length²]
+ * @return as for pw85_surface_area(), of the first bad ellipsoid */
+PW85_API int pw85_surface_area_batch(size_t n, double const *q, double *area);
+
+/** Computes pw85_second_moments() for n ellipsoids, with the same bits.
+ *
+ * @param n [number of ellipsoids]
+ * @param q [n×6; length²; definite]
+ * @param[out] moments [n×6; length²]
+ * @return as for pw85_second_moments(), of the first bad ellipsoid */
+PW85_API int pw85_second_moments_batch(size_t n, double const *q, double *moments);
+
+/** Computes pw85_from_moments() for n ellipsoids, with the same bits.
+ *
+ * @param n [number of ellipsoids]
+ * @param second_moments [n×6; length²; definite]
+ * @param[out] q [n×6; length²]
+ * @return as for pw85_from_moments(), of the first bad ellipsoid */
+PW85_API int pw85_from_moments_batch(size_t n, double const *second_moments, double *q);
+
+/** Computes pw85_shell_moments() for n ellipsoids, with the same bits.
+ *
+ * @param n [number of ellipsoids]
+ * @param q [n×6; length²; definite]
+ * @param[out] moments [n×6; length²]
+ * @return as for pw85_shell_moments(), of the first bad ellipsoid */
+PW85_API int pw85_shell_moments_batch(size_t n, double const *q, double *moments);
+
+/** Computes pw85_inertia() for n ellipsoids, with the same bits.
+ *
+ * @param n [number of ellipsoids]
+ * @param q [n×6; length²; definite]
+ * @param shell [as pw85_inertia()] for all rows
+ * @param[out] inertia [n×6; mixed units]
+ * @return as for pw85_inertia(), of the first bad ellipsoid */
+PW85_API int pw85_inertia_batch(size_t n, double const *q, int shell, double *inertia);
+
+/** Computes pw85_perimeter_2d() for n ellipses, with the same bits.
+ *
+ * @param n [number of ellipses]
+ * @param q [n×3; length²; definite]
+ * @param[out] perimeter [n; length]
+ * @return as for pw85_perimeter_2d(), of the first bad ellipse */
+PW85_API int pw85_perimeter_batch_2d(size_t n, double const *q, double *perimeter);
+
+/** Computes pw85_second_moments_2d() for n ellipses, with the same bits.
+ *
+ * @param n [number of ellipses]
+ * @param q [n×3; length²; definite]
+ * @param[out] moments [n×3; length²]
+ * @return as for pw85_second_moments_2d(), of the first bad ellipse */
+PW85_API int pw85_second_moments_batch_2d(size_t n, double const *q, double *moments);
+
+/** Computes pw85_from_moments_2d() for n ellipses, with the same bits.
+ *
+ * @param n [number of ellipses]
+ * @param second_moments [n×3; length²; definite]
+ * @param[out] q [n×3; length²]
+ * @return as for pw85_from_moments_2d(), of the first bad ellipse */
+PW85_API int pw85_from_moments_batch_2d(size_t n, double const *second_moments, double *q);
+
+/** Computes pw85_shell_moments_2d() for n ellipses, with the same bits.
+ *
+ * @param n [number of ellipses]
+ * @param q [n×3; length²; definite]
+ * @param[out] moments [n×3; length²]
+ * @return as for pw85_shell_moments_2d(), of the first bad ellipse */
+PW85_API int pw85_shell_moments_batch_2d(size_t n, double const *q, double *moments);
 
 /** Computes pw85_distance_plane() for n ellipsoids and half-spaces, with the same bits.
  *
@@ -824,45 +826,6 @@ PW85_API int pw85_distance_cylinder_batch(size_t n, double const *axis, double c
 PW85_API int pw85_distance_point_batch(size_t n, double const *r, double const *q, double *distance,
                                        double *point, double *normal);
 
-/** Computes pw85_distance_segment() for n ellipsoids and segments, with the same bits.
- *
- * @param n [number of ellipsoids]
- * @param end1,end2 [n×3; length]
- * @param q [n×6; length²; definite]
- * @param[out] distance [n; length; optional]
- * @param[out] point1,point2 [n×3; length; optional]
- * @param[out] normal [n×3; optional]
- * @return as for pw85_distance_segment(), of the first bad ellipsoid */
-PW85_API int pw85_distance_segment_batch(size_t n, double const *end1, double const *end2,
-                                         double const *q, double *distance, double *point1,
-                                         double *point2, double *normal);
-
-/** Computes pw85_distance_triangle() for n ellipsoids and triangles, with the same bits.
- *
- * @param n [number of ellipsoids]
- * @param vertex1,vertex2,vertex3 [n×3; length]
- * @param q [n×6; length²; definite]
- * @param[out] distance [n; length; optional]
- * @param[out] point1,point2 [n×3; length; optional]
- * @param[out] normal [n×3; optional]
- * @return as for pw85_distance_triangle(), of the first bad ellipsoid */
-PW85_API int pw85_distance_triangle_batch(size_t n, double const *vertex1, double const *vertex2,
-                                          double const *vertex3, double const *q, double *distance,
-                                          double *point1, double *point2, double *normal);
-
-/** Computes pw85_distance_solid_box() for n ellipsoids and boxes, with the same bits.
- *
- * @param n [number of ellipsoids]
- * @param lower,upper [n×3; length; lower <= upper]
- * @param q [n×6; length²; definite]
- * @param[out] distance [n; length; optional]
- * @param[out] point1,point2 [n×3; length; optional]
- * @param[out] normal [n×3; optional]
- * @return as for pw85_distance_solid_box(), of the first bad ellipsoid */
-PW85_API int pw85_distance_solid_box_batch(size_t n, double const *lower, double const *upper,
-                                           double const *q, double *distance, double *point1,
-                                           double *point2, double *normal);
-
 /** Computes pw85_intersect_line() for n lines and ellipsoids, with the same bits.
  *
  * @param n [number of lines]
@@ -873,6 +836,17 @@ PW85_API int pw85_distance_solid_box_batch(size_t n, double const *lower, double
  * @return as for pw85_intersect_line(), of the first bad line */
 PW85_API int pw85_intersect_line_batch(size_t n, double const *origin, double const *directions,
                                        double const *q, double *enter, double *leave);
+
+/** Computes pw85_overlap_volume_plane() for n ellipsoids and half-spaces, with the same bits.
+ *
+ * @param n [number of ellipsoids]
+ * @param normals [n×3; != 0]
+ * @param offsets [n; length]
+ * @param q [n×6; length²; definite]
+ * @param[out] volume [n; length³]
+ * @return as for pw85_overlap_volume_plane(), of the first bad ellipsoid */
+PW85_API int pw85_overlap_volume_plane_batch(size_t n, double const *normals, double const *offsets,
+                                             double const *q, double *volume);
 
 /** Computes pw85_contact_segment() for n ellipsoids and segments. The error has the same bound. The
  * last bits may differ.
@@ -941,6 +915,45 @@ PW85_API int pw85_overlap_triangle_batch(size_t n, double const *vertex1, double
  * @return as for pw85_overlap_box(), of the first bad ellipsoid */
 PW85_API int pw85_overlap_box_batch(size_t n, double const *lower, double const *upper,
                                     double const *q, unsigned char *overlap);
+
+/** Computes pw85_distance_segment() for n ellipsoids and segments, with the same bits.
+ *
+ * @param n [number of ellipsoids]
+ * @param end1,end2 [n×3; length]
+ * @param q [n×6; length²; definite]
+ * @param[out] distance [n; length; optional]
+ * @param[out] point1,point2 [n×3; length; optional]
+ * @param[out] normal [n×3; optional]
+ * @return as for pw85_distance_segment(), of the first bad ellipsoid */
+PW85_API int pw85_distance_segment_batch(size_t n, double const *end1, double const *end2,
+                                         double const *q, double *distance, double *point1,
+                                         double *point2, double *normal);
+
+/** Computes pw85_distance_triangle() for n ellipsoids and triangles, with the same bits.
+ *
+ * @param n [number of ellipsoids]
+ * @param vertex1,vertex2,vertex3 [n×3; length]
+ * @param q [n×6; length²; definite]
+ * @param[out] distance [n; length; optional]
+ * @param[out] point1,point2 [n×3; length; optional]
+ * @param[out] normal [n×3; optional]
+ * @return as for pw85_distance_triangle(), of the first bad ellipsoid */
+PW85_API int pw85_distance_triangle_batch(size_t n, double const *vertex1, double const *vertex2,
+                                          double const *vertex3, double const *q, double *distance,
+                                          double *point1, double *point2, double *normal);
+
+/** Computes pw85_distance_solid_box() for n ellipsoids and boxes, with the same bits.
+ *
+ * @param n [number of ellipsoids]
+ * @param lower,upper [n×3; length; lower <= upper]
+ * @param q [n×6; length²; definite]
+ * @param[out] distance [n; length; optional]
+ * @param[out] point1,point2 [n×3; length; optional]
+ * @param[out] normal [n×3; optional]
+ * @return as for pw85_distance_solid_box(), of the first bad ellipsoid */
+PW85_API int pw85_distance_solid_box_batch(size_t n, double const *lower, double const *upper,
+                                           double const *q, double *distance, double *point1,
+                                           double *point2, double *normal);
 
 /** Computes pw85_contact_capsule() for n ellipsoids and capsules, with the same bits.
  *
@@ -1035,6 +1048,26 @@ PW85_API int pw85_overlap_segment_batch_2d(size_t n, double const *end1, double 
 PW85_API int pw85_overlap_box_batch_2d(size_t n, double const *lower, double const *upper,
                                        double const *q, unsigned char *overlap);
 
+/** Computes all that the forces and torques of an energy U(μ²) need, for n pairs: the results of
+ * pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and pw85_contact_torque(). A
+ * pair with r12 = 0 is valid: its derivatives are zero, its point and normal NaN.
+ *
+ * @param n [number of pairs]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
+ * @param[out] mu2,lambda [n; optional] the results of pw85_contact()
+ * @param[out] point [n×3; length; optional] contact points relative to the centres of the first
+ *        ellipsoids
+ * @param[out] normal [n×3; optional] unit normals
+ * @param[out] d_r12 [n×3; 1/length; optional] ∂μ²/∂r12
+ * @param[out] d_rot1,d_rot2 [n×3; optional] derivatives with respect to rotations, as for
+ *        pw85_contact_torque()
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_contact_derivatives_batch(size_t n, double const *r12, double const *q1,
+                                            double const *q2, double *mu2, double *lambda,
+                                            double *point, double *normal, double *d_r12,
+                                            double *d_rot1, double *d_rot2);
+
 /** Computes pw85_contact_polytope() for many ellipsoids and one polytope. The centres may be
  * anywhere.
  *
@@ -1066,19 +1099,6 @@ PW85_API int pw85_overlap_polytope_batch(size_t num_ellipsoids, double const *ce
                                          double const *q, size_t num_planes, double const *normals,
                                          double const *offsets, unsigned char *overlap);
 
-/** Computes pw85_first_contact() for n pairs, with the same bits.
- *
- * @param n [number of pairs]
- * @param r12 [n×3; length]
- * @param q1,q2 [n×6; length²; definite]
- * @param motion1,motion2 [n; mixed units; > 0 until t_max]
- * @param t_max [as pw85_first_contact()] for all rows
- * @param[out] t [n; time]
- * @return as for pw85_first_contact(), of the first bad pair */
-PW85_API int pw85_first_contact_batch(size_t n, double const *r12, double const *q1,
-                                      double const *q2, pw85_motion const *motion1,
-                                      pw85_motion const *motion2, double t_max, double *t);
-
 /** Tests whether an ellipsoid overlaps any of n others.
  *
  * The function tests the others one after the other, as pw85_overlap() does, and stops at the first
@@ -1099,26 +1119,6 @@ PW85_API int pw85_overlap_any(double const q1[6], size_t n, double const *r12, d
  *
  * Rows, bad rows and threads are as for many pairs. Bad rows are marked with NaN.
  * @{ */
-
-/** Computes pw85_ellipsoid_factor() for n ellipsoids, with the same bits.
- *
- * @param n [number of ellipsoids]
- * @param semi_axes [n×3; length; > 0; finite square]
- * @param quaternions [n×4; != 0]
- * @param[out] s [n×3×3; length]
- * @return as for pw85_ellipsoid_factor(), of the first bad ellipsoid */
-PW85_API int pw85_ellipsoid_factor_batch(size_t n, double const *semi_axes,
-                                         double const *quaternions, double *s);
-
-/** Computes pw85_ellipsoid_quaternion() for n ellipsoids, with the same bits.
- *
- * @param n [number of ellipsoids]
- * @param semi_axes [n×3; length; > 0; finite square]
- * @param quaternions [n×4; != 0]
- * @param[out] q [n×6; length²]
- * @return as for pw85_ellipsoid_quaternion(), of the first bad ellipsoid */
-PW85_API int pw85_ellipsoid_quaternion_batch(size_t n, double const *semi_axes,
-                                             double const *quaternions, double *q);
 
 /** Computes the smallest boxes, with sides along the axes, around n ellipsoids.
  *

@@ -40,7 +40,7 @@ PW85_API double pw85_legacy__xT_adjA_x(double const x[3], double const a[6]);
  * @param q4 (Q1 + Q2)/2, its value at λ = 1/2
  * @param[out] b b[0] + b[1] λ + b[2] λ² + b[3] λ³ */
 PW85_API void pw85_legacy__detQ_as_poly(double const q1[6], double const q2[6], double const q3[6],
-                                        double const q4[6], double b[PW85_DIM + 1]);
+                                        double const q4[6], double b[4]);
 
 /** Computes the coefficients of rᵀ adj[(1-λ) Q1 + λ Q2] r in increasing powers of λ.
  *

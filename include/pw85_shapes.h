@@ -309,7 +309,7 @@ PW85_API int pw85_overlap_polytope(size_t n, double const *normals, double const
  * @param[out] point1 [length; optional] the point of the ellipsoid that is nearest to the segment,
  *        or deepest
  * @param[out] point2 [length; optional] the point of the segment that is nearest to the ellipsoid,
- *        or deepest; relative to its centre
+ *        or deepest; relative to the centre of the ellipsoid
  * @param[out] normal [optional] unit vector out of the ellipsoid at point1; point2 - point1 is
  *        `distance` times it
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
@@ -325,7 +325,7 @@ PW85_API int pw85_distance_segment(double const end1[3], double const end2[3], d
  * @param[out] point1 [length; optional] the point of the ellipsoid that is nearest to the triangle,
  *        or deepest
  * @param[out] point2 [length; optional] the point of the triangle that is nearest to the ellipsoid,
- *        or deepest; relative to its centre
+ *        or deepest; relative to the centre of the ellipsoid
  * @param[out] normal [as pw85_distance_segment()]
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_distance_triangle(double const vertex1[3], double const vertex2[3],
@@ -340,7 +340,7 @@ PW85_API int pw85_distance_triangle(double const vertex1[3], double const vertex
  * @param[out] point1 [length; optional] the point of the ellipsoid that is nearest to the box, or
  *        deepest
  * @param[out] point2 [length; optional] the point of the box that is nearest to the ellipsoid, or
- *        deepest; relative to its centre
+ *        deepest; relative to the centre of the ellipsoid
  * @param[out] normal [as pw85_distance_segment()]
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_distance_solid_box(double const lower[3], double const upper[3],
@@ -395,7 +395,7 @@ PW85_API int pw85_overlap_capsule(double const end1[3], double const end2[3], do
  * @param[out] point1 [length; optional] the point of the ellipsoid that is nearest to the capsule,
  *        or deepest
  * @param[out] point2 [length; optional] the point of the capsule that is nearest to the ellipsoid,
- *        or deepest; relative to its centre
+ *        or deepest; relative to the centre of the ellipsoid
  * @param[out] normal [as pw85_distance_segment()]
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_distance_capsule(double const end1[3], double const end2[3], double radius,

@@ -65,7 +65,7 @@ export interface Memory {
  */
 export interface Pw85 extends Memory {
     /**
-     * Computes the quadratic form of an ellipsoid, Q = R diag(semi_axes²) Rᵀ.
+     * Computes the quadratic form of an ellipsoid, Q = R diag(semiAxes²) Rᵀ.
      * @param semiAxes Lengths of the principal semi-axes (not diameters), whose squares are in the range of
      *   double; > 0. 3 numbers.
      * @param rotation Row-major matrix R, which takes the body frame to the space frame; its columns are the
@@ -101,7 +101,7 @@ export interface Pw85 extends Memory {
      * @param r12 Vector from the centre of ellipsoid 1 to that of ellipsoid 2; it may be zero: then μ² = 0 and λ
      *   = 1/2. 3 numbers.
      * @param q1 Forms of the ellipsoids, in the square of the unit of `r12`. 6 numbers.
-     * @param q2 Forms of the ellipsoids, in the square of the unit of `r12`. 6 numbers.
+     * @param q2 As `q1`.
      */
     contact(r12: Numbers, q1: Numbers, q2: Numbers): { mu2: number; lambda: number };
     /**
@@ -114,7 +114,7 @@ export interface Pw85 extends Memory {
      * Computes the point at which the ellipsoids, scaled by μ, touch, and their common normal there.
      * @param r12 Vector from the centre of ellipsoid 1 to that of ellipsoid 2; not zero. 3 numbers.
      * @param q1 Forms of the ellipsoids, in the square of the unit of `r12`. 6 numbers.
-     * @param q2 Forms of the ellipsoids, in the square of the unit of `r12`. 6 numbers.
+     * @param q2 As `q1`.
      * @param lambda The maximiser λ of f, from `contact()`. For another λ in [0, 1] the point is x0(λ) of the
      *   chapter on theory. It is on the surface of ellipsoid 1 scaled by μ1, and on that of ellipsoid 2 scaled by
      *   μ2, where f(λ) = λ μ1² + (1-λ) μ2².
@@ -133,7 +133,7 @@ export interface Pw85 extends Memory {
      * exact arithmetic decides the others.
      * @param r12 Vector from the centre of ellipsoid 1 to that of ellipsoid 2; zero is an overlap. 3 numbers.
      * @param q1 Forms of the ellipsoids, in the square of the unit of `r12`. 6 numbers.
-     * @param q2 Forms of the ellipsoids, in the square of the unit of `r12`. 6 numbers.
+     * @param q2 As `q1`.
      */
     overlap(r12: Numbers, q1: Numbers, q2: Numbers): boolean;
     /**
@@ -153,7 +153,7 @@ export interface Pw85 extends Memory {
      * of the other one is as thin, V may be the volume of the smaller ellipsoid.
      * @param r12 Vector from the centre of ellipsoid 1 to that of ellipsoid 2; it may be zero. 3 numbers.
      * @param q1 Forms of the ellipsoids, in the square of the unit of `r12`. 6 numbers.
-     * @param q2 Forms of the ellipsoids, in the square of the unit of `r12`. 6 numbers.
+     * @param q2 As `q1`.
      */
     overlapVolume(r12: Numbers, q1: Numbers, q2: Numbers): number;
     /**
@@ -177,7 +177,7 @@ export interface Pw85 extends Memory {
      * semi-axis of its ellipsoid, plus the rounding error u |point2| of the coordinates.
      * @param r12 Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 numbers.
      * @param q1 Forms of the ellipsoids, in the square of the unit of `r12`. 6 numbers.
-     * @param q2 Forms of the ellipsoids, in the square of the unit of `r12`. 6 numbers.
+     * @param q2 As `q1`.
      */
     distance(r12: Numbers, q1: Numbers, q2: Numbers): { distance: number; point1: Float64Array; point2: Float64Array };
     /**
@@ -190,11 +190,10 @@ export interface Pw85 extends Memory {
      * Computes the time of the first contact of two moving ellipsoids.
      * @param r12 Vector from the centre of ellipsoid 1 to that of ellipsoid 2; at time 0. 3 numbers.
      * @param q1 Forms of the ellipsoids, in the square of the unit of `r12`; at time 0. 6 numbers.
-     * @param q2 Forms of the ellipsoids, in the square of the unit of `r12`; at time 0. 6 numbers.
-     * @param motion1 Motions of the ellipsoids; their semi-axes must be > 0 until t_max. Velocity (3 numbers),
+     * @param q2 As `q1`.
+     * @param motion1 Motions of the ellipsoids; their semi-axes must be > 0 until tMax. Velocity (3 numbers),
      *   angular velocity (3 numbers), growth of the semi-axes per unit of time. 7 numbers.
-     * @param motion2 Motions of the ellipsoids; their semi-axes must be > 0 until t_max. Velocity (3 numbers),
-     *   angular velocity (3 numbers), growth of the semi-axes per unit of time. 7 numbers.
+     * @param motion2 As `motion1`.
      * @param tMax The last time at which a contact counts; >= 0; may be infinite.
      */
     firstContact(r12: Numbers, q1: Numbers, q2: Numbers, motion1: Numbers, motion2: Numbers, tMax?: number): number;
@@ -210,7 +209,7 @@ export interface Plane extends Memory {
     /**
      * Computes the quadratic form (xx, xy, yy) of an ellipse.
      * @param a Semi-axes, whose squares are in the range of double; > 0.
-     * @param b Semi-axes, whose squares are in the range of double; > 0.
+     * @param b As `a`.
      * @param angle From the x axis to the first semi-axis, counter-clockwise, in radians.
      */
     ellipse(a: number, b: number, angle: number): Float64Array;
@@ -225,7 +224,7 @@ export interface Plane extends Memory {
      * The error has the bound of that function, with areas for volumes.
      * @param r12 Vector from the centre of ellipse 1 to that of ellipse 2; it may be zero. 2 numbers.
      * @param q1 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
-     * @param q2 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
+     * @param q2 As `q1`.
      */
     overlapArea2d(r12: Numbers, q1: Numbers, q2: Numbers): number;
     /**
@@ -239,7 +238,7 @@ export interface Plane extends Memory {
      * @param r12 Vector from the centre of ellipse 1 to that of ellipse 2; it may be zero: then μ² = 0 and λ =
      *   1/2. 2 numbers.
      * @param q1 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
-     * @param q2 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
+     * @param q2 As `q1`.
      */
     contact2d(r12: Numbers, q1: Numbers, q2: Numbers): { mu2: number; lambda: number };
     /**
@@ -253,7 +252,7 @@ export interface Plane extends Memory {
      * See `contactGeometry()`.
      * @param r12 Vector from the centre of ellipse 1 to that of ellipse 2; not zero. 2 numbers.
      * @param q1 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
-     * @param q2 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
+     * @param q2 As `q1`.
      * @param lambda The maximiser λ of f, from `contact2d()`. For another λ in [0, 1] the point is x0(λ) of the
      *   chapter on theory. It is on the surface of ellipse 1 scaled by μ1, and on that of ellipse 2 scaled by μ2,
      *   where f(λ) = λ μ1² + (1-λ) μ2².
@@ -269,7 +268,7 @@ export interface Plane extends Memory {
      * Tests whether two ellipses overlap; see `overlap()`.
      * @param r12 Vector from the centre of ellipse 1 to that of ellipse 2; zero is an overlap. 2 numbers.
      * @param q1 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
-     * @param q2 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
+     * @param q2 As `q1`.
      */
     overlap2d(r12: Numbers, q1: Numbers, q2: Numbers): boolean;
     /**
@@ -282,7 +281,7 @@ export interface Plane extends Memory {
      * Computes the distance of two ellipses; see `distance()`.
      * @param r12 Vector from the centre of ellipse 1 to that of ellipse 2. 2 numbers.
      * @param q1 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
-     * @param q2 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
+     * @param q2 As `q1`.
      */
     distance2d(r12: Numbers, q1: Numbers, q2: Numbers): { distance: number; point1: Float64Array; point2: Float64Array };
     /**

@@ -15,8 +15,7 @@ function distance = pw85_closest_approach (varargin)
 %  refused is an error that names the argument and its row.
 %
 %  direction   From centre 1 to centre 2, of any length; not zero. 3 or 2 columns.
-%  q1          Forms of the ellipsoids. 6 or 3 columns.
-%  q2          Forms of the ellipsoids. 6 or 3 columns.
+%  q1, q2      Forms of the ellipsoids. 6 or 3 columns each.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi] or, in the plane, [xc yc a b
 %              theta]: see pw85_from_matgeom.
 %

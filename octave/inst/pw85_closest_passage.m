@@ -21,8 +21,8 @@ function [mu2, t] = pw85_closest_passage (varargin)
 %
 %  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2; at time 0. 3
 %              columns.
-%  q1          Forms of the ellipsoids, in the square of the unit of r12; at time 0. 6 columns.
-%  q2          Forms of the ellipsoids, in the square of the unit of r12; at time 0. 6 columns.
+%  q1, q2      Forms of the ellipsoids, in the square of the unit of r12; at time 0. 6 columns
+%              each.
 %  velocity    Velocity of ellipsoid 2 relative to ellipsoid 1; it may be zero. 3 columns.
 %  t_max       The end of the path; >= 0; may be infinite. 1 column. Infinite if it is missing.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.

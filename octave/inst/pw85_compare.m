@@ -13,8 +13,7 @@ function sign = pw85_compare (varargin)
 %  refused is an error that names the argument and its row.
 %
 %  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
-%  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
-%  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
+%  q1, q2      Forms of the ellipsoids, in the square of the unit of r12. 6 columns each.
 %  mu2         The number to compare with; >= 0; may be infinite. 1 column.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.
 %

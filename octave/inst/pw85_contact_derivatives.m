@@ -15,17 +15,15 @@ function [mu2, lambda, point, normal, d_r12, d_rot1, d_rot2] = pw85_contact_deri
 %  refused is an error that names the argument and its row.
 %
 %  r12          3 columns.
-%  q1           6 columns.
-%  q2           6 columns.
+%  q1, q2       6 columns each.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.
 %
-%  mu2          1 column.
-%  lambda       1 column.
+%  mu2, lambda  The results of pw85_contact(). 1 column each.
 %  point       Contact points relative to the centres of the first ellipsoids. 3 columns.
 %  normal      Unit normals. 3 columns.
 %  d_r12       ∂μ²/∂r12. 3 columns.
-%  d_rot1      Derivatives with respect to rotations, as for pw85_contact_torque(). 3 columns.
-%  d_rot2      Derivatives with respect to rotations, as for pw85_contact_torque(). 3 columns.
+%  d_rot1, d_rot2  Derivatives with respect to rotations, as for pw85_contact_torque(). 3
+%              columns each.
 %
 %  The function of the C API is pw85_contact_derivatives_batch().
 

@@ -12,8 +12,7 @@ function [point, normal] = pw85_contact_geometry (varargin)
 %
 %  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2; not zero. 3 or 2
 %              columns.
-%  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
-%  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
+%  q1, q2      Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns each.
 %  lambda      The maximiser λ of f, from pw85_contact(). For another λ in [0, 1] the point is
 %              x0(λ) of the chapter on theory. It is on the surface of ellipsoid 1 scaled by μ1,
 %              and on that of ellipsoid 2 scaled by μ2, where f(λ) = λ μ1² + (1-λ) μ2². 1

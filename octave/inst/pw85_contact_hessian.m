@@ -16,8 +16,7 @@ function hessian = pw85_contact_hessian (varargin)
 %
 %  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2; not zero. 3 or 2
 %              columns.
-%  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
-%  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
+%  q1, q2      Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns each.
 %  lambda      The maximiser λ of f, from pw85_contact(). 1 column.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi] or, in the plane, [xc yc a b
 %              theta]: see pw85_from_matgeom.

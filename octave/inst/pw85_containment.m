@@ -20,8 +20,7 @@ function [mu2, point] = pw85_containment (varargin)
 %
 %  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2; it may be zero. 3
 %              or 2 columns.
-%  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
-%  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
+%  q1, q2      Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns each.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi] or, in the plane, [xc yc a b
 %              theta]: see pw85_from_matgeom.
 %

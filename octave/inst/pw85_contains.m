@@ -14,8 +14,7 @@ function contains = pw85_contains (varargin)
 %  refused is an error that names the argument and its row.
 %
 %  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 or 2 columns.
-%  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
-%  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
+%  q1, q2      Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns each.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi] or, in the plane, [xc yc a b
 %              theta]: see pw85_from_matgeom.
 %

@@ -26,17 +26,14 @@ function [distance, point1, point2] = pw85_distance (varargin)
 %  refused is an error that names the argument and its row.
 %
 %  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 or 2 columns.
-%  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
-%  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
+%  q1, q2      Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns each.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi] or, in the plane, [xc yc a b
 %              theta]: see pw85_from_matgeom.
 %
 %  distance    The distance, in the unit of r12; zero if the ellipsoids overlap, as
 %              pw85_overlap() decides. 1 column.
-%  point1      The closest points of ellipsoids 1 and 2, both relative to the centre of
-%              ellipsoid 1; NaN if the ellipsoids overlap. 3 or 2 columns.
-%  point2      The closest points of ellipsoids 1 and 2, both relative to the centre of
-%              ellipsoid 1; NaN if the ellipsoids overlap. 3 or 2 columns.
+%  point1, point2  The closest points of ellipsoids 1 and 2, both relative to the centre of
+%              ellipsoid 1; NaN if the ellipsoids overlap. 3 or 2 columns each.
 %
 %  The function of the C API is pw85_distance().
 

@@ -12,14 +12,13 @@ function [d_r12, d_rot1, d_rot2, hessian] = pw85_distance_derivatives (varargin)
 %  refused is an error that names the argument and its row.
 %
 %  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
-%  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
-%  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
+%  q1, q2      Forms of the ellipsoids, in the square of the unit of r12. 6 columns each.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.
 %
 %  d_r12       Derivative with respect to r12: the unit normal at the closest points, into
 %              ellipsoid 2. 3 columns.
-%  d_rot1      Derivatives with respect to rotations, as for pw85_contact_torque(). 3 columns.
-%  d_rot2      Derivatives with respect to rotations, as for pw85_contact_torque(). 3 columns.
+%  d_rot1, d_rot2  Derivatives with respect to rotations, as for pw85_contact_torque(). 3
+%              columns each.
 %  hessian     Symmetric matrix of second derivatives with respect to r12, rotation 1 and
 %              rotation 2, as for pw85_contact_hessian(). 81 columns, a matrix of 9 x 9 row by
 %              row.

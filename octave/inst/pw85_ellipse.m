@@ -8,8 +8,7 @@ function q = pw85_ellipse (varargin)
 %  Each argument has a row for each row of the results, or one row for all of them. What is
 %  refused is an error that names the argument and its row.
 %
-%  a           Semi-axes, whose squares are in the range of double; > 0. 1 column.
-%  b           Semi-axes, whose squares are in the range of double; > 0. 1 column.
+%  a, b        Semi-axes, whose squares are in the range of double; > 0. 1 column each.
 %  angle       From the x axis to the first semi-axis, counter-clockwise, in radians. 1 column.
 %
 %  q           The form. 3 columns.

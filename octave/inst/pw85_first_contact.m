@@ -11,16 +11,12 @@ function t = pw85_first_contact (varargin)
 %
 %  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2; at time 0. 3
 %              columns.
-%  q1          Forms of the ellipsoids, in the square of the unit of r12; at time 0. 6 columns.
-%  q2          Forms of the ellipsoids, in the square of the unit of r12; at time 0. 6 columns.
-%  motion1     Motions of the ellipsoids; their semi-axes must be > 0 until t_max. 7 columns:
-%              the velocity (3 numbers), the angular velocity in radians per unit of time (3
-%              numbers), and growth: at time t the semi-axes are 1 + growth t times those at
-%              time 0.
-%  motion2     Motions of the ellipsoids; their semi-axes must be > 0 until t_max. 7 columns:
-%              the velocity (3 numbers), the angular velocity in radians per unit of time (3
-%              numbers), and growth: at time t the semi-axes are 1 + growth t times those at
-%              time 0.
+%  q1, q2      Forms of the ellipsoids, in the square of the unit of r12; at time 0. 6 columns
+%              each.
+%  motion1, motion2  Motions of the ellipsoids; their semi-axes must be > 0 until t_max. 7
+%              columns each: the velocity (3 numbers), the angular velocity in radians per unit
+%              of time (3 numbers), and growth: at time t the semi-axes are 1 + growth t times
+%              those at time 0.
 %  t_max       The last time at which a contact counts; >= 0; may be infinite. 1 column.
 %              Infinite if it is missing.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.

@@ -19,8 +19,7 @@ function t = pw85_free_path (varargin)
 %  refused is an error that names the argument and its row.
 %
 %  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
-%  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
-%  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
+%  q1, q2      Forms of the ellipsoids, in the square of the unit of r12. 6 columns each.
 %  direction   Of any length; not zero. 3 columns.
 %  t_max       The end of the path, in units of the length of direction: a length if direction
 %              is a unit vector; >= 0; may be infinite. 1 column. Infinite if it is missing.

@@ -25,17 +25,14 @@ function [gap, point1, point2, normal] = pw85_gap_inside (varargin)
 %  refused is an error that names the argument and its row.
 %
 %  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 or 2 columns.
-%  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
-%  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
+%  q1, q2      Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns each.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi] or, in the plane, [xc yc a b
 %              theta]: see pw85_from_matgeom.
 %
 %  gap         The gap, in the unit of r12; zero if the ellipsoids touch, or if ellipsoid 2 is
 %              not inside ellipsoid 1, as pw85_contains() decides. 1 column.
-%  point1      The closest points of the surfaces of ellipsoids 1 and 2, both relative to the
-%              centre of ellipsoid 1; NaN if ellipsoid 2 is not inside. 3 or 2 columns.
-%  point2      The closest points of the surfaces of ellipsoids 1 and 2, both relative to the
-%              centre of ellipsoid 1; NaN if ellipsoid 2 is not inside. 3 or 2 columns.
+%  point1, point2  The closest points of the surfaces of ellipsoids 1 and 2, both relative to
+%              the centre of ellipsoid 1; NaN if ellipsoid 2 is not inside. 3 or 2 columns each.
 %  normal      Unit vector out of both ellipsoids at these points, from point2 to point1: minus
 %              the derivative of the gap with respect to r12; NaN if ellipsoid 2 is not inside.
 %              3 or 2 columns.

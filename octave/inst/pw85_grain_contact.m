@@ -22,8 +22,7 @@ function [normal, depth, point, curvatures, radius] = pw85_grain_contact (vararg
 %  refused is an error that names the argument and its row.
 %
 %  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
-%  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
-%  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
+%  q1, q2      Forms of the ellipsoids, in the square of the unit of r12. 6 columns each.
 %  start       A direction near the normal, out of ellipsoid 1 and into ellipsoid 2, of any
 %              length; not zero. 3 columns.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.

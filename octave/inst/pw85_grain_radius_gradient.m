@@ -13,14 +13,13 @@ function [d_r12, d_rot1, d_rot2] = pw85_grain_radius_gradient (varargin)
 %  refused is an error that names the argument and its row.
 %
 %  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
-%  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
-%  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
+%  q1, q2      Forms of the ellipsoids, in the square of the unit of r12. 6 columns each.
 %  normal      That of pw85_grain_contact(), of any length; not zero. 3 columns.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.
 %
 %  d_r12       Derivative with respect to r12. 3 columns.
-%  d_rot1      Derivatives with respect to rotations, as for pw85_contact_torque(). 3 columns.
-%  d_rot2      Derivatives with respect to rotations, as for pw85_contact_torque(). 3 columns.
+%  d_rot1, d_rot2  Derivatives with respect to rotations, as for pw85_contact_torque(). 3
+%              columns each.
 %
 %  The function of the C API is pw85_grain_radius_gradient().
 

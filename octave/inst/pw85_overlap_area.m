@@ -14,8 +14,8 @@ function area = pw85_overlap_area (varargin)
 %
 %  r12         Vector from the centre of ellipse 1 to that of ellipse 2; it may be zero. 2
 %              columns.
-%  q1          Forms (xx, xy, yy) of the ellipses, in the square of the unit of r12. 3 columns.
-%  q2          Forms (xx, xy, yy) of the ellipses, in the square of the unit of r12. 3 columns.
+%  q1, q2      Forms (xx, xy, yy) of the ellipses, in the square of the unit of r12. 3 columns
+%              each.
 %  x, y        Rows of matGeom, [xc yc a b theta]: see pw85_from_matgeom.
 %
 %  area        The area, in the square of the unit of length. 1 column.

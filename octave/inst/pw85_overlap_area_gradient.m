@@ -13,16 +13,14 @@ function [d_r12, d_q1, d_q2] = pw85_overlap_area_gradient (varargin)
 %  refused is an error that names the argument and its row.
 %
 %  r12         Vector from the centre of ellipse 1 to that of ellipse 2. 2 columns.
-%  q1          Forms (xx, xy, yy) of the ellipses, in the square of the unit of r12. 3 columns.
-%  q2          Forms (xx, xy, yy) of the ellipses, in the square of the unit of r12. 3 columns.
+%  q1, q2      Forms (xx, xy, yy) of the ellipses, in the square of the unit of r12. 3 columns
+%              each.
 %  x, y        Rows of matGeom, [xc yc a b theta]: see pw85_from_matgeom.
 %
-%  d_r12       ∂V/∂r12; its negative is the derivative with respect to the centre of ellipse 1.
+%  d_r12       ∂A/∂r12; its negative is the derivative with respect to the centre of ellipse 1.
 %              2 columns.
-%  d_q1        Derivatives with respect to the stored entries of q1 and q2 (a stored
-%              off-diagonal entry is two entries of the matrix). 3 columns.
-%  d_q2        Derivatives with respect to the stored entries of q1 and q2 (a stored
-%              off-diagonal entry is two entries of the matrix). 3 columns.
+%  d_q1, d_q2  Derivatives with respect to the stored entries of q1 and q2 (a stored
+%              off-diagonal entry is two entries of the matrix). 3 columns each.
 %
 %  The function of the C API is pw85_overlap_area_gradient_2d().
 

@@ -13,12 +13,11 @@ function [d_rot1, d_rot2] = pw85_overlap_area_torque (varargin)
 %  refused is an error that names the argument and its row.
 %
 %  r12         Vector from the centre of ellipse 1 to that of ellipse 2. 2 columns.
-%  q1          Forms (xx, xy, yy) of the ellipses, in the square of the unit of r12. 3 columns.
-%  q2          Forms (xx, xy, yy) of the ellipses, in the square of the unit of r12. 3 columns.
+%  q1, q2      Forms (xx, xy, yy) of the ellipses, in the square of the unit of r12. 3 columns
+%              each.
 %  x, y        Rows of matGeom, [xc yc a b theta]: see pw85_from_matgeom.
 %
-%  d_rot1      Per radian. 1 column.
-%  d_rot2      Per radian. 1 column.
+%  d_rot1, d_rot2  Per radian. 1 column each.
 %
 %  The function of the C API is pw85_overlap_area_torque_2d().
 

@@ -21,8 +21,7 @@ function volume = pw85_overlap_volume (varargin)
 %
 %  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2; it may be zero. 3
 %              columns.
-%  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
-%  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
+%  q1, q2      Forms of the ellipsoids, in the square of the unit of r12. 6 columns each.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.
 %
 %  volume      The volume, in the third power of the unit of length. 1 column.

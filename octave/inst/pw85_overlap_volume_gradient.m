@@ -20,16 +20,13 @@ function [d_r12, d_q1, d_q2] = pw85_overlap_volume_gradient (varargin)
 %  refused is an error that names the argument and its row.
 %
 %  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
-%  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
-%  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
+%  q1, q2      Forms of the ellipsoids, in the square of the unit of r12. 6 columns each.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.
 %
 %  d_r12       ∂V/∂r12; its negative is the derivative with respect to the centre of ellipsoid
 %              1. 3 columns.
-%  d_q1        Derivatives with respect to the stored entries of q1 and q2 (a stored
-%              off-diagonal entry is two entries of the matrix). 6 columns.
-%  d_q2        Derivatives with respect to the stored entries of q1 and q2 (a stored
-%              off-diagonal entry is two entries of the matrix). 6 columns.
+%  d_q1, d_q2  Derivatives with respect to the stored entries of q1 and q2 (a stored
+%              off-diagonal entry is two entries of the matrix). 6 columns each.
 %
 %  The function of the C API is pw85_overlap_volume_gradient().
 

@@ -19,12 +19,10 @@ function [d_rot1, d_rot2] = pw85_overlap_volume_torque (varargin)
 %  refused is an error that names the argument and its row.
 %
 %  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
-%  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
-%  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
+%  q1, q2      Forms of the ellipsoids, in the square of the unit of r12. 6 columns each.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.
 %
-%  d_rot1      Derivatives for ellipsoids 1 and 2, per radian. 3 columns.
-%  d_rot2      Derivatives for ellipsoids 1 and 2, per radian. 3 columns.
+%  d_rot1, d_rot2  Derivatives for ellipsoids 1 and 2, per radian. 3 columns each.
 %
 %  The function of the C API is pw85_overlap_volume_torque().
 

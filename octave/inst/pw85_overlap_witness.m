@@ -8,8 +8,8 @@ function [overlap, lambda, point] = pw85_overlap_witness (varargin)
 %  If the ellipsoids are apart, the proof is a double λ with f(λ) > 1. The function finds one
 %  whenever one exists. If they overlap, the proof is a point inside both. The function searches
 %  for it near the point at which the ellipsoids, scaled by μ, touch. It may find none if 1 - μ²
-%  is below 1e-13. Tangent ellipsoids have no proof: λ and point are then NaN, with success.
-%  Rational arithmetic can check a proof, which holds exactly for the numbers given.
+%  is below 1e-13. Tangent ellipsoids have no proof: λ and point are then NaN. Rational
+%  arithmetic can check a proof, which holds exactly for the numbers given.
 %
 %  For ellipsoids in three dimensions.
 %
@@ -17,8 +17,7 @@ function [overlap, lambda, point] = pw85_overlap_witness (varargin)
 %  refused is an error that names the argument and its row.
 %
 %  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
-%  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
-%  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
+%  q1, q2      Forms of the ellipsoids, in the square of the unit of r12. 6 columns each.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.
 %
 %  overlap     1 or 0. 1 column.

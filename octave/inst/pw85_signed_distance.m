@@ -27,18 +27,14 @@ function [distance, point1, point2] = pw85_signed_distance (varargin)
 %  refused is an error that names the argument and its row.
 %
 %  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 or 2 columns.
-%  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
-%  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns.
+%  q1, q2      Forms of the ellipsoids, in the square of the unit of r12. 6 or 3 columns each.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi] or, in the plane, [xc yc a b
 %              theta]: see pw85_from_matgeom.
 %
 %  distance    The signed distance, in the unit of r12. 1 column.
-%  point1      The closest points of ellipsoids 1 and 2 if they are apart, or the deepest points
-%              if they overlap, both relative to the centre of ellipsoid 1. The outward normals
-%              there are opposite, and along point2 - point1. 3 or 2 columns.
-%  point2      The closest points of ellipsoids 1 and 2 if they are apart, or the deepest points
-%              if they overlap, both relative to the centre of ellipsoid 1. The outward normals
-%              there are opposite, and along point2 - point1. 3 or 2 columns.
+%  point1, point2  The closest points of ellipsoids 1 and 2 if they are apart, or the deepest
+%              points if they overlap, both relative to the centre of ellipsoid 1. The outward
+%              normals there are opposite, and along point2 - point1. 3 or 2 columns each.
 %
 %  The function of the C API is pw85_signed_distance().
 

@@ -15,16 +15,15 @@ function [d_r12, d_rot1, d_rot2, hessian] = pw85_signed_distance_derivatives (va
 %  refused is an error that names the argument and its row.
 %
 %  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
-%  q1          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
-%  q2          Forms of the ellipsoids, in the square of the unit of r12. 6 columns.
+%  q1, q2      Forms of the ellipsoids, in the square of the unit of r12. 6 columns each.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.
 %
 %  d_r12       Derivative with respect to r12: the unit normal to both surfaces at the points of
 %              pw85_signed_distance(), out of ellipsoid 1. If several directions are equally
 %              good, the derivative does not exist: the result is one of the subgradients. 3
 %              columns.
-%  d_rot1      Derivatives with respect to rotations, as for pw85_contact_torque(). 3 columns.
-%  d_rot2      Derivatives with respect to rotations, as for pw85_contact_torque(). 3 columns.
+%  d_rot1, d_rot2  Derivatives with respect to rotations, as for pw85_contact_torque(). 3
+%              columns each.
 %  hessian     Symmetric matrix of second derivatives, as for pw85_distance_derivatives(); NaN,
 %              where the best direction is not isolated, or so nearly so that half of the digits
 %              would be lost. 81 columns, a matrix of 9 x 9 row by row.

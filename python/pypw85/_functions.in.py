@@ -113,11 +113,6 @@ def contact_factored():
 @declared
 def overlap_factored():
     """
-    Returns
-    -------
-    (...) array of bool, or bool
-        A bad row counts as an overlap, and a simulation refuses it.
-
     Examples
     --------
     >>> import pypw85
@@ -264,11 +259,6 @@ def contact():
 @declared
 def overlap():
     """
-    Returns
-    -------
-    (...) array of bool, or bool
-        A bad row counts as an overlap, and a simulation refuses it.
-
     Examples
     --------
     >>> import pypw85
@@ -323,11 +313,6 @@ def compare():
 @declared
 def contains():
     """
-    Returns
-    -------
-    (...) array of bool, or bool
-        A bad row is not inside.
-
     Examples
     --------
     >>> import pypw85
@@ -936,11 +921,6 @@ def contact_2d():
 @declared
 def overlap_2d():
     """
-    Returns
-    -------
-    (...) array of bool, or bool
-        A bad row counts as an overlap.
-
     Examples
     --------
     >>> import pypw85
@@ -953,11 +933,6 @@ def overlap_2d():
 @declared
 def contains_2d():
     """
-    Returns
-    -------
-    (...) array of bool, or bool
-        A bad row is not inside.
-
     Examples
     --------
     >>> import pypw85

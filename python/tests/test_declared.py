@@ -109,9 +109,9 @@ def make(tmp_path):
         text = header.read_text(encoding="utf-8")
         place = text.index("/** @}")
         header.write_text(text[:place] + added.lstrip() + text[place:], encoding="utf-8")
-    batch = tmp_path / "api/pw85_batch.h.in"
-    text = batch.read_text(encoding="utf-8").replace("@lanes pw85_contact:", "@rows pw85_girth ellipsoids\n\n@lanes pw85_contact:")
-    batch.write_text(text, encoding="utf-8")
+    sums = tmp_path / "api/sums.hpp.in"
+    text = sums.read_text(encoding="utf-8").replace("@function law_forces_pairs", "@function girth_particles\n@function law_forces_pairs")
+    sums.write_text(text, encoding="utf-8")
 
     def run(kind, template="", succeeds=True):
         (tmp_path / "in").write_text(template, encoding="utf-8")
@@ -175,7 +175,7 @@ def test_committed_files(make, tmp_path):
     assert many in " ".join(many_rows.split())
     assert "call_pairs(pw85_girth_pairs, list, particles, weight, d_mu2, girth)" in lists
     assert "/// @param weight one for each pair: at most 1\n/// @param[out] d_mu2,girth one for each pair, or empty\n" in lists
-    assert "girth_particles" not in lists  # its rows are not those of pairs: it is written by hand
+    assert "girth_particles" not in lists  # its rows are not those of pairs: sums.hpp.in has a line for it
     version = re.search(r"version: '(.*)'", (tmp_path / "meson.build").read_text(encoding="utf-8"))[1]
     assert f"\n pw85_girth@Base {version}\n" in symbols
 
@@ -242,3 +242,17 @@ def test_linked_functions_are_compared():
     header, program = ((SOURCE / name).read_text(encoding="utf-8") for name in ("include/pw85/linked.hpp", "tests/test_linked.cpp"))
     linked = set(re.findall(r"^/// Computes (\w+)\(\) by pw85_", header, re.MULTILINE))
     assert {"contact", "overlap", "area"} <= linked and linked == set(re.findall(r"^    COMPARE\((\w+), ", program, re.MULTILINE))
+
+
+@pytest.mark.parametrize("files, line", [("r/man/*.Rd", ""), ("octave/inst/*.m", "%"), ("rust/pw85/src/questions.rs", " *///"),
+                                         ("js/pw85.d.ts", r" *\* @param")])  # fmt: skip
+def test_words_of_c(files, line):
+    """What the headers say is said without pointers and statuses in languages that have none."""
+    text = "\n".join(path.read_text(encoding="utf-8") for path in sorted(SOURCE.glob(files)))
+    said = " ".join(found for found in text.splitlines() if re.match(line, found))
+    assert len(said) > 1000 and re.findall(r"\bnull\b|\bpointers?\b|\w+ success\b|#PW85\w+|.{20}may be the same array", said) == []
+
+
+def test_titles_of_r():
+    titles = [re.search(r"^\\title\{(.*)\}$", path.read_text(encoding="utf-8"), re.M)[1] for path in (SOURCE / "r/man").glob("*.Rd")]
+    assert len(titles) > 40 and not [title for title in titles if re.search(r" (?:all|at|by|in|of|to|that|which)$|`", title)]

@@ -72,15 +72,19 @@ static SEXP call_version(void) { return Rf_mkString(pw85_version()); }
 
 void R_init_pw85(DllInfo *info)
 {
-    static R_CallMethodDef methods[128] = {
+    static R_CallMethodDef const methods[] = {
         {"enclosing", (DL_FUNC)&call_enclosing, 3},
         {"reproducible", (DL_FUNC)&call_reproducible, 1},
         {"threads", (DL_FUNC)&call_threads, 1},
         {"version", (DL_FUNC)&call_version, 0},
+        {NULL, NULL, 0},
     };
-    for (int k = 0; pw85_questions[k].name && k < 123; ++k) methods[k + 4] = pw85_questions[k];
+    static R_ExternalMethodDef const externals[] = {
+        {"ask", (DL_FUNC)&pw85_ask, -1},
+        {NULL, NULL, 0},
+    };
     pthread_atfork(NULL, NULL, use_one_thread);
-    R_registerRoutines(info, NULL, methods, NULL, NULL);
+    R_registerRoutines(info, NULL, methods, NULL, externals);
     R_useDynamicSymbols(info, FALSE);
     R_forceSymbols(info, TRUE);
 }

@@ -23,8 +23,7 @@ enum pw85_kind { PW85_SEPARATION, PW85_FORM1, PW85_FORM2, PW85_VALUES };
 struct pw85_input {
     char const *name; /* in C */
     enum pw85_kind kind;
-    int size;  /* numbers in a row */
-    int index; /* of an argument of its own, among such */
+    int size; /* numbers in a row */
 };
 
 /* A function of C. `call` computes n rows and returns a status. If it computes them one by one, it
@@ -43,18 +42,20 @@ struct pw85_function {
 /* A question, in two and three dimensions; `call` is null where there is no function. */
 struct pw85_question {
     char const *name;
+    int num_ellipsoids; /* 0 for those that make forms */
     struct pw85_function functions[2];
 };
 
-extern R_CallMethodDef const pw85_questions[];
+/* In the order of strcmp(). */
+extern struct pw85_question const pw85_questions[];
+extern size_t const pw85_num_questions;
 
 /* Threads for rows, and the number of the one that calls, from 0. */
 extern int pw85_num_threads;
 int pw85_thread(void);
 
-/* Answers a question. `given` has the arguments of R: ellipsoids, then the others. */
-SEXP pw85_rows(struct pw85_question const *question, int num_ellipsoids, int num_values,
-               SEXP const *given);
+/* Answers a question. The arguments of .External() are its name, ellipsoids, and the others. */
+SEXP pw85_ask(SEXP arguments);
 
 /* Ends the call with a condition of class pw85_error. `row` counts from 0 and is -1 if the cause is
  * not one row; `argument` and `column` may be null. */

@@ -269,8 +269,12 @@ static struct table const *table_of(struct call const *call, struct pw85_input c
     switch (input->kind) {
     case PW85_FORM2:
         return &call->tables[1];
-    case PW85_VALUES:
-        return &call->tables[call->num_ellipsoids + input->index];
+    case PW85_VALUES: {
+        struct table const *table = &call->tables[call->num_ellipsoids];
+        for (struct pw85_input const *one = call->function->inputs; one < input; ++one)
+            if (one->kind == PW85_VALUES) ++table;
+        return table;
+    }
     default:
         return &call->tables[0];
     }
@@ -590,23 +594,32 @@ static int dimension_of(struct pw85_question const *question, struct call const 
     return d;
 }
 
-SEXP pw85_rows(struct pw85_question const *question, int num_ellipsoids, int num_values,
-               SEXP const *given)
+static struct pw85_question const *find_question(char const *name)
+{
+    size_t k = 0;
+    while (k + 1 < pw85_num_questions && strcmp(pw85_questions[k].name, name) != 0) ++k;
+    return &pw85_questions[k];
+}
+
+SEXP pw85_ask(SEXP arguments)
 {
     static char const *const ellipsoids[] = {"x", "y"};
-    struct call call = {.num_ellipsoids = num_ellipsoids,
-                        .num_tables = num_ellipsoids + num_values};
-    for (int k = 0; k < num_ellipsoids; ++k) {
+    SEXP left = CDR(arguments); /* behind the name of this function */
+    struct pw85_question const *const question = find_question(CHAR(STRING_ELT(CAR(left), 0)));
+    struct call call = {.num_ellipsoids = question->num_ellipsoids,
+                        .num_tables = question->num_ellipsoids};
+    for (int k = 0; k < call.num_ellipsoids; ++k) {
+        left = CDR(left);
         call.tables[k].name = ellipsoids[k];
-        read_ellipsoids(given[k], &call.tables[k]);
+        read_ellipsoids(CAR(left), &call.tables[k]);
     }
     call.function = &question->functions[dimension_of(question, &call) - 2];
     for (int k = 0; k < call.function->num_inputs; ++k) {
         struct pw85_input const *const input = &call.function->inputs[k];
         if (input->kind != PW85_VALUES) continue;
-        int const place = num_ellipsoids + input->index;
-        call.tables[place].name = input->name;
-        read_values(given[place], input->size, &call.tables[place]);
+        left = CDR(left);
+        call.tables[call.num_tables].name = input->name;
+        read_values(CAR(left), input->size, &call.tables[call.num_tables++]);
     }
     R_xlen_t const rows = common_rows(call.tables, call.num_tables);
     int const count = sum_of(call.function->sizes, call.function->num_outputs);

@@ -2,7 +2,7 @@
 /// @file
 /// The functions that work on objects, each called by the function of the C API of its name.
 //
-// Made from pw85_systems.h and the parts of pw85_simulation.h by api/committed.py.
+// Made from the headers by api/committed.py.
 // clang-format off
 #ifndef PW85_BASE_OBJECTS_HPP_INCLUDED
 #define PW85_BASE_OBJECTS_HPP_INCLUDED

@@ -9,15 +9,6 @@
 
 using namespace pw85::detail::kernels;
 
-int pw85_overlap_factored_batch(size_t n, double const *r12, double const *s1, double const *s2,
-                                unsigned char *overlap)
-{
-    static constexpr char const *names[] = {"pw85_overlap_factored_batch", "r12", "s1", "s2",
-                                            "overlap"};
-    return each_row(names, n, pw85_overlap_factored, RowsOf<3>{r12}, RowsOf<9>{s1}, RowsOf<9>{s2},
-                    Bytes{overlap});
-}
-
 int pw85_contact_factored_batch(size_t n, double const *r12, double const *s1, double const *s2,
                                 double *mu2, double *lambda)
 {
@@ -47,4 +38,13 @@ int pw85_contact_gradient_factored_batch(size_t n, double const *r12, double con
     return each_row(names, n, pw85_contact_gradient_factored, RowsOf<3>{r12}, RowsOf<9>{s1},
                     RowsOf<9>{s2}, Numbers{lambda}, OptionalRowsOf<3>{d_r12},
                     OptionalRowsOf<9>{d_s1}, OptionalRowsOf<9>{d_s2});
+}
+
+int pw85_overlap_factored_batch(size_t n, double const *r12, double const *s1, double const *s2,
+                                unsigned char *overlap)
+{
+    static constexpr char const *names[] = {"pw85_overlap_factored_batch", "r12", "s1", "s2",
+                                            "overlap"};
+    return each_row(names, n, pw85_overlap_factored, RowsOf<3>{r12}, RowsOf<9>{s1}, RowsOf<9>{s2},
+                    Bytes{overlap});
 }

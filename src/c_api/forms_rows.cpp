@@ -9,15 +9,6 @@
 
 using namespace pw85::detail::kernels;
 
-int pw85_ellipsoid_factor_batch(size_t n, double const *semi_axes, double const *quaternions,
-                                double *s)
-{
-    static constexpr char const *names[] = {"pw85_ellipsoid_factor_batch", "semi_axes",
-                                            "quaternions", "s"};
-    return each_row(names, n, pw85_ellipsoid_factor, RowsOf<3>{semi_axes}, RowsOf<4>{quaternions},
-                    RowsOf<9, double>{s});
-}
-
 int pw85_ellipsoid_quaternion_batch(size_t n, double const *semi_axes, double const *quaternions,
                                     double *q)
 {
@@ -25,4 +16,13 @@ int pw85_ellipsoid_quaternion_batch(size_t n, double const *semi_axes, double co
                                             "quaternions", "q"};
     return each_row(names, n, pw85_ellipsoid_quaternion, RowsOf<3>{semi_axes},
                     RowsOf<4>{quaternions}, RowsOf<6, double>{q});
+}
+
+int pw85_ellipsoid_factor_batch(size_t n, double const *semi_axes, double const *quaternions,
+                                double *s)
+{
+    static constexpr char const *names[] = {"pw85_ellipsoid_factor_batch", "semi_axes",
+                                            "quaternions", "s"};
+    return each_row(names, n, pw85_ellipsoid_factor, RowsOf<3>{semi_axes}, RowsOf<4>{quaternions},
+                    RowsOf<9, double>{s});
 }

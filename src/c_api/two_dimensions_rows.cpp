@@ -34,31 +34,6 @@ int pw85_overlap_area_torque_batch_2d(size_t n, double const *r12, double const 
                     RowsOf<3>{q2}, OptionalRowsOf<1>{d_rot1}, OptionalRowsOf<1>{d_rot2});
 }
 
-int pw85_perimeter_batch_2d(size_t n, double const *q, double *perimeter)
-{
-    static constexpr char const *names[] = {"pw85_perimeter_batch_2d", "q", "perimeter"};
-    return each_row(names, n, pw85_perimeter_2d, RowsOf<3>{q}, RowsOf<1, double>{perimeter});
-}
-
-int pw85_second_moments_batch_2d(size_t n, double const *q, double *moments)
-{
-    static constexpr char const *names[] = {"pw85_second_moments_batch_2d", "q", "moments"};
-    return each_row(names, n, pw85_second_moments_2d, RowsOf<3>{q}, RowsOf<3, double>{moments});
-}
-
-int pw85_from_moments_batch_2d(size_t n, double const *second_moments, double *q)
-{
-    static constexpr char const *names[] = {"pw85_from_moments_batch_2d", "second_moments", "q"};
-    return each_row(names, n, pw85_from_moments_2d, RowsOf<3>{second_moments},
-                    RowsOf<3, double>{q});
-}
-
-int pw85_shell_moments_batch_2d(size_t n, double const *q, double *moments)
-{
-    static constexpr char const *names[] = {"pw85_shell_moments_batch_2d", "q", "moments"};
-    return each_row(names, n, pw85_shell_moments_2d, RowsOf<3>{q}, RowsOf<3, double>{moments});
-}
-
 int pw85_contact_geometry_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
                                    double const *lambda, double *point, double *normal)
 {
@@ -143,6 +118,31 @@ int pw85_gap_inside_batch_2d(size_t n, double const *r12, double const *q1, doub
     return each_row(names, n, pw85_gap_inside_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2},
                     OptionalRowsOf<1>{gap}, OptionalRowsOf<2>{point1}, OptionalRowsOf<2>{point2},
                     OptionalRowsOf<2>{normal});
+}
+
+int pw85_perimeter_batch_2d(size_t n, double const *q, double *perimeter)
+{
+    static constexpr char const *names[] = {"pw85_perimeter_batch_2d", "q", "perimeter"};
+    return each_row(names, n, pw85_perimeter_2d, RowsOf<3>{q}, RowsOf<1, double>{perimeter});
+}
+
+int pw85_second_moments_batch_2d(size_t n, double const *q, double *moments)
+{
+    static constexpr char const *names[] = {"pw85_second_moments_batch_2d", "q", "moments"};
+    return each_row(names, n, pw85_second_moments_2d, RowsOf<3>{q}, RowsOf<3, double>{moments});
+}
+
+int pw85_from_moments_batch_2d(size_t n, double const *second_moments, double *q)
+{
+    static constexpr char const *names[] = {"pw85_from_moments_batch_2d", "second_moments", "q"};
+    return each_row(names, n, pw85_from_moments_2d, RowsOf<3>{second_moments},
+                    RowsOf<3, double>{q});
+}
+
+int pw85_shell_moments_batch_2d(size_t n, double const *q, double *moments)
+{
+    static constexpr char const *names[] = {"pw85_shell_moments_batch_2d", "q", "moments"};
+    return each_row(names, n, pw85_shell_moments_2d, RowsOf<3>{q}, RowsOf<3, double>{moments});
 }
 
 int pw85_distance_point_batch_2d(size_t n, double const *r, double const *q, double *distance,

@@ -9,15 +9,6 @@
 
 using namespace pw85::detail::kernels;
 
-int pw85_overlap_volume_plane_batch(size_t n, double const *normals, double const *offsets,
-                                    double const *q, double *volume)
-{
-    static constexpr char const *names[] = {"pw85_overlap_volume_plane_batch", "normals", "offsets",
-                                            "q", "volume"};
-    return each_row(names, n, pw85_overlap_volume_plane, RowsOf<3>{normals}, Numbers{offsets},
-                    RowsOf<6>{q}, RowsOf<1, double>{volume});
-}
-
 int pw85_distance_plane_batch(size_t n, double const *normals, double const *offsets,
                               double const *q, double *distance, double *point)
 {
@@ -62,4 +53,13 @@ int pw85_distance_box_batch(size_t n, double const *lower, double const *upper, 
     return each_row(names, n, pw85_distance_box, RowsOf<3>{lower}, RowsOf<3>{upper}, RowsOf<6>{q},
                     OptionalRowsOf<1>{distance}, OptionalRowsOf<3>{point},
                     OptionalRowsOf<3>{normal});
+}
+
+int pw85_overlap_volume_plane_batch(size_t n, double const *normals, double const *offsets,
+                                    double const *q, double *volume)
+{
+    static constexpr char const *names[] = {"pw85_overlap_volume_plane_batch", "normals", "offsets",
+                                            "q", "volume"};
+    return each_row(names, n, pw85_overlap_volume_plane, RowsOf<3>{normals}, Numbers{offsets},
+                    RowsOf<6>{q}, RowsOf<1, double>{volume});
 }

@@ -41,7 +41,7 @@ OTHER_WORDS = {"may": "can", "null": "absent", "is": "becomes", "as": "like", "f
                "n": "many", "number": "count", "from": "since", "returns": "gives"}  # fmt: skip
 # A sentence in which a program could find what it looks for.
 BAIT = "n×9, or null: as for pw85_f_neg(), see pw85_volume(); `q` may be null, NaN > 0, any output may be null"
-ROWS = re.compile(r"^(@(?:rows|lanes) [\w]+(?: [\w -]+)?:)(.*)$|^(    \w+: \[[^\]]*\])(.*)$", re.MULTILINE)
+ROWS = re.compile(r"^(pw85\w+(?: [\w -]+)?:)(.*)$|^(    \w+: \[[^\]]*\])(.*)$", re.MULTILINE)
 
 
 def reworded_text(text, draw, share):
@@ -111,7 +111,7 @@ def made(folder):
     files = {str(path.relative_to(folder)): text for path, text in committed.files().items()}
     listed = [one for header in declarations.HOST_HEADERS for one in declarations.functions(header) if not one.is_of_simulations()]
     files["table of the tests"] = "\n".join(line for function in listed for line in tables.lines(function))
-    files["table of Python"] = python.rows_table(python.row_functions())
+    files["table of Python"] = python.rows_table()
     files["objects of Python"] = python.objects_table()
     files["names of Python"] = "\n".join(line for lines in python.made_lines().values() for line in lines)
     for name in ("_functions", "legacy"):
@@ -193,6 +193,8 @@ SPOILED = {
         (OUT, "@param out [members mu2, lambda]", "an output needs @param[out]"),
         (OUT, "@param[out] out [> 0; members mu2, lambda]", "outputs have no limits: > 0"),
         (OUT, "@param[out] out [members mu2, lambdas]", "has no member lambdas"),
+        (FORMS, "@param q1,q2 [length²; optional; definite]", "only outputs of doubles can be optional"),
+        ("overlap [-1 on error]", "overlap [optional; -1 on error]", "only outputs of doubles can be optional"),
         (FORMS, "@param q1,q2 [as pw85_contact()]", "pw85_contact() does not say what q1 is"),
         (LIKE, "r12,q1,q2 [as pw85_kontact()]", "no function pw85_kontact()"),
         (LIKE, "r12,q1,q2 [as pw85_volume()]", "pw85_volume() does not say what r12 is"),
@@ -202,6 +204,13 @@ SPOILED = {
         ("overlap [-1 on error]", "overlap", "no value on error"),
         ("@param params [15; mixed units]", "@param params [mixed units]", "an array without extents"),
         ("@return [NaN on error]", "@return [nan on error]", "unknown attribute: nan on error"),
+        ("pw85_contact(double const r12[3]", "pw85_contact(float const r12[3]", "r12: of no type in TYPES of api/declarations.py"),
+        ("pw85_contact(double const r12[3]", "pw85_contact(double const r12[2 + 1]", "of no type in TYPES"),
+        ("pw85_is_reproducible(int *on)", "pw85_is_reproducible(char *on)", "on: TYPES of api/fortran.py has no entry char"),
+        ("int *contains", "int64_t *contains", "pw85_contains(): parameters that languages cannot take as rows"),
+        ("PW85_API int pw85_contact(", "PW85_API pw85_contact(", "not understood: PW85_API pw85_contact("),
+        ("#define PW85_DIM 3", "#define PW85_DIM 0x3", "constants are macros of decimal numbers"),
+        ("#define PW85_DIM 3", "enum pw85_mode {", "constants are macros of decimal numbers"),
     ),
     "pw85_systems.h": (
         ("system [without q; with cell]", "system [without p; with cell]", "not a struct that has p"),
@@ -214,14 +223,16 @@ SPOILED = {
 }
 # What replaces a part of a template of headers, and what is said then.
 SPOILED_TEMPLATES = (
-    ("hard_ellipsoids.hpp.in", "@member sweep", "@member sweeps", "no function pw85_hard_ellipsoids_sweeps()"),
-    ("hard_ellipsoids.hpp.in", "        take: bool\n        is_free", "        takes: bool\n        is_free", "no such parameter: takes"),
+    ("hard_ellipsoids.hpp.in", "law_virial, sweep\n", "law_virial, sweeps\n", "no function pw85_hard_ellipsoids_sweeps()"),
+    ("hard_ellipsoids.hpp.in", "        fractions: Trial", "        fraction: Trial", "no such parameter: fraction"),
     ("hard_ellipsoids.hpp.in", "@member chain without direction", "@member chain without a direction", "not understood"),
     ("neighbors.hpp.in", "@function neighbors_holds", "@functions neighbors_holds", "not understood"),
+    ("sums.hpp.in", "@function law_forces_pairs\n    out: ForceSpans\n", "", "pw85_law_forces_pairs(): in no template of C++"),
     ("lists.hpp.in", "@pairs pw85_systems.h", "@triples pw85_systems.h", "not understood"),
     ("linked.hpp.in", "//@ others", "//@ other", "not understood"),
-    ("pw85_batch.h.in", "@lanes pw85_overlap\n", "@lane pw85_overlap\n", "@lane pw85_overlap: not understood"),
-    ("pw85_batch.h.in", "@rows pw85_condition\n", "@rows pw85_conditions\n", "no function pw85_conditions()"),
+    ("pw85_batch.h.in", "@rows without", "@row without", "no mark @rows"),
+    ("pw85_batch.h.in", "\npw85_compare:", "\npw85_compares:", "no function pw85_compares() of one row"),
+    ("pw85_batch.h.in", "without pw85_ellipsoid,", "without pw85_ellipsoids,", "no function pw85_ellipsoids() of one row"),
     ("pw85_batch.h.in", "    sign: [n] -1", "    signs: [n] -1", "pw85_compare_batch() has no parameter signs"),
 )
 
@@ -242,13 +253,16 @@ def complaints_of_spoiling(folder):
     sys.path.insert(0, str(folder / "api"))
     import classes
     import declarations
+    import fortran
     import linked
+    import rows
     import shims
 
     def make(header):
         for one in declarations.functions(header):
             one.flattened, one.is_nan_on_error()
-        return classes.files() if header == "pw85_systems.h" else (linked.files(), shims.files())
+        rows.row_functions.cache_clear()
+        return classes.files() if header == "pw85_systems.h" else (linked.files(), shims.files(), rows.row_functions(), fortran.files())
 
     for header, listed in SPOILED.items():
         text = (folder / "include" / header).read_text(encoding="utf-8")
@@ -257,9 +271,10 @@ def complaints_of_spoiling(folder):
             if begin < 0:
                 yield f"{header} does not say {old}"
                 continue
-            lines = {text.count("\n", 0, place) + 1 for place in (begin, text.rfind("/**", 0, begin))}
+            first, last = (text.count("\n", 0, place) + 1 for place in (text.rfind("/**", 0, begin), begin))
+            lines = range(first, last + 1)
             declarations.replace({header: text.replace(old, new, 1)})
-            yield from complaint_of(lambda: make(header), new, said, rf"{header}:(?:{'|'.join(map(str, lines))}): pw85_")
+            yield from complaint_of(lambda: make(header), new, said, rf"{header}:(?:{'|'.join(map(str, lines))}): ")
         declarations.replace({header: text})
 
 
@@ -276,7 +291,7 @@ def complaints_of_templates(folder):
             yield f"{name} does not say {old}"
             continue
         template.write_text(text.replace(old, new, 1), encoding="utf-8")
-        yield from complaint_of(lambda: (batch.header(), classes.files(), linked.files()), new, said, rf"{name}:(?:\d+:)? ")
+        yield from complaint_of(lambda: (batch.header(), classes.files(), linked.files()), new, said, rf"(?:{name}|pw85_\w+\.h):(?:\d+:)? ")
         template.write_text(text, encoding="utf-8")
 
 

@@ -2,8 +2,8 @@
 /// @file
 /// Simulations of hard ellipsoids, for C++. The members call the functions of the compiled library
 /// (link with pw85), and their contracts are those of pw85_simulation.h.
-///
-/// Made from the parts of pw85_simulation.h by api/committed.py.
+//
+// Made from the headers and api/hard_ellipsoids.hpp.in by api/committed.py.
 // clang-format off
 #ifndef PW85_SIMULATION_HARD_ELLIPSOIDS_HPP_INCLUDED
 #define PW85_SIMULATION_HARD_ELLIPSOIDS_HPP_INCLUDED
@@ -29,7 +29,7 @@ class HardEllipsoids {
     HardEllipsoids() noexcept = default;
     /// Takes ownership of a simulation of the C API, which may be null.
     [[gnu::always_inline]] explicit HardEllipsoids(pw85_hard_ellipsoids *simulation) noexcept
-        : simulation_(simulation)
+        : object_(simulation)
     {
     }
 
@@ -114,12 +114,13 @@ class HardEllipsoids {
             pw85_hard_ellipsoids_set_potential(get(), call, const_cast<Energy *>(&energy)));
     }
 
-    /// Sets a potential of the C API, or none for null.
+    /// Sets the potential of a simulation, in addition to its fields, or removes it: see
+    /// pw85_hard_ellipsoids_set_potential().
     [[gnu::always_inline]] StatusCode set_potential(pw85_potential *potential,
                                                     void *context) noexcept
     {
-        return static_cast<StatusCode>(
-            pw85_hard_ellipsoids_set_potential(get(), potential, context));
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_potential(get(), potential,
+                                                                          context));
     }
 
     /// Computes the energy of all particles in the fields, the potential and the law of pairs, in
@@ -370,16 +371,16 @@ class HardEllipsoids {
                                                                  detail::in_c(bytes)));
     }
 
-    [[gnu::always_inline]] pw85_hard_ellipsoids *get() const noexcept { return simulation_.get(); }
+    [[gnu::always_inline]] pw85_hard_ellipsoids *get() const noexcept { return object_.get(); }
 
   private:
     struct Destroy {
-        [[gnu::always_inline]] void operator()(pw85_hard_ellipsoids *simulation) const noexcept
+        [[gnu::always_inline]] void operator()(pw85_hard_ellipsoids *object) const noexcept
         {
-            pw85_hard_ellipsoids_destroy(simulation);
+            pw85_hard_ellipsoids_destroy(object);
         }
     };
-    std::unique_ptr<pw85_hard_ellipsoids, Destroy> simulation_;
+    std::unique_ptr<pw85_hard_ellipsoids, Destroy> object_;
 };
 
 /// Makes a simulation: see pw85_hard_ellipsoids_create().

@@ -2,8 +2,8 @@
 /// @file
 /// Functions of the pairs of a list, in a system of particles: the functions of pw85_systems.h, on
 /// spans.
-///
-/// Made from pw85_systems.h by api/committed.py.
+//
+// Made from the headers and api/lists.hpp.in by api/committed.py.
 // clang-format off
 #ifndef PW85_SYSTEMS_LISTS_HPP_INCLUDED
 #define PW85_SYSTEMS_LISTS_HPP_INCLUDED

@@ -2,8 +2,8 @@
 /// @file
 /// Triangle meshes for C++. They call the functions of the compiled library (link with pw85), and
 /// their contracts are those of pw85_systems.h.
-///
-/// Made from pw85_systems.h by api/committed.py.
+//
+// Made from the headers and api/meshes.hpp.in by api/committed.py.
 // clang-format off
 #ifndef PW85_SYSTEMS_MESHES_HPP_INCLUDED
 #define PW85_SYSTEMS_MESHES_HPP_INCLUDED
@@ -21,18 +21,18 @@ class Mesh {
     /// An empty mesh: functions return Status::invalid_argument.
     Mesh() noexcept = default;
     /// Takes ownership of a mesh of the C API, which may be null.
-    [[gnu::always_inline]] explicit Mesh(pw85_mesh *mesh) noexcept : mesh_(mesh) {}
+    [[gnu::always_inline]] explicit Mesh(pw85_mesh *mesh) noexcept : object_(mesh) {}
 
-    [[gnu::always_inline]] pw85_mesh const *get() const noexcept { return mesh_.get(); }
+    [[gnu::always_inline]] pw85_mesh const *get() const noexcept { return object_.get(); }
 
   private:
     struct Destroy {
-        [[gnu::always_inline]] void operator()(pw85_mesh *mesh) const noexcept
+        [[gnu::always_inline]] void operator()(pw85_mesh *object) const noexcept
         {
-            pw85_mesh_destroy(mesh);
+            pw85_mesh_destroy(object);
         }
     };
-    std::unique_ptr<pw85_mesh, Destroy> mesh_;
+    std::unique_ptr<pw85_mesh, Destroy> object_;
 };
 
 /// The contact of an ellipsoid and a mesh.

@@ -2,8 +2,8 @@
 /// @file
 /// Neighbour lists for C++. They call the functions of the compiled library (link with pw85), and
 /// their contracts are those of pw85_systems.h.
-///
-/// Made from pw85_systems.h by api/committed.py.
+//
+// Made from the headers and api/neighbors.hpp.in by api/committed.py.
 // clang-format off
 #ifndef PW85_SYSTEMS_NEIGHBORS_HPP_INCLUDED
 #define PW85_SYSTEMS_NEIGHBORS_HPP_INCLUDED
@@ -26,13 +26,13 @@ class Neighbors {
     /// An empty list, of no particles.
     Neighbors() noexcept = default;
     /// Takes ownership of a list of the C API, which may be null.
-    [[gnu::always_inline]] explicit Neighbors(pw85_neighbors *list) noexcept : list_(list) {}
+    [[gnu::always_inline]] explicit Neighbors(pw85_neighbors *list) noexcept : object_(list) {}
 
     /// Returns the pairs, with images if the list has a cell. They are valid as long as this object
     /// lives.
     [[gnu::always_inline]] PairList list() const noexcept
     {
-        pw85_pair_list const list = pw85_neighbors_list(list_.get());
+        pw85_pair_list const list = pw85_neighbors_list(object_.get());
         return {{reinterpret_cast<IndexPair const *>(list.pairs), list.num_pairs},
                 {reinterpret_cast<Image const *>(list.images),
                  list.images != nullptr ? list.num_pairs : 0}};
@@ -46,16 +46,16 @@ class Neighbors {
     /// Empty without a cell.
     [[gnu::always_inline]] std::span<Image const> images() const noexcept { return list().images; }
 
-    [[gnu::always_inline]] pw85_neighbors const *get() const noexcept { return list_.get(); }
+    [[gnu::always_inline]] pw85_neighbors const *get() const noexcept { return object_.get(); }
 
   private:
     struct Destroy {
-        [[gnu::always_inline]] void operator()(pw85_neighbors *list) const noexcept
+        [[gnu::always_inline]] void operator()(pw85_neighbors *object) const noexcept
         {
-            pw85_neighbors_destroy(list);
+            pw85_neighbors_destroy(object);
         }
     };
-    std::unique_ptr<pw85_neighbors, Destroy> list_;
+    std::unique_ptr<pw85_neighbors, Destroy> object_;
 };
 
 /// Makes a list of the pairs (i, j, image) whose bounding boxes are no farther apart than `skin`

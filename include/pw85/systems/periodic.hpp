@@ -2,8 +2,8 @@
 /// @file
 /// Periodic cells and the images of particles, and one ellipsoid among the particles of a system.
 /// The functions call the C API.
-///
-/// Made from pw85_systems.h by api/committed.py.
+//
+// Made from the headers and api/periodic.hpp.in by api/committed.py.
 // clang-format off
 #ifndef PW85_SYSTEMS_PERIODIC_HPP_INCLUDED
 #define PW85_SYSTEMS_PERIODIC_HPP_INCLUDED

@@ -2,8 +2,8 @@
 /// @file
 /// First contacts and sums of forces over the pairs of a list. The functions call the C API.
 /// Functions whose only outputs are rows for the pairs are in lists.hpp.
-///
-/// Made from pw85_systems.h by api/committed.py.
+//
+// Made from the headers and api/sums.hpp.in by api/committed.py.
 // clang-format off
 #ifndef PW85_SYSTEMS_SUMS_HPP_INCLUDED
 #define PW85_SYSTEMS_SUMS_HPP_INCLUDED

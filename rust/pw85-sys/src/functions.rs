@@ -760,6 +760,20 @@ extern "C" {
         q: *const f64,
         overlap: *mut c_int,
     ) -> c_int;
+    /// Computes pw85_ellipsoid_quaternion() for n ellipsoids, with the same bits.
+    pub fn pw85_ellipsoid_quaternion_batch(
+        n: usize,
+        semi_axes: *const f64,
+        quaternions: *const f64,
+        q: *mut f64,
+    ) -> c_int;
+    /// Computes pw85_ellipsoid_factor() for n ellipsoids, with the same bits.
+    pub fn pw85_ellipsoid_factor_batch(
+        n: usize,
+        semi_axes: *const f64,
+        quaternions: *const f64,
+        s: *mut f64,
+    ) -> c_int;
     /// Computes pw85_contact() for n pairs.
     pub fn pw85_contact_batch(
         n: usize,
@@ -769,14 +783,6 @@ extern "C" {
         mu2: *mut f64,
         lambda: *mut f64,
     ) -> c_int;
-    /// Computes pw85_overlap() for n pairs, with the same answers.
-    pub fn pw85_overlap_batch(
-        n: usize,
-        r12: *const f64,
-        q1: *const f64,
-        q2: *const f64,
-        overlap: *mut u8,
-    ) -> c_int;
     /// Computes pw85_contact_rounded() for n pairs, with the same bits.
     pub fn pw85_contact_rounded_batch(
         n: usize,
@@ -785,6 +791,102 @@ extern "C" {
         q2: *const f64,
         mu2: *mut f64,
         lambda: *mut f64,
+    ) -> c_int;
+    /// Computes pw85_contact_factored() for n pairs, with the same bits.
+    pub fn pw85_contact_factored_batch(
+        n: usize,
+        r12: *const f64,
+        s1: *const f64,
+        s2: *const f64,
+        mu2: *mut f64,
+        lambda: *mut f64,
+    ) -> c_int;
+    /// Computes pw85_condition() for n pairs, with the same bits.
+    pub fn pw85_condition_batch(
+        n: usize,
+        r12: *const f64,
+        q1: *const f64,
+        q2: *const f64,
+        lambda: *const f64,
+        cond: *mut f64,
+    ) -> c_int;
+    /// Computes pw85_contact_function() for n pairs, with the same bits.
+    pub fn pw85_contact_function_batch(
+        n: usize,
+        r12: *const f64,
+        q1: *const f64,
+        q2: *const f64,
+        mu2: *mut f64,
+        lambda: *mut f64,
+    ) -> c_int;
+    /// Computes pw85_contact_geometry() for n pairs, with the same bits.
+    pub fn pw85_contact_geometry_batch(
+        n: usize,
+        r12: *const f64,
+        q1: *const f64,
+        q2: *const f64,
+        lambda: *const f64,
+        point: *mut f64,
+        normal: *mut f64,
+    ) -> c_int;
+    /// Computes pw85_contact_geometry_factored() for n pairs, with the same bits.
+    pub fn pw85_contact_geometry_factored_batch(
+        n: usize,
+        r12: *const f64,
+        s1: *const f64,
+        s2: *const f64,
+        lambda: *const f64,
+        point: *mut f64,
+        normal: *mut f64,
+    ) -> c_int;
+    /// Computes pw85_contact_gradient() for n pairs, with the same bits.
+    pub fn pw85_contact_gradient_batch(
+        n: usize,
+        r12: *const f64,
+        q1: *const f64,
+        q2: *const f64,
+        lambda: *const f64,
+        d_r12: *mut f64,
+        d_q1: *mut f64,
+        d_q2: *mut f64,
+    ) -> c_int;
+    /// Computes pw85_contact_gradient_factored() for n pairs, with the same bits.
+    pub fn pw85_contact_gradient_factored_batch(
+        n: usize,
+        r12: *const f64,
+        s1: *const f64,
+        s2: *const f64,
+        lambda: *const f64,
+        d_r12: *mut f64,
+        d_s1: *mut f64,
+        d_s2: *mut f64,
+    ) -> c_int;
+    /// Computes pw85_contact_torque() for n pairs, with the same bits.
+    pub fn pw85_contact_torque_batch(
+        n: usize,
+        r12: *const f64,
+        q1: *const f64,
+        q2: *const f64,
+        lambda: *const f64,
+        d_rot1: *mut f64,
+        d_rot2: *mut f64,
+    ) -> c_int;
+    /// Computes pw85_contact_hessian() for n pairs, with the same bits.
+    pub fn pw85_contact_hessian_batch(
+        n: usize,
+        r12: *const f64,
+        q1: *const f64,
+        q2: *const f64,
+        lambda: *const f64,
+        hessian: *mut f64,
+    ) -> c_int;
+    /// Computes pw85_overlap() for n pairs, with the same answers.
+    pub fn pw85_overlap_batch(
+        n: usize,
+        r12: *const f64,
+        q1: *const f64,
+        q2: *const f64,
+        overlap: *mut u8,
     ) -> c_int;
     /// Computes pw85_overlap_factored() for n pairs, with the same answers.
     pub fn pw85_overlap_factored_batch(
@@ -830,27 +932,6 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// Computes pw85_closest_passage() for n pairs.
-    pub fn pw85_closest_passage_batch(
-        n: usize,
-        r12: *const f64,
-        q1: *const f64,
-        q2: *const f64,
-        velocity: *const f64,
-        t_max: f64,
-        mu2: *mut f64,
-        t: *mut f64,
-    ) -> c_int;
-    /// Computes pw85_free_path() for n pairs, with the same bits.
-    pub fn pw85_free_path_batch(
-        n: usize,
-        r12: *const f64,
-        q1: *const f64,
-        q2: *const f64,
-        directions: *const f64,
-        t_max: *const f64,
-        t: *mut f64,
-    ) -> c_int;
     /// Computes pw85_closest_approach() for n pairs.
     pub fn pw85_closest_approach_batch(
         n: usize,
@@ -888,14 +969,6 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// Computes pw85_overlap_volume_plane() for n ellipsoids and half-spaces, with the same bits.
-    pub fn pw85_overlap_volume_plane_batch(
-        n: usize,
-        normals: *const f64,
-        offsets: *const f64,
-        q: *const f64,
-        volume: *mut f64,
-    ) -> c_int;
     /// Computes pw85_area_2d() for n ellipses, with the same bits.
     pub fn pw85_area_batch_2d(n: usize, q: *const f64, area: *mut f64) -> c_int;
     /// Computes pw85_overlap_area_2d() for n pairs, with the same bits.
@@ -925,112 +998,6 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// Computes pw85_surface_area() for n ellipsoids, with the same bits.
-    pub fn pw85_surface_area_batch(n: usize, q: *const f64, area: *mut f64) -> c_int;
-    /// Computes pw85_second_moments() for n ellipsoids, with the same bits.
-    pub fn pw85_second_moments_batch(n: usize, q: *const f64, moments: *mut f64) -> c_int;
-    /// Computes pw85_from_moments() for n ellipsoids, with the same bits.
-    pub fn pw85_from_moments_batch(n: usize, second_moments: *const f64, q: *mut f64) -> c_int;
-    /// Computes pw85_shell_moments() for n ellipsoids, with the same bits.
-    pub fn pw85_shell_moments_batch(n: usize, q: *const f64, moments: *mut f64) -> c_int;
-    /// Computes pw85_inertia() for n ellipsoids, with the same bits.
-    pub fn pw85_inertia_batch(n: usize, q: *const f64, shell: c_int, inertia: *mut f64) -> c_int;
-    /// Computes pw85_perimeter_2d() for n ellipses, with the same bits.
-    pub fn pw85_perimeter_batch_2d(n: usize, q: *const f64, perimeter: *mut f64) -> c_int;
-    /// Computes pw85_second_moments_2d() for n ellipses, with the same bits.
-    pub fn pw85_second_moments_batch_2d(n: usize, q: *const f64, moments: *mut f64) -> c_int;
-    /// Computes pw85_from_moments_2d() for n ellipses, with the same bits.
-    pub fn pw85_from_moments_batch_2d(n: usize, second_moments: *const f64, q: *mut f64) -> c_int;
-    /// Computes pw85_shell_moments_2d() for n ellipses, with the same bits.
-    pub fn pw85_shell_moments_batch_2d(n: usize, q: *const f64, moments: *mut f64) -> c_int;
-    /// Computes pw85_contact_factored() for n pairs, with the same bits.
-    pub fn pw85_contact_factored_batch(
-        n: usize,
-        r12: *const f64,
-        s1: *const f64,
-        s2: *const f64,
-        mu2: *mut f64,
-        lambda: *mut f64,
-    ) -> c_int;
-    /// Computes pw85_condition() for n pairs, with the same bits.
-    pub fn pw85_condition_batch(
-        n: usize,
-        r12: *const f64,
-        q1: *const f64,
-        q2: *const f64,
-        lambda: *const f64,
-        cond: *mut f64,
-    ) -> c_int;
-    /// Computes pw85_contact_function() for n pairs, with the same bits.
-    pub fn pw85_contact_function_batch(
-        n: usize,
-        r12: *const f64,
-        q1: *const f64,
-        q2: *const f64,
-        mu2: *mut f64,
-        lambda: *mut f64,
-    ) -> c_int;
-    /// Computes pw85_contact_geometry() for n pairs, with the same bits.
-    pub fn pw85_contact_geometry_batch(
-        n: usize,
-        r12: *const f64,
-        q1: *const f64,
-        q2: *const f64,
-        lambda: *const f64,
-        point: *mut f64,
-        normal: *mut f64,
-    ) -> c_int;
-    /// Computes pw85_contact_gradient() for n pairs, with the same bits.
-    pub fn pw85_contact_gradient_batch(
-        n: usize,
-        r12: *const f64,
-        q1: *const f64,
-        q2: *const f64,
-        lambda: *const f64,
-        d_r12: *mut f64,
-        d_q1: *mut f64,
-        d_q2: *mut f64,
-    ) -> c_int;
-    /// Computes pw85_contact_geometry_factored() for n pairs, with the same bits.
-    pub fn pw85_contact_geometry_factored_batch(
-        n: usize,
-        r12: *const f64,
-        s1: *const f64,
-        s2: *const f64,
-        lambda: *const f64,
-        point: *mut f64,
-        normal: *mut f64,
-    ) -> c_int;
-    /// Computes pw85_contact_gradient_factored() for n pairs, with the same bits.
-    pub fn pw85_contact_gradient_factored_batch(
-        n: usize,
-        r12: *const f64,
-        s1: *const f64,
-        s2: *const f64,
-        lambda: *const f64,
-        d_r12: *mut f64,
-        d_s1: *mut f64,
-        d_s2: *mut f64,
-    ) -> c_int;
-    /// Computes pw85_contact_torque() for n pairs, with the same bits.
-    pub fn pw85_contact_torque_batch(
-        n: usize,
-        r12: *const f64,
-        q1: *const f64,
-        q2: *const f64,
-        lambda: *const f64,
-        d_rot1: *mut f64,
-        d_rot2: *mut f64,
-    ) -> c_int;
-    /// Computes pw85_contact_hessian() for n pairs, with the same bits.
-    pub fn pw85_contact_hessian_batch(
-        n: usize,
-        r12: *const f64,
-        q1: *const f64,
-        q2: *const f64,
-        lambda: *const f64,
-        hessian: *mut f64,
-    ) -> c_int;
     /// Computes pw85_contact_2d() for n pairs.
     pub fn pw85_contact_batch_2d(
         n: usize,
@@ -1039,14 +1006,6 @@ extern "C" {
         q2: *const f64,
         mu2: *mut f64,
         lambda: *mut f64,
-    ) -> c_int;
-    /// Computes pw85_overlap_2d() for n pairs.
-    pub fn pw85_overlap_batch_2d(
-        n: usize,
-        r12: *const f64,
-        q1: *const f64,
-        q2: *const f64,
-        overlap: *mut u8,
     ) -> c_int;
     /// Computes pw85_contact_geometry_2d() for n pairs, with the same bits.
     pub fn pw85_contact_geometry_batch_2d(
@@ -1088,6 +1047,14 @@ extern "C" {
         lambda: *const f64,
         hessian: *mut f64,
     ) -> c_int;
+    /// Computes pw85_overlap_2d() for n pairs.
+    pub fn pw85_overlap_batch_2d(
+        n: usize,
+        r12: *const f64,
+        q1: *const f64,
+        q2: *const f64,
+        overlap: *mut u8,
+    ) -> c_int;
     /// Computes pw85_closest_approach_2d() for n pairs, with the same bits.
     pub fn pw85_closest_approach_batch_2d(
         n: usize,
@@ -1095,20 +1062,6 @@ extern "C" {
         q1: *const f64,
         q2: *const f64,
         distance: *mut f64,
-    ) -> c_int;
-    /// Computes all that the forces and torques of an energy U(μ²) need, for n pairs.
-    pub fn pw85_contact_derivatives_batch(
-        n: usize,
-        r12: *const f64,
-        q1: *const f64,
-        q2: *const f64,
-        mu2: *mut f64,
-        lambda: *mut f64,
-        point: *mut f64,
-        normal: *mut f64,
-        d_r12: *mut f64,
-        d_rot1: *mut f64,
-        d_rot2: *mut f64,
     ) -> c_int;
     /// Computes pw85_distance() for n pairs.
     pub fn pw85_distance_batch(
@@ -1130,35 +1083,6 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
         hessian: *mut f64,
-    ) -> c_int;
-    /// Computes pw85_distance_2d() for n pairs, with the same bits.
-    pub fn pw85_distance_batch_2d(
-        n: usize,
-        r12: *const f64,
-        q1: *const f64,
-        q2: *const f64,
-        distance: *mut f64,
-        point1: *mut f64,
-        point2: *mut f64,
-    ) -> c_int;
-    /// Computes pw85_penetration_2d() for n pairs, with the same bits.
-    pub fn pw85_penetration_batch_2d(
-        n: usize,
-        r12: *const f64,
-        q1: *const f64,
-        q2: *const f64,
-        depth: *mut f64,
-        direction: *mut f64,
-    ) -> c_int;
-    /// Computes pw85_signed_distance_2d() for n pairs, with the same bits.
-    pub fn pw85_signed_distance_batch_2d(
-        n: usize,
-        r12: *const f64,
-        q1: *const f64,
-        q2: *const f64,
-        distance: *mut f64,
-        point1: *mut f64,
-        point2: *mut f64,
     ) -> c_int;
     /// Computes pw85_penetration() for n pairs, with the same bits.
     pub fn pw85_penetration_batch(
@@ -1201,6 +1125,35 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
+    /// Computes pw85_distance_2d() for n pairs, with the same bits.
+    pub fn pw85_distance_batch_2d(
+        n: usize,
+        r12: *const f64,
+        q1: *const f64,
+        q2: *const f64,
+        distance: *mut f64,
+        point1: *mut f64,
+        point2: *mut f64,
+    ) -> c_int;
+    /// Computes pw85_penetration_2d() for n pairs, with the same bits.
+    pub fn pw85_penetration_batch_2d(
+        n: usize,
+        r12: *const f64,
+        q1: *const f64,
+        q2: *const f64,
+        depth: *mut f64,
+        direction: *mut f64,
+    ) -> c_int;
+    /// Computes pw85_signed_distance_2d() for n pairs, with the same bits.
+    pub fn pw85_signed_distance_batch_2d(
+        n: usize,
+        r12: *const f64,
+        q1: *const f64,
+        q2: *const f64,
+        distance: *mut f64,
+        point1: *mut f64,
+        point2: *mut f64,
+    ) -> c_int;
     /// Computes pw85_gap_inside_2d() for n pairs, with the same bits.
     pub fn pw85_gap_inside_batch_2d(
         n: usize,
@@ -1211,6 +1164,38 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
         normal: *mut f64,
+    ) -> c_int;
+    /// Computes pw85_first_contact() for n pairs, with the same bits.
+    pub fn pw85_first_contact_batch(
+        n: usize,
+        r12: *const f64,
+        q1: *const f64,
+        q2: *const f64,
+        motion1: *const pw85_motion,
+        motion2: *const pw85_motion,
+        t_max: f64,
+        t: *mut f64,
+    ) -> c_int;
+    /// Computes pw85_closest_passage() for n pairs.
+    pub fn pw85_closest_passage_batch(
+        n: usize,
+        r12: *const f64,
+        q1: *const f64,
+        q2: *const f64,
+        velocity: *const f64,
+        t_max: f64,
+        mu2: *mut f64,
+        t: *mut f64,
+    ) -> c_int;
+    /// Computes pw85_free_path() for n pairs, with the same bits.
+    pub fn pw85_free_path_batch(
+        n: usize,
+        r12: *const f64,
+        q1: *const f64,
+        q2: *const f64,
+        directions: *const f64,
+        t_max: *const f64,
+        t: *mut f64,
     ) -> c_int;
     /// Computes pw85_curvature() for n ellipsoids, with the same bits.
     pub fn pw85_curvature_batch(
@@ -1278,6 +1263,24 @@ extern "C" {
         curvatures: *mut f64,
         radius: *mut f64,
     ) -> c_int;
+    /// Computes pw85_surface_area() for n ellipsoids, with the same bits.
+    pub fn pw85_surface_area_batch(n: usize, q: *const f64, area: *mut f64) -> c_int;
+    /// Computes pw85_second_moments() for n ellipsoids, with the same bits.
+    pub fn pw85_second_moments_batch(n: usize, q: *const f64, moments: *mut f64) -> c_int;
+    /// Computes pw85_from_moments() for n ellipsoids, with the same bits.
+    pub fn pw85_from_moments_batch(n: usize, second_moments: *const f64, q: *mut f64) -> c_int;
+    /// Computes pw85_shell_moments() for n ellipsoids, with the same bits.
+    pub fn pw85_shell_moments_batch(n: usize, q: *const f64, moments: *mut f64) -> c_int;
+    /// Computes pw85_inertia() for n ellipsoids, with the same bits.
+    pub fn pw85_inertia_batch(n: usize, q: *const f64, shell: c_int, inertia: *mut f64) -> c_int;
+    /// Computes pw85_perimeter_2d() for n ellipses, with the same bits.
+    pub fn pw85_perimeter_batch_2d(n: usize, q: *const f64, perimeter: *mut f64) -> c_int;
+    /// Computes pw85_second_moments_2d() for n ellipses, with the same bits.
+    pub fn pw85_second_moments_batch_2d(n: usize, q: *const f64, moments: *mut f64) -> c_int;
+    /// Computes pw85_from_moments_2d() for n ellipses, with the same bits.
+    pub fn pw85_from_moments_batch_2d(n: usize, second_moments: *const f64, q: *mut f64) -> c_int;
+    /// Computes pw85_shell_moments_2d() for n ellipses, with the same bits.
+    pub fn pw85_shell_moments_batch_2d(n: usize, q: *const f64, moments: *mut f64) -> c_int;
     /// Computes pw85_distance_plane() for n ellipsoids and half-spaces, with the same bits.
     pub fn pw85_distance_plane_batch(
         n: usize,
@@ -1345,40 +1348,6 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Computes pw85_distance_segment() for n ellipsoids and segments, with the same bits.
-    pub fn pw85_distance_segment_batch(
-        n: usize,
-        end1: *const f64,
-        end2: *const f64,
-        q: *const f64,
-        distance: *mut f64,
-        point1: *mut f64,
-        point2: *mut f64,
-        normal: *mut f64,
-    ) -> c_int;
-    /// Computes pw85_distance_triangle() for n ellipsoids and triangles, with the same bits.
-    pub fn pw85_distance_triangle_batch(
-        n: usize,
-        vertex1: *const f64,
-        vertex2: *const f64,
-        vertex3: *const f64,
-        q: *const f64,
-        distance: *mut f64,
-        point1: *mut f64,
-        point2: *mut f64,
-        normal: *mut f64,
-    ) -> c_int;
-    /// Computes pw85_distance_solid_box() for n ellipsoids and boxes, with the same bits.
-    pub fn pw85_distance_solid_box_batch(
-        n: usize,
-        lower: *const f64,
-        upper: *const f64,
-        q: *const f64,
-        distance: *mut f64,
-        point1: *mut f64,
-        point2: *mut f64,
-        normal: *mut f64,
-    ) -> c_int;
     /// Computes pw85_intersect_line() for n lines and ellipsoids, with the same bits.
     pub fn pw85_intersect_line_batch(
         n: usize,
@@ -1387,6 +1356,14 @@ extern "C" {
         q: *const f64,
         enter: *mut f64,
         leave: *mut f64,
+    ) -> c_int;
+    /// Computes pw85_overlap_volume_plane() for n ellipsoids and half-spaces, with the same bits.
+    pub fn pw85_overlap_volume_plane_batch(
+        n: usize,
+        normals: *const f64,
+        offsets: *const f64,
+        q: *const f64,
+        volume: *mut f64,
     ) -> c_int;
     /// Computes pw85_contact_segment() for n ellipsoids and segments.
     pub fn pw85_contact_segment_batch(
@@ -1440,6 +1417,40 @@ extern "C" {
         upper: *const f64,
         q: *const f64,
         overlap: *mut u8,
+    ) -> c_int;
+    /// Computes pw85_distance_segment() for n ellipsoids and segments, with the same bits.
+    pub fn pw85_distance_segment_batch(
+        n: usize,
+        end1: *const f64,
+        end2: *const f64,
+        q: *const f64,
+        distance: *mut f64,
+        point1: *mut f64,
+        point2: *mut f64,
+        normal: *mut f64,
+    ) -> c_int;
+    /// Computes pw85_distance_triangle() for n ellipsoids and triangles, with the same bits.
+    pub fn pw85_distance_triangle_batch(
+        n: usize,
+        vertex1: *const f64,
+        vertex2: *const f64,
+        vertex3: *const f64,
+        q: *const f64,
+        distance: *mut f64,
+        point1: *mut f64,
+        point2: *mut f64,
+        normal: *mut f64,
+    ) -> c_int;
+    /// Computes pw85_distance_solid_box() for n ellipsoids and boxes, with the same bits.
+    pub fn pw85_distance_solid_box_batch(
+        n: usize,
+        lower: *const f64,
+        upper: *const f64,
+        q: *const f64,
+        distance: *mut f64,
+        point1: *mut f64,
+        point2: *mut f64,
+        normal: *mut f64,
     ) -> c_int;
     /// Computes pw85_contact_capsule() for n ellipsoids and capsules, with the same bits.
     pub fn pw85_contact_capsule_batch(
@@ -1515,6 +1526,20 @@ extern "C" {
         q: *const f64,
         overlap: *mut u8,
     ) -> c_int;
+    /// Computes all that the forces and torques of an energy U(μ²) need, for n pairs.
+    pub fn pw85_contact_derivatives_batch(
+        n: usize,
+        r12: *const f64,
+        q1: *const f64,
+        q2: *const f64,
+        mu2: *mut f64,
+        lambda: *mut f64,
+        point: *mut f64,
+        normal: *mut f64,
+        d_r12: *mut f64,
+        d_rot1: *mut f64,
+        d_rot2: *mut f64,
+    ) -> c_int;
     /// Computes pw85_contact_polytope() for many ellipsoids and one polytope.
     pub fn pw85_contact_polytope_batch(
         num_ellipsoids: usize,
@@ -1537,17 +1562,6 @@ extern "C" {
         offsets: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// Computes pw85_first_contact() for n pairs, with the same bits.
-    pub fn pw85_first_contact_batch(
-        n: usize,
-        r12: *const f64,
-        q1: *const f64,
-        q2: *const f64,
-        motion1: *const pw85_motion,
-        motion2: *const pw85_motion,
-        t_max: f64,
-        t: *mut f64,
-    ) -> c_int;
     /// Tests whether an ellipsoid overlaps any of n others.
     pub fn pw85_overlap_any(
         q1: *const f64,
@@ -1555,20 +1569,6 @@ extern "C" {
         r12: *const f64,
         q2: *const f64,
         any: *mut c_int,
-    ) -> c_int;
-    /// Computes pw85_ellipsoid_factor() for n ellipsoids, with the same bits.
-    pub fn pw85_ellipsoid_factor_batch(
-        n: usize,
-        semi_axes: *const f64,
-        quaternions: *const f64,
-        s: *mut f64,
-    ) -> c_int;
-    /// Computes pw85_ellipsoid_quaternion() for n ellipsoids, with the same bits.
-    pub fn pw85_ellipsoid_quaternion_batch(
-        n: usize,
-        semi_axes: *const f64,
-        quaternions: *const f64,
-        q: *mut f64,
     ) -> c_int;
     /// Computes the smallest boxes, with sides along the axes, around n ellipsoids.
     pub fn pw85_bounding_boxes(n: usize, q: *const f64, half_widths: *mut f64) -> c_int;

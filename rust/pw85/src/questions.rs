@@ -65,11 +65,11 @@ pub struct ContactGeometry {
 pub struct ContactGradient {
     /// ∂μ²/∂r12; its negative is the derivative with respect to the centre of ellipsoid 1.
     pub d_r12: [f64; 3],
-    /// Derivatives with respect to the stored entries of q1 and q2 (a stored off-diagonal entry
-    /// is two entries of the matrix).
+    /// `d_q1`, `d_q2`: Derivatives with respect to the stored entries of q1 and q2 (a stored
+    /// off-diagonal entry is two entries of the matrix).
     pub d_q1: [f64; 6],
-    /// Derivatives with respect to the stored entries of q1 and q2 (a stored off-diagonal entry
-    /// is two entries of the matrix).
+    /// `d_q1`, `d_q2`: Derivatives with respect to the stored entries of q1 and q2 (a stored
+    /// off-diagonal entry is two entries of the matrix).
     pub d_q2: [f64; 6],
 }
 
@@ -78,18 +78,18 @@ pub struct ContactGradient {
 pub struct FactorGradient {
     /// ∂μ²/∂r12.
     pub d_r12: [f64; 3],
-    /// Row-major: derivatives with respect to the entries of s1 and s2.
+    /// `d_s1`, `d_s2`: Derivatives with respect to the entries of s1 and s2.
     pub d_s1: [[f64; 3]; 3],
-    /// Row-major: derivatives with respect to the entries of s1 and s2.
+    /// `d_s1`, `d_s2`: Derivatives with respect to the entries of s1 and s2.
     pub d_s2: [[f64; 3]; 3],
 }
 
 /// Results of [`contact_torque()`](crate::contact_torque).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactTorque {
-    /// Derivatives for ellipsoids 1 and 2, per radian.
+    /// `d_rot1`, `d_rot2`: Derivatives for ellipsoids 1 and 2, per radian.
     pub d_rot1: [f64; 3],
-    /// Derivatives for ellipsoids 1 and 2, per radian.
+    /// `d_rot1`, `d_rot2`: Derivatives for ellipsoids 1 and 2, per radian.
     pub d_rot2: [f64; 3],
 }
 
@@ -122,42 +122,42 @@ pub struct ContainmentScale {
 pub struct OverlapVolumeGradient {
     /// ∂V/∂r12; its negative is the derivative with respect to the centre of ellipsoid 1.
     pub d_r12: [f64; 3],
-    /// Derivatives with respect to the stored entries of q1 and q2 (a stored off-diagonal entry
-    /// is two entries of the matrix).
+    /// `d_q1`, `d_q2`: Derivatives with respect to the stored entries of q1 and q2 (a stored
+    /// off-diagonal entry is two entries of the matrix).
     pub d_q1: [f64; 6],
-    /// Derivatives with respect to the stored entries of q1 and q2 (a stored off-diagonal entry
-    /// is two entries of the matrix).
+    /// `d_q1`, `d_q2`: Derivatives with respect to the stored entries of q1 and q2 (a stored
+    /// off-diagonal entry is two entries of the matrix).
     pub d_q2: [f64; 6],
 }
 
 /// Results of [`overlap_volume_torque()`](crate::overlap_volume_torque).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OverlapVolumeTorque {
-    /// Derivatives for ellipsoids 1 and 2, per radian.
+    /// `d_rot1`, `d_rot2`: Derivatives for ellipsoids 1 and 2, per radian.
     pub d_rot1: [f64; 3],
-    /// Derivatives for ellipsoids 1 and 2, per radian.
+    /// `d_rot1`, `d_rot2`: Derivatives for ellipsoids 1 and 2, per radian.
     pub d_rot2: [f64; 3],
 }
 
 /// Results of [`overlap_area_gradient_2d()`](crate::overlap_area_gradient_2d).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OverlapAreaGradient {
-    /// ∂V/∂r12; its negative is the derivative with respect to the centre of ellipse 1.
+    /// ∂A/∂r12; its negative is the derivative with respect to the centre of ellipse 1.
     pub d_r12: [f64; 2],
-    /// Derivatives with respect to the stored entries of q1 and q2 (a stored off-diagonal entry
-    /// is two entries of the matrix).
+    /// `d_q1`, `d_q2`: Derivatives with respect to the stored entries of q1 and q2 (a stored
+    /// off-diagonal entry is two entries of the matrix).
     pub d_q1: [f64; 3],
-    /// Derivatives with respect to the stored entries of q1 and q2 (a stored off-diagonal entry
-    /// is two entries of the matrix).
+    /// `d_q1`, `d_q2`: Derivatives with respect to the stored entries of q1 and q2 (a stored
+    /// off-diagonal entry is two entries of the matrix).
     pub d_q2: [f64; 3],
 }
 
 /// Results of [`overlap_area_torque_2d()`](crate::overlap_area_torque_2d).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OverlapAreaTorque {
-    /// Per radian.
+    /// `d_rot1`, `d_rot2`: Per radian.
     pub d_rot1: f64,
-    /// Per radian.
+    /// `d_rot1`, `d_rot2`: Per radian.
     pub d_rot2: f64,
 }
 
@@ -175,20 +175,20 @@ pub struct ContactGeometry2d {
 pub struct ContactGradient2d {
     /// ∂μ²/∂r12; its negative is the derivative with respect to the centre of ellipse 1.
     pub d_r12: [f64; 2],
-    /// Derivatives with respect to the stored entries of q1 and q2 (a stored off-diagonal entry
-    /// is two entries of the matrix).
+    /// `d_q1`, `d_q2`: Derivatives with respect to the stored entries of q1 and q2 (a stored
+    /// off-diagonal entry is two entries of the matrix).
     pub d_q1: [f64; 3],
-    /// Derivatives with respect to the stored entries of q1 and q2 (a stored off-diagonal entry
-    /// is two entries of the matrix).
+    /// `d_q1`, `d_q2`: Derivatives with respect to the stored entries of q1 and q2 (a stored
+    /// off-diagonal entry is two entries of the matrix).
     pub d_q2: [f64; 3],
 }
 
 /// Results of [`contact_torque_2d()`](crate::contact_torque_2d).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactTorque2d {
-    /// Per radian.
+    /// `d_rot1`, `d_rot2`: Per radian.
     pub d_rot1: f64,
-    /// Per radian.
+    /// `d_rot1`, `d_rot2`: Per radian.
     pub d_rot2: f64,
 }
 
@@ -210,11 +210,11 @@ pub struct Distance {
     /// The distance, in the unit of `r12`; zero if the ellipsoids overlap, as
     /// [`overlap()`](crate::overlap) decides.
     pub distance: f64,
-    /// The closest points of ellipsoids 1 and 2, both relative to the centre of ellipsoid 1; NaN
-    /// if the ellipsoids overlap.
+    /// `point1`, `point2`: The closest points of ellipsoids 1 and 2, both relative to the centre
+    /// of ellipsoid 1; NaN if the ellipsoids overlap.
     pub point1: [f64; 3],
-    /// The closest points of ellipsoids 1 and 2, both relative to the centre of ellipsoid 1; NaN
-    /// if the ellipsoids overlap.
+    /// `point1`, `point2`: The closest points of ellipsoids 1 and 2, both relative to the centre
+    /// of ellipsoid 1; NaN if the ellipsoids overlap.
     pub point2: [f64; 3],
 }
 
@@ -224,9 +224,11 @@ pub struct Distance {
 pub struct DistanceDerivatives {
     /// Derivative with respect to r12: the unit normal at the closest points, into ellipsoid 2.
     pub d_r12: [f64; 3],
-    /// Derivatives with respect to rotations, as for [`contact_torque()`](crate::contact_torque).
+    /// `d_rot1`, `d_rot2`: Derivatives with respect to rotations, as for
+    /// [`contact_torque()`](crate::contact_torque).
     pub d_rot1: [f64; 3],
-    /// Derivatives with respect to rotations, as for [`contact_torque()`](crate::contact_torque).
+    /// `d_rot1`, `d_rot2`: Derivatives with respect to rotations, as for
+    /// [`contact_torque()`](crate::contact_torque).
     pub d_rot2: [f64; 3],
     /// Symmetric matrix of second derivatives with respect to r12, rotation 1 and rotation 2, as
     /// for [`contact_hessian()`](crate::contact_hessian).
@@ -249,11 +251,11 @@ pub struct GapInside {
     /// The gap, in the unit of `r12`; zero if the ellipsoids touch, or if ellipsoid 2 is not
     /// inside ellipsoid 1, as [`contains()`](crate::contains) decides.
     pub gap: f64,
-    /// The closest points of the surfaces of ellipsoids 1 and 2, both relative to the centre of
-    /// ellipsoid 1; NaN if ellipsoid 2 is not inside.
+    /// `point1`, `point2`: The closest points of the surfaces of ellipsoids 1 and 2, both
+    /// relative to the centre of ellipsoid 1; NaN if ellipsoid 2 is not inside.
     pub point1: [f64; 3],
-    /// The closest points of the surfaces of ellipsoids 1 and 2, both relative to the centre of
-    /// ellipsoid 1; NaN if ellipsoid 2 is not inside.
+    /// `point1`, `point2`: The closest points of the surfaces of ellipsoids 1 and 2, both
+    /// relative to the centre of ellipsoid 1; NaN if ellipsoid 2 is not inside.
     pub point2: [f64; 3],
     /// Unit vector out of both ellipsoids at these points, from point2 to point1: minus the
     /// derivative of the gap with respect to r12; NaN if ellipsoid 2 is not inside.
@@ -267,11 +269,11 @@ pub struct Distance2d {
     /// The distance, in the unit of `r12`; zero if the ellipses overlap, as
     /// [`overlap_2d()`](crate::overlap_2d) decides.
     pub distance: f64,
-    /// The closest points of ellipses 1 and 2, both relative to the centre of ellipse 1; NaN if
-    /// the ellipses overlap.
+    /// `point1`, `point2`: The closest points of ellipses 1 and 2, both relative to the centre of
+    /// ellipse 1; NaN if the ellipses overlap.
     pub point1: [f64; 2],
-    /// The closest points of ellipses 1 and 2, both relative to the centre of ellipse 1; NaN if
-    /// the ellipses overlap.
+    /// `point1`, `point2`: The closest points of ellipses 1 and 2, both relative to the centre of
+    /// ellipse 1; NaN if the ellipses overlap.
     pub point2: [f64; 2],
 }
 
@@ -291,11 +293,11 @@ pub struct GapInside2d {
     /// The gap, in the unit of `r12`; zero if the ellipses touch, or if ellipse 2 is not inside
     /// ellipse 1, as [`contains_2d()`](crate::contains_2d) decides.
     pub gap: f64,
-    /// The closest points of the surfaces of ellipses 1 and 2, both relative to the centre of
-    /// ellipse 1; NaN if ellipse 2 is not inside.
+    /// `point1`, `point2`: The closest points of the surfaces of ellipses 1 and 2, both relative
+    /// to the centre of ellipse 1; NaN if ellipse 2 is not inside.
     pub point1: [f64; 2],
-    /// The closest points of the surfaces of ellipses 1 and 2, both relative to the centre of
-    /// ellipse 1; NaN if ellipse 2 is not inside.
+    /// `point1`, `point2`: The closest points of the surfaces of ellipses 1 and 2, both relative
+    /// to the centre of ellipse 1; NaN if ellipse 2 is not inside.
     pub point2: [f64; 2],
     /// Unit vector out of both ellipses at these points, from point2 to point1: minus the
     /// derivative of the gap with respect to r12; NaN if ellipse 2 is not inside.
@@ -374,9 +376,11 @@ pub struct GrainContact {
 pub struct GrainRadiusGradient {
     /// Derivative with respect to r12.
     pub d_r12: [f64; 3],
-    /// Derivatives with respect to rotations, as for [`contact_torque()`](crate::contact_torque).
+    /// `d_rot1`, `d_rot2`: Derivatives with respect to rotations, as for
+    /// [`contact_torque()`](crate::contact_torque).
     pub d_rot1: [f64; 3],
-    /// Derivatives with respect to rotations, as for [`contact_torque()`](crate::contact_torque).
+    /// `d_rot1`, `d_rot2`: Derivatives with respect to rotations, as for
+    /// [`contact_torque()`](crate::contact_torque).
     pub d_rot2: [f64; 3],
 }
 
@@ -489,8 +493,8 @@ pub struct ShapeDistance {
     pub distance: f64,
     /// The point of the ellipsoid that is nearest to the segment, or deepest.
     pub point1: [f64; 3],
-    /// The point of the segment that is nearest to the ellipsoid, or deepest; relative to its
-    /// centre.
+    /// The point of the segment that is nearest to the ellipsoid, or deepest; relative to the
+    /// centre of the ellipsoid.
     pub point2: [f64; 3],
     /// Unit vector out of the ellipsoid at point1; point2 - point1 is `distance` times it.
     pub normal: [f64; 3],
@@ -552,13 +556,14 @@ pub fn spheroid(a: f64, c: f64, n: &[f64; 3]) -> Result<[f64; 6], Error> {
 ///
 /// - `semi_axes`: Lengths of the principal semi-axes (not diameters), whose squares are in the
 ///   range of double; \> 0. Unit: length.
-/// - `rotation`: Row-major matrix R, which takes the body frame to the space frame; its columns
-///   are the principal directions. An entry of RᵀR - I may be at most 1e-6 in magnitude: single
-///   precision is enough. R may be a reflection.
+/// - `rotation`: Matrix R, which takes the body frame to the space frame; its columns are the
+///   principal directions. An entry of RᵀR - I may be at most 1e-6 in magnitude: single precision
+///   is enough. R may be a reflection.
 ///
 /// # Errors
 ///
-/// A number is not finite, `semi_axes` is not positive or `rotation` is not orthonormal.
+/// A number is not finite, `semi_axes` is not positive, the square of `semi_axes` overflows or
+/// underflows or `rotation` is not orthonormal.
 ///
 /// # Examples
 ///
@@ -592,7 +597,8 @@ pub fn ellipsoid(semi_axes: &[f64; 3], rotation: &[[f64; 3]; 3]) -> Result<[f64;
 ///
 /// # Errors
 ///
-/// A number is not finite, `semi_axes` is not positive or `quaternion` is zero.
+/// A number is not finite, `semi_axes` is not positive, the square of `semi_axes` overflows or
+/// underflows or `quaternion` is zero.
 ///
 /// # Examples
 ///
@@ -671,7 +677,8 @@ pub fn ellipsoid_quaternion_batch(
 ///
 /// # Errors
 ///
-/// A number is not finite, `semi_axes` is not positive or `quaternion` is zero.
+/// A number is not finite, `semi_axes` is not positive, the square of `semi_axes` overflows or
+/// underflows or `quaternion` is zero.
 ///
 /// # Examples
 ///
@@ -740,13 +747,13 @@ pub fn ellipsoid_factor_batch(
 ///
 /// # Arguments
 ///
-/// - `a`: Semi-axes, whose squares are in the range of double; \> 0. Unit: length.
-/// - `b`: Semi-axes, whose squares are in the range of double; \> 0. Unit: length.
+/// - `a`, `b`: Semi-axes, whose squares are in the range of double; \> 0. Unit: length.
 /// - `angle`: From the x axis to the first semi-axis, counter-clockwise, in radians.
 ///
 /// # Errors
 ///
-/// A number is not finite, `a` is not positive or `b` is not positive.
+/// A number is not finite, `a` is not positive, `b` is not positive, the square of `a` overflows
+/// or underflows or the square of `b` overflows or underflows.
 ///
 /// # Examples
 ///
@@ -773,8 +780,7 @@ pub fn ellipse(a: f64, b: f64, angle: f64) -> Result<[f64; 3], Error> {
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; it may be zero: then μ²
 ///   = 0 and λ = 1/2. Unit: length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
@@ -807,8 +813,7 @@ pub fn contact(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<Contact, 
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
 ///
@@ -867,8 +872,7 @@ pub fn contact_batch(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
@@ -903,8 +907,7 @@ pub fn contact_rounded(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<C
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
 ///
@@ -964,11 +967,8 @@ pub fn contact_rounded_batch(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
-/// - `s1`: Row-major factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix
-///   S is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
-///   lengths of its columns differ by a factor below 2¹²⁷. Unit: length.
-/// - `s2`: Row-major factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix
-///   S is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
+/// - `s1`, `s2`: Factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix S
+///   is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
 ///   lengths of its columns differ by a factor below 2¹²⁷. Unit: length.
 ///
 /// # Errors
@@ -1007,8 +1007,7 @@ pub fn contact_factored(
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `s1`: Unit: length.
-/// - `s2`: Unit: length.
+/// - `s1`, `s2`: Unit: length.
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
 ///
@@ -1066,8 +1065,7 @@ pub fn contact_factored_batch(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact).
 ///
 /// # Errors
@@ -1104,8 +1102,7 @@ pub fn condition(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6], lambda: f64) -> R
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 ///
 /// Row i of each slice belongs to row i of `r12`.
 ///
@@ -1161,8 +1158,7 @@ pub fn condition_batch(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
@@ -1197,8 +1193,7 @@ pub fn contact_function(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
 ///
@@ -1249,8 +1244,7 @@ pub fn contact_function_batch(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; not zero. Unit: length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact). For another λ in \[0,
 ///   1\] the point is x0(λ) of the chapter on theory. It is on the surface of ellipsoid 1 scaled
 ///   by μ1, and on that of ellipsoid 2 scaled by μ2, where f(λ) = λ μ1² + (1-λ) μ2².
@@ -1297,8 +1291,7 @@ pub fn contact_geometry(
 /// # Arguments
 ///
 /// - `r12`: Not zero. Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `point`: Unit: length.
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
@@ -1359,11 +1352,8 @@ pub fn contact_geometry_batch(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; not zero. Unit: length.
-/// - `s1`: Row-major factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix
-///   S is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
-///   lengths of its columns differ by a factor below 2¹²⁷. Unit: length.
-/// - `s2`: Row-major factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix
-///   S is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
+/// - `s1`, `s2`: Factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix S
+///   is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
 ///   lengths of its columns differ by a factor below 2¹²⁷. Unit: length.
 /// - `lambda`: The maximiser λ of f, from [`contact_factored()`](crate::contact_factored).
 ///
@@ -1409,8 +1399,7 @@ pub fn contact_geometry_factored(
 /// # Arguments
 ///
 /// - `r12`: Not zero. Unit: length.
-/// - `s1`: Unit: length.
-/// - `s2`: Unit: length.
+/// - `s1`, `s2`: Unit: length.
 /// - `point`: Unit: length.
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
@@ -1473,8 +1462,7 @@ pub fn contact_geometry_factored_batch(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact).
 ///
 /// # Errors
@@ -1520,11 +1508,9 @@ pub fn contact_gradient(
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `d_r12`: Unit: 1/length.
-/// - `d_q1`: Unit: 1/length².
-/// - `d_q2`: Unit: 1/length².
+/// - `d_q1`, `d_q2`: Unit: 1/length².
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
 ///
@@ -1595,11 +1581,8 @@ pub fn contact_gradient_batch(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
-/// - `s1`: Row-major factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix
-///   S is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
-///   lengths of its columns differ by a factor below 2¹²⁷. Unit: length.
-/// - `s2`: Row-major factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix
-///   S is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
+/// - `s1`, `s2`: Factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix S
+///   is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
 ///   lengths of its columns differ by a factor below 2¹²⁷. Unit: length.
 /// - `lambda`: The maximiser λ of f, from [`contact_factored()`](crate::contact_factored).
 ///
@@ -1647,11 +1630,9 @@ pub fn contact_gradient_factored(
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `s1`: Unit: length.
-/// - `s2`: Unit: length.
+/// - `s1`, `s2`: Unit: length.
 /// - `d_r12`: Unit: 1/length.
-/// - `d_s1`: Unit: 1/length.
-/// - `d_s2`: Unit: 1/length.
+/// - `d_s1`, `d_s2`: Unit: 1/length.
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
 ///
@@ -1721,8 +1702,7 @@ pub fn contact_gradient_factored_batch(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact).
 ///
 /// # Errors
@@ -1766,8 +1746,7 @@ pub fn contact_torque(
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
 ///
@@ -1827,8 +1806,7 @@ pub fn contact_torque_batch(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; not zero. Unit: length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `lambda`: The maximiser λ of f, from [`contact()`](crate::contact).
 ///
 /// # Errors
@@ -1871,8 +1849,7 @@ pub fn contact_hessian(
 /// # Arguments
 ///
 /// - `r12`: Not zero. Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `hessian`: Unit: mixed units.
 ///
 /// Row i of each slice belongs to row i of `r12`.
@@ -1930,8 +1907,7 @@ pub fn contact_hessian_batch(
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; zero is an overlap.
 ///   Unit: length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
@@ -1960,8 +1936,7 @@ pub fn overlap(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<bool, Err
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `overlap`: 1, 0, or 255 for a bad pair.
 ///
 /// Row i of each slice belongs to row i of `r12`.
@@ -2013,11 +1988,8 @@ pub fn overlap_batch(
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; zero is an overlap.
 ///   Unit: length.
-/// - `s1`: Row-major factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix
-///   S is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
-///   lengths of its columns differ by a factor below 2¹²⁷. Unit: length.
-/// - `s2`: Row-major factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix
-///   S is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
+/// - `s1`, `s2`: Factors, as from [`ellipsoid_factor()`](crate::ellipsoid_factor). Any matrix S
+///   is accepted if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
 ///   lengths of its columns differ by a factor below 2¹²⁷. Unit: length.
 ///
 /// # Errors
@@ -2058,8 +2030,7 @@ pub fn overlap_factored(
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `s1`: Unit: length.
-/// - `s2`: Unit: length.
+/// - `s1`, `s2`: Unit: length.
 /// - `overlap`: 1, 0, or 255 for a bad pair.
 ///
 /// Row i of each slice belongs to row i of `r12`.
@@ -2106,8 +2077,7 @@ pub fn overlap_factored_batch(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `mu2`: The number to compare with; \>= 0; may be infinite.
 ///
 /// # Errors
@@ -2139,8 +2109,7 @@ pub fn compare(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6], mu2: f64) -> Result
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `mu2`: \>= 0; may be infinite.
 /// - `sign`: -1, 0 or 1, or 2 for a bad pair.
 ///
@@ -2189,14 +2158,13 @@ pub fn compare_batch(
 /// If the ellipsoids are apart, the proof is a double λ with f(λ) \> 1. The function finds one
 /// whenever one exists. If they overlap, the proof is a point inside both. The function searches
 /// for it near the point at which the ellipsoids, scaled by μ, touch. It may find none if 1 - μ²
-/// is below 1e-13. Tangent ellipsoids have no proof: `λ` and `point` are then NaN, with success.
-/// Rational arithmetic can check a proof, which holds exactly for the numbers given.
+/// is below 1e-13. Tangent ellipsoids have no proof: `λ` and `point` are then NaN. Rational
+/// arithmetic can check a proof, which holds exactly for the numbers given.
 ///
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
@@ -2240,8 +2208,7 @@ pub fn overlap_witness(
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `overlap`: 1, 0, or 255 for a bad pair.
 /// - `lambda`: NaN where the ellipsoids are not apart.
 /// - `point`: NaN where they do not overlap. Unit: length.
@@ -2303,8 +2270,7 @@ pub fn overlap_witness_batch(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
@@ -2333,8 +2299,7 @@ pub fn contains(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<bool, Er
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `contains`: 1, 0, or 255 for a bad pair.
 ///
 /// Row i of each slice belongs to row i of `r12`.
@@ -2388,8 +2353,7 @@ pub fn contains_batch(
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; it may be zero. Unit:
 ///   length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
@@ -2430,8 +2394,7 @@ pub fn containment(
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `point`: Unit: length.
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
@@ -2487,8 +2450,7 @@ pub fn containment_batch(
 /// # Arguments
 ///
 /// - `direction`: From centre 1 to centre 2, of any length; not zero.
-/// - `q1`: Forms of the ellipsoids. Unit: length².
-/// - `q2`: Forms of the ellipsoids. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids. Unit: length².
 ///
 /// # Errors
 ///
@@ -2526,8 +2488,7 @@ pub fn closest_approach(direction: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> R
 /// # Arguments
 ///
 /// - `directions`: Not zero.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `distance`: Unit: length.
 ///
 /// Row i of each slice belongs to row i of `directions`.
@@ -2640,8 +2601,7 @@ pub fn volume_batch(q: &[[f64; 6]], volume: &mut [f64]) -> Result<(), Error> {
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; it may be zero. Unit:
 ///   length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
@@ -2678,8 +2638,7 @@ pub fn overlap_volume(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<f6
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `volume`: Unit: length³.
 ///
 /// Row i of each slice belongs to row i of `r12`.
@@ -2733,8 +2692,7 @@ pub fn overlap_volume_batch(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
@@ -2779,11 +2737,9 @@ pub fn overlap_volume_gradient(
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `d_r12`: Unit: length².
-/// - `d_q1`: Unit: length.
-/// - `d_q2`: Unit: length.
+/// - `d_q1`, `d_q2`: Unit: length.
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
 ///
@@ -2855,8 +2811,7 @@ pub fn overlap_volume_gradient_batch(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
@@ -2898,10 +2853,8 @@ pub fn overlap_volume_torque(
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
-/// - `d_rot1`: Unit: length³.
-/// - `d_rot2`: Unit: length³.
+/// - `q1`, `q2`: Unit: length².
+/// - `d_rot1`, `d_rot2`: Unit: length³.
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
 ///
@@ -3012,8 +2965,8 @@ pub fn area_batch_2d(q: &[[f64; 3]], area: &mut [f64]) -> Result<(), Error> {
 ///
 /// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2; it may be zero. Unit:
 ///   length.
-/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit:
+///   length².
 ///
 /// # Errors
 ///
@@ -3041,8 +2994,7 @@ pub fn overlap_area_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<f
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `area`: Unit: length².
 ///
 /// Row i of each slice belongs to row i of `r12`.
@@ -3089,8 +3041,8 @@ pub fn overlap_area_batch_2d(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
-/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit:
+///   length².
 ///
 /// # Errors
 ///
@@ -3131,11 +3083,9 @@ pub fn overlap_area_gradient_2d(
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `d_r12`: Unit: length.
-/// - `d_q1`: Unit: no unit.
-/// - `d_q2`: Unit: no unit.
+/// - `d_q1`, `d_q2`: Unit: no unit.
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
 ///
@@ -3200,8 +3150,8 @@ pub fn overlap_area_gradient_batch_2d(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
-/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit:
+///   length².
 ///
 /// # Errors
 ///
@@ -3239,10 +3189,8 @@ pub fn overlap_area_torque_2d(
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
-/// - `d_rot1`: Unit: length².
-/// - `d_rot2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
+/// - `d_rot1`, `d_rot2`: Unit: length².
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
 ///
@@ -3294,8 +3242,8 @@ pub fn overlap_area_torque_batch_2d(
 ///
 /// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2; it may be zero: then μ² = 0
 ///   and λ = 1/2. Unit: length.
-/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit:
+///   length².
 ///
 /// # Errors
 ///
@@ -3327,8 +3275,7 @@ pub fn contact_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<Contac
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
 ///
@@ -3381,8 +3328,8 @@ pub fn contact_batch_2d(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2; not zero. Unit: length.
-/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit:
+///   length².
 /// - `lambda`: The maximiser λ of f, from [`contact_2d()`](crate::contact_2d). For another λ in
 ///   \[0, 1\] the point is x0(λ) of the chapter on theory. It is on the surface of ellipse 1
 ///   scaled by μ1, and on that of ellipse 2 scaled by μ2, where f(λ) = λ μ1² + (1-λ) μ2².
@@ -3425,8 +3372,7 @@ pub fn contact_geometry_2d(
 /// # Arguments
 ///
 /// - `r12`: Not zero. Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `point`: Unit: length.
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
@@ -3483,8 +3429,8 @@ pub fn contact_geometry_batch_2d(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
-/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit:
+///   length².
 /// - `lambda`: The maximiser λ of f, from [`contact_2d()`](crate::contact_2d).
 ///
 /// # Errors
@@ -3526,11 +3472,9 @@ pub fn contact_gradient_2d(
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `d_r12`: Unit: 1/length.
-/// - `d_q1`: Unit: 1/length².
-/// - `d_q2`: Unit: 1/length².
+/// - `d_q1`, `d_q2`: Unit: 1/length².
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
 ///
@@ -3600,8 +3544,8 @@ pub fn contact_gradient_batch_2d(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
-/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit:
+///   length².
 /// - `lambda`: The maximiser λ of f, from [`contact_2d()`](crate::contact_2d).
 ///
 /// # Errors
@@ -3640,8 +3584,7 @@ pub fn contact_torque_2d(
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
 ///
@@ -3697,8 +3640,8 @@ pub fn contact_torque_batch_2d(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2; not zero. Unit: length.
-/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit:
+///   length².
 /// - `lambda`: The maximiser λ of f, from [`contact_2d()`](crate::contact_2d).
 ///
 /// # Errors
@@ -3737,8 +3680,7 @@ pub fn contact_hessian_2d(
 /// # Arguments
 ///
 /// - `r12`: Not zero. Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `hessian`: Unit: mixed units.
 ///
 /// Row i of each slice belongs to row i of `r12`.
@@ -3791,8 +3733,8 @@ pub fn contact_hessian_batch_2d(
 ///
 /// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2; zero is an overlap. Unit:
 ///   length.
-/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit:
+///   length².
 ///
 /// # Errors
 ///
@@ -3818,8 +3760,7 @@ pub fn overlap_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<bool, 
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `overlap`: 1, 0, or 255 for a bad pair.
 ///
 /// Row i of each slice belongs to row i of `r12`.
@@ -3863,8 +3804,8 @@ pub fn overlap_batch_2d(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
-/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit:
+///   length².
 ///
 /// # Errors
 ///
@@ -3891,8 +3832,8 @@ pub fn contains_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<bool,
 ///
 /// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2; it may be zero. Unit:
 ///   length.
-/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit:
+///   length².
 ///
 /// # Errors
 ///
@@ -3930,8 +3871,7 @@ pub fn containment_2d(
 /// # Arguments
 ///
 /// - `direction`: From centre 1 to centre 2, of any length; not zero.
-/// - `q1`: Forms (xx, xy, yy) of the ellipses. Unit: length².
-/// - `q2`: Forms (xx, xy, yy) of the ellipses. Unit: length².
+/// - `q1`, `q2`: Forms (xx, xy, yy) of the ellipses. Unit: length².
 ///
 /// # Errors
 ///
@@ -3967,8 +3907,7 @@ pub fn closest_approach_2d(
 /// # Arguments
 ///
 /// - `directions`: Not zero.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `distance`: Unit: length.
 ///
 /// Row i of each slice belongs to row i of `directions`.
@@ -4030,8 +3969,7 @@ pub fn closest_approach_batch_2d(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
@@ -4072,11 +4010,9 @@ pub fn distance(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<Distance
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `distance`: Unit: length.
-/// - `point1`: Unit: length.
-/// - `point2`: Unit: length.
+/// - `point1`, `point2`: Unit: length.
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
 ///
@@ -4133,8 +4069,7 @@ pub fn distance_batch(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
@@ -4180,10 +4115,8 @@ pub fn distance_derivatives(
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
-/// - `d_rot1`: Unit: length.
-/// - `d_rot2`: Unit: length.
+/// - `q1`, `q2`: Unit: length².
+/// - `d_rot1`, `d_rot2`: Unit: length.
 /// - `hessian`: Unit: mixed units.
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
@@ -4267,8 +4200,7 @@ pub fn distance_derivatives_batch(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
@@ -4305,8 +4237,7 @@ pub fn penetration(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<Penet
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `depth`: Unit: length.
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
@@ -4375,8 +4306,7 @@ pub fn penetration_batch(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
@@ -4415,11 +4345,9 @@ pub fn signed_distance(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<D
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `distance`: Unit: length.
-/// - `point1`: Unit: length.
-/// - `point2`: Unit: length.
+/// - `point1`, `point2`: Unit: length.
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
 ///
@@ -4485,8 +4413,7 @@ pub fn signed_distance_batch(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
@@ -4532,10 +4459,8 @@ pub fn signed_distance_derivatives(
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
-/// - `d_rot1`: Unit: length.
-/// - `d_rot2`: Unit: length.
+/// - `q1`, `q2`: Unit: length².
+/// - `d_rot1`, `d_rot2`: Unit: length.
 /// - `hessian`: Unit: mixed units.
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
@@ -4617,8 +4542,7 @@ pub fn signed_distance_derivatives_batch(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 ///
 /// # Errors
 ///
@@ -4659,11 +4583,9 @@ pub fn gap_inside(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<GapIns
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `gap`: Unit: length.
-/// - `point1`: Unit: length.
-/// - `point2`: Unit: length.
+/// - `point1`, `point2`: Unit: length.
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
 ///
@@ -4730,8 +4652,8 @@ pub fn gap_inside_batch(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
-/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit:
+///   length².
 ///
 /// # Errors
 ///
@@ -4766,11 +4688,9 @@ pub fn distance_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<Dista
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `distance`: Unit: length.
-/// - `point1`: Unit: length.
-/// - `point2`: Unit: length.
+/// - `point1`, `point2`: Unit: length.
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
 ///
@@ -4825,8 +4745,8 @@ pub fn distance_batch_2d(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
-/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit:
+///   length².
 ///
 /// # Errors
 ///
@@ -4863,8 +4783,7 @@ pub fn penetration_2d(
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `depth`: Unit: length.
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
@@ -4917,8 +4836,8 @@ pub fn penetration_batch_2d(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
-/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit:
+///   length².
 ///
 /// # Errors
 ///
@@ -4958,11 +4877,9 @@ pub fn signed_distance_2d(
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `distance`: Unit: length.
-/// - `point1`: Unit: length.
-/// - `point2`: Unit: length.
+/// - `point1`, `point2`: Unit: length.
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
 ///
@@ -5024,8 +4941,8 @@ pub fn signed_distance_batch_2d(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
-/// - `q1`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit:
+///   length².
 ///
 /// # Errors
 ///
@@ -5062,11 +4979,9 @@ pub fn gap_inside_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<Gap
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `gap`: Unit: length.
-/// - `point1`: Unit: length.
-/// - `point2`: Unit: length.
+/// - `point1`, `point2`: Unit: length.
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
 ///
@@ -5134,12 +5049,10 @@ pub fn gap_inside_batch_2d(
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; at time 0. Unit:
 ///   length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`; at time 0. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`; at time 0. Unit: length².
-/// - `motion1`: Motions of the ellipsoids; their semi-axes must be \> 0 until t_max. Unit: mixed
-///   units.
-/// - `motion2`: Motions of the ellipsoids; their semi-axes must be \> 0 until t_max. Unit: mixed
-///   units.
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`; at time 0. Unit:
+///   length².
+/// - `motion1`, `motion2`: Motions of the ellipsoids; their semi-axes must be \> 0 until t_max.
+///   Unit: mixed units.
 /// - `t_max`: The last time at which a contact counts; \>= 0; may be infinite. Unit: time.
 ///
 /// # Errors
@@ -5193,10 +5106,8 @@ pub fn first_contact(
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
-/// - `motion1`: Unit: mixed units.
-/// - `motion2`: Unit: mixed units.
+/// - `q1`, `q2`: Unit: length².
+/// - `motion1`, `motion2`: Unit: mixed units.
 /// - `t_max`: The last time at which a contact counts; for all rows; \>= 0; may be infinite.
 ///   Unit: time.
 /// - `t`: Unit: time.
@@ -5268,8 +5179,8 @@ pub fn first_contact_batch(
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2; at time 0. Unit:
 ///   length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`; at time 0. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`; at time 0. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`; at time 0. Unit:
+///   length².
 /// - `velocity`: Velocity of ellipsoid 2 relative to ellipsoid 1; it may be zero. Unit:
 ///   length/time.
 /// - `t_max`: The end of the path; \>= 0; may be infinite. Unit: time.
@@ -5322,8 +5233,7 @@ pub fn closest_passage(
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `velocity`: Unit: length/time.
 /// - `t_max`: The end of the path; for all rows; \>= 0; may be infinite. Unit: time.
 /// - `t`: Unit: time.
@@ -5392,8 +5302,7 @@ pub fn closest_passage_batch(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `direction`: Of any length; not zero.
 /// - `t_max`: The end of the path, in units of the length of `direction`: a length if `direction`
 ///   is a unit vector; \>= 0; may be infinite. Unit: length.
@@ -5442,8 +5351,7 @@ pub fn free_path(
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `directions`: Not zero.
 /// - `t_max`: \>= 0; may be infinite. Unit: length.
 /// - `t`: Unit: length.
@@ -5681,8 +5589,7 @@ pub fn hertz_batch(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `normal`: Out of ellipsoid 1 and into ellipsoid 2, of any length; not zero.
 ///
 /// # Errors
@@ -5734,8 +5641,7 @@ pub fn hertz_contact(
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `normals`: Not zero.
 /// - `depth`: Unit: length.
 /// - `point`: Unit: length.
@@ -5835,8 +5741,7 @@ pub fn hertz_contact_batch(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `start`: A direction near the normal, out of ellipsoid 1 and into ellipsoid 2, of any
 ///   length; not zero.
 ///
@@ -5891,8 +5796,7 @@ pub fn grain_contact(
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `starts`: Not zero.
 /// - `depth`: Unit: length.
 /// - `point`: Unit: length.
@@ -5977,8 +5881,7 @@ pub fn grain_contact_batch(
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
-/// - `q1`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
-/// - `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `normal`: That of [`grain_contact()`](crate::grain_contact), of any length; not zero.
 ///
 /// # Errors
@@ -6026,11 +5929,9 @@ pub fn grain_radius_gradient(
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
 /// - `normals`: Not zero.
-/// - `d_rot1`: Unit: length.
-/// - `d_rot2`: Unit: length.
+/// - `d_rot1`, `d_rot2`: Unit: length.
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
 ///
@@ -6328,8 +6229,7 @@ pub fn second_moments(q: &[f64; 6]) -> Result<[f64; 6], Error> {
 ///
 /// # Arguments
 ///
-/// - `q`: Unit: length².
-/// - `moments`: Unit: length².
+/// - `q`, `moments`: Unit: length².
 ///
 /// Row i of each slice belongs to row i of `q`.
 ///
@@ -6387,8 +6287,7 @@ pub fn shell_moments(q: &[f64; 6]) -> Result<[f64; 6], Error> {
 ///
 /// # Arguments
 ///
-/// - `q`: Unit: length².
-/// - `moments`: Unit: length².
+/// - `q`, `moments`: Unit: length².
 ///
 /// Row i of each slice belongs to row i of `q`.
 ///
@@ -6506,8 +6405,7 @@ pub fn second_moments_2d(q: &[f64; 3]) -> Result<[f64; 3], Error> {
 ///
 /// # Arguments
 ///
-/// - `q`: Unit: length².
-/// - `moments`: Unit: length².
+/// - `q`, `moments`: Unit: length².
 ///
 /// Row i of each slice belongs to row i of `q`.
 ///
@@ -6566,8 +6464,7 @@ pub fn shell_moments_2d(q: &[f64; 3]) -> Result<[f64; 3], Error> {
 ///
 /// # Arguments
 ///
-/// - `q`: Unit: length².
-/// - `moments`: Unit: length².
+/// - `q`, `moments`: Unit: length².
 ///
 /// Row i of each slice belongs to row i of `q`.
 ///
@@ -6983,10 +6880,8 @@ pub fn contact_plane_derivatives_batch(
 ///
 /// # Arguments
 ///
-/// - `lower`: Corners of the box, relative to the centre of the ellipsoid; `lower` \<= `upper`.
-///   Unit: length.
-/// - `upper`: Corners of the box, relative to the centre of the ellipsoid; `lower` \<= `upper`.
-///   Unit: length.
+/// - `lower`, `upper`: Corners of the box, relative to the centre of the ellipsoid; `lower` \<=
+///   `upper`. Unit: length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
 /// # Errors
@@ -7029,8 +6924,7 @@ pub fn distance_box(
 ///
 /// # Arguments
 ///
-/// - `lower`: `lower` \<= `upper`. Unit: length.
-/// - `upper`: `lower` \<= `upper`. Unit: length.
+/// - `lower`, `upper`: `lower` \<= `upper`. Unit: length.
 /// - `q`: Unit: length².
 /// - `distance`: Unit: length.
 /// - `point`: Unit: length.
@@ -7352,8 +7246,7 @@ pub fn intersect_line(
 /// - `origin`: Unit: length.
 /// - `directions`: Not zero.
 /// - `q`: Unit: length².
-/// - `enter`: Unit: length.
-/// - `leave`: Unit: length.
+/// - `enter`, `leave`: Unit: length.
 ///
 /// Row i of each slice belongs to row i of `origin`. An output that is `None` is not written.
 ///
@@ -7482,10 +7375,8 @@ pub fn overlap_volume_plane_batch(
 ///
 /// # Arguments
 ///
-/// - `end1`: Of the segment, relative to the centre of the ellipsoid; equal ends are a point.
-///   Unit: length.
-/// - `end2`: Of the segment, relative to the centre of the ellipsoid; equal ends are a point.
-///   Unit: length.
+/// - `end1`, `end2`: Of the segment, relative to the centre of the ellipsoid; equal ends are a
+///   point. Unit: length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
 /// # Errors
@@ -7527,8 +7418,7 @@ pub fn contact_segment(
 ///
 /// # Arguments
 ///
-/// - `end1`: Unit: length.
-/// - `end2`: Unit: length.
+/// - `end1`, `end2`: Unit: length.
 /// - `q`: Unit: length².
 /// - `point`: Unit: length.
 ///
@@ -7580,12 +7470,8 @@ pub fn contact_segment_batch(
 ///
 /// # Arguments
 ///
-/// - `vertex1`: Of the triangle, relative to the centre of the ellipsoid; a triangle without area
-///   is a segment or a point. Unit: length.
-/// - `vertex2`: Of the triangle, relative to the centre of the ellipsoid; a triangle without area
-///   is a segment or a point. Unit: length.
-/// - `vertex3`: Of the triangle, relative to the centre of the ellipsoid; a triangle without area
-///   is a segment or a point. Unit: length.
+/// - `vertex1`, `vertex2`, `vertex3`: Of the triangle, relative to the centre of the ellipsoid; a
+///   triangle without area is a segment or a point. Unit: length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
 /// # Errors
@@ -7630,9 +7516,7 @@ pub fn contact_triangle(
 ///
 /// # Arguments
 ///
-/// - `vertex1`: Unit: length.
-/// - `vertex2`: Unit: length.
-/// - `vertex3`: Unit: length.
+/// - `vertex1`, `vertex2`, `vertex3`: Unit: length.
 /// - `q`: Unit: length².
 /// - `point`: Unit: length.
 ///
@@ -7688,10 +7572,8 @@ pub fn contact_triangle_batch(
 ///
 /// # Arguments
 ///
-/// - `lower`: Corners of the box, relative to the centre of the ellipsoid; a box may be flat;
-///   `lower` \<= `upper`. Unit: length.
-/// - `upper`: Corners of the box, relative to the centre of the ellipsoid; a box may be flat;
-///   `lower` \<= `upper`. Unit: length.
+/// - `lower`, `upper`: Corners of the box, relative to the centre of the ellipsoid; a box may be
+///   flat; `lower` \<= `upper`. Unit: length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
 /// # Errors
@@ -7733,8 +7615,7 @@ pub fn contact_box(
 ///
 /// # Arguments
 ///
-/// - `lower`: `lower` \<= `upper`. Unit: length.
-/// - `upper`: `lower` \<= `upper`. Unit: length.
+/// - `lower`, `upper`: `lower` \<= `upper`. Unit: length.
 /// - `q`: Unit: length².
 /// - `point`: Unit: length.
 ///
@@ -7788,8 +7669,7 @@ pub fn contact_box_batch(
 ///
 /// # Arguments
 ///
-/// - `end1`: Of the segment, relative to the centre of the ellipsoid. Unit: length.
-/// - `end2`: Of the segment, relative to the centre of the ellipsoid. Unit: length.
+/// - `end1`, `end2`: Of the segment, relative to the centre of the ellipsoid. Unit: length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
 /// # Errors
@@ -7824,8 +7704,7 @@ pub fn overlap_segment(end1: &[f64; 3], end2: &[f64; 3], q: &[f64; 6]) -> Result
 ///
 /// # Arguments
 ///
-/// - `end1`: Unit: length.
-/// - `end2`: Unit: length.
+/// - `end1`, `end2`: Unit: length.
 /// - `q`: Unit: length².
 /// - `overlap`: 1, 0, or 255 for a bad ellipsoid.
 ///
@@ -7871,9 +7750,8 @@ pub fn overlap_segment_batch(
 ///
 /// # Arguments
 ///
-/// - `vertex1`: Of the triangle, relative to the centre of the ellipsoid. Unit: length.
-/// - `vertex2`: Of the triangle, relative to the centre of the ellipsoid. Unit: length.
-/// - `vertex3`: Of the triangle, relative to the centre of the ellipsoid. Unit: length.
+/// - `vertex1`, `vertex2`, `vertex3`: Of the triangle, relative to the centre of the ellipsoid.
+///   Unit: length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
 /// # Errors
@@ -7915,9 +7793,7 @@ pub fn overlap_triangle(
 ///
 /// # Arguments
 ///
-/// - `vertex1`: Unit: length.
-/// - `vertex2`: Unit: length.
-/// - `vertex3`: Unit: length.
+/// - `vertex1`, `vertex2`, `vertex3`: Unit: length.
 /// - `q`: Unit: length².
 /// - `overlap`: 1, 0, or 255 for a bad ellipsoid.
 ///
@@ -7971,10 +7847,8 @@ pub fn overlap_triangle_batch(
 ///
 /// # Arguments
 ///
-/// - `lower`: Corners of the box, relative to the centre of the ellipsoid; `lower` \<= `upper`.
-///   Unit: length.
-/// - `upper`: Corners of the box, relative to the centre of the ellipsoid; `lower` \<= `upper`.
-///   Unit: length.
+/// - `lower`, `upper`: Corners of the box, relative to the centre of the ellipsoid; `lower` \<=
+///   `upper`. Unit: length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
 /// # Errors
@@ -8009,8 +7883,7 @@ pub fn overlap_box(lower: &[f64; 3], upper: &[f64; 3], q: &[f64; 6]) -> Result<b
 ///
 /// # Arguments
 ///
-/// - `lower`: `lower` \<= `upper`. Unit: length.
-/// - `upper`: `lower` \<= `upper`. Unit: length.
+/// - `lower`, `upper`: `lower` \<= `upper`. Unit: length.
 /// - `q`: Unit: length².
 /// - `overlap`: 1, 0, or 255 for a bad ellipsoid.
 ///
@@ -8055,8 +7928,7 @@ pub fn overlap_box_batch(
 ///
 /// # Arguments
 ///
-/// - `end1`: Of the segment, relative to the centre of the ellipsoid. Unit: length.
-/// - `end2`: Of the segment, relative to the centre of the ellipsoid. Unit: length.
+/// - `end1`, `end2`: Of the segment, relative to the centre of the ellipsoid. Unit: length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
 /// # Errors
@@ -8101,12 +7973,10 @@ pub fn distance_segment(
 ///
 /// # Arguments
 ///
-/// - `end1`: Unit: length.
-/// - `end2`: Unit: length.
+/// - `end1`, `end2`: Unit: length.
 /// - `q`: Unit: length².
 /// - `distance`: Unit: length.
-/// - `point1`: Unit: length.
-/// - `point2`: Unit: length.
+/// - `point1`, `point2`: Unit: length.
 ///
 /// Row i of each slice belongs to row i of `end1`. An output that is `None` is not written.
 ///
@@ -8175,9 +8045,8 @@ pub fn distance_segment_batch(
 ///
 /// # Arguments
 ///
-/// - `vertex1`: Of the triangle, relative to the centre of the ellipsoid. Unit: length.
-/// - `vertex2`: Of the triangle, relative to the centre of the ellipsoid. Unit: length.
-/// - `vertex3`: Of the triangle, relative to the centre of the ellipsoid. Unit: length.
+/// - `vertex1`, `vertex2`, `vertex3`: Of the triangle, relative to the centre of the ellipsoid.
+///   Unit: length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
 /// # Errors
@@ -8225,13 +8094,10 @@ pub fn distance_triangle(
 ///
 /// # Arguments
 ///
-/// - `vertex1`: Unit: length.
-/// - `vertex2`: Unit: length.
-/// - `vertex3`: Unit: length.
+/// - `vertex1`, `vertex2`, `vertex3`: Unit: length.
 /// - `q`: Unit: length².
 /// - `distance`: Unit: length.
-/// - `point1`: Unit: length.
-/// - `point2`: Unit: length.
+/// - `point1`, `point2`: Unit: length.
 ///
 /// Row i of each slice belongs to row i of `vertex1`. An output that is `None` is not written.
 ///
@@ -8305,10 +8171,8 @@ pub fn distance_triangle_batch(
 ///
 /// # Arguments
 ///
-/// - `lower`: Corners of the box, relative to the centre of the ellipsoid; `lower` \<= `upper`.
-///   Unit: length.
-/// - `upper`: Corners of the box, relative to the centre of the ellipsoid; `lower` \<= `upper`.
-///   Unit: length.
+/// - `lower`, `upper`: Corners of the box, relative to the centre of the ellipsoid; `lower` \<=
+///   `upper`. Unit: length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
 /// # Errors
@@ -8353,12 +8217,10 @@ pub fn distance_solid_box(
 ///
 /// # Arguments
 ///
-/// - `lower`: `lower` \<= `upper`. Unit: length.
-/// - `upper`: `lower` \<= `upper`. Unit: length.
+/// - `lower`, `upper`: `lower` \<= `upper`. Unit: length.
 /// - `q`: Unit: length².
 /// - `distance`: Unit: length.
-/// - `point1`: Unit: length.
-/// - `point2`: Unit: length.
+/// - `point1`, `point2`: Unit: length.
 ///
 /// Row i of each slice belongs to row i of `lower`. An output that is `None` is not written.
 ///
@@ -8424,10 +8286,8 @@ pub fn distance_solid_box_batch(
 ///
 /// # Arguments
 ///
-/// - `end1`: Of the segment, relative to the centre of the ellipsoid; equal ends are a ball.
-///   Unit: length.
-/// - `end2`: Of the segment, relative to the centre of the ellipsoid; equal ends are a ball.
-///   Unit: length.
+/// - `end1`, `end2`: Of the segment, relative to the centre of the ellipsoid; equal ends are a
+///   ball. Unit: length.
 /// - `radius`: Of the capsule; \>= 0. Unit: length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
@@ -8472,8 +8332,7 @@ pub fn contact_capsule(
 ///
 /// # Arguments
 ///
-/// - `end1`: Unit: length.
-/// - `end2`: Unit: length.
+/// - `end1`, `end2`: Unit: length.
 /// - `radius`: \>= 0. Unit: length.
 /// - `q`: Unit: length².
 /// - `point`: Unit: length.
@@ -8535,8 +8394,7 @@ pub fn contact_capsule_batch(
 ///
 /// # Arguments
 ///
-/// - `end1`: Of the segment, relative to the centre of the ellipsoid. Unit: length.
-/// - `end2`: Of the segment, relative to the centre of the ellipsoid. Unit: length.
+/// - `end1`, `end2`: Of the segment, relative to the centre of the ellipsoid. Unit: length.
 /// - `radius`: Of the capsule; \>= 0. Unit: length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
@@ -8579,8 +8437,7 @@ pub fn overlap_capsule(
 ///
 /// # Arguments
 ///
-/// - `end1`: Unit: length.
-/// - `end2`: Unit: length.
+/// - `end1`, `end2`: Unit: length.
 /// - `radius`: \>= 0. Unit: length.
 /// - `q`: Unit: length².
 /// - `overlap`: 1, 0, or 255 for a bad ellipsoid.
@@ -8634,8 +8491,7 @@ pub fn overlap_capsule_batch(
 ///
 /// # Arguments
 ///
-/// - `end1`: Of the segment, relative to the centre of the ellipsoid. Unit: length.
-/// - `end2`: Of the segment, relative to the centre of the ellipsoid. Unit: length.
+/// - `end1`, `end2`: Of the segment, relative to the centre of the ellipsoid. Unit: length.
 /// - `radius`: Of the capsule; \>= 0. Unit: length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
@@ -8684,13 +8540,11 @@ pub fn distance_capsule(
 ///
 /// # Arguments
 ///
-/// - `end1`: Unit: length.
-/// - `end2`: Unit: length.
+/// - `end1`, `end2`: Unit: length.
 /// - `radius`: \>= 0. Unit: length.
 /// - `q`: Unit: length².
 /// - `distance`: Unit: length.
-/// - `point1`: Unit: length.
-/// - `point2`: Unit: length.
+/// - `point1`, `point2`: Unit: length.
 ///
 /// Row i of each slice belongs to row i of `end1`. An output that is `None` is not written.
 ///
@@ -8850,10 +8704,8 @@ pub fn distance_point_batch_2d(
 ///
 /// # Arguments
 ///
-/// - `end1`: Of the segment, relative to the centre of the ellipse; equal ends are a point. Unit:
-///   length.
-/// - `end2`: Of the segment, relative to the centre of the ellipse; equal ends are a point. Unit:
-///   length.
+/// - `end1`, `end2`: Of the segment, relative to the centre of the ellipse; equal ends are a
+///   point. Unit: length.
 /// - `q`: Form of the ellipse. Unit: length².
 ///
 /// # Errors
@@ -8890,8 +8742,7 @@ pub fn contact_segment_2d(
 ///
 /// # Arguments
 ///
-/// - `end1`: Unit: length.
-/// - `end2`: Unit: length.
+/// - `end1`, `end2`: Unit: length.
 /// - `q`: Unit: length².
 /// - `point`: Unit: length.
 ///
@@ -8945,10 +8796,8 @@ pub fn contact_segment_batch_2d(
 ///
 /// # Arguments
 ///
-/// - `lower`: Corners of the box, relative to the centre of the ellipse; a box may be flat;
-///   `lower` \<= `upper`. Unit: length.
-/// - `upper`: Corners of the box, relative to the centre of the ellipse; a box may be flat;
-///   `lower` \<= `upper`. Unit: length.
+/// - `lower`, `upper`: Corners of the box, relative to the centre of the ellipse; a box may be
+///   flat; `lower` \<= `upper`. Unit: length.
 /// - `q`: Form of the ellipse. Unit: length².
 ///
 /// # Errors
@@ -8985,8 +8834,7 @@ pub fn contact_box_2d(
 ///
 /// # Arguments
 ///
-/// - `lower`: `lower` \<= `upper`. Unit: length.
-/// - `upper`: `lower` \<= `upper`. Unit: length.
+/// - `lower`, `upper`: `lower` \<= `upper`. Unit: length.
 /// - `q`: Unit: length².
 /// - `point`: Unit: length.
 ///
@@ -9039,10 +8887,8 @@ pub fn contact_box_batch_2d(
 ///
 /// # Arguments
 ///
-/// - `end1`: Of the segment, relative to the centre of the ellipse; equal ends are a point. Unit:
-///   length.
-/// - `end2`: Of the segment, relative to the centre of the ellipse; equal ends are a point. Unit:
-///   length.
+/// - `end1`, `end2`: Of the segment, relative to the centre of the ellipse; equal ends are a
+///   point. Unit: length.
 /// - `q`: Form of the ellipse. Unit: length².
 ///
 /// # Errors
@@ -9073,8 +8919,7 @@ pub fn overlap_segment_2d(end1: &[f64; 2], end2: &[f64; 2], q: &[f64; 3]) -> Res
 ///
 /// # Arguments
 ///
-/// - `end1`: Unit: length.
-/// - `end2`: Unit: length.
+/// - `end1`, `end2`: Unit: length.
 /// - `q`: Unit: length².
 /// - `overlap`: 1, 0, or 255 for a bad ellipse.
 ///
@@ -9119,10 +8964,8 @@ pub fn overlap_segment_batch_2d(
 ///
 /// # Arguments
 ///
-/// - `lower`: Corners of the box, relative to the centre of the ellipse; a box may be flat;
-///   `lower` \<= `upper`. Unit: length.
-/// - `upper`: Corners of the box, relative to the centre of the ellipse; a box may be flat;
-///   `lower` \<= `upper`. Unit: length.
+/// - `lower`, `upper`: Corners of the box, relative to the centre of the ellipse; a box may be
+///   flat; `lower` \<= `upper`. Unit: length.
 /// - `q`: Form of the ellipse. Unit: length².
 ///
 /// # Errors
@@ -9153,8 +8996,7 @@ pub fn overlap_box_2d(lower: &[f64; 2], upper: &[f64; 2], q: &[f64; 3]) -> Resul
 ///
 /// # Arguments
 ///
-/// - `lower`: `lower` \<= `upper`. Unit: length.
-/// - `upper`: `lower` \<= `upper`. Unit: length.
+/// - `lower`, `upper`: `lower` \<= `upper`. Unit: length.
 /// - `q`: Unit: length².
 /// - `overlap`: 1, 0, or 255 for a bad ellipse.
 ///
@@ -9204,14 +9046,12 @@ pub fn overlap_box_batch_2d(
 /// # Arguments
 ///
 /// - `r12`: Unit: length.
-/// - `q1`: Unit: length².
-/// - `q2`: Unit: length².
+/// - `q1`, `q2`: Unit: length².
+/// - `mu2`, `lambda`: The results of [`contact()`](crate::contact).
 /// - `point`: Contact points relative to the centres of the first ellipsoids. Unit: length.
 /// - `normal`: Unit normals.
 /// - `d_r12`: ∂μ²/∂r12. Unit: 1/length.
-/// - `d_rot1`: Derivatives with respect to rotations, as for
-///   [`contact_torque()`](crate::contact_torque).
-/// - `d_rot2`: Derivatives with respect to rotations, as for
+/// - `d_rot1`, `d_rot2`: Derivatives with respect to rotations, as for
 ///   [`contact_torque()`](crate::contact_torque).
 ///
 /// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
@@ -9357,8 +9197,7 @@ pub fn from_moments(second_moments: &[f64; 6]) -> Result<[f64; 6], Error> {
 ///
 /// # Arguments
 ///
-/// - `second_moments`: Unit: length².
-/// - `q`: Unit: length².
+/// - `second_moments`, `q`: Unit: length².
 ///
 /// Row i of each slice belongs to row i of `second_moments`.
 ///
@@ -9416,8 +9255,7 @@ pub fn from_moments_2d(second_moments: &[f64; 3]) -> Result<[f64; 3], Error> {
 ///
 /// # Arguments
 ///
-/// - `second_moments`: Unit: length².
-/// - `q`: Unit: length².
+/// - `second_moments`, `q`: Unit: length².
 ///
 /// Row i of each slice belongs to row i of `second_moments`.
 ///
