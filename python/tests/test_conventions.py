@@ -27,7 +27,7 @@ U = 2.0**-53
 # Tables, the options that they need, and how many pixels their semi-axes may be off: the picture has none, outlines one half on each side
 TABLES = {
     "imagej.csv": ({}, 0.5), "skimage.csv": ({}, 0.5), "sep.csv": ({}, 0.5), "photutils.csv": ({}, 0.5), "sextractor.cat": ({}, 0.5),
-    "octave.csv": ({}, 0.5),
+    "gnuastro.txt": ({}, 0.5), "octave.csv": ({}, 0.5),
     "opencv.csv": ({"convention": "opencv"}, 1.0), "ds9.reg": ({}, 1e-6), "cellprofiler.csv": ({"convention": "cellprofiler"}, 1e-9),
 }  # fmt: skip
 

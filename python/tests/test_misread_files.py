@@ -121,6 +121,16 @@ REFUSED = {
        for option, columns in (("shape_columns", ["x"]), ("angle_columns", ["y"]))},
     "x,y,z,a,b,c,qw,qx,qy,qz,AsphericalShape.X,AsphericalShape.Y,AsphericalShape.Z":
         ({}, f"0,0,0,2,1,1,{UP},4,2,2", "the columns a b c could change"),
+    # Corners and ends of triangles and lines of LAMMPS, whose radius is that of the sphere around them
+    **{f"x,y,z,radius,{name}": ({}, "0,0,0,1,1", f"the column {name} could change") for name in ("corner1x", "end2y", "elongation")},
+    "x,y,z,diameter,elongation,nx,ny,nz": ({}, "0,0,0,1,.5,0,0,1", "diameter may be that of spheres, but there is also nx ny nz"),
+    # Clockwise from north in ArcGIS
+    "CenterX,CenterY,XStdDist,YStdDist,Rotation":
+        ({"shape_columns": ("XStdDist", "YStdDist"), "lengths": "radii", "angle": "degrees"}, "0,0,4,1,60",
+         "Rotation may be counted from the axis x or from y"),
+    "x,y,a,b,direction": ({"angle_columns": ["direction"], "angle": "degrees"}, "0,0,2,1,30", "direction may be counted from the axis x"),
+    "x,y,semi_major,semi_minor,position_angle":
+        ({}, "0,0,4,1,30", "may be those of gnuastro, and other programs mean other lengths .*--convention gnuastro"),
     "x,y,semi_major,semi_minor,orientation":
         ({}, "0,0,4,1,1", "--angle-zero x or --angle-zero y .with --angle-sense yx if it grows the other way than from x towards y."),
 }  # fmt: skip
@@ -159,6 +169,11 @@ TABLES = {
     **{f"# {comment}\nx,y,z,radius\n0,0,0,1": "could say the cell" for comment in
        ("Lx Ly Lz = 9 9 9", "L = 9", "domain size: 9 9 9", "bounds: 0 9 0 9 0 9", "xlo xhi 0 9", "extent 9 9 9")},
     "# step 1\n# step 2\nx,y,z,radius\n0,0,0,1": "line 2: the comment '# step' is there twice",
+    # Crystal orientations of EDAX are not angles of ellipses.
+    "# COLUMN_HEADERS: phi1, PHI, phi2, x, y, a, b\n# GRID: SqrGrid\n 1 1 1 0 0 2 1": "the columns phi1 PHI phi2 could change",
+    "x,y,z,radius\n1,0,0,0,1": "line 2: 5 columns instead of 4",
+    # Rows of numbers without names, and grain files of OIM: 'Column 7: Diameter' in a comment is no name
+    "# Column 1: Integer identifying grain\n# Column 2-3: Position (x, y)\n# Column 4: Diameter of grain\n1 0 0 2": "no line with the names",
     # Units of ECSV in any order, and comments that are rows of units
     "# - {name: x, unit: pix, datatype: float64}\n# - {name: radius, datatype: float64, unit: um}\nx,y,z,radius\n0,0,0,1":
         "the columns x.pix. and radius.um. have different units",
@@ -229,6 +244,19 @@ PAIRS = {
                 {"lengths": "diameters", "euler": "y", "shape_columns": ["length", "height", "width"]}, 0.75),
     "plugin": ("Label,Ellipsoid.Center.X,Ellipsoid.Center.Y,Ellipsoid.Center.Z,Ellipsoid.Radius1,Ellipsoid.Radius2,Ellipsoid.Radius3,"
                "Ellipsoid.Phi,Ellipsoid.Theta,Ellipsoid.Psi\n1,5,5,5,2,0.5,0.5,90,0,0\n2,5,6.5,5,2,0.5,0.5,90,0,0", {}, 0.375),
+    # Names in a comment with another separator than that of the rows, as NumPy and programs for neurons (SWC) write them
+    **{f"comment {names}": (f"{names}\n{rows}", {}, 1.5) for names, rows in (
+        ("# x, y, z, radius", "0 0 0 .5\n0 1.5 0 .5"), ("#x\ty\tz\tradius", "0,0,0,.5\n0,1.5,0,.5"),
+        ("#name\n##n,type,x,y,z,radius,parent", "1 1 0 0 0 .5 -1\n2 3 0 1.5 0 .5 1"),
+        ("# name x y z r", "A 0 0 0 .5\nB 0 1.5 0 .5"))},
+    "R": ('"x" "y" "z" "radius"\n"1" 0 0 0 .5\n"2" 0 1.5 0 .5', {}, 1.5),
+    "TrackMate": ("LABEL,ID,POSITION_X,POSITION_Y,POSITION_Z,FRAME,RADIUS,ELLIPSE_X0,ELLIPSE_Y0,ELLIPSE_MAJOR,ELLIPSE_MINOR,ELLIPSE_THETA,"
+                  "ELLIPSE_ASPECTRATIO,SHAPE_INDEX\nLabel,Spot ID,X,Y,Z,Frame,Radius,Ellipse center x0,Ellipse center y0,Ellipse long axis,"
+                  "Ellipse short axis,Ellipse angle,Ellipse aspect ratio,Shape index\nLabel,Spot ID,X,Y,Z,Frame,R,El. x0,El. y0,El. long axis,"
+                  "El. sh. axis,El. angle,El. a.r.,SI\n,,(micron),(micron),(micron),,(micron),(micron),(micron),(micron),(micron),(radians),,\n"
+                  "ID1,1,5,5,0,0,1,0,-.5,2,.5,1.5707963267948966,4,4\nID2,2,5,7,0,0,1,0,-1,2,.5,-1.5707963267948966,4,4", {}, 0.375),
+    "Gnuastro": ("X,Y,SEMI_MAJOR,SEMI_MINOR,POSITION_ANGLE,AXIS_RATIO,HALF_MAX_RADIUS\n5,5,1,.25,90,.25,1\n5,6.5,1,.25,90,.25,1", {}, 0.375),
+    "Gnuastro without values": ("GEO_X,GEO_Y,GEO_SEMI_MAJOR,GEO_SEMI_MINOR,GEO_POSITION_ANGLE\n5,5,1,.25,90\n5,6.5,1,.25,90", {}, 0.375),
     "all of ImageJ": (" ,Area,Mean,Min,Max,X,Y,Major,Minor,Angle\n1,3,9,1,9,5,5,4,1,90\n2,3,9,1,9,5,6.5,4,1,90", {}, 0.375),
     "degrees in brackets": ("label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation (deg)\n1,5,5,4,1,0\n"
                             "2,6.5,5,4,1,180", {}, 0.375),
@@ -278,6 +306,18 @@ def test_several_planes(tmp_path):
     with pytest.raises(pypw85.FileError, match="line 3: the column AreaShape_Center_Z has several values, 0.* and 5"):
         read_text(tmp_path / "a.csv", ",".join(names) + "\n1,2,0,4,2,30\n1,9,5,4,2,30\n", convention="cellprofiler")
     assert len(read(tmp_path / "a.csv", convention="cellprofiler", ignore_columns=["AreaShape_Center_Z"])) == 2
+
+
+def test_trackmate(tmp_path):
+    """Spots of several planes or frames; a centre that is not a number is no line of units."""
+    names = "POSITION_X,POSITION_Y,POSITION_Z,FRAME,ELLIPSE_X0,ELLIPSE_Y0,ELLIPSE_MAJOR,ELLIPSE_MINOR,ELLIPSE_THETA\n"
+    for column, rows in (("POSITION_Z", "5,5,0,0,0,0,2,1,0\n5,9,1,0,0,0,2,1,0\n"), ("FRAME", "5,5,0,0,0,0,2,1,0\n5,9,0,1,0,0,2,1,0\n")):
+        with pytest.raises(pypw85.FileError, match=f"line 3: the column {column} has several values, 0 and 1"):
+            read_text(tmp_path / "a.csv", names + rows)
+    with pytest.raises(pypw85.FileError, match="line 2: particle 1 has a position that is not finite"):
+        read_text(tmp_path / "a.csv", names + "nan,nan,0,0,0,0,2,1,0\n5,9,0,0,0,0,2,1,0\n")
+    source = read_text(tmp_path / "a.csv", names + "5,5,0,0,.5,-.5,2,1,0\n").source
+    assert "centres moved by ELLIPSE_X0 ELLIPSE_Y0" in source
 
 
 @pytest.mark.parametrize("separator", [",", ";"])
@@ -500,6 +540,7 @@ COMMENTS = {
     "# Box: 9 9 9": "the comment '# Box: 9 9 9' could say the cell",
     'Lattice="9 9 9" Properties=species:S:1:pos:R:3': "Lattice must be 9 numbers, not '9 9 9'",
     'pbc=[T, T, T] Properties=species:S:1:pos:R:3': "pbc must be three of T and F",
+    **{text: f"the comment '{text[:60]}' could say the cell" for text in ("9 9 9", "9.0, 9.0, 9.0", "9 9 9 0 0 0", "9 0 0 0 9 0 0 0 9")},
 }
 
 
@@ -509,11 +550,21 @@ def test_second_lines_of_xyz(comment, tmp_path):
         read_text(tmp_path / "a.xyz", f"1\n{comment}\nA 0 0 0\n", shape=(1, 1, 1))
 
 
-@pytest.mark.parametrize("comment", ["a cell of 9 molecules", "Step 3 in the box", "", "cells"])
+@pytest.mark.parametrize("comment", ["a cell of 9 molecules", "Step 3 in the box", "", "cells", "100.5", "1 2", "1 2 3 4"])
 def test_comments_of_xyz(comment, tmp_path):
     assert len(read_text(tmp_path / "a.xyz", f"1\n{comment}\nA 0 0 0\n", shape=(1, 1, 1))) == 1
     (tmp_path / "a.xyz").write_text("1\ncell 9 9 9\nA 0 0 0\n")
     assert read(tmp_path / "a.xyz", shape=(1, 1, 1), cell=9 * np.eye(3)).cell.tolist() == (9 * np.eye(3)).tolist()
+
+
+@pytest.mark.parametrize("row", [".5 0 0 1", "-2 0 0 1", "1.5 0 0 1 0 0", "2e-1 0 0 1 0 0 0"])
+def test_rows_of_numbers_alone(row, tmp_path):
+    """Without names before the positions, each number would be taken as the coordinate before it."""
+    name = row.split()[0]
+    with pytest.raises(pypw85.FileError, match=f"line 4: the first column must be a name or the number of a type, not {name}: "):
+        read_text(tmp_path / "a.xyz", f"2\n10.0\n{' '.join(['1'] * len(row.split()))}\n{row}\n", shape=(1, 1, 1))
+    words = " ".join(["1"] + row.split()[1:])
+    assert len(read_text(tmp_path / "a.xyz", f"1\n\n{words}\n", shape=(1, 1, 1))) == 1
 
 
 def test_shapes_that_an_option_names(tmp_path):
@@ -697,6 +748,11 @@ def test_semicolons_in_texts_of_regions(tmp_path):
     np.testing.assert_array_equal(read_text(tmp_path / "a.reg", text).centers[:, 0], [10, 1, 30])
 
 
+def test_composite_regions(tmp_path):
+    text = "# composite(10,20,30) || composite=1\nellipse(10,20,4,2,30) ||\nellipse(10,30,4,2,30) || # color=red\n"
+    np.testing.assert_array_equal(read_text(tmp_path / "a.reg", f"# Region file format: DS9\nimage\n{text}").centers[:, 1], [20, 30])
+
+
 def test_included_regions(tmp_path):
     (tmp_path / "a.reg").write_text("# Region file format: DS9 version 4.1\nimage\n+ellipse(1,2,4,1,0)\nellipse(1,6,4,1,0)\n")
     assert read(tmp_path / "a.reg").semi_axes[:, :2].tolist() == [[4, 1], [4, 1]]
@@ -776,6 +832,18 @@ def test_byte_order_mark_of_obj(tmp_path):
     assert mesh.vertices.tolist() == [[0, 0, 0], [2, 0, 0], [2, 1, 0], [0, 1, 0]] and mesh.triangles.tolist() == [[0, 1, 2], [0, 2, 3]]
     (tmp_path / "a.obj").write_text("v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\ncall b.obj\n")
     with pytest.raises(ValueError, match=r"a\.obj: line 5: the file includes another one"):
+        pypw85.Mesh.read(tmp_path / "a.obj")
+
+
+def test_weights_of_obj(tmp_path):
+    """A fourth number is a weight; three more are a colour."""
+    pytest.importorskip("meshio")
+    corners = "v 0 0 0 {0}\nv 2 0 0 {0}\nv 2 1 0 {0}\nf 1 2 3\n"
+    for others in ("1", "1.0", "0.5 0.5 0.5", "2 0.5 0.5 1"):
+        (tmp_path / "a.obj").write_text(corners.format(others))
+        assert pypw85.Mesh.read(tmp_path / "a.obj").vertices.max() == 2
+    (tmp_path / "a.obj").write_text(corners.format("2"))
+    with pytest.raises(ValueError, match=r"a\.obj: line 1: a vertex has the weight 2 behind its coordinates, which is not read: divide"):
         pypw85.Mesh.read(tmp_path / "a.obj")
 
 

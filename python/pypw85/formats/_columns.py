@@ -91,7 +91,8 @@ _SPHEROIDS: list[tuple[Names, Names, tuple[float, float]]] = [
     (("radius", "r"), ("halflength", "semilength"), (1.0, 1.0)),
     (("b", "semiminor", "semiminoraxis"), ("a", "semimajor", "semimajoraxis"), (1.0, 1.0)),
 ]
-_RATIOS = ("aspectratio", "aspect", "elongation", "ar")
+# Elongation is the same in some programs, and the middle axis over the longest one in others.
+_RATIOS = ("aspectratio", "aspect", "ar")
 # Names of what can change the size or the shape of a body, or its turn. What is not used of these is refused.
 _SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thick|axis|axes|shape|aspect|ratio(?!n)|elong|major|minor|"
                     r"block|expon|round|superquad|squareness|scale|scaling|stretch|sigma|size|eccentr|flatten|flatness|oblate|prolate|"
@@ -99,7 +100,7 @@ _SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thi
                     r"(?<!in)form|matrix|covar|inertia|eigen|lambda|principal|ellip|spheroid).*|(shape)?anisotropy|kappa|ar|ecc|flat|"
                     r"oval(ity|ness)?|dpi|ba|ca|cb|[abc](to|over)[abc]|tensor[\w\[\]]*|(cov|rg)(xx|yy|zz|xy|xz|yz)|"
                     r"(dims?|extents?|span|std|stdev|stddev|sd|var|variance|precision|rms|voxel|pixel)[xyz0-3]|"
-                    r"eps(ilon)?[12]|geom|geometry|primitive|kind|[xyz](2|end)|(end|tip|tail)[xyz]|[abcdhlrsw]|"
+                    r"eps(ilon)?[12]|geom|geometry|primitive|kind|[xyz](2|end)|(corner|end|tip|tail)\d?[xyz]|[abcdhlrsw]|"
                     r"[abdhrsl][xyz0-3]|[fv]?[rd](max|mid|int|min)|rad|len|dia|(?!chi)[a-z]?(xx|yy|zz|xy|xz|yz)|"
                     r"(?![cfv]\d)[a-z]{1,2}(0[0-2]|[123][0-3])|[ub](iso|eq|equiv|aniso)|"
                     r"units?|spacing|resolution|magnification|calibration|pixel|voxel|"
@@ -328,11 +329,19 @@ def centers_of(convention: Convention, columns: Sequence[str]) -> Names:
     return tuple(plain[name] for name in (convention.find(plain) or ((),))[0])
 
 
+def offsets_of(convention: Convention | None, columns: Sequence[str]) -> Names:
+    """The columns that are added to the centres."""
+    plain = {plain_name(name): name for name in reversed(columns)}
+    return tuple(plain[name] for name in (convention.offsets if convention is not None else ()) if name in plain)
+
+
 def _by_convention(plain: dict[str, str], options: Options, convention: Convention) -> Taken:
     _, lengths, angles = (tuple(plain[name] for name in names) for names in convention.find(plain) or ((), (), ()))
     turn = _turns.by_convention(convention, angles, options)
     meaning = options.lengths or convention.meaning
     source = [f"convention {convention.name}", describe(lengths, meaning, (), ""), turn.describe()]
+    if offsets := [plain[name] for name in convention.offsets if name in plain]:
+        source.append(f"centres moved by {' '.join(offsets)}")
     if convention.first:
         source.append(f"centre of the first pixel at {convention.first}")
     return Taken(lengths, meaning, (), "wxyz", (), [], ", ".join(filter(None, source)), [], turn)
