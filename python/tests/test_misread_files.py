@@ -173,7 +173,8 @@ TABLES = {
     "# COLUMN_HEADERS: phi1, PHI, phi2, x, y, a, b\n# GRID: SqrGrid\n 1 1 1 0 0 2 1": "the columns phi1 PHI phi2 could change",
     "x,y,z,radius\n1,0,0,0,1": "line 2: 5 columns instead of 4",
     # Rows of numbers without names, and grain files of OIM: 'Column 7: Diameter' in a comment is no name
-    "# Column 1: Integer identifying grain\n# Column 2-3: Position (x, y)\n# Column 4: Diameter of grain\n1 0 0 2": "no line with the names",
+    "# Column 1: Integer identifying grain\n# Column 2-3: Position (x, y)\n# Column 4: Diameter of grain\n1 0 0 2":
+        "there is no line with the names",
     # Units of ECSV in any order, and comments that are rows of units
     "# - {name: x, unit: pix, datatype: float64}\n# - {name: radius, datatype: float64, unit: um}\nx,y,z,radius\n0,0,0,1":
         "the columns x.pix. and radius.um. have different units",
@@ -250,12 +251,13 @@ PAIRS = {
         ("#name\n##n,type,x,y,z,radius,parent", "1 1 0 0 0 .5 -1\n2 3 0 1.5 0 .5 1"),
         ("# name x y z r", "A 0 0 0 .5\nB 0 1.5 0 .5"))},
     "R": ('"x" "y" "z" "radius"\n"1" 0 0 0 .5\n"2" 0 1.5 0 .5', {}, 1.5),
-    "TrackMate": ("LABEL,ID,POSITION_X,POSITION_Y,POSITION_Z,FRAME,RADIUS,ELLIPSE_X0,ELLIPSE_Y0,ELLIPSE_MAJOR,ELLIPSE_MINOR,ELLIPSE_THETA,"
-                  "ELLIPSE_ASPECTRATIO,SHAPE_INDEX\nLabel,Spot ID,X,Y,Z,Frame,Radius,Ellipse center x0,Ellipse center y0,Ellipse long axis,"
-                  "Ellipse short axis,Ellipse angle,Ellipse aspect ratio,Shape index\nLabel,Spot ID,X,Y,Z,Frame,R,El. x0,El. y0,El. long axis,"
-                  "El. sh. axis,El. angle,El. a.r.,SI\n,,(micron),(micron),(micron),,(micron),(micron),(micron),(micron),(micron),(radians),,\n"
-                  "ID1,1,5,5,0,0,1,0,-.5,2,.5,1.5707963267948966,4,4\nID2,2,5,7,0,0,1,0,-1,2,.5,-1.5707963267948966,4,4", {}, 0.375),
-    "Gnuastro": ("X,Y,SEMI_MAJOR,SEMI_MINOR,POSITION_ANGLE,AXIS_RATIO,HALF_MAX_RADIUS\n5,5,1,.25,90,.25,1\n5,6.5,1,.25,90,.25,1", {}, 0.375),
+    "TrackMate": ("LABEL,ID,POSITION_X,POSITION_Y,POSITION_Z,FRAME,RADIUS,ELLIPSE_X0,ELLIPSE_Y0,ELLIPSE_MAJOR,ELLIPSE_MINOR,"
+                  "ELLIPSE_THETA,ELLIPSE_ASPECTRATIO,SHAPE_INDEX\nLabel,Spot ID,X,Y,Z,Frame,Radius,Ellipse center x0,Ellipse center y0,"
+                  "Ellipse long axis,Ellipse short axis,Ellipse angle,Ellipse aspect ratio,Shape index\nLabel,Spot ID,X,Y,Z,Frame,R,El. x0,"
+                  "El. y0,El. long axis,El. sh. axis,El. angle,El. a.r.,SI\n,,(micron),(micron),(micron),,(micron),(micron),(micron),"
+                  "(micron),(micron),(radians),,\nID1,1,5,5,0,0,1,0,-.5,2,.5,1.5707963267948966,4,4\n"
+                  "ID2,2,5,7,0,0,1,0,-1,2,.5,-1.5707963267948966,4,4", {}, 0.375),
+    "Gnuastro": ("X,Y,SEMI_MAJOR,SEMI_MINOR,POSITION_ANGLE,HALF_MAX_RADIUS\n5,5,1,.25,90,1\n5,6.5,1,.25,90,1", {}, 0.375),
     "Gnuastro without values": ("GEO_X,GEO_Y,GEO_SEMI_MAJOR,GEO_SEMI_MINOR,GEO_POSITION_ANGLE\n5,5,1,.25,90\n5,6.5,1,.25,90", {}, 0.375),
     "all of ImageJ": (" ,Area,Mean,Min,Max,X,Y,Major,Minor,Angle\n1,3,9,1,9,5,5,4,1,90\n2,3,9,1,9,5,6.5,4,1,90", {}, 0.375),
     "degrees in brackets": ("label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation (deg)\n1,5,5,4,1,0\n"

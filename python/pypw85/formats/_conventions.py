@@ -119,7 +119,7 @@ CONVENTIONS: list[Convention] = [
     Convention(
         "trackmate", "TrackMate 7, spots with contours", (("positionx", "positiony"),), (("ellipsemajor", "ellipseminor"),), "radii",
         (("ellipsetheta",),), unit="radians", marks=(("positionx", "ellipsex0", "ellipsey0", "ellipsemajor", "ellipsetheta"),),
-        harmless=r"ellipseaspectratio|radius|shapeindex|sphericity|contrast\w*", offsets=("ellipsex0", "ellipsey0"), third="positionz", heads=3,
+        harmless="ellipseaspectratio|radius|shapeindex", offsets=("ellipsex0", "ellipsey0"), third="positionz", heads=3,
     ),
     Convention(
         "skimage", "scikit-image 0.19 to 0.26, regionprops_table",
