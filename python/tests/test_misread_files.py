@@ -122,7 +122,11 @@ REFUSED = {
     "x,y,z,a,b,c,qw,qx,qy,qz,AsphericalShape.X,AsphericalShape.Y,AsphericalShape.Z":
         ({}, f"0,0,0,2,1,1,{UP},4,2,2", "the columns a b c could change"),
     # Corners and ends of triangles and lines of LAMMPS, whose radius is that of the sphere around them
-    **{f"x,y,z,radius,{name}": ({}, "0,0,0,1,1", f"the column {name} could change") for name in ("corner1x", "end2y", "elongation")},
+    **{f"x,y,z,radius,{name}": ({}, "0,0,0,1,1", f"the column {name} could change")
+       for name in ("corner1x", "end2y", "elongation", "gamma1", "shear_2", "focus_x")},
+    # Diameters in LAMMPS, semi-axes in LIGGGHTS
+    "x,y,z,shapex,shapey,shapez,q0,q1,q2,q3":
+        ({}, f"0,0,0,4,1,1,{UP}", "shapex shapey shapez may be whole axes or semi-axes: use --lengths"),
     "x,y,z,diameter,elongation,nx,ny,nz": ({}, "0,0,0,1,.5,0,0,1", "diameter may be that of spheres, but there is also nx ny nz"),
     # Clockwise from north in ArcGIS
     "CenterX,CenterY,XStdDist,YStdDist,Rotation":
@@ -227,6 +231,8 @@ PAIRS = {
     "a radius of equal volume": ("x,y,z,volume_equivalent_radius\n0,0,0,.5\n0,1.5,0,.5",
                                  {"shape_columns": ["volume_equivalent_radius"]}, 1.5),
     "a radius beside g and b": ("x,y,z,r,g,b\n0,0,0,.5,9,9\n0,1.5,0,.5,9,9", {"shape_columns": ["r"]}, 1.5),
+    **{f"shapes of {names}": (f"x,y,z,shapex,shapey,shapez,{names}\n0,0,0,{axes},{UP}\n0,1.5,0,{axes},{UP}", {}, 0.375)
+       for names, axes in (("quatw,quati,quatj,quatk", "4,1,1"), ("quat1,quat2,quat3,quat4", "2,.5,.5"))},
     "half lengths": (f"x,y,z,semi_major,semi_intermediate,semi_minor,qw,qx,qy,qz\n0,0,0,2,.5,.5,{UP}\n0,1.5,0,2,.5,.5,{UP}", {}, 0.375),
     "scalar last by number": (f"x,y,z,a,b,c,orientation_0,orientation_1,orientation_2,orientation_3\n0,0,0,2,.5,.5,0,0,{HALF!r},{HALF!r}\n"
                               f"0,1.5,0,2,.5,.5,0,0,{HALF!r},{HALF!r}", {"quaternion": "xyzw"}, 0.375),
@@ -474,6 +480,19 @@ def test_directions_in_turned_boxes(tmp_path):
         assert len(read_text(tmp_path / "a.dump", text.format("9 0 0 0\n0 9 0 0\n"), **options)) == 1
         with pytest.raises(pypw85.FileError, match=r"the box is turned .* but not the angles or directions c_n\[1\] of a compute"):
             read_text(tmp_path / "a.dump", text.format("0 9 0 0\n-9 0 0 0\n"), **options)
+
+
+@pytest.mark.parametrize("other", ["(nm)", "_nm", "(µm)"])
+def test_units_in_latin_1(other, tmp_path):
+    """µm is a unit there, too."""
+    end = "_\xb5m" if other.startswith("_") else " (\xb5m)"
+    names = ",".join(f"{name}{end}" for name in "xyz") + f",radius{other}\n0,0,0,1\n"
+    (tmp_path / "a.csv").write_bytes(names.encode("latin-1"))
+    if "µ" in other:
+        assert read(tmp_path / "a.csv").notes == ()
+        return
+    with pytest.raises(pypw85.FileError, match="have different units: convert them to one"):
+        read(tmp_path / "a.csv")
 
 
 def test_two_boxes_of_lammps(tmp_path):

@@ -108,6 +108,7 @@ _SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thi
                     r"((dilat|inflat|swell|grow|shrink|expan|conv|correct|calib|unit)\w*|[ap]d?)?factor|qexp|confidence(level)?|conflevel|"
                     r"n(std|sig)|super(ness|quad\w*)|squircle\w*|polydispersity|z?anisotropy|(um|nm|mm|microns?)perp\w*|hwhm\w*|hpbw\w*|"
                     r"[bs](maj|min)(ax)?|(err|dc|s)?maj|(err|dc)min|r(perp|par|half|eff|pol)\w*|(rad|r)eq|e[cs]d|d[1-9]0|"
+                    r"gamma[12]|shear[12xyz]?|foc(us|i)\w*|"
                     r"x(dim|len|ext|rad)|(dim|len|ext|rad)x|[xyz](err|unc)|sm[abc]|(box|cell|lattice|domain)[xyzabc]|bboxw|boxw|obb\w|"
                     r"h[wh]|coating|shell")
 _TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bearing|trend|plunge|strike|rake|tilt|inclin|"
@@ -145,7 +146,7 @@ _SEVERAL_UNUSED = ("the columns {0} could change the shapes or how they are turn
 
 # A unit of length behind a name, not in brackets. A compute, a fix or a variable of LAMMPS may be called px.
 UNIT_AT_END = re.compile(r"(?<=[^\W_])(?<![_/ ]per)"
-                         r"(?:[_/ ](mm|[uµμn]m|cm|microns?|voxels?)|(?<!^[cfv])[_/ ](px|pix|pixels?)|/(m))$", re.IGNORECASE)
+                         r"(?:[_/ ](mm|[uµμn\ufffd]m|cm|microns?|voxels?)|(?<!^[cfv])[_/ ](px|pix|pixels?)|/(m))$", re.IGNORECASE)
 
 
 # What stands in brackets, but an index; and words there that are not units
@@ -528,6 +529,9 @@ def _shape(columns: Sequence[str], plain: dict[str, str], options: Options, erro
         found, meaning = given, _ASK if _contradicts(given, lengths) else lengths
     if found and meaning == "diameters" and plain_name(found[0]).startswith("shape") and is_liggghts(plain):
         meaning = "radii"
+    is_of_lammps = lengths == "diameters" or {"quatw", "quati", "quatj", "quatk"} <= plain.keys()
+    if found and plain_name(found[0]) == "shapex" and meaning == "diameters" and not is_of_lammps:
+        meaning = _ASK  # in tables: of LAMMPS or of LIGGGHTS
     stem = plain_name(found[0])[:-3] if found else ""
     if re.fullmatch(r"c\w*shape\w*", stem) and f"{stem}[4]" in plain:
         meaning = _ASK

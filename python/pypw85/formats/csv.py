@@ -55,8 +55,10 @@ _NUMBERED = re.compile(r"#\s*(?:(\d{1,4})\s+([A-Za-z]\w*)|Column\s+(\d{1,4}):\s+
 _THIRD = ("z", "zc", "depth", "elevation", "posz", "positionz", "centerz", "centrez", "centroidz", "cz", "pz", "upward", "altitude",
           "zslice", "zindex", "zstack", "zplane", "zpos", "zposition", "centroid2", "centroid3")
 # Units in brackets behind the name of a column, and those that have several names
-_UNIT = re.compile(r"[(\[]\s*([^\W\d][^)\]]*)[)\]]\s*$")
-_SAME_UNITS = {"µm": "um", "μm": "um", "micron": "um", "microns": "um"} | dict.fromkeys(("pix", "pixel", "pixels", "voxel", "voxels"), "px")
+_UNIT = re.compile(r"[(\[]\s*((?:[^\W\d]|\ufffd)[^)\]]*)[)\]]\s*$")
+# In texts in Latin-1, µ is a character that is not read (�).
+_SAME_UNITS = dict.fromkeys(("µm", "μm", "\ufffdm", "micron", "microns"), "um")
+_SAME_UNITS |= dict.fromkeys(("pix", "pixel", "pixels", "voxel", "voxels"), "px")
 _SEPARATORS = (",", ";", "\t", "|", None)
 # Names as `plain_name` makes them: first what is written, then those of spreadsheets, ParaView and DREAM.3D
 _POSITIONS = [
