@@ -124,6 +124,14 @@ REFUSED = {
     # Corners and ends of triangles and lines of LAMMPS, whose radius is that of the sphere around them
     **{f"x,y,z,radius,{name}": ({}, "0,0,0,1,1", f"the column {name} could change")
        for name in ("corner1x", "end2y", "elongation", "gamma1", "shear_2", "focus_x")},
+    # Two positions, of which one may be the corner of a box
+    "x,y,z,center_x,center_y,center_z,radius":
+        ({}, "0,0,0,5,5,5,1", "the columns x y z and center_x center_y center_z may both be the position: .*--ignore-columns x,y,z."),
+    "x,y,width,height,cx,cy,angle_deg": ({"lengths": "diameters"}, "0,0,4,1,2,.5,0", "the columns x y and cx cy may both be the position"),
+    # Regions of ImageJ, by the corner of the box around each
+    "Name,Type,X,Y,Width,Height,Points": ({"lengths": "diameters"}, "a,Oval,0,0,4,4,9", "X Y beside Width Height may be the corner"),
+    "x,y,w,h": ({"shape_columns": ("w", "h"), "lengths": "radii"}, "0,0,4,4", "x y beside w h may be the corner of a box"),
+    "x,y,z,radius ": ({"ignore_columns": ["x"]}, "0,0,0,1", "there is no column 'x'"),
     # Diameters in LAMMPS, semi-axes in LIGGGHTS
     "x,y,z,shapex,shapey,shapez,q0,q1,q2,q3":
         ({}, f"0,0,0,4,1,1,{UP}", "shapex shapey shapez may be whole axes or semi-axes: use --lengths"),
@@ -233,6 +241,10 @@ PAIRS = {
     "a radius beside g and b": ("x,y,z,r,g,b\n0,0,0,.5,9,9\n0,1.5,0,.5,9,9", {"shape_columns": ["r"]}, 1.5),
     **{f"shapes of {names}": (f"x,y,z,shapex,shapey,shapez,{names}\n0,0,0,{axes},{UP}\n0,1.5,0,{axes},{UP}", {}, 0.375)
        for names, axes in (("quatw,quati,quatj,quatk", "4,1,1"), ("quat1,quat2,quat3,quat4", "2,.5,.5"))},
+    "a box and its centre": ("x,y,z,center_x,center_y,center_z,radius\n9,9,9,0,0,0,.5\n0,0,0,0,1.5,0,.5",
+                             {"ignore_columns": ["x", "y", "z"]}, 1.5),
+    "discs by their sides": ("center_x,center_y,width,height\n0,0,1,1\n0,1.5,1,1", {"lengths": "diameters"}, 1.5),
+    "momenta": ("x,y,z,px,py,pz,radius\n0,0,0,0,0,0,.5\n0,1.5,0,0,0,0,.5", {}, 1.5),
     "half lengths": (f"x,y,z,semi_major,semi_intermediate,semi_minor,qw,qx,qy,qz\n0,0,0,2,.5,.5,{UP}\n0,1.5,0,2,.5,.5,{UP}", {}, 0.375),
     "scalar last by number": (f"x,y,z,a,b,c,orientation_0,orientation_1,orientation_2,orientation_3\n0,0,0,2,.5,.5,0,0,{HALF!r},{HALF!r}\n"
                               f"0,1.5,0,2,.5,.5,0,0,{HALF!r},{HALF!r}", {"quaternion": "xyzw"}, 0.375),

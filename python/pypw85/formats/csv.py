@@ -69,6 +69,10 @@ _POSITIONS = [
                        ("points", "012"), ("centroids", "012"), ("coordinates", "012"), ("position", "012"),
                        *((one, ("[0]", "[1]", "[2]")) for one in ("pos", "position", "center", "centre", "centroid"))]
 ]  # fmt: skip
+# Names that mean the middle of a body, where others may mean the corner of a box around it
+_OF_CENTERS = re.compile(r"(cent|barycent|pos|loc).*|[xyz]c|c[xyz]")
+# The sides of boxes, as `plain_name` makes their names
+_SIDES = (["width", "height"], ["w", "h"])
 # Columns that number pictures, planes or times, of which a table should have one
 _SERIES = re.compile(r"(slice|frame|image|picture|step|timestep|timepoint|time|timestamp|snapshot|iteration|cycle|plane|zplane|layer|scan|"
                      r"file|sample|stack|replica|replicate|realization|realisation|run|trial|specimen|scene)"
@@ -122,17 +126,21 @@ def _header(line: str) -> tuple[str | None, list[str], list[str]]:
     found = [(one, _split(line, one)) for one in _SEPARATORS]
     # Blanks do not separate columns where another character separates three, which a table has at least.
     found = [(one, words) for one, words in found if one is not None or all(len(others) < 3 for _, others in found[:-1])]
-    for count in (3, 2):  # two in tables of ellipses
+    for count in (3, 2):
         for separator, columns in found:
-            plain = {plain_name(name): name for name in reversed(columns)}
-            for names in _POSITIONS:
-                if set(names[:count]) <= plain.keys():
-                    return separator, [plain[name] for name in names[:count]], columns
+            if positions := _positions_in(columns, count):
+                return separator, positions[0], columns
     for separator, columns in found:
         if (convention := recognised(columns, {plain_name(name) for name in columns})) is not None:
             return separator, list(centers_of(convention, columns)), columns
     separator, columns = max(found, key=lambda pair: len(pair[1]))
     return separator, [], columns
+
+
+def _positions_in(columns: list[str], count: int) -> list[list[str]]:
+    """All sets of columns that may hold positions with so many coordinates, two in tables of ellipses."""
+    plain = {plain_name(name): name for name in reversed(columns)}
+    return [[plain[name] for name in names[:count]] for names in _POSITIONS if set(names[:count]) <= plain.keys()]
 
 
 def _split(line: str, separator: str | None) -> list[str]:
@@ -156,6 +164,8 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         if convention is not None:
             positions = list(centers_of(convention, columns))
             _skip_heads(lines, separator, columns, positions, convention)
+        elif positions:
+            positions = _one_position(columns, len(positions), options, lines)
         _check_positions(columns, positions, lines)
         dimensions = _dimensions(keys, lines)
         _check_third(columns, positions, options, lines, convention)
@@ -224,6 +234,17 @@ def _without_empty_end(lines: Lines, separator: str | None, columns: list[str]) 
     row = lines.next("\r\n") or ""
     lines.back(place)
     return columns[:-1] if len(_split(row, separator)) == len(columns) - 1 else columns
+
+
+def _one_position(columns: list[str], count: int, options: Options, lines: Lines) -> list[str]:
+    """The columns of positions that an option does not leave out. Refuses several: one may be a corner of a box around a body."""
+    kept = [name for name in columns if name not in (options.ignore_columns or ())]
+    found = _positions_in(kept, count) or _positions_in(kept, 2)
+    others = [names for names in found if all(_OF_CENTERS.fullmatch(plain_name(name)) for name in names)]
+    if len(found) > 1 and others and found[0] != others[-1]:
+        raise lines.error(f"the columns {' '.join(found[0])} and {' '.join(others[-1])} may both be the position: leave one of both out "
+                          f"(--ignore-columns {for_option(found[0])})")  # fmt: skip
+    return found[0] if found else []
 
 
 def _with_names_of_rows(lines: Lines, separator: str | None, columns: list[str]) -> list[str]:
@@ -430,8 +451,8 @@ def _check_third(columns: list[str], positions: list[str], options: Options, lin
 
 def _check_lengths(columns: list[str], positions: list[str], taken: Taken, says_dimensions: bool, units_row: dict[str, str],
                    lines: Lines) -> None:  # fmt: skip
-    """Refuses a coordinate that is there twice, as in pixels and in a length; three lengths beside two coordinates; and several units of
-    length, where names or a row of units say them."""
+    """Refuses a coordinate that is there twice, as in pixels and in a length; three lengths beside two coordinates; what may be the corner
+    and the sides of a box; and several units of length, where names or a row of units say them."""
     for name in positions:
         same = [one for one in columns if plain_name(one) == plain_name(name)]
         if len(set(same)) > 1:
@@ -439,6 +460,9 @@ def _check_lengths(columns: list[str], positions: list[str], taken: Taken, says_
     if len(positions) == 2 and len(taken.shape) == 3 and not says_dimensions:
         raise lines.error(f"there are two coordinates, {' '.join(positions)}, and three lengths, {' '.join(taken.shape)}: write the "
                           "third coordinate, or say that these are ellipses in a plane (--dimensions 2)")  # fmt: skip
+    if [*map(plain_name, positions)] == ["x", "y"] and [*map(plain_name, taken.shape)] in _SIDES and not taken.turn.kind:
+        raise lines.error(f"{' '.join(positions)} beside {' '.join(taken.shape)} may be the corner of a box, as ImageJ lists regions, and "
+                          "not the centre: write the centres to columns center_x and center_y")  # fmt: skip
     said = [(name, unit) for name in (*positions, *taken.shape, *taken.sphere) if (unit := _unit(name) or units_row.get(name))]
     for name, unit in zip(taken.turn.columns, taken.turn.units):
         if (row := units_row.get(name, "-")).isalpha() and row[:3] != unit[:3]:
