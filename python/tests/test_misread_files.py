@@ -2,6 +2,7 @@
 """Files that could be misread without a word: what could change the bodies and has two meanings is refused, and what is not used said."""
 
 import os
+import re
 import subprocess
 import sys
 
@@ -124,6 +125,9 @@ REFUSED = {
     # Corners and ends of triangles and lines of LAMMPS, whose radius is that of the sphere around them
     **{f"x,y,z,radius,{name}": ({}, "0,0,0,1,1", f"the column {name} could change")
        for name in ("corner1x", "end2y", "elongation", "gamma1", "shear_2", "focus_x")},
+    # A second angle, with its unit
+    **{f"x,y,a,b,angle_deg,{name}": ({}, "0,0,2,1,30,60", f"the column {re.escape(name)} could change")
+       for name in ("PA_deg", "beta_rad", "dip (deg)", "roll [°]")},
     # Two positions, of which one may be the corner of a box
     "x,y,z,center_x,center_y,center_z,radius":
         ({}, "0,0,0,5,5,5,1", "the columns x y z and center_x center_y center_z may both be the position: .*--ignore-columns x,y,z."),

@@ -175,7 +175,12 @@ _QUANTITIES = re.compile(r".*(gyrat\w*|ofcurvature|ratio(?!n)|perimeter|circumfe
 
 def could_change(name: str) -> bool:
     """Returns whether a column of this name could change the shape or the orientation of a body."""
-    return not _matches(_OTHERS, name) and (_matches(_SIZES, name) or _matches(_TURNS, name))
+    return not _matches(_OTHERS, name) and (_matches(_SIZES, name) or _sounds_like_turn(name))
+
+
+def _sounds_like_turn(name: str) -> bool:
+    """With or without a unit at its end."""
+    return _matches(_TURNS, name) or _TURNS.fullmatch(_turns.base(name)[0]) is not None
 
 
 def _matches(pattern: re.Pattern[str], name: str) -> bool:
@@ -425,7 +430,7 @@ def _check_unused(columns: Sequence[str], taken: Taken, known: Sequence[str], op
             continue
         if _turns.is_other_unit(name, taken.turn) or (has_all and not taken.spheroid and _matches(_DERIVED, name)):
             continue
-        is_size, is_turn = _matches(_SIZES, name), _matches(_TURNS, name)
+        is_size, is_turn = _matches(_SIZES, name), _sounds_like_turn(name)
         if (is_size and not says_sizes) or (is_turn and not names_turns):
             found[name] = is_size, is_turn
     if found:
