@@ -125,6 +125,9 @@ REFUSED = {
     # Corners and ends of triangles and lines of LAMMPS, whose radius is that of the sphere around them
     **{f"x,y,z,radius,{name}": ({}, "0,0,0,1,1", f"the column {name} could change")
        for name in ("corner1x", "end2y", "elongation", "gamma1", "shear_2", "focus_x")},
+    # What rounds a body, and other turns beside quaternions
+    **{f"x,y,z,a,b,c,qw,qx,qy,qz,{name}": ({}, f"0,0,0,2,1,1,{UP},7", f"the column {name} could change")
+       for name in ("rounding", "rounding_radius", "rod_x", "polar", "zenith_deg")},
     # A second angle, with its unit
     **{f"x,y,a,b,angle_deg,{name}": ({}, "0,0,2,1,30,60", f"the column {re.escape(name)} could change")
        for name in ("PA_deg", "beta_rad", "dip (deg)", "roll [°]")},
@@ -392,7 +395,7 @@ HARMLESS = ("rotational_energy", "Rotational Kinetic Energy", "rotational_veloci
             "orientational_order", "track_length", "form_factor", "inertia_x", "moment_of_inertia_xx", "moment_inertia[2]",
             "c_orientorder[1]", "c_erotate", "f_inertia[1]", "c_cluster_size", "Cavity Radius", "deformation_gradient[1]", "label", "name",
             "class", "b_to_a", "ellipticity", "Flatness", "Max caliper", "radius_of_gyration",
-            "stress_tensor[1]", "removal", "fabric_tensor_xx")  # fmt: skip
+            "stress_tensor[1]", "removal", "fabric_tensor_xx", "epsilon", "roundness", "polarity")  # fmt: skip
 
 
 @pytest.mark.parametrize("name", HARMLESS)
