@@ -245,7 +245,7 @@ def test_counted():
     (b"SIMPLE  =  T", "files of FITS"), (b"\x89PNG\r\n", "pictures are not read"), (b"II*\0\10\0", "pictures are not read"),
     (b'[{"x": 0}]', "JSON and lists in braces"), (b"{Ellipsoid[{0, 0, 0}]}", "JSON and lists in braces"),
     (b"PK\3\4" + 26 * b"\0" + b"arr_0.npy", "archives of NumPy"),
-    (b"CRYST1   50.000   50.000   50.000  90.00  90.00  90.00 P 1\nATOM      1  N   ALA A   1\n", "files of PDB, CIF and STAR are not read"),
+    (b"CRYST1   50.000   50.000   50.000  90.00  90.00  90.00\nATOM      1  N   ALA A   1\n", "files of PDB, CIF and STAR are not read"),
     (b"# a comment\n\ndata_x\nloop_\n_atom_site_aniso_U_11\n", "files of PDB, CIF and STAR are not read, nor displacement ellipsoids"),
     (b"Number of particles = 3\n", "files of AtomEye"), (b"CDF\1\0", "files of NetCDF are not read"),
 ])  # fmt: skip
