@@ -124,7 +124,8 @@ REFUSED = {
         ({}, f"0,0,0,2,1,1,{UP},4,2,2", "the columns a b c could change"),
     # Corners and ends of triangles and lines of LAMMPS, whose radius is that of the sphere around them
     **{f"x,y,z,radius,{name}": ({}, "0,0,0,1,1", f"the column {name} could change")
-       for name in ("corner1x", "end2y", "elongation", "gamma1", "shear_2", "focus_x")},
+       for name in ("corner1x", "end2y", "elongation", "gamma1", "shear_2", "focus_x", "r_inner", "r_out", "superball_p", "m_exp",
+                    "spherocyl_L", "geom_type", "is_mirrored")},
     # What rounds a body, and other turns beside quaternions
     **{f"x,y,z,a,b,c,qw,qx,qy,qz,{name}": ({}, f"0,0,0,2,1,1,{UP},7", f"the column {name} could change")
        for name in ("rounding", "rounding_radius", "rod_x", "polar", "zenith_deg")},

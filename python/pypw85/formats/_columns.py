@@ -108,13 +108,13 @@ _SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thi
                     r"((dilat|inflat|swell|grow|shrink|expan|conv|correct|calib|unit)\w*|[ap]d?)?factor|qexp|confidence(level)?|conflevel|"
                     r"n(std|sig)|super(ness|quad\w*)|squircle\w*|polydispersity|z?anisotropy|(um|nm|mm|microns?)perp\w*|hwhm\w*|hpbw\w*|"
                     r"[bs](maj|min)(ax)?|(err|dc|s)?maj|(err|dc)min|r(perp|par|half|eff|pol)\w*|(rad|r)eq|e[cs]d|d[1-9]0|"
-                    r"gamma[12]|shear[12xyz]?|foc(us|i)\w*|"
+                    r"gamma[12]|shear[12xyz]?|foc(us|i)\w*|r(inner|outer|in|out|core|shell)|superball\w*|[mnpq]exp|sphero\w*|geom(etry)?type|"
                     r"x(dim|len|ext|rad)|(dim|len|ext|rad)x|[xyz](err|unc)|sm[abc]|(box|cell|lattice|domain)[xyzabc]|bboxw|boxw|obb\w|"
                     r"h[wh]|coating|shell")
 _TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bearing|trend|plunge|strike|rake|tilt|inclin|"
                     r"(?<!mis)orient|rotat|quat|phi|theta|psi(?!lon)|direct|(?<!ab)normal|posang|rodrig|sequence).*|alpha|beta|gamma|"
                     r"dip|dipdir\w*|polar|zenith|colatitude|rod[xyz0-3]|rot|rot\w|rotvec\w*|rot.?\[\d\]|roll|pa|"
-                    r"mirror(ed)?|flip(ped)?|handedness|lefthanded|e(ig)?vec\w*|pca?[1-3]\w|v[1-3][xyz]|(rot)?mat\d+|dcm\d+|r\[\d\]|"
+                    r"(is)?(mirror(ed)?|flip(ped)?)|handedness|lefthanded|e(ig)?vec\w*|pca?[1-3]\w|v[1-3][xyz]|(rot)?mat\d+|dcm\d+|r\[\d\]|"
                     r"rw|q(uat)?[wxyzijk0-4rs]?|qv\w*|[unde][xyz0-3]|dir[xyz]|ori[xyz]|e[1-3][xyz]|axis\w*")  # fmt: skip
 # Names of whole lengths, and of half ones
 _SOUND_WHOLE = re.compile(r".*(diam|length|width|height|thick|breadth|feret|calliper|caliper|size).*|"
