@@ -478,7 +478,7 @@ def check_formats(results):
 
 TEST = "$test_packages"
 MEASURING = ("python3-skimage python3-opencv python3-sep python3-photutils source-extractor python3-regions octave-matgeom octave-image "
-             "imagej xvfb xauth nodejs")
+             "imagej xvfb xauth nodejs gnuastro")
 LAMMPS = "lammps liblammps-dev libfmt-dev python3-lammps openmpi-bin libopenmpi-dev"
 PAGES = ("doxygen python3-breathe furo python3-sphinx-inline-tabs python3-sphinx-copybutton python3-myst-parser libjs-katex nodejs "
          "hunspell hunspell-en-gb chromium $wasm_packages")

@@ -115,9 +115,10 @@ def _check_image(labels: NDArray[Any]) -> None:
         raise ValueError("from_labels: the image is a mask, without labels: label its parts first (scipy.ndimage.label)")
     if labels.dtype.kind not in "iu":
         raise ValueError(f"from_labels: labels must be integers, not {labels.dtype}: convert them (image.astype(int))")
-    if labels.ndim == 3 and labels.dtype == np.uint8 and labels.shape[2] in _CHANNELS and min(labels.shape[:2]) > max(_CHANNELS):
+    channels = [size for size in labels.shape[::-2] if size in _CHANNELS]  # behind the pixels, or before them
+    if labels.ndim == 3 and labels.dtype == np.uint8 and channels and sorted(labels.shape)[1] > max(_CHANNELS):
         raise ValueError(f"from_labels: the shape {labels.shape} of bytes is that of a colour picture: label its grains first, or "
-                         f"convert it if these are labels in {labels.shape[2]} planes (image.astype(int))")  # fmt: skip
+                         f"convert it if these are labels in {channels[0]} planes (image.astype(int))")  # fmt: skip
 
 
 def _blocks(image: NDArray[Any]) -> Iterator[tuple[NDArray[np.int64], list[NDArray[np.intp]]]]:

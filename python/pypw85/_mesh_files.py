@@ -133,6 +133,9 @@ def _plain_obj(file: io.TextIOWrapper) -> Iterator[str]:
             vertices += 1
             if len(words) < 4 or not all(map(_COORDINATE.fullmatch, words[1:4])):
                 raise ValueError(f"line {number}: a vertex must have three numbers with decimal points, not '{' '.join(words[1:])[:80]}'")
+            if len(words) == 5 and _COORDINATE.fullmatch(words[4]) and float(words[4]) != 1:
+                raise ValueError(f"line {number}: a vertex has the weight {words[4][:40]} behind its coordinates, which is not read: "
+                                 "divide them by it if it is a homogeneous coordinate, and remove it")  # fmt: skip
             yield f"v {' '.join(words[1:4])}\n"
         elif words[:1] in (["f"], ["fo"]):
             yield f"f {' '.join(map(str, _face(words[1:], vertices, number)))}\n"

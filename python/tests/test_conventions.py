@@ -27,7 +27,7 @@ U = 2.0**-53
 # Tables, the options that they need, and how many pixels their semi-axes may be off: the picture has none, outlines one half on each side
 TABLES = {
     "imagej.csv": ({}, 0.5), "skimage.csv": ({}, 0.5), "sep.csv": ({}, 0.5), "photutils.csv": ({}, 0.5), "sextractor.cat": ({}, 0.5),
-    "octave.csv": ({}, 0.5),
+    "gnuastro.txt": ({}, 0.5), "octave.csv": ({}, 0.5),
     "opencv.csv": ({"convention": "opencv"}, 1.0), "ds9.reg": ({}, 1e-6), "cellprofiler.csv": ({"convention": "cellprofiler"}, 1e-9),
 }  # fmt: skip
 
@@ -245,6 +245,8 @@ def test_counted():
     (b"SIMPLE  =  T", "files of FITS"), (b"\x89PNG\r\n", "pictures are not read"), (b"II*\0\10\0", "pictures are not read"),
     (b'[{"x": 0}]', "JSON and lists in braces"), (b"{Ellipsoid[{0, 0, 0}]}", "JSON and lists in braces"),
     (b"PK\3\4" + 26 * b"\0" + b"arr_0.npy", "archives of NumPy"),
+    (b"CRYST1   50.000   50.000   50.000  90.00  90.00  90.00\nATOM      1  N   ALA A   1\n", "files of PDB, CIF and STAR are not read"),
+    (b"# a comment\n\ndata_x\nloop_\n_atom_site_aniso_U_11\n", "files of PDB, CIF and STAR are not read, nor displacement ellipsoids"),
     (b"Number of particles = 3\n", "files of AtomEye"), (b"CDF\1\0", "files of NetCDF are not read"),
 ])  # fmt: skip
 def test_other_files(start, reason, tmp_path):

@@ -182,7 +182,8 @@ BAD_IMAGES = [
     (np.ones((4, 4), bool), "is a mask"), (np.array([["a"]]), "labels must be integers"), (np.array([1, 2]), r"shape \(2,\)"),
     (np.full((3, 3), 2**63, dtype=np.uint64), "must be from 0 to 2⁵³, not 9223372036854775808"),
     (np.eye(4, dtype=np.uint8) * 255, "only label is 255, so the image is a mask"),
-    (np.ones((8, 9, 3), np.uint8), r"shape \(8, 9, 3\) of bytes is that of a colour picture"),
+    (np.ones((8, 9, 3), np.uint8), r"shape \(8, 9, 3\) of bytes is that of a colour picture: .* labels in 3 planes"),
+    (np.ones((4, 8, 9), np.uint8), r"shape \(4, 8, 9\) of bytes is that of a colour picture: .* labels in 4 planes"),
 ]  # fmt: skip
 
 

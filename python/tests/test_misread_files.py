@@ -2,6 +2,7 @@
 """Files that could be misread without a word: what could change the bodies and has two meanings is refused, and what is not used said."""
 
 import os
+import re
 import subprocess
 import sys
 
@@ -121,6 +122,35 @@ REFUSED = {
        for option, columns in (("shape_columns", ["x"]), ("angle_columns", ["y"]))},
     "x,y,z,a,b,c,qw,qx,qy,qz,AsphericalShape.X,AsphericalShape.Y,AsphericalShape.Z":
         ({}, f"0,0,0,2,1,1,{UP},4,2,2", "the columns a b c could change"),
+    # Corners and ends of triangles and lines of LAMMPS, whose radius is that of the sphere around them
+    **{f"x,y,z,radius,{name}": ({}, "0,0,0,1,1", f"the column {name} could change")
+       for name in ("corner1x", "end2y", "elongation", "gamma1", "shear_2", "focus_x", "r_inner", "r_out", "superball_p", "m_exp",
+                    "spherocyl_L", "geom_type", "is_mirrored")},
+    # What rounds a body, and other turns beside quaternions
+    **{f"x,y,z,a,b,c,qw,qx,qy,qz,{name}": ({}, f"0,0,0,2,1,1,{UP},7", f"the column {name} could change")
+       for name in ("rounding", "rounding_radius", "rod_x", "polar", "zenith_deg")},
+    # A second angle, with its unit
+    **{f"x,y,a,b,angle_deg,{name}": ({}, "0,0,2,1,30,60", f"the column {re.escape(name)} could change")
+       for name in ("PA_deg", "beta_rad", "dip (deg)", "roll [°]")},
+    # Two positions, of which one may be the corner of a box
+    "x,y,z,center_x,center_y,center_z,radius":
+        ({}, "0,0,0,5,5,5,1", "the columns x y z and center_x center_y center_z may both be the position: .*--ignore-columns x,y,z."),
+    "x,y,width,height,cx,cy,angle_deg": ({"lengths": "diameters"}, "0,0,4,1,2,.5,0", "the columns x y and cx cy may both be the position"),
+    # Regions of ImageJ, by the corner of the box around each
+    "Name,Type,X,Y,Width,Height,Points": ({"lengths": "diameters"}, "a,Oval,0,0,4,4,9", "X Y beside Width Height may be the corner"),
+    "x,y,w,h": ({"shape_columns": ("w", "h"), "lengths": "radii"}, "0,0,4,4", "x y beside w h may be the corner of a box"),
+    "x,y,z,radius ": ({"ignore_columns": ["x"]}, "0,0,0,1", "there is no column 'x'"),
+    # Diameters in LAMMPS, semi-axes in LIGGGHTS
+    "x,y,z,shapex,shapey,shapez,q0,q1,q2,q3":
+        ({}, f"0,0,0,4,1,1,{UP}", "shapex shapey shapez may be whole axes or semi-axes: use --lengths"),
+    "x,y,z,diameter,elongation,nx,ny,nz": ({}, "0,0,0,1,.5,0,0,1", "diameter may be that of spheres, but there is also nx ny nz"),
+    # Clockwise from north in ArcGIS
+    "CenterX,CenterY,XStdDist,YStdDist,Rotation":
+        ({"shape_columns": ("XStdDist", "YStdDist"), "lengths": "radii", "angle": "degrees"}, "0,0,4,1,60",
+         "Rotation may be counted from the axis x or from y"),
+    "x,y,a,b,direction": ({"angle_columns": ["direction"], "angle": "degrees"}, "0,0,2,1,30", "direction may be counted from the axis x"),
+    "x,y,semi_major,semi_minor,position_angle":
+        ({}, "0,0,4,1,30", "may be those of gnuastro, and other programs mean other lengths .*--convention gnuastro"),
     "x,y,semi_major,semi_minor,orientation":
         ({}, "0,0,4,1,1", "--angle-zero x or --angle-zero y .with --angle-sense yx if it grows the other way than from x towards y."),
 }  # fmt: skip
@@ -159,6 +189,12 @@ TABLES = {
     **{f"# {comment}\nx,y,z,radius\n0,0,0,1": "could say the cell" for comment in
        ("Lx Ly Lz = 9 9 9", "L = 9", "domain size: 9 9 9", "bounds: 0 9 0 9 0 9", "xlo xhi 0 9", "extent 9 9 9")},
     "# step 1\n# step 2\nx,y,z,radius\n0,0,0,1": "line 2: the comment '# step' is there twice",
+    # Crystal orientations of EDAX are not angles of ellipses.
+    "# COLUMN_HEADERS: phi1, PHI, phi2, x, y, a, b\n# GRID: SqrGrid\n 1 1 1 0 0 2 1": "the columns phi1 PHI phi2 could change",
+    "x,y,z,radius\n1,0,0,0,1": "line 2: 5 columns instead of 4",
+    # Rows of numbers without names, and grain files of OIM: 'Column 7: Diameter' in a comment is no name
+    "# Column 1: Integer identifying grain\n# Column 2-3: Position (x, y)\n# Column 4: Diameter of grain\n1 0 0 2":
+        "there is no line with the names",
     # Units of ECSV in any order, and comments that are rows of units
     "# - {name: x, unit: pix, datatype: float64}\n# - {name: radius, datatype: float64, unit: um}\nx,y,z,radius\n0,0,0,1":
         "the columns x.pix. and radius.um. have different units",
@@ -211,6 +247,12 @@ PAIRS = {
     "a radius of equal volume": ("x,y,z,volume_equivalent_radius\n0,0,0,.5\n0,1.5,0,.5",
                                  {"shape_columns": ["volume_equivalent_radius"]}, 1.5),
     "a radius beside g and b": ("x,y,z,r,g,b\n0,0,0,.5,9,9\n0,1.5,0,.5,9,9", {"shape_columns": ["r"]}, 1.5),
+    **{f"shapes of {names}": (f"x,y,z,shapex,shapey,shapez,{names}\n0,0,0,{axes},{UP}\n0,1.5,0,{axes},{UP}", {}, 0.375)
+       for names, axes in (("quatw,quati,quatj,quatk", "4,1,1"), ("quat1,quat2,quat3,quat4", "2,.5,.5"))},
+    "a box and its centre": ("x,y,z,center_x,center_y,center_z,radius\n9,9,9,0,0,0,.5\n0,0,0,0,1.5,0,.5",
+                             {"ignore_columns": ["x", "y", "z"]}, 1.5),
+    "discs by their sides": ("center_x,center_y,width,height\n0,0,1,1\n0,1.5,1,1", {"lengths": "diameters"}, 1.5),
+    "momenta": ("x,y,z,px,py,pz,radius\n0,0,0,0,0,0,.5\n0,1.5,0,0,0,0,.5", {}, 1.5),
     "half lengths": (f"x,y,z,semi_major,semi_intermediate,semi_minor,qw,qx,qy,qz\n0,0,0,2,.5,.5,{UP}\n0,1.5,0,2,.5,.5,{UP}", {}, 0.375),
     "scalar last by number": (f"x,y,z,a,b,c,orientation_0,orientation_1,orientation_2,orientation_3\n0,0,0,2,.5,.5,0,0,{HALF!r},{HALF!r}\n"
                               f"0,1.5,0,2,.5,.5,0,0,{HALF!r},{HALF!r}", {"quaternion": "xyzw"}, 0.375),
@@ -229,6 +271,20 @@ PAIRS = {
                 {"lengths": "diameters", "euler": "y", "shape_columns": ["length", "height", "width"]}, 0.75),
     "plugin": ("Label,Ellipsoid.Center.X,Ellipsoid.Center.Y,Ellipsoid.Center.Z,Ellipsoid.Radius1,Ellipsoid.Radius2,Ellipsoid.Radius3,"
                "Ellipsoid.Phi,Ellipsoid.Theta,Ellipsoid.Psi\n1,5,5,5,2,0.5,0.5,90,0,0\n2,5,6.5,5,2,0.5,0.5,90,0,0", {}, 0.375),
+    # Names in a comment with another separator than that of the rows, as NumPy and programs for neurons (SWC) write them
+    **{f"comment {names}": (f"{names}\n{rows}", {}, 1.5) for names, rows in (
+        ("# x, y, z, radius", "0 0 0 .5\n0 1.5 0 .5"), ("#x\ty\tz\tradius", "0,0,0,.5\n0,1.5,0,.5"),
+        ("#name\n##n,type,x,y,z,radius,parent", "1 1 0 0 0 .5 -1\n2 3 0 1.5 0 .5 1"),
+        ("# name x y z r", "A 0 0 0 .5\nB 0 1.5 0 .5"))},
+    "R": ('"x" "y" "z" "radius"\n"1" 0 0 0 .5\n"2" 0 1.5 0 .5', {}, 1.5),
+    "TrackMate": ("LABEL,ID,POSITION_X,POSITION_Y,POSITION_Z,FRAME,RADIUS,ELLIPSE_X0,ELLIPSE_Y0,ELLIPSE_MAJOR,ELLIPSE_MINOR,"
+                  "ELLIPSE_THETA,ELLIPSE_ASPECTRATIO,SHAPE_INDEX\nLabel,Spot ID,X,Y,Z,Frame,Radius,Ellipse center x0,Ellipse center y0,"
+                  "Ellipse long axis,Ellipse short axis,Ellipse angle,Ellipse aspect ratio,Shape index\nLabel,Spot ID,X,Y,Z,Frame,R,El. x0,"
+                  "El. y0,El. long axis,El. sh. axis,El. angle,El. a.r.,SI\n,,(micron),(micron),(micron),,(micron),(micron),(micron),"
+                  "(micron),(micron),(radians),,\nID1,1,5,5,0,0,1,0,-.5,2,.5,1.5707963267948966,4,4\n"
+                  "ID2,2,5,7,0,0,1,0,-1,2,.5,-1.5707963267948966,4,4", {}, 0.375),
+    "Gnuastro": ("X,Y,SEMI_MAJOR,SEMI_MINOR,POSITION_ANGLE,HALF_MAX_RADIUS\n5,5,1,.25,90,1\n5,6.5,1,.25,90,1", {}, 0.375),
+    "Gnuastro without values": ("GEO_X,GEO_Y,GEO_SEMI_MAJOR,GEO_SEMI_MINOR,GEO_POSITION_ANGLE\n5,5,1,.25,90\n5,6.5,1,.25,90", {}, 0.375),
     "all of ImageJ": (" ,Area,Mean,Min,Max,X,Y,Major,Minor,Angle\n1,3,9,1,9,5,5,4,1,90\n2,3,9,1,9,5,6.5,4,1,90", {}, 0.375),
     "degrees in brackets": ("label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation (deg)\n1,5,5,4,1,0\n"
                             "2,6.5,5,4,1,180", {}, 0.375),
@@ -280,6 +336,18 @@ def test_several_planes(tmp_path):
     assert len(read(tmp_path / "a.csv", convention="cellprofiler", ignore_columns=["AreaShape_Center_Z"])) == 2
 
 
+def test_trackmate(tmp_path):
+    """Spots of several planes or frames; a centre that is not a number is no line of units."""
+    names = "POSITION_X,POSITION_Y,POSITION_Z,FRAME,ELLIPSE_X0,ELLIPSE_Y0,ELLIPSE_MAJOR,ELLIPSE_MINOR,ELLIPSE_THETA\n"
+    for column, rows in (("POSITION_Z", "5,5,0,0,0,0,2,1,0\n5,9,1,0,0,0,2,1,0\n"), ("FRAME", "5,5,0,0,0,0,2,1,0\n5,9,0,1,0,0,2,1,0\n")):
+        with pytest.raises(pypw85.FileError, match=f"line 3: the column {column} has several values, 0 and 1"):
+            read_text(tmp_path / "a.csv", names + rows)
+    with pytest.raises(pypw85.FileError, match="line 2: particle 1 has a position that is not finite"):
+        read_text(tmp_path / "a.csv", names + "nan,nan,0,0,0,0,2,1,0\n5,9,0,0,0,0,2,1,0\n")
+    source = read_text(tmp_path / "a.csv", names + "5,5,0,0,.5,-.5,2,1,0\n").source
+    assert "centres moved by ELLIPSE_X0 ELLIPSE_Y0" in source
+
+
 @pytest.mark.parametrize("separator", [",", ";"])
 def test_ids_that_are_words(separator, tmp_path):
     rows = "id,x,y,z,radius\nP-1,0,0,0,1\nP-2,0,9,0,1\n"
@@ -328,7 +396,7 @@ HARMLESS = ("rotational_energy", "Rotational Kinetic Energy", "rotational_veloci
             "orientational_order", "track_length", "form_factor", "inertia_x", "moment_of_inertia_xx", "moment_inertia[2]",
             "c_orientorder[1]", "c_erotate", "f_inertia[1]", "c_cluster_size", "Cavity Radius", "deformation_gradient[1]", "label", "name",
             "class", "b_to_a", "ellipticity", "Flatness", "Max caliper", "radius_of_gyration",
-            "stress_tensor[1]", "removal", "fabric_tensor_xx")  # fmt: skip
+            "stress_tensor[1]", "removal", "fabric_tensor_xx", "epsilon", "roundness", "polarity")  # fmt: skip
 
 
 @pytest.mark.parametrize("name", HARMLESS)
@@ -434,6 +502,19 @@ def test_directions_in_turned_boxes(tmp_path):
             read_text(tmp_path / "a.dump", text.format("0 9 0 0\n-9 0 0 0\n"), **options)
 
 
+@pytest.mark.parametrize("other", ["(nm)", "_nm", "(µm)"])
+def test_units_in_latin_1(other, tmp_path):
+    """µm is a unit there, too."""
+    end = "_\xb5m" if other.startswith("_") else " (\xb5m)"
+    names = ",".join(f"{name}{end}" for name in "xyz") + f",radius{other}\n0,0,0,1\n"
+    (tmp_path / "a.csv").write_bytes(names.encode("latin-1"))
+    if "µ" in other:
+        assert read(tmp_path / "a.csv").notes == ()
+        return
+    with pytest.raises(pypw85.FileError, match="have different units: convert them to one"):
+        read(tmp_path / "a.csv")
+
+
 def test_two_boxes_of_lammps(tmp_path):
     bounds = "-9 9 xlo xhi\n-9 9 ylo yhi\n-9 9 zlo zhi\n"
     text = "of a test\n\n1 atoms\n1 ellipsoids\n{}\nAtoms\n\n1 1 1 1 0 0 0\n\nEllipsoids\n\n1 1 1 1 1 0 0 0\n"
@@ -500,6 +581,7 @@ COMMENTS = {
     "# Box: 9 9 9": "the comment '# Box: 9 9 9' could say the cell",
     'Lattice="9 9 9" Properties=species:S:1:pos:R:3': "Lattice must be 9 numbers, not '9 9 9'",
     'pbc=[T, T, T] Properties=species:S:1:pos:R:3': "pbc must be three of T and F",
+    **{text: f"the comment '{text[:60]}' could say the cell" for text in ("9 9 9", "9.0, 9.0, 9.0", "9 9 9 0 0 0", "9 0 0 0 9 0 0 0 9")},
 }
 
 
@@ -509,11 +591,21 @@ def test_second_lines_of_xyz(comment, tmp_path):
         read_text(tmp_path / "a.xyz", f"1\n{comment}\nA 0 0 0\n", shape=(1, 1, 1))
 
 
-@pytest.mark.parametrize("comment", ["a cell of 9 molecules", "Step 3 in the box", "", "cells"])
+@pytest.mark.parametrize("comment", ["a cell of 9 molecules", "Step 3 in the box", "", "cells", "100.5", "1 2", "1 2 3 4"])
 def test_comments_of_xyz(comment, tmp_path):
     assert len(read_text(tmp_path / "a.xyz", f"1\n{comment}\nA 0 0 0\n", shape=(1, 1, 1))) == 1
     (tmp_path / "a.xyz").write_text("1\ncell 9 9 9\nA 0 0 0\n")
     assert read(tmp_path / "a.xyz", shape=(1, 1, 1), cell=9 * np.eye(3)).cell.tolist() == (9 * np.eye(3)).tolist()
+
+
+@pytest.mark.parametrize("row", [".5 0 0 1", "-2 0 0 1", "1.5 0 0 1 0 0", "2e-1 0 0 1 0 0 0"])
+def test_rows_of_numbers_alone(row, tmp_path):
+    """Without names before the positions, each number would be taken as the coordinate before it."""
+    name = row.split()[0]
+    with pytest.raises(pypw85.FileError, match=f"line 4: the first column must be a name or the number of a type, not {name}: "):
+        read_text(tmp_path / "a.xyz", f"2\n10.0\n{' '.join(['1'] * len(row.split()))}\n{row}\n", shape=(1, 1, 1))
+    words = " ".join(["1"] + row.split()[1:])
+    assert len(read_text(tmp_path / "a.xyz", f"1\n\n{words}\n", shape=(1, 1, 1))) == 1
 
 
 def test_shapes_that_an_option_names(tmp_path):
@@ -697,6 +789,11 @@ def test_semicolons_in_texts_of_regions(tmp_path):
     np.testing.assert_array_equal(read_text(tmp_path / "a.reg", text).centers[:, 0], [10, 1, 30])
 
 
+def test_composite_regions(tmp_path):
+    text = "# composite(10,20,30) || composite=1\nellipse(10,20,4,2,30) ||\nellipse(10,30,4,2,30) || # color=red\n"
+    np.testing.assert_array_equal(read_text(tmp_path / "a.reg", f"# Region file format: DS9\nimage\n{text}").centers[:, 1], [20, 30])
+
+
 def test_included_regions(tmp_path):
     (tmp_path / "a.reg").write_text("# Region file format: DS9 version 4.1\nimage\n+ellipse(1,2,4,1,0)\nellipse(1,6,4,1,0)\n")
     assert read(tmp_path / "a.reg").semi_axes[:, :2].tolist() == [[4, 1], [4, 1]]
@@ -776,6 +873,18 @@ def test_byte_order_mark_of_obj(tmp_path):
     assert mesh.vertices.tolist() == [[0, 0, 0], [2, 0, 0], [2, 1, 0], [0, 1, 0]] and mesh.triangles.tolist() == [[0, 1, 2], [0, 2, 3]]
     (tmp_path / "a.obj").write_text("v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\ncall b.obj\n")
     with pytest.raises(ValueError, match=r"a\.obj: line 5: the file includes another one"):
+        pypw85.Mesh.read(tmp_path / "a.obj")
+
+
+def test_weights_of_obj(tmp_path):
+    """A fourth number is a weight; three more are a colour."""
+    pytest.importorskip("meshio")
+    corners = "v 0 0 0 {0}\nv 2 0 0 {0}\nv 2 1 0 {0}\nf 1 2 3\n"
+    for others in ("1", "1.0", "0.5 0.5 0.5", "2 0.5 0.5 1"):
+        (tmp_path / "a.obj").write_text(corners.format(others))
+        assert pypw85.Mesh.read(tmp_path / "a.obj").vertices.max() == 2
+    (tmp_path / "a.obj").write_text(corners.format("2"))
+    with pytest.raises(ValueError, match=r"a\.obj: line 1: a vertex has the weight 2 behind its coordinates, which is not read: divide"):
         pypw85.Mesh.read(tmp_path / "a.obj")
 
 

@@ -112,6 +112,8 @@ _OTHERS = [
     (rb".{8}DUMP(?:CUSTOM|ATOM)|LammpS RestartT", "it is a binary file of LAMMPS: write a dump or a data file as text"),
     (rb"Number of particles *=", "files of AtomEye (.cfg) are not read: write a dump of LAMMPS or extended XYZ"),
     (rb"CDF[\x01\x02\x05]", "files of NetCDF are not read: write a dump of LAMMPS, GSD or extended XYZ"),
+    (rb"(?:HEADER|CRYST1|REMARK|MODEL |ATOM  |HETATM)[ \d].*\n|(?:#[^\n]*\n|\s)*data_", "files of PDB, CIF and STAR are not read, nor "
+     "displacement ellipsoids in them: write a table of centres, semi-axes and quaternions"),
     (rb"SIMPLE  =", "files of FITS are not read: save the table as text"),
     (rb"\x89PNG|II\*\0|MM\0\*", "pictures are not read: write their labels with numpy.save (.npy)"),
     (rb"PK\x03\x04.{26}[^/]{1,80}\.npy", "archives of NumPy (.npz) are not read: write one array with numpy.save (.npy)"),

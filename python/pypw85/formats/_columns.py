@@ -91,7 +91,8 @@ _SPHEROIDS: list[tuple[Names, Names, tuple[float, float]]] = [
     (("radius", "r"), ("halflength", "semilength"), (1.0, 1.0)),
     (("b", "semiminor", "semiminoraxis"), ("a", "semimajor", "semimajoraxis"), (1.0, 1.0)),
 ]
-_RATIOS = ("aspectratio", "aspect", "elongation", "ar")
+# Elongation is the same in some programs, and the middle axis over the longest one in others.
+_RATIOS = ("aspectratio", "aspect", "ar")
 # Names of what can change the size or the shape of a body, or its turn. What is not used of these is refused.
 _SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thick|axis|axes|shape|aspect|ratio(?!n)|elong|major|minor|"
                     r"block|expon|round|superquad|squareness|scale|scaling|stretch|sigma|size|eccentr|flatten|flatness|oblate|prolate|"
@@ -99,7 +100,7 @@ _SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thi
                     r"(?<!in)form|matrix|covar|inertia|eigen|lambda|principal|ellip|spheroid).*|(shape)?anisotropy|kappa|ar|ecc|flat|"
                     r"oval(ity|ness)?|dpi|ba|ca|cb|[abc](to|over)[abc]|tensor[\w\[\]]*|(cov|rg)(xx|yy|zz|xy|xz|yz)|"
                     r"(dims?|extents?|span|std|stdev|stddev|sd|var|variance|precision|rms|voxel|pixel)[xyz0-3]|"
-                    r"eps(ilon)?[12]|geom|geometry|primitive|kind|[xyz](2|end)|(end|tip|tail)[xyz]|[abcdhlrsw]|"
+                    r"eps(ilon)?[12]|geom|geometry|primitive|kind|[xyz](2|end)|(corner|end|tip|tail)\d?[xyz]|[abcdhlrsw]|"
                     r"[abdhrsl][xyz0-3]|[fv]?[rd](max|mid|int|min)|rad|len|dia|(?!chi)[a-z]?(xx|yy|zz|xy|xz|yz)|"
                     r"(?![cfv]\d)[a-z]{1,2}(0[0-2]|[123][0-3])|[ub](iso|eq|equiv|aniso)|"
                     r"units?|spacing|resolution|magnification|calibration|pixel|voxel|"
@@ -107,12 +108,13 @@ _SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thi
                     r"((dilat|inflat|swell|grow|shrink|expan|conv|correct|calib|unit)\w*|[ap]d?)?factor|qexp|confidence(level)?|conflevel|"
                     r"n(std|sig)|super(ness|quad\w*)|squircle\w*|polydispersity|z?anisotropy|(um|nm|mm|microns?)perp\w*|hwhm\w*|hpbw\w*|"
                     r"[bs](maj|min)(ax)?|(err|dc|s)?maj|(err|dc)min|r(perp|par|half|eff|pol)\w*|(rad|r)eq|e[cs]d|d[1-9]0|"
+                    r"gamma[12]|shear[12xyz]?|foc(us|i)\w*|r(inner|outer|in|out|core|shell)|superball\w*|[mnpq]exp|sphero\w*|geom(etry)?type|"
                     r"x(dim|len|ext|rad)|(dim|len|ext|rad)x|[xyz](err|unc)|sm[abc]|(box|cell|lattice|domain)[xyzabc]|bboxw|boxw|obb\w|"
                     r"h[wh]|coating|shell")
 _TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bearing|trend|plunge|strike|rake|tilt|inclin|"
-                    r"(?<!mis)orient|rotat|quat|phi|theta|psi|direct|(?<!ab)normal|posang|rodrig|sequence).*|alpha|beta|gamma|"
-                    r"dip|dipdir\w*|rot|rot\w|rotvec\w*|rot.?\[\d\]|roll|pa|"
-                    r"mirror(ed)?|flip(ped)?|handedness|lefthanded|e(ig)?vec\w*|pca?[1-3]\w|v[1-3][xyz]|(rot)?mat\d+|dcm\d+|r\[\d\]|"
+                    r"(?<!mis)orient|rotat|quat|phi|theta|psi(?!lon)|direct|(?<!ab)normal|posang|rodrig|sequence).*|alpha|beta|gamma|"
+                    r"dip|dipdir\w*|polar|zenith|colatitude|rod[xyz0-3]|rot|rot\w|rotvec\w*|rot.?\[\d\]|roll|pa|"
+                    r"(is)?(mirror(ed)?|flip(ped)?)|handedness|lefthanded|e(ig)?vec\w*|pca?[1-3]\w|v[1-3][xyz]|(rot)?mat\d+|dcm\d+|r\[\d\]|"
                     r"rw|q(uat)?[wxyzijk0-4rs]?|qv\w*|[unde][xyz0-3]|dir[xyz]|ori[xyz]|e[1-3][xyz]|axis\w*")  # fmt: skip
 # Names of whole lengths, and of half ones
 _SOUND_WHOLE = re.compile(r".*(diam|length|width|height|thick|breadth|feret|calliper|caliper|size).*|"
@@ -131,7 +133,7 @@ _OTHERS = re.compile(r"(bond|cluster|group|sample|batch|step|wave|track)\w*(leng
                      r"orient(ational)?order(parameter)?(\[\d+\])?|psi[468]|erotate\w*|cavityradius|poisson('?s)?ratio|"
                      r"(phi|theta|psi|alpha|beta|gamma|angle|yaw|pitch|roll)(d?dot|rate|velocity)|deformationgradient.*")  # fmt: skip
 # Measures of bodies whose lengths are all there
-_DERIVED = re.compile(r".*(aspect|ratio|elong|eccentr|ellipticity|flatten|flatness|oblate|prolate|round(?!ness\W?\d)|circular|"
+_DERIVED = re.compile(r".*(aspect|ratio|elong|eccentr|ellipticity|flatten|flatness|oblate|prolate|round(?!ness\W?\d|ing)|circular|"
                       r"(?<!a)spheric|"
                       r"cylindric|triaxial|slender|feret|caliper|calliper|gyrat|equivalent|bounding|bbox|inscr).*|"
                       r"ecc|oval(ity|ness)?|ba|ca|cb|[abc](to|over)[abc]|perim\w*|(shape)?anisotropy|ar|(form|shape)factor|"
@@ -144,7 +146,7 @@ _SEVERAL_UNUSED = ("the columns {0} could change the shapes or how they are turn
 
 # A unit of length behind a name, not in brackets. A compute, a fix or a variable of LAMMPS may be called px.
 UNIT_AT_END = re.compile(r"(?<=[^\W_])(?<![_/ ]per)"
-                         r"(?:[_/ ](mm|[uµμn]m|cm|microns?|voxels?)|(?<!^[cfv])[_/ ](px|pix|pixels?)|/(m))$", re.IGNORECASE)
+                         r"(?:[_/ ](mm|[uµμn\ufffd]m|cm|microns?|voxels?)|(?<!^[cfv])[_/ ](px|pix|pixels?)|/(m))$", re.IGNORECASE)
 
 
 # What stands in brackets, but an index; and words there that are not units
@@ -173,7 +175,12 @@ _QUANTITIES = re.compile(r".*(gyrat\w*|ofcurvature|ratio(?!n)|perimeter|circumfe
 
 def could_change(name: str) -> bool:
     """Returns whether a column of this name could change the shape or the orientation of a body."""
-    return not _matches(_OTHERS, name) and (_matches(_SIZES, name) or _matches(_TURNS, name))
+    return not _matches(_OTHERS, name) and (_matches(_SIZES, name) or _sounds_like_turn(name))
+
+
+def _sounds_like_turn(name: str) -> bool:
+    """With or without a unit at its end."""
+    return _matches(_TURNS, name) or _TURNS.fullmatch(_turns.base(name)[0]) is not None
 
 
 def _matches(pattern: re.Pattern[str], name: str) -> bool:
@@ -328,11 +335,19 @@ def centers_of(convention: Convention, columns: Sequence[str]) -> Names:
     return tuple(plain[name] for name in (convention.find(plain) or ((),))[0])
 
 
+def offsets_of(convention: Convention | None, columns: Sequence[str]) -> Names:
+    """The columns that are added to the centres."""
+    plain = {plain_name(name): name for name in reversed(columns)}
+    return tuple(plain[name] for name in (convention.offsets if convention is not None else ()) if name in plain)
+
+
 def _by_convention(plain: dict[str, str], options: Options, convention: Convention) -> Taken:
     _, lengths, angles = (tuple(plain[name] for name in names) for names in convention.find(plain) or ((), (), ()))
     turn = _turns.by_convention(convention, angles, options)
     meaning = options.lengths or convention.meaning
     source = [f"convention {convention.name}", describe(lengths, meaning, (), ""), turn.describe()]
+    if offsets := [plain[name] for name in convention.offsets if name in plain]:
+        source.append(f"centres moved by {' '.join(offsets)}")
     if convention.first:
         source.append(f"centre of the first pixel at {convention.first}")
     return Taken(lengths, meaning, (), "wxyz", (), [], ", ".join(filter(None, source)), [], turn)
@@ -415,7 +430,7 @@ def _check_unused(columns: Sequence[str], taken: Taken, known: Sequence[str], op
             continue
         if _turns.is_other_unit(name, taken.turn) or (has_all and not taken.spheroid and _matches(_DERIVED, name)):
             continue
-        is_size, is_turn = _matches(_SIZES, name), _matches(_TURNS, name)
+        is_size, is_turn = _matches(_SIZES, name), _sounds_like_turn(name)
         if (is_size and not says_sizes) or (is_turn and not names_turns):
             found[name] = is_size, is_turn
     if found:
@@ -519,6 +534,9 @@ def _shape(columns: Sequence[str], plain: dict[str, str], options: Options, erro
         found, meaning = given, _ASK if _contradicts(given, lengths) else lengths
     if found and meaning == "diameters" and plain_name(found[0]).startswith("shape") and is_liggghts(plain):
         meaning = "radii"
+    is_of_lammps = lengths == "diameters" or {"quatw", "quati", "quatj", "quatk"} <= plain.keys()
+    if found and plain_name(found[0]) == "shapex" and meaning == "diameters" and not is_of_lammps:
+        meaning = _ASK  # in tables: of LAMMPS or of LIGGGHTS
     stem = plain_name(found[0])[:-3] if found else ""
     if re.fullmatch(r"c\w*shape\w*", stem) and f"{stem}[4]" in plain:
         meaning = _ASK

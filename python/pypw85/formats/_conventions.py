@@ -21,9 +21,12 @@ class Convention(NamedTuple):
     "radii" or "rms" by `meaning`. One angle is that of an ellipse, counted from the axis `zero`; with the sense "xy" it grows from x
     towards y, with "yx" the other way, as angles do that are counterclockwise where y points down. Three angles are those of `sequence`,
     each times its sign. `first` is where the centre of the first pixel lies, if there are pixels. A header with all of `marks` is
-    recognised without ``--convention``. What `harmless` matches are other measures of the same body. `rows` are the columns of a file
-    without names. No angle of the program is larger than `largest`, unless that is 0. `run` is the program of Debian 12 that wrote the
-    table which the tests read, empty where none was run.
+    recognised without ``--convention``; marks with capitals are compared as they are. What `harmless` matches are other measures of the
+    same body. `rows` are the columns of a file without names. No angle of the program is larger than `largest`, unless that is 0. `run` is
+    the program of Debian 12 that wrote the table which the tests read, empty where none was run.
+
+    Of ellipses, `offsets` are two columns that are added to the centres, and `third` is the coordinate of their plane. Beneath the names
+    there are up to `heads` lines of other names and of units.
     """
 
     name: str
@@ -43,6 +46,9 @@ class Convention(NamedTuple):
     rows: Names = ()
     largest: float = 0.0
     run: str = ""
+    offsets: Names = ()
+    third: str = ""
+    heads: int = 0
 
     def find(self, plain: Collection[str]) -> tuple[Names, Names, Names] | None:
         """The names of centres, lengths and angles; None if not all are there."""
@@ -78,6 +84,7 @@ _IMAGEJ = r"ar|round|feret\w*|minferet|width|height|perim\w*|b[xy]"
 _SKIMAGE = r"equivalentdiameter(area)?|feretdiametermax|eccentricity|inertiatensor.*|moments.*|centroid(?!2)\w*"
 _SEXTRACTOR = r"(theta|err|cxx|cyy|cxy|x2|y2|xy|a|b|elongation|ellipticity|kron|flux|isoarea|fwhm|petro)\w*|"
 _SEXTRACTOR += r"\w*(world|sky|j2000|b1950|radius)"
+_GNUASTRO = r"(geo)?(semimajor|semiminor|positionangle|axisratio)|area\w*|\w*(radius|fwhm)"
 _MEASURES = r"elli.*|inscrball.*|obox.*|eulernumber|meanbreadth|averagethickness|"
 _MEASURES += r".*(elongation|eccentricity|feret\w*|radius|diameter|ratio|roundness)"
 _ELLI = [tuple(f"elli.{x}".replace(".", "") for x in names) for names in
@@ -110,6 +117,11 @@ CONVENTIONS: list[Convention] = [
         marks=(("ellipseorientation",),), harmless=_MEASURES,
     ),
     Convention(
+        "trackmate", "TrackMate 7, spots with contours", (("positionx", "positiony"),), (("ellipsemajor", "ellipseminor"),), "radii",
+        (("ellipsetheta",),), unit="radians", marks=(("positionx", "ellipsex0", "ellipsey0", "ellipsemajor", "ellipsetheta"),),
+        harmless="ellipseaspectratio|radius|shapeindex", offsets=("ellipsex0", "ellipsey0"), third="positionz", heads=3,
+    ),
+    Convention(
         "skimage", "scikit-image 0.19 to 0.26, regionprops_table",
         (("centroid1", "centroid0"), ("centroidx", "centroidy"), ("x", "y")),
         (("axismajorlength", "axisminorlength"), ("majoraxislength", "minoraxislength")), "diameters", (("orientation",),),
@@ -135,6 +147,16 @@ CONVENTIONS: list[Convention] = [
         (("aimage", "bimage"), ("awinimage", "bwinimage")), "rms", (("thetaimage",), ("thetawinimage",)), first="1",
         marks=(("aimage", "bimage", "thetaimage"), ("awinimage", "bwinimage", "thetawinimage")), harmless=_SEXTRACTOR,
         run="SExtractor 2.25.0",
+    ),
+    Convention(
+        "gnuastro", "GNU Astronomy Utilities 0.19, MakeCatalog", (("x", "y"),), (("semimajor", "semiminor"),), "rms",
+        (("positionangle",),), first="1", marks=(("X", "Y", "SEMI_MAJOR", "SEMI_MINOR", "POSITION_ANGLE"),), harmless=_GNUASTRO,
+        run="Gnuastro 0.19",
+    ),
+    Convention(
+        "gnuastro", "GNU Astronomy Utilities 0.19, MakeCatalog without values of pixels", (("geox", "geoy"),),
+        (("geosemimajor", "geosemiminor"),), "rms", (("geopositionangle",),), first="1",
+        marks=(("GEO_X", "GEO_Y", "GEO_SEMI_MAJOR", "GEO_SEMI_MINOR", "GEO_POSITION_ANGLE"),), harmless=_GNUASTRO,
     ),
     Convention(
         "sep", "sep 1.2, extract", (("x", "y"),), (("a", "b"),), "rms", (("theta",),), unit="radians", first="0",
@@ -192,7 +214,7 @@ def named(name: str) -> Iterator[Convention]:
 
 def recognised(columns: Sequence[str], plain: Collection[str]) -> Convention | None:
     """The convention of an unmistakable header."""
-    return next((one for one in CONVENTIONS if one.is_certain(plain) or _is_imagej(one, columns)), None)
+    return next((one for one in CONVENTIONS if one.is_certain(plain) or _has_capitals(one, columns)), None)
 
 
 def possible(plain: Collection[str]) -> list[str]:
@@ -207,9 +229,9 @@ def possible_ellipses(plain: Collection[str], angle: str | None) -> list[str]:
     return [one.name for one in found if angle is None or (one.meaning == "rms" and one.unit == angle)]
 
 
-def _is_imagej(one: Convention, columns: Sequence[str]) -> bool:
-    """ImageJ begins its names with capitals, which others with these names do not."""
-    return one.name == "imagej" and any(set(names) <= set(columns) for names in one.marks)
+def _has_capitals(one: Convention, columns: Sequence[str]) -> bool:
+    """ImageJ and Gnuastro write names with capitals, which others with these names do not."""
+    return any(set(names) <= set(columns) and not all(map(str.islower, names)) for names in one.marks)
 
 
 def is_harmless(convention: Convention, plain: str) -> bool:

@@ -60,7 +60,7 @@ _ONE_ANGLE = ("{0} may be the angle of ellipses in a plane, or a rotation in spa
               "the column out (--ignore-columns {1})")  # fmt: skip
 # Names of angles of ellipses that programs count from y: orientations in pictures, directions from north
 _FROM_NORTH = re.compile(r".*(bearing|heading|strike|trend|course|north|dipdir).*")
-_FROM_EITHER = re.compile(rf"orientation|{_FROM_NORTH.pattern}|.*(azim|posang|positionangle|vertical|fromy|toy|(?<!c)cw|"
+_FROM_EITHER = re.compile(rf"orientation|direction|{_FROM_NORTH.pattern}|.*(azim|posang|positionangle|vertical|fromy|toy|(?<!c)cw|"
                           r"(?<!counter)clockwise).*|angley|az|b?pa")  # fmt: skip
 # Names of functions of angles, of their errors, and of angles of other axes or between bodies
 _OTHER_ANGLES = re.compile(r"(half|\d(?!d)|neg|minus|delta|err|std).*|.*minor.*|.*(std|err(or)?|var(iance)?|misorient\w*)|"
@@ -186,7 +186,9 @@ def _of_ellipses(columns: Sequence[str], options: Options, error: Error) -> Turn
     first = next(iter(found))
     same = [name for name in columns if base(name)[0] == base(found[first])[0]]
     name = min(same, key=lambda one: (base(one)[1] != "degrees", base(one)[1] != "radians")) if not options.angle_columns else found[first]
-    if _FROM_EITHER.fullmatch(base(name)[0]) and options.angle_zero is None:
+    # Beside XStdDist and YStdDist, the column Rotation of ArcGIS is counted clockwise from north.
+    is_of_arcgis = base(name)[0] == "rotation" and any("stddist" in base(one)[0] for one in (*columns, *(options.shape_columns or ())))
+    if (is_of_arcgis or _FROM_EITHER.fullmatch(base(name)[0])) and options.angle_zero is None:
         raise error(_ZERO.format(name))
     return Turn("angle", (name,), _units_of((name,), options, error), zero=options.angle_zero or "x", sense=options.angle_sense or "xy")
 

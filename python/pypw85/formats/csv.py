@@ -23,7 +23,7 @@ from .._system import System
 from .._typing import Floats
 from . import _comments
 from ._boxes import SAYS_CELL
-from ._columns import UNIT_AT_END, Taken, centers_of, convention_of, fill, meaning_of, plain_name, take
+from ._columns import UNIT_AT_END, Taken, centers_of, convention_of, fill, meaning_of, offsets_of, plain_name, take
 from ._conventions import CONVENTIONS, Convention, named, possible, recognised
 from ._errors import for_option
 from ._frames import Frame, Location, Options, said_dimensions
@@ -42,17 +42,23 @@ _OF_ECSV = re.compile(r"\b(name|unit): ['\"]?([\w.]+)")
 _UNIT_WORD = re.compile(r"[(\[]?(mm|[uµμnk]?m|cm|Å|microns?|px|pix|pixels?|voxels?|deg(rees?)?|rad(ians?)?|[-1])[)\]]?")
 # The line that YADE writes before spheres (export.textExt)
 _FORMAT_OF_YADE = re.compile(r"^#\s*format\s+(x_y_z_r\w*)$")
+# A word in quotation marks, and a number behind it
+_NAME_OF_ROW = re.compile(r"\s*\"[^\"]*\"[\s,;]+[-+.\d]")
+# What stands before names in a comment; the last word is that of files of EDAX (.ang)
+_COMMENT_OF_NAMES = re.compile(r"^[#%]*(?:\s*COLUMN_HEADERS:)?")
 # Words in the last row of a table that is not a body
 _SUMMARY = re.compile(r"(arithmetic )?mean|average|avg|median|sd|std\.?( ?dev\w*\.?)?|standard deviation|min(imum)?|max(imum)?|"
                       r"(grand )?total|sum(mary)?|count|var(iance)?|(25|50|75) ?%", re.IGNORECASE)  # fmt: skip
 # A unit of a column in a row of its own
 _UNIT_ALONE = re.compile(r"[(\[]?[^\W\d][^\d]{0,11}[)\]]?")
-_NUMBERED = re.compile(r"#\s*(\d{1,4})\s+([A-Za-z]\w*)")
+_NUMBERED = re.compile(r"#\s*(?:(\d{1,4})\s+([A-Za-z]\w*)|Column\s+(\d{1,4}):\s+([A-Za-z]\w*)\s+\[)")
 _THIRD = ("z", "zc", "depth", "elevation", "posz", "positionz", "centerz", "centrez", "centroidz", "cz", "pz", "upward", "altitude",
           "zslice", "zindex", "zstack", "zplane", "zpos", "zposition", "centroid2", "centroid3")
 # Units in brackets behind the name of a column, and those that have several names
-_UNIT = re.compile(r"[(\[]\s*([^\W\d][^)\]]*)[)\]]\s*$")
-_SAME_UNITS = {"µm": "um", "μm": "um", "micron": "um", "microns": "um"} | dict.fromkeys(("pix", "pixel", "pixels", "voxel", "voxels"), "px")
+_UNIT = re.compile(r"[(\[]\s*((?:[^\W\d]|\ufffd)[^)\]]*)[)\]]\s*$")
+# In texts in Latin-1, µ is a character that is not read (�).
+_SAME_UNITS = dict.fromkeys(("µm", "μm", "\ufffdm", "micron", "microns"), "um")
+_SAME_UNITS |= dict.fromkeys(("pix", "pixel", "pixels", "voxel", "voxels"), "px")
 _SEPARATORS = (",", ";", "\t", "|", None)
 # Names as `plain_name` makes them: first what is written, then those of spreadsheets, ParaView and DREAM.3D
 _POSITIONS = [
@@ -63,6 +69,10 @@ _POSITIONS = [
                        ("points", "012"), ("centroids", "012"), ("coordinates", "012"), ("position", "012"),
                        *((one, ("[0]", "[1]", "[2]")) for one in ("pos", "position", "center", "centre", "centroid"))]
 ]  # fmt: skip
+# Names that mean the middle of a body, where others may mean the corner of a box around it
+_OF_CENTERS = re.compile(r"(cent|barycent|pos|loc).*|[xyz]c|c[xyz]")
+# The sides of boxes, as `plain_name` makes their names
+_SIDES = (["width", "height"], ["w", "h"])
 # Columns that number pictures, planes or times, of which a table should have one
 _SERIES = re.compile(r"(slice|frame|image|picture|step|timestep|timepoint|time|timestamp|snapshot|iteration|cycle|plane|zplane|layer|scan|"
                      r"file|sample|stack|replica|replicate|realization|realisation|run|trial|specimen|scene)"
@@ -83,6 +93,7 @@ def recognise(start: bytes) -> bool:
     comments = list(itertools.takewhile(_may_precede, lines))
     first = next(iter(lines[len(comments) :]), "")
     is_named = any(possible({plain_name(name) for name in words}) for words in _rows_of(first))
+    is_named = is_named or (_has_numbers(first) and _names_in(comments, first) is not None)
     return _are_names(first) or _is_row(first) or is_named or (not first and any(map(_are_names, comments)))
 
 
@@ -111,20 +122,25 @@ def _header(line: str) -> tuple[str | None, list[str], list[str]]:
     The names may be a comment, as NumPy writes them.
     """
     line = _FORMAT_OF_YADE.sub(lambda found: found[1].replace("_", " "), line)
-    found = [(one, _split(line.removeprefix("#").removeprefix("%"), one)) for one in _SEPARATORS]
+    line = _COMMENT_OF_NAMES.sub("", line)
+    found = [(one, _split(line, one)) for one in _SEPARATORS]
     # Blanks do not separate columns where another character separates three, which a table has at least.
     found = [(one, words) for one, words in found if one is not None or all(len(others) < 3 for _, others in found[:-1])]
-    for count in (3, 2):  # two in tables of ellipses
+    for count in (3, 2):
         for separator, columns in found:
-            plain = {plain_name(name): name for name in reversed(columns)}
-            for names in _POSITIONS:
-                if set(names[:count]) <= plain.keys():
-                    return separator, [plain[name] for name in names[:count]], columns
+            if positions := _positions_in(columns, count):
+                return separator, positions[0], columns
     for separator, columns in found:
         if (convention := recognised(columns, {plain_name(name) for name in columns})) is not None:
             return separator, list(centers_of(convention, columns)), columns
     separator, columns = max(found, key=lambda pair: len(pair[1]))
     return separator, [], columns
+
+
+def _positions_in(columns: list[str], count: int) -> list[list[str]]:
+    """All sets of columns that may hold positions with so many coordinates, two in tables of ellipses."""
+    plain = {plain_name(name): name for name in reversed(columns)}
+    return [[plain[name] for name in names[:count]] for names in _POSITIONS if set(names[:count]) <= plain.keys()]
 
 
 def _split(line: str, separator: str | None) -> list[str]:
@@ -143,32 +159,32 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
     with Lines(path, location) as lines:
         keys, line, comments = _keys(lines, options)
         separator, positions, columns = _names(lines, line, options)
-        columns = _without_empty_end(lines, separator, columns)
+        columns = _with_names_of_rows(lines, separator, _without_empty_end(lines, separator, columns))
         convention = convention_of(columns, options, lines.error)
         if convention is not None:
             positions = list(centers_of(convention, columns))
+            _skip_heads(lines, separator, columns, positions, convention)
+        elif positions:
+            positions = _one_position(columns, len(positions), options, lines)
         _check_positions(columns, positions, lines)
         dimensions = _dimensions(keys, lines)
-        _check_third(columns, positions, options, lines)
+        _check_third(columns, positions, options, lines, convention)
         ids, types, notes = _ids_and_types(lines, separator, columns, options)
-        taken = take(columns, options, lines.error, "radii", "wxyz", [*positions, ids, types],
+        offsets = offsets_of(convention, columns)
+        taken = take(columns, options, lines.error, "radii", "wxyz", [*positions, *offsets, ids, types],
                      (dimensions or len(positions)) == 2, convention)  # fmt: skip
         _comments.check(comments, meaning_of(taken, options), lines.error)
         _check_lengths(columns, positions, taken, (options.dimensions or dimensions) is not None, _units_row(comments, columns), lines)
         step = lines.whole(keys.get("step", "0"), "step", -(2**63))
-        cell = _cell(lines, keys["cell"]) if "cell" in keys else None
-        if cell is not None and len(keys["cell"].split()) == 4:
-            keys = _completed(keys)
-        origin = lines.numbers(keys.get("origin", "0 0 0"), 3, "origin")
-        periodic = lines.flags(keys.get("periodic", "T T T"), "periodic")
+        cell, origin, periodic = _box(keys, lines)
         count = _count(keys, lines, separator)
         _check_units_row(lines, separator, [columns.index(name) for name in positions])
         series = _series(columns, len(positions), options, convention)
-        wanted = [name for name in (*positions, *taken.columns, ids, types, *series) if name]
+        wanted = [name for name in (*positions, *offsets, *taken.columns, ids, types, *series) if name]
         table = lines.table(count, columns, [types, *series], separator, wanted, decimal_comma=separator != ",")
         _check_series(table, series, lines)
     frame = Frame(
-        path, location, table.stack(positions),
+        path, location, table.stack(positions) + table.stack(offsets) if offsets else table.stack(positions),
         types=table[types] if types else None, ids=table.integers(ids) if ids else None,
         cell=cell, origin=origin, periodic=periodic, step=step,
         lines=range(table.line, table.line + table.count), dimensions=dimensions,
@@ -220,6 +236,42 @@ def _without_empty_end(lines: Lines, separator: str | None, columns: list[str]) 
     return columns[:-1] if len(_split(row, separator)) == len(columns) - 1 else columns
 
 
+def _one_position(columns: list[str], count: int, options: Options, lines: Lines) -> list[str]:
+    """The columns of positions that an option does not leave out. Refuses several: one may be a corner of a box around a body."""
+    kept = [name for name in columns if name not in (options.ignore_columns or ())]
+    found = _positions_in(kept, count) or _positions_in(kept, 2)
+    others = [names for names in found if all(_OF_CENTERS.fullmatch(plain_name(name)) for name in names)]
+    if len(found) > 1 and others and found[0] != others[-1]:
+        raise lines.error(f"the columns {' '.join(found[0])} and {' '.join(others[-1])} may both be the position: leave one of both out "
+                          f"(--ignore-columns {for_option(found[0])})")  # fmt: skip
+    return found[0] if found else []
+
+
+def _with_names_of_rows(lines: Lines, separator: str | None, columns: list[str]) -> list[str]:
+    """Adds a column without a name before the others if the first row begins with a word in quotation marks that has none: R writes the
+    names of rows so."""
+    place = lines.location(lines.frame)
+    row = lines.next("\r\n") or ""
+    lines.back(place)
+    return ["", *columns] if _NAME_OF_ROW.match(row) and len(_split(row, separator)) == len(columns) + 1 else columns
+
+
+def _skip_heads(lines: Lines, separator: str | None, columns: list[str], positions: list[str], convention: Convention) -> None:
+    """Skips lines of other names and of units beneath the names, which a program writes."""
+    places = [columns.index(name) for name in positions]
+    for _ in range(convention.heads):
+        place = lines.location(lines.frame)
+        words = _split(lines.next("\r\n") or "", separator)
+        if not _are_words(words, places):
+            lines.back(place)
+            return
+
+
+def _are_words(words: list[str], places: list[int]) -> bool:
+    """Returns whether a row has names or units, not numbers, in these columns."""
+    return max(places) < len(words) and all(_UNIT_ALONE.fullmatch(words[k]) and words[k].lower() not in ("nan", "inf") for k in places)
+
+
 def _starts_with_number(lines: Lines, separator: str | None, column: int) -> bool:
     """Returns whether the first row has a number in this column, or is too short for a row."""
     place = lines.location(lines.frame)
@@ -232,7 +284,7 @@ def _check_units_row(lines: Lines, separator: str | None, places: list[int]) -> 
     """Refuses a row of units beneath the names."""
     place = lines.location(lines.frame)
     words = _split(lines.next("\r\n") or "", separator)
-    if max(places) < len(words) and all(_UNIT_ALONE.fullmatch(words[k]) and words[k].lower() not in ("nan", "inf") for k in places):
+    if _are_words(words, places):
         raise lines.error(f"the row beneath the names has words, not numbers, such as {words[places[0]]}: remove it, and if these are "
                           "units, write them into the names, as x (mm)")  # fmt: skip
     lines.back(place)
@@ -241,7 +293,8 @@ def _check_units_row(lines: Lines, separator: str | None, places: list[int]) -> 
 def _series(columns: list[str], dimensions: int, options: Options, convention: Convention | None) -> list[str]:
     """Columns of which a table of one system has one value: those of `_SERIES`, of ellipses the third coordinate of their centres, and of
     ImageJ the labels, which begin with the name of the picture."""
-    found = [name for name in columns if _SERIES.fullmatch(plain_name(name)) or (dimensions == 2 and plain_name(name).endswith("centerz"))]
+    third = "centerz" if convention is None or not convention.third else convention.third
+    found = [name for name in columns if _SERIES.fullmatch(plain_name(name)) or (dimensions == 2 and plain_name(name).endswith(third))]
     if convention is not None and convention.first:
         found += [name for name in columns if _PICTURES.fullmatch(plain_name(name)) or (name == "Label" and convention.name == "imagej")]
     return [name for name in found if name not in (options.ignore_columns or ())]
@@ -258,6 +311,14 @@ def _check_series(table: Table, series: list[str], lines: Lines) -> None:
             lines.number = table.line + rows.index(values[1])
             raise lines.error(f"the column {name} has several values, {values[0]} and {values[1]}: write the rows of one of them, or say "
                               f"that all are bodies of one system (--ignore-columns {for_option([name])})")  # fmt: skip
+
+
+def _box(keys: dict[str, str], lines: Lines) -> tuple[Floats | None, list[float], list[bool]]:
+    """The cell, its corner, and the directions along which it repeats."""
+    cell = _cell(lines, keys["cell"]) if "cell" in keys else None
+    if cell is not None and len(keys["cell"].split()) == 4:
+        keys = _completed(keys)
+    return cell, lines.numbers(keys.get("origin", "0 0 0"), 3, "origin"), lines.flags(keys.get("periodic", "T T T"), "periodic")
 
 
 def _cell(lines: Lines, text: str) -> Floats:
@@ -299,17 +360,29 @@ def _keys(lines: Lines, options: Options) -> tuple[dict[str, str], str, list[str
                 column = value if key == "name" else column
                 units |= {column: value} if key == "unit" else {}
         place = lines.location(lines.frame)
+    # The names may be a comment: one that has as many words as the first row, or SExtractor's list.
+    names = None if line is not None and not _has_numbers(line) else _names_in(comments, line)
+    if names is not None:
+        lines.back(place)
+        return keys, names, [one for one in comments if one != names] if names in comments else []
     if line is not None and not _is_row(line):
         return keys, _with_units(line, units), comments
-    # The names may be a comment: one that has as many words as the first row, or SExtractor's list.
-    counts = {len(words) for words in _rows_of(line or "")}
     lines.back(place)
-    if (listed := _listed(comments)) is not None:
-        return keys, listed, []
-    for comment in reversed(comments):
-        if _are_names(comment) and (line is None or len(_header(comment)[2]) in counts):
-            return keys, comment, [one for one in comments if one != comment]
     return keys, line if line is not None else lines.expect("the names of the columns"), comments
+
+
+def _has_numbers(line: str) -> bool:
+    """Returns whether a line has three numbers, which names have not."""
+    return any(sum(map(bool, map(_NUMBER.fullmatch, words))) > 2 for words in _rows_of(line))
+
+
+def _names_in(comments: list[str], line: str | None) -> str | None:
+    """The names of the columns in the comments above a row."""
+    if (listed := _listed(comments)) is not None:
+        return listed
+    counts = {len(words) for words in _rows_of(line or "")}
+    return next((comment for comment in reversed(comments)
+                 if _are_names(comment) and (line is None or len(_header(comment)[2]) in counts)), None)  # fmt: skip
 
 
 def _with_units(line: str, units: dict[str, str]) -> str:
@@ -319,21 +392,23 @@ def _with_units(line: str, units: dict[str, str]) -> str:
 
 
 def _listed(comments: list[str]) -> str | None:
-    """The names of ASCII_HEAD, which SExtractor writes as numbered comments; a column of several numbers has one."""
-    found = [match for comment in comments if (match := _NUMBERED.match(comment))]
-    if not found or int(found[0][1]) != 1:
+    """The names that SExtractor (ASCII_HEAD) and Gnuastro write as numbered comments; a column of several numbers has one."""
+    found = [tuple(filter(None, match.groups())) for comment in comments if (match := _NUMBERED.match(comment))]
+    if not found or int(found[0][0]) != 1:
         return None
     names: list[str] = []
-    for match in found:
-        names += [f"{names[-1]}[{k}]" for k in range(2, int(match[1]) - len(names) + 1)]
-        names.append(match[2])
+    for number, name in found:
+        names += [f"{names[-1]}[{k}]" for k in range(2, int(number) - len(names) + 1)]
+        names.append(name)
     return " ".join(names)
 
 
 def _names(lines: Lines, line: str, options: Options) -> tuple[str | None, list[str], list[str]]:
     """Separator, columns of positions, all columns. Rows without names are those of a convention, if an option names one."""
     if not _is_row(line):
-        return _header(line)
+        separator, positions, columns = _header(line)
+        is_comment = line.startswith(("#", "%"))
+        return _separator_of_rows(lines, separator, len(columns)) if is_comment else separator, positions, columns
     found = [words for words in _rows_of(line) if all(_NUMBER.fullmatch(word) for word in words)]
     count = max(map(len, found), default=0)
     for one in named(options.convention or ""):
@@ -346,6 +421,14 @@ def _names(lines: Lines, line: str, options: Options) -> tuple[str | None, list[
     raise lines.error(f"there is no line with the names of the columns: write one before the numbers, as x,y,z,a,b,c,qw,qx,qy,qz{program}")
 
 
+def _separator_of_rows(lines: Lines, separator: str | None, count: int) -> str | None:
+    """The separator of rows beneath names that are a comment: it may be another than that of the names."""
+    place = lines.location(lines.frame)
+    row = lines.next("\r\n") or ""
+    lines.back(place)
+    return next((one for one in (separator, *_SEPARATORS) if len(_split(row, one)) == count), separator)
+
+
 def _ids_and_types(lines: Lines, separator: str | None, columns: list[str], options: Options) -> tuple[str, str, list[str]]:
     """The columns of ids and of types, each empty if there is none, and a note if ids are words."""
     plain = {plain_name(name): name for name in reversed(columns) if name not in (options.ignore_columns or ())}
@@ -355,10 +438,12 @@ def _ids_and_types(lines: Lines, separator: str | None, columns: list[str], opti
     return "", types, [f"the column {ids} has words, not numbers: the particles are numbered from 1 in their order"]
 
 
-def _check_third(columns: list[str], positions: list[str], options: Options, lines: Lines) -> None:
-    """Refuses tables of two coordinates that have a third by another name."""
+def _check_third(columns: list[str], positions: list[str], options: Options, lines: Lines, convention: Convention | None) -> None:
+    """Refuses tables of two coordinates that have a third by another name than that of their convention."""
     if len(positions) == 2 and options.dimensions is None:
         for name in columns:
+            if convention is not None and plain_name(name) == convention.third:
+                continue
             if plain_name(name) in _THIRD and name not in positions and name not in (options.ignore_columns or ()):
                 raise lines.error(f"there are two coordinates, {' '.join(positions)}, and {name}: rename it to z, or leave it out "
                                   f"(--ignore-columns {for_option([name])})")  # fmt: skip
@@ -366,8 +451,8 @@ def _check_third(columns: list[str], positions: list[str], options: Options, lin
 
 def _check_lengths(columns: list[str], positions: list[str], taken: Taken, says_dimensions: bool, units_row: dict[str, str],
                    lines: Lines) -> None:  # fmt: skip
-    """Refuses a coordinate that is there twice, as in pixels and in a length; three lengths beside two coordinates; and several units of
-    length, where names or a row of units say them."""
+    """Refuses a coordinate that is there twice, as in pixels and in a length; three lengths beside two coordinates; what may be the corner
+    and the sides of a box; and several units of length, where names or a row of units say them."""
     for name in positions:
         same = [one for one in columns if plain_name(one) == plain_name(name)]
         if len(set(same)) > 1:
@@ -375,6 +460,9 @@ def _check_lengths(columns: list[str], positions: list[str], taken: Taken, says_
     if len(positions) == 2 and len(taken.shape) == 3 and not says_dimensions:
         raise lines.error(f"there are two coordinates, {' '.join(positions)}, and three lengths, {' '.join(taken.shape)}: write the "
                           "third coordinate, or say that these are ellipses in a plane (--dimensions 2)")  # fmt: skip
+    if [*map(plain_name, positions)] == ["x", "y"] and [*map(plain_name, taken.shape)] in _SIDES and not taken.turn.kind:
+        raise lines.error(f"{' '.join(positions)} beside {' '.join(taken.shape)} may be the corner of a box, as ImageJ lists regions, and "
+                          "not the centre: write the centres to columns center_x and center_y")  # fmt: skip
     said = [(name, unit) for name in (*positions, *taken.shape, *taken.sphere) if (unit := _unit(name) or units_row.get(name))]
     for name, unit in zip(taken.turn.columns, taken.turn.units):
         if (row := units_row.get(name, "-")).isalpha() and row[:3] != unit[:3]:

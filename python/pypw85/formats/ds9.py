@@ -18,7 +18,8 @@ from ._table import Lines
 SUFFIXES: tuple[str, ...] = ()
 _SYSTEMS = ("image", "physical", "detector", "amplifier", "linear", "fk4", "fk5", "icrs", "galactic", "ecliptic", "b1950", "j2000", "wcs")
 _OF_PIXELS = ("image", "physical")
-_REGION = re.compile(r"\+?\s*(ellipse|circle)\s*[( ]\s*([^)#]*)\)?\s*(?:#.*)?", re.IGNORECASE)
+# Those of a composite region have || behind them.
+_REGION = re.compile(r"\+?\s*(ellipse|circle)\s*[( ]\s*([^)|#]*)\)?\s*(?:\|\|)?\s*(?:#.*)?", re.IGNORECASE)
 # Names that users give, in which there may be semicolons
 _TEXT = re.compile(r"=\s*(\{[^}]*\}|\"[^\"]*\"|'[^']*')")
 _COMMENT = re.compile(r"#.*|global\b.*|$", re.IGNORECASE)

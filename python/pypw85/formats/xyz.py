@@ -23,7 +23,7 @@ from ._columns import Taken, could_change, fill, meaning_of, take
 from ._errors import for_option
 from ._frames import Frame, Location, Options, said_dimensions
 from ._names import ONE_WORD, PRINTED, checked_names, type_names
-from ._table import Lines, coded, locate_frames, write_rows
+from ._table import Lines, Table, coded, locate_frames, write_rows
 
 SUFFIXES = (".xyz", ".extxyz")
 _NUMBER = re.compile(rb"[-+]?[0-9]*\.?[0-9]*(?:[eE][-+]?[0-9]+)?")
@@ -39,6 +39,10 @@ _OF_CELLS = re.compile(r"(?!.*(?:energy|volume)$)(?:lattice|origin|pbc|dimension
                        r"boundar(y|ies)|periodic\w*|virtual_lattice)", re.IGNORECASE)  # fmt: skip
 _HAS_KEYS = re.compile(r"\b(?:properties|lattice|pbc|cell|box)=", re.IGNORECASE)
 _COMMENT_ON_CELL = re.compile(rf"[#%]?\s*{SAYS_CELL}", re.IGNORECASE)
+# Numbers alone in the second line, as many as a cell has
+_CELL_ALONE = re.compile(r"(?:[-+]?[0-9]*\.?[0-9]+(?:[eE][-+]?[0-9]+)?[\s,]*){3,9}")
+# A number that is neither the number of a type nor that of a chemical element
+_FRACTION = re.compile(r"[-+]?(?:[0-9]+\.[0-9]*|\.[0-9]+|[0-9]+(?=[eE]))(?:[eE][-+]?[0-9]+)?|-[0-9]+")
 _PROPERTIES = {"pos": 3, "asphericalshape": 3, "orientation": 4, "radius": 1, "species": 1, "type": 1, "id": 1}
 
 
@@ -105,6 +109,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         step = lines.whole(keys.get("Timestep", "0"), "Timestep", -(2**63))
         wanted = ["id", *_TYPES, *positions, *taken.columns]
         table = lines.table(count, columns, text, wanted=wanted)
+        _check_names(keys, table, lines)
     types = [name for name in _TYPES if name in columns]
     frame = Frame(
         path, location, table.stack(positions),
@@ -124,7 +129,7 @@ def _keys(lines: Lines, options: Options) -> dict[str, str]:
     """Keys and values of the second line. In a file without Properties that may be any text, but one that could say the cell is refused."""
     comment = lines.expect("the line with Properties")
     if not _HAS_KEYS.search(comment):
-        if options.cell is None and _COMMENT_ON_CELL.match(comment):
+        if options.cell is None and (_COMMENT_ON_CELL.match(comment) or _is_cell_alone(comment)):
             raise lines.error(f"the comment '{comment[:60]}' could say the cell, and is not read: extended XYZ has Lattice, Origin and pbc "
                               "for it; write these, or give the cell (--cell)")  # fmt: skip
         return {}
@@ -140,6 +145,20 @@ def _keys(lines: Lines, options: Options) -> dict[str, str]:
         again = next(name for k, (name, _) in enumerate(pairs) if name in dict(pairs[:k]))
         raise lines.error(f"the key {again[:40]} is there twice: remove one")
     return keys
+
+
+def _is_cell_alone(comment: str) -> bool:
+    return _CELL_ALONE.fullmatch(comment) is not None and len(comment.replace(",", " ").split()) in (3, 6, 9)
+
+
+def _check_names(keys: dict[str, str], table: Table, lines: Lines) -> None:
+    """Refuses rows of numbers alone, whose first is a coordinate: without Properties, a name or the number of a type comes first."""
+    names = [] if "Properties" in keys else table["species"].tolist()
+    for name in dict.fromkeys(names):
+        if _FRACTION.fullmatch(name):
+            lines.number = table.line + names.index(name)
+            raise lines.error(f"the first column must be a name or the number of a type, not {name}: if it is a coordinate, write a line "
+                              "with Properties=pos:R:3 and so on above the rows")  # fmt: skip
 
 
 def _check_keys(keys: dict[str, str], options: Options, lines: Lines) -> None:

@@ -139,7 +139,20 @@ def imagej(folder):
     subprocess.run([*words, str(macro), f"{image}\n{folder / 'imagej.csv'}"], check=True, timeout=300)
 
 
-PROGRAMS = {one.__name__: one for one in (skimage, octave, opencv, sep, photutils, sextractor, ds9, matgeom, imagej)}
+def gnuastro(folder):
+    """In the folder of the picture, in which the programs look for no other configuration."""
+    work = folder / "gnuastro"
+    work.mkdir()
+    np.savetxt(work / "a.txt", picture(), fmt="%d")
+    measures = ("ids", "x", "y", "semimajor", "semiminor", "axisratio", "positionangle", "area")
+    labels = ["--hdu=1", "--valuesfile=a.fits", "--valueshdu=1", *(f"--{name}" for name in measures)]
+    for command in (["astconvertt", "a.txt", "--output=a.fits"], ["astarithmetic", "a.fits", "int32", "-g1", "--output=labels.fits"],
+                    ["astmkcatalog", "labels.fits", *labels, "--output=a.cat.txt", "--tableformat=txt"]):  # fmt: skip
+        subprocess.run(command, cwd=work, check=True, capture_output=True)
+    (folder / "gnuastro.txt").write_text((work / "a.cat.txt").read_text())
+
+
+PROGRAMS = {one.__name__: one for one in (skimage, octave, opencv, sep, photutils, sextractor, ds9, matgeom, imagej, gnuastro)}
 
 
 if __name__ == "__main__":
