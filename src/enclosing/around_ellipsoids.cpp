@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The search for the smallest ellipsoid around ellipsoids, pw85_enclosing_ellipsoid_of(): steps 1 to
-// 3 of around_ellipsoids.hpp. around_ellipsoids_proof.cpp has the others.
+// The search for the smallest ellipsoid around ellipsoids, pw85_enclosing_ellipsoid_of(): steps 1
+// to 3 of around_ellipsoids.hpp. around_ellipsoids_proof.cpp has the others.
 #define PW85_SHORT_OPERATIONS // before doubled.hpp: calls take no longer here
 #include "around_ellipsoids.hpp"
 
