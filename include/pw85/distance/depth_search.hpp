@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The search for the depth of an overlap, for penetration.hpp: a local minimum over one number, and
-/// the starts of the turns that find one over the normal (depth_turns.hpp).
+/// The search for the depth of an overlap, for penetration.hpp: a local minimum over one number,
+/// and the starts of the turns that find one over the normal (depth_turns.hpp).
 ///
 /// Let α(n) = √(nᵀQ1n), β(n) = √(nᵀQ2n) and r = r12. To separate from ellipsoid 1, ellipsoid 2 must
 /// move by g(n) = α + β - n·r along the unit vector n. The depth is the smallest value of g, which

@@ -161,8 +161,8 @@ is_within(NormalStep<T> const &step, NormalJet<T> const &j, int digits) noexcept
            step.shift * step.shift * j.form_u <= bound * bound * j.r;
 }
 
-/// t and s after a step, with e^x to third order. A step in log t is at most 1.5, by which t changes
-/// by a factor of 7. This is a choice (docs/implementation.rst).
+/// t and s after a step, with e^x to third order. A step in log t is at most 1.5, by which t
+/// changes by a factor of 7. This is a choice (docs/implementation.rst).
 template <class T> PW85_FUNCTION constexpr Multipliers<T>
 advance(Multipliers<T> const &x, NormalStep<T> const &step) noexcept
 {

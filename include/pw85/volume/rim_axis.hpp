@@ -21,12 +21,12 @@ namespace pw85::detail {
 /// which B is the identity.
 ///
 /// Let w1, w2 be the vertices of the roots that are nearest to the middle pole of h, on its two
-/// sides. Both are outside of the ball, and A(w1, w2) = B(w1, w2) = 0. The points that are conjugate
-/// to both are a line through the ball: the axis. It meets the sphere at n1 and n2, and A(w, n) =
-/// B(w, n) = 0 for each w of w1, w2 and n of n1, n2. So the pair is, up to a projective map, a ball
-/// and an ellipsoid that are symmetric about the two planes through their common axis. A point of
-/// the rim is X = p n1 + q n2 + cos ψ w1 + sin ψ w2, for which B(X, X) = 0 gives p q, and A(X, X) =
-/// 0 a quadratic equation in p².
+/// sides. Both are outside of the ball, and A(w1, w2) = B(w1, w2) = 0. The points that are
+/// conjugate to both are a line through the ball: the axis. It meets the sphere at n1 and n2, and
+/// A(w, n) = B(w, n) = 0 for each w of w1, w2 and n of n1, n2. So the pair is, up to a projective
+/// map, a ball and an ellipsoid that are symmetric about the two planes through their common axis.
+/// A point of the rim is X = p n1 + q n2 + cos ψ w1 + sin ψ w2, for which B(X, X) = 0 gives p q,
+/// and A(X, X) = 0 a quadratic equation in p².
 template <class T> struct RimAxis {
     Vector<T, 3> origin, direction;
     Vector<T, 3> vertices[2];

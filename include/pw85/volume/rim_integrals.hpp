@@ -81,9 +81,9 @@ template <class T> struct RimIntegration {
                !(rim.excess[1] > T(0));
     }
 
-    /// Tests whether there is no rim, because one body is inside the other one, or because the chords
-    /// of the axis are disjoint. The ellipsoids then touch from outside to rounding, and the common
-    /// part counts as empty.
+    /// Tests whether there is no rim, because one body is inside the other one, or because the
+    /// chords of the axis are disjoint. The ellipsoids then touch from outside to rounding, and the
+    /// common part counts as empty.
     PW85_MEMBER Mask has_no_rim() const noexcept
     {
         return is_whole() || (!is_of_one_body() && rim.least > T(0));
