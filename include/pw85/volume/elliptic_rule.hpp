@@ -10,7 +10,7 @@
 #ifndef PW85_VOLUME_ELLIPTIC_RULE_HPP_INCLUDED
 #define PW85_VOLUME_ELLIPTIC_RULE_HPP_INCLUDED
 
-#include <pw85/volume/rim_frame.hpp>
+#include <pw85/volume/rim_points.hpp>
 
 namespace pw85::detail {
 
@@ -117,7 +117,8 @@ template <class T> struct QuarticForm {
 };
 
 /// E.
-template <class T> PW85_FUNCTION inline QuarticForm<T> quartic_form(RimFrame<T> const &rim) noexcept
+template <class T>
+PW85_FUNCTION inline QuarticForm<T> quartic_form(RimEquation<T> const &rim) noexcept
 {
     // a = t1² - 4αγ and c = t2² - 4αγ, with t - 2√(αγ) = excess if αγ > 0
     T const e1 = rim.excess[0], e2 = rim.excess[1], product = T(T(4) * T(rim.alpha * rim.gamma));
@@ -146,8 +147,10 @@ inline constexpr double smallest_stretch2 = 1.0 / 32.0, least_complement_to_cove
 /// rule for E is the right one.
 ///
 /// These are the pairs for which E may miss half-planes, by r or its inverse.
-template <class T> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
-may_miss_half_planes(RimFrame<T> const &rim, QuarticForm<T> const &form, T const &stretch2) noexcept
+template <class T>
+PW85_FUNCTION inline typename ScalarTraits<T>::Mask may_miss_half_planes(RimEquation<T> const &rim,
+                                                                         QuarticForm<T> const &form,
+                                                                         T const &stretch2) noexcept
 {
     T const r = minimum(stretch2, T(T(1) / stretch2)), alpha = absolute(rim.alpha),
             gamma = absolute(rim.gamma);
@@ -156,7 +159,7 @@ may_miss_half_planes(RimFrame<T> const &rim, QuarticForm<T> const &form, T const
 }
 
 template <class T>
-PW85_FUNCTION inline bool cover_all_scales(RimFrame<T> const &rim, QuarticForm<T> &form) noexcept
+PW85_FUNCTION inline bool cover_all_scales(RimEquation<T> const &rim, QuarticForm<T> &form) noexcept
 {
     T const stretch2 = square_root(square_root(T(form.a / form.c)));
     if (!may_miss_half_planes(rim, form, stretch2)) return false;
@@ -188,7 +191,7 @@ PW85_FUNCTION inline void add_moduli(EllipticRule<T> &rule, T complement) noexce
 }
 
 template <class T>
-PW85_FUNCTION inline EllipticRule<T> elliptic_rule(RimFrame<T> const &rim) noexcept
+PW85_FUNCTION inline EllipticRule<T> elliptic_rule(RimEquation<T> const &rim) noexcept
 {
     auto form = quartic_form(rim);
     bool is_covering = false;

@@ -6,7 +6,7 @@
 #ifndef PW85_VOLUME_PENCIL_ROOTS_HPP_INCLUDED
 #define PW85_VOLUME_PENCIL_ROOTS_HPP_INCLUDED
 
-#include <pw85/volume/joint_frame.hpp>
+#include <pw85/algebra/scalar.hpp>
 
 namespace pw85::detail {
 

@@ -129,10 +129,10 @@ template <class Mask> struct AreaRule {
 /// error of u of the surface changes the volume by u times this, and the bound has 64 u.
 inline constexpr double largest_volume_of_rest = 8.0;
 
-template <class T> PW85_FUNCTION inline AreaRule<typename ScalarTraits<T>::Mask>
-area_rule(RimFrame<T> const &rim, int body) noexcept
+template <class Mask>
+PW85_FUNCTION inline AreaRule<Mask> area_rule(AxisEnds<Mask> const &ends, int body) noexcept
 {
-    auto const [ball_above, ball_below] = rim.ends;
+    auto const [ball_above, ball_below] = ends;
     auto const none = ball_above && !ball_above;
     if (body == 0) return {ball_above, ball_below, !ball_above, none};
     return {!ball_above, !ball_below, ball_above, none};

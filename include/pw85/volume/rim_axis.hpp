@@ -13,6 +13,7 @@
 #ifndef PW85_VOLUME_RIM_AXIS_HPP_INCLUDED
 #define PW85_VOLUME_RIM_AXIS_HPP_INCLUDED
 
+#include <pw85/volume/joint_frame.hpp>
 #include <pw85/volume/pencil_roots.hpp>
 
 namespace pw85::detail {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// What all half-planes through the axis of a rim share (rim_axis.hpp): both bodies relative to the
-/// axis, and the equation of the rim. rim_points.hpp uses this file.
+/// axis, and the equation of the rim (rim_points.hpp). rim_integrals.hpp uses this file.
 ///
 /// Let o + z ℓ be the axis, g a ray across it, which is the direction of a half-plane, and ρ the
 /// distance from the axis in units of |g|. For each body there is a metric in which it is a ball of
@@ -18,42 +18,16 @@
 
 #include <pw85/algebra/two_lanes.hpp>
 #include <pw85/volume/rim_axis.hpp>
+#include <pw85/volume/rim_points.hpp>
 
 namespace pw85::detail {
 
-/// A body in its metric, relative to the axis of the rim.
-template <class T> struct BodyOnAxis {
-    T stretch, start; ///< s = start + stretch·z on the axis
-    T high, low;      ///< z of the ends of the axis inside the body
-    T half_chord;     ///< half of the length of the axis inside the body, in the metric
-    T along[2];       ///< the coordinate s of the image of each g_i
-    T across[2];      ///< ζ κ of each g_i
-    T products[2]
-              /// κ²: products of the images of g_i, less their parts along the axis
-              [2];
-    // In space, with the unit vector k along the image of the axis, the point f of the axis next to
-    // the centre, and g_i⊥ across the axis:
-    T twists[2];    ///< k·(f × g_i⊥)
-    T turn;         ///< k·(g_1⊥ × g_2⊥)
-    T above, below; ///< z of the ends of the ball's axis less z of those of this body
-};
-
-/// Flags: true if that end of the common part of the axis is an end of the chord of the ball.
-template <class Mask> struct AxisEnds {
-    Mask ball_above, ball_below;
-};
-
 /// Data that all half-planes of a pair share: the two bodies, the ball first, and the quadratic
 /// equation of the rim.
-template <class T> struct RimFrame {
+template <class T> struct RimFrame : RimEquation<T> {
     BodyOnAxis<T> bodies[2];
     T heights[2];
-    T half_chord; ///< of the axis inside the ball
-    // The rim: αZ² - TZ + γ = 0 with α > 0 or α = 0 > γ.
-    T alpha, gamma;
-    /// 2√(αγ), or 0 if αγ < 0: the T with one solution
-    T least;
-    T excess[2];                             ///< T - least at each vertex
+    T half_chord;                            ///< of the axis inside the ball
     Vector<T, 3> origin, direction, rays[2]; ///< o, ℓ and g_i
     T heading[2];                            ///< the unit vector along the heights
     /// t = 2h √Σ height² = 2√(1 - h²), and 2 - t

@@ -10,8 +10,9 @@
 #define PW85_VOLUME_RIM_INTEGRALS_HPP_INCLUDED
 
 #include <pw85/algebra/two_lanes.hpp>
+#include <pw85/volume/elliptic_rule.hpp>
 #include <pw85/volume/rim_areas.hpp>
-#include <pw85/volume/rule_ladder.hpp>
+#include <pw85/volume/rim_frame.hpp>
 
 namespace pw85::detail {
 
@@ -174,7 +175,7 @@ template <class T> struct RimIntegration {
 template <class T> PW85_FUNCTION inline RimIntegration<T>
 rim_integration(JointFrame<T, 3> const &frame, RimFrame<T> const &rim) noexcept
 {
-    RimIntegration<T> integration{rim, {}, {area_rule(rim, 0), area_rule(rim, 1)}};
+    RimIntegration<T> integration{rim, {}, {area_rule(rim.ends, 0), area_rule(rim.ends, 1)}};
     if constexpr (RimIntegration<T>::has_copies)
         for (int k = 0; k < 2; ++k) integration.bodies[k] = side_by_side(rim.bodies[k]);
     if constexpr (ScalarTraits<T>::lanes == 1)

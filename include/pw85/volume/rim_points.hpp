@@ -1,14 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The points of the rim in the half-planes through its axis: the roots of its equation
-/// (rim_frame.hpp), and their derivatives along the rim. rim_integrals.hpp calls rim_roots(),
-/// rim_root() and rim_point().
+/// Both bodies and the points of the rim relative to its axis (rim_frame.hpp), in the half-planes
+/// through it: the roots of the equation of the rim, and their derivatives along the rim.
+/// rim_integrals.hpp calls rim_roots(), rim_root() and rim_point().
 #ifndef PW85_VOLUME_RIM_POINTS_HPP_INCLUDED
 #define PW85_VOLUME_RIM_POINTS_HPP_INCLUDED
 
-#include <pw85/volume/rim_frame.hpp>
+#include <pw85/algebra/two_lanes.hpp>
+#include <pw85/volume/pencil_roots.hpp>
 
 namespace pw85::detail {
+
+/// A body in its metric, relative to the axis of the rim.
+template <class T> struct BodyOnAxis {
+    T stretch, start; ///< s = start + stretch·z on the axis
+    T high, low;      ///< z of the ends of the axis inside the body
+    T half_chord;     ///< half of the length of the axis inside the body, in the metric
+    T along[2];       ///< the coordinate s of the image of each g_i
+    T across[2];      ///< ζ κ of each g_i
+    T products[2]
+              /// κ²: products of the images of g_i, less their parts along the axis
+              [2];
+    // In space, with the unit vector k along the image of the axis, the point f of the axis next to
+    // the centre, and g_i⊥ across the axis:
+    T twists[2];    ///< k·(f × g_i⊥)
+    T turn;         ///< k·(g_1⊥ × g_2⊥)
+    T above, below; ///< z of the ends of the ball's axis less z of those of this body
+};
+
+/// Flags: true if that end of the common part of the axis is an end of the chord of the ball.
+template <class Mask> struct AxisEnds {
+    Mask ball_above, ball_below;
+};
+
+/// The equation of the rim: αZ² - TZ + γ = 0 with α > 0 or α = 0 > γ.
+template <class T> struct RimEquation {
+    T alpha, gamma;
+    T least;     ///< 2√(αγ), or 0 if αγ < 0: the T with one solution
+    T excess[2]; ///< T - least at each vertex
+};
 
 /// The roots of αZ² - TZ + γ = 0, each as a ratio, the larger one first, without cancellation.
 /// Where rounding errors leave no solution, both are where the rim would just touch itself.
@@ -18,7 +48,7 @@ template <class T> struct RimRoots {
 
 /// `excess` is T less `least` of the rim.
 template <class T>
-PW85_FUNCTION inline RimRoots<T> rim_roots(RimFrame<T> const &rim, T const &excess) noexcept
+PW85_FUNCTION inline RimRoots<T> rim_roots(RimEquation<T> const &rim, T const &excess) noexcept
 {
     T const two_alpha = T(T(2) * rim.alpha), two_gamma = T(T(2) * rim.gamma);
     auto const two = rim.least > T(0), is_positive = excess > T(0);

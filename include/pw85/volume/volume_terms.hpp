@@ -7,6 +7,7 @@
 #define PW85_VOLUME_VOLUME_TERMS_HPP_INCLUDED
 
 #include <pw85/volume/rim_integrals.hpp>
+#include <pw85/volume/rule_ladder.hpp>
 
 namespace pw85::detail {
 

@@ -193,7 +193,7 @@ PW85_INLINE PackMask is_in_range_of_lanes(LanePair<3> const &pair) noexcept
     auto const axis = rim_axis_of(p);
     auto &rim = out.integration.rim;
     rim = rim_frame(frame, axis);
-    for (int k = 0; k < 2; ++k) out.integration.rules[k] = area_rule(rim, k);
+    for (int k = 0; k < 2; ++k) out.integration.rules[k] = area_rule(rim.ends, k);
     out.rule = elliptic_rule(rim);
     auto const form = quartic_form(rim);
     Pack const stretch2 = square_root(square_root(Pack(form.a / form.c)));
