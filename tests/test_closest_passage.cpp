@@ -388,12 +388,6 @@ PW85_TEST("/closest_passage/batch")
     g_assert_cmpint(batch(-1.0, t.data()), ==, PW85_EINVAL);
     g_assert_true(std::isnan(mu2[0]) && std::isnan(t[999]));
     g_assert_cmpint(batch(std::nan(""), t.data()), ==, PW85_EINVAL);
-    g_assert_cmpint(
-        pw85_closest_passage_batch(0, nullptr, nullptr, nullptr, nullptr, 1.0, nullptr, nullptr),
-        ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_closest_passage_batch(1, r12.data(), q1.data(), q2.data(), nullptr, 1.0,
-                                               mu2.data(), nullptr),
-                    ==, PW85_EINVAL);
 }
 
 PW85_ADD_TEST("/closest_passage/random/float", test_type<float>);

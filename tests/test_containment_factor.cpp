@@ -352,22 +352,6 @@ PW85_TEST("/containment_factor/across_the_separation")
     }
 }
 
-PW85_TEST("/containment_factor/status")
-{
-    double const r12[3] = {0.1, 0.2, 0.3}, q1[6] = {9, 0, 0, 9, 0, 9}, flat[6] = {1, 1, 0, 1, 0, 1};
-    double mu2 = 7, point[3] = {7, 7, 7};
-    g_assert_cmpint(pw85_containment(r12, q1, flat, &mu2, point), ==, PW85_ENOTPD);
-    g_assert_true(std::isnan(mu2) && std::isnan(point[0]) && std::isnan(point[2]));
-    double const bad[3] = {0.0, std::numeric_limits<double>::infinity(), 0.0};
-    g_assert_cmpint(pw85_containment(bad, q1, q1, &mu2, nullptr), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_containment(nullptr, q1, q1, nullptr, point), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_containment(r12, q1, q1, nullptr, nullptr), ==, PW85_SUCCESS);
-    int contains = 7;
-    g_assert_cmpint(pw85_contains_2d(r12, nullptr, q1, &contains), ==, PW85_EINVAL);
-    g_assert_cmpint(contains, ==, -1);
-    g_assert_cmpint(pw85_contains_2d(r12, q1, q1, nullptr), ==, PW85_EINVAL);
-}
-
 PW85_ADD_TEST("/containment_factor/random/float", test_random<float, 3>);
 PW85_ADD_TEST("/containment_factor/random/double", test_random<double, 3>);
 PW85_ADD_TEST("/containment_factor/random/long_double", test_random<long double, 3>);

@@ -246,19 +246,26 @@ void assert_close(double actual, double expected, double tolerance)
     g_assert_cmpfloat(std::fabs(actual - expected), <=, tolerance);
 }
 
+/// Checks a pair whose derivatives are known, and without torques.
+void expect_touching(Derivatives const &d, Vector3 const &point, Vector3 const &normal,
+                     Vector3 const &force, double tolerance)
+{
+    for (int i = 0; i < 3; ++i) {
+        assert_close(d.point[i], point[i], tolerance);
+        assert_close(d.normal[i], normal[i], 4 * u);
+        assert_close(d.r12[i], force[i], 4 * u);
+        assert_close(d.rotation1[i], 0.0, 4 * u);
+        assert_close(d.rotation2[i], 0.0, 4 * u);
+    }
+}
+
 // μ² = r²/(a1+a2)², touching at r a1/(a1+a2), with ∂μ²/∂r = 2r/(a1+a2)² and no torque.
 PW85_TEST("/geometry/spheres")
 {
     Sample<double, 3> const p{
         {1.0, 2.0, 2.0}, {4.0, 0.0, 0.0, 4.0, 0.0, 4.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}};
-    auto const d = derivatives(p, 2.0 / 3.0);
-    for (int i = 0; i < 3; ++i) {
-        assert_close(d.point[i], p.r12[i] * 2.0 / 3.0, 8 * u);
-        assert_close(d.normal[i], p.r12[i] / 3.0, 4 * u);
-        assert_close(d.r12[i], 2.0 * p.r12[i] / 9.0, 4 * u);
-        assert_close(d.rotation1[i], 0.0, 4 * u);
-        assert_close(d.rotation2[i], 0.0, 4 * u);
-    }
+    expect_touching(derivatives(p, 2.0 / 3.0), (2.0 / 3.0) * p.r12, (1.0 / 3.0) * p.r12,
+                    (2.0 / 9.0) * p.r12, 8 * u);
 }
 
 // Two spheroids on one axis, end to end: μ = r/(c1+c2), at the ends.
@@ -272,15 +279,7 @@ PW85_TEST("/geometry/end_to_end")
     assert_close(out[0], 4.0, 16 * u);
     assert_close(out[1], 0.375, 16 * u);
     auto const d = derivatives(p, 0.375);
-    double const point[3] = {0.0, 0.0, 6.0}, force[3] = {0.0, 0.0, 0.5},
-                 normal[3] = {0.0, 0.0, 1.0};
-    for (int i = 0; i < 3; ++i) {
-        assert_close(d.point[i], point[i], 16 * u);
-        assert_close(d.normal[i], normal[i], 4 * u);
-        assert_close(d.r12[i], force[i], 4 * u);
-        assert_close(d.rotation1[i], 0.0, 4 * u);
-        assert_close(d.rotation2[i], 0.0, 4 * u);
-    }
+    expect_touching(d, {0.0, 0.0, 6.0}, {0.0, 0.0, 1.0}, {0.0, 0.0, 0.5}, 16 * u);
     // dμ²/d(c²) = -2μ² /(c1+c2) · 1/(2c) for the axis in question, none for the others.
     assert_close(d.q1[5], -4.0 / 8.0 / 3.0, 4 * u);
     assert_close(d.q2[5], -4.0 / 8.0 / 5.0, 4 * u);
@@ -300,16 +299,8 @@ PW85_TEST("/geometry/t_shaped")
     pw85_contact(p.r12.coordinates, p.q1.entries, p.q2.entries, out);
     assert_close(out[0], 0.25, 8 * u);
     assert_close(out[1], 0.75, 16 * u);
-    auto const d = derivatives(p, 0.75);
-    double const point[3] = {0.0, 0.0, 1.5}, force[3] = {0.0, 0.0, 0.25},
-                 normal[3] = {0.0, 0.0, 1.0};
-    for (int i = 0; i < 3; ++i) {
-        assert_close(d.point[i], point[i], 8 * u);
-        assert_close(d.normal[i], normal[i], 4 * u);
-        assert_close(d.r12[i], force[i], 4 * u);
-        assert_close(d.rotation1[i], 0.0, 4 * u);
-        assert_close(d.rotation2[i], 0.0, 4 * u);
-    }
+    expect_touching(derivatives(p, 0.75), {0.0, 0.0, 1.5}, {0.0, 0.0, 1.0}, {0.0, 0.0, 0.25},
+                    8 * u);
 }
 
 // The pair of the tutorial, with the numbers of the manual.

@@ -499,12 +499,10 @@ PW85_TEST("/grain_contact/walls/extreme")
     g_assert_true(found[0] == 0.75 && found[1] == 3.0);
 }
 
-// Pairs that are so deep that the overlap has no minimum, and bad numbers.
+// Pairs that are so deep that the overlap has no minimum, and bad forms.
 PW85_TEST("/grain_contact/no contact")
 {
     Form3 const sphere{1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, flat{1.0, 0.0, 0.0, 1.0, 0.0, -1.0};
-    double const nan = std::numeric_limits<double>::quiet_NaN(),
-                 inf = std::numeric_limits<double>::infinity();
     Vector3 const up{0.0, 0.0, 1.0};
     struct {
         Pair pair;
@@ -516,10 +514,6 @@ PW85_TEST("/grain_contact/no contact")
         {{{0.0, 0.0, 1.5}, sphere, flat}, up, PW85_ENOTPD},
         {{{0.0, 0.0, 1.5}, flat, sphere}, up, PW85_ENOTPD},
         {{{0.0, 0.0, 1.5}, sphere, sphere}, {}, PW85_EINVAL},
-        {{{0.0, 0.0, 1.5}, sphere, sphere}, {nan, 0.0, 1.0}, PW85_EINVAL},
-        {{{0.0, 0.0, nan}, sphere, sphere}, up, PW85_EINVAL},
-        {{{inf, 0.0, 1.5}, sphere, sphere}, up, PW85_EINVAL},
-        {{{0.0, 0.0, 1.5}, {inf, 0.0, 0.0, 1.0, 0.0, 1.0}, sphere}, up, PW85_EINVAL},
         {{{0.0, 0.0, 1.5}, sphere, sphere}, up, PW85_SUCCESS},
     };
     for (auto const &[p, start, status] : cases) {
@@ -544,13 +538,6 @@ PW85_TEST("/grain_contact/no contact")
         }
         for (Vector3 const &x : d)
             for (int i = 0; i < 3; ++i) g_assert_true(std::isnan(x[i]) == bad);
-    }
-    double depth, radius;
-    for (double const bad : {nan, inf, -inf}) {
-        g_assert_cmpint(pw85_grain_contact_wall(up.coordinates, 0.5, up.coordinates, bad,
-                                                sphere.entries, &depth, nullptr, nullptr, &radius),
-                        ==, PW85_EINVAL);
-        g_assert_true(std::isnan(depth) && std::isnan(radius));
     }
 }
 
@@ -626,13 +613,6 @@ PW85_TEST("/grain_contact/rows")
                                  again.curvatures.data(), &again.radius);
         check_same(again, many, 0.0, failures, pairs[i]);
     }
-    // outputs may be null, inputs may not
-    g_assert_cmpint(pw85_grain_contact_batch(1, r12.data(), q1.data(), q2.data(), starts.data(),
-                                             nullptr, nullptr, nullptr, nullptr, nullptr),
-                    ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_grain_contact_batch(1, r12.data(), q1.data(), q2.data(), nullptr, nullptr,
-                                             nullptr, nullptr, nullptr, nullptr),
-                    ==, PW85_EINVAL);
 }
 
 } // namespace

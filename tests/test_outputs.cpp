@@ -78,6 +78,36 @@ PW85_TEST("/outputs/null")
     }
 }
 
+// No rows need no arrays, and more rows than memory can have are refused before anything is
+// written. The planes of a polytope are those of all rows.
+PW85_TEST("/outputs/numbers_of_rows")
+{
+    Failures failures;
+    for (Function const &function : declared_functions()) {
+        std::string const name = function.name;
+        if (function.parameters.empty() || function.parameters[0].type != Type::size ||
+            name.find("_batch") == name.npos || name.find("polytope") != name.npos)
+            continue;
+        Call many(function, three_pairs), none(function, three_pairs);
+        auto const before = many.outputs();
+        for (std::size_t const n :
+             {SIZE_MAX, SIZE_MAX / 6, SIZE_MAX / 48, SIZE_MAX / 48 + 1, SIZE_MAX / 96 + 1}) {
+            many[0].size = n;
+            int const status = many().status;
+            failures.check(status == PW85_EINVAL, "status", status, PW85_EINVAL,
+                           [&] { return name; });
+        }
+        many[0].size = 3;
+        failures.check(many.outputs() == before, "outputs", 0.0, 1.0, [&] { return name; });
+        none[0].size = 0;
+        for (std::size_t k = 0; k < none.size(); ++k)
+            if (none.parameter(k).pointer) none[k].pointer = nullptr;
+        int const status = none().status;
+        failures.check(status == PW85_SUCCESS, "status", status, 0.0, [&] { return name; });
+    }
+    g_assert_cmpint(failures.checked(), >, 350);
+}
+
 // All that may be null is, and each of them: `images` go with a cell, `next_pair` with `next`,
 // derivatives with the outputs that need them, and a cell with a list that was made with one.
 PW85_TEST("/outputs/optional")

@@ -7,10 +7,8 @@
 #include <pw85.h>
 
 #include "cases.hpp"
+#include "common_part_cases.hpp"
 #include "draws.hpp"
-#include "failures.hpp"
-#include "random_pairs.hpp"
-#include "wide.hpp"
 
 using namespace pw85_tests;
 
@@ -18,47 +16,13 @@ namespace {
 
 constexpr double u = 0x1p-53;
 
-using Fine = Multiprecision<20>;
+using Fine = FineMeasure;
 using Pair2 = Sample<double, 2>;
 
-double whole(pw85::SymmetricMatrix<double, 2> const &q)
+/// Checks the area of the template against the contract.
+void check_area(Failures &failures, Pair2 const &p)
 {
-    double area = 0.0;
-    g_assert_cmpint(pw85_area_2d(q.entries, &area), ==, PW85_SUCCESS);
-    return area;
-}
-
-double measured(Pair2 const &p)
-{
-    double area = 0.0;
-    g_assert_cmpint(pw85_overlap_area_2d(p.r12.coordinates, p.q1.entries, p.q2.entries, &area), ==,
-                    PW85_SUCCESS);
-    return area;
-}
-
-/// s of the contract, by the derivatives in 38 digits.
-double sensitivity(Sample<Fine, 2> const &p)
-{
-    auto const d = pw85::overlap_area_gradient(p.r12, p.q1, p.q2);
-    Fine sum = 0;
-    for (int i = 0; i < 2; ++i) {
-        sum += abs(p.r12[i] * d.r12[i]);
-        for (int j = i; j < 2; ++j)
-            sum += sqrt(Fine(p.q1(i, i) * p.q1(j, j))) * abs(d.q1(i, j)) +
-                   sqrt(Fine(p.q2(i, i) * p.q2(j, j))) * abs(d.q2(i, j));
-    }
-    return static_cast<double>(sum);
-}
-
-/// Checks an area against the contract.
-void check_bound(Failures &failures, Pair2 const &p, double actual)
-{
-    auto const exact = convert<Fine>(p);
-    Fine const truth = pw85::overlap_area(exact.r12, exact.q1, exact.q2).area;
-    double const error = std::abs(static_cast<double>(Fine(Fine(actual) - truth)));
-    double const bound =
-        u * (64.0 * std::fmin(whole(p.q1), whole(p.q2)) + 16.0 * sensitivity(exact));
-    failures.check(error <= bound, "error", error, bound, [&] { return hex_text(p); });
+    check_bound(failures, p, pw85::overlap_area(p.r12, p.q1, p.q2).area, measure(convert<Fine>(p)));
 }
 
 /// Ellipses of aspect ratios to 10⁵ and size ratios to 10⁵, one of them with another aspect ratio.
@@ -97,12 +61,11 @@ constexpr Pair2 crossed_needles[] = {
 PW85_TEST("/overlap_area/extremes")
 {
     Failures failures;
-    for (auto const &p : crossed_needles)
-        check_bound(failures, p, pw85::overlap_area(p.r12, p.q1, p.q2).area);
+    for (auto const &p : crossed_needles) check_area(failures, p);
     Random random(930);
     for (int n = 0; n < draws(8000); ++n) {
         auto const p = extreme_pair(random);
-        check_bound(failures, p, pw85::overlap_area(p.r12, p.q1, p.q2).area);
+        check_area(failures, p);
     }
 }
 
@@ -120,7 +83,7 @@ PW85_TEST("/overlap_area/touching")
             return 1.0 / std::sqrt(pw85::detail::quadratic_form(q, x)) * pw85::product(q, x);
         };
         p.r12 = point(p.q1) - point(p.q2) + random.sign() * random.log_uniform(1e-14, 1e-2) * x;
-        check_bound(failures, p, pw85::overlap_area(p.r12, p.q1, p.q2).area);
+        check_area(failures, p);
     }
 }
 
@@ -158,35 +121,7 @@ PW85_TEST("/overlap_area/certain")
     g_assert_cmpint(certain, >, 9 * parts / 10);
 }
 
-/// Exactly 0 or a whole ellipse where the exact decisions say so, in any order of the two.
-PW85_TEST("/overlap_area/decisions")
-{
-    Failures failures;
-    Random random(933);
-    for (int n = 0; n < draws(8000); ++n) {
-        PairOptions options{};
-        auto p = random_pair<2>(random, options);
-        if (n % 3 == 0) p.r12 = std::sqrt(1.0 / pw85::contact(p.r12, p.q1, p.q2).mu2) * p.r12;
-        if (n % 3 == 1) {
-            p.r12 = 0.01 * p.r12;
-            double const scale = pw85::containment(p.r12, p.q1, p.q2).mu2 *
-                                 (1.0 + random.uniform(-2.0, 2.0) * 0x1p-52);
-            p.q1 = scale * p.q1;
-        }
-        bool const apart = !pw85::overlap(p.r12, p.q1, p.q2).overlap,
-                   inside2 = pw85::contains(p.r12, p.q1, p.q2).contains,
-                   inside1 = pw85::contains(-p.r12, p.q2, p.q1).contains;
-        double const area = measured(p), smaller = std::fmin(whole(p.q1), whole(p.q2));
-        bool const fits = apart     ? area == 0.0
-                          : inside2 ? area == whole(p.q2)
-                          : inside1 ? area == whole(p.q1)
-                                    : area >= 0.0 && area <= smaller;
-        failures.check(fits, "area", area, smaller, [&] { return hex_text(p); });
-        double const exchanged = measured(Pair2{-p.r12, p.q2, p.q1});
-        failures.check(std::abs(exchanged - area) <= 1e-13 * smaller, "exchanged", exchanged, area,
-                       [&] { return hex_text(p); });
-    }
-}
+PW85_TEST("/overlap_area/decisions") { check_decisions<2>(933, draws(8000)); }
 
 /// No two directions show that an ellipse inside the other one reaches beyond it.
 PW85_TEST("/overlap_area/directions")

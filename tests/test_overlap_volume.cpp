@@ -12,11 +12,9 @@
 #include <pw85_systems.h>
 
 #include "cases.hpp"
+#include "common_part_cases.hpp"
 #include "draws.hpp"
-#include "failures.hpp"
-#include "random_pairs.hpp"
 #include "rotated.hpp"
-#include "wide.hpp"
 
 using namespace pw85_tests;
 
@@ -24,118 +22,33 @@ namespace {
 
 constexpr double u = 0x1p-53;
 
-using Fine = Multiprecision<20>;
+using Fine = FineMeasure;
 using Vector3 = pw85::Vector<double, 3>;
 using Form3 = pw85::SymmetricMatrix<double, 3>;
-template <int D> using FineSample = Sample<Fine, D>;
 
-Fine measure(FineSample<3> const &p) { return pw85::overlap_volume(p.r12, p.q1, p.q2).volume; }
-Fine measure(FineSample<2> const &p) { return pw85::overlap_area(p.r12, p.q1, p.q2).area; }
-
-double measured(Sample<double, 3> const &p)
-{
-    double volume = 0.0;
-    g_assert_cmpint(pw85_overlap_volume(p.r12.coordinates, p.q1.entries, p.q2.entries, &volume), ==,
-                    PW85_SUCCESS);
-    return volume;
-}
-
-double measured(Sample<double, 2> const &p)
-{
-    double area = 0.0;
-    g_assert_cmpint(pw85_overlap_area_2d(p.r12.coordinates, p.q1.entries, p.q2.entries, &area), ==,
-                    PW85_SUCCESS);
-    return area;
-}
-
-double whole(Form3 const &q)
-{
-    double volume = 0.0;
-    g_assert_cmpint(pw85_volume(q.entries, &volume), ==, PW85_SUCCESS);
-    return volume;
-}
-
-double whole(pw85::SymmetricMatrix<double, 2> const &q)
-{
-    double area = 0.0;
-    g_assert_cmpint(pw85_area_2d(q.entries, &area), ==, PW85_SUCCESS);
-    return area;
-}
-
-/// s of the contract: Σ|r_i ∂V/∂r_i| + Σ √(q_ii q_jj) |∂V/∂q_ij|, over the stored entries of both
-/// forms.
-double sensitivity(Sample<double, 3> const &p)
-{
-    auto const exact = convert<Fine>(p);
-    auto const d = pw85::overlap_volume_gradient(exact.r12, exact.q1, exact.q2);
-    Fine sum = 0;
-    for (int i = 0; i < 3; ++i) {
-        sum += abs(exact.r12[i] * d.r12[i]);
-        for (int j = i; j < 3; ++j)
-            sum += sqrt(Fine(exact.q1(i, i) * exact.q1(j, j))) * abs(d.q1(i, j)) +
-                   sqrt(Fine(exact.q2(i, i) * exact.q2(j, j))) * abs(d.q2(i, j));
-    }
-    return static_cast<double>(sum);
-}
-
-/// The same in the plane, by difference quotients. A small step is exact enough here, as s counts
-/// only by its size.
-double sensitivity(Sample<double, 2> const &p)
-{
-    auto const exact = convert<Fine>(p);
-    Fine const step = ldexp(Fine(1), -40);
-    Fine sum = 0;
-    auto const add = [&](Fine const &x, auto &&number_of) {
-        auto more = exact, less = exact;
-        number_of(more) += x * step;
-        number_of(less) -= x * step;
-        sum += abs(measure(more) - measure(less)) / (2 * step);
-    };
-    for (int i = 0; i < 2; ++i) {
-        add(abs(exact.r12[i]), [i](auto &sample) -> Fine & { return sample.r12[i]; });
-        for (int j = i; j < 2; ++j) {
-            add(sqrt(Fine(exact.q1(i, i) * exact.q1(j, j))),
-                [i, j](auto &sample) -> Fine & { return sample.q1(i, j); });
-            add(sqrt(Fine(exact.q2(i, i) * exact.q2(j, j))),
-                [i, j](auto &sample) -> Fine & { return sample.q2(i, j); });
-        }
-    }
-    return static_cast<double>(sum);
-}
-
-/// Checks a value against the contract.
-template <int D>
-void check_bound(Failures &failures, Sample<double, D> const &p, double actual, Fine const &truth)
-{
-    double const error = std::abs(static_cast<double>(Fine(Fine(actual) - truth)));
-    double const smaller = std::fmin(whole(p.q1), whole(p.q2));
-    if (error <= 64.0 * u * smaller) { // no need of the sensitivity
-        failures.check(true, "error", error, error, [] { return std::string(); });
-        return;
-    }
-    double const bound = u * (64.0 * smaller + 16.0 * sensitivity(p));
-    failures.check(error <= bound, "error", error, bound, [&] { return hex_text(p); });
-}
-
-/// Two balls, q = radius², by the formula of two caps in twice as many digits. The radii are roots
-/// of doubles, and both bodies are given as doubles exactly.
-PW85_TEST("/overlap_volume/balls")
+/// Two balls, q = radius², by the formula of two caps in twice as many digits, or two circles by
+/// that of two segments. The radii are roots of doubles, and both bodies are given as doubles
+/// exactly.
+template <int D> void test_balls()
 {
     Failures failures;
     Random random(900);
     for (int n = 0; n < draws(4000); ++n) {
+        Sample<double, D> p{};
         double const a2 = random.log_uniform(0.1, 10.0), b2 = random.log_uniform(0.1, 10.0);
+        for (int i = 0; i < D; ++i) p.q1(i, i) = a2, p.q2(i, i) = b2;
         Wide const a = sqrt(Wide(a2)), b = sqrt(Wide(b2)), inner = abs(a - b);
         double const share =
             n % 2 == 0 ? random.uniform(0.0, 1.0) : 1.0 - random.log_uniform(1e-8, 0.5);
-        Vector3 const r =
-            static_cast<double>(inner + (a + b - inner) * Wide(share)) * random.direction<3>();
-        Sample<double, 3> const p{r, {{a2, 0, 0, a2, 0, a2}}, {{b2, 0, 0, b2, 0, b2}}};
-        Wide const d = sqrt(Wide(r[0]) * r[0] + Wide(r[1]) * r[1] + Wide(r[2]) * r[2]),
-                   h = a + b - d;
+        p.r12 = static_cast<double>(inner + (a + b - inner) * Wide(share)) * random.direction<D>();
+        auto const r = convert<Wide>(p.r12);
+        Wide const d = sqrt(pw85::dot(r, r)), h = a + b - d;
         if (!(h > 0) || d <= inner) continue;
-        Wide const pi = 4 * atan(Wide(1));
-        Wide const truth = pi * h * h * (d * d + 2 * d * (a + b) - 3 * inner * inner) / (12 * d);
+        Wide const x = (d * d + a * a - b * b) / (2 * d), y = sqrt(Wide(a * a - x * x)),
+                   pi = 4 * atan(Wide(1));
+        Wide const truth =
+            D == 3 ? Wide(pi * h * h * (d * d + 2 * d * (a + b) - 3 * inner * inner) / (12 * d))
+                   : Wide(a * a * atan2(y, x) + b * b * atan2(y, Wide(d - x)) - d * y);
         double const actual = measured(p),
                      error = std::abs(static_cast<double>(Wide((Wide(actual) - truth) / truth)));
         // dV/V of a lens is 2 dh/h, and h errs by the roundings of the data, up to (2a + 2b + d) u.
@@ -363,7 +276,7 @@ void check_bound_or_status(Failures &failures, ThinLens const &lens)
     int const status = pw85_overlap_volume(p.r12.coordinates, p.q1.entries, p.q2.entries, &volume);
     if (status == PW85_ECONVERGENCE) return;
     g_assert_cmpint(status, ==, PW85_SUCCESS);
-    check_bound(failures, p, volume, Fine(share) * Fine(std::fmin(whole(p.q1), whole(p.q2))));
+    check_bound(failures, p, volume, Fine(share) * Fine(smaller_of(p)));
 }
 
 /// Where a body reaches farthest along a normal, and how far, for its form exactly as given.
@@ -382,17 +295,16 @@ PW85_TEST("/overlap_volume/thin_lenses")
 {
     Failures failures;
     for (auto const &[p, share] : thin_lenses) {
-        double const smaller = std::fmin(whole(p.q1), whole(p.q2));
+        double const smaller = smaller_of(p);
         check_bound(failures, p, measured(p), Fine(share) * Fine(smaller));
     }
     for (auto const &[p, share] : nearly_touching_balls)
-        check_bound(failures, p, measured(p),
-                    Fine(share) * Fine(std::fmin(whole(p.q1), whole(p.q2))));
+        check_bound(failures, p, measured(p), Fine(share) * Fine(smaller_of(p)));
     for (auto const &lens : needles_in_small_bodies) check_bound_or_status(failures, lens);
     check_bound_or_status(failures, nearly_nested_discs);
     auto const &[discs, share_of_discs] = nearly_nested_discs;
     check_bound(failures, discs, static_cast<double>(measure(convert<Fine>(discs))),
-                Fine(share_of_discs) * Fine(std::fmin(whole(discs.q1), whole(discs.q2))));
+                Fine(share_of_discs) * Fine(smaller_of(discs)));
     Random random(915);
     long compared = 0, solved = 0, lenses = 0;
     for (int n = 0; n < draws(400); ++n) {
@@ -464,7 +376,7 @@ PW85_TEST("/overlap_volume/slender")
         g_assert_cmpint(status, ==, PW85_SUCCESS);
         Fine const truth = measure(convert<Fine>(p));
         double const error = std::abs(static_cast<double>(Fine(Fine(actual) - truth)));
-        double const smaller = std::fmin(whole(p.q1), whole(p.q2)), bound = 1e-12 * smaller;
+        double const smaller = smaller_of(p), bound = 1e-12 * smaller;
         failures.check(error <= bound, "error", error, bound, [&] { return hex_text(p); });
     }
 }
@@ -499,38 +411,7 @@ PW85_TEST("/overlap_volume/convergence")
     g_assert_true(noise.converged);
 }
 
-/// 0 and whole volumes where the exact decisions say so, also next to tangency.
-PW85_TEST("/overlap_volume/decisions")
-{
-    Failures failures;
-    Random random(903);
-    for (int n = 0; n < draws(8000); ++n) {
-        PairOptions options{};
-        auto p = random_pair<3>(random, options);
-        if (n % 3 == 0) p.r12 = std::sqrt(1.0 / pw85::contact(p.r12, p.q1, p.q2).mu2) * p.r12;
-        if (n % 3 == 1) { // next to internal tangency
-            p.r12 = 0.01 * p.r12;
-            double const scale = pw85::containment(p.r12, p.q1, p.q2).mu2 *
-                                 (1.0 + random.uniform(-2.0, 2.0) * 0x1p-52);
-            p.q1 = scale * p.q1;
-        }
-        int overlap = 0, inside2 = 0, inside1 = 0;
-        Vector3 const back = -p.r12;
-        pw85_overlap(p.r12.coordinates, p.q1.entries, p.q2.entries, &overlap);
-        pw85_contains(p.r12.coordinates, p.q1.entries, p.q2.entries, &inside2);
-        pw85_contains(back.coordinates, p.q2.entries, p.q1.entries, &inside1);
-        double const volume = measured(p), smaller = std::fmin(whole(p.q1), whole(p.q2));
-        bool const fits = overlap == 0   ? volume == 0.0
-                          : inside2 == 1 ? volume == whole(p.q2)
-                          : inside1 == 1 ? volume == whole(p.q1)
-                                         // 0: a lens of rounding errors
-                                         : volume >= 0.0 && volume <= smaller;
-        failures.check(fits, "volume", volume, smaller, [&] { return hex_text(p); });
-        double const swapped = measured(Sample<double, 3>{back, p.q2, p.q1});
-        failures.check(std::abs(swapped - volume) <= 1e-13 * smaller, "exchanged", swapped, volume,
-                       [&] { return hex_text(p); });
-    }
-}
+PW85_TEST("/overlap_volume/decisions") { check_decisions<3>(903, draws(8000)); }
 
 /// Tangent ellipsoids by exact numbers, and one inside the other by one unit in the last place.
 PW85_TEST("/overlap_volume/tangency")
@@ -585,7 +466,7 @@ template <int D> void test_invariance()
         PairOptions options{};
         options.mu2_max = 1.0;
         auto const p = random_pair<D>(random, options);
-        double const volume = measured(p), smaller = std::fmin(whole(p.q1), whole(p.q2));
+        double const volume = measured(p), smaller = smaller_of(p);
         for (int const e : {-200, -40, 40, 200}) {
             Sample<double, D> const scaled{std::ldexp(1.0, e) * p.r12,
                                            std::ldexp(1.0, 2 * e) * p.q1,
@@ -612,7 +493,7 @@ template <int D> void test_concave()
         PairOptions options{};
         options.mu2_min = options.mu2_max = 1.0;
         auto const p = random_pair<D>(random, options);
-        double const smaller = root(std::fmin(whole(p.q1), whole(p.q2)));
+        double const smaller = root(smaller_of(p));
         double roots[33], last = std::numeric_limits<double>::infinity();
         for (int k = 0; k <= 32; ++k) {
             roots[k] = root(measured(Sample<double, D>{k / 32.0 * p.r12, p.q1, p.q2}));
@@ -670,7 +551,7 @@ PW85_TEST("/overlap_volume/gradient")
         double d_r12[3], d_q[2][6];
         pw85_overlap_volume_gradient(p.r12.coordinates, p.q1.entries, p.q2.entries, d_r12, d_q[0],
                                      d_q[1]);
-        if (measured(p) == std::fmin(whole(p.q1), whole(p.q2))) continue;
+        if (measured(p) == smaller_of(p)) continue;
         double const size =
             std::sqrt(std::fmin(p.q1[0] + p.q1[3] + p.q1[5], p.q2[0] + p.q2[3] + p.q2[5]));
         Fine const h = Fine(1e-5 * size);
@@ -720,7 +601,7 @@ PW85_TEST("/overlap_volume/balance")
                                      force.coordinates, g1.entries, g2.entries);
         pw85_overlap_volume_torque(p.r12.coordinates, p.q1.entries, p.q2.entries,
                                    torque1.coordinates, torque2.coordinates);
-        double const volume = measured(p), bound = 1e-11 * std::fmin(whole(p.q1), whole(p.q2));
+        double const volume = measured(p), bound = 1e-11 * smaller_of(p);
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) {
                 double sum = p.r12[i] * force[j];
@@ -734,31 +615,6 @@ PW85_TEST("/overlap_volume/balance")
         for (int i = 0; i < 3; ++i)
             failures.check(std::abs(rest[i]) <= bound, "reaction", rest[i], bound,
                            [&] { return hex_text(p); });
-    }
-}
-
-/// Two circles by the formula of two segments, in many digits.
-PW85_TEST("/overlap_volume/circles")
-{
-    Failures failures;
-    Random random(909);
-    for (int n = 0; n < draws(4000); ++n) {
-        double const a2 = random.log_uniform(0.1, 10.0), b2 = random.log_uniform(0.1, 10.0);
-        Wide const a = sqrt(Wide(a2)), b = sqrt(Wide(b2)), inner = abs(a - b);
-        double const share =
-            n % 2 == 0 ? random.uniform(0.0, 1.0) : 1.0 - random.log_uniform(1e-8, 0.5);
-        auto const r =
-            static_cast<double>(inner + (a + b - inner) * Wide(share)) * random.direction<2>();
-        Sample<double, 2> const p{r, {{a2, 0, a2}}, {{b2, 0, b2}}};
-        Wide const d = sqrt(Wide(r[0]) * r[0] + Wide(r[1]) * r[1]), h = a + b - d;
-        if (!(h > 0) || d <= inner) continue;
-        Wide const x = (d * d + a * a - b * b) / (2 * d), y = sqrt(Wide(a * a - x * x));
-        Wide const truth = a * a * atan2(y, x) + b * b * atan2(y, Wide(d - x)) - d * y;
-        double const actual = measured(p),
-                     error = std::abs(static_cast<double>(Wide((Wide(actual) - truth) / truth)));
-        double const bound = u * (64.0 + 40.0 * static_cast<double>(Wide((a + b + d) / h)));
-        failures.check(error <= bound, "relative error of a lens", error, bound,
-                       [&] { return hex_text(p); });
     }
 }
 
@@ -856,6 +712,8 @@ PW85_TEST("/overlap_volume/many")
     g_assert_cmpint(pw85_overlap_volume_pairs(nullptr, &system, volumes), ==, PW85_EINVAL);
 }
 
+PW85_ADD_TEST("/overlap_volume/balls", test_balls<3>);
+PW85_ADD_TEST("/overlap_volume/circles", test_balls<2>);
 PW85_ADD_TEST("/overlap_volume/bound", test_bound<3>);
 PW85_ADD_TEST("/overlap_volume/invariance", test_invariance<3>);
 PW85_ADD_TEST("/overlap_volume/invariance_2d", test_invariance<2>);

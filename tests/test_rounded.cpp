@@ -28,8 +28,7 @@ namespace d = pw85::detail;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity(),
-                 nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The number of pairs: a million with `-m perf`.
 int pairs(int count) { return g_test_perf() ? 1000000 : draws(count); }
@@ -489,46 +488,11 @@ PW85_TEST("/rounded/enclosure")
     g_assert_cmpfloat(used_above, >, 0.1);
 }
 
-PW85_TEST("/rounded/status")
+PW85_TEST("/rounded/concentric")
 {
-    Sample<double, 3> const good{{1, 2, 3}, {9, 0, 0, 9, 0, 9}, {2, 0, 0, 1, 0, 1}};
-    auto const refused = [](Sample<double, 3> const &s, int status) {
-        double out[2] = {1.0, 1.0}, mu2 = 1.0, lambda = 1.0;
-        g_assert_cmpint(pw85_contact_rounded(s.r12.coordinates, s.q1.entries, s.q2.entries, out),
-                        ==, status);
-        g_assert_true(std::isnan(out[0]) && std::isnan(out[1]));
-        g_assert_cmpint(pw85_contact_rounded_batch(1, s.r12.coordinates, s.q1.entries, s.q2.entries,
-                                                   &mu2, &lambda),
-                        ==, status);
-        g_assert_true(std::isnan(mu2) && std::isnan(lambda));
-    };
-    for (double const bad : {nan, infinity, -infinity})
-        for (int k = 0; k < 15; ++k) {
-            auto s = good;
-            (k < 3 ? s.r12[k] : k < 9 ? s.q1[k - 3] : s.q2[k - 9]) = bad;
-            refused(s, PW85_EINVAL);
-        }
-    for (double const bad : {0.0, -1.0})
-        for (int k = 3; k < 15; ++k) {
-            auto s = good;
-            double &entry = k < 9 ? s.q1[k - 3] : s.q2[k - 9];
-            bool const diagonal = entry != 0.0;
-            entry = diagonal ? bad : 100.0;
-            refused(s, PW85_ENOTPD);
-        }
-    for (int missing = 0; missing < 3; ++missing) {
-        double out[2] = {1.0, 1.0};
-        g_assert_cmpint(pw85_contact_rounded(missing == 0 ? nullptr : good.r12.coordinates,
-                                             missing == 1 ? nullptr : good.q1.entries,
-                                             missing == 2 ? nullptr : good.q2.entries, out),
-                        ==, PW85_EINVAL);
-        g_assert_true(std::isnan(out[0]) && std::isnan(out[1]));
-    }
-    g_assert_cmpint(
-        pw85_contact_rounded(good.r12.coordinates, good.q1.entries, good.q2.entries, nullptr), ==,
-        PW85_EINVAL);
-    auto const concentric =
-        pw85::contact_rounded(pw85::Vector<double, 3>{0, -0.0, 0}, good.q1, good.q2);
+    auto const concentric = pw85::contact_rounded(
+        pw85::Vector<double, 3>{0, -0.0, 0}, pw85::SymmetricMatrix<double, 3>{9, 0, 0, 9, 0, 9},
+        pw85::SymmetricMatrix<double, 3>{2, 0, 0, 1, 0, 1});
     g_assert_true(concentric.status == pw85::Status::success && concentric.mu2 == 0.0 &&
                   concentric.lambda == 0.5);
 }

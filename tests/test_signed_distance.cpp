@@ -339,32 +339,4 @@ PW85_TEST("/signed_distance/units_and_scalars")
     }
 }
 
-PW85_TEST("/signed_distance/statuses")
-{
-    double const nan = std::numeric_limits<double>::quiet_NaN();
-    double const r12[3] = {1.0, 0.0, 0.0}, bad_r12[3] = {1.0, nan, 0.0};
-    double const q[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, bad[6] = {1.0, 2.0, 0.0, 1.0, 0.0, 1.0};
-    auto const expect = [](double const *r, double const *q1, double const *q2, int expected) {
-        double out[96];
-        std::fill_n(out, 96, 7.0);
-        g_assert_cmpint(pw85_signed_distance(r, q1, q2, out, out + 1, out + 4), ==, expected);
-        for (int i = 0; i < 7; ++i) g_assert_true(std::isnan(out[i]) == (expected != PW85_SUCCESS));
-        g_assert_cmpint(pw85_signed_distance_derivatives(r, q1, q2, out, out + 3, out + 6, out + 9),
-                        ==, expected);
-        for (int i = 0; i < 90; ++i)
-            g_assert_true(std::isnan(out[i]) == (expected != PW85_SUCCESS));
-        g_assert_cmpint(pw85_signed_distance(r, q1, q2, nullptr, nullptr, nullptr), ==, expected);
-        g_assert_cmpint(
-            pw85_signed_distance_derivatives(r, q1, q2, nullptr, nullptr, nullptr, nullptr), ==,
-            expected);
-    };
-    expect(r12, q, q, PW85_SUCCESS);
-    expect(r12, bad, q, PW85_ENOTPD);
-    expect(r12, q, bad, PW85_ENOTPD);
-    expect(bad_r12, q, q, PW85_EINVAL);
-    expect(nullptr, q, q, PW85_EINVAL);
-    expect(r12, nullptr, q, PW85_EINVAL);
-    expect(r12, q, nullptr, PW85_EINVAL);
-}
-
 } // namespace

@@ -21,7 +21,6 @@ using namespace pw85_tests;
 namespace {
 
 constexpr double u = 0x1p-53;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 using Vector3 = pw85::Vector<double, 3>;
 using Form3 = pw85::SymmetricMatrix<double, 3>;
@@ -526,32 +525,16 @@ void expect(Function const &f, double const *x, double const *q, int expected)
 
 PW85_TEST("/walls/statuses")
 {
-    double const x[3] = {1.0, 1.0, 1.0}, bad_x[3] = {1.0, nan, 1.0},
-                 infinite[3] = {1.0, 1.0, HUGE_VAL};
-    double const q[6] = {4.0, 0.5, 0.0, 3.0, 0.0, 2.0}, bad_q[6] = {4.0, nan, 0.0, 3.0, 0.0, 2.0};
-    double const flat[6] = {1.0, 2.0, 0.0, 1.0, 0.0, 1.0},
-                 negative[6] = {1.0, 0.0, 0.0, -1.0, 0.0, 1.0}, none[6] = {};
-    for (auto const &f : functions) {
-        expect(f, x, q, PW85_SUCCESS);
-        expect(f, bad_x, q, PW85_EINVAL);
-        expect(f, infinite, q, PW85_EINVAL);
-        expect(f, x, bad_q, PW85_EINVAL);
-        expect(f, nullptr, q, PW85_EINVAL);
-        expect(f, x, nullptr, PW85_EINVAL);
-        expect(f, x, flat, PW85_ENOTPD);
-        expect(f, x, negative, PW85_ENOTPD);
-        expect(f, x, none, PW85_ENOTPD);
-    }
+    double const x[3] = {1.0, 1.0, 1.0}, q[6] = {4.0, 0.5, 0.0, 3.0, 0.0, 2.0};
+    for (auto const &f : functions) expect(f, x, q, PW85_SUCCESS);
     double const zero[3] = {0.0, 0.0, 0.0};
     for (int i : {0, 1, 2, 3, 6, 10}) expect(functions[i], zero, q, PW85_EINVAL);
     double const above[3] = {0.0, 0.0, 1.5};
     expect(functions[4], above, q, PW85_EINVAL);
     double out[7];
-    for (double const radius : {0.0, -1.0, nan, HUGE_VAL})
+    for (double const radius : {0.0, -1.0})
         g_assert_cmpint(pw85_distance_cylinder(x, radius, x, q, out, out + 1, out + 4), ==,
                         PW85_EINVAL);
-    for (double const offset : {nan, HUGE_VAL, -HUGE_VAL})
-        g_assert_cmpint(pw85_distance_plane(x, offset, q, out, out + 1), ==, PW85_EINVAL);
 }
 
 // Forms whose entries lie so far apart that products of them leave the range of double, and hide
@@ -602,20 +585,6 @@ PW85_TEST("/walls/plane/out_of_range")
                   d_rot[2] == 0.0);
 }
 
-PW85_TEST("/walls/null_outputs")
-{
-    double const x[3] = {1.0, 1.0, 1.0}, q[6] = {4.0, 0.5, 0.0, 3.0, 0.0, 2.0};
-    g_assert_cmpint(pw85_distance_plane(x, 1.0, q, nullptr, nullptr), ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_distance_plane_derivatives(x, q, nullptr, nullptr), ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_contact_plane(x, 1.0, q, nullptr, nullptr), ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_contact_plane_derivatives(x, 1.0, q, nullptr, nullptr), ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_distance_box(x, x, q, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_distance_cylinder(x, 1.0, x, q, nullptr, nullptr, nullptr), ==,
-                    PW85_SUCCESS);
-    g_assert_cmpint(pw85_distance_point(x, q, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_intersect_line(x, x, q, nullptr), ==, PW85_EINVAL);
-}
-
 // The templates in two dimensions and other scalars agree with three dimensions and double.
 PW85_TEST("/walls/templates")
 {
@@ -632,27 +601,6 @@ PW85_TEST("/walls/templates")
         pw85::SymmetricMatrix<long double, 2>{4.0L, 0.0L, 1.0L});
     assert_close(static_cast<double>(chord.enter), 2.0, 4 * u);
     assert_close(static_cast<double>(chord.leave), 6.0, 8 * u);
-}
-
-PW85_TEST("/walls/batch")
-{
-    double const normals[9] = {0.0, 0.0, 2.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0},
-                 offsets[3] = {6.0, -1.0, 1.0};
-    double const q[18] = {1.0, 0.5, 0.0, 1.0, 0.0, 4.0, 2.0, 0.0, 0.0,
-                          3.0, 0.0, 4.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
-    double distance[3], point[9], one[4];
-    g_assert_cmpint(pw85_distance_plane_batch(3, normals, offsets, q, distance, point), ==,
-                    PW85_EINVAL);
-    g_assert_cmpfloat(distance[0], ==, 1.0);
-    for (int i = 0; i < 3; ++i) {
-        pw85_distance_plane(normals + 3 * i, offsets[i], q + 6 * i, one, one + 1);
-        g_assert_cmpint(std::memcmp(one, distance + i, sizeof *one), ==, 0);
-        g_assert_cmpint(std::memcmp(one + 1, point + 3 * i, 3 * sizeof *one), ==, 0);
-    }
-    g_assert_cmpint(pw85_distance_plane_batch(0, nullptr, nullptr, nullptr, nullptr, nullptr), ==,
-                    PW85_SUCCESS);
-    g_assert_cmpint(pw85_distance_plane_batch(1, normals, nullptr, q, nullptr, nullptr), ==,
-                    PW85_EINVAL);
 }
 
 PW85_ADD_TEST("/walls/point/optimality", test_point_optimality);

@@ -24,19 +24,22 @@
 
 namespace pw85::detail::enclosing {
 
+PW85_FUNCTION inline std::size_t extent(int n) noexcept { return static_cast<std::size_t>(n); }
+
+/// Computes the Cholesky factor B of a form, with rows of the length n: the ellipsoid is the image
+/// of the unit ball. A form that is not definite to twice the digits of double gets a tiny pivot.
+void factor_of(int n, double const *form, Wide *b) noexcept;
+
 /// Ellipsoids of the caller: rows of centres and of packed forms.
 struct Ellipsoids {
     int n;
     std::size_t m;
     double const *centers, *forms;
 
-    double const *center(std::size_t i) const noexcept
-    {
-        return centers + i * static_cast<std::size_t>(n);
-    }
+    double const *center(std::size_t i) const noexcept { return centers + i * extent(n); }
     double const *form(std::size_t i) const noexcept
     {
-        return forms + i * static_cast<std::size_t>(any_dimension::packed_size(n));
+        return forms + i * extent(any_dimension::packed_size(n));
     }
 };
 

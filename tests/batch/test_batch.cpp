@@ -190,32 +190,6 @@ PW85_TEST("/batch/unaligned")
     assert_same_bytes(alone.data(), expected.mu2.data(), n * sizeof(double));
 }
 
-PW85_TEST("/batch/arguments")
-{
-    double const x[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
-    double mu2 = 7.0, lambda = 7.0;
-    unsigned char overlap = 7;
-    g_assert_cmpint(pw85_contact_batch(0, nullptr, nullptr, nullptr, nullptr, nullptr), ==,
-                    PW85_SUCCESS);
-    g_assert_cmpint(pw85_overlap_batch(0, nullptr, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_contact_batch(1, nullptr, x, x, &mu2, &lambda), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_contact_batch(1, x, nullptr, x, &mu2, &lambda), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_contact_batch(1, x, x, nullptr, &mu2, &lambda), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_contact_batch(1, x, x, x, nullptr, &lambda), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_overlap_batch(1, nullptr, x, x, &overlap), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_overlap_batch(1, x, nullptr, x, &overlap), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_overlap_batch(1, x, x, nullptr, &overlap), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_overlap_batch(1, x, x, x, nullptr), ==, PW85_EINVAL);
-    for (std::size_t const n :
-         {SIZE_MAX, SIZE_MAX / 6, SIZE_MAX / 48, SIZE_MAX / 48 + 1, SIZE_MAX / 96 + 1}) {
-        g_assert_cmpint(pw85_contact_batch(n, x, x, x, &mu2, &lambda), ==, PW85_EINVAL);
-        g_assert_cmpint(pw85_overlap_batch(n, x, x, x, &overlap), ==, PW85_EINVAL);
-    }
-    g_assert_cmpfloat(mu2, ==, 7.0);
-    g_assert_cmpfloat(lambda, ==, 7.0);
-    g_assert_cmpint(overlap, ==, 7);
-}
-
 // The status is that of the first bad pair, whatever comes after, in blocks of other threads too.
 PW85_TEST("/batch/first_status")
 {

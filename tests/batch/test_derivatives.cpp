@@ -268,15 +268,6 @@ PW85_TEST("/derivatives/arguments")
 {
     double const x[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
     double out = 7.0;
-    auto const batch = [&](std::size_t n, double const *r12, double const *q1, double const *q2) {
-        return pw85_contact_derivatives_batch(n, r12, q1, q2, &out, nullptr, nullptr, nullptr,
-                                              nullptr, nullptr, nullptr);
-    };
-    g_assert_cmpint(batch(0, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
-    g_assert_cmpint(batch(1, nullptr, x, x), ==, PW85_EINVAL);
-    g_assert_cmpint(batch(1, x, nullptr, x), ==, PW85_EINVAL);
-    g_assert_cmpint(batch(1, x, x, nullptr), ==, PW85_EINVAL);
-    g_assert_cmpint(batch(SIZE_MAX / 48 + 1, x, x, x), ==, PW85_EINVAL);
     auto const list = [&](std::size_t n, std::int32_t const *pairs, std::int32_t const *images,
                           double const *cell) {
         return pw85_contact_derivatives_pairs(list_of(n, pairs, images), system_of(1, x, x, cell),

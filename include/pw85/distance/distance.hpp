@@ -150,9 +150,12 @@ accurate_slab_along(DistancePair<T, D> const &pair, Vector<T, D> const &u) noexc
 /// 2. The square of the part is below 2u (n·r12) max(width, u n·r12), where u is `unit`. The
 ///    distance exceeds the width by at most |w| - width, which is then below 2u n·r12. This is
 ///    below 2uΣ of pw85_distance().
-template <class T, int D> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
-is_accurate(DistancePair<T, D> const &pair, Slab<T, D> const &slab, T const &unit, T const &bound,
-            T const &spread, T const &plain) noexcept
+///
+/// The bounds are those of a slab that accurate_slab_along() has computed, unless others are given.
+template <class T, int D> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_accurate(
+    DistancePair<T, D> const &pair, Slab<T, D> const &slab, T const &unit = T(unit_roundoff<T>()),
+    T const &bound = T(largest_error<T>() * T(unit_roundoff<T>())),
+    T const &spread = largest_spread<T>(), T const &plain = T(largest_error<T>() / T(3))) noexcept
 {
     Vector<T, D> const p1 = pair.scale1 * slab.support1.point,
                        p2 = pair.scale2 * slab.support2.point;
@@ -163,15 +166,6 @@ is_accurate(DistancePair<T, D> const &pair, Slab<T, D> const &slab, T const &uni
     if (all_of(off2 <= factor * (along * along))) return accurate; // (u·r12)² is at most |u|²|r12|²
     return accurate &&
            off2 <= factor * slab.norm2 * (dot(pair.r12, pair.r12) + dot(p1, p1) + dot(p2, p2));
-}
-
-/// Returns whether a slab that accurate_slab_along() has computed is accurate.
-template <class T, int D> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
-is_accurate(DistancePair<T, D> const &pair, Slab<T, D> const &slab) noexcept
-{
-    T const unit = T(unit_roundoff<T>());
-    return is_accurate(pair, slab, unit, T(largest_error<T>() * unit), largest_spread<T>(),
-                       T(largest_error<T>() / T(3)));
 }
 
 /// The slab that gives the distance of a pair, as far as the search in the type T finds it.
@@ -334,15 +328,6 @@ PW85_FUNCTION inline Distance<T, D> distance_apart(Vector<T, D> const &r12,
     return with_point2(r12, result);
 }
 
-/// The distance of a pair that overlaps or is invalid.
-template <class T, int D>
-PW85_FUNCTION inline Distance<T, D> no_distance(StatusCode status) noexcept
-{
-    auto result = all_nan<Distance<T, D>>(status);
-    if (status == StatusCode::success) result.distance = T(0);
-    return result;
-}
-
 PW85_RARE_TIER(refined_distance)
 
 } // namespace pw85::detail
@@ -361,8 +346,11 @@ PW85_FUNCTION inline Distance<T, D> distance(Vector<T, D> const &r12,
     if (found.accurate && is_wide(pair, found.slab))
         return with_point2(r12, distance_across(found.slab));
     Overlap const decision = overlap(r12, q1, q2);
-    if (decision.status != StatusCode::success || decision.overlap)
-        return no_distance<T, D>(decision.status);
+    if (decision.status != StatusCode::success || decision.overlap) {
+        auto result = all_nan<Distance<T, D>>(decision.status);
+        if (decision.overlap) result.distance = T(0);
+        return result;
+    }
     return found.tried ? with_point2(r12, distance_of_slab(pair, found))
                        : distance_apart(r12, q1, q2);
 }

@@ -161,15 +161,12 @@ is_within(NormalStep<T> const &step, NormalJet<T> const &j, int digits) noexcept
            step.shift * step.shift * j.form_u <= bound * bound * j.r;
 }
 
-/// The largest step in log t: t changes by at most a factor of 7. This is a choice
-/// (docs/implementation.rst).
-template <class T> PW85_FUNCTION constexpr T longest_step() noexcept { return T(1.5); }
-
-/// t and s after a step, with e^x to third order.
+/// t and s after a step, with e^x to third order. A step in log t is at most 1.5, by which t
+/// changes by a factor of 7. This is a choice (docs/implementation.rst).
 template <class T> PW85_FUNCTION constexpr Multipliers<T>
 advance(Multipliers<T> const &x, NormalStep<T> const &step) noexcept
 {
-    T const n = step.numerator, d = step.denominator, twice = d + d, bound = longest_step<T>();
+    T const n = step.numerator, d = step.denominator, twice = d + d, bound = T(1.5);
     T const largest = (T(2) + bound) / (T(2) - bound), smallest = T(1) / largest;
     auto const distant = absolute(n) > bound * absolute(d), up = n * d > T(0);
     T const factor =

@@ -112,7 +112,7 @@ derivatives_in_space(JointFrame<T, D> const &frame, FrameDerivatives<T, D> const
 template <class T>
 [[gnu::noinline]] PW85_FUNCTION inline T half_of_axis(JointFrame<T, 3> const &frame) noexcept
 {
-    return rim_axis(pencil(frame)).half_chord;
+    return rim_axis(frame).half_chord;
 }
 
 /// Tests if twice the digits give the volume within its bound, and so the derivatives. This can

@@ -138,10 +138,8 @@ template <class T, int D> PW85_FUNCTION inline void make_orthogonal(MatrixColumn
 /// changes by less than its inverse, far below the rounding errors of the centre.
 template <class T> PW85_FUNCTION constexpr T longest_axis() noexcept
 {
-    return T(1) / negative_power_of_two<T>(
-                      std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8 < 128
-                          ? std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8
-                          : 128);
+    constexpr int exponent = std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8;
+    return T(1) / negative_power_of_two<T>(exponent < 128 ? exponent : 128);
 }
 
 /// The thinnest ellipsoid in units of the ball that the sections resolve: its two surfaces are told
@@ -270,6 +268,18 @@ template <class T, int D> PW85_FUNCTION inline auto rounded(JointFrame<T, D> con
         rounded(x.axes), rounded(x.center),      rounded(x.lower),
         rounded(x.turn), rounded(x.determinant), x.unit,
         x.swapped,       rounded(x.displacement)};
+}
+
+/// The shape as numbers with twice the digits.
+template <class T, int D>
+PW85_FUNCTION inline JointFrame<Finer<T>, D> widened(JointFrame<T, D> const &frame) noexcept
+{
+    JointFrame<Finer<T>, D> wide{};
+    for (int i = 0; i < D; ++i) {
+        wide.axes[i] = Finer<T>(frame.axes[i]);
+        wide.center[i] = Finer<T>(frame.center[i]);
+    }
+    return wide;
 }
 
 } // namespace pw85::detail

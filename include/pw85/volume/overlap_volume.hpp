@@ -5,7 +5,7 @@
 ///
 /// Whether there is a common part, and whether it is a whole ellipsoid, is decided without rounding
 /// errors (overlap/). Otherwise the pair is taken to its joint frame (joint_frame.hpp). A volume is
-/// a sum of integrals along the rim (rim_integrals.hpp), which converge geometrically
+/// a sum of integrals along the rim (volume_terms.hpp), which converge geometrically
 /// (elliptic_rule.hpp). An area is in closed form: by chords (chord_area.hpp), or, where these
 /// have no margin, by the crossings of a circle and an ellipse (section.hpp).
 #ifndef PW85_VOLUME_OVERLAP_VOLUME_HPP_INCLUDED
@@ -14,9 +14,9 @@
 #include <pw85/overlap/containment.hpp>
 #include <pw85/overlap/overlap.hpp>
 #include <pw85/volume/chord_area.hpp>
-#include <pw85/volume/rim_integrals.hpp>
 #include <pw85/volume/section.hpp>
 #include <pw85/volume/volume.hpp>
+#include <pw85/volume/volume_terms.hpp>
 
 namespace pw85::detail {
 
@@ -46,21 +46,13 @@ exceed_each_other(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
     return first && second;
 }
 
-/// Tests exceed_each_other(). Returns false outside of its range.
-template <class T, int D>
-PW85_FUNCTION inline bool both_reach_beyond(Vector<T, D> const &r12,
-                                            SymmetricMatrix<T, D> const &q1,
-                                            SymmetricMatrix<T, D> const &q2) noexcept
-{
-    return passes_fast_checks(pair_of(r12, q1, q2)) && exceed_each_other(r12, q1, q2);
-}
-
 /// For a pair that overlaps.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline CommonPartDecision
 decide_containment_of(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                       SymmetricMatrix<T, D> const &q2) noexcept
 {
-    if (both_reach_beyond(r12, q1, q2)) return {CommonPart::part, StatusCode::success};
+    if (passes_fast_checks(pair_of(r12, q1, q2)) && exceed_each_other(r12, q1, q2))
+        return {CommonPart::part, StatusCode::success};
     auto const second = call_contains(r12, q1, q2);
     if (second.status != StatusCode::success) return {CommonPart::nothing, second.status};
     if (second.contains) return {CommonPart::second, second.status};
@@ -102,7 +94,7 @@ template <class T> [[gnu::noinline]] PW85_FUNCTION inline CheckedMeasure<ResultO
 common_measure(JointFrame<T, 3> const &frame) noexcept
 {
     using Result = ResultOf<T>;
-    auto const integration = rim_integration(frame);
+    auto const integration = rim_integration(frame, accurate_rim_frame(frame));
     if constexpr (std::is_floating_point_v<T>)
         if (!are_integrals_accurate(frame, integration)) return {quiet_nan<Result>(), false};
     Result const sum =
@@ -129,7 +121,7 @@ inline constexpr double largest_number_of_frame = 16.0;
 /// Tests if the digits of the result are enough for the frame and, in the plane, for crossings. The
 /// numbers of the joint frame err by a few u of the largest one, or of that times l10/l11 of the
 /// Cholesky factor. They move the border by as much, and so does an error of F, whatever its
-/// extrema (section.hpp). In space rim_integrals.hpp decides this.
+/// extrema (section.hpp). In space rim_frame.hpp and volume_terms.hpp decide this.
 template <class T, int D>
 PW85_FUNCTION inline bool is_frame_accurate(JointFrame<T, D> const &frame) noexcept
 {
@@ -200,13 +192,13 @@ PW85_FUNCTION inline T measure_part(Vector<T, D> const &r12, SymmetricMatrix<T, 
 }
 
 /// The measure of the common part, for any pair. It is at most that of the smaller ellipsoid.
-template <class T, int D> struct CommonMeasure {
+template <class T> struct CommonMeasure {
     T measure;
     StatusCode status;
 };
 
 /// For a pair with this decision.
-template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline CommonMeasure<T, D>
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline CommonMeasure<T>
 measure_decided_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                      SymmetricMatrix<T, D> const &q2, CommonPartDecision const &decision) noexcept
 {
@@ -219,28 +211,6 @@ measure_decided_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
     return {measure, status};
 }
 
-template <class T, int D> PW85_FUNCTION inline CommonMeasure<T, D>
-measure_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                    SymmetricMatrix<T, D> const &q2) noexcept
-{
-    return measure_decided_part(r12, q1, q2, decide_common_part(r12, q1, q2));
-}
-
-/// The chords of doubles are accurate for nearly all pairs; crossings have the other ones.
-PW85_FUNCTION inline CommonMeasure<double, 2>
-measure_common_part(Vector<double, 2> const &r12, SymmetricMatrix<double, 2> const &q1,
-                    SymmetricMatrix<double, 2> const &q2) noexcept
-{
-    auto const [overlaps, tier, status] = call_overlap(r12, q1, q2);
-    if (status != StatusCode::success || !overlaps)
-        return measure_decided_part(r12, q1, q2, {CommonPart::nothing, status});
-    if (passes_fast_checks(pair_of(r12, q1, q2))) {
-        auto const fast = chord_area(r12, q1, q2);
-        if (fast.certain) return {fast.area, status};
-    }
-    return measure_decided_part(r12, q1, q2, decide_containment_of(r12, q1, q2));
-}
-
 } // namespace pw85::detail
 
 namespace pw85 {
@@ -251,17 +221,31 @@ PW85_FUNCTION inline Volume<T> overlap_volume(Vector<T, 3> const &r12,
                                               SymmetricMatrix<T, 3> const &q1,
                                               SymmetricMatrix<T, 3> const &q2) noexcept
 {
-    auto const [measure, status] = detail::measure_common_part(r12, q1, q2);
-    return {measure, status};
+    using namespace detail;
+    auto const [volume, status] =
+        measure_decided_part(r12, q1, q2, decide_common_part(r12, q1, q2));
+    return {volume, status};
 }
 
-/// The area of the common part of two ellipses.
+/// The area of the common part of two ellipses. The chords of doubles are accurate for nearly all
+/// pairs; crossings have the other ones.
 template <class T>
 PW85_FUNCTION inline Area<T> overlap_area(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
                                           SymmetricMatrix<T, 2> const &q2) noexcept
 {
-    auto const [measure, status] = detail::measure_common_part(r12, q1, q2);
-    return {measure, status};
+    using namespace detail;
+    auto const [overlaps, tier, decided] = call_overlap(r12, q1, q2);
+    CommonPartDecision decision{CommonPart::nothing, decided};
+    if (overlaps) {
+        if constexpr (std::is_same_v<T, double>)
+            if (passes_fast_checks(pair_of(r12, q1, q2))) {
+                auto const fast = chord_area(r12, q1, q2);
+                if (fast.certain) return {fast.area, decided};
+            }
+        decision = decide_containment_of(r12, q1, q2);
+    }
+    auto const [area, status] = measure_decided_part(r12, q1, q2, decision);
+    return {area, status};
 }
 
 } // namespace pw85

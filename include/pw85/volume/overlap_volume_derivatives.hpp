@@ -61,6 +61,15 @@ PW85_FUNCTION inline void add_moments(T (&sums)[rim_moments],
     }
 }
 
+/// z of the middle of the common part of the axis.
+template <class T> PW85_FUNCTION inline T middle_of_common_part(RimFrame<T> const &rim) noexcept
+{
+    auto const &ball = rim.bodies[0], &other = rim.bodies[1];
+    T const top = other.high >= ball.high ? ball.high : other.high,
+            bottom = other.low <= ball.low ? ball.low : other.low;
+    return T(T(0.5) * T(top + bottom));
+}
+
 /// The integrals over 2π, with the orientation of the ball. X is relative to the middle of the
 /// common part of the axis.
 template <class T> PW85_FUNCTION inline RimMeans<T, rim_moments>
@@ -73,7 +82,7 @@ moments_of(RimIntegration<T> const &integration, T const &scale, T const &shorte
             true};
     bool const above = rim.ends.ball_above, two = above == rim.ends.ball_below;
     using Two = TwoLanes<T>;
-    Two const sign = above ? Two(1) : Two(-1), middle(axis_interval(rim).middle);
+    Two const sign = above ? Two(1) : Two(-1), middle(middle_of_common_part(rim));
     auto const add = [&](RimDirection<T> const &pair, bool has_image,
                          RimSums<T, rim_moments> &sums) {
         integration.for_each(
@@ -137,12 +146,12 @@ surface_tensor(RimSums<T, rim_moments> const &m, T const &area, T const &sign,
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline FrameDerivatives<T, 3>
 frame_derivatives(JointFrame<T, 3> const &frame) noexcept
 {
-    auto const integration = rim_integration(frame);
+    auto const integration = rim_integration(frame, accurate_rim_frame(frame));
     auto const &rim = integration.rim;
     T const scale = T(frame.axes[0] * frame.axes[1]);
     auto const [m, converged] = moments_of(integration, scale, frame.axes[2]);
     Vector<T, 3> const vectors[3] = {rim.direction, rim.rays[0], rim.rays[1]};
-    Vector<T, 3> const origin = add_scaled(rim.origin, axis_interval(rim).middle, rim.direction);
+    Vector<T, 3> const origin = add_scaled(rim.origin, middle_of_common_part(rim), rim.direction);
     Vector<T, 3> images[3], offset;
     for (int i = 0; i < 3; ++i) {
         offset[i] = origin[i] / frame.axes[i] - frame.center[i];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// What all half-planes through the axis of a rim share (rim_axis.hpp): both bodies relative to the
-/// axis, and the equation of the rim. rim_integrals.hpp uses this file.
+/// axis, and the equation of the rim (rim_points.hpp). rim_integrals.hpp uses this file.
 ///
 /// Let o + z ℓ be the axis, g a ray across it, which is the direction of a half-plane, and ρ the
 /// distance from the axis in units of |g|. For each body there is a metric in which it is a ball of
@@ -18,91 +18,66 @@
 
 #include <pw85/algebra/two_lanes.hpp>
 #include <pw85/volume/rim_axis.hpp>
+#include <pw85/volume/rim_points.hpp>
 
 namespace pw85::detail {
 
-/// A body in its metric, relative to the axis of the rim.
-template <class T, int D> struct BodyOnAxis {
-    T stretch, start;             ///< s = start + stretch·z on the axis
-    T high, low;                  ///< z of the ends of the axis inside the body
-    T half_chord;                 ///< half of the length of the axis inside the body, in the metric
-    T along[std::size_t(D - 1)];  ///< the coordinate s of the image of each g_i
-    T across[std::size_t(D - 1)]; ///< ζ κ of each g_i
-    T products[std::size_t(D - 1)]
-              /// κ²: products of the images of g_i, less their parts along the axis
-              [std::size_t(D - 1)];
-    // In space, with the unit vector k along the image of the axis, the point f of the axis next to
-    // the centre, and g_i⊥ across the axis:
-    T twists[std::size_t(D - 1)]; ///< k·(f × g_i⊥)
-    T turn;                       ///< k·(g_1⊥ × g_2⊥)
-    T above, below;               ///< z of the ends of the ball's axis less z of those of this body
-};
-
-/// Flags: true if that end of the common part of the axis is an end of the chord of the ball.
-template <class Mask> struct AxisEnds {
-    Mask ball_above, ball_below;
-};
-
 /// Data that all half-planes of a pair share: the two bodies, the ball first, and the quadratic
 /// equation of the rim.
-template <class T, int D> struct RimFrame {
-    BodyOnAxis<T, D> bodies[2];
-    T heights[std::size_t(D - 1)];
-    T half_chord; ///< of the axis inside the ball
-    // The rim: αZ² - TZ + γ = 0 with α > 0 or α = 0 > γ.
-    T alpha, gamma;
-    /// 2√(αγ), or 0 if αγ < 0: the T with one solution
-    T least;
-    T excess[std::size_t(D - 1)];                             ///< T - least at each vertex
-    Vector<T, D> origin, direction, rays[std::size_t(D - 1)]; ///< o, ℓ and g_i
-    T heading[std::size_t(D - 1)];                            ///< the unit vector along the heights
+template <class T> struct RimFrame : RimEquation<T> {
+    BodyOnAxis<T> bodies[2];
+    T heights[2];
+    T half_chord;                            ///< of the axis inside the ball
+    Vector<T, 3> origin, direction, rays[2]; ///< o, ℓ and g_i
+    T heading[2];                            ///< the unit vector along the heights
     /// t = 2h √Σ height² = 2√(1 - h²), and 2 - t
     T tilt, clearance;
     AxisEnds<typename ScalarTraits<T>::Mask> ends;
 };
 
 /// The ball, for which ℓ is perpendicular to o and to all g_i.
-template <class T, int D> PW85_FUNCTION inline BodyOnAxis<T, D>
-ball_on_axis(RimAxis<T, D> const &axis, Vector<T, D> const (&rays)[std::size_t(D - 1)]) noexcept
+template <class T> PW85_FUNCTION inline BodyOnAxis<T>
+ball_on_axis(RimAxis<T> const &axis, Vector<T, 3> const (&rays)[2]) noexcept
 {
-    BodyOnAxis<T, D> ball{};
+    BodyOnAxis<T> ball{};
     ball.stretch = T(1);
     ball.half_chord = ball.high = axis.half_chord;
     ball.low = -axis.half_chord;
-    for (int i = 0; i < D - 1; ++i) {
+    for (int i = 0; i < 2; ++i) {
         ball.across[i] = -dot(axis.origin, rays[i]);
         for (int j = 0; j <= i; ++j)
             ball.products[i][j] = ball.products[j][i] = dot(rays[i], rays[j]);
-        if constexpr (D == 3) ball.twists[i] = dot(axis.direction, cross(axis.origin, rays[i]));
+        ball.twists[i] = dot(axis.direction, cross(axis.origin, rays[i]));
     }
-    if constexpr (D == 3) ball.turn = dot(axis.direction, cross(rays[0], rays[1]));
+    ball.turn = dot(axis.direction, cross(rays[0], rays[1]));
     return ball;
 }
 
 /// The other body, from the images of the axis and of the vectors g_i, and of o less the centre.
-template <class T, int D> PW85_FUNCTION inline BodyOnAxis<T, D>
-body_on_axis(Vector<T, D> const &direction, Vector<T, D> const &origin,
-             Vector<T, D> const (&rays)[std::size_t(D - 1)], T const &radius) noexcept
+template <class T> PW85_FUNCTION inline BodyOnAxis<T> body_on_axis(Vector<T, 3> const &direction,
+                                                                   Vector<T, 3> const &origin,
+                                                                   Vector<T, 3> const (&rays)[2],
+                                                                   T const &radius) noexcept
 {
-    BodyOnAxis<T, D> body{};
+    BodyOnAxis<T> body{};
     body.stretch = magnitude(direction);
-    Vector<T, D> const unit = direction / body.stretch;
+    Vector<T, 3> const unit = direction / body.stretch;
     body.start = dot(origin, unit);
-    Vector<T, D> const foot = add_scaled(origin, T(-body.start), unit);
+    Vector<T, 3> const foot = add_scaled(origin, T(-body.start), unit);
     T const distance = magnitude(foot);
     body.half_chord = square_root(maximum(T(T(radius - distance) * T(radius + distance)), T(0)));
     body.high = T(body.half_chord - body.start) / body.stretch;
     body.low = -(T(body.half_chord + body.start) / body.stretch);
-    Vector<T, D> perpendicular[std::size_t(D - 1)];
-    for (int i = 0; i < D - 1; ++i) {
+    Vector<T, 3> perpendicular[2];
+    for (int i = 0; i < 2; ++i) {
         body.along[i] = dot(rays[i], unit);
         perpendicular[i] = add_scaled(rays[i], T(-body.along[i]), unit);
         body.across[i] = -dot(foot, rays[i]);
         for (int j = 0; j <= i; ++j)
             body.products[i][j] = body.products[j][i] = dot(perpendicular[i], perpendicular[j]);
-        if constexpr (D == 3) body.twists[i] = dot(unit, cross(foot, perpendicular[i]));
+        body.twists[i] = dot(unit, cross(foot, perpendicular[i]));
     }
-    if constexpr (D == 3) body.turn = dot(unit, cross(perpendicular[0], perpendicular[1]));
+    body.turn = dot(unit, cross(perpendicular[0], perpendicular[1]));
     return body;
 }
 
@@ -127,21 +102,10 @@ template <class T> PW85_FUNCTION constexpr T shifted_end() noexcept
 
 /// Measures the ends of the chord of the other body from those of the ball's chord. Ends within
 /// `nearest`, in units of half of the ball's chord, count as common.
-template <class T, int D> PW85_FUNCTION inline void
-set_ends(BodyOnAxis<T, D> &other, T const &half_chord, T const &nearest) noexcept
-{
-    other.above = T(half_chord - other.high);
-    other.below = T(-half_chord - other.low);
-    if constexpr (D == 3) {
-        T const limit = T(nearest * half_chord);
-        other.above = select(absolute(other.above) <= limit, T(0), other.above);
-        other.below = select(absolute(other.below) <= limit, T(0), other.below);
-    }
-}
-
-/// The ends of the common part of the axis. They must agree with the signs of α and γ, which are
-/// products of the same differences: αγ < 0, so that there is one rim, if the ends belong to
-/// different bodies, and αγ > 0 if both belong to one body and the chords intersect.
+///
+/// The ends of the common part of the axis must agree with the signs of α and γ, which are products
+/// of the same differences: αγ < 0, so that there is one rim, if the ends belong to different
+/// bodies, and αγ > 0 if both belong to one body and the chords intersect.
 ///
 /// Where both chords have an end in common, α or γ is zero, and one root of the equation of the rim
 /// is this end in each half-plane. The other root is the one rim. So the common end counts as that
@@ -151,20 +115,29 @@ set_ends(BodyOnAxis<T, D> &other, T const &half_chord, T const &nearest) noexcep
 /// in half-planes in which the other body is inside the ball, and through the upper one elsewhere.
 ///
 /// Lanes leave pairs with a common end over (has_common_end()).
-template <class T, int D> PW85_FUNCTION inline AxisEnds<typename ScalarTraits<T>::Mask>
-axis_ends(BodyOnAxis<T, D> const &other) noexcept
+template <class T> PW85_FUNCTION inline void set_ends(RimFrame<T> &rim, T const &nearest) noexcept
 {
+    auto &other = rim.bodies[1];
+    T const limit = T(nearest * rim.half_chord);
+    other.above = T(rim.half_chord - other.high);
+    other.below = T(-rim.half_chord - other.low);
+    other.above = select(absolute(other.above) <= limit, T(0), other.above);
+    other.below = select(absolute(other.below) <= limit, T(0), other.below);
     auto const above = other.above<T(0), below = other.below> T(0);
+    rim.ends = {above, below};
     if constexpr (ScalarTraits<T>::lanes == 1) {
-        if (other.above == T(0) && other.below == T(0)) return {false, true}; // as α > 0 > γ
-        if (other.above == T(0)) return {!below, below};
-        if (other.below == T(0)) return {above, !above};
+        bool const common_above = other.above == T(0), common_below = other.below == T(0);
+        if (common_above && common_below)
+            rim.ends = {false, true}; // as α > 0 > γ
+        else if (common_above)
+            rim.ends = {!below, below};
+        else if (common_below)
+            rim.ends = {above, !above};
     }
-    return {above, below};
 }
 
-template <class T, int D> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
-has_common_end(BodyOnAxis<T, D> const &other) noexcept
+template <class T> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
+has_common_end(BodyOnAxis<T> const &other) noexcept
 {
     return other.above == T(0) || other.below == T(0);
 }
@@ -175,11 +148,11 @@ template <class T> struct AxisProducts {
     T alpha, gamma;
 };
 
-template <class T, int D> PW85_FUNCTION inline AxisProducts<T>
-axis_products(BodyOnAxis<T, D> const &other, T const &h) noexcept
+template <class T>
+PW85_FUNCTION inline AxisProducts<T> axis_products(BodyOnAxis<T> const &other, T const &h) noexcept
 {
     T const alpha = T(other.above * T(h - other.low)), gamma = T(T(h + other.high) * -other.below);
-    if constexpr (D == 3 && ScalarTraits<T>::lanes == 1) {
+    if constexpr (ScalarTraits<T>::lanes == 1) {
         T const shift = shifted_end<T>();
         if (other.above == T(0) && other.below == T(0))
             return {T(shift * T(h * h)), T(-shift * T(h * h))};
@@ -194,8 +167,8 @@ axis_products(BodyOnAxis<T, D> const &other, T const &h) noexcept
 /// z1)(h - z2) and (h + z1)(h + z2) for the ends z1, z2 of the other chord, and T is m - 4h²A(w, w)
 /// with m = 2(h² - z1 z2). As m² - 4αγ = 4h²(z1 - z2)², nothing cancels in m - 2√(αγ) for a thin
 /// disc.
-template <class T, int D> PW85_FUNCTION inline void
-set_rim_equation(RimFrame<T, D> &rim, RimAxis<T, D> const &axis, T const &shortest) noexcept
+template <class T> PW85_FUNCTION inline void
+set_rim_equation(RimFrame<T> &rim, RimAxis<T> const &axis, T const &shortest) noexcept
 {
     auto const &other = rim.bodies[1];
     T const h = rim.half_chord, scale = T(shortest / other.stretch) / other.stretch,
@@ -211,43 +184,41 @@ set_rim_equation(RimFrame<T, D> &rim, RimAxis<T, D> const &axis, T const &shorte
     auto const is_small = sign > T(0) && rim.least > T(0);
     T rest = sign * mean - rim.least;
     if (any_of(is_small)) rest = select(is_small, T(T(chord * chord) / T(mean + rim.least)), rest);
-    for (int i = 0; i < D - 1; ++i)
+    for (int i = 0; i < 2; ++i)
         rim.excess[i] = rest - T(T(T(4) * sign) * T(h * h)) * T(scale * axis.roots[i]);
     // Where there are two rims, T is below `least` by rounding errors alone. The rims then
     // coincide.
-    if constexpr (D == 3)
-        for (T &excess : rim.excess)
-            excess = select(rim.least > T(0), maximum(excess, T(0)), excess);
+    for (T &excess : rim.excess) excess = select(rim.least > T(0), maximum(excess, T(0)), excess);
 }
 
 /// Sets tilt, clearance and heading. A half-plane has 2 + tilt = clearance + ½ t |heading +
 /// w|², without cancellation.
-template <class T, int D> PW85_FUNCTION inline void set_tilt(RimFrame<T, D> &rim) noexcept
+template <class T> PW85_FUNCTION inline void set_tilt(RimFrame<T> &rim) noexcept
 {
     T sum = T(0);
     for (T const &height : rim.heights) sum = sum + height * height;
     T const length = square_root(sum), half_tilt = T(rim.half_chord * length); // √(1 - h²)
     rim.tilt = T(T(2) * half_tilt);
     rim.clearance = T(T(2) * T(rim.half_chord * rim.half_chord)) / T(T(1) + half_tilt);
-    for (int i = 0; i < D - 1; ++i)
+    for (int i = 0; i < 2; ++i)
         rim.heading[i] = positive_quotient(rim.heights[i], length, T(i == 0 ? 1 : 0));
 }
 
-template <class T, int D> PW85_FUNCTION inline RimFrame<T, D>
-rim_frame(JointFrame<T, D> const &frame, RimAxis<T, D> const &axis) noexcept
+template <class T> PW85_FUNCTION inline RimFrame<T> rim_frame(JointFrame<T, 3> const &frame,
+                                                              RimAxis<T> const &axis) noexcept
 {
-    T const radius = frame.axes[std::size_t(D - 1)];
-    RimFrame<T, D> rim{};
+    T const radius = frame.axes[2];
+    RimFrame<T> rim{};
     rim.half_chord = axis.half_chord;
     rim.origin = axis.origin;
     rim.direction = axis.direction;
-    Vector<T, D> images[std::size_t(D - 1)], origin, direction;
-    for (int j = 0; j < D - 1; ++j) rim.heights[j] = axis.heights[j];
-    for (int i = 0; i < D; ++i) {
+    Vector<T, 3> images[2], origin, direction;
+    for (int j = 0; j < 2; ++j) rim.heights[j] = axis.heights[j];
+    for (int i = 0; i < 3; ++i) {
         T const ratio = radius / frame.axes[i];
         origin[i] = ratio * axis.origin[i] - radius * frame.center[i];
         direction[i] = ratio * axis.direction[i];
-        for (int j = 0; j < D - 1; ++j) {
+        for (int j = 0; j < 2; ++j) {
             rim.rays[j][i] = axis.vertices[j][i] - axis.heights[j] * axis.origin[i];
             images[j][i] = ratio * rim.rays[j][i];
         }
@@ -255,26 +226,17 @@ rim_frame(JointFrame<T, D> const &frame, RimAxis<T, D> const &axis) noexcept
     rim.bodies[0] = ball_on_axis(axis, rim.rays);
     rim.bodies[1] = body_on_axis(direction, origin, images, radius);
     T const square = T(T(highest_vertex_beside_pole) * T(highest_vertex_beside_pole));
-    set_ends(rim.bodies[1], rim.half_chord,
-             axis.touches_at_end ? T(T(1) / T(square * square)) : common_end<T>());
-    rim.ends = axis_ends(rim.bodies[1]);
+    set_ends(rim, axis.touches_at_end ? T(T(1) / T(square * square)) : common_end<T>());
     set_rim_equation(rim, axis, radius);
     set_tilt(rim);
     return rim;
 }
 
-/// Computes the rim frame from the joint frame.
-template <class T, int D>
-PW85_FUNCTION inline RimFrame<T, D> rim_frame(JointFrame<T, D> const &frame) noexcept
-{
-    return rim_frame(frame, rim_axis(pencil(frame)));
-}
-
 /// The numbers of a body as those of another type.
-template <class Y, class T, int D, class Function> PW85_FUNCTION inline BodyOnAxis<Y, D>
-converted_by(Function const &convert, BodyOnAxis<T, D> const &x) noexcept
+template <class Y, class T, class Function> PW85_FUNCTION inline BodyOnAxis<Y>
+converted_by(Function const &convert, BodyOnAxis<T> const &x) noexcept
 {
-    BodyOnAxis<Y, D> y{};
+    BodyOnAxis<Y> y{};
     y.stretch = convert(x.stretch);
     y.start = convert(x.start);
     y.high = convert(x.high);
@@ -283,18 +245,18 @@ converted_by(Function const &convert, BodyOnAxis<T, D> const &x) noexcept
     y.turn = convert(x.turn);
     y.above = convert(x.above);
     y.below = convert(x.below);
-    for (int i = 0; i < D - 1; ++i) {
+    for (int i = 0; i < 2; ++i) {
         y.along[i] = convert(x.along[i]);
         y.across[i] = convert(x.across[i]);
         y.twists[i] = convert(x.twists[i]);
-        for (int j = 0; j < D - 1; ++j) y.products[i][j] = convert(x.products[i][j]);
+        for (int j = 0; j < 2; ++j) y.products[i][j] = convert(x.products[i][j]);
     }
     return y;
 }
 
 /// Rounds the numbers of a rim.
-template <class T, class Fine, int D>
-PW85_FUNCTION inline void round_to(RimFrame<T, D> &y, RimFrame<Fine, D> const &x) noexcept
+template <class T, class Fine>
+PW85_FUNCTION inline void round_to(RimFrame<T> &y, RimFrame<Fine> const &x) noexcept
 {
     auto const round = [](Fine const &number) { return rounded(number); };
     for (int i = 0; i < 2; ++i) y.bodies[i] = converted_by<T>(round, x.bodies[i]);
@@ -307,7 +269,7 @@ PW85_FUNCTION inline void round_to(RimFrame<T, D> &y, RimFrame<Fine, D> const &x
     y.ends = x.ends; // those of rounded chords may contradict α and γ
     y.origin = rounded(x.origin);
     y.direction = rounded(x.direction);
-    for (int i = 0; i < D - 1; ++i) {
+    for (int i = 0; i < 2; ++i) {
         y.heights[i] = rounded(x.heights[i]);
         y.excess[i] = rounded(x.excess[i]);
         y.heading[i] = rounded(x.heading[i]);
@@ -315,23 +277,12 @@ PW85_FUNCTION inline void round_to(RimFrame<T, D> &y, RimFrame<Fine, D> const &x
     }
 }
 
-/// The shape of a joint frame as numbers with twice the digits.
-template <class T, int D>
-PW85_FUNCTION inline JointFrame<Finer<T>, D> widened(JointFrame<T, D> const &frame) noexcept
-{
-    JointFrame<Finer<T>, D> wide{};
-    for (int i = 0; i < D; ++i) {
-        wide.axes[i] = Finer<T>(frame.axes[i]);
-        wide.center[i] = Finer<T>(frame.center[i]);
-    }
-    return wide;
-}
-
 /// The rim by twice the digits, from the joint frame as it is.
-template <class T> PW85_RARE RimFrame<T, 3> rim_frame_finely(JointFrame<T, 3> const &frame) noexcept
+template <class T> PW85_RARE RimFrame<T> rim_frame_finely(JointFrame<T, 3> const &frame) noexcept
 {
-    RimFrame<T, 3> rim{};
-    round_to(rim, rim_frame(widened(frame)));
+    auto const wide = widened(frame);
+    RimFrame<T> rim{};
+    round_to(rim, rim_frame(wide, rim_axis(wide)));
     return rim;
 }
 
@@ -371,7 +322,7 @@ inline constexpr double nearest_rims = 0x1p-26;
 /// itself. A rim passes near an end in some half-planes and not in the other ones if T changes its
 /// sign.
 template <class T> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
-is_rim_apart_from_ends(RimFrame<T, 3> const &rim) noexcept
+is_rim_apart_from_ends(RimFrame<T> const &rim) noexcept
 {
     auto const &other = rim.bodies[1];
     T const distance = minimum(absolute(other.above), absolute(other.below)) / rim.half_chord;
@@ -384,99 +335,15 @@ is_rim_apart_from_ends(RimFrame<T, 3> const &rim) noexcept
 }
 
 template <class T>
-PW85_FUNCTION inline RimFrame<T, 3> accurate_rim_frame(JointFrame<T, 3> const &frame) noexcept
+PW85_FUNCTION inline RimFrame<T> accurate_rim_frame(JointFrame<T, 3> const &frame) noexcept
 {
-    auto const axis = rim_axis(pencil(frame));
+    auto const axis = rim_axis(frame);
     if constexpr (std::is_floating_point_v<T>)
         if (!is_rim_accurate(frame, axis.half_chord)) return rim_frame_finely(frame);
     auto const rim = rim_frame(frame, axis);
     if constexpr (std::is_floating_point_v<T>)
         if (!is_rim_apart_from_ends(rim)) return rim_frame_finely(frame);
     return rim;
-}
-
-/// The common part on the axis, and the point of the axis from which both bodies' parts of a
-/// section are seen.
-template <class T> struct AxisInterval {
-    T top, bottom, middle;
-    bool ball_above, ball_below; ///< true if the end is one of the ball
-};
-
-template <class T, int D>
-PW85_FUNCTION inline AxisInterval<T> axis_interval(RimFrame<T, D> const &rim) noexcept
-{
-    auto const &ball = rim.bodies[0], &other = rim.bodies[1];
-    bool const above = other.high >= ball.high, below = other.low <= ball.low;
-    T const top = above ? ball.high : other.high, bottom = below ? ball.low : other.low;
-    return {top, bottom, T(T(0.5) * T(top + bottom)), above, below};
-}
-
-/// The roots of αZ² - TZ + γ = 0, each as a ratio, the larger one first, without cancellation.
-/// Where rounding errors leave no solution, both are where the rim would just touch itself.
-template <class T> struct RimRoots {
-    T numerators[2], denominators[2];
-};
-
-/// `excess` is T less `least` of the rim.
-template <class T, int D>
-PW85_FUNCTION inline RimRoots<T> rim_roots(RimFrame<T, D> const &rim, T const &excess) noexcept
-{
-    T const two_alpha = T(T(2) * rim.alpha), two_gamma = T(T(2) * rim.gamma);
-    auto const two = rim.least > T(0), is_positive = excess > T(0);
-    T const above = maximum(excess, T(0));
-    T const root = square_root(select(two, T(above * T(above + T(2) * rim.least)),
-                                      T(excess * excess - two_alpha * two_gamma)));
-    T const sum = above + rim.least + root;
-    return {{select(two || is_positive, sum, T(-two_gamma)), select(two, two_gamma, T(0))},
-            {select(two || is_positive, two_alpha, T(root - excess)), select(two, sum, T(1))}};
-}
-
-/// Selects both lanes by one mask of a pack.
-template <class T>
-requires(ScalarTraits<T>::lanes > 1) PW85_FUNCTION
-    constexpr TwoLanes<T> select(typename ScalarTraits<T>::Mask const &mask, TwoLanes<T> const &yes,
-                                 TwoLanes<T> const &no) noexcept
-{
-    return {select(mask, yes.first, no.first), select(mask, yes.second, no.second)};
-}
-
-/// The number of a pair, or of one pair per lane, for a type that has a number for each of its two
-/// half-planes.
-template <class T> struct NumberOfPair {
-    using type = T;
-};
-template <class T> struct NumberOfPair<TwoLanes<T>> {
-    using type = T;
-};
-
-/// Tests if T has the numbers of one pair. Packs leave pairs with two rims over.
-template <class T> inline constexpr bool may_have_two_rims =
-    ScalarTraits<typename NumberOfPair<T>::type>::lanes == 1;
-
-/// The mask that two half-planes of a pair share.
-template <class T> using RowMask = typename ScalarTraits<typename NumberOfPair<T>::type>::Mask;
-
-/// x == y for masks.
-template <class Mask> PW85_FUNCTION inline Mask are_equal(Mask const &x, Mask const &y) noexcept
-{
-    return (x && y) || !(x || y);
-}
-
-/// A root Z as q = min(√Z, 1/√Z), with the square of q.
-template <class T> struct RimRoot {
-    T q, square;
-    RowMask<T> up; ///< Z >= 1
-};
-
-template <class T>
-PW85_FUNCTION inline RimRoot<T> rim_root(RimRoots<T> const &roots, int k) noexcept
-{
-    T const numerator = roots.numerators[k], denominator = roots.denominators[k];
-    auto const up = numerator >= denominator;
-    T const larger = select(up, numerator, denominator),
-            smaller = select(up, denominator, numerator);
-    T const square = positive_quotient(smaller, larger, T(1));
-    return {square_root(square), square, up};
 }
 
 } // namespace pw85::detail

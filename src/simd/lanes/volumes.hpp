@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Volumes of common parts of many pairs, one pair per lane. The kernel drives the integrals along
-/// the rim (volume/rim_integrals.hpp), which give the bits of the function for one pair.
+/// the rim (volume/volume_terms.hpp), which give the bits of the function for one pair.
 ///
 /// The tests of overlap.hpp decide first. Pairs that overlap are collected, so that all lanes are
 /// in use. A pair is left over if three tests do not decide it, if a formula of the function for
@@ -142,18 +142,15 @@ PW85_INLINE PoleRoot<Pack> highest_root_between(PoleInterval<Pack> const &f) noe
     return root;
 }
 
-/// The axis of the rim, by find_vertices() for three different poles.
-PW85_INLINE RimAxis<Pack, 3> rim_axis_of(Pencil<Pack, 3> const &p) noexcept
+/// The axis of the rim, by rim_axis() for three different poles.
+PW85_INLINE RimAxis<Pack> rim_axis_of(Pencil<Pack> const &p) noexcept
 {
     PoleAxes<Pack> const axes[2] = {{0, 1, 2, Pack(1.0)}, {2, 1, 0, Pack(-1.0)}};
-    Vertex<Pack, 3> v[2];
+    Vertex<Pack> v[2];
     for (int k = 0; k < 2; ++k)
         v[k] = inner_vertex(p, axes[k], highest_root_between(pole_interval(p, axes[k])));
     make_orthogonal(v);
-    RimAxis<Pack, 3> axis{};
-    set_vertices(axis, v);
-    set_origin(axis);
-    return axis;
+    return axis_of_vertices(v);
 }
 
 /// Tests if all coordinates are zero, or none of their products underflows.
@@ -196,7 +193,7 @@ PW85_INLINE PackMask is_in_range_of_lanes(LanePair<3> const &pair) noexcept
     auto const axis = rim_axis_of(p);
     auto &rim = out.integration.rim;
     rim = rim_frame(frame, axis);
-    for (int k = 0; k < 2; ++k) out.integration.rules[k] = area_rule(rim, k);
+    for (int k = 0; k < 2; ++k) out.integration.rules[k] = area_rule(rim.ends, k);
     out.rule = elliptic_rule(rim);
     auto const form = quartic_form(rim);
     Pack const stretch2 = square_root(square_root(Pack(form.a / form.c)));

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Means over half-planes by trapezoidal rules in the parameter of elliptic_rule.hpp: the nodes, a
+/// ladder of rules, each with the nodes of the one before, and the rule at which it ends.
+/// volume_terms.hpp and overlap_volume_derivatives.hpp call mean_over_half_planes().
+#ifndef PW85_VOLUME_RULE_LADDER_HPP_INCLUDED
+#define PW85_VOLUME_RULE_LADDER_HPP_INCLUDED
+
+#include <pw85/algebra/two_lanes.hpp>
+#include <pw85/volume/elliptic_rule.hpp>
+
+namespace pw85::detail {
+
+template <class T> PW85_FUNCTION inline UnitVector2<T> turned(UnitVector2<T> const &a,
+                                                              UnitVector2<T> const &b) noexcept
+{
+    return {a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
+}
+
+/// Half of an angle, up to half a turn.
+template <class T> PW85_FUNCTION inline UnitVector2<T> half_turned(UnitVector2<T> const &a) noexcept
+{
+    T const root = square_root(T(T(0.5) * T(T(1) + absolute(a.cosine)))),
+            other = a.sine / T(T(2) * root);
+    auto const is_acute = a.cosine > T(0);
+    return {select(is_acute, root, other), select(is_acute, other, root)};
+}
+
+/// The rule is refined at most to 2^14 pairs of half-planes, or three times as many. 16 or 24 are
+/// usual.
+inline constexpr int finest_rule = 14;
+
+/// Sums over half-planes, or means, and the number of pairs of half-planes.
+template <class T, int N> struct RimSums {
+    T numbers[std::size_t(N)];
+    int pairs;
+};
+
+/// The mean from the sums of two sets of half-planes, of which there are 1/inverse.
+template <class T, int N> PW85_FUNCTION inline RimSums<T, N>
+mean_of(RimSums<T, N> const &x, RimSums<T, N> const &y, T const &inverse) noexcept
+{
+    RimSums<T, N> mean{{}, x.pairs + y.pairs};
+    for (int i = 0; i < N; ++i) mean.numbers[i] = T(T(x.numbers[i] + y.numbers[i]) * inverse);
+    return mean;
+}
+
+template <class T, int N>
+PW85_FUNCTION inline RimSums<T, N> mean_of(RimSums<T, N> const &x, RimSums<T, N> const &y) noexcept
+{
+    return mean_of(x, y, T(T(1) / T(2 * (x.pairs + y.pairs))));
+}
+
+/// The half-planes of one lane.
+template <class T, class Function> PW85_FUNCTION inline RimDirection<T>
+lane_of(Function const &lane, RimDirection<TwoLanes<T>> const &x) noexcept
+{
+    return {{lane(x.direction.cosine), lane(x.direction.sine)},
+            lane(x.weight),
+            lane(x.pace),
+            lane(x.excess)};
+}
+
+/// The nodes θ: multiples of 2π/2^level, and those turned by 2π/3. Mirror images have the rest of
+/// the multiples, and of those of a third: they share roots and weights.
+template <class T> struct RuleNodes {
+    T half = T(0.5);
+    UnitVector2<T> starts[2] = {{T(1), T(0)}, {-half, T(half *square_root(T(3)))}};
+    UnitVector2<T> turns[finest_rule + 1] = {{T(1), T(0)}, {T(-1), T(0)}, {T(0), T(1)}}; ///< 2π/2^k
+
+    /// Prepares a level. The ones below it must be prepared.
+    PW85_MEMBER void prepare(int level) noexcept
+    {
+        if (level > 2) turns[level] = half_turned(turns[level - 1]);
+    }
+
+    /// Returns the number of nodes that visit() visits.
+    PW85_MEMBER static constexpr int count(int start, int k) noexcept
+    {
+        int const first_bit = start == 0 ? 2 : 1;
+        return k < first_bit ? 1 : 1 << (k - first_bit);
+    }
+
+    /// Tests if the mirror images of nodes are other ones.
+    PW85_MEMBER static constexpr bool have_images(int start, int k) noexcept
+    {
+        return start > 0 || k > 1;
+    }
+
+    /// Visits the nodes at odd multiples of 2π/2^k from a start on, without their images: by
+    /// one(θ), or by two(θ, θ') if there is more than one.
+    template <class One, class Two>
+    PW85_MEMBER void visit(int start, int k, One const &one, Two const &two) const noexcept
+    {
+        auto const first = turned(starts[start], turns[k]);
+        int const size = count(start, k);
+        if (size == 1) one(first);
+        for (int j = 0; size > 1 && j < size; j += 2) {
+            UnitVector2<T> phi = first;
+            for (int bit = 1; bit < k - 1; ++bit)
+                if ((j >> bit & 1) != 0) phi = turned(phi, turns[k - 1 - bit]);
+            two(phi, turned(phi, turns[k - 1]));
+        }
+    }
+};
+
+/// A ladder of trapezoidal rules. function(direction, has_image, sums) adds a pair of half-planes,
+/// and its mirror image if it has one.
+template <class T, int N, class Function> struct RuleLadder {
+    EllipticRule<T> const &rule;
+    Function const &function;
+    int level = -1, starts = 1;
+    RimSums<T, N> coarse{{}, 0}, added{{}, 0}; ///< coarse: of every other node
+    RuleNodes<T> nodes{};
+
+    /// Adds as many nodes as there are; the first one if there is none.
+    PW85_MEMBER void refine() noexcept
+    {
+        nodes.prepare(++level);
+        for (int i = 0; i < N; ++i) coarse.numbers[i] = coarse.numbers[i] + added.numbers[i];
+        coarse.pairs += added.pairs;
+        added = {{}, 0};
+        for (int i = 0; i < starts; ++i) add_nodes(i, level, added);
+    }
+
+    /// Adds twice as many nodes as there are. To be called once.
+    PW85_MEMBER void triple() noexcept
+    {
+        for (int k = 0; k < level; ++k) add_nodes(starts, k, coarse);
+        add_nodes(starts, level, added);
+        ++starts;
+    }
+
+    /// Adds the nodes at odd multiples of 2π/2^k from a start on. Two nodes are computed side by
+    /// side.
+    PW85_MEMBER void add_nodes(int start, int k, RimSums<T, N> &sums) const noexcept
+    {
+        using Two = TwoLanes<T>;
+        bool const has_image = nodes.have_images(start, k);
+        nodes.visit(
+            start, k,
+            [&](UnitVector2<T> const &theta) {
+                function(rim_direction(rule, theta), has_image, sums);
+            },
+            [&](UnitVector2<T> const &theta, UnitVector2<T> const &next) {
+                auto const both = rim_direction(
+                    rule, UnitVector2<Two>{{theta.cosine, next.cosine}, {theta.sine, next.sine}});
+                function(lane_of<T>([](Two const &x) { return first_of(x); }, both), has_image,
+                         sums);
+                function(lane_of<T>([](Two const &x) { return second_of(x); }, both), has_image,
+                         sums);
+            });
+        sums.pairs += nodes.count(start, k) << (has_image ? 1 : 0);
+    }
+};
+
+/// The means over ψ and whether they have converged.
+template <class T, int N> struct RimMeans {
+    RimSums<T, N> means;
+    typename ScalarTraits<T>::Mask converged;
+};
+
+/// The error of a rule by how far its mean is from that of half of the nodes, as a fraction of what
+/// has to be known, and the same of the rule before. The error of n nodes falls as C xⁿ. Both
+/// distances give C and x: with twice the nodes of the rule before, C x^2n = distance
+/// (distance/previous)². With three times the nodes the power is 3/2. C is counted as at most 1: a
+/// pole of an integrand next to the real axis may have a small residue, but a large C is not
+/// trusted.
+template <class T>
+PW85_FUNCTION inline T error_of_rule(T const &distance, T const &previous,
+                                     typename ScalarTraits<T>::Mask const &by_three) noexcept
+{
+    auto const is_known = previous > T(0);
+    T const ratio = distance / select(is_known, previous, T(1)),
+            power = select(is_known, T(ratio * select(by_three, square_root(ratio), ratio)),
+                           largest_number<T>());
+    return select(distance > T(0), T(distance * maximum(distance, power)), T(0));
+}
+
+/// ε: an error of ε² is enough.
+template <class T> PW85_FUNCTION inline T enough_of_rule() noexcept
+{
+    return T(T(0.5) * square_root(negative_power_of_two<T>(result_digits<T>())));
+}
+
+/// Tests if 24 nodes are expected to be enough, and 16 are not, by the distance of the rule with 8.
+template <class T>
+PW85_FUNCTION inline typename ScalarTraits<T>::Mask is_better_by_three(T const &distance) noexcept
+{
+    T const enough = enough_of_rule<T>(), expected = T(distance * distance);
+    return expected > enough && T(expected * distance) <= enough;
+}
+
+/// Means over half-planes by the trapezoidal rule. change(mean, coarse) is how far two means are
+/// apart, as a fraction of what has to be known; roundings count as 0. An error of u/4 is enough.
+/// Beginning with 8 nodes, of which 4 tell how fast the means converge, the next rule has 16 or 24:
+/// 24 where the distance of the rule with 8 nodes is expected between ε and ε^(2/3), with ε = √u/2.
+template <class T, int N, class Function, class Change>
+PW85_FUNCTION inline RimMeans<T, N> mean_over_half_planes(EllipticRule<T> const &rule,
+                                                          Function const &function,
+                                                          Change const &change) noexcept
+{
+    T const enough = enough_of_rule<T>();
+    RuleLadder<T, N, Function> ladder{rule, function};
+    while (ladder.level < 2) ladder.refine();
+    T previous = T(0);
+    for (bool by_three = false;;) {
+        auto const mean = mean_of(ladder.coarse, ladder.added);
+        T const distance = change(mean, mean_of(ladder.coarse, RimSums<T, N>{{}, 0}));
+        bool const has_converged =
+            ladder.level > 2 && error_of_rule(distance, previous, by_three) <= T(enough * enough);
+        if (has_converged || ladder.level == finest_rule) return {mean, has_converged};
+        by_three = ladder.level == 3 && !by_three && is_better_by_three(distance);
+        by_three ? ladder.triple() : ladder.refine();
+        previous = distance;
+    }
+}
+
+} // namespace pw85::detail
+
+#endif
