@@ -75,7 +75,7 @@ class Statement:
         names = ((one, *names_and_shape(one)) for one in self.function.parameters)
         listed = [self.made(one, name, shape) for one, own, shape in names for name in own]
         has_answers = any(declared.startswith("unsigned char") for declared, *_ in listed)
-        results = self.results or f"with the same {'answers' if has_answers else 'bits'}."
+        results = self.results or f"with {'the same answers' if has_answers else 'bitwise equal results'}."
         mark = "." if results[0].isupper() else "," if results.startswith("with ") else ";"
         text = [f"Computes {self.function.name}() for n {self.rows}{mark} {results}", "", f"@param n [number of {self.row}s]"]
         for (tag, said), group in groupby(listed, lambda one: (one[1], one[3])):

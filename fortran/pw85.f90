@@ -504,8 +504,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_geometry
 
-    !> Computes the point and the normal of pw85_contact_geometry() for ellipsoids that are given by
-    !> factors of their forms.
+    !> Computes the contact point and the normal, as pw85_contact_geometry() does, for ellipsoids
+    !> that are given by factors of their forms.
     function pw85_contact_geometry_factored(r12, s1, s2, lambda, point, normal) result(status) &
       bind(C, name='pw85_contact_geometry_factored')
       import
@@ -563,8 +563,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap
 
-    !> Tests whether two ellipsoids overlap that are given by factors of their forms, Q1 = S1 S1ᵀ
-    !> and Q2 = S2 S2ᵀ.
+    !> Tests whether two ellipsoids, given by factors of their forms, overlap.
     function pw85_overlap_factored(r12, s1, s2, overlap) result(status) bind(C, &
       name='pw85_overlap_factored')
       import
@@ -601,8 +600,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contains
 
-    !> Computes the least factor by which ellipsoid 1, scaled about its centre, contains ellipsoid
-    !> 2, and a point where they then touch.
+    !> Computes the least factor by which ellipsoid 1 must be scaled about its centre to contain
+    !> ellipsoid 2, and a point where the two then touch.
     function pw85_containment(r12, q1, q2, mu2, point) result(status) bind(C, &
       name='pw85_containment')
       import
@@ -756,7 +755,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contains_2d
 
-    !> Computes the least factor by which ellipse 1 contains ellipse 2.
+    !> Computes the least factor by which ellipse 1 must be scaled to contain ellipse 2.
     function pw85_containment_2d(r12, q1, q2, mu2, point) result(status) bind(C, &
       name='pw85_containment_2d')
       import
@@ -820,7 +819,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_signed_distance_derivatives
 
-    !> Computes the least gap between the surfaces of ellipsoid 1 and of ellipsoid 2 inside it.
+    !> Computes the least gap between the surface of ellipsoid 1 and an ellipsoid 2 inside it.
     function pw85_gap_inside(r12, q1, q2, gap, point1, point2, normal) result(status) bind(C, &
       name='pw85_gap_inside')
       import
@@ -876,7 +875,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_first_contact
 
-    !> Computes the least μ² while ellipsoid 2 passes ellipsoid 1 on a straight path, and its time.
+    !> Computes the least μ² while ellipsoid 2 translates past ellipsoid 1 on a straight path, and
+    !> the time of this minimum.
     function pw85_closest_passage(r12, q1, q2, velocity, t_max, mu2, t) result(status) bind(C, &
       name='pw85_closest_passage')
       import
@@ -910,7 +910,7 @@ module pw85
       real(c_double), intent(out) :: x(3)
     end subroutine pw85__cholesky_solve
 
-    !> Computes f, the residual g = μ2² - μ1² = -f', whose root is the maximiser of f, and g'.
+    !> Computes f, the residual g = μ2² - μ1² = -f' and its derivative g'.
     subroutine pw85__residual(lambda, r12, q1, q2, out) bind(C, name='pw85__residual')
       import
       real(c_double), value :: lambda
@@ -918,7 +918,7 @@ module pw85
       real(c_double), intent(out) :: out(3)
     end subroutine pw85__residual
 
-    !> Computes -f(λ), with the parameters in one array, as minimisers pass them.
+    !> Computes -f(λ), with all parameters in one array, as the callback of a minimiser.
     function pw85_f_neg(lambda, params) result(value) bind(C, name='pw85_f_neg')
       import
       real(c_double), value :: lambda
@@ -941,8 +941,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_curvature
 
-    !> Computes the numbers of Hertz's theory that give the force and the contact ellipse of two
-    !> elastic bodies as functions of the depth.
+    !> Computes the effective radius of Hertz's theory for two elastic bodies, and the shape of the
+    !> contact ellipse.
     function pw85_hertz(curvatures, radius, ellipse) result(status) bind(C, name='pw85_hertz')
       import
       real(c_double), intent(in) :: curvatures(2)
@@ -961,8 +961,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hertz_contact
 
-    !> Computes the contact of two grains along their common normal, which it finds by Newton's
-    !> method.
+    !> Finds the common normal of two grains by Newton's method, and computes their contact along
+    !> it.
     function pw85_grain_contact(r12, q1, q2, start, normal, depth, point, curvatures, radius) &
       result(status) bind(C, name='pw85_grain_contact')
       import
@@ -971,8 +971,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_grain_contact
 
-    !> Computes the derivatives of the radius of pw85_grain_contact(), whose normal follows each
-    !> motion.
+    !> Computes the derivatives of the radius of pw85_grain_contact().
     function pw85_grain_radius_gradient(r12, q1, q2, normal, d_r12, d_rot1, d_rot2) result(status) &
       bind(C, name='pw85_grain_radius_gradient')
       import
@@ -1120,7 +1119,7 @@ module pw85
     end function pw85_contact_plane_derivatives
 
     !> Computes the distance from an ellipsoid with its centre at 0 to the nearest face of a box
-    !> around it, a container.
+    !> that contains it.
     function pw85_distance_box(lower, upper, q, distance, point, normal) result(status) bind(C, &
       name='pw85_distance_box')
       import
@@ -1129,8 +1128,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_box
 
-    !> Computes the distance from an ellipsoid to the wall of a cylinder of infinite length around
-    !> it.
+    !> Computes the distance from an ellipsoid to the wall of a cylinder of infinite length that
+    !> contains it.
     function pw85_distance_cylinder(axis, radius, center, q, distance, point, normal) &
       result(status) bind(C, name='pw85_distance_cylinder')
       import
@@ -1150,7 +1149,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_point
 
-    !> Computes the part t[0] <= t <= t[1] of the line origin + t·direction that is in an ellipsoid.
+    !> Computes the interval t[0] <= t <= t[1] in which the line origin + t·direction is inside an
+    !> ellipsoid.
     function pw85_intersect_line(origin, direction, q, t) result(status) bind(C, &
       name='pw85_intersect_line')
       import
@@ -1159,7 +1159,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_intersect_line
 
-    !> Computes the volume of the part of an ellipsoid that is in the half-space normal·x <= offset.
+    !> Computes the volume of the part of an ellipsoid that is in the half-space normal·x <= offset,
+    !> where x is relative to the centre of the ellipsoid.
     function pw85_overlap_volume_plane(normal, offset, q, volume) result(status) bind(C, &
       name='pw85_overlap_volume_plane')
       import
@@ -1379,7 +1380,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_batch
 
-    !> Computes pw85_contact_rounded() for n pairs, with the same bits.
+    !> Computes pw85_contact_rounded() for n pairs, with bitwise equal results.
     function pw85_contact_rounded_batch(n, r12, q1, q2, mu2, lambda) result(status) bind(C, &
       name='pw85_contact_rounded_batch')
       import
@@ -1430,7 +1431,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contains_batch
 
-    !> Computes pw85_containment() for n pairs, with the same bits.
+    !> Computes pw85_containment() for n pairs, with bitwise equal results.
     function pw85_containment_batch(n, r12, q1, q2, mu2, point) result(status) bind(C, &
       name='pw85_containment_batch')
       import
@@ -1452,7 +1453,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_closest_passage_batch
 
-    !> Computes pw85_free_path() for n pairs, with the same bits.
+    !> Computes pw85_free_path() for n pairs, with bitwise equal results.
     function pw85_free_path_batch(n, r12, q1, q2, directions, t_max, t) result(status) bind(C, &
       name='pw85_free_path_batch')
       import
@@ -1472,7 +1473,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_closest_approach_batch
 
-    !> Computes pw85_volume() for n ellipsoids, with the same bits.
+    !> Computes pw85_volume() for n ellipsoids, with bitwise equal results.
     function pw85_volume_batch(n, q, volume) result(status) bind(C, name='pw85_volume_batch')
       import
       integer(c_size_t), value :: n
@@ -1481,7 +1482,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_volume_batch
 
-    !> Computes pw85_overlap_volume() for n pairs, with the same bits.
+    !> Computes pw85_overlap_volume() for n pairs, with bitwise equal results.
     function pw85_overlap_volume_batch(n, r12, q1, q2, volume) result(status) bind(C, &
       name='pw85_overlap_volume_batch')
       import
@@ -1491,7 +1492,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_batch
 
-    !> Computes pw85_overlap_volume_gradient() for n pairs, with the same bits.
+    !> Computes pw85_overlap_volume_gradient() for n pairs, with bitwise equal results.
     function pw85_overlap_volume_gradient_batch(n, r12, q1, q2, d_r12, d_q1, d_q2) result(status) &
       bind(C, name='pw85_overlap_volume_gradient_batch')
       import
@@ -1501,7 +1502,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_gradient_batch
 
-    !> Computes pw85_overlap_volume_torque() for n pairs, with the same bits.
+    !> Computes pw85_overlap_volume_torque() for n pairs, with bitwise equal results.
     function pw85_overlap_volume_torque_batch(n, r12, q1, q2, d_rot1, d_rot2) result(status) &
       bind(C, name='pw85_overlap_volume_torque_batch')
       import
@@ -1511,7 +1512,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_torque_batch
 
-    !> Computes pw85_overlap_volume_plane() for n ellipsoids and half-spaces, with the same bits.
+    !> Computes pw85_overlap_volume_plane() for n ellipsoids and half-spaces, with bitwise equal
+    !> results.
     function pw85_overlap_volume_plane_batch(n, normals, offsets, q, volume) result(status) &
       bind(C, name='pw85_overlap_volume_plane_batch')
       import
@@ -1521,7 +1523,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_plane_batch
 
-    !> Computes pw85_area_2d() for n ellipses, with the same bits.
+    !> Computes pw85_area_2d() for n ellipses, with bitwise equal results.
     function pw85_area_batch_2d(n, q, area) result(status) bind(C, name='pw85_area_batch_2d')
       import
       integer(c_size_t), value :: n
@@ -1530,7 +1532,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_area_batch_2d
 
-    !> Computes pw85_overlap_area_2d() for n pairs, with the same bits.
+    !> Computes pw85_overlap_area_2d() for n pairs, with bitwise equal results.
     function pw85_overlap_area_batch_2d(n, r12, q1, q2, area) result(status) bind(C, &
       name='pw85_overlap_area_batch_2d')
       import
@@ -1540,7 +1542,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_area_batch_2d
 
-    !> Computes pw85_overlap_area_gradient_2d() for n pairs, with the same bits.
+    !> Computes pw85_overlap_area_gradient_2d() for n pairs, with bitwise equal results.
     function pw85_overlap_area_gradient_batch_2d(n, r12, q1, q2, d_r12, d_q1, d_q2) result(status) &
       bind(C, name='pw85_overlap_area_gradient_batch_2d')
       import
@@ -1550,7 +1552,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_area_gradient_batch_2d
 
-    !> Computes pw85_overlap_area_torque_2d() for n pairs, with the same bits.
+    !> Computes pw85_overlap_area_torque_2d() for n pairs, with bitwise equal results.
     function pw85_overlap_area_torque_batch_2d(n, r12, q1, q2, d_rot1, d_rot2) result(status) &
       bind(C, name='pw85_overlap_area_torque_batch_2d')
       import
@@ -1560,7 +1562,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_area_torque_batch_2d
 
-    !> Computes pw85_surface_area() for n ellipsoids, with the same bits.
+    !> Computes pw85_surface_area() for n ellipsoids, with bitwise equal results.
     function pw85_surface_area_batch(n, q, area) result(status) bind(C, &
       name='pw85_surface_area_batch')
       import
@@ -1570,7 +1572,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_surface_area_batch
 
-    !> Computes pw85_second_moments() for n ellipsoids, with the same bits.
+    !> Computes pw85_second_moments() for n ellipsoids, with bitwise equal results.
     function pw85_second_moments_batch(n, q, moments) result(status) bind(C, &
       name='pw85_second_moments_batch')
       import
@@ -1580,7 +1582,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_second_moments_batch
 
-    !> Computes pw85_from_moments() for n ellipsoids, with the same bits.
+    !> Computes pw85_from_moments() for n ellipsoids, with bitwise equal results.
     function pw85_from_moments_batch(n, second_moments, q) result(status) bind(C, &
       name='pw85_from_moments_batch')
       import
@@ -1590,7 +1592,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_from_moments_batch
 
-    !> Computes pw85_shell_moments() for n ellipsoids, with the same bits.
+    !> Computes pw85_shell_moments() for n ellipsoids, with bitwise equal results.
     function pw85_shell_moments_batch(n, q, moments) result(status) bind(C, &
       name='pw85_shell_moments_batch')
       import
@@ -1600,7 +1602,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_shell_moments_batch
 
-    !> Computes pw85_inertia() for n ellipsoids, with the same bits.
+    !> Computes pw85_inertia() for n ellipsoids, with bitwise equal results.
     function pw85_inertia_batch(n, q, shell, inertia) result(status) bind(C, &
       name='pw85_inertia_batch')
       import
@@ -1611,7 +1613,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_inertia_batch
 
-    !> Computes pw85_perimeter_2d() for n ellipses, with the same bits.
+    !> Computes pw85_perimeter_2d() for n ellipses, with bitwise equal results.
     function pw85_perimeter_batch_2d(n, q, perimeter) result(status) bind(C, &
       name='pw85_perimeter_batch_2d')
       import
@@ -1621,7 +1623,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_perimeter_batch_2d
 
-    !> Computes pw85_second_moments_2d() for n ellipses, with the same bits.
+    !> Computes pw85_second_moments_2d() for n ellipses, with bitwise equal results.
     function pw85_second_moments_batch_2d(n, q, moments) result(status) bind(C, &
       name='pw85_second_moments_batch_2d')
       import
@@ -1631,7 +1633,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_second_moments_batch_2d
 
-    !> Computes pw85_from_moments_2d() for n ellipses, with the same bits.
+    !> Computes pw85_from_moments_2d() for n ellipses, with bitwise equal results.
     function pw85_from_moments_batch_2d(n, second_moments, q) result(status) bind(C, &
       name='pw85_from_moments_batch_2d')
       import
@@ -1641,7 +1643,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_from_moments_batch_2d
 
-    !> Computes pw85_shell_moments_2d() for n ellipses, with the same bits.
+    !> Computes pw85_shell_moments_2d() for n ellipses, with bitwise equal results.
     function pw85_shell_moments_batch_2d(n, q, moments) result(status) bind(C, &
       name='pw85_shell_moments_batch_2d')
       import
@@ -1651,7 +1653,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_shell_moments_batch_2d
 
-    !> Computes pw85_contact_factored() for n pairs, with the same bits.
+    !> Computes pw85_contact_factored() for n pairs, with bitwise equal results.
     function pw85_contact_factored_batch(n, r12, s1, s2, mu2, lambda) result(status) bind(C, &
       name='pw85_contact_factored_batch')
       import
@@ -1661,7 +1663,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_factored_batch
 
-    !> Computes pw85_condition() for n pairs, with the same bits.
+    !> Computes pw85_condition() for n pairs, with bitwise equal results.
     function pw85_condition_batch(n, r12, q1, q2, lambda, cond) result(status) bind(C, &
       name='pw85_condition_batch')
       import
@@ -1671,7 +1673,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_condition_batch
 
-    !> Computes pw85_contact_function() for n pairs, with the same bits.
+    !> Computes pw85_contact_function() for n pairs, with bitwise equal results.
     function pw85_contact_function_batch(n, r12, q1, q2, mu2, lambda) result(status) bind(C, &
       name='pw85_contact_function_batch')
       import
@@ -1681,7 +1683,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_function_batch
 
-    !> Computes pw85_contact_geometry() for n pairs, with the same bits.
+    !> Computes pw85_contact_geometry() for n pairs, with bitwise equal results.
     function pw85_contact_geometry_batch(n, r12, q1, q2, lambda, point, normal) result(status) &
       bind(C, name='pw85_contact_geometry_batch')
       import
@@ -1691,7 +1693,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_geometry_batch
 
-    !> Computes pw85_contact_gradient() for n pairs, with the same bits.
+    !> Computes pw85_contact_gradient() for n pairs, with bitwise equal results.
     function pw85_contact_gradient_batch(n, r12, q1, q2, lambda, d_r12, d_q1, d_q2) result(status) &
       bind(C, name='pw85_contact_gradient_batch')
       import
@@ -1701,7 +1703,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_gradient_batch
 
-    !> Computes pw85_contact_geometry_factored() for n pairs, with the same bits.
+    !> Computes pw85_contact_geometry_factored() for n pairs, with bitwise equal results.
     function pw85_contact_geometry_factored_batch(n, r12, s1, s2, lambda, point, normal) &
       result(status) bind(C, name='pw85_contact_geometry_factored_batch')
       import
@@ -1711,7 +1713,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_geometry_factored_batch
 
-    !> Computes pw85_contact_gradient_factored() for n pairs, with the same bits.
+    !> Computes pw85_contact_gradient_factored() for n pairs, with bitwise equal results.
     function pw85_contact_gradient_factored_batch(n, r12, s1, s2, lambda, d_r12, d_s1, d_s2) &
       result(status) bind(C, name='pw85_contact_gradient_factored_batch')
       import
@@ -1721,7 +1723,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_gradient_factored_batch
 
-    !> Computes pw85_contact_torque() for n pairs, with the same bits.
+    !> Computes pw85_contact_torque() for n pairs, with bitwise equal results.
     function pw85_contact_torque_batch(n, r12, q1, q2, lambda, d_rot1, d_rot2) result(status) &
       bind(C, name='pw85_contact_torque_batch')
       import
@@ -1731,7 +1733,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_torque_batch
 
-    !> Computes pw85_contact_hessian() for n pairs, with the same bits.
+    !> Computes pw85_contact_hessian() for n pairs, with bitwise equal results.
     function pw85_contact_hessian_batch(n, r12, q1, q2, lambda, hessian) result(status) bind(C, &
       name='pw85_contact_hessian_batch')
       import
@@ -1762,7 +1764,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_batch_2d
 
-    !> Computes pw85_contact_geometry_2d() for n pairs, with the same bits.
+    !> Computes pw85_contact_geometry_2d() for n pairs, with bitwise equal results.
     function pw85_contact_geometry_batch_2d(n, r12, q1, q2, lambda, point, normal) result(status) &
       bind(C, name='pw85_contact_geometry_batch_2d')
       import
@@ -1772,7 +1774,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_geometry_batch_2d
 
-    !> Computes pw85_contact_gradient_2d() for n pairs, with the same bits.
+    !> Computes pw85_contact_gradient_2d() for n pairs, with bitwise equal results.
     function pw85_contact_gradient_batch_2d(n, r12, q1, q2, lambda, d_r12, d_q1, d_q2) &
       result(status) bind(C, name='pw85_contact_gradient_batch_2d')
       import
@@ -1782,7 +1784,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_gradient_batch_2d
 
-    !> Computes pw85_contact_torque_2d() for n pairs, with the same bits.
+    !> Computes pw85_contact_torque_2d() for n pairs, with bitwise equal results.
     function pw85_contact_torque_batch_2d(n, r12, q1, q2, lambda, d_rot1, d_rot2) result(status) &
       bind(C, name='pw85_contact_torque_batch_2d')
       import
@@ -1792,7 +1794,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_torque_batch_2d
 
-    !> Computes pw85_contact_hessian_2d() for n pairs, with the same bits.
+    !> Computes pw85_contact_hessian_2d() for n pairs, with bitwise equal results.
     function pw85_contact_hessian_batch_2d(n, r12, q1, q2, lambda, hessian) result(status) bind(C, &
       name='pw85_contact_hessian_batch_2d')
       import
@@ -1802,7 +1804,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_hessian_batch_2d
 
-    !> Computes pw85_closest_approach_2d() for n pairs, with the same bits.
+    !> Computes pw85_closest_approach_2d() for n pairs, with bitwise equal results.
     function pw85_closest_approach_batch_2d(n, directions, q1, q2, distance) result(status) &
       bind(C, name='pw85_closest_approach_batch_2d')
       import
@@ -1812,7 +1814,9 @@ module pw85
       integer(c_int) :: status
     end function pw85_closest_approach_batch_2d
 
-    !> Computes all that the forces and torques of an energy U(μ²) need, for n pairs.
+    !> Computes for n pairs the results of pw85_contact(), pw85_contact_geometry(),
+    !> pw85_contact_gradient() and pw85_contact_torque(), from which the forces and torques of an
+    !> energy U(μ²) follow.
     function pw85_contact_derivatives_batch(n, r12, q1, q2, mu2, lambda, point, normal, d_r12, &
       d_rot1, d_rot2) result(status) bind(C, name='pw85_contact_derivatives_batch')
       import
@@ -1833,7 +1837,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_batch
 
-    !> Computes pw85_distance_derivatives() for n pairs, with the same bits.
+    !> Computes pw85_distance_derivatives() for n pairs, with bitwise equal results.
     function pw85_distance_derivatives_batch(n, r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) &
       result(status) bind(C, name='pw85_distance_derivatives_batch')
       import
@@ -1844,7 +1848,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_derivatives_batch
 
-    !> Computes pw85_distance_2d() for n pairs, with the same bits.
+    !> Computes pw85_distance_2d() for n pairs, with bitwise equal results.
     function pw85_distance_batch_2d(n, r12, q1, q2, distance, point1, point2) result(status) &
       bind(C, name='pw85_distance_batch_2d')
       import
@@ -1854,7 +1858,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_batch_2d
 
-    !> Computes pw85_penetration_2d() for n pairs, with the same bits.
+    !> Computes pw85_penetration_2d() for n pairs, with bitwise equal results.
     function pw85_penetration_batch_2d(n, r12, q1, q2, depth, direction) result(status) bind(C, &
       name='pw85_penetration_batch_2d')
       import
@@ -1864,7 +1868,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_penetration_batch_2d
 
-    !> Computes pw85_signed_distance_2d() for n pairs, with the same bits.
+    !> Computes pw85_signed_distance_2d() for n pairs, with bitwise equal results.
     function pw85_signed_distance_batch_2d(n, r12, q1, q2, distance, point1, point2) &
       result(status) bind(C, name='pw85_signed_distance_batch_2d')
       import
@@ -1874,7 +1878,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_signed_distance_batch_2d
 
-    !> Computes pw85_penetration() for n pairs, with the same bits.
+    !> Computes pw85_penetration() for n pairs, with bitwise equal results.
     function pw85_penetration_batch(n, r12, q1, q2, depth, direction) result(status) bind(C, &
       name='pw85_penetration_batch')
       import
@@ -1884,7 +1888,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_penetration_batch
 
-    !> Computes pw85_signed_distance() for n pairs, with the same bits.
+    !> Computes pw85_signed_distance() for n pairs, with bitwise equal results.
     function pw85_signed_distance_batch(n, r12, q1, q2, distance, point1, point2) result(status) &
       bind(C, name='pw85_signed_distance_batch')
       import
@@ -1894,7 +1898,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_signed_distance_batch
 
-    !> Computes pw85_signed_distance_derivatives() for n pairs, with the same bits.
+    !> Computes pw85_signed_distance_derivatives() for n pairs, with bitwise equal results.
     function pw85_signed_distance_derivatives_batch(n, r12, q1, q2, d_r12, d_rot1, d_rot2, &
       hessian) result(status) bind(C, name='pw85_signed_distance_derivatives_batch')
       import
@@ -1905,7 +1909,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_signed_distance_derivatives_batch
 
-    !> Computes pw85_gap_inside() for n pairs, with the same bits.
+    !> Computes pw85_gap_inside() for n pairs, with bitwise equal results.
     function pw85_gap_inside_batch(n, r12, q1, q2, gap, point1, point2, normal) result(status) &
       bind(C, name='pw85_gap_inside_batch')
       import
@@ -1915,7 +1919,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_gap_inside_batch
 
-    !> Computes pw85_gap_inside_2d() for n pairs, with the same bits.
+    !> Computes pw85_gap_inside_2d() for n pairs, with bitwise equal results.
     function pw85_gap_inside_batch_2d(n, r12, q1, q2, gap, point1, point2, normal) result(status) &
       bind(C, name='pw85_gap_inside_batch_2d')
       import
@@ -1925,7 +1929,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_gap_inside_batch_2d
 
-    !> Computes pw85_curvature() for n ellipsoids, with the same bits.
+    !> Computes pw85_curvature() for n ellipsoids, with bitwise equal results.
     function pw85_curvature_batch(n, normals, q, curvatures, directions) result(status) bind(C, &
       name='pw85_curvature_batch')
       import
@@ -1935,7 +1939,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_curvature_batch
 
-    !> Computes pw85_hertz() for n contacts, with the same bits.
+    !> Computes pw85_hertz() for n contacts, with bitwise equal results.
     function pw85_hertz_batch(n, curvatures, radius, ellipse) result(status) bind(C, &
       name='pw85_hertz_batch')
       import
@@ -1945,7 +1949,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hertz_batch
 
-    !> Computes pw85_hertz_contact() for n pairs, with the same bits.
+    !> Computes pw85_hertz_contact() for n pairs, with bitwise equal results.
     function pw85_hertz_contact_batch(n, r12, q1, q2, normals, depth, point, curvatures, &
       directions, radius, ellipse) result(status) bind(C, name='pw85_hertz_contact_batch')
       import
@@ -1967,7 +1971,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_grain_contact_batch
 
-    !> Computes pw85_grain_radius_gradient() for n pairs, with the same bits.
+    !> Computes pw85_grain_radius_gradient() for n pairs, with bitwise equal results.
     function pw85_grain_radius_gradient_batch(n, r12, q1, q2, normals, d_r12, d_rot1, d_rot2) &
       result(status) bind(C, name='pw85_grain_radius_gradient_batch')
       import
@@ -1977,7 +1981,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_grain_radius_gradient_batch
 
-    !> Computes pw85_grain_contact_wall() for n ellipsoids and walls, with the same bits.
+    !> Computes pw85_grain_contact_wall() for n ellipsoids and walls, with bitwise equal results.
     function pw85_grain_contact_wall_batch(n, normals, offsets, directions, curvature, q, depth, &
       point, curvatures, radius) result(status) bind(C, name='pw85_grain_contact_wall_batch')
       import
@@ -1988,7 +1992,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_grain_contact_wall_batch
 
-    !> Computes pw85_distance_plane() for n ellipsoids and half-spaces, with the same bits.
+    !> Computes pw85_distance_plane() for n ellipsoids and half-spaces, with bitwise equal results.
     function pw85_distance_plane_batch(n, normals, offsets, q, distance, point) result(status) &
       bind(C, name='pw85_distance_plane_batch')
       import
@@ -1998,8 +2002,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_plane_batch
 
-    !> Computes pw85_distance_plane_derivatives() for n ellipsoids and half-spaces, with the same
-    !> bits.
+    !> Computes pw85_distance_plane_derivatives() for n ellipsoids and half-spaces, with bitwise
+    !> equal results.
     function pw85_distance_plane_derivatives_batch(n, normals, q, d_center, d_rot) result(status) &
       bind(C, name='pw85_distance_plane_derivatives_batch')
       import
@@ -2009,7 +2013,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_plane_derivatives_batch
 
-    !> Computes pw85_contact_plane() for n ellipsoids and half-spaces, with the same bits.
+    !> Computes pw85_contact_plane() for n ellipsoids and half-spaces, with bitwise equal results.
     function pw85_contact_plane_batch(n, normals, offsets, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_plane_batch')
       import
@@ -2019,8 +2023,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_plane_batch
 
-    !> Computes pw85_contact_plane_derivatives() for n ellipsoids and half-spaces, with the same
-    !> bits.
+    !> Computes pw85_contact_plane_derivatives() for n ellipsoids and half-spaces, with bitwise
+    !> equal results.
     function pw85_contact_plane_derivatives_batch(n, normals, offsets, q, d_center, d_rot) &
       result(status) bind(C, name='pw85_contact_plane_derivatives_batch')
       import
@@ -2030,7 +2034,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_plane_derivatives_batch
 
-    !> Computes pw85_distance_box() for n ellipsoids and boxes, with the same bits.
+    !> Computes pw85_distance_box() for n ellipsoids and boxes, with bitwise equal results.
     function pw85_distance_box_batch(n, lower, upper, q, distance, point, normal) result(status) &
       bind(C, name='pw85_distance_box_batch')
       import
@@ -2040,7 +2044,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_box_batch
 
-    !> Computes pw85_distance_cylinder() for n ellipsoids and cylinders, with the same bits.
+    !> Computes pw85_distance_cylinder() for n ellipsoids and cylinders, with bitwise equal results.
     function pw85_distance_cylinder_batch(n, axis, radius, center, q, distance, point, normal) &
       result(status) bind(C, name='pw85_distance_cylinder_batch')
       import
@@ -2050,7 +2054,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_cylinder_batch
 
-    !> Computes pw85_distance_point() for n points and ellipsoids, with the same bits.
+    !> Computes pw85_distance_point() for n points and ellipsoids, with bitwise equal results.
     function pw85_distance_point_batch(n, r, q, distance, point, normal) result(status) bind(C, &
       name='pw85_distance_point_batch')
       import
@@ -2060,7 +2064,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_point_batch
 
-    !> Computes pw85_distance_segment() for n ellipsoids and segments, with the same bits.
+    !> Computes pw85_distance_segment() for n ellipsoids and segments, with bitwise equal results.
     function pw85_distance_segment_batch(n, end1, end2, q, distance, point1, point2, normal) &
       result(status) bind(C, name='pw85_distance_segment_batch')
       import
@@ -2070,7 +2074,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_segment_batch
 
-    !> Computes pw85_distance_triangle() for n ellipsoids and triangles, with the same bits.
+    !> Computes pw85_distance_triangle() for n ellipsoids and triangles, with bitwise equal results.
     function pw85_distance_triangle_batch(n, vertex1, vertex2, vertex3, q, distance, point1, &
       point2, normal) result(status) bind(C, name='pw85_distance_triangle_batch')
       import
@@ -2080,7 +2084,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_triangle_batch
 
-    !> Computes pw85_distance_solid_box() for n ellipsoids and boxes, with the same bits.
+    !> Computes pw85_distance_solid_box() for n ellipsoids and boxes, with bitwise equal results.
     function pw85_distance_solid_box_batch(n, lower, upper, q, distance, point1, point2, normal) &
       result(status) bind(C, name='pw85_distance_solid_box_batch')
       import
@@ -2090,7 +2094,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_solid_box_batch
 
-    !> Computes pw85_intersect_line() for n lines and ellipsoids, with the same bits.
+    !> Computes pw85_intersect_line() for n lines and ellipsoids, with bitwise equal results.
     function pw85_intersect_line_batch(n, origin, directions, q, enter, leave) result(status) &
       bind(C, name='pw85_intersect_line_batch')
       import
@@ -2160,7 +2164,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_box_batch
 
-    !> Computes pw85_contact_capsule() for n ellipsoids and capsules, with the same bits.
+    !> Computes pw85_contact_capsule() for n ellipsoids and capsules, with bitwise equal results.
     function pw85_contact_capsule_batch(n, end1, end2, radius, q, mu2, point) result(status) &
       bind(C, name='pw85_contact_capsule_batch')
       import
@@ -2180,7 +2184,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_capsule_batch
 
-    !> Computes pw85_distance_capsule() for n ellipsoids and capsules, with the same bits.
+    !> Computes pw85_distance_capsule() for n ellipsoids and capsules, with bitwise equal results.
     function pw85_distance_capsule_batch(n, end1, end2, radius, q, distance, point1, point2, &
       normal) result(status) bind(C, name='pw85_distance_capsule_batch')
       import
@@ -2190,7 +2194,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_capsule_batch
 
-    !> Computes pw85_distance_point_2d() for n points and ellipses, with the same bits.
+    !> Computes pw85_distance_point_2d() for n points and ellipses, with bitwise equal results.
     function pw85_distance_point_batch_2d(n, r, q, distance, point, normal) result(status) bind(C, &
       name='pw85_distance_point_batch_2d')
       import
@@ -2200,7 +2204,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_point_batch_2d
 
-    !> Computes pw85_contact_segment_2d() for n ellipses and segments, with the same bits.
+    !> Computes pw85_contact_segment_2d() for n ellipses and segments, with bitwise equal results.
     function pw85_contact_segment_batch_2d(n, end1, end2, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_segment_batch_2d')
       import
@@ -2210,7 +2214,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_segment_batch_2d
 
-    !> Computes pw85_contact_box_2d() for n ellipses and boxes, with the same bits.
+    !> Computes pw85_contact_box_2d() for n ellipses and boxes, with bitwise equal results.
     function pw85_contact_box_batch_2d(n, lower, upper, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_box_batch_2d')
       import
@@ -2251,7 +2255,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_polytope_batch
 
-    !> Tests whether many ellipsoids overlap one polytope, for example which of them a camera sees.
+    !> Tests which of many ellipsoids overlap one polytope, such as the frustum of a camera.
     function pw85_overlap_polytope_batch(num_ellipsoids, centers, q, num_planes, normals, offsets, &
       overlap) result(status) bind(C, name='pw85_overlap_polytope_batch')
       import
@@ -2262,7 +2266,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_polytope_batch
 
-    !> Computes pw85_first_contact() for n pairs, with the same bits.
+    !> Computes pw85_first_contact() for n pairs, with bitwise equal results.
     function pw85_first_contact_batch(n, r12, q1, q2, motion1, motion2, t_max, t) result(status) &
       bind(C, name='pw85_first_contact_batch')
       import
@@ -2283,7 +2287,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_any
 
-    !> Computes pw85_ellipsoid_factor() for n ellipsoids, with the same bits.
+    !> Computes pw85_ellipsoid_factor() for n ellipsoids, with bitwise equal results.
     function pw85_ellipsoid_factor_batch(n, semi_axes, quaternions, s) result(status) bind(C, &
       name='pw85_ellipsoid_factor_batch')
       import
@@ -2293,7 +2297,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_ellipsoid_factor_batch
 
-    !> Computes pw85_ellipsoid_quaternion() for n ellipsoids, with the same bits.
+    !> Computes pw85_ellipsoid_quaternion() for n ellipsoids, with bitwise equal results.
     function pw85_ellipsoid_quaternion_batch(n, semi_axes, quaternions, q) result(status) bind(C, &
       name='pw85_ellipsoid_quaternion_batch')
       import
@@ -2342,7 +2346,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_enclosing_ellipsoid_of
 
-    !> Makes random points of an ellipsoid with its centre at 0, uniform in its volume or on its
+    !> Makes random points, distributed uniformly in an ellipsoid with its centre at 0, or on its
     !> surface.
     function pw85_random_points(q, surface, seed, num_points, points) result(status) bind(C, &
       name='pw85_random_points')
@@ -2442,8 +2446,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_law_forces_pairs
 
-    !> Computes the times of the first contacts of the pairs of a list, and the next event of each
-    !> particle, which event-driven simulations schedule.
+    !> Computes the times of the first contacts of the pairs of a list, and the first contact of
+    !> each particle, for event-driven simulations.
     function pw85_first_contact_pairs(list, system, motions, t_max, t, next, next_pair) &
       result(status) bind(C, name='pw85_first_contact_pairs')
       import
@@ -2465,7 +2469,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_cell_reduce
 
-    !> Computes the nearest images that the functions of pair lists use without `images`.
+    !> Computes the nearest images that the functions of pair lists use if `images` is null.
     function pw85_nearest_images(num_pairs, pairs, system, r12, images) result(status) bind(C, &
       name='pw85_nearest_images')
       import
@@ -2477,7 +2481,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_nearest_images
 
-    !> Computes the limit of μ² below which only nearest images count.
+    !> Computes the limit of μ² below which an image of a pair of these particles is always the
+    !> nearest image.
     function pw85_nearest_image_limit(system, mu2) result(status) bind(C, &
       name='pw85_nearest_image_limit')
       import
@@ -2497,7 +2502,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_neighbors_create
 
-    !> Finds the particle because of which pw85_neighbors_create() cannot make a list.
+    !> Finds the particle that prevents pw85_neighbors_create() from making a list.
     function pw85_neighbors_check(system, scale, skin, particle) result(status) bind(C, &
       name='pw85_neighbors_check')
       import
@@ -2507,8 +2512,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_neighbors_check
 
-    !> Tests whether a list still has all pairs whose boxes intersect (without skin), after
-    !> particles have moved and turned and the cell has changed.
+    !> Tests whether a list still contains all pairs whose boxes intersect (without skin), after
+    !> particles have moved and rotated and the cell has changed.
     function pw85_neighbors_holds(list, system, holds) result(status) bind(C, &
       name='pw85_neighbors_holds')
       import
@@ -2574,7 +2579,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_mesh_distance
 
-    !> Computes pw85_mesh_contact() for n ellipsoids and one mesh, with the same bits.
+    !> Computes pw85_mesh_contact() for n ellipsoids and one mesh, in parallel, with bitwise equal
+    !> results.
     function pw85_mesh_contact_batch(mesh, n, centers, q, mu2, point, triangle) result(status) &
       bind(C, name='pw85_mesh_contact_batch')
       import
@@ -2586,7 +2592,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_mesh_contact_batch
 
-    !> Computes pw85_mesh_overlap() for n ellipsoids and one mesh.
+    !> Computes pw85_mesh_overlap() for n ellipsoids and one mesh, in parallel.
     function pw85_mesh_overlap_batch(mesh, n, centers, q, overlap) result(status) bind(C, &
       name='pw85_mesh_overlap_batch')
       import
@@ -2597,7 +2603,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_mesh_overlap_batch
 
-    !> Computes pw85_mesh_distance() for n ellipsoids and one mesh, with the same bits.
+    !> Computes pw85_mesh_distance() for n ellipsoids and one mesh, in parallel, with bitwise equal
+    !> results.
     function pw85_mesh_distance_batch(mesh, n, centers, q, distance, point1, point2, normal, &
       triangle, inside) result(status) bind(C, name='pw85_mesh_distance_batch')
       import
@@ -2633,8 +2640,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_create
 
-    !> Turns a simulation into one of hard ellipses in a plane z = const, or back into one of
-    !> ellipsoids.
+    !> Sets the number of dimensions of a simulation.
     function pw85_hard_ellipsoids_set_dimensions(simulation, dimensions) result(status) bind(C, &
       name='pw85_hard_ellipsoids_set_dimensions')
       import
@@ -2700,7 +2706,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_save
 
-    !> Makes a simulation from the bytes of another one, which it continues bit by bit.
+    !> Makes a simulation from the bytes of a saved one.
     function pw85_hard_ellipsoids_restore(num_bytes, bytes, simulation) result(status) bind(C, &
       name='pw85_hard_ellipsoids_restore')
       import
@@ -2715,7 +2721,7 @@ module pw85
   ! pw85_simulation_surroundings.h
   interface
 
-    !> Sets the hard walls of a simulation, in place of those that it has.
+    !> Sets the hard walls of a simulation, and removes the walls that it had.
     function pw85_hard_ellipsoids_set_walls(simulation, num_walls, walls, overlap) result(status) &
       bind(C, name='pw85_hard_ellipsoids_set_walls')
       import
@@ -2726,7 +2732,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_walls
 
-    !> Sets the hard mesh of a simulation, in place of the one that it has.
+    !> Sets the hard mesh of a simulation, and removes the mesh that it had.
     function pw85_hard_ellipsoids_set_mesh(simulation, num_vertices, vertices, num_triangles, &
       triangles, overlap) result(status) bind(C, name='pw85_hard_ellipsoids_set_mesh')
       import
@@ -2738,7 +2744,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_mesh
 
-    !> Sets the fields of a simulation, in place of those that it has.
+    !> Sets the fields of a simulation, and removes the fields that it had.
     function pw85_hard_ellipsoids_set_fields(simulation, num_fields, fields) result(status) &
       bind(C, name='pw85_hard_ellipsoids_set_fields')
       import
@@ -2758,7 +2764,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_potential
 
-    !> Sets an energy of pairs beside the hard cores, or removes it.
+    !> Sets or removes a pair potential in addition to the hard cores.
     function pw85_hard_ellipsoids_set_law(simulation, law) result(status) bind(C, &
       name='pw85_hard_ellipsoids_set_law')
       import
@@ -2793,7 +2799,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_chain
 
-    !> Tries changes of the cell, and of all centres with it, at constant pressure.
+    !> Makes volume moves.
     function pw85_hard_ellipsoids_volume_moves(simulation, num_moves, pressure, change) &
       result(status) bind(C, name='pw85_hard_ellipsoids_volume_moves')
       import
@@ -2804,7 +2810,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_volume_moves
 
-    !> Makes sweeps, and changes the steps after each of them towards an acceptance ratio.
+    !> Makes sweeps, and adjusts the step sizes after each sweep towards an acceptance ratio.
     function pw85_hard_ellipsoids_tune(simulation, num_sweeps, acceptance, pressure, change) &
       result(status) bind(C, name='pw85_hard_ellipsoids_tune')
       import
@@ -2815,8 +2821,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_tune
 
-    !> Sets the fractions of the trials of a sweep that are translations, rotations, both at once,
-    !> and exchanges.
+    !> Sets which fractions of the trials of a sweep are translations, rotations, both at once, and
+    !> exchanges.
     function pw85_hard_ellipsoids_set_fractions(simulation, fractions) result(status) bind(C, &
       name='pw85_hard_ellipsoids_set_fractions')
       import
@@ -2825,7 +2831,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_fractions
 
-    !> Sets the largest changes of a trial.
+    !> Sets the step sizes.
     function pw85_hard_ellipsoids_set_steps(simulation, steps) result(status) bind(C, &
       name='pw85_hard_ellipsoids_set_steps')
       import
@@ -2834,7 +2840,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_steps
 
-    !> Returns the largest changes of a trial.
+    !> Returns the step sizes.
     function pw85_hard_ellipsoids_steps(simulation, steps) result(status) bind(C, &
       name='pw85_hard_ellipsoids_steps')
       import
@@ -2843,8 +2849,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_steps
 
-    !> Sets the largest translations and rotations of some species, in place of all steps of species
-    !> set before.
+    !> Sets the largest translations and rotations of some species, and removes all step sizes of
+    !> species that were set before.
     function pw85_hard_ellipsoids_set_kind_steps(simulation, num_kinds, semi_axes, steps) &
       result(status) bind(C, name='pw85_hard_ellipsoids_set_kind_steps')
       import
@@ -2880,8 +2886,8 @@ module pw85
   ! pw85_simulation_insertions.h
   interface
 
-    !> Tests whether a particle would be free of overlaps at another position, and moves it there if
-    !> wanted.
+    !> Tests whether a particle would be free of overlaps at another position, and moves it there on
+    !> request.
     function pw85_hard_ellipsoids_try(simulation, particle, center, quaternion, take, is_free) &
       result(status) bind(C, name='pw85_hard_ellipsoids_try')
       import
@@ -2893,8 +2899,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_try
 
-    !> Tests whether a new particle would be free of overlaps, and inserts it as the last one if
-    !> wanted.
+    !> Tests whether a new particle would be free of overlaps, and on request inserts it as the last
+    !> particle.
     function pw85_hard_ellipsoids_insert(simulation, center, quaternion, semi_axes, take, is_free) &
       result(status) bind(C, name='pw85_hard_ellipsoids_insert')
       import
@@ -2914,8 +2920,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_remove
 
-    !> Computes the mean of e^(-βU) of a particle that is inserted at random, where a position that
-    !> is not free counts as 0.
+    !> Computes the mean of e^(-βU) of a particle that is inserted at random positions (Widom's test
+    !> particle).
     function pw85_hard_ellipsoids_insertion_weight(simulation, num_trials, semi_axes, weight) &
       result(status) bind(C, name='pw85_hard_ellipsoids_insertion_weight')
       import
@@ -2926,7 +2932,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_insertion_weight
 
-    !> Tries insertions and removals of particles, at constant activities.
+    !> Makes trial insertions and removals of particles at constant activities.
     function pw85_hard_ellipsoids_insertion_moves(simulation, num_moves, num_kinds, semi_axes, &
       activities, counts) result(status) bind(C, name='pw85_hard_ellipsoids_insertion_moves')
       import
@@ -2942,8 +2948,8 @@ module pw85
   ! pw85_simulation_observations.h
   interface
 
-    !> Computes the energy of all particles in the fields, the potential and the law of pairs, in
-    !> the unit of k_B T.
+    !> Computes the sum of the energies of all particles in the fields and the potential, and of all
+    !> pairs by the law, in units of k_B T.
     function pw85_hard_ellipsoids_energy(simulation, energy) result(status) bind(C, &
       name='pw85_hard_ellipsoids_energy')
       import
@@ -2952,7 +2958,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_energy
 
-    !> Computes the virial of the law of pairs, W = -2 Σ μ² dβU/dμ², which adds to the pressure of
+    !> Computes the virial of the pair potential, W = -2 Σ μ² dβU/dμ², which adds to the pressure of
     !> the hard cores.
     function pw85_hard_ellipsoids_law_virial(simulation, virial) result(status) bind(C, &
       name='pw85_hard_ellipsoids_law_virial')
@@ -2962,7 +2968,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_law_virial
 
-    !> Lists the images of particles whose bounding boxes meet that of a given particle.
+    !> Lists the images of particles whose bounding boxes intersect that of a given particle.
     function pw85_hard_ellipsoids_neighbors(simulation, particle, capacity, count, particles, &
       images, separations) result(status) bind(C, name='pw85_hard_ellipsoids_neighbors')
       import
@@ -2974,7 +2980,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_neighbors
 
-    !> Searches all particles for overlaps, by a neighbour list of its own.
+    !> Searches all particles for overlaps.
     function pw85_hard_ellipsoids_check(simulation, pair) result(status) bind(C, &
       name='pw85_hard_ellipsoids_check')
       import
@@ -2983,8 +2989,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_check
 
-    !> Finds how far cell and centres can be compressed before particles touch, and compresses them
-    !> if wanted.
+    !> Finds by which factor cell and centres can be compressed until particles touch, and on
+    !> request compresses them.
     function pw85_hard_ellipsoids_compress(simulation, take, factor) result(status) bind(C, &
       name='pw85_hard_ellipsoids_compress')
       import

@@ -40,7 +40,8 @@ static inline StatusCode overlap_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_overlap_batch, r12, q1, q2, overlap);
 }
 
-/// Computes contact_rounded() for many pairs, with the same bits: see pw85_contact_rounded_batch().
+/// Computes contact_rounded() for many pairs, with bitwise equal results: see
+/// pw85_contact_rounded_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] mu2,lambda one for each pair, or empty
@@ -104,7 +105,7 @@ static inline StatusCode contains_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_contains_batch, r12, q1, q2, contains);
 }
 
-/// Computes containment() for many pairs, with the same bits: see pw85_containment_batch().
+/// Computes containment() for many pairs, with bitwise equal results: see pw85_containment_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] mu2,point one for each pair, or empty
@@ -129,7 +130,7 @@ static inline StatusCode closest_passage_batch(Vectors r12, Forms q1, Forms q2, 
     return detail::call_rows(pw85_closest_passage_batch, r12, q1, q2, velocity, t_max, mu2, t);
 }
 
-/// Computes free_path() for many pairs, with the same bits: see pw85_free_path_batch().
+/// Computes free_path() for many pairs, with bitwise equal results: see pw85_free_path_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param directions one for each pair; not zero
@@ -155,7 +156,7 @@ static inline StatusCode closest_approach_batch(Vectors directions, Forms q1, Fo
     return detail::call_rows(pw85_closest_approach_batch, directions, q1, q2, distance);
 }
 
-/// Computes volume() for many ellipsoids, with the same bits: see pw85_volume_batch().
+/// Computes volume() for many ellipsoids, with bitwise equal results: see pw85_volume_batch().
 ///
 /// @param q one for each ellipsoid
 /// @param[out] volume one for each ellipsoid
@@ -165,7 +166,8 @@ static inline StatusCode volume_batch(Forms q, std::span<double> volume) noexcep
     return detail::call_rows(pw85_volume_batch, q, volume);
 }
 
-/// Computes overlap_volume() for many pairs, with the same bits: see pw85_overlap_volume_batch().
+/// Computes overlap_volume() for many pairs, with bitwise equal results: see
+/// pw85_overlap_volume_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] volume one for each pair
@@ -176,7 +178,7 @@ static inline StatusCode overlap_volume_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_overlap_volume_batch, r12, q1, q2, volume);
 }
 
-/// Computes overlap_volume_gradient() for many pairs, with the same bits: see
+/// Computes overlap_volume_gradient() for many pairs, with bitwise equal results: see
 /// pw85_overlap_volume_gradient_batch().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -190,7 +192,7 @@ static inline StatusCode overlap_volume_gradient_batch(
     return detail::call_rows(pw85_overlap_volume_gradient_batch, r12, q1, q2, d_r12, d_q1, d_q2);
 }
 
-/// Computes overlap_volume_torque() for many pairs, with the same bits: see
+/// Computes overlap_volume_torque() for many pairs, with bitwise equal results: see
 /// pw85_overlap_volume_torque_batch().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -203,8 +205,8 @@ static inline StatusCode overlap_volume_torque_batch(
     return detail::call_rows(pw85_overlap_volume_torque_batch, r12, q1, q2, d_rot1, d_rot2);
 }
 
-/// Computes overlap_volume_plane() for many ellipsoids and half-spaces, with the same bits: see
-/// pw85_overlap_volume_plane_batch().
+/// Computes overlap_volume_plane() for many ellipsoids and half-spaces, with bitwise equal results:
+/// see pw85_overlap_volume_plane_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
 /// @param offsets,q one for each ellipsoid
@@ -217,7 +219,7 @@ static inline StatusCode overlap_volume_plane_batch(Vectors normals,
     return detail::call_rows(pw85_overlap_volume_plane_batch, normals, offsets, q, volume);
 }
 
-/// Computes area() for many ellipses, with the same bits: see pw85_area_batch_2d().
+/// Computes area() for many ellipses, with bitwise equal results: see pw85_area_batch_2d().
 ///
 /// @param q one for each ellipse
 /// @param[out] area one for each ellipse
@@ -227,7 +229,7 @@ static inline StatusCode area_batch(FlatForms q, std::span<double> area) noexcep
     return detail::call_rows(pw85_area_batch_2d, q, area);
 }
 
-/// Computes overlap_area() for many pairs of ellipses, with the same bits: see
+/// Computes overlap_area() for many pairs of ellipses, with bitwise equal results: see
 /// pw85_overlap_area_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -239,7 +241,7 @@ static inline StatusCode overlap_area_batch(FlatVectors r12, FlatForms q1, FlatF
     return detail::call_rows(pw85_overlap_area_batch_2d, r12, q1, q2, area);
 }
 
-/// Computes overlap_area_gradient() for many pairs of ellipses, with the same bits: see
+/// Computes overlap_area_gradient() for many pairs of ellipses, with bitwise equal results: see
 /// pw85_overlap_area_gradient_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -253,7 +255,7 @@ static inline StatusCode overlap_area_gradient_batch(
     return detail::call_rows(pw85_overlap_area_gradient_batch_2d, r12, q1, q2, d_r12, d_q1, d_q2);
 }
 
-/// Computes overlap_area_torque() for many pairs of ellipses, with the same bits: see
+/// Computes overlap_area_torque() for many pairs of ellipses, with bitwise equal results: see
 /// pw85_overlap_area_torque_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -266,7 +268,8 @@ static inline StatusCode overlap_area_torque_batch(FlatVectors r12, FlatForms q1
     return detail::call_rows(pw85_overlap_area_torque_batch_2d, r12, q1, q2, d_rot1, d_rot2);
 }
 
-/// Computes surface_area() for many ellipsoids, with the same bits: see pw85_surface_area_batch().
+/// Computes surface_area() for many ellipsoids, with bitwise equal results: see
+/// pw85_surface_area_batch().
 ///
 /// @param q one for each ellipsoid
 /// @param[out] area one for each ellipsoid
@@ -276,7 +279,7 @@ static inline StatusCode surface_area_batch(Forms q, std::span<double> area) noe
     return detail::call_rows(pw85_surface_area_batch, q, area);
 }
 
-/// Computes second_moments() for many ellipsoids, with the same bits: see
+/// Computes second_moments() for many ellipsoids, with bitwise equal results: see
 /// pw85_second_moments_batch().
 ///
 /// @param q one for each ellipsoid
@@ -288,7 +291,8 @@ static inline StatusCode second_moments_batch(
     return detail::call_rows(pw85_second_moments_batch, q, moments);
 }
 
-/// Computes from_moments() for many ellipsoids, with the same bits: see pw85_from_moments_batch().
+/// Computes from_moments() for many ellipsoids, with bitwise equal results: see
+/// pw85_from_moments_batch().
 ///
 /// @param second_moments one for each ellipsoid
 /// @param[out] q one for each ellipsoid
@@ -299,7 +303,7 @@ static inline StatusCode from_moments_batch(Forms second_moments,
     return detail::call_rows(pw85_from_moments_batch, second_moments, q);
 }
 
-/// Computes shell_moments() for many ellipsoids, with the same bits: see
+/// Computes shell_moments() for many ellipsoids, with bitwise equal results: see
 /// pw85_shell_moments_batch().
 ///
 /// @param q one for each ellipsoid
@@ -311,7 +315,7 @@ static inline StatusCode shell_moments_batch(Forms q,
     return detail::call_rows(pw85_shell_moments_batch, q, moments);
 }
 
-/// Computes inertia() for many ellipsoids, with the same bits: see pw85_inertia_batch().
+/// Computes inertia() for many ellipsoids, with bitwise equal results: see pw85_inertia_batch().
 ///
 /// @param q one for each ellipsoid
 /// @param shell 0 for a solid body, any other number for a shell; for all rows
@@ -323,7 +327,8 @@ static inline StatusCode inertia_batch(Forms q, int shell,
     return detail::call_rows(pw85_inertia_batch, q, shell, inertia);
 }
 
-/// Computes perimeter() for many ellipses, with the same bits: see pw85_perimeter_batch_2d().
+/// Computes perimeter() for many ellipses, with bitwise equal results: see
+/// pw85_perimeter_batch_2d().
 ///
 /// @param q one for each ellipse
 /// @param[out] perimeter one for each ellipse
@@ -333,7 +338,7 @@ static inline StatusCode perimeter_batch(FlatForms q, std::span<double> perimete
     return detail::call_rows(pw85_perimeter_batch_2d, q, perimeter);
 }
 
-/// Computes second_moments() for many ellipses, with the same bits: see
+/// Computes second_moments() for many ellipses, with bitwise equal results: see
 /// pw85_second_moments_batch_2d().
 ///
 /// @param q one for each ellipse
@@ -345,7 +350,8 @@ static inline StatusCode second_moments_batch(
     return detail::call_rows(pw85_second_moments_batch_2d, q, moments);
 }
 
-/// Computes from_moments() for many ellipses, with the same bits: see pw85_from_moments_batch_2d().
+/// Computes from_moments() for many ellipses, with bitwise equal results: see
+/// pw85_from_moments_batch_2d().
 ///
 /// @param second_moments one for each ellipse
 /// @param[out] q one for each ellipse
@@ -356,7 +362,7 @@ static inline StatusCode from_moments_batch(FlatForms second_moments,
     return detail::call_rows(pw85_from_moments_batch_2d, second_moments, q);
 }
 
-/// Computes shell_moments() for many ellipses, with the same bits: see
+/// Computes shell_moments() for many ellipses, with bitwise equal results: see
 /// pw85_shell_moments_batch_2d().
 ///
 /// @param q one for each ellipse
@@ -368,7 +374,7 @@ static inline StatusCode shell_moments_batch(FlatForms q,
     return detail::call_rows(pw85_shell_moments_batch_2d, q, moments);
 }
 
-/// Computes contact_factored() for many pairs, with the same bits: see
+/// Computes contact_factored() for many pairs, with bitwise equal results: see
 /// pw85_contact_factored_batch().
 ///
 /// @param r12,s1,s2 one for each pair
@@ -382,7 +388,7 @@ static inline StatusCode contact_factored_batch(Vectors r12, std::span<Factor<do
     return detail::call_rows(pw85_contact_factored_batch, r12, s1, s2, mu2, lambda);
 }
 
-/// Computes condition() for many pairs, with the same bits: see pw85_condition_batch().
+/// Computes condition() for many pairs, with bitwise equal results: see pw85_condition_batch().
 ///
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] cond one for each pair
@@ -394,7 +400,7 @@ static inline StatusCode condition_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_condition_batch, r12, q1, q2, lambda, cond);
 }
 
-/// Computes pw85_contact_function() for many pairs, with the same bits: see
+/// Computes pw85_contact_function() for many pairs, with bitwise equal results: see
 /// pw85_contact_function_batch().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -407,7 +413,7 @@ static inline StatusCode contact_function_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_contact_function_batch, r12, q1, q2, mu2, lambda);
 }
 
-/// Computes contact_geometry() for many pairs, with the same bits: see
+/// Computes contact_geometry() for many pairs, with bitwise equal results: see
 /// pw85_contact_geometry_batch().
 ///
 /// @param r12 one for each pair; not zero
@@ -422,7 +428,7 @@ static inline StatusCode contact_geometry_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_contact_geometry_batch, r12, q1, q2, lambda, point, normal);
 }
 
-/// Computes contact_gradient() for many pairs, with the same bits: see
+/// Computes contact_gradient() for many pairs, with bitwise equal results: see
 /// pw85_contact_gradient_batch().
 ///
 /// @param r12,q1,q2,lambda one for each pair
@@ -436,7 +442,7 @@ static inline StatusCode contact_gradient_batch(
     return detail::call_rows(pw85_contact_gradient_batch, r12, q1, q2, lambda, d_r12, d_q1, d_q2);
 }
 
-/// Computes contact_geometry_factored() for many pairs, with the same bits: see
+/// Computes contact_geometry_factored() for many pairs, with bitwise equal results: see
 /// pw85_contact_geometry_factored_batch().
 ///
 /// @param r12 one for each pair; not zero
@@ -452,7 +458,7 @@ static inline StatusCode contact_geometry_factored_batch(
                              normal);
 }
 
-/// Computes contact_gradient_factored() for many pairs, with the same bits: see
+/// Computes contact_gradient_factored() for many pairs, with bitwise equal results: see
 /// pw85_contact_gradient_factored_batch().
 ///
 /// @param r12,s1,s2,lambda one for each pair
@@ -467,7 +473,8 @@ static inline StatusCode contact_gradient_factored_batch(
                              d_s2);
 }
 
-/// Computes contact_torque() for many pairs, with the same bits: see pw85_contact_torque_batch().
+/// Computes contact_torque() for many pairs, with bitwise equal results: see
+/// pw85_contact_torque_batch().
 ///
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] d_rot1,d_rot2 one for each pair, or empty
@@ -480,7 +487,8 @@ static inline StatusCode contact_torque_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_contact_torque_batch, r12, q1, q2, lambda, d_rot1, d_rot2);
 }
 
-/// Computes contact_hessian() for many pairs, with the same bits: see pw85_contact_hessian_batch().
+/// Computes contact_hessian() for many pairs, with bitwise equal results: see
+/// pw85_contact_hessian_batch().
 ///
 /// @param r12 one for each pair; not zero
 /// @param q1,q2,lambda one for each pair
@@ -517,7 +525,7 @@ static inline StatusCode overlap_batch(FlatVectors r12, FlatForms q1, FlatForms 
     return detail::call_rows(pw85_overlap_batch_2d, r12, q1, q2, overlap);
 }
 
-/// Computes contact_geometry() for many pairs of ellipses, with the same bits: see
+/// Computes contact_geometry() for many pairs of ellipses, with bitwise equal results: see
 /// pw85_contact_geometry_batch_2d().
 ///
 /// @param r12 one for each pair; not zero
@@ -532,7 +540,7 @@ static inline StatusCode contact_geometry_batch(FlatVectors r12, FlatForms q1, F
     return detail::call_rows(pw85_contact_geometry_batch_2d, r12, q1, q2, lambda, point, normal);
 }
 
-/// Computes contact_gradient() for many pairs of ellipses, with the same bits: see
+/// Computes contact_gradient() for many pairs of ellipses, with bitwise equal results: see
 /// pw85_contact_gradient_batch_2d().
 ///
 /// @param r12,q1,q2,lambda one for each pair
@@ -547,7 +555,7 @@ static inline StatusCode contact_gradient_batch(
                              d_q2);
 }
 
-/// Computes contact_torque() for many pairs of ellipses, with the same bits: see
+/// Computes contact_torque() for many pairs of ellipses, with bitwise equal results: see
 /// pw85_contact_torque_batch_2d().
 ///
 /// @param r12,q1,q2,lambda one for each pair
@@ -561,7 +569,7 @@ static inline StatusCode contact_torque_batch(FlatVectors r12, FlatForms q1, Fla
     return detail::call_rows(pw85_contact_torque_batch_2d, r12, q1, q2, lambda, d_rot1, d_rot2);
 }
 
-/// Computes contact_hessian() for many pairs of ellipses, with the same bits: see
+/// Computes contact_hessian() for many pairs of ellipses, with bitwise equal results: see
 /// pw85_contact_hessian_batch_2d().
 ///
 /// @param r12 one for each pair; not zero
@@ -575,7 +583,7 @@ static inline StatusCode contact_hessian_batch(FlatVectors r12, FlatForms q1, Fl
     return detail::call_rows(pw85_contact_hessian_batch_2d, r12, q1, q2, lambda, hessian);
 }
 
-/// Computes closest_approach() for many pairs of ellipses, with the same bits: see
+/// Computes closest_approach() for many pairs of ellipses, with bitwise equal results: see
 /// pw85_closest_approach_batch_2d().
 ///
 /// @param directions one for each pair; not zero
@@ -588,7 +596,8 @@ static inline StatusCode closest_approach_batch(FlatVectors directions, FlatForm
     return detail::call_rows(pw85_closest_approach_batch_2d, directions, q1, q2, distance);
 }
 
-/// Computes all that the forces and torques of an energy U(μ²) need, for many pairs: see
+/// Computes for many pairs the results of contact(), contact_geometry(), contact_gradient() and
+/// contact_torque(), from which the forces and torques of an energy U(μ²) follow: see
 /// pw85_contact_derivatives_batch().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -613,7 +622,7 @@ static inline StatusCode distance_batch(Vectors r12, Forms q1, Forms q2, std::sp
     return detail::call_rows(pw85_distance_batch, r12, q1, q2, distance, point1, point2);
 }
 
-/// Computes distance_derivatives() for many pairs, with the same bits: see
+/// Computes distance_derivatives() for many pairs, with bitwise equal results: see
 /// pw85_distance_derivatives_batch().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -628,7 +637,7 @@ static inline StatusCode distance_derivatives_batch(
                              hessian);
 }
 
-/// Computes distance() for many pairs of ellipses, with the same bits: see
+/// Computes distance() for many pairs of ellipses, with bitwise equal results: see
 /// pw85_distance_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -642,7 +651,7 @@ static inline StatusCode distance_batch(FlatVectors r12, FlatForms q1, FlatForms
     return detail::call_rows(pw85_distance_batch_2d, r12, q1, q2, distance, point1, point2);
 }
 
-/// Computes penetration() for many pairs of ellipses, with the same bits: see
+/// Computes penetration() for many pairs of ellipses, with bitwise equal results: see
 /// pw85_penetration_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -655,7 +664,7 @@ static inline StatusCode penetration_batch(FlatVectors r12, FlatForms q1, FlatFo
     return detail::call_rows(pw85_penetration_batch_2d, r12, q1, q2, depth, direction);
 }
 
-/// Computes signed_distance() for many pairs of ellipses, with the same bits: see
+/// Computes signed_distance() for many pairs of ellipses, with bitwise equal results: see
 /// pw85_signed_distance_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -669,7 +678,7 @@ static inline StatusCode signed_distance_batch(FlatVectors r12, FlatForms q1, Fl
     return detail::call_rows(pw85_signed_distance_batch_2d, r12, q1, q2, distance, point1, point2);
 }
 
-/// Computes penetration() for many pairs, with the same bits: see pw85_penetration_batch().
+/// Computes penetration() for many pairs, with bitwise equal results: see pw85_penetration_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] depth,direction one for each pair, or empty
@@ -680,7 +689,8 @@ static inline StatusCode penetration_batch(Vectors r12, Forms q1, Forms q2, std:
     return detail::call_rows(pw85_penetration_batch, r12, q1, q2, depth, direction);
 }
 
-/// Computes signed_distance() for many pairs, with the same bits: see pw85_signed_distance_batch().
+/// Computes signed_distance() for many pairs, with bitwise equal results: see
+/// pw85_signed_distance_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] distance,point1,point2 one for each pair, or empty
@@ -693,7 +703,7 @@ static inline StatusCode signed_distance_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_signed_distance_batch, r12, q1, q2, distance, point1, point2);
 }
 
-/// Computes signed_distance_derivatives() for many pairs, with the same bits: see
+/// Computes signed_distance_derivatives() for many pairs, with bitwise equal results: see
 /// pw85_signed_distance_derivatives_batch().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -708,7 +718,7 @@ static inline StatusCode signed_distance_derivatives_batch(
                              d_rot2, hessian);
 }
 
-/// Computes gap_inside() for many pairs, with the same bits: see pw85_gap_inside_batch().
+/// Computes gap_inside() for many pairs, with bitwise equal results: see pw85_gap_inside_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] gap,point1,point2,normal one for each pair, or empty
@@ -721,7 +731,7 @@ static inline StatusCode gap_inside_batch(Vectors r12, Forms q1, Forms q2, std::
     return detail::call_rows(pw85_gap_inside_batch, r12, q1, q2, gap, point1, point2, normal);
 }
 
-/// Computes gap_inside() for many pairs of ellipses, with the same bits: see
+/// Computes gap_inside() for many pairs of ellipses, with bitwise equal results: see
 /// pw85_gap_inside_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -736,7 +746,8 @@ static inline StatusCode gap_inside_batch(FlatVectors r12, FlatForms q1, FlatFor
     return detail::call_rows(pw85_gap_inside_batch_2d, r12, q1, q2, gap, point1, point2, normal);
 }
 
-/// Computes curvature() for many ellipsoids, with the same bits: see pw85_curvature_batch().
+/// Computes curvature() for many ellipsoids, with bitwise equal results: see
+/// pw85_curvature_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
 /// @param q one for each ellipsoid
@@ -749,7 +760,7 @@ static inline StatusCode curvature_batch(Vectors normals, Forms q,
     return detail::call_rows(pw85_curvature_batch, normals, q, curvatures, directions);
 }
 
-/// Computes hertz() for many contacts, with the same bits: see pw85_hertz_batch().
+/// Computes hertz() for many contacts, with bitwise equal results: see pw85_hertz_batch().
 ///
 /// @param curvatures one for each contact; > 0
 /// @param[out] radius,ellipse one for each contact, or empty
@@ -761,7 +772,8 @@ static inline StatusCode hertz_batch(std::span<std::array<double, 2> const> curv
     return detail::call_rows(pw85_hertz_batch, curvatures, radius, ellipse);
 }
 
-/// Computes hertz_contact() for many pairs, with the same bits: see pw85_hertz_contact_batch().
+/// Computes hertz_contact() for many pairs, with bitwise equal results: see
+/// pw85_hertz_contact_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param normals one for each pair; not zero
@@ -796,7 +808,7 @@ static inline StatusCode grain_contact_batch(Vectors r12, Forms q1, Forms q2, Ve
                              curvatures, radius);
 }
 
-/// Computes grain_radius_gradient() for many pairs, with the same bits: see
+/// Computes grain_radius_gradient() for many pairs, with bitwise equal results: see
 /// pw85_grain_radius_gradient_batch().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -811,7 +823,7 @@ static inline StatusCode grain_radius_gradient_batch(
                              d_rot2);
 }
 
-/// Computes grain_contact_wall() for many ellipsoids and walls, with the same bits: see
+/// Computes grain_contact_wall() for many ellipsoids and walls, with bitwise equal results: see
 /// pw85_grain_contact_wall_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
@@ -832,7 +844,7 @@ static inline StatusCode grain_contact_wall_batch(Vectors normals, std::span<dou
                              q, depth, point, curvatures, radius);
 }
 
-/// Computes distance_plane() for many ellipsoids and half-spaces, with the same bits: see
+/// Computes distance_plane() for many ellipsoids and half-spaces, with bitwise equal results: see
 /// pw85_distance_plane_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
@@ -846,8 +858,8 @@ static inline StatusCode distance_plane_batch(Vectors normals, std::span<double 
     return detail::call_rows(pw85_distance_plane_batch, normals, offsets, q, distance, point);
 }
 
-/// Computes distance_plane_derivatives() for many ellipsoids and half-spaces, with the same bits:
-/// see pw85_distance_plane_derivatives_batch().
+/// Computes distance_plane_derivatives() for many ellipsoids and half-spaces, with bitwise equal
+/// results: see pw85_distance_plane_derivatives_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
 /// @param q one for each ellipsoid
@@ -860,7 +872,7 @@ static inline StatusCode distance_plane_derivatives_batch(
     return detail::call_rows(pw85_distance_plane_derivatives_batch, normals, q, d_center, d_rot);
 }
 
-/// Computes contact_plane() for many ellipsoids and half-spaces, with the same bits: see
+/// Computes contact_plane() for many ellipsoids and half-spaces, with bitwise equal results: see
 /// pw85_contact_plane_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
@@ -874,8 +886,8 @@ static inline StatusCode contact_plane_batch(Vectors normals, std::span<double c
     return detail::call_rows(pw85_contact_plane_batch, normals, offsets, q, mu2, point);
 }
 
-/// Computes contact_plane_derivatives() for many ellipsoids and half-spaces, with the same bits:
-/// see pw85_contact_plane_derivatives_batch().
+/// Computes contact_plane_derivatives() for many ellipsoids and half-spaces, with bitwise equal
+/// results: see pw85_contact_plane_derivatives_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
 /// @param offsets,q one for each ellipsoid
@@ -889,7 +901,7 @@ static inline StatusCode contact_plane_derivatives_batch(
                              d_rot);
 }
 
-/// Computes distance_box() for many ellipsoids and boxes, with the same bits: see
+/// Computes distance_box() for many ellipsoids and boxes, with bitwise equal results: see
 /// pw85_distance_box_batch().
 ///
 /// @param lower,upper one for each ellipsoid; `lower` <= `upper`
@@ -904,7 +916,7 @@ static inline StatusCode distance_box_batch(Vectors lower, Vectors upper, Forms 
     return detail::call_rows(pw85_distance_box_batch, lower, upper, q, distance, point, normal);
 }
 
-/// Computes distance_cylinder() for many ellipsoids and cylinders, with the same bits: see
+/// Computes distance_cylinder() for many ellipsoids and cylinders, with bitwise equal results: see
 /// pw85_distance_cylinder_batch().
 ///
 /// @param axis one for each ellipsoid; not zero
@@ -922,7 +934,7 @@ static inline StatusCode distance_cylinder_batch(Vectors axis, std::span<double 
                              normal);
 }
 
-/// Computes distance_point() for many points and ellipsoids, with the same bits: see
+/// Computes distance_point() for many points and ellipsoids, with bitwise equal results: see
 /// pw85_distance_point_batch().
 ///
 /// @param r,q one for each point
@@ -935,7 +947,7 @@ static inline StatusCode distance_point_batch(Vectors r, Forms q, std::span<doub
     return detail::call_rows(pw85_distance_point_batch, r, q, distance, point, normal);
 }
 
-/// Computes distance_segment() for many ellipsoids and segments, with the same bits: see
+/// Computes distance_segment() for many ellipsoids and segments, with bitwise equal results: see
 /// pw85_distance_segment_batch().
 ///
 /// @param end1,end2,q one for each ellipsoid
@@ -951,7 +963,7 @@ static inline StatusCode distance_segment_batch(Vectors end1, Vectors end2, Form
                              normal);
 }
 
-/// Computes distance_triangle() for many ellipsoids and triangles, with the same bits: see
+/// Computes distance_triangle() for many ellipsoids and triangles, with bitwise equal results: see
 /// pw85_distance_triangle_batch().
 ///
 /// @param vertex1,vertex2,vertex3,q one for each ellipsoid
@@ -967,7 +979,7 @@ static inline StatusCode distance_triangle_batch(Vectors vertex1, Vectors vertex
                              point1, point2, normal);
 }
 
-/// Computes distance_solid_box() for many ellipsoids and boxes, with the same bits: see
+/// Computes distance_solid_box() for many ellipsoids and boxes, with bitwise equal results: see
 /// pw85_distance_solid_box_batch().
 ///
 /// @param lower,upper one for each ellipsoid; `lower` <= `upper`
@@ -984,7 +996,7 @@ static inline StatusCode distance_solid_box_batch(Vectors lower, Vectors upper, 
                              point2, normal);
 }
 
-/// Computes intersect_line() for many lines and ellipsoids, with the same bits: see
+/// Computes intersect_line() for many lines and ellipsoids, with bitwise equal results: see
 /// pw85_intersect_line_batch().
 ///
 /// @param origin one for each line
@@ -1074,7 +1086,7 @@ static inline StatusCode overlap_box_batch(Vectors lower, Vectors upper, Forms q
     return detail::call_rows(pw85_overlap_box_batch, lower, upper, q, overlap);
 }
 
-/// Computes contact_capsule() for many ellipsoids and capsules, with the same bits: see
+/// Computes contact_capsule() for many ellipsoids and capsules, with bitwise equal results: see
 /// pw85_contact_capsule_batch().
 ///
 /// @param end1,end2 one for each ellipsoid
@@ -1105,7 +1117,7 @@ static inline StatusCode overlap_capsule_batch(Vectors end1, Vectors end2,
     return detail::call_rows(pw85_overlap_capsule_batch, end1, end2, radius, q, overlap);
 }
 
-/// Computes distance_capsule() for many ellipsoids and capsules, with the same bits: see
+/// Computes distance_capsule() for many ellipsoids and capsules, with bitwise equal results: see
 /// pw85_distance_capsule_batch().
 ///
 /// @param end1,end2 one for each ellipsoid
@@ -1124,7 +1136,7 @@ static inline StatusCode distance_capsule_batch(Vectors end1, Vectors end2,
                              point2, normal);
 }
 
-/// Computes distance_point() for many points and ellipses, with the same bits: see
+/// Computes distance_point() for many points and ellipses, with bitwise equal results: see
 /// pw85_distance_point_batch_2d().
 ///
 /// @param r,q one for each point
@@ -1138,7 +1150,7 @@ static inline StatusCode distance_point_batch(FlatVectors r, FlatForms q,
     return detail::call_rows(pw85_distance_point_batch_2d, r, q, distance, point, normal);
 }
 
-/// Computes contact_segment() for many ellipses and segments, with the same bits: see
+/// Computes contact_segment() for many ellipses and segments, with bitwise equal results: see
 /// pw85_contact_segment_batch_2d().
 ///
 /// @param end1,end2,q one for each ellipse
@@ -1151,7 +1163,7 @@ static inline StatusCode contact_segment_batch(FlatVectors end1, FlatVectors end
     return detail::call_rows(pw85_contact_segment_batch_2d, end1, end2, q, mu2, point);
 }
 
-/// Computes contact_box() for many ellipses and boxes, with the same bits: see
+/// Computes contact_box() for many ellipses and boxes, with bitwise equal results: see
 /// pw85_contact_box_batch_2d().
 ///
 /// @param lower,upper one for each ellipse; `lower` <= `upper`
@@ -1190,7 +1202,8 @@ static inline StatusCode overlap_box_batch(FlatVectors lower, FlatVectors upper,
     return detail::call_rows(pw85_overlap_box_batch_2d, lower, upper, q, overlap);
 }
 
-/// Computes first_contact() for many pairs, with the same bits: see pw85_first_contact_batch().
+/// Computes first_contact() for many pairs, with bitwise equal results: see
+/// pw85_first_contact_batch().
 ///
 /// @param r12,q1,q2,motion1,motion2 one for each pair
 /// @param t_max the last time at which a contact counts; for all rows; >= 0; may be infinite
@@ -1209,7 +1222,7 @@ static inline StatusCode first_contact_batch(Vectors r12, Forms q1, Forms q2,
 /// @name Many forms
 /// @{
 
-/// Computes ellipsoid_factor() for many ellipsoids, with the same bits: see
+/// Computes ellipsoid_factor() for many ellipsoids, with bitwise equal results: see
 /// pw85_ellipsoid_factor_batch().
 ///
 /// @param semi_axes one for each ellipsoid; > 0
@@ -1223,7 +1236,7 @@ static inline StatusCode ellipsoid_factor_batch(Vectors semi_axes,
     return detail::call_rows(pw85_ellipsoid_factor_batch, semi_axes, quaternions, s);
 }
 
-/// Computes ellipsoid_quaternion() for many ellipsoids, with the same bits: see
+/// Computes ellipsoid_quaternion() for many ellipsoids, with bitwise equal results: see
 /// pw85_ellipsoid_quaternion_batch().
 ///
 /// @param semi_axes one for each ellipsoid; > 0
