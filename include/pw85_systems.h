@@ -31,8 +31,9 @@ typedef struct pw85_system {
     double const *centers;
     /** [num_particles×6; length²; definite] forms. */
     double const *q;
-    /** [3×3; length; optional; a periodic row; independent rows] rows are the vectors of the cell,
-     * of which at least one is periodic; null for a system without periodic images. */
+    /** [3×3; length; optional; a periodic row; independent rows] rows are the
+     * vectors of the cell, of which at least one is periodic; null for a system
+     * without periodic images. */
     double const *cell;
     /** not 0 for each vector of the cell along which there are images. */
     int periodic[3];
@@ -45,9 +46,9 @@ typedef struct pw85_pair_list {
     size_t num_pairs;
     /** [num_pairs×2; index] indices (i, j) of particles, from 0. */
     int32_t const *pairs;
-    /** [num_pairs×3; optional; needs cell] multiples of the cell vectors, as given, to be added to
-     * the centre of j; multiples of vectors that are not periodic count as 0; null for the nearest
-     * images. */
+    /** [num_pairs×3; optional; needs cell] multiples of the cell vectors, as given,
+     * to be added to the centre of j; multiples of vectors that are not periodic
+     * count as 0; null for the nearest images. */
     int32_t const *images;
 } pw85_pair_list;
 
