@@ -83,7 +83,7 @@ class Statement:
         """The declaration of the function of many rows with its comment."""
         listed = [self.made(one, name) for one in self.function.parameters for name in names_of(one)]
         has_answers = any(declared.startswith("unsigned char") for declared, *_ in listed)
-        results = self.results or f"with the same {'answers' if has_answers else 'bits'}."
+        results = self.results or f"with {'the same answers' if has_answers else 'bitwise equal results'}."
         mark = "." if results[0].isupper() else "," if results.startswith("with ") else ";"
         text = [f"Computes {self.function.name}() for n {self.rows}{mark} {results}", "", f"@param n [number of {self.row}s]"]
         for (tag, said), group in groupby(listed, lambda one: (one[1], one[3])):

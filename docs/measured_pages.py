@@ -43,9 +43,9 @@ def side_by_side():
     """The table of libraries, with its heading and conditions."""
     columns = {"library": "", "gives": "gives", **{f"aspect_{a}": f"aspect {a}" for a in ASPECTS}}
     columns |= {"wrong_1000": "wrong (%), aspect 1000", "wrong_1e-7": "wrong (%), near contact"}
-    yield ("Nanoseconds per pair of general ellipsoids, half of which overlap, in one thread, and wrong answers in percent, "
-           "for this library and")
-    yield "others on the same pairs ([what is compared](docs/related.rst)). *Near contact* is |μ² - 1| = 10⁻⁷ at aspect ratio 10."
+    yield ("Nanoseconds per pair in one thread, and wrong answers in percent. Each program gets the same pairs of general ellipsoids, "
+           "half of which")
+    yield "overlap ([what is compared](docs/related.rst)). *Near contact* is |μ² - 1| = 10⁻⁷ at aspect ratio 10."
     yield ""
     yield "| " + " | ".join(columns.values()) + " |"
     yield "|---|---|" + "---:|" * (len(columns) - 2)

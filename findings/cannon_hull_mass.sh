@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# The volume of a convex body is 4/3 pi times the radius of its bounding sphere, not the cube of it, and the moments of inertia of a
-# body are those of its bounding box in the world at the moment when the shape was added.
+# cannon-es computes the volume of a convex body as 4/3 pi times the radius of its bounding sphere, without the cube. The moments of
+# inertia of a body are those of its bounding box in world axes at the moment when the shape was added.
 #
 # cannon-es (npm cannon-es 0.20.0). A bipyramid of semi-axes (1, 2, 3), whose volume is 4/3 * 1 * 2 * 3 = 8:
 #

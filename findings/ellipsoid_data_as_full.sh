@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# A data file of LAMMPS whose section says "Atoms # ellipsoid" is read as that of the style full, without a word: the flag of
-# ellipsoids becomes the type of the atoms, the type the molecule, and the density the charge.
+# A data file of LAMMPS whose section says "Atoms # ellipsoid" is read as a file of the style full, without a warning: the flag of
+# ellipsoids becomes the type of the atoms, the type becomes the molecule, and the density becomes the charge.
 #
 # The columns of atom_style ellipsoid are id type ellipsoidflag density x y z, those of full are id molecule type charge x y z: seven in
 # both. LAMMPS writes the style behind Atoms (write_data).

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# The elliptic integrals of surface areas and perimeters have four sets of arguments, and no call says that it was given the wrong one.
+# Libraries define the arguments of elliptic integrals in four ways, and no function detects arguments of another convention.
 #
 # Debian 12: GSL 2.7.1, the C++17 library of GCC 12.2, Boost 1.74, SciPy 1.10.1, mpmath 1.2.1. For k = 1/2, m = k² = 1/4, n = 0.3, phi = 1,
 # seen on 29 November 2026:

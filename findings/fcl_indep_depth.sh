@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# One solver of FCL reports depths of overlap as positive numbers, the other one as negative ones, and these are not depths. Its
-# tolerance is a length: small bodies collide at any gap.
+# The solver GST_INDEP of FCL returns penetration depths that are negative and have wrong magnitudes; GST_LIBCCD returns right ones. The
+# tolerance of GST_INDEP is a length: small bodies collide at any gap.
 #
 # FCL 0.7.0 (Debian 12, 0.7.0-3+b1). Two ellipsoids with semi-axes (1, 1, 1), centres x apart, collide() with enable_contact.
 # penetration_depth and the normal's x component, seen on 29 November 2026:

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# The default "95 %" ellipse of ggplot2 holds 90 % of a normal population, however many points it was made of; other functions of R draw
-# other ellipses of this level for the same points.
+# The default "95 %" ellipse of ggplot2 contains 90 % of a normal population, for any number of points. Other functions of R draw other
+# ellipses of this level for the same points.
 #
 # Debian 12: R 4.2.2, r-cran-ggplot2 3.4.1+dfsg-1, r-cran-ellipse 0.4.3-1. Areas divided by pi sqrt(det S), where S is the covariance of the
 # points, and the share of a normal population within, seen on 30 November 2026:

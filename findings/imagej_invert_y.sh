@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# With "Invert Y coordinates", ImageJ's table has another Y and the same Angle, and no other trace of the option.
+# The option "Invert Y coordinates" of ImageJ changes the column Y of a table, but not the column Angle, and the table does not record it.
 #
 # ImageJ (Debian 12, libij-java 1.53t-1), Analyze Particles with the measurements "centroid" and "fit ellipse" on a picture of 150 by 130
 # pixels with one ellipse, of whole axes 48 and 16 and turned by 30 degrees from x towards y, which points down:

@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# A density that is set before the shape is a mass: it does not become one when the shape follows, and the data file states another density.
+# If "set density" comes before "set shape", its number is the mass of the ellipsoid, not the density, and the data file states another
+# density.
 #
 # LAMMPS of 7 January 2022 (Debian 12, 20220106.git7586adbb6a+ds1-2+b2), two ellipsoids with the diameters 1, 2, 3 (volume pi) and
 # "density 2", seen on 30 November 2026:

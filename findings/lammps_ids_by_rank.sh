@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# The same input gives the same sites of a lattice other IDs on other numbers of processors.
+# The IDs that create_atoms gives to the sites of a lattice depend on the number of processors.
 #
 # LAMMPS of 7 January 2022 (Debian 12, 20220106.git7586adbb6a+ds1-2+b2), create_atoms on a simple cubic lattice of 6 x 6 x 6 sites. Seen on
 # 29 November 2026: of 216 atoms, on 2 processors 0, on 4 processors 180, on 8 processors 210 are at another site than the atom with

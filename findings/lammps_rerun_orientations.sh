@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# A rerun of a trajectory of ellipsoids has the positions of each snapshot and the orientations of the start, without a warning. Energies,
-# torques and overlaps are those of bodies that do not turn.
+# The command rerun reads the positions of each snapshot, but keeps the initial orientations of ellipsoids, without a warning. Energies,
+# torques and overlaps are those of bodies that do not rotate.
 #
 # LAMMPS of 7 January 2022 (Debian 12, 20220106.git7586adbb6a+ds1-2+b2). Two Gay-Berne ellipsoids (1, 1, 3) turn freely; the dump has their
 # positions and quaternions. Potential energy of the snapshots, seen on 30 November 2026:

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# meshio reads a text PLY file without its z, if a property of the vertices stands between y and z.
+# meshio ignores z in a text PLY file if another property of the vertices is between y and z.
 #
 # meshio (Debian 12, python3-meshio 7.0.0-3): in text files x, y and z are coordinates only if they are the first, second and third
 # property. The same vertices in a binary file are read by their names:

@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# Displacement ellipsoids that are said to hold 50 % of the density hold 53 %, and those with two equal principal values have no axes.
+# Displacement ellipsoids that are labelled 50 % contain 53 % of the density. If two principal values are equal, the axes are NaN or
+# parallel.
 #
 # Mol* (npm molstar 5.11.0), lib/mol-repr/structure/visual/ellipsoid-mesh.js: "show 50% probability surface", semi-axes 1.5958 times the
 # roots of the eigenvalues of U. 1.5958 = sqrt(8/pi) is the mean distance of a normal distribution; half of it is within 1.5382.

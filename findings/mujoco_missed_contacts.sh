@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# Two ellipsoids that overlap by half have no contact and a positive distance, if one centre is exactly on the other surface; so have
-# ellipsoids of some micrometres that overlap by a tenth.
+# Two ellipsoids that overlap by half have no contact and a positive distance, if one centre is exactly on the other surface; the same
+# happens for ellipsoids of a few micrometres that overlap by a tenth of their size.
 #
 # MuJoCo (npm @mujoco/mujoco 3.14.0), two parallel geoms of type ellipsoid, size s (1, 2, 3), centres x s apart along the shortest axis
 # (they touch at x = 2; the depth is (2 - x) s). Number of contacts and mj_geomDistance / s, seen on 29 November 2026:

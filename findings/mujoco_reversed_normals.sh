@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
 # The normal of a contact between ellipsoids of a few centimetres can point the wrong way, so that the contact pulls the bodies together.
-# This happens if the depth is small, though some hundred times the tolerance of 1e-6.
+# This happens if the depth is small, even if it is several hundred times the tolerance of 1e-6.
 #
 # MuJoCo (npm @mujoco/mujoco 3.14.0), two parallel geoms of type ellipsoid at rest without gravity, default options. The cosine is that
 # between the normal of the contact (its frame points from the first geom to the second) and the common normal of the surfaces; the speed

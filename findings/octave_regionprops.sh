@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# The Orientation of regionprops is counted against the y of its own Centroid, also in Octave, as in MATLAB.
+# In regionprops of Octave and MATLAB, the angle Orientation is counterclockwise on the screen, but the y of Centroid grows downward.
 #
 # Octave's package image (Debian 12, octave-image 2.14.0-4) on an ellipse of semi-axes 24 and 8 whose longer axis is turned by 30
 # degrees from x (columns) towards y (rows, downward), with its centre in column 70 and row 60, counted from 1:

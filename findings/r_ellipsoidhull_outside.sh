@@ -8,8 +8,8 @@
 #   1.0012902 0.9969731 0.9945101 0.3799212 1.0006155 1.0043796, convergence TRUE, tol 0.01
 # So three of the six are outside, one by 0.4 % of the square, and two that should be on the boundary are inside. The iteration stops when
 # no square exceeds 1 + tol, and the ellipsoid is not enlarged after that. With tol = 1e-6 the points are outside by less than 1e-6, but
-# still outside. Who needs an enclosing ellipsoid multiplies d2 by the largest square. The same holds for other clouds: 5 of 1,000 normal
-# points in two dimensions, 9 in six.
+# still outside. For an enclosing ellipsoid, multiply d2 by the largest square. The same holds for other clouds: 5 of 1,000 normal points
+# in two dimensions, 9 in six.
 # Needs the libraries of R (libblas3, liblapack3, libtre5, libtirpc3, libgomp1), apt-get and dpkg.
 set -eu
 dir=$(mktemp -d)

@@ -5,7 +5,7 @@
 # sep (Debian 12, 1.2.1-6+b2) on a picture whose pixels are 100 within an ellipse of semi-axes 24 and 8, turned by 30 degrees from x to y:
 #   a 11.91, b 4.01, theta 0.5234 (radians)
 # They are standard deviations along the axes, as A_IMAGE of SExtractor. The area pi a b is 150 pixels, and the ellipse has 601.
-# Who draws or counts with a and b as semi-axes has ellipses of half the size.
+# If a and b are used as semi-axes, ellipses have half their size.
 # Needs python3 with NumPy, apt-get and dpkg.
 set -eu
 dir=$(mktemp -d)

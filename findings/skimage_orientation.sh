@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# The orientation of scikit-image's regionprops is counted from the axis of rows, not from x, and the other way round.
+# The orientation of scikit-image's regionprops is measured from the axis of rows (y), not from x, and grows from y towards x.
 #
 # scikit-image (Debian 12, 0.19.3-8) on an ellipse of semi-axes 24 and 8 whose longer axis is turned by 30 degrees from x (columns)
 # towards y (rows, downward):

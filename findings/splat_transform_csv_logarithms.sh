@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# A table of splats has logarithms of lengths in its columns scale_0 to scale_2, which nothing in the file says; and no program of the same
-# package reads it back.
+# In the tables of splats that splat-transform writes, the columns scale_0 to scale_2 are logarithms of lengths. Nothing in the file
+# states this, and splat-transform does not read these tables.
 #
 # splat-transform (npm @playcanvas/splat-transform 3.7.0): standard deviations 1, 2 and 0.1 are scales 0, 0.693 and -2.303 in PLY.
 # The CSV file has the same numbers, beside positions that are lengths: a reader that takes them as semi-axes has a zero and a negative one,

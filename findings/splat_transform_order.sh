@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# A compressed PLY file has its splats in another order: row numbers, and tables of labels beside the file, no longer fit. A flat splat makes
-# all lengths of its chunk coarse.
+# A compressed PLY file stores the splats in another order, so row numbers and tables of labels no longer match. A single flat splat makes
+# all lengths of its chunk inaccurate.
 #
 # splat-transform (npm @playcanvas/splat-transform 3.7.0), which sorts along a Morton curve only for .compressed.ply; .spz keeps the order.
 # Lengths have 11, 10 and 11 bits of the range of logarithms within 256 splats, cut at -20. Of five splats whose lengths are between 0.05

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# Half of all ellipsoids that are drawn as glyphs of symmetric tensors are turned inside out, and tensors of six numbers are read in the
-# order xx, yy, zz, xy, yz, xz.
+# Half of all ellipsoids that are drawn as glyphs of symmetric tensors are inverted: their normals point inwards. Tensors of six numbers
+# are read in the order xx, yy, zz, xy, yz, xz.
 #
 # VTK 9.1.0 (Debian 12, 9.1.0+really9.1.0+dfsg2-5+deb12u1), vtkTensorGlyph with a sphere of radius 1. The matrix of eigenvectors has the
 # determinant -1 for about half of all tensors. Then triangles are clockwise and normals point inwards. Seen on 29 November 2026:

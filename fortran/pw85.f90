@@ -504,8 +504,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_geometry
 
-    !> Computes the point and the normal of pw85_contact_geometry() for ellipsoids that are given by
-    !> factors of their forms. Row k in C is s1(:, k), s2(:, k).
+    !> Computes the contact point and the normal, as pw85_contact_geometry() does, for ellipsoids
+    !> that are given by factors of their forms. Row k in C is s1(:, k), s2(:, k).
     function pw85_contact_geometry_factored(r12, s1, s2, lambda, point, normal) result(status) &
       bind(C, name='pw85_contact_geometry_factored')
       import
@@ -565,8 +565,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap
 
-    !> Tests whether two ellipsoids overlap that are given by factors of their forms, Q1 = S1 S1ᵀ
-    !> and Q2 = S2 S2ᵀ. Row k in C is s1(:, k), s2(:, k).
+    !> Tests whether two ellipsoids, given by factors of their forms, overlap. Row k in C is s1(:,
+    !> k), s2(:, k).
     function pw85_overlap_factored(r12, s1, s2, overlap) result(status) bind(C, &
       name='pw85_overlap_factored')
       import
@@ -603,8 +603,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contains
 
-    !> Computes the least factor by which ellipsoid 1, scaled about its centre, contains ellipsoid
-    !> 2, and a point where they then touch.
+    !> Computes the least factor by which ellipsoid 1 must be scaled about its centre to contain
+    !> ellipsoid 2, and a point where the two then touch.
     function pw85_containment(r12, q1, q2, mu2, point) result(status) bind(C, &
       name='pw85_containment')
       import
@@ -758,7 +758,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contains_2d
 
-    !> Computes the least factor by which ellipse 1 contains ellipse 2.
+    !> Computes the least factor by which ellipse 1 must be scaled to contain ellipse 2.
     function pw85_containment_2d(r12, q1, q2, mu2, point) result(status) bind(C, &
       name='pw85_containment_2d')
       import
@@ -823,7 +823,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_signed_distance_derivatives
 
-    !> Computes the least gap between the surfaces of ellipsoid 1 and of ellipsoid 2 inside it.
+    !> Computes the least gap between the surface of ellipsoid 1 and an ellipsoid 2 inside it.
     function pw85_gap_inside(r12, q1, q2, gap, point1, point2, normal) result(status) bind(C, &
       name='pw85_gap_inside')
       import
@@ -879,7 +879,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_first_contact
 
-    !> Computes the least μ² while ellipsoid 2 passes ellipsoid 1 on a straight path, and its time.
+    !> Computes the least μ² while ellipsoid 2 translates past ellipsoid 1 on a straight path, and
+    !> the time of this minimum.
     function pw85_closest_passage(r12, q1, q2, velocity, t_max, mu2, t) result(status) bind(C, &
       name='pw85_closest_passage')
       import
@@ -913,7 +914,7 @@ module pw85
       real(c_double), intent(out) :: x(3)
     end subroutine pw85__cholesky_solve
 
-    !> Computes f, the residual g = μ2² - μ1² = -f', whose root is the maximiser of f, and g'.
+    !> Computes f, the residual g = μ2² - μ1² = -f' and its derivative g'.
     subroutine pw85__residual(lambda, r12, q1, q2, out) bind(C, name='pw85__residual')
       import
       real(c_double), value :: lambda
@@ -921,7 +922,7 @@ module pw85
       real(c_double), intent(out) :: out(3)
     end subroutine pw85__residual
 
-    !> Computes -f(λ), with the parameters in one array, as minimisers pass them.
+    !> Computes -f(λ), with all parameters in one array, as the callback of a minimiser.
     function pw85_f_neg(lambda, params) result(value) bind(C, name='pw85_f_neg')
       import
       real(c_double), value :: lambda
@@ -944,8 +945,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_curvature
 
-    !> Computes the numbers of Hertz's theory that give the force and the contact ellipse of two
-    !> elastic bodies as functions of the depth.
+    !> Computes the effective radius of Hertz's theory for two elastic bodies, and the shape of the
+    !> contact ellipse.
     function pw85_hertz(curvatures, radius, ellipse) result(status) bind(C, name='pw85_hertz')
       import
       real(c_double), intent(in) :: curvatures(2)
@@ -964,8 +965,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hertz_contact
 
-    !> Computes the contact of two grains along their common normal, which it finds by Newton's
-    !> method.
+    !> Finds the common normal of two grains by Newton's method, and computes their contact along
+    !> it.
     function pw85_grain_contact(r12, q1, q2, start, normal, depth, point, curvatures, radius) &
       result(status) bind(C, name='pw85_grain_contact')
       import
@@ -974,8 +975,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_grain_contact
 
-    !> Computes the derivatives of the radius of pw85_grain_contact(), whose normal follows each
-    !> motion.
+    !> Computes the derivatives of the radius of pw85_grain_contact().
     function pw85_grain_radius_gradient(r12, q1, q2, normal, d_r12, d_rot1, d_rot2) result(status) &
       bind(C, name='pw85_grain_radius_gradient')
       import
@@ -1123,7 +1123,7 @@ module pw85
     end function pw85_contact_plane_derivatives
 
     !> Computes the distance from an ellipsoid with its centre at 0 to the nearest face of a box
-    !> around it, a container.
+    !> that contains it.
     function pw85_distance_box(lower, upper, q, distance, point, normal) result(status) bind(C, &
       name='pw85_distance_box')
       import
@@ -1132,8 +1132,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_box
 
-    !> Computes the distance from an ellipsoid to the wall of a cylinder of infinite length around
-    !> it.
+    !> Computes the distance from an ellipsoid to the wall of a cylinder of infinite length that
+    !> contains it.
     function pw85_distance_cylinder(axis, radius, center, q, distance, point, normal) &
       result(status) bind(C, name='pw85_distance_cylinder')
       import
@@ -1153,7 +1153,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_point
 
-    !> Computes the part t[0] <= t <= t[1] of the line origin + t·direction that is in an ellipsoid.
+    !> Computes the interval t[0] <= t <= t[1] in which the line origin + t·direction is inside an
+    !> ellipsoid.
     function pw85_intersect_line(origin, direction, q, t) result(status) bind(C, &
       name='pw85_intersect_line')
       import
@@ -1162,7 +1163,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_intersect_line
 
-    !> Computes the volume of the part of an ellipsoid that is in the half-space normal·x <= offset.
+    !> Computes the volume of the part of an ellipsoid that is in the half-space normal·x <= offset,
+    !> where x is relative to the centre of the ellipsoid.
     function pw85_overlap_volume_plane(normal, offset, q, volume) result(status) bind(C, &
       name='pw85_overlap_volume_plane')
       import
@@ -1361,7 +1363,7 @@ module pw85
   ! pw85_batch.h
   interface
 
-    !> Computes pw85_ellipsoid_quaternion() for n ellipsoids, with the same bits.
+    !> Computes pw85_ellipsoid_quaternion() for n ellipsoids, with bitwise equal results.
     function pw85_ellipsoid_quaternion_batch(n, semi_axes, quaternions, q) result(status) bind(C, &
       name='pw85_ellipsoid_quaternion_batch')
       import
@@ -1371,8 +1373,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_ellipsoid_quaternion_batch
 
-    !> Computes pw85_ellipsoid_factor() for n ellipsoids, with the same bits. Row k in C is s(:, k,
-    !> i).
+    !> Computes pw85_ellipsoid_factor() for n ellipsoids, with bitwise equal results. Row k in C is
+    !> s(:, k, i).
     function pw85_ellipsoid_factor_batch(n, semi_axes, quaternions, s) result(status) bind(C, &
       name='pw85_ellipsoid_factor_batch')
       import
@@ -1393,7 +1395,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_batch
 
-    !> Computes pw85_contact_rounded() for n pairs, with the same bits.
+    !> Computes pw85_contact_rounded() for n pairs, with bitwise equal results.
     function pw85_contact_rounded_batch(n, r12, q1, q2, mu2, lambda) result(status) bind(C, &
       name='pw85_contact_rounded_batch')
       import
@@ -1403,8 +1405,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_rounded_batch
 
-    !> Computes pw85_contact_factored() for n pairs, with the same bits. Row k in C is s1(:, k, i),
-    !> s2(:, k, i).
+    !> Computes pw85_contact_factored() for n pairs, with bitwise equal results. Row k in C is s1(:,
+    !> k, i), s2(:, k, i).
     function pw85_contact_factored_batch(n, r12, s1, s2, mu2, lambda) result(status) bind(C, &
       name='pw85_contact_factored_batch')
       import
@@ -1414,7 +1416,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_factored_batch
 
-    !> Computes pw85_condition() for n pairs, with the same bits.
+    !> Computes pw85_condition() for n pairs, with bitwise equal results.
     function pw85_condition_batch(n, r12, q1, q2, lambda, cond) result(status) bind(C, &
       name='pw85_condition_batch')
       import
@@ -1424,7 +1426,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_condition_batch
 
-    !> Computes pw85_contact_function() for n pairs, with the same bits.
+    !> Computes pw85_contact_function() for n pairs, with bitwise equal results.
     function pw85_contact_function_batch(n, r12, q1, q2, mu2, lambda) result(status) bind(C, &
       name='pw85_contact_function_batch')
       import
@@ -1434,7 +1436,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_function_batch
 
-    !> Computes pw85_contact_geometry() for n pairs, with the same bits.
+    !> Computes pw85_contact_geometry() for n pairs, with bitwise equal results.
     function pw85_contact_geometry_batch(n, r12, q1, q2, lambda, point, normal) result(status) &
       bind(C, name='pw85_contact_geometry_batch')
       import
@@ -1444,8 +1446,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_geometry_batch
 
-    !> Computes pw85_contact_geometry_factored() for n pairs, with the same bits. Row k in C is
-    !> s1(:, k, i), s2(:, k, i).
+    !> Computes pw85_contact_geometry_factored() for n pairs, with bitwise equal results. Row k in C
+    !> is s1(:, k, i), s2(:, k, i).
     function pw85_contact_geometry_factored_batch(n, r12, s1, s2, lambda, point, normal) &
       result(status) bind(C, name='pw85_contact_geometry_factored_batch')
       import
@@ -1455,7 +1457,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_geometry_factored_batch
 
-    !> Computes pw85_contact_gradient() for n pairs, with the same bits.
+    !> Computes pw85_contact_gradient() for n pairs, with bitwise equal results.
     function pw85_contact_gradient_batch(n, r12, q1, q2, lambda, d_r12, d_q1, d_q2) result(status) &
       bind(C, name='pw85_contact_gradient_batch')
       import
@@ -1465,8 +1467,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_gradient_batch
 
-    !> Computes pw85_contact_gradient_factored() for n pairs, with the same bits. Row k in C is
-    !> s1(:, k, i), s2(:, k, i), d_s1(:, k, i), d_s2(:, k, i).
+    !> Computes pw85_contact_gradient_factored() for n pairs, with bitwise equal results. Row k in C
+    !> is s1(:, k, i), s2(:, k, i), d_s1(:, k, i), d_s2(:, k, i).
     function pw85_contact_gradient_factored_batch(n, r12, s1, s2, lambda, d_r12, d_s1, d_s2) &
       result(status) bind(C, name='pw85_contact_gradient_factored_batch')
       import
@@ -1476,7 +1478,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_gradient_factored_batch
 
-    !> Computes pw85_contact_torque() for n pairs, with the same bits.
+    !> Computes pw85_contact_torque() for n pairs, with bitwise equal results.
     function pw85_contact_torque_batch(n, r12, q1, q2, lambda, d_rot1, d_rot2) result(status) &
       bind(C, name='pw85_contact_torque_batch')
       import
@@ -1486,8 +1488,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_torque_batch
 
-    !> Computes pw85_contact_hessian() for n pairs, with the same bits. Row k in C is hessian(:, k,
-    !> i).
+    !> Computes pw85_contact_hessian() for n pairs, with bitwise equal results. Row k in C is
+    !> hessian(:, k, i).
     function pw85_contact_hessian_batch(n, r12, q1, q2, lambda, hessian) result(status) bind(C, &
       name='pw85_contact_hessian_batch')
       import
@@ -1549,7 +1551,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contains_batch
 
-    !> Computes pw85_containment() for n pairs, with the same bits.
+    !> Computes pw85_containment() for n pairs, with bitwise equal results.
     function pw85_containment_batch(n, r12, q1, q2, mu2, point) result(status) bind(C, &
       name='pw85_containment_batch')
       import
@@ -1569,7 +1571,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_closest_approach_batch
 
-    !> Computes pw85_volume() for n ellipsoids, with the same bits.
+    !> Computes pw85_volume() for n ellipsoids, with bitwise equal results.
     function pw85_volume_batch(n, q, volume) result(status) bind(C, name='pw85_volume_batch')
       import
       integer(c_size_t), value :: n
@@ -1578,7 +1580,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_volume_batch
 
-    !> Computes pw85_overlap_volume() for n pairs, with the same bits.
+    !> Computes pw85_overlap_volume() for n pairs, with bitwise equal results.
     function pw85_overlap_volume_batch(n, r12, q1, q2, volume) result(status) bind(C, &
       name='pw85_overlap_volume_batch')
       import
@@ -1588,7 +1590,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_batch
 
-    !> Computes pw85_overlap_volume_gradient() for n pairs, with the same bits.
+    !> Computes pw85_overlap_volume_gradient() for n pairs, with bitwise equal results.
     function pw85_overlap_volume_gradient_batch(n, r12, q1, q2, d_r12, d_q1, d_q2) result(status) &
       bind(C, name='pw85_overlap_volume_gradient_batch')
       import
@@ -1598,7 +1600,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_gradient_batch
 
-    !> Computes pw85_overlap_volume_torque() for n pairs, with the same bits.
+    !> Computes pw85_overlap_volume_torque() for n pairs, with bitwise equal results.
     function pw85_overlap_volume_torque_batch(n, r12, q1, q2, d_rot1, d_rot2) result(status) &
       bind(C, name='pw85_overlap_volume_torque_batch')
       import
@@ -1608,7 +1610,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_torque_batch
 
-    !> Computes pw85_area_2d() for n ellipses, with the same bits.
+    !> Computes pw85_area_2d() for n ellipses, with bitwise equal results.
     function pw85_area_batch_2d(n, q, area) result(status) bind(C, name='pw85_area_batch_2d')
       import
       integer(c_size_t), value :: n
@@ -1617,7 +1619,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_area_batch_2d
 
-    !> Computes pw85_overlap_area_2d() for n pairs, with the same bits.
+    !> Computes pw85_overlap_area_2d() for n pairs, with bitwise equal results.
     function pw85_overlap_area_batch_2d(n, r12, q1, q2, area) result(status) bind(C, &
       name='pw85_overlap_area_batch_2d')
       import
@@ -1627,7 +1629,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_area_batch_2d
 
-    !> Computes pw85_overlap_area_gradient_2d() for n pairs, with the same bits.
+    !> Computes pw85_overlap_area_gradient_2d() for n pairs, with bitwise equal results.
     function pw85_overlap_area_gradient_batch_2d(n, r12, q1, q2, d_r12, d_q1, d_q2) result(status) &
       bind(C, name='pw85_overlap_area_gradient_batch_2d')
       import
@@ -1637,7 +1639,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_area_gradient_batch_2d
 
-    !> Computes pw85_overlap_area_torque_2d() for n pairs, with the same bits.
+    !> Computes pw85_overlap_area_torque_2d() for n pairs, with bitwise equal results.
     function pw85_overlap_area_torque_batch_2d(n, r12, q1, q2, d_rot1, d_rot2) result(status) &
       bind(C, name='pw85_overlap_area_torque_batch_2d')
       import
@@ -1658,7 +1660,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_batch_2d
 
-    !> Computes pw85_contact_geometry_2d() for n pairs, with the same bits.
+    !> Computes pw85_contact_geometry_2d() for n pairs, with bitwise equal results.
     function pw85_contact_geometry_batch_2d(n, r12, q1, q2, lambda, point, normal) result(status) &
       bind(C, name='pw85_contact_geometry_batch_2d')
       import
@@ -1668,7 +1670,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_geometry_batch_2d
 
-    !> Computes pw85_contact_gradient_2d() for n pairs, with the same bits.
+    !> Computes pw85_contact_gradient_2d() for n pairs, with bitwise equal results.
     function pw85_contact_gradient_batch_2d(n, r12, q1, q2, lambda, d_r12, d_q1, d_q2) &
       result(status) bind(C, name='pw85_contact_gradient_batch_2d')
       import
@@ -1678,7 +1680,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_gradient_batch_2d
 
-    !> Computes pw85_contact_torque_2d() for n pairs, with the same bits.
+    !> Computes pw85_contact_torque_2d() for n pairs, with bitwise equal results.
     function pw85_contact_torque_batch_2d(n, r12, q1, q2, lambda, d_rot1, d_rot2) result(status) &
       bind(C, name='pw85_contact_torque_batch_2d')
       import
@@ -1688,8 +1690,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_torque_batch_2d
 
-    !> Computes pw85_contact_hessian_2d() for n pairs, with the same bits. Row k in C is hessian(:,
-    !> k, i).
+    !> Computes pw85_contact_hessian_2d() for n pairs, with bitwise equal results. Row k in C is
+    !> hessian(:, k, i).
     function pw85_contact_hessian_batch_2d(n, r12, q1, q2, lambda, hessian) result(status) bind(C, &
       name='pw85_contact_hessian_batch_2d')
       import
@@ -1709,7 +1711,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_batch_2d
 
-    !> Computes pw85_closest_approach_2d() for n pairs, with the same bits.
+    !> Computes pw85_closest_approach_2d() for n pairs, with bitwise equal results.
     function pw85_closest_approach_batch_2d(n, directions, q1, q2, distance) result(status) &
       bind(C, name='pw85_closest_approach_batch_2d')
       import
@@ -1729,7 +1731,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_batch
 
-    !> Computes pw85_distance_derivatives() for n pairs, with the same bits. Row k in C is
+    !> Computes pw85_distance_derivatives() for n pairs, with bitwise equal results. Row k in C is
     !> hessian(:, k, i).
     function pw85_distance_derivatives_batch(n, r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) &
       result(status) bind(C, name='pw85_distance_derivatives_batch')
@@ -1741,7 +1743,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_derivatives_batch
 
-    !> Computes pw85_penetration() for n pairs, with the same bits.
+    !> Computes pw85_penetration() for n pairs, with bitwise equal results.
     function pw85_penetration_batch(n, r12, q1, q2, depth, direction) result(status) bind(C, &
       name='pw85_penetration_batch')
       import
@@ -1751,7 +1753,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_penetration_batch
 
-    !> Computes pw85_signed_distance() for n pairs, with the same bits.
+    !> Computes pw85_signed_distance() for n pairs, with bitwise equal results.
     function pw85_signed_distance_batch(n, r12, q1, q2, distance, point1, point2) result(status) &
       bind(C, name='pw85_signed_distance_batch')
       import
@@ -1761,8 +1763,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_signed_distance_batch
 
-    !> Computes pw85_signed_distance_derivatives() for n pairs, with the same bits. Row k in C is
-    !> hessian(:, k, i).
+    !> Computes pw85_signed_distance_derivatives() for n pairs, with bitwise equal results. Row k in
+    !> C is hessian(:, k, i).
     function pw85_signed_distance_derivatives_batch(n, r12, q1, q2, d_r12, d_rot1, d_rot2, &
       hessian) result(status) bind(C, name='pw85_signed_distance_derivatives_batch')
       import
@@ -1773,7 +1775,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_signed_distance_derivatives_batch
 
-    !> Computes pw85_gap_inside() for n pairs, with the same bits.
+    !> Computes pw85_gap_inside() for n pairs, with bitwise equal results.
     function pw85_gap_inside_batch(n, r12, q1, q2, gap, point1, point2, normal) result(status) &
       bind(C, name='pw85_gap_inside_batch')
       import
@@ -1783,7 +1785,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_gap_inside_batch
 
-    !> Computes pw85_distance_2d() for n pairs, with the same bits.
+    !> Computes pw85_distance_2d() for n pairs, with bitwise equal results.
     function pw85_distance_batch_2d(n, r12, q1, q2, distance, point1, point2) result(status) &
       bind(C, name='pw85_distance_batch_2d')
       import
@@ -1793,7 +1795,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_batch_2d
 
-    !> Computes pw85_penetration_2d() for n pairs, with the same bits.
+    !> Computes pw85_penetration_2d() for n pairs, with bitwise equal results.
     function pw85_penetration_batch_2d(n, r12, q1, q2, depth, direction) result(status) bind(C, &
       name='pw85_penetration_batch_2d')
       import
@@ -1803,7 +1805,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_penetration_batch_2d
 
-    !> Computes pw85_signed_distance_2d() for n pairs, with the same bits.
+    !> Computes pw85_signed_distance_2d() for n pairs, with bitwise equal results.
     function pw85_signed_distance_batch_2d(n, r12, q1, q2, distance, point1, point2) &
       result(status) bind(C, name='pw85_signed_distance_batch_2d')
       import
@@ -1813,7 +1815,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_signed_distance_batch_2d
 
-    !> Computes pw85_gap_inside_2d() for n pairs, with the same bits.
+    !> Computes pw85_gap_inside_2d() for n pairs, with bitwise equal results.
     function pw85_gap_inside_batch_2d(n, r12, q1, q2, gap, point1, point2, normal) result(status) &
       bind(C, name='pw85_gap_inside_batch_2d')
       import
@@ -1823,7 +1825,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_gap_inside_batch_2d
 
-    !> Computes pw85_first_contact() for n pairs, with the same bits.
+    !> Computes pw85_first_contact() for n pairs, with bitwise equal results.
     function pw85_first_contact_batch(n, r12, q1, q2, motion1, motion2, t_max, t) result(status) &
       bind(C, name='pw85_first_contact_batch')
       import
@@ -1847,7 +1849,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_closest_passage_batch
 
-    !> Computes pw85_free_path() for n pairs, with the same bits.
+    !> Computes pw85_free_path() for n pairs, with bitwise equal results.
     function pw85_free_path_batch(n, r12, q1, q2, directions, t_max, t) result(status) bind(C, &
       name='pw85_free_path_batch')
       import
@@ -1857,8 +1859,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_free_path_batch
 
-    !> Computes pw85_curvature() for n ellipsoids, with the same bits. Row k in C is directions(:,
-    !> k, i).
+    !> Computes pw85_curvature() for n ellipsoids, with bitwise equal results. Row k in C is
+    !> directions(:, k, i).
     function pw85_curvature_batch(n, normals, q, curvatures, directions) result(status) bind(C, &
       name='pw85_curvature_batch')
       import
@@ -1868,7 +1870,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_curvature_batch
 
-    !> Computes pw85_hertz() for n contacts, with the same bits.
+    !> Computes pw85_hertz() for n contacts, with bitwise equal results.
     function pw85_hertz_batch(n, curvatures, radius, ellipse) result(status) bind(C, &
       name='pw85_hertz_batch')
       import
@@ -1878,8 +1880,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hertz_batch
 
-    !> Computes pw85_hertz_contact() for n pairs, with the same bits. Row k in C is directions(:, k,
-    !> i).
+    !> Computes pw85_hertz_contact() for n pairs, with bitwise equal results. Row k in C is
+    !> directions(:, k, i).
     function pw85_hertz_contact_batch(n, r12, q1, q2, normals, depth, point, curvatures, &
       directions, radius, ellipse) result(status) bind(C, name='pw85_hertz_contact_batch')
       import
@@ -1901,7 +1903,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_grain_contact_batch
 
-    !> Computes pw85_grain_radius_gradient() for n pairs, with the same bits.
+    !> Computes pw85_grain_radius_gradient() for n pairs, with bitwise equal results.
     function pw85_grain_radius_gradient_batch(n, r12, q1, q2, normals, d_r12, d_rot1, d_rot2) &
       result(status) bind(C, name='pw85_grain_radius_gradient_batch')
       import
@@ -1911,7 +1913,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_grain_radius_gradient_batch
 
-    !> Computes pw85_grain_contact_wall() for n ellipsoids and walls, with the same bits.
+    !> Computes pw85_grain_contact_wall() for n ellipsoids and walls, with bitwise equal results.
     function pw85_grain_contact_wall_batch(n, normals, offsets, directions, curvature, q, depth, &
       point, curvatures, radius) result(status) bind(C, name='pw85_grain_contact_wall_batch')
       import
@@ -1922,7 +1924,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_grain_contact_wall_batch
 
-    !> Computes pw85_surface_area() for n ellipsoids, with the same bits.
+    !> Computes pw85_surface_area() for n ellipsoids, with bitwise equal results.
     function pw85_surface_area_batch(n, q, area) result(status) bind(C, &
       name='pw85_surface_area_batch')
       import
@@ -1932,7 +1934,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_surface_area_batch
 
-    !> Computes pw85_second_moments() for n ellipsoids, with the same bits.
+    !> Computes pw85_second_moments() for n ellipsoids, with bitwise equal results.
     function pw85_second_moments_batch(n, q, moments) result(status) bind(C, &
       name='pw85_second_moments_batch')
       import
@@ -1942,7 +1944,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_second_moments_batch
 
-    !> Computes pw85_from_moments() for n ellipsoids, with the same bits.
+    !> Computes pw85_from_moments() for n ellipsoids, with bitwise equal results.
     function pw85_from_moments_batch(n, second_moments, q) result(status) bind(C, &
       name='pw85_from_moments_batch')
       import
@@ -1952,7 +1954,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_from_moments_batch
 
-    !> Computes pw85_shell_moments() for n ellipsoids, with the same bits.
+    !> Computes pw85_shell_moments() for n ellipsoids, with bitwise equal results.
     function pw85_shell_moments_batch(n, q, moments) result(status) bind(C, &
       name='pw85_shell_moments_batch')
       import
@@ -1962,7 +1964,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_shell_moments_batch
 
-    !> Computes pw85_inertia() for n ellipsoids, with the same bits.
+    !> Computes pw85_inertia() for n ellipsoids, with bitwise equal results.
     function pw85_inertia_batch(n, q, shell, inertia) result(status) bind(C, &
       name='pw85_inertia_batch')
       import
@@ -1973,7 +1975,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_inertia_batch
 
-    !> Computes pw85_perimeter_2d() for n ellipses, with the same bits.
+    !> Computes pw85_perimeter_2d() for n ellipses, with bitwise equal results.
     function pw85_perimeter_batch_2d(n, q, perimeter) result(status) bind(C, &
       name='pw85_perimeter_batch_2d')
       import
@@ -1983,7 +1985,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_perimeter_batch_2d
 
-    !> Computes pw85_second_moments_2d() for n ellipses, with the same bits.
+    !> Computes pw85_second_moments_2d() for n ellipses, with bitwise equal results.
     function pw85_second_moments_batch_2d(n, q, moments) result(status) bind(C, &
       name='pw85_second_moments_batch_2d')
       import
@@ -1993,7 +1995,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_second_moments_batch_2d
 
-    !> Computes pw85_from_moments_2d() for n ellipses, with the same bits.
+    !> Computes pw85_from_moments_2d() for n ellipses, with bitwise equal results.
     function pw85_from_moments_batch_2d(n, second_moments, q) result(status) bind(C, &
       name='pw85_from_moments_batch_2d')
       import
@@ -2003,7 +2005,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_from_moments_batch_2d
 
-    !> Computes pw85_shell_moments_2d() for n ellipses, with the same bits.
+    !> Computes pw85_shell_moments_2d() for n ellipses, with bitwise equal results.
     function pw85_shell_moments_batch_2d(n, q, moments) result(status) bind(C, &
       name='pw85_shell_moments_batch_2d')
       import
@@ -2013,7 +2015,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_shell_moments_batch_2d
 
-    !> Computes pw85_distance_plane() for n ellipsoids and half-spaces, with the same bits.
+    !> Computes pw85_distance_plane() for n ellipsoids and half-spaces, with bitwise equal results.
     function pw85_distance_plane_batch(n, normals, offsets, q, distance, point) result(status) &
       bind(C, name='pw85_distance_plane_batch')
       import
@@ -2023,8 +2025,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_plane_batch
 
-    !> Computes pw85_distance_plane_derivatives() for n ellipsoids and half-spaces, with the same
-    !> bits.
+    !> Computes pw85_distance_plane_derivatives() for n ellipsoids and half-spaces, with bitwise
+    !> equal results.
     function pw85_distance_plane_derivatives_batch(n, normals, q, d_center, d_rot) result(status) &
       bind(C, name='pw85_distance_plane_derivatives_batch')
       import
@@ -2034,7 +2036,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_plane_derivatives_batch
 
-    !> Computes pw85_contact_plane() for n ellipsoids and half-spaces, with the same bits.
+    !> Computes pw85_contact_plane() for n ellipsoids and half-spaces, with bitwise equal results.
     function pw85_contact_plane_batch(n, normals, offsets, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_plane_batch')
       import
@@ -2044,8 +2046,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_plane_batch
 
-    !> Computes pw85_contact_plane_derivatives() for n ellipsoids and half-spaces, with the same
-    !> bits.
+    !> Computes pw85_contact_plane_derivatives() for n ellipsoids and half-spaces, with bitwise
+    !> equal results.
     function pw85_contact_plane_derivatives_batch(n, normals, offsets, q, d_center, d_rot) &
       result(status) bind(C, name='pw85_contact_plane_derivatives_batch')
       import
@@ -2055,7 +2057,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_plane_derivatives_batch
 
-    !> Computes pw85_distance_box() for n ellipsoids and boxes, with the same bits.
+    !> Computes pw85_distance_box() for n ellipsoids and boxes, with bitwise equal results.
     function pw85_distance_box_batch(n, lower, upper, q, distance, point, normal) result(status) &
       bind(C, name='pw85_distance_box_batch')
       import
@@ -2065,7 +2067,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_box_batch
 
-    !> Computes pw85_distance_cylinder() for n ellipsoids and cylinders, with the same bits.
+    !> Computes pw85_distance_cylinder() for n ellipsoids and cylinders, with bitwise equal results.
     function pw85_distance_cylinder_batch(n, axis, radius, center, q, distance, point, normal) &
       result(status) bind(C, name='pw85_distance_cylinder_batch')
       import
@@ -2075,7 +2077,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_cylinder_batch
 
-    !> Computes pw85_distance_point() for n points and ellipsoids, with the same bits.
+    !> Computes pw85_distance_point() for n points and ellipsoids, with bitwise equal results.
     function pw85_distance_point_batch(n, r, q, distance, point, normal) result(status) bind(C, &
       name='pw85_distance_point_batch')
       import
@@ -2085,7 +2087,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_point_batch
 
-    !> Computes pw85_intersect_line() for n lines and ellipsoids, with the same bits.
+    !> Computes pw85_intersect_line() for n lines and ellipsoids, with bitwise equal results.
     function pw85_intersect_line_batch(n, origin, directions, q, enter, leave) result(status) &
       bind(C, name='pw85_intersect_line_batch')
       import
@@ -2095,7 +2097,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_intersect_line_batch
 
-    !> Computes pw85_overlap_volume_plane() for n ellipsoids and half-spaces, with the same bits.
+    !> Computes pw85_overlap_volume_plane() for n ellipsoids and half-spaces, with bitwise equal
+    !> results.
     function pw85_overlap_volume_plane_batch(n, normals, offsets, q, volume) result(status) &
       bind(C, name='pw85_overlap_volume_plane_batch')
       import
@@ -2165,7 +2168,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_box_batch
 
-    !> Computes pw85_distance_segment() for n ellipsoids and segments, with the same bits.
+    !> Computes pw85_distance_segment() for n ellipsoids and segments, with bitwise equal results.
     function pw85_distance_segment_batch(n, end1, end2, q, distance, point1, point2, normal) &
       result(status) bind(C, name='pw85_distance_segment_batch')
       import
@@ -2175,7 +2178,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_segment_batch
 
-    !> Computes pw85_distance_triangle() for n ellipsoids and triangles, with the same bits.
+    !> Computes pw85_distance_triangle() for n ellipsoids and triangles, with bitwise equal results.
     function pw85_distance_triangle_batch(n, vertex1, vertex2, vertex3, q, distance, point1, &
       point2, normal) result(status) bind(C, name='pw85_distance_triangle_batch')
       import
@@ -2185,7 +2188,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_triangle_batch
 
-    !> Computes pw85_distance_solid_box() for n ellipsoids and boxes, with the same bits.
+    !> Computes pw85_distance_solid_box() for n ellipsoids and boxes, with bitwise equal results.
     function pw85_distance_solid_box_batch(n, lower, upper, q, distance, point1, point2, normal) &
       result(status) bind(C, name='pw85_distance_solid_box_batch')
       import
@@ -2195,7 +2198,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_solid_box_batch
 
-    !> Computes pw85_contact_capsule() for n ellipsoids and capsules, with the same bits.
+    !> Computes pw85_contact_capsule() for n ellipsoids and capsules, with bitwise equal results.
     function pw85_contact_capsule_batch(n, end1, end2, radius, q, mu2, point) result(status) &
       bind(C, name='pw85_contact_capsule_batch')
       import
@@ -2215,7 +2218,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_capsule_batch
 
-    !> Computes pw85_distance_capsule() for n ellipsoids and capsules, with the same bits.
+    !> Computes pw85_distance_capsule() for n ellipsoids and capsules, with bitwise equal results.
     function pw85_distance_capsule_batch(n, end1, end2, radius, q, distance, point1, point2, &
       normal) result(status) bind(C, name='pw85_distance_capsule_batch')
       import
@@ -2225,7 +2228,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_capsule_batch
 
-    !> Computes pw85_distance_point_2d() for n points and ellipses, with the same bits.
+    !> Computes pw85_distance_point_2d() for n points and ellipses, with bitwise equal results.
     function pw85_distance_point_batch_2d(n, r, q, distance, point, normal) result(status) bind(C, &
       name='pw85_distance_point_batch_2d')
       import
@@ -2235,7 +2238,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_point_batch_2d
 
-    !> Computes pw85_contact_segment_2d() for n ellipses and segments, with the same bits.
+    !> Computes pw85_contact_segment_2d() for n ellipses and segments, with bitwise equal results.
     function pw85_contact_segment_batch_2d(n, end1, end2, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_segment_batch_2d')
       import
@@ -2245,7 +2248,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_segment_batch_2d
 
-    !> Computes pw85_contact_box_2d() for n ellipses and boxes, with the same bits.
+    !> Computes pw85_contact_box_2d() for n ellipses and boxes, with bitwise equal results.
     function pw85_contact_box_batch_2d(n, lower, upper, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_box_batch_2d')
       import
@@ -2275,7 +2278,9 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_box_batch_2d
 
-    !> Computes all that the forces and torques of an energy U(μ²) need, for n pairs.
+    !> Computes for n pairs the results of pw85_contact(), pw85_contact_geometry(),
+    !> pw85_contact_gradient() and pw85_contact_torque(), from which the forces and torques of an
+    !> energy U(μ²) follow.
     function pw85_contact_derivatives_batch(n, r12, q1, q2, mu2, lambda, point, normal, d_r12, &
       d_rot1, d_rot2) result(status) bind(C, name='pw85_contact_derivatives_batch')
       import
@@ -2297,7 +2302,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_polytope_batch
 
-    !> Tests whether many ellipsoids overlap one polytope, for example which of them a camera sees.
+    !> Tests which of many ellipsoids overlap one polytope, such as the frustum of a camera.
     function pw85_overlap_polytope_batch(num_ellipsoids, centers, q, num_planes, normals, offsets, &
       overlap) result(status) bind(C, name='pw85_overlap_polytope_batch')
       import
@@ -2356,7 +2361,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_enclosing_ellipsoid_of
 
-    !> Makes random points of an ellipsoid with its centre at 0, uniform in its volume or on its
+    !> Makes random points, distributed uniformly in an ellipsoid with its centre at 0, or on its
     !> surface.
     function pw85_random_points(q, surface, seed, num_points, points) result(status) bind(C, &
       name='pw85_random_points')
@@ -2458,8 +2463,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_law_forces_pairs
 
-    !> Computes the times of the first contacts of the pairs of a list, and the next event of each
-    !> particle, which event-driven simulations schedule.
+    !> Computes the times of the first contacts of the pairs of a list, and the first contact of
+    !> each particle, for event-driven simulations.
     function pw85_first_contact_pairs(list, system, motions, t_max, t, next, next_pair) &
       result(status) bind(C, name='pw85_first_contact_pairs')
       import
@@ -2481,7 +2486,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_cell_reduce
 
-    !> Computes the nearest images that the functions of pair lists use without `images`.
+    !> Computes the nearest images that the functions of pair lists use if `images` is null.
     function pw85_nearest_images(num_pairs, pairs, system, r12, images) result(status) bind(C, &
       name='pw85_nearest_images')
       import
@@ -2493,7 +2498,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_nearest_images
 
-    !> Computes the limit of μ² below which only nearest images count.
+    !> Computes the limit of μ² below which an image of a pair of these particles is always the
+    !> nearest image.
     function pw85_nearest_image_limit(system, mu2) result(status) bind(C, &
       name='pw85_nearest_image_limit')
       import
@@ -2513,7 +2519,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_neighbors_create
 
-    !> Finds the particle because of which pw85_neighbors_create() cannot make a list.
+    !> Finds the particle that prevents pw85_neighbors_create() from making a list.
     function pw85_neighbors_check(system, scale, skin, particle) result(status) bind(C, &
       name='pw85_neighbors_check')
       import
@@ -2523,8 +2529,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_neighbors_check
 
-    !> Tests whether a list still has all pairs whose boxes intersect (without skin), after
-    !> particles have moved and turned and the cell has changed.
+    !> Tests whether a list still contains all pairs whose boxes intersect (without skin), after
+    !> particles have moved and rotated and the cell has changed.
     function pw85_neighbors_holds(list, system, holds) result(status) bind(C, &
       name='pw85_neighbors_holds')
       import
@@ -2590,7 +2596,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_mesh_distance
 
-    !> Computes pw85_mesh_contact() for n ellipsoids and one mesh, with the same bits.
+    !> Computes pw85_mesh_contact() for n ellipsoids and one mesh, in parallel, with bitwise equal
+    !> results.
     function pw85_mesh_contact_batch(mesh, n, centers, q, mu2, point, triangle) result(status) &
       bind(C, name='pw85_mesh_contact_batch')
       import
@@ -2602,7 +2609,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_mesh_contact_batch
 
-    !> Computes pw85_mesh_overlap() for n ellipsoids and one mesh.
+    !> Computes pw85_mesh_overlap() for n ellipsoids and one mesh, in parallel.
     function pw85_mesh_overlap_batch(mesh, n, centers, q, overlap) result(status) bind(C, &
       name='pw85_mesh_overlap_batch')
       import
@@ -2613,7 +2620,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_mesh_overlap_batch
 
-    !> Computes pw85_mesh_distance() for n ellipsoids and one mesh, with the same bits.
+    !> Computes pw85_mesh_distance() for n ellipsoids and one mesh, in parallel, with bitwise equal
+    !> results.
     function pw85_mesh_distance_batch(mesh, n, centers, q, distance, point1, point2, normal, &
       triangle, inside) result(status) bind(C, name='pw85_mesh_distance_batch')
       import
@@ -2649,8 +2657,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_create
 
-    !> Turns a simulation into one of hard ellipses in a plane z = const, or back into one of
-    !> ellipsoids.
+    !> Sets the number of dimensions of a simulation.
     function pw85_hard_ellipsoids_set_dimensions(simulation, dimensions) result(status) bind(C, &
       name='pw85_hard_ellipsoids_set_dimensions')
       import
@@ -2716,7 +2723,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_save
 
-    !> Makes a simulation from the bytes of another one, which it continues bit by bit.
+    !> Makes a simulation from the bytes of a saved one.
     function pw85_hard_ellipsoids_restore(num_bytes, bytes, simulation) result(status) bind(C, &
       name='pw85_hard_ellipsoids_restore')
       import
@@ -2731,7 +2738,7 @@ module pw85
   ! pw85_simulation_surroundings.h
   interface
 
-    !> Sets the hard walls of a simulation, in place of those that it has.
+    !> Sets the hard walls of a simulation, and removes the walls that it had.
     function pw85_hard_ellipsoids_set_walls(simulation, num_walls, walls, overlap) result(status) &
       bind(C, name='pw85_hard_ellipsoids_set_walls')
       import
@@ -2742,7 +2749,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_walls
 
-    !> Sets the hard mesh of a simulation, in place of the one that it has.
+    !> Sets the hard mesh of a simulation, and removes the mesh that it had.
     function pw85_hard_ellipsoids_set_mesh(simulation, num_vertices, vertices, num_triangles, &
       triangles, overlap) result(status) bind(C, name='pw85_hard_ellipsoids_set_mesh')
       import
@@ -2754,7 +2761,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_mesh
 
-    !> Sets the fields of a simulation, in place of those that it has.
+    !> Sets the fields of a simulation, and removes the fields that it had.
     function pw85_hard_ellipsoids_set_fields(simulation, num_fields, fields) result(status) &
       bind(C, name='pw85_hard_ellipsoids_set_fields')
       import
@@ -2774,7 +2781,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_potential
 
-    !> Sets an energy of pairs beside the hard cores, or removes it.
+    !> Sets or removes a pair potential in addition to the hard cores.
     function pw85_hard_ellipsoids_set_law(simulation, law) result(status) bind(C, &
       name='pw85_hard_ellipsoids_set_law')
       import
@@ -2809,7 +2816,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_chain
 
-    !> Tries changes of the cell, and of all centres with it, at constant pressure.
+    !> Makes volume moves.
     function pw85_hard_ellipsoids_volume_moves(simulation, num_moves, pressure, change) &
       result(status) bind(C, name='pw85_hard_ellipsoids_volume_moves')
       import
@@ -2820,7 +2827,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_volume_moves
 
-    !> Makes sweeps, and changes the steps after each of them towards an acceptance ratio.
+    !> Makes sweeps, and adjusts the step sizes after each sweep towards an acceptance ratio.
     function pw85_hard_ellipsoids_tune(simulation, num_sweeps, acceptance, pressure, change) &
       result(status) bind(C, name='pw85_hard_ellipsoids_tune')
       import
@@ -2831,8 +2838,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_tune
 
-    !> Sets the fractions of the trials of a sweep that are translations, rotations, both at once,
-    !> and exchanges.
+    !> Sets which fractions of the trials of a sweep are translations, rotations, both at once, and
+    !> exchanges.
     function pw85_hard_ellipsoids_set_fractions(simulation, fractions) result(status) bind(C, &
       name='pw85_hard_ellipsoids_set_fractions')
       import
@@ -2841,7 +2848,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_fractions
 
-    !> Sets the largest changes of a trial.
+    !> Sets the step sizes.
     function pw85_hard_ellipsoids_set_steps(simulation, steps) result(status) bind(C, &
       name='pw85_hard_ellipsoids_set_steps')
       import
@@ -2850,7 +2857,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_steps
 
-    !> Returns the largest changes of a trial.
+    !> Returns the step sizes.
     function pw85_hard_ellipsoids_steps(simulation, steps) result(status) bind(C, &
       name='pw85_hard_ellipsoids_steps')
       import
@@ -2859,8 +2866,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_steps
 
-    !> Sets the largest translations and rotations of some species, in place of all steps of species
-    !> set before.
+    !> Sets the largest translations and rotations of some species, and removes all step sizes of
+    !> species that were set before.
     function pw85_hard_ellipsoids_set_kind_steps(simulation, num_kinds, semi_axes, steps) &
       result(status) bind(C, name='pw85_hard_ellipsoids_set_kind_steps')
       import
@@ -2896,8 +2903,8 @@ module pw85
   ! pw85_simulation_insertions.h
   interface
 
-    !> Tests whether a particle would be free of overlaps at another position, and moves it there if
-    !> wanted.
+    !> Tests whether a particle would be free of overlaps at another position, and moves it there on
+    !> request.
     function pw85_hard_ellipsoids_try(simulation, particle, center, quaternion, take, is_free) &
       result(status) bind(C, name='pw85_hard_ellipsoids_try')
       import
@@ -2909,8 +2916,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_try
 
-    !> Tests whether a new particle would be free of overlaps, and inserts it as the last one if
-    !> wanted.
+    !> Tests whether a new particle would be free of overlaps, and on request inserts it as the last
+    !> particle.
     function pw85_hard_ellipsoids_insert(simulation, center, quaternion, semi_axes, take, is_free) &
       result(status) bind(C, name='pw85_hard_ellipsoids_insert')
       import
@@ -2930,8 +2937,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_remove
 
-    !> Computes the mean of e^(-βU) of a particle that is inserted at random, where a position that
-    !> is not free counts as 0.
+    !> Computes the mean of e^(-βU) of a particle that is inserted at random positions (Widom's test
+    !> particle).
     function pw85_hard_ellipsoids_insertion_weight(simulation, num_trials, semi_axes, weight) &
       result(status) bind(C, name='pw85_hard_ellipsoids_insertion_weight')
       import
@@ -2942,7 +2949,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_insertion_weight
 
-    !> Tries insertions and removals of particles, at constant activities.
+    !> Makes trial insertions and removals of particles at constant activities.
     function pw85_hard_ellipsoids_insertion_moves(simulation, num_moves, num_kinds, semi_axes, &
       activities, counts) result(status) bind(C, name='pw85_hard_ellipsoids_insertion_moves')
       import
@@ -2958,8 +2965,8 @@ module pw85
   ! pw85_simulation_observations.h
   interface
 
-    !> Computes the energy of all particles in the fields, the potential and the law of pairs, in
-    !> the unit of k_B T.
+    !> Computes the sum of the energies of all particles in the fields and the potential, and of all
+    !> pairs by the law, in units of k_B T.
     function pw85_hard_ellipsoids_energy(simulation, energy) result(status) bind(C, &
       name='pw85_hard_ellipsoids_energy')
       import
@@ -2968,7 +2975,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_energy
 
-    !> Computes the virial of the law of pairs, W = -2 Σ μ² dβU/dμ², which adds to the pressure of
+    !> Computes the virial of the pair potential, W = -2 Σ μ² dβU/dμ², which adds to the pressure of
     !> the hard cores.
     function pw85_hard_ellipsoids_law_virial(simulation, virial) result(status) bind(C, &
       name='pw85_hard_ellipsoids_law_virial')
@@ -2978,7 +2985,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_law_virial
 
-    !> Lists the images of particles whose bounding boxes meet that of a given particle.
+    !> Lists the images of particles whose bounding boxes intersect that of a given particle.
     function pw85_hard_ellipsoids_neighbors(simulation, particle, capacity, count, particles, &
       images, separations) result(status) bind(C, name='pw85_hard_ellipsoids_neighbors')
       import
@@ -2990,7 +2997,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_neighbors
 
-    !> Searches all particles for overlaps, by a neighbour list of its own.
+    !> Searches all particles for overlaps.
     function pw85_hard_ellipsoids_check(simulation, pair) result(status) bind(C, &
       name='pw85_hard_ellipsoids_check')
       import
@@ -2999,8 +3006,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_check
 
-    !> Finds how far cell and centres can be compressed before particles touch, and compresses them
-    !> if wanted.
+    !> Finds by which factor cell and centres can be compressed until particles touch, and on
+    !> request compresses them.
     function pw85_hard_ellipsoids_compress(simulation, take, factor) result(status) bind(C, &
       name='pw85_hard_ellipsoids_compress')
       import

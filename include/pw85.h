@@ -14,50 +14,55 @@
  *
  *     μ² = max { f(λ), 0 <= λ <= 1 },    f(λ) = λ(1-λ) r12ᵀ [(1-λ) Q1 + λ Q2]⁻¹ r12.
  *
- * If both ellipsoids are scaled by the factor μ about their centres, they touch from outside. The
- * ellipsoids overlap if μ² < 1, touch if μ² = 1, and are apart if μ² > 1 (J. W. Perram and M. S.
- * Wertheim, J. Comp. Phys. 58, 409, 1985).
+ * The square root μ is a scale factor: if both ellipsoids are scaled by μ about their centres, they
+ * touch from outside. The ellipsoids overlap if μ² < 1, touch if μ² = 1, and are apart if μ² > 1
+ * (J. W. Perram and M. S. Wertheim, J. Comp. Phys. 58, 409, 1985).
  *
  * These conventions hold for every function of these headers unless its contract says otherwise:
  *
  * - Vectors are `double[3]`. Symmetric matrices are `double[6]`: the upper triangle in row-major
  *   order, (xx, xy, xz, yy, yz, zz). In two dimensions they are `double[2]` and `double[3]` (xx,
  *   xy, yy).
- * - Lengths are in one unit, which the caller chooses, forms in its square. μ² and λ have none.
- * - The caller owns all arrays, and the library does not use them after the call. Arrays need no
- *   alignment beyond that of double. Outputs may not overlap inputs.
- * - The brackets after the name of a parameter state the extents of an array, as n×3, the unit, as
- *   length², and the allowed values, as > 0. An `optional` pointer may be null, and an input `or
- *   infinite` may be infinite. A `definite` form must be positive definite. An `index` is at least
- *   0 and below the number of particles or vertices. `as pw85_contact()` means: as the parameter of
- *   the same name there. `member` names the member of the C++ result that receives an output.
+ * - All lengths have the same unit, which the caller chooses. Forms have the square of this unit.
+ *   μ² and λ are dimensionless.
+ * - The caller owns all arrays, and the library does not use them after the call. Arrays need only
+ *   the alignment of double. Outputs must not share memory with inputs.
+ * - Brackets after the name of a parameter state the shape of an array, such as n×3, the unit, such
+ *   as length², and the allowed values, such as > 0. A pointer that is marked `optional` may be
+ *   null. An input that is marked `or infinite` may be infinite. A form that is marked `definite`
+ *   must be positive definite. An `index` is at least 0 and below the number of particles or
+ *   vertices. `as pw85_contact()` means that pw85_contact() describes the parameter of this name.
+ *   `member` names the member of the C++ result that receives an output.
  * - A function whose name ends in `_2d` does for ellipses what the function without `_2d` does for
- *   ellipsoids. The statuses and all that its contract does not say are as there.
+ *   ellipsoids. It has the same statuses. Everything that its contract does not mention is as for
+ *   ellipsoids.
  * - A function that returns `int` returns a status, which is zero for success. If the status is not
- *   zero, all outputs are NaN, except those whose brackets state another value, as "-1 on error".
- *   The function does not write an output whose pointer is null.
+ *   zero, all outputs are NaN, except those whose brackets state another value, such as "-1 on
+ *   error". The function does not write an output whose pointer is null.
  * - #PW85_EINVAL has three causes, in every function: a pointer that is not optional is null; a
  *   number is NaN or infinite, and its brackets do not allow that; an argument is not what its
  *   brackets state. #PW85_ENOTPD means that a form is not positive definite. pw85_last_error()
- *   tells the argument, the row and the cause. The chapter on errors has a table of all causes.
+ *   returns the argument, the row and the cause. The chapter on errors has a table of all causes.
  * - In bounds on errors, u = 2⁻⁵³ is the unit roundoff of double.
- * - No function prints anything or ends the process. These can allocate memory: neighbour lists,
- *   meshes, pw85_law_forces_pairs(), simulations, ellipsoids around points, n dimensions and GPUs.
- *   Their contracts list #PW85_ENOMEM or #PW85_EDEVICE. All other functions allocate nothing.
+ * - No function prints anything or ends the process. The functions for neighbour lists, meshes,
+ *   simulations, enclosing ellipsoids, n dimensions and GPUs can allocate memory, and so can
+ *   pw85_law_forces_pairs(). Their contracts list #PW85_ENOMEM or #PW85_EDEVICE. All other
+ *   functions allocate no memory.
  * - Any number of threads may call any functions at the same time, but only one thread at a time
- *   may use a simulation. The library keeps two pieces of state: for the process, the mode that
- *   pw85_set_reproducible() sets; for each thread, the error that pw85_last_error() tells.
- * - A function needs at most 16 KiB of stack, or 24 KiB if it works on a mesh. The first call needs
- *   in addition what the dynamic linker takes for lazy binding. The threads that a batch starts
- *   have their own stacks, whose size OMP_STACKSIZE sets.
+ *   may use a simulation. The library keeps two pieces of state: the mode that
+ *   pw85_set_reproducible() sets, for the whole process, and the error that pw85_last_error()
+ *   returns, for each thread.
+ * - A function needs at most 16 KiB of stack, or 24 KiB if it works on a mesh. The first call also
+ *   needs the stack of the dynamic linker for lazy binding. The threads that a batch starts have
+ *   their own stacks, whose size OMP_STACKSIZE sets.
  * - Functions compute in the default floating-point environment. The rounding mode, status flags
- *   and traps of the caller do not change the results, and the functions leave them as they were.
+ *   and traps of the caller do not change the results, and the functions restore them.
  * - If semi-axes and distances are from 1e-150 to 1e150, no intermediate result overflows or
  *   underflows. A result beyond the range of double is infinity or zero.
  * - A form is positive definite if its leading principal minors are positive. The test has no
  *   rounding errors: all functions and instruction sets give the same answer for the same doubles.
- *   It has two limits. The determinant must exceed 2⁻²¹² times the product of the diagonal entries.
- *   Semi-axes may differ by a factor of at most about 1e38.
+ *   The test has two limits. The determinant must exceed 2⁻²¹² times the product of the diagonal
+ *   entries. Semi-axes may differ by a factor of at most about 1e38.
  */
 #ifndef PW85_H_INCLUDED
 #define PW85_H_INCLUDED
@@ -118,16 +123,18 @@ PW85_API char const *pw85_strerror(int status);
  *
  * In this mode all functions give the same bits on every processor and with every number of
  * threads. Processors are x86-64 with any instruction set, 32-bit x86 with SSE2, 64-bit ARM and
- * z/Architecture, of either byte order. The functions use no fused multiplication and addition, and
- * registers of at most two doubles: those of many pairs are slower. pw85_contact_function() returns
- * the numbers of pw85_contact(), because Brent's method is that of another library.
+ * z/Architecture, of either byte order. The functions use no fused multiply-add instruction, and
+ * SIMD registers of at most two doubles. Therefore functions for many pairs are slower.
+ * pw85_contact_function() returns the numbers of pw85_contact(), because the bits of Brent's method
+ * depend on how GSL or Boost was compiled.
  *
  * The mode does not apply to the functions of pw85_gpu.h and pw85_zheng.h, nor to the templates of
  * the C++ headers.
  *
- * The process starts in this mode if the environment variable PW85_REPRODUCIBLE is neither empty
- * nor 0 at the first call of a function. If the mode changes during a call in another thread, that
- * call may compute some of its pairs in either mode.
+ * To start a process in this mode, set the environment variable PW85_REPRODUCIBLE to 1. The library
+ * reads it at the first call of a function; every value except 0 and the empty one switches the
+ * mode on. If the mode changes during a call in another thread, that call may compute some of its
+ * pairs in either mode.
  *
  * @param on 1 or 0
  * @return #PW85_SUCCESS or #PW85_EINVAL */
@@ -157,8 +164,8 @@ PW85_API void pw85_spheroid(double a, double c, double const n[3], double q[6]);
  * @param semi_axes [length; > 0; finite square] lengths of the principal semi-axes (not diameters),
  *        whose squares are in the range of double
  * @param rotation [3×3; rotation] row-major matrix R, which takes the body frame to the space
- *        frame; its columns are the principal directions. An entry of RᵀR - I may be at most 1e-6
- *        in magnitude: single precision is enough. R may be a reflection.
+ *        frame; its columns are the directions of the semi-axes. Each entry of RᵀR - I must be at
+ *        most 1e-6 in magnitude: single precision is enough. R may be a reflection.
  * @param[out] q [length²] the form
  * @return #PW85_SUCCESS or #PW85_EINVAL */
 PW85_API int pw85_ellipsoid(double const semi_axes[3], double const rotation[9], double q[6]);
@@ -166,7 +173,7 @@ PW85_API int pw85_ellipsoid(double const semi_axes[3], double const rotation[9],
 /** Computes the quadratic form of an ellipsoid whose orientation is a quaternion.
  *
  * @param semi_axes [as pw85_ellipsoid()]
- * @param quaternion [!= 0] (w, x, y, z), scalar first, which takes the body frame to the space
+ * @param quaternion [!= 0] (w, x, y, z), scalar first, which rotates the body frame into the space
  *        frame; of any length, because the function normalises it
  * @param[out] q [length²] the form
  * @return #PW85_SUCCESS or #PW85_EINVAL */
@@ -177,7 +184,7 @@ PW85_API int pw85_ellipsoid_quaternion(double const semi_axes[3], double const q
  * that the form loses: see pw85_contact_factored().
  *
  * @param semi_axes,quaternion [as pw85_ellipsoid_quaternion()]
- * @param[out] s [3×3; length] row-major matrix, whose columns are the semi-axes as vectors
+ * @param[out] s [3×3; length] row-major matrix; column k is semi-axis k as a vector
  * @return #PW85_SUCCESS or #PW85_EINVAL */
 PW85_API int pw85_ellipsoid_factor(double const semi_axes[3], double const quaternion[4],
                                    double s[9]);
@@ -213,7 +220,7 @@ PW85_API int pw85_contact(double const r12[3], double const q1[6], double const 
  *
  * μ² is the double nearest to the exact value for the numbers given. If two doubles are equally
  * near, it is the one whose last bit is 0. This rule includes underflow and overflow: a value of
- * 2¹⁰²⁴ - 2⁹⁷⁰ or more becomes infinity. λ errs by less than one unit in the last place.
+ * 2¹⁰²⁴ - 2⁹⁷⁰ or more becomes infinity. The error of λ is less than one unit in the last place.
  *
  * Every processor and every instruction set therefore gives the same μ². Exchanging the two
  * ellipsoids does not change it. Multiplying the unit of length by a power of two does not change
@@ -229,13 +236,13 @@ PW85_API int pw85_contact_rounded(double const r12[3], double const q1[6], doubl
 /** Computes the contact function of two ellipsoids that are given by factors of their forms, Q1 =
  * S1 S1ᵀ and Q2 = S2 S2ᵀ.
  *
- * Use it for slender ellipsoids. An entry of a form is a sum of squares of long and short
- * semi-axes, so rounding it loses digits of the short ones. At aspect ratios 100, 10⁴ and 10⁶,
- * rounding the forms changes μ² by some 1e-12, 1e-8 and 1e-4, and rounding the factors changes it
- * by less than 1e-14, 1e-12 and 1e-12.
+ * Use this function for slender ellipsoids. An entry of a form is a sum of squares of long and
+ * short semi-axes, so rounding the entry loses digits of the short ones. At aspect ratios 100, 10⁴
+ * and 10⁶, rounding the forms changes μ² by about 1e-12, 1e-8 and 1e-4, and rounding the factors
+ * changes μ² by less than 1e-14, 1e-12 and 1e-12.
  *
- * The relative error of μ² is below 4 u c. Here u = 2⁻⁵³, and c is the relative change of μ², to
- * first order, for relative changes of one in the entries of s1, s2 and r12.
+ * The relative error of μ² is below 4 u c, with u = 2⁻⁵³. If each entry of s1, s2 and r12 changes
+ * by at most a fraction ε of itself, μ² changes by at most a fraction ε c, to first order in ε.
  *
  * @param r12 [as pw85_contact()]
  * @param s1,s2 [3×3; length] row-major factors, as from pw85_ellipsoid_factor(). Any matrix S is
@@ -289,12 +296,12 @@ PW85_API int pw85_contact_function(double const r12[3], double const q1[6], doub
 PW85_API int pw85_contact_geometry(double const r12[3], double const q1[6], double const q2[6],
                                    double lambda, double point[3], double normal[3]);
 
-/** Computes the point and the normal of pw85_contact_geometry() for ellipsoids that are given by
- * factors of their forms.
+/** Computes the contact point and the normal, as pw85_contact_geometry() does, for ellipsoids that
+ * are given by factors of their forms.
  *
- * Errors are below 4 u C for the λ given. Here u = 2⁻⁵³. C is the change of the result, to first
- * order, if each entry of s1 and s2 changes by the largest magnitude in its column, and each
- * coordinate of r12 by its own magnitude.
+ * Errors are below 4 u C for the given λ, with u = 2⁻⁵³. C is the largest change of the result, to
+ * first order, if each entry of s1 and s2 changes by the largest magnitude in its column, and each
+ * coordinate of r12 changes by its own magnitude.
  *
  * @param r12 [as pw85_contact_factored(); != 0]
  * @param s1,s2 [as pw85_contact_factored()]
@@ -320,7 +327,7 @@ PW85_API int pw85_contact_gradient(double const r12[3], double const q1[6], doub
 /** Computes the derivatives of μ² for ellipsoids that are given by factors of their forms.
  *
  * The derivative with respect to a factor S is 2 (∂μ²/∂Q) S, where ∂μ²/∂Q is a symmetric matrix. A
- * change dS of the factor changes μ² by Σ d_s_ij dS_ij. The errors have the bound of
+ * change dS of the factor changes μ² by Σ d_s_ij dS_ij. The bound on the errors is 4 u C, as for
  * pw85_contact_geometry_factored().
  *
  * @param r12,s1,s2 [as pw85_contact_factored()]
@@ -348,16 +355,17 @@ PW85_API int pw85_contact_torque(double const r12[3], double const q1[6], double
 
 /** Computes the second derivatives of μ² with respect to r12 and rotations of the ellipsoids.
  *
- * Their relative error is a few times the relative errors of λ and of 1-λ. λ from pw85_contact()
- * has a relative error of some u times the squared aspect ratio, with u = 2⁻⁵³. If ellipsoid 1 is
- * much larger than ellipsoid 2, the relative error of 1-λ is u/(1-λ).
+ * The relative error of the second derivatives is a few times the relative errors of λ and of 1-λ.
+ * If λ comes from pw85_contact(), its relative error is a few u times the squared aspect ratio,
+ * with u = 2⁻⁵³. If ellipsoid 1 is much larger than ellipsoid 2, the relative error of 1-λ is
+ * u/(1-λ).
  *
  * @param r12 [as pw85_contact(); != 0]
  * @param q1,q2 [as pw85_contact()]
  * @param lambda [0..1] the maximiser λ of f, from pw85_contact()
  * @param[out] hessian [9×9; mixed units; member entries] symmetric matrix of second derivatives
  *        with respect to r12, rotation 1 and rotation 2. A rotation vector ω is the rotation by the
- *        angle |ω| about the direction of ω. λ is not held fixed: it maximises f for each pair.
+ *        angle |ω| about the direction of ω. λ varies with the pair: it always maximises f.
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_contact_hessian(double const r12[3], double const q1[6], double const q2[6],
                                   double lambda, double hessian[81]);
@@ -374,20 +382,21 @@ PW85_API int pw85_contact_hessian(double const r12[3], double const q1[6], doubl
 PW85_API int pw85_overlap(double const r12[3], double const q1[6], double const q2[6],
                           int *overlap);
 
-/** Tests whether two ellipsoids overlap that are given by factors of their forms, Q1 = S1 S1ᵀ and
- * Q2 = S2 S2ᵀ.
+/** Tests whether two ellipsoids, given by factors of their forms, overlap: Q1 = S1 S1ᵀ and Q2 = S2
+ * S2ᵀ.
  *
- * The answer is exact for the exact products of the factors given. pw85_overlap() may give another
- * answer for the rounded products. Separating planes and common points, with bounds that account
- * for rounding, decide almost all pairs. Integer arithmetic decides the others if r12 and the
- * entries of s1 and s2 are multiples of one power of two and smaller than 2¹⁵⁰⁰ times this power.
+ * The answer is exact for the unrounded products S Sᵀ of the given factors. pw85_overlap() may give
+ * another answer, because its forms are rounded. Separating planes and common points, with bounds
+ * that account for rounding, decide almost all pairs. Integer arithmetic decides the others, if r12
+ * and the entries of s1 and s2 are multiples of one power of two and smaller than 2¹⁵⁰⁰ times this
+ * power.
  *
  * @param r12 [as pw85_contact_factored()] zero is an overlap
  * @param s1,s2 [as pw85_contact_factored()]
  * @param[out] overlap [-1 on error] 1 or 0
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD (a factor is singular, or nearly),
- *        #PW85_ECONVERGENCE (only integers can decide, because the ellipsoids nearly touch, and the
- *        numbers do not meet this condition) */
+ *        #PW85_ECONVERGENCE (the ellipsoids nearly touch, so that only integers can decide, and the
+ *        numbers do not meet the condition above) */
 PW85_API int pw85_overlap_factored(double const r12[3], double const s1[9], double const s2[9],
                                    int *overlap);
 
@@ -406,11 +415,12 @@ PW85_API int pw85_compare(double const r12[3], double const q1[6], double const 
 /** Tests whether two ellipsoids overlap, as pw85_overlap() does, and returns a number or a point
  * that proves the answer.
  *
- * If the ellipsoids are apart, the proof is a double λ with f(λ) > 1. The function finds one
- * whenever one exists. If they overlap, the proof is a point inside both. The function searches for
- * it near the point at which the ellipsoids, scaled by μ, touch. It may find none if 1 - μ² is
- * below 1e-13. Tangent ellipsoids have no proof: `lambda` and `point` are then NaN, also on
- * success. Rational arithmetic can check a proof, which holds exactly for the numbers given.
+ * If the ellipsoids are apart, the proof is a double λ with f(λ) > 1. The function finds such a λ
+ * if any double has this property. If the ellipsoids overlap, the proof is a point inside both. The
+ * function searches for this point near the contact point of the ellipsoids scaled by μ. The search
+ * may fail if 1 - μ² is below 1e-13. For tangent ellipsoids there is no proof: `lambda` and `point`
+ * are then NaN, also on success. A proof holds exactly for the numbers given, and a program can
+ * check it in rational arithmetic.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] overlap [-1 on error] 1 or 0
@@ -419,14 +429,15 @@ PW85_API int pw85_compare(double const r12[3], double const q1[6], double const 
  * @param[out] point [length; optional] a point inside both ellipsoids and on neither surface,
  *        relative to the centre of ellipsoid 1, if they overlap; otherwise NaN, also on success
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the function finds no
- *        proof among the doubles; seen only where μ² differs from one by less than 1e-13, at aspect
- *        ratios up to 10⁸) */
+ *        proof among the doubles; this was seen only if μ² differs from 1 by less than 1e-13, at
+ *        aspect ratios up to 10⁸) */
 PW85_API int pw85_overlap_witness(double const r12[3], double const q1[6], double const q2[6],
                                   int *overlap, double *lambda, double point[3]);
 
-/** Tests whether ellipsoid 2 is inside ellipsoid 1. It may touch the surface from inside.
+/** Tests whether ellipsoid 2 is inside ellipsoid 1. An ellipsoid 2 that touches the surface from
+ * inside counts as inside.
  *
- * The answer is exact for the numbers given. Every ellipsoid is inside itself.
+ * The answer is exact for the numbers given. Every ellipsoid contains itself.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] contains [-1 on error] 1 or 0
@@ -434,35 +445,34 @@ PW85_API int pw85_overlap_witness(double const r12[3], double const q1[6], doubl
 PW85_API int pw85_contains(double const r12[3], double const q1[6], double const q2[6],
                            int *contains);
 
-/** Computes the least factor by which ellipsoid 1, scaled about its centre, contains ellipsoid 2,
- * and a point where they then touch.
+/** Computes the least factor by which ellipsoid 1 must be scaled about its centre to contain
+ * ellipsoid 2, and a point where the two then touch.
  *
  * The square of the factor is the largest value of xᵀ q1⁻¹ x over the points x of ellipsoid 2,
  * relative to the centre of ellipsoid 1. It is at most 1 if ellipsoid 2 is inside ellipsoid 1;
  * pw85_contains() decides this exactly.
  *
- * The relative error of the square is below 16 u c, with u = 2⁻⁵³. The number c is the relative
- * change of the square, to first order, for relative changes of one in the entries of r12, q1 and
- * q2. Bounds from both sides prove the result.
+ * The relative error of the square is below 16 u c, with u = 2⁻⁵³. If each entry of r12, q1 and q2
+ * changes by at most a fraction ε of itself, the square changes by at most a fraction ε c, to first
+ * order in ε. A lower and an upper bound prove the result.
  *
  * @param r12 [as pw85_contact()] it may be zero
  * @param q1,q2 [as pw85_contact()]
  * @param[out] mu2 [optional] square of the factor
  * @param[out] point [length; optional] a point of contact on the surface of ellipsoid 2, relative
- *        to the centre of ellipsoid 1. There are several such points if r12 = 0, and the result is
- *        one of them. There can also be several if r12 is short and, after the linear map that
- *        makes ellipsoid 1 a unit ball, has no component along the longest semi-axis of ellipsoid
- *        2.
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the bounds cannot be made
- *        to agree; this has never been seen) */
+ *        to the centre of ellipsoid 1. If r12 = 0, there are several such points, and the result is
+ *        one of them. The same holds for a short r12 that has no component along the longest
+ *        semi-axis of ellipsoid 2, after the linear map that makes ellipsoid 1 a unit ball.
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the lower and the upper
+ *        bound do not agree; this has never been seen) */
 PW85_API int pw85_containment(double const r12[3], double const q1[6], double const q2[6],
                               double *mu2, double point[3]);
 
 /** Computes the distance of closest approach of two ellipsoids along a direction.
  *
- * It is the distance of the centres at which the ellipsoids touch from outside, in fixed
- * orientation and with the centres on a line along d = `direction`. It is |d|/μ(d), where μ(d) is μ
- * for r12 = d.
+ * This is the distance of the centres at which the ellipsoids touch from outside, if their
+ * orientations are fixed and the centres are on a line along d = `direction`. It is |d|/μ(d), where
+ * μ(d) is μ for r12 = d.
  *
  * @param direction [!= 0] from centre 1 to centre 2, of any length
  * @param q1,q2 [length²; definite] forms of the ellipsoids
@@ -477,8 +487,8 @@ PW85_API int pw85_closest_approach(double const direction[3], double const q1[6]
 
 /** Computes the volume of an ellipsoid, (4/3)π √det q.
  *
- * The relative error is below 2⁻⁵² if the semi-axes differ by a factor below 10⁷. For a larger
- * factor k it is below 2⁻⁵² k²/10¹⁴.
+ * The relative error is below 2⁻⁵² for aspect ratios below 10⁷. For a larger aspect ratio k it is
+ * below 2⁻⁵² k²/10¹⁴.
  *
  * @param q [length²; definite] form of the ellipsoid
  * @param[out] volume [length³] the volume, in the third power of the unit of length
@@ -494,27 +504,28 @@ PW85_API int pw85_volume(double const q[6], double *volume);
  * coordinates and stored entries, with the derivatives of pw85_overlap_volume_gradient().
  *
  * If the intersection is as thin as rounding errors, V may be 0. If the part of the smaller
- * ellipsoid outside of the other one is as thin, V may be the volume of the smaller ellipsoid.
+ * ellipsoid outside the other one is as thin as rounding errors, V may be the volume of the smaller
+ * ellipsoid.
  *
  * @param r12 [as pw85_contact()] it may be zero
  * @param q1,q2 [as pw85_contact()]
  * @param[out] volume [length³] the volume, in the third power of the unit of length
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the linear map that makes
- *        the smaller ellipsoid a unit ball makes the other one a disc thinner than 2⁻²¹; the
- *        integral does not converge; or 32 digits are not enough for the bound on the error, which
- *        is seen at aspect ratios above 10⁵) */
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (one of three: the linear
+ *        map that makes the smaller ellipsoid a unit ball makes the other one a disc thinner than
+ *        2⁻²¹; the integral does not converge; 32 digits are not enough for the bound on the error,
+ *        which was seen at aspect ratios above 10⁵) */
 PW85_API int pw85_overlap_volume(double const r12[3], double const q1[6], double const q2[6],
                                  double *volume);
 
 /** Computes the derivatives of the volume V of the intersection of two ellipsoids.
  *
  * The derivatives are 0 if the ellipsoids do not overlap. If one ellipsoid is inside the other one,
- * only the derivatives of its own volume are not 0.
+ * V is its volume, and only the derivatives with respect to its form are not 0.
  *
  * The error of the derivative with respect to a number p is below u (256 m + 64 s), with u = 2⁻⁵³.
- * The term s is that of pw85_overlap_volume() with ∂V/∂p in the place of V. The term m depends on
- * the volume v of the smaller ellipsoid, the inverse P of its form, and the inverse P' of the form
- * to which p belongs. It is v √P_ii for p = r12_i, v √(P_ii P'_ii) for a diagonal entry p of a
+ * The term s is defined as for pw85_overlap_volume(), with ∂V/∂p instead of V. The term m depends
+ * on the volume v of the smaller ellipsoid, the inverse P of its form, and the inverse P' of the
+ * form to which p belongs. It is v √P_ii for p = r12_i, v √(P_ii P'_ii) for a diagonal entry p of a
  * form, and v (√(P_ii P'_jj) + √(P_jj P'_ii)) for another entry.
  *
  * @param r12,q1,q2 [as pw85_overlap_volume()]
@@ -523,8 +534,8 @@ PW85_API int pw85_overlap_volume(double const r12[3], double const q1[6], double
  * @param[out] d_q1,d_q2 [length; optional; member q1, q2] derivatives with respect to the stored
  *        entries of q1 and q2 (a stored off-diagonal entry is two entries of the matrix)
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the causes of
- *        pw85_overlap_volume(); or the surfaces touch from inside at one point, up to some 10⁻¹⁷ of
- *        their size, and cross elsewhere) */
+ *        pw85_overlap_volume(); or the surfaces touch from inside at one point, up to about 10⁻¹⁷
+ *        of their size, and cross elsewhere) */
 PW85_API int pw85_overlap_volume_gradient(double const r12[3], double const q1[6],
                                           double const q2[6], double d_r12[3], double d_q1[6],
                                           double d_q2[6]);
@@ -536,9 +547,9 @@ PW85_API int pw85_overlap_volume_gradient(double const r12[3], double const q1[6
  * An energy U(V) exerts the torque -U'(V) d_rot on the ellipsoid. With ∂V/∂r12 from
  * pw85_overlap_volume_gradient(), d_rot1 + d_rot2 + r12 × ∂V/∂r12 = 0.
  *
- * The derivatives are the axial vectors of 2 q1 G1 and 2 q2 G2, where the matrix G has the
- * derivatives ∂V/∂q. Each component is a sum of products 2 q_ij G_jk. Its error is below the sum of
- * 2 |q_ij| times the bound on the error of G_jk.
+ * The derivatives are the axial vectors of 2 q1 G1 and 2 q2 G2, where G is the matrix of the
+ * derivatives ∂V/∂q. Each component is a sum of products 2 q_ij G_jk. The error of a component is
+ * below the sum of 2 |q_ij| times the bound on the error of G_jk.
  *
  * @param r12,q1,q2 [as pw85_overlap_volume()]
  * @param[out] d_rot1,d_rot2 [length³; optional; member rotation1, rotation2] derivatives for
@@ -548,15 +559,15 @@ PW85_API int pw85_overlap_volume_gradient(double const r12[3], double const q1[6
 PW85_API int pw85_overlap_volume_torque(double const r12[3], double const q1[6], double const q2[6],
                                         double d_rot1[3], double d_rot2[3]);
 
-/** Computes the area of an ellipse, π √det q. The error has the bound of pw85_volume().
+/** Computes the area of an ellipse, π √det q. The bound on the error is that of pw85_volume().
  *
  * @param q [length²; definite] form of the ellipse
  * @param[out] area [length²] the area, in the square of the unit of length
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_area_2d(double const q[3], double *area);
 
-/** Computes the area of the intersection of two ellipses; see pw85_overlap_volume(). The error has
- * the bound of that function, with areas for volumes.
+/** Computes the area of the intersection of two ellipses; see pw85_overlap_volume(). The bound on
+ * the error is that of pw85_overlap_volume(), with areas instead of volumes.
  *
  * @param r12,q1,q2 [as pw85_overlap_volume()]
  * @param[out] area [length²] the area, in the square of the unit of length */
@@ -564,7 +575,8 @@ PW85_API int pw85_overlap_area_2d(double const r12[2], double const q1[3], doubl
                                   double *area);
 
 /** Computes the derivatives of the area of the intersection of two ellipses; see
- * pw85_overlap_volume_gradient(). The errors have its bounds, with areas for volumes.
+ * pw85_overlap_volume_gradient(). The bounds on the errors are those of
+ * pw85_overlap_volume_gradient(), with areas instead of volumes.
  *
  * @param r12,q1,q2 [as pw85_overlap_volume_gradient()]
  * @param[out] d_r12 [as pw85_overlap_volume_gradient(); length]
@@ -638,7 +650,8 @@ PW85_API int pw85_overlap_2d(double const r12[2], double const q1[3], double con
 PW85_API int pw85_contains_2d(double const r12[2], double const q1[3], double const q2[3],
                               int *contains);
 
-/** Computes the least factor by which ellipse 1 contains ellipse 2; see pw85_containment().
+/** Computes the least factor by which ellipse 1 must be scaled to contain ellipse 2; see
+ * pw85_containment().
  *
  * @param r12,q1,q2 [as pw85_containment()]
  * @param[out] mu2,point [as pw85_containment()] */
@@ -663,28 +676,29 @@ PW85_API int pw85_closest_approach_2d(double const direction[2], double const q1
  * Σ|n_i q1_ij n_j|/(2α) + Σ|n_i q2_ij n_j|/(2β), summed over all i and j, with n, α and β at the
  * closest points. Rounding the data entry by entry can change the distance by u Σ.
  *
- * A program can check the result. For any unit vector n, n·r12 - α - β is a lower bound of the
- * distance; `distance` is this bound for the normal of pw85_distance_derivatives(). For any two
- * points of the ellipsoids, their distance is an upper bound; one is |point2 - point1|.
+ * A program can check the result by two bounds. For any unit vector n, n·r12 - α - β is a lower
+ * bound of the distance; `distance` is this bound for the normal of pw85_distance_derivatives().
+ * The distance between any two points of the two ellipsoids is an upper bound, such as |point2 -
+ * point1|.
  *
  * Let ε = 2¹⁸ u (|r12| + |point1| + |r12 - point2|). The vector point2 - point1 differs from
- * `distance` times n by less than ε, and its length from `distance` by at most ε. The points are
- * the exact closest points for a pair whose r12 differs by at most ε. Each point is off its surface
- * by less than 2¹⁸ u times the longest semi-axis of its ellipsoid, plus the rounding error u
- * |point2| of the coordinates.
+ * `distance` times n by less than ε, and the length of this vector differs from `distance` by at
+ * most ε. The points are the exact closest points for a pair whose r12 differs by at most ε. Each
+ * point is off its surface by less than 2¹⁸ u times the longest semi-axis of its ellipsoid, plus
+ * the rounding error u |point2| of its coordinates.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] distance [length; optional] the distance, in the unit of r12; zero if the ellipsoids
  *        overlap, as pw85_overlap() decides
  * @param[out] point1,point2 [length; optional] the closest points of ellipsoids 1 and 2, both
  *        relative to the centre of ellipsoid 1; NaN if the ellipsoids overlap, also on success
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the errors cannot be
- *        bounded; seen only beyond aspect ratio 10⁶) */
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the error bound cannot be
+ *        proved; this was seen only at aspect ratios above 10⁶) */
 PW85_API int pw85_distance(double const r12[3], double const q1[6], double const q2[6],
                            double *distance, double point1[3], double point2[3]);
 
-/** Computes the derivatives of the distance of two ellipsoids. They are NaN if the ellipsoids
- * overlap, also on success.
+/** Computes the derivatives of the distance of two ellipsoids. The derivatives are NaN if the
+ * ellipsoids overlap, also on success.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] d_r12 [optional; member r12] derivative with respect to r12: the unit normal at the
@@ -702,16 +716,17 @@ PW85_API int pw85_distance_derivatives(double const r12[3], double const q1[6], 
  * the length of the shortest translation of ellipsoid 2 that separates them.
  *
  * The depth is the smallest value of α + β - n·r12 over unit vectors n, with the half-widths α and
- * β of the ellipsoids along n. This function of n may have several local minima; the result is
- * proved to be the global one. If several directions are equally good, the result is one of them.
+ * β of the ellipsoids along n. This function of n may have several local minima. The library proves
+ * that its result is the global minimum. If several directions give the same value, the result is
+ * one of them.
  *
- * `depth` is the value for the returned direction, with an error below 8 u Σ, with u = 2⁻⁵³ and Σ
- * as for pw85_distance(). No other direction has a value that is smaller by more than 32 u Σ, with
- * the larger Σ of the two directions.
+ * `depth` is the value of α + β - n·r12 for the returned direction n. Its error is below 8 u Σ,
+ * with u = 2⁻⁵³ and Σ as for pw85_distance(). No other direction has a value that is smaller by
+ * more than 32 u Σ, where Σ is the larger one of the two directions.
  *
- * The time is 3 to 8 times that of pw85_contact() for more than nine of ten random pairs, whose
- * minimum a certificate proves. It is 10 to 60 times that of pw85_contact() for the others, and
- * about 1000 times if the best direction is not isolated.
+ * For more than nine of ten random pairs a quick certificate proves the minimum, and the time is 3
+ * to 8 times that of pw85_contact(). For the other pairs the time is 10 to 60 times that of
+ * pw85_contact(), and about 1000 times if the minimum is not isolated.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] depth [length; optional] the depth, in the unit of r12; zero if the ellipsoids do not
@@ -719,25 +734,26 @@ PW85_API int pw85_distance_derivatives(double const r12[3], double const q1[6], 
  * @param[out] direction [optional] unit vector along which ellipsoid 2 must move; NaN if the
  *        ellipsoids do not overlap, also on success
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the proof takes too long;
- *        seen only for forms that are singular to working precision) */
+ *        this was seen only for forms that are singular to working precision) */
 PW85_API int pw85_penetration(double const r12[3], double const q1[6], double const q2[6],
                               double *depth, double direction[3]);
 
-/** Computes the signed distance of two ellipsoids, and the points where it is reached. It is the
- * distance if they are apart, and minus the penetration depth if they overlap.
+/** Computes the signed distance of two ellipsoids, and the points where it is reached. The signed
+ * distance is the distance if the ellipsoids are apart, and minus the penetration depth if they
+ * overlap.
  *
- * In both cases it is the largest value of n·r12 - α - β over unit vectors n, with the half-widths
- * α and β of the ellipsoids along n. It is a continuous, convex function of r12, whose gradient is
- * a unit vector. It is positive only if the ellipsoids are apart, and negative only if they
- * overlap, as pw85_overlap() decides.
+ * In both cases the signed distance is the largest value of n·r12 - α - β over unit vectors n, with
+ * the half-widths α and β of the ellipsoids along n. It is a continuous, convex function of r12,
+ * whose gradient is a unit vector. The sign is exact: positive only if the ellipsoids are apart,
+ * and negative only if they overlap, as pw85_overlap() decides.
  *
  * If the ellipsoids overlap, moving ellipsoid 2 by point1 - point2 is the shortest translation that
- * separates them. If several directions are equally good, the result belongs to one of them.
+ * separates them. If several translations have this length, the result is one of them.
  *
  * Errors and times are as for pw85_distance() if the ellipsoids are apart, and as for
- * pw85_penetration() if they overlap. In an overlap, point2 - point1 differs from `distance` times
- * the unit normal by less than 2¹⁸ u (|r12| + |point1| + |r12 - point2|), with u = 2⁻⁵³. This holds
- * for a direction that is isolated and aspect ratios up to 10³.
+ * pw85_penetration() if they overlap. If the ellipsoids overlap, point2 - point1 differs from
+ * `distance` times the unit normal by less than 2¹⁸ u (|r12| + |point1| + |r12 - point2|), with u =
+ * 2⁻⁵³. This bound holds if the minimum is isolated, for aspect ratios up to 10³.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] distance [length; optional] the signed distance, in the unit of r12
@@ -751,40 +767,43 @@ PW85_API int pw85_signed_distance(double const r12[3], double const q1[6], doubl
 
 /** Computes the derivatives of the signed distance of two ellipsoids.
  *
- * At contact they are the limits from both sides. For the entries of the forms, which have no
- * output, the derivatives are -n_i n_j/(2α) for q1 and -n_i n_j/(2β) for q2, and twice that for
- * entries off the diagonal. Here n = d_r12, with the half-widths α and β along n.
+ * At contact, the derivatives are the limits from both sides. The function has no output for
+ * derivatives with respect to the entries of the forms. They are -n_i n_j/(2α) for q1 and -n_i
+ * n_j/(2β) for q2, and twice that for entries off the diagonal, with n = d_r12 and the half-widths
+ * α and β along n.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] d_r12 [optional; member r12] derivative with respect to r12: the unit normal to both
  *        surfaces at the points of pw85_signed_distance(), out of ellipsoid 1. If several
- *        directions are equally good, the derivative does not exist: the result is one of the
- *        subgradients
+ *        directions give the same signed distance, the derivative does not exist, and the result is
+ *        one of the subgradients
  * @param[out] d_rot1,d_rot2 [length; optional; member rotation1, rotation2] derivatives with
  *        respect to rotations, as for pw85_contact_torque()
  * @param[out] hessian [9×9; mixed units; optional] symmetric matrix of second derivatives, as for
- *        pw85_distance_derivatives(); NaN, also on success, where the best direction is not
- *        isolated, or so nearly so that half of the digits would be lost
+ *        pw85_distance_derivatives(); NaN, also on success, if the extremum over the directions is
+ *        not isolated, or so nearly degenerate that half of the digits would be lost
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for
  *        pw85_signed_distance() */
 PW85_API int pw85_signed_distance_derivatives(double const r12[3], double const q1[6],
                                               double const q2[6], double d_r12[3], double d_rot1[3],
                                               double d_rot2[3], double hessian[81]);
 
-/** Computes the least gap between the surfaces of ellipsoid 1 and of ellipsoid 2 inside it.
+/** Computes the least gap between the surface of ellipsoid 1 and an ellipsoid 2 inside it.
  *
  * Ellipsoid 2 can move by the gap in any direction without leaving ellipsoid 1. The gap is the
  * smallest value of α - β - n·r12 over unit vectors n, with the half-widths α and β of ellipsoids 1
- * and 2 along n. This function of n may have several local minima; the result is proved to be the
- * global one. If several directions are equally good, the result is one of them.
+ * and 2 along n. This function of n may have several local minima. The library proves that its
+ * result is the global minimum. If several directions give the same value, the result is one of
+ * them.
  *
- * `gap` is the value for the returned normal, up to a few roundings. If minima are isolated, no
- * other direction has a value smaller by more than 128 u α (1 + α/β), with u = 2⁻⁵³ and the α and β
- * of the returned normal. If they are not, as on circles of spheroids with a common axis, another
- * direction may have a value smaller by up to 2⁻²⁰ of the gap (2⁻⁴⁰ in two dimensions).
+ * `gap` is the value of α - β - n·r12 for the returned normal n, up to a few roundings. If the
+ * minima are isolated, no other direction has a value that is smaller by more than 128 u α (1 +
+ * α/β), with u = 2⁻⁵³ and α and β along the returned normal. If the minima are not isolated, as for
+ * spheroids with a common axis, another direction may have a value that is smaller by up to 2⁻²⁰ of
+ * the gap (2⁻⁴⁰ in two dimensions).
  *
- * The time is 50 to 300 times that of pw85_contact() for isolated minima, otherwise up to some
- * tenths of a second.
+ * The time is 50 to 300 times that of pw85_contact() if the minima are isolated. Otherwise it is up
+ * to a few tenths of a second.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] gap [length; optional] the gap, in the unit of r12; zero if the ellipsoids touch, or
@@ -792,9 +811,9 @@ PW85_API int pw85_signed_distance_derivatives(double const r12[3], double const 
  * @param[out] point1,point2 [length; optional] the closest points of the surfaces of ellipsoids 1
  *        and 2, both relative to the centre of ellipsoid 1; NaN if ellipsoid 2 is not inside, also
  *        on success
- * @param[out] normal [optional] unit vector out of both ellipsoids at these points, from point2 to
- *        point1: minus the derivative of the gap with respect to r12; NaN if ellipsoid 2 is not
- *        inside, also on success
+ * @param[out] normal [optional] outward unit normal of both ellipsoids at these points, from point2
+ *        to point1; the derivative of the gap with respect to r12 is its negative; NaN if ellipsoid
+ *        2 is not inside, also on success
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the proof takes too long;
  *        this has never been seen) */
 PW85_API int pw85_gap_inside(double const r12[3], double const q1[6], double const q2[6],
@@ -833,12 +852,12 @@ PW85_API int pw85_gap_inside_2d(double const r12[2], double const q1[3], double 
  *
  * The ellipsoids translate at constant velocities, rotate about their centres at constant angular
  * velocities, and grow at constant rates. The time of the first contact is the least time in [0,
- * t_max] at which μ <= 1, or infinity if there is none. The search skips only time intervals that
- * are proved free of contact. It ends at a time at which the contact function shows contact. A
- * larger t_max does not change a bit of a finite result.
+ * t_max] at which μ <= 1, or infinity if there is no contact. The search skips only time intervals
+ * that are proved free of contact, and ends at a time at which μ² = 1 up to rounding. A finite
+ * result does not depend on t_max, not even in its last bit.
  *
- * S is the change of μ², to first order, for relative changes of one in the given numbers. At time
- * t
+ * Let S be the sensitivity of μ² to the given numbers: relative errors ε of the given numbers
+ * change μ² by at most ε S, to first order. At time t
  *
  *     S = cond + Σ_i |∂μ²/∂r_i| (|r12_i| + t |v1_i| + t |v2_i|)
  *             + Σ_k (1 + t |ω_k| + t |g_k|) max|Q_k| Σ_ij |∂μ²/∂Q_k,ij|
@@ -848,12 +867,12 @@ PW85_API int pw85_gap_inside_2d(double const r12[2], double const q1[3], double 
  *
  * At the returned time t, |μ² - 1| <= 80 u S with u = 2⁻⁵³, and μ² >= 1 - 80 u S at all earlier
  * times. The error of t is therefore at most 80 u S/|dμ²/dt| + 2 u t, unless dμ²/dt = 0 (a grazing
- * contact). A pair that misses by no more than 80 u S counts as touching.
+ * contact). If the least μ² exceeds 1 by no more than 80 u S, the pair may count as touching.
  *
- * A pair that overlaps at time 0 has its first contact at time 0. There is one exception, for pairs
- * that have just collided. If the ellipsoids separate at time 0, and touch, or overlap by at most
- * 128 times the bound on the rounding error of μ², t is the time of their next contact. The bound
- * on μ² at earlier times then holds from the time at which they are apart.
+ * A pair that overlaps at time 0 has its first contact at time 0. Pairs that have just collided are
+ * an exception: if the ellipsoids separate at time 0, and touch, or overlap by at most 128 times
+ * the bound on the rounding error of μ², t is the time of their next contact. In this case the
+ * bound on μ² at earlier times holds only from the time at which they are apart.
  * @{ */
 
 /** Motion of an ellipsoid. */
@@ -883,15 +902,16 @@ PW85_API int pw85_first_contact(double const r12[3], double const q1[6], double 
                                 pw85_motion const *motion1, pw85_motion const *motion2,
                                 double t_max, double *t);
 
-/** Computes the least μ² while ellipsoid 2 passes ellipsoid 1 on a straight path, and its time.
+/** Computes the least μ² while ellipsoid 2 translates past ellipsoid 1 on a straight path, and the
+ * time of this minimum.
  *
- * It is the minimum of the contact function for the separations r12 + t velocity, 0 <= t <= t_max.
- * μ² is a convex function of t, so the minimum is unique unless the velocity is zero. Ellipsoids
- * that only translate overlap on this path if and only if the exact minimum is below 1.
+ * This is the minimum of the contact function for the separations r12 + t velocity, 0 <= t <=
+ * t_max. μ² is a convex function of t, so the minimum is unique unless the velocity is zero. The
+ * ellipsoids overlap somewhere on this path if and only if the exact minimum is below 1.
  *
  * The error of μ² is below 8 u S, with u = 2⁻⁵³. Here S = μ² cond + 2 λ(1-λ) Σ|n_i| (|r12_i| + t
- * |velocity_i|), with cond, λ and n of pw85_condition() for the pair at time t. S is the change of
- * μ², to first order, for relative changes of one in the given numbers.
+ * |velocity_i|), with cond, λ and n of pw85_condition() for the pair at time t. Relative errors ε
+ * of the given numbers change μ² by at most ε S, to first order.
  *
  * @param r12,q1,q2 [as pw85_contact()] at time 0
  * @param velocity [length/time] velocity of ellipsoid 2 relative to ellipsoid 1; it may be zero
@@ -911,12 +931,12 @@ PW85_API int pw85_closest_passage(double const r12[3], double const q1[6], doubl
  * 1 + 80 u S, with u = 2⁻⁵³ and S as for pw85_first_contact().
  *
  * t is 0 if the ellipsoids overlap at t = 0, or touch and do not separate. If they separate, an
- * overlap of at most 128 times the bound on the rounding error of μ² does not count.
+ * overlap of at most 128 times the bound on the rounding error of μ² is ignored.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param direction [!= 0] of any length
- * @param t_max [length; >= 0; or infinite] the end of the path, in units of the length of
- *        `direction`: a length if `direction` is a unit vector
+ * @param t_max [length; >= 0; or infinite] the end of the path, as a multiple of `direction`: a
+ *        length if `direction` is a unit vector
  * @param[out] t [length; member length] the free path, in the unit of t_max, from 0 to t_max, or
  *        infinity if there is no contact on the path
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for
@@ -927,7 +947,8 @@ PW85_API int pw85_free_path(double const r12[3], double const q1[6], double cons
 /** @}
  * @name Building blocks
  *
- * Public for tests and studies. Names with two underscores may change between minor versions.
+ * These functions are public for tests and studies. Names with two underscores may change between
+ * minor versions.
  * @{ */
 
 /** Computes the Cholesky factorisation A = L Lᵀ.
@@ -935,7 +956,7 @@ PW85_API int pw85_free_path(double const r12[3], double const q1[6], double cons
  * @param a symmetric positive definite matrix
  * @param[out] l [NaN on error] lower triangle of L by columns: (l11, l21, l31, l22, l32, l33); NaN
  *        if a pivot, computed in double, is not positive. If `a` is singular to working precision,
- *        rounding errors decide this. */
+ *        rounding errors decide whether the result is NaN. */
 PW85_API void pw85__cholesky_decomp(double const a[6], double l[6]);
 
 /** Solves L Lᵀ x = b.
@@ -945,7 +966,8 @@ PW85_API void pw85__cholesky_decomp(double const a[6], double l[6]);
  * @param[out] x solution; may be the same array as b */
 PW85_API void pw85__cholesky_solve(double const l[6], double const b[3], double x[3]);
 
-/** Computes f, the residual g = μ2² - μ1² = -f', whose root is the maximiser of f, and g'.
+/** Computes f, the residual g = μ2² - μ1² = -f' and its derivative g'. The root of g is the
+ * maximiser of f.
  *
  * @param lambda in [0, 1]
  * @param r12,q1,q2 [as pw85_contact()]
@@ -953,7 +975,7 @@ PW85_API void pw85__cholesky_solve(double const l[6], double const b[3], double 
 PW85_API void pw85__residual(double lambda, double const r12[3], double const q1[6],
                              double const q2[6], double out[3]);
 
-/** Computes -f(λ), with the parameters in one array, as minimisers pass them.
+/** Computes -f(λ), with all parameters in one array, as the callback of a minimiser.
  *
  * @param lambda in [0, 1]
  * @param params [15; mixed units] r12, q1, q2, one after the other

@@ -2,9 +2,8 @@
 /** @file pw85_batch.h
  * @brief Many rows: the functions of pw85.h for arrays.
  *
- * The conventions are those of pw85.h. Everything that a contract here does not say, also of an
- * argument, is as for the function of one row. This header is generated from pw85.h: see
- * CONTRIBUTING.md.
+ * The conventions are those of pw85.h. Everything that a contract here does not mention is as for
+ * the function of one row. This header is generated from pw85.h: see CONTRIBUTING.md.
  */
 #ifndef PW85_BATCH_H_INCLUDED
 #define PW85_BATCH_H_INCLUDED
@@ -25,17 +24,18 @@ extern "C" {
  * anything.
  *
  * The result for a pair depends only on the pair and the instruction set, not on its position, the
- * number of pairs or the number of threads. The library uses the newest instruction set that it and
- * the processor know. The environment variable PW85_TARGET selects an older one: baseline, avx2,
- * avx512; neon, sve256, sve512. The library reads it once. pw85_set_reproducible() makes the result
- * independent of the instruction set.
+ * number of pairs or the number of threads. The library uses the newest instruction set for which
+ * it was compiled and which the processor has. The environment variable PW85_TARGET selects an
+ * older one: baseline, avx2 or avx512 on x86-64; baseline, neon, sve256 or sve512 on 64-bit ARM.
+ * The library reads it once. pw85_set_reproducible() makes the result independent of the
+ * instruction set.
  *
  * With OpenMP, threads share the pairs; OMP_NUM_THREADS or omp_set_num_threads() sets their number.
  * The threads of GNU OpenMP do not survive fork(). If a process calls these functions with several
  * threads and then forks, the child must set one thread before it calls them.
  * @{ */
 
-/** Computes pw85_ellipsoid_quaternion() for n ellipsoids, with the same bits.
+/** Computes pw85_ellipsoid_quaternion() for n ellipsoids, with bitwise equal results.
  *
  * @param n [number of ellipsoids]
  * @param semi_axes [n×3; length; > 0; finite square]
@@ -45,7 +45,7 @@ extern "C" {
 PW85_API int pw85_ellipsoid_quaternion_batch(size_t n, double const *semi_axes,
                                              double const *quaternions, double *q);
 
-/** Computes pw85_ellipsoid_factor() for n ellipsoids, with the same bits.
+/** Computes pw85_ellipsoid_factor() for n ellipsoids, with bitwise equal results.
  *
  * @param n [number of ellipsoids]
  * @param semi_axes [n×3; length; > 0; finite square]
@@ -67,7 +67,7 @@ PW85_API int pw85_ellipsoid_factor_batch(size_t n, double const *semi_axes,
 PW85_API int pw85_contact_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                 double *mu2, double *lambda);
 
-/** Computes pw85_contact_rounded() for n pairs, with the same bits.
+/** Computes pw85_contact_rounded() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -77,7 +77,7 @@ PW85_API int pw85_contact_batch(size_t n, double const *r12, double const *q1, d
 PW85_API int pw85_contact_rounded_batch(size_t n, double const *r12, double const *q1,
                                         double const *q2, double *mu2, double *lambda);
 
-/** Computes pw85_contact_factored() for n pairs, with the same bits.
+/** Computes pw85_contact_factored() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -87,7 +87,7 @@ PW85_API int pw85_contact_rounded_batch(size_t n, double const *r12, double cons
 PW85_API int pw85_contact_factored_batch(size_t n, double const *r12, double const *s1,
                                          double const *s2, double *mu2, double *lambda);
 
-/** Computes pw85_condition() for n pairs, with the same bits.
+/** Computes pw85_condition() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -98,7 +98,7 @@ PW85_API int pw85_contact_factored_batch(size_t n, double const *r12, double con
 PW85_API int pw85_condition_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                   double const *lambda, double *cond);
 
-/** Computes pw85_contact_function() for n pairs, with the same bits.
+/** Computes pw85_contact_function() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -108,7 +108,7 @@ PW85_API int pw85_condition_batch(size_t n, double const *r12, double const *q1,
 PW85_API int pw85_contact_function_batch(size_t n, double const *r12, double const *q1,
                                          double const *q2, double *mu2, double *lambda);
 
-/** Computes pw85_contact_geometry() for n pairs, with the same bits.
+/** Computes pw85_contact_geometry() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length; != 0]
@@ -121,7 +121,7 @@ PW85_API int pw85_contact_geometry_batch(size_t n, double const *r12, double con
                                          double const *q2, double const *lambda, double *point,
                                          double *normal);
 
-/** Computes pw85_contact_geometry_factored() for n pairs, with the same bits.
+/** Computes pw85_contact_geometry_factored() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length; != 0]
@@ -134,7 +134,7 @@ PW85_API int pw85_contact_geometry_factored_batch(size_t n, double const *r12, d
                                                   double const *s2, double const *lambda,
                                                   double *point, double *normal);
 
-/** Computes pw85_contact_gradient() for n pairs, with the same bits.
+/** Computes pw85_contact_gradient() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -147,7 +147,7 @@ PW85_API int pw85_contact_gradient_batch(size_t n, double const *r12, double con
                                          double const *q2, double const *lambda, double *d_r12,
                                          double *d_q1, double *d_q2);
 
-/** Computes pw85_contact_gradient_factored() for n pairs, with the same bits.
+/** Computes pw85_contact_gradient_factored() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -160,7 +160,7 @@ PW85_API int pw85_contact_gradient_factored_batch(size_t n, double const *r12, d
                                                   double const *s2, double const *lambda,
                                                   double *d_r12, double *d_s1, double *d_s2);
 
-/** Computes pw85_contact_torque() for n pairs, with the same bits.
+/** Computes pw85_contact_torque() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -172,7 +172,7 @@ PW85_API int pw85_contact_torque_batch(size_t n, double const *r12, double const
                                        double const *q2, double const *lambda, double *d_rot1,
                                        double *d_rot2);
 
-/** Computes pw85_contact_hessian() for n pairs, with the same bits.
+/** Computes pw85_contact_hessian() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length; != 0]
@@ -237,7 +237,7 @@ PW85_API int pw85_overlap_witness_batch(size_t n, double const *r12, double cons
 PW85_API int pw85_contains_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                  unsigned char *contains);
 
-/** Computes pw85_containment() for n pairs, with the same bits.
+/** Computes pw85_containment() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -259,7 +259,7 @@ PW85_API int pw85_containment_batch(size_t n, double const *r12, double const *q
 PW85_API int pw85_closest_approach_batch(size_t n, double const *directions, double const *q1,
                                          double const *q2, double *distance);
 
-/** Computes pw85_volume() for n ellipsoids, with the same bits.
+/** Computes pw85_volume() for n ellipsoids, with bitwise equal results.
  *
  * @param n [number of ellipsoids]
  * @param q [n×6; length²; definite]
@@ -267,7 +267,7 @@ PW85_API int pw85_closest_approach_batch(size_t n, double const *directions, dou
  * @return as for pw85_volume(), of the first bad ellipsoid */
 PW85_API int pw85_volume_batch(size_t n, double const *q, double *volume);
 
-/** Computes pw85_overlap_volume() for n pairs, with the same bits.
+/** Computes pw85_overlap_volume() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -277,7 +277,7 @@ PW85_API int pw85_volume_batch(size_t n, double const *q, double *volume);
 PW85_API int pw85_overlap_volume_batch(size_t n, double const *r12, double const *q1,
                                        double const *q2, double *volume);
 
-/** Computes pw85_overlap_volume_gradient() for n pairs, with the same bits.
+/** Computes pw85_overlap_volume_gradient() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -289,7 +289,7 @@ PW85_API int pw85_overlap_volume_gradient_batch(size_t n, double const *r12, dou
                                                 double const *q2, double *d_r12, double *d_q1,
                                                 double *d_q2);
 
-/** Computes pw85_overlap_volume_torque() for n pairs, with the same bits.
+/** Computes pw85_overlap_volume_torque() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -299,7 +299,7 @@ PW85_API int pw85_overlap_volume_gradient_batch(size_t n, double const *r12, dou
 PW85_API int pw85_overlap_volume_torque_batch(size_t n, double const *r12, double const *q1,
                                               double const *q2, double *d_rot1, double *d_rot2);
 
-/** Computes pw85_area_2d() for n ellipses, with the same bits.
+/** Computes pw85_area_2d() for n ellipses, with bitwise equal results.
  *
  * @param n [number of ellipses]
  * @param q [n×3; length²; definite]
@@ -307,7 +307,7 @@ PW85_API int pw85_overlap_volume_torque_batch(size_t n, double const *r12, doubl
  * @return as for pw85_area_2d(), of the first bad ellipse */
 PW85_API int pw85_area_batch_2d(size_t n, double const *q, double *area);
 
-/** Computes pw85_overlap_area_2d() for n pairs, with the same bits.
+/** Computes pw85_overlap_area_2d() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×2; length]
@@ -317,7 +317,7 @@ PW85_API int pw85_area_batch_2d(size_t n, double const *q, double *area);
 PW85_API int pw85_overlap_area_batch_2d(size_t n, double const *r12, double const *q1,
                                         double const *q2, double *area);
 
-/** Computes pw85_overlap_area_gradient_2d() for n pairs, with the same bits.
+/** Computes pw85_overlap_area_gradient_2d() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×2; length]
@@ -329,7 +329,7 @@ PW85_API int pw85_overlap_area_gradient_batch_2d(size_t n, double const *r12, do
                                                  double const *q2, double *d_r12, double *d_q1,
                                                  double *d_q2);
 
-/** Computes pw85_overlap_area_torque_2d() for n pairs, with the same bits.
+/** Computes pw85_overlap_area_torque_2d() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×2; length]
@@ -350,7 +350,7 @@ PW85_API int pw85_overlap_area_torque_batch_2d(size_t n, double const *r12, doub
 PW85_API int pw85_contact_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
                                    double *mu2, double *lambda);
 
-/** Computes pw85_contact_geometry_2d() for n pairs, with the same bits.
+/** Computes pw85_contact_geometry_2d() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×2; length; != 0]
@@ -363,7 +363,7 @@ PW85_API int pw85_contact_geometry_batch_2d(size_t n, double const *r12, double 
                                             double const *q2, double const *lambda, double *point,
                                             double *normal);
 
-/** Computes pw85_contact_gradient_2d() for n pairs, with the same bits.
+/** Computes pw85_contact_gradient_2d() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×2; length]
@@ -376,7 +376,7 @@ PW85_API int pw85_contact_gradient_batch_2d(size_t n, double const *r12, double 
                                             double const *q2, double const *lambda, double *d_r12,
                                             double *d_q1, double *d_q2);
 
-/** Computes pw85_contact_torque_2d() for n pairs, with the same bits.
+/** Computes pw85_contact_torque_2d() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×2; length]
@@ -388,7 +388,7 @@ PW85_API int pw85_contact_torque_batch_2d(size_t n, double const *r12, double co
                                           double const *q2, double const *lambda, double *d_rot1,
                                           double *d_rot2);
 
-/** Computes pw85_contact_hessian_2d() for n pairs, with the same bits.
+/** Computes pw85_contact_hessian_2d() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×2; length; != 0]
@@ -409,7 +409,7 @@ PW85_API int pw85_contact_hessian_batch_2d(size_t n, double const *r12, double c
 PW85_API int pw85_overlap_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
                                    unsigned char *overlap);
 
-/** Computes pw85_closest_approach_2d() for n pairs, with the same bits.
+/** Computes pw85_closest_approach_2d() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param directions [n×2; != 0]
@@ -430,7 +430,7 @@ PW85_API int pw85_closest_approach_batch_2d(size_t n, double const *directions, 
 PW85_API int pw85_distance_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                  double *distance, double *point1, double *point2);
 
-/** Computes pw85_distance_derivatives() for n pairs, with the same bits.
+/** Computes pw85_distance_derivatives() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -443,7 +443,7 @@ PW85_API int pw85_distance_derivatives_batch(size_t n, double const *r12, double
                                              double const *q2, double *d_r12, double *d_rot1,
                                              double *d_rot2, double *hessian);
 
-/** Computes pw85_penetration() for n pairs, with the same bits.
+/** Computes pw85_penetration() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -454,7 +454,7 @@ PW85_API int pw85_distance_derivatives_batch(size_t n, double const *r12, double
 PW85_API int pw85_penetration_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                     double *depth, double *direction);
 
-/** Computes pw85_signed_distance() for n pairs, with the same bits.
+/** Computes pw85_signed_distance() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -466,7 +466,7 @@ PW85_API int pw85_signed_distance_batch(size_t n, double const *r12, double cons
                                         double const *q2, double *distance, double *point1,
                                         double *point2);
 
-/** Computes pw85_signed_distance_derivatives() for n pairs, with the same bits.
+/** Computes pw85_signed_distance_derivatives() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -479,7 +479,7 @@ PW85_API int pw85_signed_distance_derivatives_batch(size_t n, double const *r12,
                                                     double const *q2, double *d_r12, double *d_rot1,
                                                     double *d_rot2, double *hessian);
 
-/** Computes pw85_gap_inside() for n pairs, with the same bits.
+/** Computes pw85_gap_inside() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -491,7 +491,7 @@ PW85_API int pw85_signed_distance_derivatives_batch(size_t n, double const *r12,
 PW85_API int pw85_gap_inside_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                    double *gap, double *point1, double *point2, double *normal);
 
-/** Computes pw85_distance_2d() for n pairs, with the same bits.
+/** Computes pw85_distance_2d() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×2; length]
@@ -502,7 +502,7 @@ PW85_API int pw85_gap_inside_batch(size_t n, double const *r12, double const *q1
 PW85_API int pw85_distance_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
                                     double *distance, double *point1, double *point2);
 
-/** Computes pw85_penetration_2d() for n pairs, with the same bits.
+/** Computes pw85_penetration_2d() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×2; length]
@@ -513,7 +513,7 @@ PW85_API int pw85_distance_batch_2d(size_t n, double const *r12, double const *q
 PW85_API int pw85_penetration_batch_2d(size_t n, double const *r12, double const *q1,
                                        double const *q2, double *depth, double *direction);
 
-/** Computes pw85_signed_distance_2d() for n pairs, with the same bits.
+/** Computes pw85_signed_distance_2d() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×2; length]
@@ -525,7 +525,7 @@ PW85_API int pw85_signed_distance_batch_2d(size_t n, double const *r12, double c
                                            double const *q2, double *distance, double *point1,
                                            double *point2);
 
-/** Computes pw85_gap_inside_2d() for n pairs, with the same bits.
+/** Computes pw85_gap_inside_2d() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×2; length]
@@ -538,7 +538,7 @@ PW85_API int pw85_gap_inside_batch_2d(size_t n, double const *r12, double const 
                                       double const *q2, double *gap, double *point1, double *point2,
                                       double *normal);
 
-/** Computes pw85_first_contact() for n pairs, with the same bits.
+/** Computes pw85_first_contact() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -566,7 +566,7 @@ PW85_API int pw85_closest_passage_batch(size_t n, double const *r12, double cons
                                         double const *q2, double const *velocity, double t_max,
                                         double *mu2, double *t);
 
-/** Computes pw85_free_path() for n pairs, with the same bits.
+/** Computes pw85_free_path() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -578,7 +578,7 @@ PW85_API int pw85_closest_passage_batch(size_t n, double const *r12, double cons
 PW85_API int pw85_free_path_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                   double const *directions, double const *t_max, double *t);
 
-/** Computes pw85_curvature() for n ellipsoids, with the same bits.
+/** Computes pw85_curvature() for n ellipsoids, with bitwise equal results.
  *
  * @param n [number of ellipsoids]
  * @param normals [n×3; != 0]
@@ -589,7 +589,7 @@ PW85_API int pw85_free_path_batch(size_t n, double const *r12, double const *q1,
 PW85_API int pw85_curvature_batch(size_t n, double const *normals, double const *q,
                                   double *curvatures, double *directions);
 
-/** Computes pw85_hertz() for n contacts, with the same bits.
+/** Computes pw85_hertz() for n contacts, with bitwise equal results.
  *
  * @param n [number of contacts]
  * @param curvatures [n×2; 1/length; > 0]
@@ -598,7 +598,7 @@ PW85_API int pw85_curvature_batch(size_t n, double const *normals, double const 
  * @return as for pw85_hertz(), of the first bad contact */
 PW85_API int pw85_hertz_batch(size_t n, double const *curvatures, double *radius, double *ellipse);
 
-/** Computes pw85_hertz_contact() for n pairs, with the same bits.
+/** Computes pw85_hertz_contact() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -634,7 +634,7 @@ PW85_API int pw85_grain_contact_batch(size_t n, double const *r12, double const 
                                       double *depth, double *point, double *curvatures,
                                       double *radius);
 
-/** Computes pw85_grain_radius_gradient() for n pairs, with the same bits.
+/** Computes pw85_grain_radius_gradient() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -647,7 +647,7 @@ PW85_API int pw85_grain_radius_gradient_batch(size_t n, double const *r12, doubl
                                               double const *q2, double const *normals,
                                               double *d_r12, double *d_rot1, double *d_rot2);
 
-/** Computes pw85_grain_contact_wall() for n ellipsoids and walls, with the same bits.
+/** Computes pw85_grain_contact_wall() for n ellipsoids and walls, with bitwise equal results.
  *
  * @param n [number of ellipsoids]
  * @param normals [n×3; != 0]
@@ -665,7 +665,7 @@ PW85_API int pw85_grain_contact_wall_batch(size_t n, double const *normals, doub
                                            double const *q, double *depth, double *point,
                                            double *curvatures, double *radius);
 
-/** Computes pw85_surface_area() for n ellipsoids, with the same bits.
+/** Computes pw85_surface_area() for n ellipsoids, with bitwise equal results.
  *
  * @param n [number of ellipsoids]
  * @param q [n×6; length²; definite]
@@ -673,7 +673,7 @@ PW85_API int pw85_grain_contact_wall_batch(size_t n, double const *normals, doub
  * @return as for pw85_surface_area(), of the first bad ellipsoid */
 PW85_API int pw85_surface_area_batch(size_t n, double const *q, double *area);
 
-/** Computes pw85_second_moments() for n ellipsoids, with the same bits.
+/** Computes pw85_second_moments() for n ellipsoids, with bitwise equal results.
  *
  * @param n [number of ellipsoids]
  * @param q [n×6; length²; definite]
@@ -681,7 +681,7 @@ PW85_API int pw85_surface_area_batch(size_t n, double const *q, double *area);
  * @return as for pw85_second_moments(), of the first bad ellipsoid */
 PW85_API int pw85_second_moments_batch(size_t n, double const *q, double *moments);
 
-/** Computes pw85_from_moments() for n ellipsoids, with the same bits.
+/** Computes pw85_from_moments() for n ellipsoids, with bitwise equal results.
  *
  * @param n [number of ellipsoids]
  * @param second_moments [n×6; length²; definite]
@@ -689,7 +689,7 @@ PW85_API int pw85_second_moments_batch(size_t n, double const *q, double *moment
  * @return as for pw85_from_moments(), of the first bad ellipsoid */
 PW85_API int pw85_from_moments_batch(size_t n, double const *second_moments, double *q);
 
-/** Computes pw85_shell_moments() for n ellipsoids, with the same bits.
+/** Computes pw85_shell_moments() for n ellipsoids, with bitwise equal results.
  *
  * @param n [number of ellipsoids]
  * @param q [n×6; length²; definite]
@@ -697,7 +697,7 @@ PW85_API int pw85_from_moments_batch(size_t n, double const *second_moments, dou
  * @return as for pw85_shell_moments(), of the first bad ellipsoid */
 PW85_API int pw85_shell_moments_batch(size_t n, double const *q, double *moments);
 
-/** Computes pw85_inertia() for n ellipsoids, with the same bits.
+/** Computes pw85_inertia() for n ellipsoids, with bitwise equal results.
  *
  * @param n [number of ellipsoids]
  * @param q [n×6; length²; definite]
@@ -706,7 +706,7 @@ PW85_API int pw85_shell_moments_batch(size_t n, double const *q, double *moments
  * @return as for pw85_inertia(), of the first bad ellipsoid */
 PW85_API int pw85_inertia_batch(size_t n, double const *q, int shell, double *inertia);
 
-/** Computes pw85_perimeter_2d() for n ellipses, with the same bits.
+/** Computes pw85_perimeter_2d() for n ellipses, with bitwise equal results.
  *
  * @param n [number of ellipses]
  * @param q [n×3; length²; definite]
@@ -714,7 +714,7 @@ PW85_API int pw85_inertia_batch(size_t n, double const *q, int shell, double *in
  * @return as for pw85_perimeter_2d(), of the first bad ellipse */
 PW85_API int pw85_perimeter_batch_2d(size_t n, double const *q, double *perimeter);
 
-/** Computes pw85_second_moments_2d() for n ellipses, with the same bits.
+/** Computes pw85_second_moments_2d() for n ellipses, with bitwise equal results.
  *
  * @param n [number of ellipses]
  * @param q [n×3; length²; definite]
@@ -722,7 +722,7 @@ PW85_API int pw85_perimeter_batch_2d(size_t n, double const *q, double *perimete
  * @return as for pw85_second_moments_2d(), of the first bad ellipse */
 PW85_API int pw85_second_moments_batch_2d(size_t n, double const *q, double *moments);
 
-/** Computes pw85_from_moments_2d() for n ellipses, with the same bits.
+/** Computes pw85_from_moments_2d() for n ellipses, with bitwise equal results.
  *
  * @param n [number of ellipses]
  * @param second_moments [n×3; length²; definite]
@@ -730,7 +730,7 @@ PW85_API int pw85_second_moments_batch_2d(size_t n, double const *q, double *mom
  * @return as for pw85_from_moments_2d(), of the first bad ellipse */
 PW85_API int pw85_from_moments_batch_2d(size_t n, double const *second_moments, double *q);
 
-/** Computes pw85_shell_moments_2d() for n ellipses, with the same bits.
+/** Computes pw85_shell_moments_2d() for n ellipses, with bitwise equal results.
  *
  * @param n [number of ellipses]
  * @param q [n×3; length²; definite]
@@ -738,7 +738,7 @@ PW85_API int pw85_from_moments_batch_2d(size_t n, double const *second_moments, 
  * @return as for pw85_shell_moments_2d(), of the first bad ellipse */
 PW85_API int pw85_shell_moments_batch_2d(size_t n, double const *q, double *moments);
 
-/** Computes pw85_distance_plane() for n ellipsoids and half-spaces, with the same bits.
+/** Computes pw85_distance_plane() for n ellipsoids and half-spaces, with bitwise equal results.
  *
  * @param n [number of ellipsoids]
  * @param normals [n×3; != 0]
@@ -750,7 +750,8 @@ PW85_API int pw85_shell_moments_batch_2d(size_t n, double const *q, double *mome
 PW85_API int pw85_distance_plane_batch(size_t n, double const *normals, double const *offsets,
                                        double const *q, double *distance, double *point);
 
-/** Computes pw85_distance_plane_derivatives() for n ellipsoids and half-spaces, with the same bits.
+/** Computes pw85_distance_plane_derivatives() for n ellipsoids and half-spaces, with bitwise equal
+ * results.
  *
  * @param n [number of ellipsoids]
  * @param normals [n×3; != 0]
@@ -761,7 +762,7 @@ PW85_API int pw85_distance_plane_batch(size_t n, double const *normals, double c
 PW85_API int pw85_distance_plane_derivatives_batch(size_t n, double const *normals, double const *q,
                                                    double *d_center, double *d_rot);
 
-/** Computes pw85_contact_plane() for n ellipsoids and half-spaces, with the same bits.
+/** Computes pw85_contact_plane() for n ellipsoids and half-spaces, with bitwise equal results.
  *
  * @param n [number of ellipsoids]
  * @param normals [n×3; != 0]
@@ -773,7 +774,8 @@ PW85_API int pw85_distance_plane_derivatives_batch(size_t n, double const *norma
 PW85_API int pw85_contact_plane_batch(size_t n, double const *normals, double const *offsets,
                                       double const *q, double *mu2, double *point);
 
-/** Computes pw85_contact_plane_derivatives() for n ellipsoids and half-spaces, with the same bits.
+/** Computes pw85_contact_plane_derivatives() for n ellipsoids and half-spaces, with bitwise equal
+ * results.
  *
  * @param n [number of ellipsoids]
  * @param normals [n×3; != 0]
@@ -786,7 +788,7 @@ PW85_API int pw85_contact_plane_derivatives_batch(size_t n, double const *normal
                                                   double const *offsets, double const *q,
                                                   double *d_center, double *d_rot);
 
-/** Computes pw85_distance_box() for n ellipsoids and boxes, with the same bits.
+/** Computes pw85_distance_box() for n ellipsoids and boxes, with bitwise equal results.
  *
  * @param n [number of ellipsoids]
  * @param lower,upper [n×3; length; lower <= upper]
@@ -799,7 +801,7 @@ PW85_API int pw85_distance_box_batch(size_t n, double const *lower, double const
                                      double const *q, double *distance, double *point,
                                      double *normal);
 
-/** Computes pw85_distance_cylinder() for n ellipsoids and cylinders, with the same bits.
+/** Computes pw85_distance_cylinder() for n ellipsoids and cylinders, with bitwise equal results.
  *
  * @param n [number of ellipsoids]
  * @param axis [n×3; != 0]
@@ -814,7 +816,7 @@ PW85_API int pw85_distance_cylinder_batch(size_t n, double const *axis, double c
                                           double const *center, double const *q, double *distance,
                                           double *point, double *normal);
 
-/** Computes pw85_distance_point() for n points and ellipsoids, with the same bits.
+/** Computes pw85_distance_point() for n points and ellipsoids, with bitwise equal results.
  *
  * @param n [number of points]
  * @param r [n×3; length]
@@ -826,7 +828,7 @@ PW85_API int pw85_distance_cylinder_batch(size_t n, double const *axis, double c
 PW85_API int pw85_distance_point_batch(size_t n, double const *r, double const *q, double *distance,
                                        double *point, double *normal);
 
-/** Computes pw85_intersect_line() for n lines and ellipsoids, with the same bits.
+/** Computes pw85_intersect_line() for n lines and ellipsoids, with bitwise equal results.
  *
  * @param n [number of lines]
  * @param origin [n×3; length]
@@ -837,7 +839,8 @@ PW85_API int pw85_distance_point_batch(size_t n, double const *r, double const *
 PW85_API int pw85_intersect_line_batch(size_t n, double const *origin, double const *directions,
                                        double const *q, double *enter, double *leave);
 
-/** Computes pw85_overlap_volume_plane() for n ellipsoids and half-spaces, with the same bits.
+/** Computes pw85_overlap_volume_plane() for n ellipsoids and half-spaces, with bitwise equal
+ * results.
  *
  * @param n [number of ellipsoids]
  * @param normals [n×3; != 0]
@@ -916,7 +919,7 @@ PW85_API int pw85_overlap_triangle_batch(size_t n, double const *vertex1, double
 PW85_API int pw85_overlap_box_batch(size_t n, double const *lower, double const *upper,
                                     double const *q, unsigned char *overlap);
 
-/** Computes pw85_distance_segment() for n ellipsoids and segments, with the same bits.
+/** Computes pw85_distance_segment() for n ellipsoids and segments, with bitwise equal results.
  *
  * @param n [number of ellipsoids]
  * @param end1,end2 [n×3; length]
@@ -929,7 +932,7 @@ PW85_API int pw85_distance_segment_batch(size_t n, double const *end1, double co
                                          double const *q, double *distance, double *point1,
                                          double *point2, double *normal);
 
-/** Computes pw85_distance_triangle() for n ellipsoids and triangles, with the same bits.
+/** Computes pw85_distance_triangle() for n ellipsoids and triangles, with bitwise equal results.
  *
  * @param n [number of ellipsoids]
  * @param vertex1,vertex2,vertex3 [n×3; length]
@@ -942,7 +945,7 @@ PW85_API int pw85_distance_triangle_batch(size_t n, double const *vertex1, doubl
                                           double const *vertex3, double const *q, double *distance,
                                           double *point1, double *point2, double *normal);
 
-/** Computes pw85_distance_solid_box() for n ellipsoids and boxes, with the same bits.
+/** Computes pw85_distance_solid_box() for n ellipsoids and boxes, with bitwise equal results.
  *
  * @param n [number of ellipsoids]
  * @param lower,upper [n×3; length; lower <= upper]
@@ -955,7 +958,7 @@ PW85_API int pw85_distance_solid_box_batch(size_t n, double const *lower, double
                                            double const *q, double *distance, double *point1,
                                            double *point2, double *normal);
 
-/** Computes pw85_contact_capsule() for n ellipsoids and capsules, with the same bits.
+/** Computes pw85_contact_capsule() for n ellipsoids and capsules, with bitwise equal results.
  *
  * @param n [number of ellipsoids]
  * @param end1,end2 [n×3; length]
@@ -980,7 +983,7 @@ PW85_API int pw85_overlap_capsule_batch(size_t n, double const *end1, double con
                                         double const *radius, double const *q,
                                         unsigned char *overlap);
 
-/** Computes pw85_distance_capsule() for n ellipsoids and capsules, with the same bits.
+/** Computes pw85_distance_capsule() for n ellipsoids and capsules, with bitwise equal results.
  *
  * @param n [number of ellipsoids]
  * @param end1,end2 [n×3; length]
@@ -994,7 +997,7 @@ PW85_API int pw85_distance_capsule_batch(size_t n, double const *end1, double co
                                          double const *radius, double const *q, double *distance,
                                          double *point1, double *point2, double *normal);
 
-/** Computes pw85_distance_point_2d() for n points and ellipses, with the same bits.
+/** Computes pw85_distance_point_2d() for n points and ellipses, with bitwise equal results.
  *
  * @param n [number of points]
  * @param r [n×2; length]
@@ -1006,7 +1009,7 @@ PW85_API int pw85_distance_capsule_batch(size_t n, double const *end1, double co
 PW85_API int pw85_distance_point_batch_2d(size_t n, double const *r, double const *q,
                                           double *distance, double *point, double *normal);
 
-/** Computes pw85_contact_segment_2d() for n ellipses and segments, with the same bits.
+/** Computes pw85_contact_segment_2d() for n ellipses and segments, with bitwise equal results.
  *
  * @param n [number of ellipses]
  * @param end1,end2 [n×2; length]
@@ -1017,7 +1020,7 @@ PW85_API int pw85_distance_point_batch_2d(size_t n, double const *r, double cons
 PW85_API int pw85_contact_segment_batch_2d(size_t n, double const *end1, double const *end2,
                                            double const *q, double *mu2, double *point);
 
-/** Computes pw85_contact_box_2d() for n ellipses and boxes, with the same bits.
+/** Computes pw85_contact_box_2d() for n ellipses and boxes, with bitwise equal results.
  *
  * @param n [number of ellipses]
  * @param lower,upper [n×2; length; lower <= upper]
@@ -1048,9 +1051,9 @@ PW85_API int pw85_overlap_segment_batch_2d(size_t n, double const *end1, double 
 PW85_API int pw85_overlap_box_batch_2d(size_t n, double const *lower, double const *upper,
                                        double const *q, unsigned char *overlap);
 
-/** Computes all that the forces and torques of an energy U(μ²) need, for n pairs: the results of
- * pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and pw85_contact_torque(). A
- * pair with r12 = 0 is valid: its derivatives are zero, its point and normal NaN.
+/** Computes for n pairs the results of pw85_contact(), pw85_contact_geometry(),
+ * pw85_contact_gradient() and pw85_contact_torque(), from which the forces and torques of an energy
+ * U(μ²) follow. A pair with r12 = 0 is valid: its derivatives are zero, its point and normal NaN.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -1071,8 +1074,8 @@ PW85_API int pw85_contact_derivatives_batch(size_t n, double const *r12, double 
 /** Computes pw85_contact_polytope() for many ellipsoids and one polytope. The centres may be
  * anywhere.
  *
- * The bound of the error has |offset_k| + |normal_k|·|center| in the place of |offset_k|, and 40 in
- * the place of 32.
+ * The bound on the error is that of pw85_contact_polytope(), with |offset_k| + |normal_k|·|center|
+ * instead of |offset_k|, and 40 instead of 32.
  *
  * @param num_ellipsoids [number of ellipsoids] 0 is allowed
  * @param centers [num_ellipsoids×3; length]
@@ -1088,7 +1091,7 @@ PW85_API int pw85_contact_polytope_batch(size_t num_ellipsoids, double const *ce
                                          double const *q, size_t num_planes, double const *normals,
                                          double const *offsets, double *mu2, double *point);
 
-/** Tests whether many ellipsoids overlap one polytope, for example which of them a camera sees; see
+/** Tests which of many ellipsoids overlap one polytope, such as the frustum of a camera; see
  * pw85_overlap_polytope(). The answers are exact for the centres and planes given.
  *
  * @param num_ellipsoids [number of ellipsoids] 0 is allowed

@@ -18,25 +18,26 @@ extern "C" {
 
 /** Computes the ellipsoid of least volume around points, up to a tolerance, with a proof.
  *
- * Every point is inside the ellipsoid or on it, in exact arithmetic for the numbers that are
- * returned. The volume is at most 1 + excess times the least volume. With #PW85_SUCCESS the excess
- * is at most the tolerance.
+ * Every point is inside the returned ellipsoid or on its surface; this holds in exact arithmetic
+ * for the returned numbers. The volume is at most 1 + excess times the least volume. If the status
+ * is #PW85_SUCCESS, the excess is at most the tolerance.
  *
- * Rounding the centre and the form to double limits the excess. The form adds about n u κ, with u =
- * 2⁻⁵³. Here κ is the condition number of the form in those units of the coordinates that make it
- * least: 1 for axes along the coordinates, the square of the aspect ratio for general axes. The
- * centre adds about n u D/a, with the distance D of the points from 0 and the shortest semi-axis a:
- * move points that are far from 0 first.
+ * The excess cannot be arbitrarily small, because the centre and the form are rounded to double.
+ * Rounding the form adds about n u κ to the excess, with u = 2⁻⁵³. Here κ is the least condition
+ * number of the form over all choices of units for the coordinates: 1 for axes along the
+ * coordinates, and the square of the aspect ratio for general axes. Rounding the centre adds about
+ * n u D/a, with the distance D of the points from 0 and the shortest semi-axis a: if points are far
+ * from 0, translate them first.
  *
- * Points in a hyperplane have an ellipsoid without volume. With #PW85_ENOTPD, the outputs are the
- * smallest ellipsoid in the affine hull of the points: q is singular, with rank k < n, and the
- * excess is that of the volume in k dimensions. This ellipsoid is not proved. Points can be outside
- * by rounding errors, and across the hull by their distance from it. All points equal give k = 0
- * and q = 0.
+ * If all points are in a hyperplane, the smallest ellipsoid has no volume. The status is then
+ * #PW85_ENOTPD, and the outputs are the smallest ellipsoid in the affine hull of the points: q is
+ * singular, with rank k < n, and the excess is that of the volume in k dimensions. There is no
+ * proof for this ellipsoid: points can be outside by rounding errors, and by their distance from
+ * the hull. If all points are equal, k = 0 and q = 0.
  *
- * The time for 10⁶ random points is that of 5 to 10 passes over them. The function allocates 16
- * bytes for each point, 8 n more for points in a hyperplane, and at most 2 MiB that do not depend
- * on m.
+ * For 10⁶ random points, the time is that of 5 to 10 passes over the points. The function allocates
+ * 16 bytes for each point, another 8 n bytes for each point if the points are in a hyperplane, and
+ * at most 2 MiB that do not depend on m.
  *
  * @param n [1..16] dimensions
  * @param m [number of points] at least n + 1
@@ -45,8 +46,8 @@ extern "C" {
  * @param tolerance [> 0] of the volume, relative
  * @param[out] center [n; length; optional] of the ellipsoid
  * @param[out] q [n(n+1)/2; length²; optional] form of the ellipsoid, packed
- * @param[out] excess [optional] upper bound of the relative difference of the volume and the least
- *        volume
+ * @param[out] excess [optional] upper bound of the relative difference between the volume and the
+ *        least volume
  * @return #PW85_SUCCESS; #PW85_EINVAL, also for fewer than n + 1 points; #PW85_ENOTPD if the points
  *        are in a hyperplane, or so close to one that no form of double precision can be certified
  *        (nearer than about 2⁻²⁴ of their extents); #PW85_ECONVERGENCE if the excess exceeds the
@@ -56,16 +57,16 @@ PW85_API int pw85_enclosing_ellipsoid(int n, size_t m, double const *points, dou
 
 /** Computes the ellipsoid of least volume around ellipsoids, up to a tolerance, with a proof.
  *
- * Every ellipsoid is inside, in exact arithmetic for the numbers that are given and returned. The
- * volume is at most 1 + excess times the least volume.
+ * Every given ellipsoid is inside the returned one; this holds in exact arithmetic for the given
+ * and the returned numbers. The volume is at most 1 + excess times the least volume.
  *
- * Rounding limits the excess as for pw85_enclosing_ellipsoid(): needles of aspect ratio 10⁴ have an
- * excess of about n 10⁻⁸, and those of 10⁷ cannot always be certified. In ten and more dimensions
- * the excess sometimes exceeds a tolerance of 10⁻¹², because the proof that the ellipsoids are
- * inside enlarges the result.
+ * Rounding limits the excess as for pw85_enclosing_ellipsoid(): for needles of aspect ratio 10⁴ the
+ * excess is about n 10⁻⁸, and for needles of aspect ratio 10⁷ a proof is not always possible. In
+ * ten and more dimensions the excess sometimes exceeds a tolerance of 10⁻¹², because the proof that
+ * the ellipsoids are inside enlarges the result.
  *
- * The time is that of some ten rounds. A round takes one test of containment for each ellipsoid,
- * and some 15 steps of Newton's method for those that touch the result.
+ * The function takes about ten rounds. A round takes one test of containment for each ellipsoid,
+ * and about 15 steps of Newton's method for the ellipsoids that touch the result.
  *
  * @param n [1..16] dimensions
  * @param m [number of ellipsoids] at least 1
@@ -75,21 +76,21 @@ PW85_API int pw85_enclosing_ellipsoid(int n, size_t m, double const *points, dou
  * @param tolerance [> 0] of the volume, relative
  * @param[out] center,q,excess [as pw85_enclosing_ellipsoid()]
  * @return #PW85_SUCCESS; #PW85_EINVAL; #PW85_ENOTPD if a form is not positive definite, or if the
- *        ellipsoid is so flat that it cannot be certified; #PW85_ECONVERGENCE if the excess exceeds
- *        the tolerance: the outputs are valid then; #PW85_ENOMEM */
+ *        result is too flat for a proof; #PW85_ECONVERGENCE if the excess exceeds the tolerance:
+ *        the outputs are valid then; #PW85_ENOMEM */
 PW85_API int pw85_enclosing_ellipsoid_of(int n, size_t m, double const *centers,
                                          double const *forms, double tolerance, double *center,
                                          double *q, double *excess);
 
-/** Makes random points of an ellipsoid with its centre at 0, uniform in its volume or on its
+/** Makes random points, distributed uniformly in an ellipsoid with its centre at 0, or on its
  * surface.
  *
- * Point k depends only on the form, the seed and k: a call with more points gives the same first
+ * Point k depends only on the form, the seed and k: a call with more points begins with the same
  * points. A point of the body is a random point of the unit ball, stretched by the semi-axes. A
- * point of the surface is one of the unit sphere, stretched, and kept with a probability that makes
- * the points uniform. At least half of them are kept, for every shape. The coordinates of points of
- * the ball are odd multiples of 2⁻³², from Philox4x32-10. The error of each coordinate is below 10
- * u times the longest semi-axis, with u = 2⁻⁵³.
+ * point of the surface is a random point of the unit sphere, stretched, and kept with a probability
+ * that makes the distribution uniform. At least half of the points are kept, for every shape. The
+ * coordinates of points of the ball are odd multiples of 2⁻³², from Philox4x32-10. The error of
+ * each coordinate is below 10 u times the longest semi-axis, with u = 2⁻⁵³.
  *
  * @param q [length²; definite] form of the ellipsoid
  * @param surface 0 for points of the body, any other number for points of the surface

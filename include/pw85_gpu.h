@@ -3,10 +3,10 @@
  * Many pairs on a graphics processor: the functions of pw85.h for arrays in the memory of an NVIDIA
  * GPU, and for arrays of the host that are sent there. Link with pw85_gpu and pw85.
  *
- * The code is that of the functions for the host. Neither this library nor a program that uses it
- * needs the CUDA toolkit: the code for the GPU is in the library, which looks for the driver
- * (libcuda.so.1, of CUDA 12 or newer) at the first call. Without a driver, a device or enough
- * memory, functions return #PW85_EDEVICE, and all other functions work. */
+ * Device and host run the same templates. Neither this library nor a program that uses it needs the
+ * CUDA toolkit: the library contains the code for the GPU, and loads the driver (libcuda.so.1, of
+ * CUDA 12 or newer) at the first call. Without a driver, a device or enough memory, the functions
+ * of this header return #PW85_EDEVICE; the functions of other headers need no GPU. */
 #ifndef PW85_GPU_H_INCLUDED
 #define PW85_GPU_H_INCLUDED
 
@@ -24,25 +24,27 @@ PW85_API int pw85_gpu_count(int *count);
 
 /** @name Arrays on the device
  *
- * Pointers are to memory that the device of the current context can address: of cudaMalloc,
- * cudaMallocManaged, or pinned memory. If the calling thread has no context, the device is the
- * first one. Functions queue the work on `stream` (a CUstream or cudaStream_t; null is the default
- * stream), and return without waiting for the device. Results are valid when the stream has
+ * Pointers are to memory that the device of the current context can address: from cudaMalloc or
+ * cudaMallocManaged, or pinned memory. If the calling thread has no context, the functions use the
+ * first device. Functions queue the work on `stream` (a CUstream or cudaStream_t; null is the
+ * default stream), and return without waiting for the device. Results are valid when the stream has
  * completed all work that was queued up to this call. Until then arrays must stay allocated and
- * unchanged. A call allocates from the memory pool of the stream, 4 bytes per pair up to 32 MiB,
- * and gives the memory back to the stream.
+ * unchanged. A call allocates 4 bytes per pair, at most 32 MiB, from the memory pool of the stream,
+ * and frees them in the order of the stream.
  *
- * The status only says that the work was queued. The results of a bad pair, also of one with an
- * index out of range, are NaN, or 255 for overlaps, as on the host. Overlaps are the same as on the
- * host: the stream sends bad pairs to the host, and also the few pairs that the arithmetic of the
- * device cannot decide. pw85_overlap_batch() decides them there in a thread of the driver, and the
- * stream sends the answers back.
+ * The status only says whether the work was queued. As on the host, the results of a bad pair are
+ * NaN, or 255 for overlaps; a pair with an index out of range is also bad. Answers about overlap
+ * are the same as on the host: the stream sends bad pairs, and the few pairs that the arithmetic of
+ * the device cannot decide, to the host. There pw85_overlap_batch() decides these pairs in a thread
+ * of the driver, and the stream sends the answers back.
  *
- * A device has no more digits than double. If it cannot prove μ² or λ, which happens beyond aspect
- * ratio 10⁵, the result is the best that double gives. Rounding errors then decide whether a nearly
- * singular form is positive definite. Beyond aspect ratio 10⁷ use the functions for the host.
+ * A device computes in double precision only. At aspect ratios above 10⁵ this may not suffice to
+ * prove the error bounds of μ² and λ; the result is then the best one in double precision, and
+ * rounding errors decide whether a nearly singular form is positive definite. At aspect ratios
+ * above 10⁷ use the functions for the host.
  *
- * If a call returns #PW85_EDEVICE, part of the work may have been queued: outputs have no meaning.
+ * If a call returns #PW85_EDEVICE, part of the work may have been queued: the outputs are
+ * undefined.
  * @{ */
 
 /** Computes pw85_contact_batch() on the device. The relative error of μ² is below 4 u cond as on
@@ -54,8 +56,8 @@ PW85_API int pw85_gpu_count(int *count);
  * @param q1,q2 [n×6; length²; definite]
  * @param[out] mu2 [n]
  * @param[out] lambda [n; optional]
- * @return #PW85_SUCCESS: the work was queued; #PW85_EINVAL, also for a pointer that is not the
- *        device's and a size that overflows; #PW85_EDEVICE */
+ * @return #PW85_SUCCESS: the work was queued; #PW85_EINVAL, also for a pointer that the device
+ *        cannot address and for a size that overflows; #PW85_EDEVICE */
 PW85_API int pw85_gpu_contact_batch(void *stream, size_t n, double const *r12, double const *q1,
                                     double const *q2, double *mu2, double *lambda);
 
@@ -116,10 +118,10 @@ PW85_API int pw85_gpu_contact_derivatives_pairs(void *stream, pw85_pair_list con
 /** @}
  * @name Arrays of the host
  *
- * The functions send pairs to the device, and results back, in pieces: they copy one piece while
- * the device computes another one. They return when all is done, with the status of the first bad
- * pair, as the functions for the host do. The transfer of 120 bytes per pair dominates the time.
- * These functions are for programs whose processor is busy with other work.
+ * The functions send the pairs to the device, and the results back, in pieces: they copy one piece
+ * while the device computes another one. They return when all results have arrived, with the status
+ * of the first bad pair, as the functions for the host do. Most of the time is the transfer of 120
+ * bytes per pair. Use these functions if the processor is busy with other work.
  * @{ */
 
 /** Computes pw85_contact_batch() by the device.
@@ -129,8 +131,8 @@ PW85_API int pw85_gpu_contact_derivatives_pairs(void *stream, pw85_pair_list con
  * @param q1,q2 [n×6; length²; definite]
  * @param[out] mu2 [n]
  * @param[out] lambda [n; optional]
- * @return #PW85_SUCCESS, #PW85_EINVAL, or the status of the first bad pair; #PW85_EDEVICE, with all
- *        outputs NaN */
+ * @return #PW85_SUCCESS, #PW85_EINVAL, or the status of the first bad pair; #PW85_EDEVICE: all
+ *        outputs are NaN */
 PW85_API int pw85_gpu_contact_host(size_t n, double const *r12, double const *q1, double const *q2,
                                    double *mu2, double *lambda);
 
@@ -138,7 +140,7 @@ PW85_API int pw85_gpu_contact_host(size_t n, double const *r12, double const *q1
  *
  * @param n,r12,q1,q2 [as pw85_gpu_contact_host()]
  * @param[out] overlap [as pw85_gpu_overlap_batch()]
- * @return as for pw85_gpu_contact_host(); #PW85_EDEVICE with all overlaps 255 */
+ * @return as for pw85_gpu_contact_host(); #PW85_EDEVICE: all overlaps are 255 */
 PW85_API int pw85_gpu_overlap_host(size_t n, double const *r12, double const *q1, double const *q2,
                                    unsigned char *overlap);
 

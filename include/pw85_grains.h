@@ -22,8 +22,8 @@ extern "C" {
  * point with a given normal.
  *
  * The relative error of each curvature is below 1e-12 for the numbers as given, up to aspect ratio
- * 10⁶. From an aspect ratio of about 10 the function computes with twice the digits, which takes
- * some eight times as long.
+ * 10⁶. Above an aspect ratio of about 10 the function computes in double-double arithmetic, with
+ * twice the digits, which takes about eight times as long.
  *
  * @param normal [!= 0] out of the ellipsoid, of any length
  * @param q [length²; definite] form of the ellipsoid
@@ -31,30 +31,30 @@ extern "C" {
  *        smaller one first
  * @param[out] directions [2×3; optional; members direction1, direction2] unit vectors along which
  *        the surface has these curvatures. Their cross product is the unit normal. If both
- *        curvatures are equal, the result is any such pair of vectors
+ *        curvatures are equal, the result is one of the possible pairs of vectors
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_curvature(double const normal[3], double const q[6], double curvatures[2],
                             double directions[6]);
 
-/** Computes the numbers of Hertz's theory that give the force and the contact ellipse of two
- * elastic bodies as functions of the depth.
+/** Computes the effective radius of Hertz's theory for two elastic bodies, and the shape of the
+ * contact ellipse. From these, the force and the ellipse follow as functions of the depth.
  *
  * For a depth δ the force is (4/3) E* √(radius δ³), a repulsion, and the energy is (8/15) E*
  * √(radius δ⁵). Here 1/E* = (1 - ν1²)/E1 + (1 - ν2²)/E2, with Young's moduli E and Poisson's ratios
  * ν. The contact area is an ellipse with semi-axes √(ellipse[0] δ) and √(ellipse[1] δ). The square
- * of their arithmetic-geometric mean is radius δ. The results include the complete elliptic
+ * of their arithmetic-geometric mean is radius δ. The function evaluates the complete elliptic
  * integrals of the theory.
  *
  * The relative errors are below 256 u, with u = 2⁻⁵³, if the ratio of the curvatures is at most
  * 10¹⁸.
  *
- * @param curvatures [1/length; > 0] of the gap between the undeformed surfaces, along two
- *        perpendicular directions: the gap is half of the sum of curvature times squared length.
- *        They are those of pw85_hertz_contact() for two ellipsoids, and those of pw85_curvature()
- *        for an ellipsoid on a plane
+ * @param curvatures [1/length; > 0] principal curvatures k1, k2 of the gap between the undeformed
+ *        surfaces: at the coordinates x, y along the principal directions the gap is (k1 x² + k2
+ *        y²)/2. For two ellipsoids they are the curvatures of pw85_hertz_contact(), for an
+ *        ellipsoid on a plane those of pw85_curvature()
  * @param[out] radius [length; optional] the effective radius, for spheres R1 R2/(R1 + R2)
- * @param[out] ellipse [length; optional] squares of the semi-axes of the contact ellipse over the
- *        depth, along the direction of each curvature
+ * @param[out] ellipse [length; optional] squares of the semi-axes of the contact ellipse, divided
+ *        by the depth, along the direction of each curvature
  * @return #PW85_SUCCESS, #PW85_EINVAL */
 PW85_API int pw85_hertz(double const curvatures[2], double *radius, double ellipse[2]);
 
@@ -62,28 +62,29 @@ PW85_API int pw85_hertz(double const curvatures[2], double *radius, double ellip
  * such as Hertz's.
  *
  * Let n be the unit normal, and α and β the half-widths of the ellipsoids along n. The depth is α +
- * β - n·r12. A negative depth proves that the ellipsoids are apart by at least its magnitude. If
- * they overlap, the depth is at least that of pw85_penetration(), with equality for the direction
- * of pw85_penetration(). The usual choice is the normal of pw85_contact_geometry(). The depth is
- * then (1/μ - 1) n·r12, a smooth function of positions and orientations for μ > 0. It exceeds that
- * of pw85_penetration() by a term of second order in the depth.
+ * β - n·r12. A negative depth proves that the distance of the ellipsoids is at least its magnitude.
+ * If the ellipsoids overlap, the depth is at least the depth of pw85_penetration(), with equality
+ * if n is the direction of pw85_penetration(). The usual choice of n is the normal of
+ * pw85_contact_geometry(). The depth is then (1/μ - 1) n·r12, a smooth function of positions and
+ * orientations for μ > 0. It exceeds the depth of pw85_penetration() by a term of second order in
+ * the depth.
  *
  * The error of the depth is below 8 u Σ, with u = 2⁻⁵³ and Σ as for pw85_distance() with this
  * normal. The other bounds hold up to aspect ratio 10⁶ for the normal as given. The relative errors
  * of curvatures, radius and ellipse are below 1e-12. The point is half the sum of r12 and of one
- * vector of each ellipsoid; its error is below 1e-12 times the sum of their lengths. The directions
- * err by less than 1e-12/(1 - k1/k2) radians, with the curvatures k1 < k2.
+ * vector of each ellipsoid; its error is below 1e-12 times the sum of the lengths of these vectors.
+ * The error of the directions is less than 1e-12/(1 - k1/k2) radians, with the curvatures k1 < k2.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param normal [!= 0] out of ellipsoid 1 and into ellipsoid 2, of any length
- * @param[out] depth [length; optional] the depth, in the unit of r12; negative if a slab across the
- *        normal separates the ellipsoids
+ * @param[out] depth [length; optional] the depth, in the unit of r12; negative if a slab
+ *        perpendicular to the normal separates the ellipsoids
  * @param[out] point [length; optional] the point at which contact forces act, relative to the
  *        centre of ellipsoid 1: the midpoint of the two points of the surfaces with the normals n
  *        and -n
- * @param[out] curvatures [1/length; optional; member relative.curvatures] of the gap between both
- *        surfaces, > 0, the smaller one first: eigenvalues of the sum of their second fundamental
- *        forms, as pw85_hertz() takes them
+ * @param[out] curvatures [1/length; optional; member relative.curvatures] principal curvatures of
+ *        the gap between both surfaces, > 0, the smaller one first, as input for pw85_hertz():
+ *        eigenvalues of the sum of the second fundamental forms
  * @param[out] directions [2×3; optional; members relative.direction1, relative.direction2] of these
  *        curvatures and of the contact ellipse
  * @param[out] radius,ellipse [as pw85_hertz(); member hertz.radius, hertz.ellipse]
@@ -93,7 +94,7 @@ PW85_API int pw85_hertz_contact(double const r12[3], double const q1[6], double 
                                 double curvatures[2], double directions[6], double *radius,
                                 double ellipse[2]);
 
-/** Computes the contact of two grains along their common normal, which it finds by Newton's method.
+/** Finds the common normal of two grains by Newton's method, and computes their contact along it.
  *
  * Let α and β be the half-widths of the ellipsoids along the unit vector n. The normal is the n at
  * which the overlap δ(n) = α + β - n·r12 has a local minimum near a given direction. Since δ is
@@ -101,17 +102,17 @@ PW85_API int pw85_hertz_contact(double const r12[3], double const q1[6], double 
  * pw85_contact_geometry(), or from that of the previous time step. The search then takes one or two
  * steps.
  *
- * There is a minimum if the overlap is small: below the least sum of radii of curvature. The search
- * ends after a step below 2⁻²² radians. At aspect ratios up to 4, the normal errs by less than
- * 100·2⁻⁴⁴, and so do the point and the radius in units of the semi-axes. The depth errs by the
- * square of that, and by rounding.
+ * A minimum exists if the overlap is smaller than the least sum of radii of curvature. The search
+ * ends after a step below 2⁻²² radians. At aspect ratios up to 4, the error of the normal is less
+ * than 100·2⁻⁴⁴, and so are the errors of the point and the radius in units of the semi-axes. The
+ * error of the depth is the square of this number, plus rounding.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param start [!= 0] a direction near the normal, out of ellipsoid 1 and into ellipsoid 2, of any
  *        length
  * @param[out] normal [optional] unit vector n
- * @param[out] depth [length; optional] δ, in the unit of r12; negative if a slab across the normal
- *        separates the ellipsoids
+ * @param[out] depth [length; optional] δ, in the unit of r12; negative if a slab perpendicular to
+ *        the normal separates the ellipsoids
  * @param[out] point [length; optional] the midpoint of the two points of the surfaces with the
  *        normals n and -n, which are δ n apart, relative to the centre of ellipsoid 1
  * @param[out] curvatures,radius [as pw85_hertz_contact(); member curvatures, radius]
@@ -121,8 +122,9 @@ PW85_API int pw85_grain_contact(double const r12[3], double const q1[6], double 
                                 double const start[3], double normal[3], double *depth,
                                 double point[3], double curvatures[2], double *radius);
 
-/** Computes the derivatives of the radius of pw85_grain_contact(), whose normal follows each
- * motion. A force that depends on the radius needs them to conserve the energy.
+/** Computes the derivatives of the radius of pw85_grain_contact(). They include the change of the
+ * normal with the motion. A force that depends on the radius needs these derivatives to conserve
+ * the energy.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param normal [!= 0] that of pw85_grain_contact(), of any length
@@ -135,9 +137,9 @@ PW85_API int pw85_grain_radius_gradient(double const r12[3], double const q1[6],
                                         double const normal[3], double d_r12[3], double d_rot1[3],
                                         double d_rot2[3]);
 
-/** Computes the contact of a grain with its centre at 0 and a wall. The wall touches the plane
- * normal·x = offset and is curved along at most one direction: a plane, a cylinder, or the edge of
- * one.
+/** Computes the contact of a grain with its centre at 0 and a wall. The wall is tangent to the
+ * plane normal·x = offset and is curved along at most one direction: it is a plane, or a cylinder
+ * from inside or outside.
  *
  * The relative errors of both curvatures and of the radius are below 1e-12 for the numbers as
  * given, up to aspect ratio 10⁶, also where the curvatures nearly cancel. The function computes
@@ -146,15 +148,16 @@ PW85_API int pw85_grain_radius_gradient(double const r12[3], double const q1[6],
  * those of the ellipsoid.
  *
  * @param normal,offset [as pw85_distance_plane()]
- * @param direction [!= 0] across the normal, of any length, along which the wall is curved
+ * @param direction [!= 0] perpendicular to the normal, of any length, along which the wall is
+ *        curved
  * @param curvature [1/length] of the wall along `direction`: positive if the wall is convex, 0 for
  *        a plane
  * @param q [as pw85_distance_plane()]
  * @param[out] depth [length; optional] minus the distance of pw85_distance_plane()
  * @param[out] point [length; optional] the point of the ellipsoid that is deepest in the wall
  * @param[out] curvatures [1/length; optional] of the gap, the smaller one first. If the smaller one
- *        is below 2⁻²⁰ times the larger one, it is raised to this value: surfaces that touch along
- *        a line have no finite radius
+ *        is below 2⁻²⁰ times the larger one, it is set to this value, because surfaces that touch
+ *        along a line have no finite radius
  * @param[out] radius [as pw85_hertz()]
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_grain_contact_wall(double const normal[3], double offset,
@@ -165,15 +168,15 @@ PW85_API int pw85_grain_contact_wall(double const normal[3], double offset,
 /** @}
  * @name Surface and inertia of bodies
  *
- * A solid body is uniform. A shell is a sheet with the same mass per area everywhere; in the plane
- * it is a wire with the same mass per length. Moments are means, so they are those of a body of
- * mass 1.
+ * A solid body has the same mass per volume everywhere, and a shell has the same mass per area
+ * everywhere; in the plane it is a wire with the same mass per length everywhere. Second moments
+ * are means of x xᵀ, that is, moments of a body of mass 1.
  *
- * Surfaces and shells are elliptic integrals, which the library computes with twice the digits of
- * double. Let κ be the square of the ratio of the longest to the shortest semi-axis, or 1 if the
- * axes are along the coordinates. The relative error of an area is below u + 2⁻⁹⁸ κ, with u = 2⁻⁵³.
- * The error of an entry of the moments of a shell is below u times this entry plus 2⁻⁹⁸ κ times the
- * largest entry. The chapter on bodies derives the formulas.
+ * Surface areas and moments of shells are elliptic integrals, which the library computes with twice
+ * the digits of double. Let κ be the square of the ratio of the longest to the shortest semi-axis,
+ * or 1 if the axes are along the coordinates. The relative error of an area is below u + 2⁻⁹⁸ κ,
+ * with u = 2⁻⁵³. The error of an entry of the moments of a shell is below u times this entry plus
+ * 2⁻⁹⁸ κ times the largest entry. The chapter on bodies derives the formulas.
  * @{ */
 
 /** Computes the surface area of an ellipsoid, 4π abc R_G(1/a², 1/b², 1/c²), with Carlson's integral
@@ -214,9 +217,9 @@ PW85_API int pw85_shell_moments(double const q[6], double moments[6]);
 
 /** Computes the inertia tensor of a solid body or of a shell of unit density, about its centre.
  *
- * It is m (tr(M) I - M), with the second moments M, and the mass m: the volume of the body, or the
- * area of the shell. Multiply it by the mass per volume or per area. For the tensor of a body of
- * mass 1, divide it by pw85_volume() or pw85_surface_area().
+ * The tensor is m (tr(M) I - M), with the second moments M, and the mass m: the volume of the body,
+ * or the area of the shell. For another density, multiply the tensor by the mass per volume or per
+ * area. For a body of mass 1, divide it by pw85_volume() or pw85_surface_area().
  *
  * The error of each entry is below 4 u + 2⁻⁹⁸ κ times the entry for bodies, with u = 2⁻⁵³. Here κ
  * is the squared aspect ratio, or 1 if the axes are along the coordinates. For shells it is below 4
@@ -235,8 +238,8 @@ PW85_API int pw85_inertia(double const q[6], int shell, double inertia[6]);
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_perimeter_2d(double const q[3], double *perimeter);
 
-/** Computes the mean of x xᵀ over a uniform ellipse, about its centre: q/4. Its trace is the moment
- * of inertia about the axis across the plane, for the mass 1.
+/** Computes the mean of x xᵀ over a uniform ellipse, about its centre: q/4. For mass 1, its trace
+ * is the moment of inertia about the axis perpendicular to the plane.
  *
  * @param q [length²; definite] form of the ellipse
  * @param[out] moments [length²]

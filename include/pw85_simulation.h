@@ -10,18 +10,19 @@
  * - pw85_simulation_insertions.h: positions, insertions and removals of single particles;
  * - pw85_simulation_observations.h: energies, neighbours and overlaps.
  *
- * The conventions are those of pw85.h, and these:
+ * The conventions are those of pw85.h. These are added:
  *
  * - A simulation owns its particles, cell, neighbour lists, random numbers and counts. Only one
  *   thread at a time may use it; the functions themselves run in parallel.
- * - Particles never overlap. The exact overlap test decides each trial, for the separations of
- *   centres as rounded to doubles. The target is the uniform distribution of all configurations
- *   without overlaps, at constant volume or, with trials of the volume, at constant pressure.
- * - The random numbers are those of Philox4x32-10 (Salmon and others 2011), selected by the seed
- *   and the number of the step. The same calls therefore give the same trajectory, bit by bit, with
- *   any number of threads and after pw85_hard_ellipsoids_restore().
- * - A simulation of two dimensions (pw85_hard_ellipsoids_set_dimensions()) is one of hard ellipses
- *   in a plane z = const.
+ * - Particles never overlap. The exact overlap test decides each trial move, for the vectors
+ *   between centres as rounded to doubles. The target is the uniform distribution over all
+ *   configurations without overlaps, at constant volume or, with volume moves, at constant
+ *   pressure.
+ * - The random numbers come from Philox4x32-10 (Salmon and others 2011). The seed and the number of
+ *   the step select them. The same calls therefore give bitwise equal trajectories, with any number
+ *   of threads and after pw85_hard_ellipsoids_restore().
+ * - A two-dimensional simulation (pw85_hard_ellipsoids_set_dimensions()) has hard ellipses in a
+ *   plane z = const.
  */
 #ifndef PW85_SIMULATION_H_INCLUDED
 #define PW85_SIMULATION_H_INCLUDED

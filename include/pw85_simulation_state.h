@@ -21,18 +21,18 @@ typedef struct pw85_hard_ellipsoids pw85_hard_ellipsoids;
 /** Makes a simulation. The function copies the arrays.
  *
  * In a new simulation half of the trials are translations and half are rotations. The memory is
- * some 420 bytes per particle, 24 more with trials of the volume, and 8 for each neighbour of a
- * particle. While a neighbour list is made, each neighbour takes at least 10 more bytes.
+ * about 420 bytes per particle, 24 more with volume moves, and 8 for each neighbour of a particle.
+ * While a neighbour list is made, each neighbour takes at least 10 more bytes.
  *
  * @param system [without q] at most 2³¹ - 1 particles as for pw85_neighbors_create(). The function
- *        does not read `q`, which may be null. The cell may be smaller than a particle; images of
- *        the particle must not overlap either.
+ *        does not read `q`, which may be null. The cell may be smaller than a particle, but a
+ *        particle must not overlap its own images.
  * @param semi_axes [num_particles×3; length; > 0; finite square] lengths of the principal semi-axes
  *        of each particle, whose squares are in the range of double
  * @param quaternions [num_particles×4; != 0] (w, x, y, z), of any lengths
  * @param seed selects the random numbers
- * @param[out] pair [optional; -1 on error] the first two particles that overlap, twice the same one
- *        for a particle and its own image; -1 if no particles overlap
+ * @param[out] pair [optional; -1 on error] the first two particles that overlap; twice the same
+ *        index if a particle overlaps its own image; -1 if no particles overlap
  * @param[out] simulation [null on error] to be destroyed by pw85_hard_ellipsoids_destroy()
  * @return #PW85_SUCCESS; #PW85_EOVERLAP if particles overlap; #PW85_EINVAL and #PW85_ENOTPD as for
  *        pw85_neighbors_create(); #PW85_ENOMEM, also if particles are so long that a neighbour list
@@ -41,22 +41,22 @@ PW85_API int pw85_hard_ellipsoids_create(pw85_system const *system, double const
                                          double const *quaternions, size_t seed, int32_t pair[2],
                                          pw85_hard_ellipsoids **simulation);
 
-/** Turns a simulation into one of hard ellipses in a plane z = const, or back into one of
- * ellipsoids. A new simulation has three dimensions.
+/** Sets the number of dimensions of a simulation: 2 for hard ellipses in a plane z = const, or 3
+ * for ellipsoids, as in a new simulation.
  *
- * In two dimensions the ellipses are the sections of the ellipsoids with the plane. They overlap
- * where the ellipsoids do, whatever the third semi-axes are. Translations are by a point of a disc,
- * rotations are about z, and the area of the cell takes the place of its volume. No function
- * changes z of the centres and of the cell vectors, or x and y of the quaternions. If the cell is
- * periodic along both of its vectors, the largest translation of a trial
- * (pw85_hard_ellipsoids_set_steps()) becomes at most the length of the longest one.
+ * In two dimensions the ellipses are the sections of the ellipsoids with the plane. Two ellipses
+ * overlap if and only if the ellipsoids overlap, whatever the third semi-axes are. Translations are
+ * vectors in a disc, rotations are about z, and areas replace volumes. No function changes z of the
+ * centres and of the cell vectors, or x and y of the quaternions. If the cell is periodic along
+ * both of its vectors, the largest translation of a trial (pw85_hard_ellipsoids_set_steps())
+ * becomes at most the length of the longest one.
  *
  * @param simulation a simulation
  * @param dimensions 2 or 3
  * @return #PW85_SUCCESS; #PW85_EINVAL for other numbers, and for 2 in three cases: centres have
  *        different z, or x or y of a quaternion is not 0; there is a cell, and its first two
- *        vectors have a z, or the third is not along z, or is periodic; there are walls or a mesh
- *        that such a simulation cannot have. Nothing changes on error */
+ *        vectors have a component along z, or the third one is not along z, or is periodic; there
+ *        are walls or a mesh that such a simulation cannot have. Nothing changes on error */
 PW85_API int pw85_hard_ellipsoids_set_dimensions(pw85_hard_ellipsoids *simulation, int dimensions);
 
 /** Returns the number of dimensions of a simulation.
@@ -79,8 +79,8 @@ PW85_API void pw85_hard_ellipsoids_destroy(pw85_hard_ellipsoids *simulation);
 
 /** Returns the particles and the cell: pointers to the arrays of the simulation.
  *
- * They are valid until the simulation is destroyed. They show its present state until particles are
- * inserted or removed. Centres are not wrapped into the cell.
+ * The pointers are valid until the simulation is destroyed. The arrays show the present state until
+ * particles are inserted or removed. Centres are not wrapped into the cell.
  *
  * @param simulation [optional] a simulation
  * @return the system; without particles for null */
@@ -111,10 +111,11 @@ PW85_API double const *pw85_hard_ellipsoids_semi_axes(pw85_hard_ellipsoids const
  * @return the number; 0 for null */
 PW85_API size_t pw85_hard_ellipsoids_num_bytes(pw85_hard_ellipsoids const *simulation);
 
-/** Writes the whole state of a simulation as bytes: 80 for each particle and some hundreds.
+/** Writes the whole state of a simulation as bytes: 80 bytes for each particle, and a few hundred
+ * more.
  *
- * The bytes are the same on every machine, and have a checksum: see the chapter on Monte Carlo.
- * They contain the energy in the caller's potential, but not the function.
+ * The bytes are the same on every machine, and contain a checksum: see the chapter on Monte Carlo.
+ * They contain the energy in the caller's potential, but not the function itself.
  *
  * @param simulation a simulation
  * @param num_bytes pw85_hard_ellipsoids_num_bytes()
@@ -124,15 +125,17 @@ PW85_API size_t pw85_hard_ellipsoids_num_bytes(pw85_hard_ellipsoids const *simul
 PW85_API int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, size_t num_bytes,
                                        unsigned char *bytes);
 
-/** Makes a simulation from the bytes of another one, which it continues bit by bit. The bytes may
- * come from another machine, or from an earlier version since 3.1.
+/** Makes a simulation from the bytes of a saved one. The new simulation continues the saved one
+ * with bitwise equal results. The bytes may come from another machine, or from version 3.1 or any
+ * later version up to this one.
  *
  * @param num_bytes [number of bytes]
  * @param bytes [num_bytes]
  * @param[out] simulation [null on error] to be destroyed by pw85_hard_ellipsoids_destroy()
- * @return #PW85_SUCCESS; #PW85_EINVAL, also if the bytes are incomplete, have been changed, or are
- *        of a later format or of a version below 3.1; #PW85_EINVAL, #PW85_EOVERLAP, #PW85_ENOTPD,
- *        #PW85_EPOTENTIAL if their state is not possible; #PW85_ENOMEM */
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also if the bytes are incomplete, have been changed, have a
+ *        later format, or come from a version before 3.1; #PW85_EINVAL, #PW85_EOVERLAP,
+ *        #PW85_ENOTPD, #PW85_EPOTENTIAL if the state that they describe is not possible;
+ *        #PW85_ENOMEM */
 PW85_API int pw85_hard_ellipsoids_restore(size_t num_bytes, unsigned char const *bytes,
                                           pw85_hard_ellipsoids **simulation);
 

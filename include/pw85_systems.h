@@ -18,12 +18,12 @@ extern "C" {
  * @{ */
 
 /** Particles, with or without a periodic cell. The caller owns the struct and its arrays. Functions
- * only read them, and do not use them after the call. A member that a function does not read may be
- * null if its contract says so.
+ * only read them, and do not use them after the call. If a function does not read a member, its
+ * contract says so, and the member may be null.
  *
  * If there is a cell, `periodic` says along which of its vectors there are periodic images. At
- * least one of its entries must not be 0. Vectors that are not periodic may be zero or NaN. Without
- * a cell, functions do not read `periodic`. */
+ * least one entry of `periodic` must not be 0. Cell vectors that are not periodic may be zero or
+ * NaN. Without a cell, functions do not read `periodic`. */
 typedef struct pw85_system {
     /** [number of particles] 0 is allowed, and pointers may then be null. */
     size_t num_particles;
@@ -31,8 +31,9 @@ typedef struct pw85_system {
     double const *centers;
     /** [num_particles×6; length²; definite] forms. */
     double const *q;
-    /** [3×3; length; optional; a periodic row; independent rows] rows are the vectors
-     * of the cell, of which at least one is periodic; null if nothing is periodic. */
+    /** [3×3; length; optional; a periodic row; independent rows] rows are the
+     * vectors of the cell, of which at least one is periodic; null for a system
+     * without periodic images. */
     double const *cell;
     /** not 0 for each vector of the cell along which there are images. */
     int periodic[3];
@@ -45,25 +46,25 @@ typedef struct pw85_pair_list {
     size_t num_pairs;
     /** [num_pairs×2; index] indices (i, j) of particles, from 0. */
     int32_t const *pairs;
-    /** [num_pairs×3; optional; needs cell] multiples of the cell vectors, as given, to
-     * be added to the centre of j; those of vectors that are not periodic count as 0;
-     * null for the nearest images. */
+    /** [num_pairs×3; optional; needs cell] multiples of the cell vectors, as given,
+     * to be added to the centre of j; multiples of vectors that are not periodic
+     * count as 0; null for the nearest images. */
     int32_t const *images;
 } pw85_pair_list;
 
 /** Tests whether an ellipsoid overlaps any of n particles of a system, which are given by their
  * indices. This is the inner loop of a Monte Carlo move, for the trial ellipsoid.
  *
- * With `images`, the answer is about one image of each of these particles, as in a neighbour list.
- * Without `images`, in a periodic cell, it is about all images of these particles and of the
- * ellipsoid itself. The function then tests the nearest images. The answer is known if one of them
- * overlaps, or if farther images cannot overlap, that is, if pw85_nearest_image_limit() of all
+ * With `images`, the function tests one image of each of these particles, as in a neighbour list.
+ * Without `images`, in a periodic cell, the answer is for all images of these particles and of the
+ * ellipsoid itself, although the function tests only the nearest images. These decide if one of
+ * them overlaps, or if farther images cannot overlap, that is, if pw85_nearest_image_limit() of all
  * these particles is at least 1. Otherwise the status is #PW85_EINVAL, and pw85_last_error() names
  * `images`: call the function again with the images of a neighbour list.
  *
- * In so small a cell the ellipsoid can also overlap images of itself. A neighbour list contains
- * them, with the index of the ellipsoid. Write the trial into the arrays of the system before the
- * call: the index then refers to the trial.
+ * In such a small cell the ellipsoid can also overlap images of itself. A neighbour list contains
+ * these images, with the index of the ellipsoid. Write the trial ellipsoid into the arrays of the
+ * system before the call: the index then refers to the trial ellipsoid.
  *
  * @param center [length] centre of the ellipsoid
  * @param q1 [length²; definite] form of the ellipsoid
@@ -71,28 +72,28 @@ typedef struct pw85_pair_list {
  *        time; particles that are more than 2⁵⁰ vectors of the reduced cell from the ellipsoid are
  *        bad. With `images` the cell may be singular.
  * @param n [number of others] 0 is allowed
- * @param indices [n; index] of particles, from 0; that of the ellipsoid itself may be among them
- *        only with `images`
+ * @param indices [n; index] of particles, from 0; the index of the ellipsoid itself is allowed only
+ *        with `images`
  * @param images [n×3; optional; needs cell] multiples of the cell vectors, as given, to be added to
  *        the centres of these particles; or null for all images
  * @param[out] any [-1 on error] 1 or 0
- * @return as for pw85_overlap_any(); #PW85_EINVAL also if nearest images do not decide */
+ * @return as for pw85_overlap_any(); #PW85_EINVAL also if the nearest images do not decide */
 PW85_API int pw85_overlap_any_indices(double const center[3], double const q1[6],
                                       pw85_system const *system, size_t n, int32_t const *indices,
                                       int32_t const *images, int *any);
 
 /** Computes the contact function of the pairs of a list; see pw85_contact().
  *
- * In a periodic cell a pair is particle i and one image of particle j: the image of `images`, or
- * the nearest one, by the distance of the centres. The function finds the nearest one in any cell,
- * however skewed. If the cell is small or particles are large, an image that is not the nearest can
- * have a smaller μ²: see pw85_nearest_image_limit().
+ * In a periodic cell a pair is particle i and one image of particle j: the image that `images`
+ * gives, or the image whose centre is nearest. The function finds the nearest image in any cell,
+ * however skewed. If the cell is small or particles are large, another image can have a smaller μ²:
+ * see pw85_nearest_image_limit().
  *
  * @param list the pairs
  * @param system the particles. Without `images`, a pair is bad if its centres are more than 2⁵⁰
- *        vectors of the reduced cell apart: rounding errors are then larger than the cell. A cell
- *        that is not reduced costs some hundred nanoseconds per call: see pw85_cell_reduce(). With
- *        `images` the cell may be singular.
+ *        vectors of the reduced cell apart: rounding errors are then larger than the cell. Reducing
+ *        a cell costs several hundred nanoseconds per call: see pw85_cell_reduce(). With `images`
+ *        the cell may be singular.
  * @param[out] mu2 [num_pairs]
  * @param[out] lambda [num_pairs; optional]
  * @return as for pw85_contact_batch() */
@@ -109,8 +110,7 @@ PW85_API int pw85_overlap_pairs(pw85_pair_list const *list, pw85_system const *s
 
 /** Computes the volumes of the intersections of the pairs of a list; see pw85_overlap_volume().
  *
- * Their sum is the two-body overlap of a system. The intersection of three ellipsoids counts three
- * times in it.
+ * The sum of these volumes counts a region that is inside three ellipsoids three times.
  *
  * @param list,system [as pw85_contact_pairs()]
  * @param[out] volume [num_pairs; length³]
@@ -135,15 +135,15 @@ PW85_API int pw85_contact_derivatives_pairs(pw85_pair_list const *list, pw85_sys
 /** Computes the sums of the forces, torques and virial of an energy U(μ²) of pairs. Each term is a
  * derivative of pw85_contact_derivatives_pairs() times dU/dμ².
  *
- * The terms are added in the order of the pairs. The bits therefore depend only on the input, not
- * on the number of threads. Each thread goes through all pairs, and adds the terms of its own
- * particles.
+ * The terms are added in the order of the pairs. The result therefore does not depend on the number
+ * of threads, not even in its last bits. Each thread goes through all pairs, and adds the terms of
+ * its own particles.
  *
  * @param list the pairs; without pairs the sums are 0
  * @param system [as pw85_contact_pairs(); without q; or NaN; or far away] `q` may be null, and
  *        without pairs also `centers`
- * @param d_u [num_pairs; energy; or NaN] dU/dμ²; a pair for which it is 0 is left out, whatever its
- *        derivatives
+ * @param d_u [num_pairs; energy; or NaN] dU/dμ²; if it is 0, the pair contributes nothing, even if
+ *        its derivatives are NaN
  * @param d_r12 [num_pairs×3; 1/length; optional if not needed; or NaN] derivatives of μ²; may be
  *        null if no output needs them
  * @param d_rot1,d_rot2 [num_pairs×3; optional if not needed; or NaN] derivatives of μ²; may be null
@@ -160,20 +160,20 @@ PW85_API int pw85_contact_forces_pairs(pw85_pair_list const *list, pw85_system c
                                        double const *d_rot2, double *forces, double *torques,
                                        double *virial);
 
-/** A soft repulsion, U = ε/α (1 - μ)^α for μ < 1 and 0 beyond. Parameters: ε, and α >= 1. α = 2 is
- * harmonic, and α = 2.5 is that of Hertz. */
+/** A soft repulsion: U = ε/α (1 - μ)^α for μ < 1, and U = 0 for μ >= 1. Parameters: ε, and α >= 1.
+ * α = 2 is a harmonic repulsion, and α = 2.5 is the exponent of Hertz's law. */
 #define PW85_LAW_SOFT_REPULSION 1
 
-/** Powers of 1/μ: U = A μ⁻ⁿ - B μ⁻ᵐ - U_c for μ² < c and 0 beyond, where the shift U_c makes U = 0
- * at μ² = c. Parameters: A, n, B, m, and c > 0, with n > m > 0. (4ε, 12, 4ε, 6, c) is the
- * Lennard-Jones potential with μ in the place of r/σ, as Perram and others take it. With c =
- * 2^(1/3) it is only repulsive. */
+/** Powers of 1/μ: U = A μ⁻ⁿ - B μ⁻ᵐ - U_c for μ² < c, and U = 0 for μ² >= c. The shift U_c makes U
+ * = 0 at μ² = c. Parameters: A, n, B, m, and c > 0, with n > m > 0. The parameters (4ε, 12, 4ε, 6,
+ * c) give the Lennard-Jones potential with μ instead of r/σ, as Perram and others define it. With c
+ * = 2^(1/3) this potential is only repulsive. */
 #define PW85_LAW_INVERSE_POWERS 2
 
-/** A table of at least two points, which divide the range from a to b of μ² into equal intervals.
- * In an interval U is the cubic polynomial that has the values and derivatives of the points at
- * both ends. U is linear below a, and 0 from b on. Parameters: a, b > a, then U and dU/dμ² of each
- * point, in turn. */
+/** A table of at least two points, which divide the range a <= μ² <= b into equal intervals. In
+ * each interval U is the cubic polynomial of μ² that has the given values and derivatives at both
+ * ends. U is linear for μ² < a, and 0 for μ² >= b. Parameters: a, b > a, then U and dU/dμ² of point
+ * 0, U and dU/dμ² of point 1, and so on. */
 #define PW85_LAW_TABLE 3
 
 /** The energy U(μ²) of a pair, the same for all pairs. The caller owns the struct and its array.
@@ -181,22 +181,23 @@ PW85_API int pw85_contact_forces_pairs(pw85_pair_list const *list, pw85_system c
 typedef struct pw85_law {
     /** #PW85_LAW_SOFT_REPULSION, #PW85_LAW_INVERSE_POWERS or #PW85_LAW_TABLE. */
     int kind;
-    /** number of parameters, which must be that of the kind. */
+    /** number of parameters, as the description of the kind states. */
     size_t num_parameters;
     /** [num_parameters] all finite, in the order of the description of the kind. */
     double const *parameters;
 } pw85_law;
 
 /** Computes the sums of the energies, forces, torques and virial of the pairs of a list. The energy
- * of a pair is a law of μ².
+ * of a pair is a function of μ², the law.
  *
- * The sums of forces and torques are those of pw85_contact_forces_pairs(), bit by bit, with one
- * exception: a soft repulsion leaves out pairs that do not overlap but whose μ² is rounded to less
- * than 1. The bits depend only on the input, not on the number of threads. Concentric ellipsoids
- * have no force. For particles of several species, make one list and one call for each law.
+ * The sums of forces and torques are bitwise equal to those of pw85_contact_forces_pairs(), with
+ * one exception: a soft repulsion ignores pairs that do not overlap but whose μ² is rounded to less
+ * than 1. The results do not depend on the number of threads, not even in their last bits.
+ * Concentric ellipsoids exert no forces. For particles of several species, make one list and one
+ * call for each law.
  *
- * The time is little more than that of pw85_contact_derivatives_pairs(). For a soft repulsion it is
- * less, because pairs that do not overlap need no derivatives.
+ * The call takes little more time than pw85_contact_derivatives_pairs(). For a soft repulsion it
+ * takes less, because pairs that do not overlap need no derivatives.
  *
  * @param list the pairs; without pairs the sums are 0
  * @param system [as pw85_contact_pairs()]
@@ -207,16 +208,16 @@ typedef struct pw85_law {
  * @param[out] virial [3×3; energy; optional] Σ r12 ⊗ force on the second particle of each pair,
  *        row-major
  * @return as for pw85_contact_pairs(); sums to which a bad pair contributes are NaN. #PW85_EINVAL
- *        also for a kind or parameters that are not allowed; #PW85_ENOMEM if there is not one
- *        megabyte per thread. Both come before anything is written. */
+ *        also for a kind or parameters that are not allowed; #PW85_ENOMEM if one megabyte per
+ *        thread cannot be allocated. In both cases nothing is written. */
 PW85_API int pw85_law_forces_pairs(pw85_pair_list const *list, pw85_system const *system,
                                    pw85_law const *law, double *energy, double *forces,
                                    double *torques, double *virial);
 
-/** Computes the times of the first contacts of the pairs of a list, and the next event of each
- * particle, which event-driven simulations schedule; see pw85_first_contact().
+/** Computes the times of the first contacts of the pairs of a list, and the first contact of each
+ * particle, for event-driven simulations; see pw85_first_contact().
  *
- * A pair has the same image of j at all times: the one of time 0. Bad pairs are not events.
+ * Each pair keeps the image of j that it has at time 0. Bad pairs are not events.
  *
  * @param list,system [as pw85_contact_pairs()]
  * @param motions [num_particles; mixed units; > 0 until t_max]
@@ -224,8 +225,8 @@ PW85_API int pw85_law_forces_pairs(pw85_pair_list const *list, pw85_system const
  * @param[out] t [num_pairs; time; member time]
  * @param[out] next [num_particles; time; optional] the least t of the pairs of each particle, or
  *        infinity if there is none
- * @param[out] next_pair [num_particles; optional] the index of that pair, the first of several, or
- *        -1; must be null without `next`
+ * @param[out] next_pair [num_particles; optional] the index of that pair, the first one if several
+ *        have this t; -1 if there is none. It must be null if `next` is null
  * @return as for pw85_contact_pairs(); #PW85_ECONVERGENCE as for pw85_first_contact() */
 PW85_API int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system const *system,
                                       pw85_motion const *motions, double t_max, double *t,
@@ -235,11 +236,11 @@ PW85_API int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system co
  * @name Periodic cells
  * @{ */
 
-/** Computes a reduced cell of the same lattice: adding or subtracting other vectors of it makes
- * none of its vectors shorter.
+/** Computes a reduced cell of the same lattice: none of its vectors becomes shorter by adding or
+ * subtracting the other ones.
  *
  * Compute it once and keep it. The functions of pair lists recognise a reduced cell by a few
- * inequalities; any other cell they reduce in each call. Rectangular cells are reduced, and so are
+ * inequalities; they reduce any other cell in each call. Rectangular cells are reduced, and so are
  * cells whose vectors have equal lengths and angles between 60 and 120 degrees. The reduced vectors
  * are sums of cell vectors, and are rounded. `images` for one of the two cells are not valid for
  * the other.
@@ -249,11 +250,11 @@ PW85_API int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system co
  * @return #PW85_SUCCESS or #PW85_EINVAL */
 PW85_API int pw85_cell_reduce(double const cell[9], double reduced[9]);
 
-/** Computes the nearest images that the functions of pair lists use without `images`: as vectors,
- * and as values for `images`.
+/** Computes the nearest images that the functions of pair lists use if `images` is null. The
+ * results are the vectors between the centres, and values for `images`.
  *
- * With these `images` the functions need no search, and each pair keeps its image. They remain the
- * nearest images until a particle has moved by about half a cell.
+ * With these `images` the functions need no search, and each pair keeps its image. The images
+ * remain the nearest ones until a particle has moved by about half a cell.
  *
  * @param num_pairs [number of pairs]
  * @param pairs [num_pairs×2; index] indices (i, j) of particles, from 0
@@ -268,12 +269,12 @@ PW85_API int pw85_cell_reduce(double const cell[9], double reduced[9]);
 PW85_API int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, pw85_system const *system,
                                  double *r12, int32_t *images);
 
-/** Computes the limit of μ² below which only nearest images count: every image of a pair of these
- * particles with a smaller μ² is the nearest one.
+/** Computes the limit of μ² below which an image of a pair of these particles is always the nearest
+ * image.
  *
  * If the limit is at least 1, pw85_overlap_pairs() with nearest images misses no overlap of any
- * image. A μ² of pw85_contact_pairs() below the limit is the smallest of all images. Above the
- * limit, list the images that count and pass them as `images`.
+ * image. A μ² of pw85_contact_pairs() below the limit is the smallest of all images. If you need
+ * larger values of μ², list all relevant images and pass them as `images`.
  *
  * In a rectangular cell the limit is the smallest value of (L/4h)² over the three directions. Here
  * L is the side of the cell, and h is the largest half-width of the bounding boxes of the
@@ -298,18 +299,20 @@ typedef struct pw85_neighbors pw85_neighbors;
  * along any axis, for ellipsoids scaled by `scale`.
  *
  * The condition is |r_d| <= scale (√Qi_dd + √Qj_dd) + skin for d = x, y, z, with the vector r from
- * the centre of i to that of the image of j. The list therefore has all pairs with μ² <= scale². It
- * has them also after the particles have moved, as long as pw85_neighbors_holds() says so.
+ * the centre of i to the centre of the image of j. The list therefore contains all pairs with μ² <=
+ * scale². After the particles have moved, it still contains all these pairs as long as
+ * pw85_neighbors_holds() returns 1.
  *
- * Each pair is in the list once: with i < j, or with i = j for an image of i itself whose first
- * multiple other than 0 is positive. Pairs whose boxes are too far apart by no more than rounding
- * errors (2⁻⁴⁸ of the coordinates) may also be in the list. The order of the pairs follows the
- * particles in space. It depends only on the input, not on the number of threads.
+ * Each pair is listed once, with i < j. An image of i itself is listed with i = j; of two opposite
+ * images, the list contains the one whose first multiple other than 0 is positive. The list may
+ * also contain pairs whose boxes are too far apart by rounding errors (2⁻⁴⁸ of the coordinates).
+ * The order of the pairs follows the particles in space. It depends only on the input, not on the
+ * number of threads.
  *
  * The time is proportional to the numbers of particles and pairs, for all sizes and positions,
- * unless most particles are within 2⁻²¹ of the extent of the system. The memory is at most 200
- * bytes per particle and 64 per pair while the list is made. The list itself has 48 bytes per
- * particle and 20 per pair (8 without a cell).
+ * unless most particles are in a region that is smaller than the system by a factor of 2²¹. The
+ * memory is at most 200 bytes per particle and 64 per pair while the list is made. The list itself
+ * has 48 bytes per particle and 20 per pair (8 without a cell).
  *
  * @param system at most 2³¹ - 1 particles, anywhere in space or in the cell and its images, up to
  *        2²⁹ cells away; the cell may be skewed and small without limit
@@ -317,43 +320,43 @@ typedef struct pw85_neighbors pw85_neighbors;
  * @param skin [length; >= 0] in the unit of the semi-axes
  * @param[out] list [null on error] to be destroyed by pw85_neighbors_destroy()
  * @return #PW85_SUCCESS; #PW85_EINVAL, also if an image is more than 2²⁹ vectors away;
- *        #PW85_ENOTPD; #PW85_ENOMEM. pw85_neighbors_check() tells which particle is bad. */
+ *        #PW85_ENOTPD; #PW85_ENOMEM. pw85_neighbors_check() returns the index of the bad particle.
+ *        */
 PW85_API int pw85_neighbors_create(pw85_system const *system, double scale, double skin,
                                    pw85_neighbors **list);
 
-/** Finds the particle because of which pw85_neighbors_create() cannot make a list; arguments as for
+/** Finds the particle that prevents pw85_neighbors_create() from making a list; arguments as for
  * pw85_neighbors_create().
  *
  * @param system,scale,skin [as pw85_neighbors_create()]
  * @param[out] particle [num_particles on error] index of the first bad particle: its centre or form
  *        is invalid, or it is too far away; num_particles if there is none, 0 if `system` is null
- * @return the status of that particle; the status of the other arguments, with `particle` =
- *        num_particles; or #PW85_SUCCESS, if only the memory or the number of images can be the
- *        cause */
+ * @return the status that this particle causes; the status that another argument causes, with
+ *        `particle` = num_particles; or #PW85_SUCCESS, if only the memory or the number of images
+ *        can be the cause */
 PW85_API int pw85_neighbors_check(pw85_system const *system, double scale, double skin,
                                   size_t *particle);
 
-/** Tests whether a list still has all pairs whose boxes intersect (without skin), after particles
- * have moved and turned and the cell has changed.
+/** Tests whether a list still contains all pairs whose boxes intersect (without skin), after
+ * particles have moved and rotated and the cell has changed.
  *
- * After the answer 1, no pair is missing, of any image. After the answer 0, pairs may be missing or
- * not. The test applies to each box the linear map from the present periodic vectors of the cell to
+ * If the answer is 1, no pair is missing, for any image. If the answer is 0, pairs may be missing.
+ * The test applies to each box the linear map from the present periodic vectors of the cell to
  * those of the list. The answer is 1 if each box is then within its old box, enlarged by half the
- * skin on each side, up to a motion that all particles share. If the cell shrinks or is sheared
- * together with the centres, about any point, only the changes of the boxes themselves use up the
- * skin. If the centres do not follow the cell, their displacements relative to it also use up the
- * skin.
+ * skin on each side, up to a motion that all particles share. If the centres follow the cell when
+ * it shrinks or is sheared, about any point, only the changes of the boxes use up the skin. If the
+ * centres do not follow the cell, their displacements relative to the cell also use up the skin.
  *
- * Do not wrap the centres into the cell again, and do not reduce or flip the vectors of the cell:
- * `images` are multiples of these vectors.
+ * While the list is in use, do not wrap the centres into the cell, and do not reduce or flip the
+ * vectors of the cell: `images` are multiples of these vectors.
  *
  * @param list [of as many particles] a list
  * @param system [with cell; or far away] the particles of the list at their present positions, with
- *        their forms and the present cell. The cell is periodic along the same vectors as for the
- *        list: `cell` is not null if the list has one.
+ *        their present forms and cell. The cell must be periodic along the same vectors as for the
+ *        list; `cell` must not be null if the list has one.
  * @param[out] holds [-1 on error] 1 or 0
  * @return #PW85_SUCCESS; the status of the first bad particle; #PW85_EINVAL, also if only one of
- *        list and system has a cell, or the cells are periodic along other vectors */
+ *        list and system has a cell, or if the two cells are periodic along different vectors */
 PW85_API int pw85_neighbors_holds(pw85_neighbors const *list, pw85_system const *system,
                                   int *holds);
 
@@ -373,14 +376,14 @@ PW85_API void pw85_neighbors_destroy(pw85_neighbors *list);
  * @name Triangle meshes
  *
  * These functions are for ellipsoids and a mesh of triangles, such as a wall. The mesh is a
- * surface: an ellipsoid inside a closed mesh overlaps it only if it meets a triangle. The
+ * surface: an ellipsoid inside a closed mesh overlaps the mesh only if it overlaps a triangle. The
  * coordinates of the vertices relative to the centre are rounded to doubles. The results are then
- * those of pw85_contact_triangle() and pw85_overlap_triangle() for all triangles, bit by bit. A
- * tree of boxes saves most of the work.
+ * bitwise equal to those of pw85_contact_triangle() and pw85_overlap_triangle() for all triangles.
+ * A bounding volume hierarchy saves most of the work.
  * @{ */
 
-/** A triangle mesh and its tree of boxes. The library owns it. Any number of threads may use it at
- * the same time. */
+/** A triangle mesh and its bounding volume hierarchy. The library owns it. Any number of threads
+ * may use it at the same time. */
 typedef struct pw85_mesh pw85_mesh;
 
 /** Makes a mesh. The function copies the arrays.
@@ -399,9 +402,9 @@ PW85_API int pw85_mesh_create(size_t num_vertices, double const *vertices, size_
 
 /** Computes the contact function of an ellipsoid and a mesh: the least μ² of all triangles.
  *
- * The time is some 20 µs for 1,000 triangles, and doubles for ten times as many. It is larger if
- * many triangles are equally near, if the aspect ratio of the ellipsoid exceeds some thousands, or
- * if semi-axes and distances differ by more than a factor of 1e30.
+ * The time is about 20 µs for 1,000 triangles, and about twice that for 10,000 triangles. It is
+ * longer if many triangles are equally near, if the aspect ratio of the ellipsoid is above several
+ * thousand, or if semi-axes and distances differ by more than a factor of 1e30.
  *
  * @param mesh a mesh
  * @param center [length] of the ellipsoid
@@ -426,24 +429,25 @@ PW85_API int pw85_mesh_contact(pw85_mesh const *mesh, double const center[3], do
 PW85_API int pw85_mesh_overlap(pw85_mesh const *mesh, double const center[3], double const q[6],
                                int *overlap);
 
-/** Computes the signed distance of an ellipsoid and a mesh: the least signed distance of all
- * triangles, which pw85_distance_triangle() gives, bit by bit.
+/** Computes the signed distance of an ellipsoid and a mesh: the least value of
+ * pw85_distance_triangle() for all triangles, bitwise equal.
  *
- * If the ellipsoid overlaps no triangle, it is the distance of the ellipsoid and the surface, with
- * the closest points. Otherwise it is minus the largest depth of a single triangle: a translation
- * that separates the ellipsoid from the mesh is at least as long. The bounds on errors, the proof
- * by the normal and the derivatives are those of pw85_distance_triangle() for the nearest triangle.
- * No other triangle has a smaller lower bound of its distance.
+ * If the ellipsoid overlaps no triangle, the result is the distance of the ellipsoid and the
+ * surface, with the closest points. Otherwise it is minus the largest depth of a single triangle:
+ * every translation that separates the ellipsoid from the mesh is at least as long. The bounds on
+ * errors, the proof by the normal and the derivatives are those of pw85_distance_triangle() for the
+ * nearest triangle. No other triangle has a smaller lower bound on its distance.
  *
- * The solid inside a closed mesh has another signed distance. If the ellipsoid overlaps no
- * triangle, it is minus the distance if the centre is inside, and the distance if it is outside. A
- * mesh is closed if each edge of a triangle is that of another one in the opposite direction;
- * vertices with equal coordinates are the same. A point is inside if the mesh winds around it a
- * number of times that is not 0. If the centre is on the surface, up to 2⁻⁹⁰ of the size of the
- * mesh, a point infinitely near decides.
+ * The signed distance to the solid that a closed mesh bounds is different. If the ellipsoid
+ * overlaps no triangle, it is the distance if the centre is outside, and minus the distance if the
+ * centre is inside. A mesh is closed if each edge of a triangle is also an edge of another
+ * triangle, in the opposite direction; vertices with equal coordinates are the same. A point is
+ * inside if the winding number of the mesh around it is not 0. If the centre is on the surface, up
+ * to 2⁻⁹⁰ of the size of the mesh, `inside` is the answer for a point infinitely near the centre.
  *
- * The time is some 0.15 ms for 1,000 triangles. It is larger if the ellipsoid overlaps many
- * triangles. If its aspect ratio exceeds about 10⁶, the function tries all triangles.
+ * The time is about 0.15 ms for 1,000 triangles. It is longer if the ellipsoid overlaps many
+ * triangles. If the aspect ratio of the ellipsoid is above about 10⁶, the function computes all
+ * triangles.
  *
  * @param mesh,center,q [as pw85_mesh_contact()]
  * @param[out] distance [length; optional] negative if they overlap; infinity if the mesh has no
@@ -462,8 +466,8 @@ PW85_API int pw85_mesh_distance(pw85_mesh const *mesh, double const center[3], d
                                 double *distance, double point1[3], double point2[3],
                                 double normal[3], int32_t *triangle, int32_t *inside);
 
-/** Computes pw85_mesh_contact() for n ellipsoids and one mesh, with the same bits. Runs in
- * parallel.
+/** Computes pw85_mesh_contact() for n ellipsoids and one mesh, in parallel, with bitwise equal
+ * results.
  *
  * @param mesh a mesh
  * @param n [number of ellipsoids]
@@ -477,7 +481,7 @@ PW85_API int pw85_mesh_contact_batch(pw85_mesh const *mesh, size_t n, double con
                                      double const *q, double *mu2, double *point,
                                      int32_t *triangle);
 
-/** Computes pw85_mesh_overlap() for n ellipsoids and one mesh. Runs in parallel.
+/** Computes pw85_mesh_overlap() for n ellipsoids and one mesh, in parallel.
  *
  * @param mesh a mesh
  * @param n [number of ellipsoids]
@@ -488,8 +492,8 @@ PW85_API int pw85_mesh_contact_batch(pw85_mesh const *mesh, size_t n, double con
 PW85_API int pw85_mesh_overlap_batch(pw85_mesh const *mesh, size_t n, double const *centers,
                                      double const *q, unsigned char *overlap);
 
-/** Computes pw85_mesh_distance() for n ellipsoids and one mesh, with the same bits. Runs in
- * parallel.
+/** Computes pw85_mesh_distance() for n ellipsoids and one mesh, in parallel, with bitwise equal
+ * results.
  *
  * @param mesh a mesh
  * @param n [number of ellipsoids]

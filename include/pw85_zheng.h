@@ -33,7 +33,7 @@ PW85_API int pw85_zheng_ellipses(double const direction[2], double const q1[3], 
 /** Computes the distance of closest approach of two ellipsoids.
  *
  * A plane through the line of centres cuts out two ellipses. The result is the largest distance of
- * closest approach of the two, as the plane turns about the line.
+ * closest approach of the two, as the plane rotates about the line.
  *
  * @param direction,q1,q2 [as pw85_closest_approach()]
  * @param[out] distance [length] of the centres at external tangency

@@ -69,8 +69,8 @@ export interface Pw85 extends Memory {
      * @param semiAxes Lengths of the principal semi-axes (not diameters), whose squares are in the range of
      *   double; > 0. 3 numbers.
      * @param rotation Row-major matrix R, which takes the body frame to the space frame; its columns are the
-     *   principal directions. An entry of RᵀR - I may be at most 1e-6 in magnitude: single precision is enough. R
-     *   may be a reflection. 9 numbers.
+     *   directions of the semi-axes. Each entry of RᵀR - I must be at most 1e-6 in magnitude: single precision is
+     *   enough. R may be a reflection. 9 numbers.
      */
     ellipsoid(semiAxes: Numbers, rotation: Numbers): Float64Array;
     /**
@@ -83,8 +83,8 @@ export interface Pw85 extends Memory {
      * Computes the quadratic form of an ellipsoid whose orientation is a quaternion.
      * @param semiAxes Lengths of the principal semi-axes (not diameters), whose squares are in the range of
      *   double; > 0. 3 numbers.
-     * @param quaternion (w, x, y, z), scalar first, which takes the body frame to the space frame; of any length,
-     *   because the function normalises it; not zero. 4 numbers.
+     * @param quaternion (w, x, y, z), scalar first, which rotates the body frame into the space frame; of any
+     *   length, because the function normalises it; not zero. 4 numbers.
      */
     ellipsoidQuaternion(semiAxes: Numbers, quaternion: Numbers): Float64Array;
     /**
@@ -150,7 +150,7 @@ export interface Pw85 extends Memory {
      * Σ|r12_i ∂V/∂r12_i| + Σ √(q1_ii q1_jj) |∂V/∂q1_ij| + Σ √(q2_ii q2_jj) |∂V/∂q2_ij|, summed over coordinates
      * and stored entries, with the derivatives of `pw85_overlap_volume_gradient()` of the C API.
      * If the intersection is as thin as rounding errors, V may be 0. If the part of the smaller ellipsoid outside
-     * of the other one is as thin, V may be the volume of the smaller ellipsoid.
+     * the other one is as thin as rounding errors, V may be the volume of the smaller ellipsoid.
      * @param r12 Vector from the centre of ellipsoid 1 to that of ellipsoid 2; it may be zero. 3 numbers.
      * @param q1 Forms of the ellipsoids, in the square of the unit of `r12`. 6 numbers.
      * @param q2 As `q1`.
@@ -168,13 +168,13 @@ export interface Pw85 extends Memory {
      * ellipsoids along n. Its error is below 8 u Σ, with u = 2⁻⁵³. Here Σ = Σ|n_i r12_i| + Σ|n_i q1_ij n_j|/(2α)
      * + Σ|n_i q2_ij n_j|/(2β), summed over all i and j, with n, α and β at the closest points. Rounding the data
      * entry by entry can change the distance by u Σ.
-     * A program can check the result. For any unit vector n, n·r12 - α - β is a lower bound of the distance;
-     * `distance` is this bound for the normal of `pw85_distance_derivatives()` of the C API. For any two points
-     * of the ellipsoids, their distance is an upper bound; one is |point2 - point1|.
+     * A program can check the result by two bounds. For any unit vector n, n·r12 - α - β is a lower bound of the
+     * distance; `distance` is this bound for the normal of `pw85_distance_derivatives()` of the C API. The
+     * distance between any two points of the two ellipsoids is an upper bound, such as |point2 - point1|.
      * Let ε = 2¹⁸ u (|r12| + |point1| + |r12 - point2|). The vector point2 - point1 differs from `distance` times
-     * n by less than ε, and its length from `distance` by at most ε. The points are the exact closest points for
-     * a pair whose r12 differs by at most ε. Each point is off its surface by less than 2¹⁸ u times the longest
-     * semi-axis of its ellipsoid, plus the rounding error u |point2| of the coordinates.
+     * n by less than ε, and the length of this vector differs from `distance` by at most ε. The points are the
+     * exact closest points for a pair whose r12 differs by at most ε. Each point is off its surface by less than
+     * 2¹⁸ u times the longest semi-axis of its ellipsoid, plus the rounding error u |point2| of its coordinates.
      * @param r12 Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 numbers.
      * @param q1 Forms of the ellipsoids, in the square of the unit of `r12`. 6 numbers.
      * @param q2 As `q1`.
@@ -221,7 +221,7 @@ export interface Plane extends Memory {
 
     /**
      * Computes the area of the intersection of two ellipses; see `overlapVolume()`.
-     * The error has the bound of that function, with areas for volumes.
+     * The bound on the error is that of `overlapVolume()`, with areas instead of volumes.
      * @param r12 Vector from the centre of ellipse 1 to that of ellipse 2; it may be zero. 2 numbers.
      * @param q1 Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. 3 numbers.
      * @param q2 As `q1`.

@@ -26,6 +26,11 @@ def tutorial(text):
     return re.search(r"^ {4}(\S*tutorial\S*)", text, re.MULTILINE)[1]
 
 
+def without_installation(text):
+    """The command that compiles and runs the program in C++ with the headers of the source, without its comment."""
+    return re.search(r"^ {4}(c\+\+ .*?) +#", text, re.MULTILINE)[1]
+
+
 def blocks(text):
     return re.findall(r"^```(\w+)\n(.*?)^```\n", text, re.MULTILINE | re.DOTALL)
 
@@ -95,6 +100,8 @@ def wrong_outputs(source, readme, commands, expected):
         copy = Path(folder) / "pw85"
         shutil.copytree(source, copy, ignore=built(source))
         make_foreign_python(Path(folder) / "foreign")
+        if (printed := run(without_installation(readme), copy)) != expected:
+            yield f"README's command without an installation printed\n{printed}instead of\n{expected}"
         run(tutorial(readme), copy)
         for language, compiler in COMPILERS.items():
             if not shutil.which(compiler):

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file
-/// The contact function of Perram and Wertheim for two ellipsoids, in C++: header-only, for any
-/// scalar.
+/// @file The contact function of Perram and Wertheim for two ellipsoids: C++ templates over the
+/// scalar type, in headers only.
 ///
 /// The ellipsoid with centre c and quadratic form Q is the set of the points m for which (m-c)ᵀ Q⁻¹
 /// (m-c) <= 1. The matrix Q is symmetric and positive definite. Its eigenvalues are the squares of
@@ -10,8 +9,9 @@
 ///
 ///     μ² = max { f(λ), 0 <= λ <= 1 },    f(λ) = λ(1-λ) r12ᵀ [(1-λ) Q1 + λ Q2]⁻¹ r12.
 ///
-/// If both ellipsoids are scaled by the factor μ about their centres, they touch from outside. The
-/// ellipsoids overlap if μ² < 1, touch if μ² = 1, and are apart if μ² > 1.
+/// The square root μ is a scale factor: if both ellipsoids are scaled by μ about their centres,
+/// they touch from outside. The ellipsoids overlap if μ² < 1, touch if μ² = 1, and are apart if μ²
+/// > 1.
 ///
 ///     using namespace pw85;
 ///     Vector r12{1.0, 0.0, 0.0};
@@ -25,38 +25,38 @@
 ///
 /// - `T` is float, double, long double or a multiprecision number such as those of Boost. `D` is
 ///   the dimension, 2 or 3. u is the unit roundoff of `T`, 2⁻⁵³ for double.
-/// - A Vector has `D` coordinates. A SymmetricMatrix is its upper triangle in row-major order, (xx,
-///   xy, xz, yy, yz, zz) or (xx, xy, yy).
-/// - All lengths are in one unit, which the caller chooses. Forms are in its square. μ² and λ have
-///   no unit.
-/// - The result is a value with a Status. If it is not Status::success, every number of the result
-///   is NaN, and the status says why. Status::invalid_argument has two causes, in every function: a
-///   number is NaN or infinite; an argument is outside of the range that its description states, as
-///   "> 0". Status::not_positive_definite means that a form is not positive definite.
-/// - Every function is noexcept, and constexpr where the standard allows it. No function allocates
-///   memory, has state, or prints anything.
+/// - A Vector has `D` coordinates. A SymmetricMatrix stores the upper triangle in row-major order:
+///   (xx, xy, xz, yy, yz, zz), or (xx, xy, yy) in two dimensions.
+/// - All lengths have the same unit, which the caller chooses. Forms have the square of this unit.
+///   μ² and λ are dimensionless.
+/// - The result is a struct that contains a Status. If the status is not Status::success, every
+///   number of the result is NaN. Status::invalid_argument has two causes, in every function: a
+///   number is NaN or infinite; an argument is outside the range that its description states, such
+///   as "> 0". Status::not_positive_definite means that a form is not positive definite.
+/// - Every function is noexcept, and constexpr if C++20 allows it. No function allocates memory,
+///   has state, or prints anything.
 /// - In double, no intermediate result overflows or underflows if semi-axes and distances are from
 ///   1e-150 to 1e150.
 /// - The reproducible mode of the compiled library, pw85_set_reproducible(), does not apply to the
 ///   templates.
-/// - Code is compiled with the flags of the translation unit that includes it, and runs in the
-///   caller's floating-point environment. It does not compile with `-ffast-math` unless
+/// - The functions are compiled with the flags of the translation unit that includes them, and run
+///   in the caller's floating-point environment. They do not compile with `-ffast-math` unless
 ///   PW85_ALLOW_FAST_MATH is defined.
 ///
-/// Its neighbours:
+/// Related headers:
 ///
 /// - pw85/batch.hpp: many pairs, as spans; needs the compiled library, which chooses the
 ///   instruction set at run time.
 /// - pw85/systems.hpp: pair lists, neighbour lists, forces, meshes and periodic cells;
 ///   pw85/simulation.hpp: Monte Carlo.
-/// - pw85/history/legacy.hpp: the rational form of f and superseded solvers;
+/// - pw85/history/legacy.hpp: the rational form of f and superseded solvers.
 ///   pw85/history/zheng.hpp: the distance of closest approach by the algorithms of Zheng et al.
-///   Both serve to check the contact function.
+///   Both headers are for comparison with the contact function.
 /// - pw85.h: the C API of the compiled library. It also has Brent's method as in pw85 1.0, which
 ///   the library takes from GSL or from Boost.Math.
-/// - The folders hold the definitions, one idea a header, with its mathematics at the top and
-///   beside its functions: algebra/, contact/, overlap/, distance/, motion/, shapes/, volume/ and
-///   bodies/. What is not public there is in namespace pw85::detail.
+/// - The definitions are in the folders algebra/, contact/, overlap/, distance/, motion/, shapes/,
+///   volume/ and bodies/. Each header there has one subject, and explains its mathematics at its
+///   top and next to its functions. Names that are not public are in namespace pw85::detail.
 #ifndef PW85_PW85_HPP_INCLUDED
 #define PW85_PW85_HPP_INCLUDED
 
@@ -140,8 +140,8 @@ PW85_FUNCTION constexpr Form<T, 3> spheroid(T const &a, T const &c, Vector<T, 3>
 template <class T> PW85_FUNCTION constexpr Form<T, 3> ellipsoid(Vector<T, 3> const &semi_axes,
                                                                 T const (&rotation)[9]) noexcept;
 
-/// Computes the form of an ellipsoid from a rotation of any type that has its entry in row i and
-/// column j as r(i, j) or r[i][j], or from a std::array<T, 9> in row-major order.
+/// Computes the form of an ellipsoid from a rotation matrix of any type whose entry in row i and
+/// column j is r(i, j) or r[i][j], or from a std::array<T, 9> in row-major order.
 ///
 /// Such types are T[3][3], std::array<std::array<T, 3>, 3>, std::array<Vector<T, 3>, 3>, Factor<T,
 /// 3>, SymmetricMatrix<T, 3> and matrices of Eigen. Entries are converted to T.
@@ -155,14 +155,14 @@ ellipsoid(Vector<T, 3> const &semi_axes, Matrix const &rotation) noexcept;
 /// Computes the form of an ellipsoid whose orientation is a quaternion.
 ///
 /// @param semi_axes as for ellipsoid()
-/// @param quaternion (w, x, y, z), scalar first, which takes the body frame to the space frame; of
-/// any length > 0, because the function normalises it
+/// @param quaternion (w, x, y, z), scalar first, which rotates the body frame into the space frame;
+/// of any length > 0, because the function normalises it
 /// @return the form; Status::invalid_argument
 template <class T> PW85_FUNCTION constexpr Form<T, 3>
 ellipsoid_quaternion(Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion) noexcept;
 
-/// Computes a factor S of the form of an ellipsoid, Q = S Sᵀ, for contact_factored(). Its columns
-/// are the semi-axes as vectors.
+/// Computes a factor S of the form of an ellipsoid, Q = S Sᵀ, for contact_factored(). The columns
+/// of S are the semi-axes as vectors.
 ///
 /// @param semi_axes,quaternion as for ellipsoid_quaternion()
 /// @return the factor; Status::invalid_argument
@@ -178,7 +178,8 @@ ellipsoid_factor(Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion) 
 template <class T>
 PW85_FUNCTION inline Form<T, 2> ellipse(T const &a, T const &b, T const &angle) noexcept;
 
-/// Computes the smallest box, with sides along the axes, around an ellipsoid: half-widths √Q_ii.
+/// Computes the half-widths √Q_ii of the smallest box with sides along the axes that contains an
+/// ellipsoid.
 ///
 /// @param q the form
 /// @return the half-widths; Status::invalid_argument, Status::not_positive_definite
@@ -205,9 +206,9 @@ PW85_FUNCTION inline Contact<T> contact(Vector<T, D> const &r12, SymmetricMatrix
 
 /// Computes the contact function with μ² correctly rounded.
 ///
-/// μ² is the number of the type nearest to the exact value for the numbers given. If two are
-/// equally near, it is the one whose last digit is 0. λ errs by less than one unit in the last
-/// place. For multiprecision numbers the results are those of contact().
+/// μ² is the number of the type nearest to the exact value for the numbers given. If two numbers
+/// are equally near, it is the one whose last binary digit is 0. The error of λ is less than one
+/// unit in the last place. For multiprecision numbers the results are those of contact().
 ///
 /// @param r12,q1,q2 as for contact()
 /// @return μ² and λ in [0, 1]; μ² is infinity if it overflows, with success;
@@ -221,12 +222,12 @@ PW85_FUNCTION inline Contact<T> contact_rounded(Vector<T, D> const &r12,
 /// Computes the contact function of ellipsoids that are given by factors of their forms, Q1 = S1
 /// S1ᵀ and Q2 = S2 S2ᵀ.
 ///
-/// Factors of slender ellipsoids keep digits that the forms lose: see pw85_contact_factored() in
+/// For slender ellipsoids, factors keep digits that forms lose: see pw85_contact_factored() in
 /// pw85.h.
 ///
 /// @param r12 as for contact()
-/// @param s1,s2 factors, in the unit of `r12`, as from ellipsoid_factor(). pw85_contact_factored()
-/// says which other matrices are accepted.
+/// @param s1,s2 factors, in the unit of `r12`, as from ellipsoid_factor(). The contract of
+/// pw85_contact_factored() states which other matrices are accepted.
 /// @return μ² and λ in [0, 1]; Status::invalid_argument, Status::not_positive_definite (a factor is
 /// singular, or nearly), Status::no_convergence
 template <class T, int D> PW85_FUNCTION inline Contact<T>
@@ -268,8 +269,8 @@ template <class T, int D> PW85_FUNCTION inline ContactGradient<T, D>
 contact_gradient(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                  SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
 
-/// Computes the point and the normal of contact_geometry() for ellipsoids that are given by
-/// factors.
+/// Computes the contact point and the normal, as contact_geometry() does, for ellipsoids that are
+/// given by factors of their forms.
 ///
 /// @param r12 as for contact_factored(), r12 != 0
 /// @param s1,s2 as for contact_factored()
@@ -305,7 +306,7 @@ contact_torque(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
 /// their own centres.
 ///
 /// A rotation vector ω is the rotation by the angle |ω| about the direction of ω. In two dimensions
-/// ω is the angle. λ is not held fixed: it maximises f for each changed pair.
+/// ω is the angle. λ varies with the pair: it always maximises f.
 ///
 /// @param r12,q1,q2 as for contact(), r12 != 0
 /// @param lambda the maximiser λ in [0, 1], from contact()
@@ -318,8 +319,8 @@ contact_hessian(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
 /// Tests whether two ellipsoids overlap, μ² < 1. Tangent ellipsoids (μ² = 1) do not overlap.
 ///
 /// For float, double and long double the answer is exact for the numbers given. Bounds that account
-/// for rounding decide almost all pairs, and exact arithmetic decides the others. For a
-/// multiprecision number the answer is right to its rounding.
+/// for rounding decide almost all pairs, and exact arithmetic decides the others. For
+/// multiprecision numbers the answer is correct up to rounding.
 ///
 /// @param r12,q1,q2 as for contact(); r12 = 0 is an overlap
 /// @return the answer, and `tier`, the method that decided; Status::invalid_argument,
@@ -328,24 +329,24 @@ template <class T, int D>
 PW85_FUNCTION inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                      SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// Tests whether two ellipsoids overlap that are given by factors of their forms.
+/// Tests whether two ellipsoids, given by factors of their forms, overlap.
 ///
-/// For float, double and long double the answer is exact for the exact products of the factors. For
-/// a multiprecision number it is right to its rounding.
+/// For float, double and long double the answer is exact for the unrounded products S Sᵀ of the
+/// factors. For multiprecision numbers it is correct up to rounding.
 ///
 /// @param r12 as for contact_factored(); r12 = 0 is an overlap
 /// @param s1,s2 as for contact_factored()
 /// @return the answer, and `tier`, the method that decided; Status::invalid_argument,
-/// Status::not_positive_definite, Status::no_convergence (only integers can decide, and their
-/// digits do not fit: see pw85_overlap_factored() in pw85.h)
+/// Status::not_positive_definite, Status::no_convergence (only integers can decide, and the numbers
+/// need too many digits: see pw85_overlap_factored() in pw85.h)
 template <class T, int D> PW85_FUNCTION inline Overlap
 overlap_factored(Vector<T, D> const &r12, Factor<T, D> const &s1, Factor<T, D> const &s2) noexcept;
 
 /// Tests whether two ellipsoids overlap, without exact arithmetic.
 ///
-/// The decision is Decision::overlap or Decision::apart if floating-point numbers prove it, and
-/// Decision::none for a pair so near to contact (|μ² - 1| of some u cond) that they cannot. A
-/// thread of a GPU can call this function, and leave undecided pairs to overlap() on the host.
+/// The decision is Decision::overlap or Decision::apart if floating-point arithmetic proves it. It
+/// is Decision::none if the pair is too close to contact for such a proof (|μ² - 1| of a few u
+/// cond). A GPU thread can call this function, and leave undecided pairs to overlap() on the host.
 ///
 /// @param r12,q1,q2 as for overlap()
 /// @return the decision, and `tier`, the method that made it; Decision::none with
@@ -360,22 +361,24 @@ PW85_FUNCTION inline OverlapDecision decide_overlap(Vector<T, D> const &r12,
 ///
 /// For float, double and long double the witness holds in exact arithmetic: a λ with f(λ) > 1, or a
 /// point inside both and on neither surface. Tangent ellipsoids have no witness: `lambda` and
-/// `point` are NaN, with success. For a multiprecision number the witness is right to rounding.
+/// `point` are NaN, with success. For multiprecision numbers the witness is correct up to rounding.
 ///
 /// @param r12,q1,q2 as for overlap()
-/// @return the answer; if they are apart, a λ with f(λ) > 1, and the unit normal of a plane between
-/// them, right to rounding; if they overlap, a point in both, relative to the centre of ellipsoid
-/// 1; the other numbers are NaN; Status::invalid_argument, Status::not_positive_definite,
-/// Status::no_convergence (no witness was found; the answer is right nevertheless)
+/// @return the answer; if the ellipsoids are apart, a λ with f(λ) > 1, and the unit normal of a
+/// plane between them, correct up to rounding; if they overlap, a point inside both, relative to
+/// the centre of ellipsoid 1; the other numbers are NaN; Status::invalid_argument,
+/// Status::not_positive_definite, Status::no_convergence (no witness was found, but the answer is
+/// correct)
 template <class T, int D>
 PW85_FUNCTION inline OverlapWitness<T, D> overlap_witness(Vector<T, D> const &r12,
                                                           SymmetricMatrix<T, D> const &q1,
                                                           SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// Tests whether ellipsoid 2 is inside ellipsoid 1. It may touch the surface from inside.
+/// Tests whether ellipsoid 2 is inside ellipsoid 1. An ellipsoid 2 that touches the surface from
+/// inside counts as inside.
 ///
-/// For float, double and long double the answer is exact for the numbers given. For a
-/// multiprecision number, a pair that rounding cannot tell from one that touches counts as inside.
+/// For float, double and long double the answer is exact for the numbers given. For multiprecision
+/// numbers, a pair that touches up to rounding counts as inside.
 ///
 /// @param r12,q1,q2 as for contact()
 /// @return the answer; Status::invalid_argument, Status::not_positive_definite
@@ -383,8 +386,8 @@ template <class T, int D>
 PW85_FUNCTION inline Containment contains(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                           SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// Computes the least factor by which ellipsoid 1, scaled about its centre, contains ellipsoid 2,
-/// and a point where they then touch.
+/// Computes the least factor by which ellipsoid 1 must be scaled about its centre to contain
+/// ellipsoid 2, and a point where the two then touch.
 ///
 /// The square of the factor is the largest value of xᵀQ1⁻¹x over ellipsoid 2. Its relative error is
 /// below 16 u c, with c of pw85_containment() in pw85.h.
@@ -518,8 +521,8 @@ template <class T> PW85_FUNCTION inline OverlapAreaTorque<T>
 overlap_area_torque(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
                     SymmetricMatrix<T, 2> const &q2) noexcept;
 
-/// Computes the volume of the part of an ellipsoid that is in the half-space normal·x <= offset.
-/// The points x are relative to the centre of the ellipsoid.
+/// Computes the volume of the part of an ellipsoid that is in the half-space normal·x <= offset,
+/// where x is relative to the centre of the ellipsoid.
 ///
 /// @param normal of any length > 0
 /// @param offset in units of the length of `normal` times the unit of length
@@ -602,7 +605,7 @@ PW85_FUNCTION inline Penetration<T, D> penetration(Vector<T, D> const &r12,
                                                    SymmetricMatrix<T, D> const &q1,
                                                    SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// Computes the least gap between the surfaces of ellipsoid 1 and of ellipsoid 2 inside it. The gap
+/// Computes the least gap between the surface of ellipsoid 1 and an ellipsoid 2 inside it. The gap
 /// is proved to be the least.
 ///
 /// @param r12,q1,q2 as for contact()
@@ -821,7 +824,8 @@ PW85_FUNCTION inline SurfaceDistance<T, D> distance_box(Vector<T, D> const &lowe
                                                         Vector<T, D> const &upper,
                                                         SymmetricMatrix<T, D> const &q) noexcept;
 
-/// Computes the distance from an ellipsoid to the wall of a cylinder of infinite length around it.
+/// Computes the distance from an ellipsoid to the wall of a cylinder of infinite length that
+/// contains it.
 ///
 /// @param axis direction of the axis, which goes through 0; of any length > 0
 /// @param radius of the cylinder, > 0

@@ -4,7 +4,7 @@ function area = pw85_area (varargin)
 %   area = pw85_area (q)
 %   area = pw85_area (x)
 %
-%  The error has the bound of pw85_volume().
+%  The bound on the error is that of pw85_volume().
 %
 %  For ellipses.
 %

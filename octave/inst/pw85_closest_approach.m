@@ -5,9 +5,9 @@ function distance = pw85_closest_approach (varargin)
 %   distance = pw85_closest_approach (direction, q1, q2)
 %   distance = pw85_closest_approach (x, y, direction)
 %
-%  It is the distance of the centres at which the ellipsoids touch from outside, in fixed
-%  orientation and with the centres on a line along d = direction. It is |d|/μ(d), where μ(d) is
-%  μ for r12 = d.
+%  This is the distance of the centres at which the ellipsoids touch from outside, if their
+%  orientations are fixed and the centres are on a line along d = direction. It is |d|/μ(d),
+%  where μ(d) is μ for r12 = d.
 %
 %  For ellipses and ellipsoids.
 %

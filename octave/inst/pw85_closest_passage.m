@@ -1,18 +1,17 @@
 function [mu2, t] = pw85_closest_passage (varargin)
-%pw85_closest_passage  Computes the least μ² while ellipsoid 2 passes ellipsoid 1 on a straight
-%  path, and its time.
+%pw85_closest_passage  Computes the least μ² while ellipsoid 2 translates past ellipsoid 1 on a
+%  straight path, and the time of this minimum.
 %
 %   [mu2, t] = pw85_closest_passage (r12, q1, q2, velocity [, t_max])
 %   [mu2, t] = pw85_closest_passage (x, y, velocity [, t_max])
 %
-%  It is the minimum of the contact function for the separations r12 + t velocity, 0 <= t <=
+%  This is the minimum of the contact function for the separations r12 + t velocity, 0 <= t <=
 %  t_max. μ² is a convex function of t, so the minimum is unique unless the velocity is zero.
-%  Ellipsoids that only translate overlap on this path if and only if the exact minimum is below
-%  1.
+%  The ellipsoids overlap somewhere on this path if and only if the exact minimum is below 1.
 %
 %  The error of μ² is below 8 u S, with u = 2⁻⁵³. Here S = μ² cond + 2 λ(1-λ) Σ|n_i| (|r12_i| +
-%  t |velocity_i|), with cond, λ and n of pw85_condition() for the pair at time t. S is the
-%  change of μ², to first order, for relative changes of one in the given numbers.
+%  t |velocity_i|), with cond, λ and n of pw85_condition() for the pair at time t. Relative
+%  errors ε of the given numbers change μ² by at most ε S, to first order.
 %
 %  For ellipsoids in three dimensions.
 %

@@ -1,13 +1,12 @@
 function [mu2, lambda, point, normal, d_r12, d_rot1, d_rot2] = pw85_contact_derivatives (varargin)
-%pw85_contact_derivatives  Computes all that the forces and torques of an energy U(μ²) need, for
-%  many pairs.
+%pw85_contact_derivatives  Computes for many pairs the results of pw85_contact(),
+%  pw85_contact_geometry(), pw85_contact_gradient() and pw85_contact_torque(), from which the
+%  forces and torques of an energy U(μ²) follow.
 %
 %   [mu2, lambda, point, normal, d_r12, d_rot1, d_rot2] = pw85_contact_derivatives (r12, q1, q2)
 %   [mu2, lambda, point, normal, d_r12, d_rot1, d_rot2] = pw85_contact_derivatives (x, y)
 %
-%  The results of pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and
-%  pw85_contact_torque(). A pair with r12 = 0 is valid: its derivatives are zero, its point and
-%  normal NaN.
+%  A pair with r12 = 0 is valid: its derivatives are zero, its point and normal NaN.
 %
 %  For ellipsoids in three dimensions.
 %

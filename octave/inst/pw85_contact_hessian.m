@@ -5,9 +5,10 @@ function hessian = pw85_contact_hessian (varargin)
 %   hessian = pw85_contact_hessian (r12, q1, q2, lambda)
 %   hessian = pw85_contact_hessian (x, y, lambda)
 %
-%  Their relative error is a few times the relative errors of λ and of 1-λ. λ from
-%  pw85_contact() has a relative error of some u times the squared aspect ratio, with u = 2⁻⁵³.
-%  If ellipsoid 1 is much larger than ellipsoid 2, the relative error of 1-λ is u/(1-λ).
+%  The relative error of the second derivatives is a few times the relative errors of λ and of
+%  1-λ. If λ comes from pw85_contact(), its relative error is a few u times the squared aspect
+%  ratio, with u = 2⁻⁵³. If ellipsoid 1 is much larger than ellipsoid 2, the relative error of
+%  1-λ is u/(1-λ).
 %
 %  For ellipses and ellipsoids.
 %
@@ -23,8 +24,8 @@ function hessian = pw85_contact_hessian (varargin)
 %
 %  hessian     Symmetric matrix of second derivatives with respect to r12, rotation 1 and
 %              rotation 2. A rotation vector ω is the rotation by the angle |ω| about the
-%              direction of ω. λ is not held fixed: it maximises f for each pair. 81 or 16
-%              columns, a matrix of 9 x 9 row by row.
+%              direction of ω. λ varies with the pair: it always maximises f. 81 or 16 columns,
+%              a matrix of 9 x 9 row by row.
 %
 %  The function of the C API is pw85_contact_hessian().
 

@@ -7,7 +7,8 @@ function [mu2, lambda] = pw85_contact_rounded (varargin)
 %
 %  μ² is the double nearest to the exact value for the numbers given. If two doubles are equally
 %  near, it is the one whose last bit is 0. This rule includes underflow and overflow: a value
-%  of 2¹⁰²⁴ - 2⁹⁷⁰ or more becomes infinity. λ errs by less than one unit in the last place.
+%  of 2¹⁰²⁴ - 2⁹⁷⁰ or more becomes infinity. The error of λ is less than one unit in the last
+%  place.
 %
 %  Every processor and every instruction set therefore gives the same μ². Exchanging the two
 %  ellipsoids does not change it. Multiplying the unit of length by a power of two does not

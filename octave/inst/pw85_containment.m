@@ -1,6 +1,6 @@
 function [mu2, point] = pw85_containment (varargin)
-%pw85_containment  Computes the least factor by which ellipsoid 1, scaled about its centre,
-%  contains ellipsoid 2, and a point where they then touch.
+%pw85_containment  Computes the least factor by which ellipsoid 1 must be scaled about its
+%  centre to contain ellipsoid 2, and a point where the two then touch.
 %
 %   [mu2, point] = pw85_containment (r12, q1, q2)
 %   [mu2, point] = pw85_containment (x, y)
@@ -9,9 +9,9 @@ function [mu2, point] = pw85_containment (varargin)
 %  relative to the centre of ellipsoid 1. It is at most 1 if ellipsoid 2 is inside ellipsoid 1;
 %  pw85_contains() decides this exactly.
 %
-%  The relative error of the square is below 16 u c, with u = 2⁻⁵³. The number c is the relative
-%  change of the square, to first order, for relative changes of one in the entries of r12, q1
-%  and q2. Bounds from both sides prove the result.
+%  The relative error of the square is below 16 u c, with u = 2⁻⁵³. If each entry of r12, q1 and
+%  q2 changes by at most a fraction ε of itself, the square changes by at most a fraction ε c,
+%  to first order in ε. A lower and an upper bound prove the result.
 %
 %  For ellipses and ellipsoids.
 %
@@ -26,10 +26,10 @@ function [mu2, point] = pw85_containment (varargin)
 %
 %  mu2         Square of the factor. 1 column.
 %  point       A point of contact on the surface of ellipsoid 2, relative to the centre of
-%              ellipsoid 1. There are several such points if r12 = 0, and the result is one of
-%              them. There can also be several if r12 is short and, after the linear map that
-%              makes ellipsoid 1 a unit ball, has no component along the longest semi-axis of
-%              ellipsoid 2. 3 or 2 columns.
+%              ellipsoid 1. If r12 = 0, there are several such points, and the result is one of
+%              them. The same holds for a short r12 that has no component along the longest
+%              semi-axis of ellipsoid 2, after the linear map that makes ellipsoid 1 a unit
+%              ball. 3 or 2 columns.
 %
 %  The function of the C API is pw85_containment().
 

@@ -4,9 +4,9 @@ function contains = pw85_contains (varargin)
 %   contains = pw85_contains (r12, q1, q2)
 %   contains = pw85_contains (x, y)
 %
-%  It may touch the surface from inside.
+%  An ellipsoid 2 that touches the surface from inside counts as inside.
 %
-%  The answer is exact for the numbers given. Every ellipsoid is inside itself.
+%  The answer is exact for the numbers given. Every ellipsoid contains itself.
 %
 %  For ellipses and ellipsoids.
 %

@@ -4,7 +4,7 @@ function [d_r12, d_rot1, d_rot2, hessian] = pw85_distance_derivatives (varargin)
 %   [d_r12, d_rot1, d_rot2, hessian] = pw85_distance_derivatives (r12, q1, q2)
 %   [d_r12, d_rot1, d_rot2, hessian] = pw85_distance_derivatives (x, y)
 %
-%  They are NaN if the ellipsoids overlap.
+%  The derivatives are NaN if the ellipsoids overlap.
 %
 %  For ellipsoids in three dimensions.
 %

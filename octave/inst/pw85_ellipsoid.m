@@ -11,8 +11,8 @@ function q = pw85_ellipsoid (varargin)
 %  semi_axes   Lengths of the principal semi-axes (not diameters), whose squares are in the
 %              range of double; > 0. 3 columns.
 %  rotation    Row-major matrix R, which takes the body frame to the space frame; its columns
-%              are the principal directions. An entry of RᵀR - I may be at most 1e-6 in
-%              magnitude: single precision is enough. R may be a reflection. 9 columns.
+%              are the directions of the semi-axes. Each entry of RᵀR - I must be at most 1e-6
+%              in magnitude: single precision is enough. R may be a reflection. 9 columns.
 %
 %  q           The form. 6 columns.
 %

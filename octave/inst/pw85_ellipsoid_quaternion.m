@@ -11,8 +11,8 @@ function q = pw85_ellipsoid_quaternion (varargin)
 %
 %  semi_axes   Lengths of the principal semi-axes (not diameters), whose squares are in the
 %              range of double; > 0. 3 columns.
-%  quaternion  (w, x, y, z), scalar first, which takes the body frame to the space frame; of any
-%              length, because the function normalises it; not zero. 4 columns.
+%  quaternion  (w, x, y, z), scalar first, which rotates the body frame into the space frame; of
+%              any length, because the function normalises it; not zero. 4 columns.
 %
 %  q           The form. 6 columns.
 %

@@ -11,7 +11,7 @@ function t = pw85_free_path (varargin)
 %  μ² <= 1 + 80 u S, with u = 2⁻⁵³ and S as for pw85_first_contact().
 %
 %  t is 0 if the ellipsoids overlap at t = 0, or touch and do not separate. If they separate, an
-%  overlap of at most 128 times the bound on the rounding error of μ² does not count.
+%  overlap of at most 128 times the bound on the rounding error of μ² is ignored.
 %
 %  For ellipsoids in three dimensions.
 %
@@ -21,8 +21,8 @@ function t = pw85_free_path (varargin)
 %  r12         Vector from the centre of ellipsoid 1 to that of ellipsoid 2. 3 columns.
 %  q1, q2      Forms of the ellipsoids, in the square of the unit of r12. 6 columns each.
 %  direction   Of any length; not zero. 3 columns.
-%  t_max       The end of the path, in units of the length of direction: a length if direction
-%              is a unit vector; >= 0; may be infinite. 1 column. Infinite if it is missing.
+%  t_max       The end of the path, as a multiple of direction: a length if direction is a unit
+%              vector; >= 0; may be infinite. 1 column. Infinite if it is missing.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.
 %
 %  t           The free path, in the unit of t_max, from 0 to t_max, or infinity if there is no

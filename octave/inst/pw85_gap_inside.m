@@ -1,5 +1,5 @@
 function [gap, point1, point2, normal] = pw85_gap_inside (varargin)
-%pw85_gap_inside  Computes the least gap between the surfaces of ellipsoid 1 and of ellipsoid 2
+%pw85_gap_inside  Computes the least gap between the surface of ellipsoid 1 and an ellipsoid 2
 %  inside it.
 %
 %   [gap, point1, point2, normal] = pw85_gap_inside (r12, q1, q2)
@@ -7,17 +7,18 @@ function [gap, point1, point2, normal] = pw85_gap_inside (varargin)
 %
 %  Ellipsoid 2 can move by the gap in any direction without leaving ellipsoid 1. The gap is the
 %  smallest value of α - β - n·r12 over unit vectors n, with the half-widths α and β of
-%  ellipsoids 1 and 2 along n. This function of n may have several local minima; the result is
-%  proved to be the global one. If several directions are equally good, the result is one of
-%  them.
+%  ellipsoids 1 and 2 along n. This function of n may have several local minima. The library
+%  proves that its result is the global minimum. If several directions give the same value, the
+%  result is one of them.
 %
-%  gap is the value for the returned normal, up to a few roundings. If minima are isolated, no
-%  other direction has a value smaller by more than 128 u α (1 + α/β), with u = 2⁻⁵³ and the α
-%  and β of the returned normal. If they are not, as on circles of spheroids with a common axis,
-%  another direction may have a value smaller by up to 2⁻²⁰ of the gap (2⁻⁴⁰ in two dimensions).
+%  gap is the value of α - β - n·r12 for the returned normal n, up to a few roundings. If the
+%  minima are isolated, no other direction has a value that is smaller by more than 128 u α (1 +
+%  α/β), with u = 2⁻⁵³ and α and β along the returned normal. If the minima are not isolated, as
+%  for spheroids with a common axis, another direction may have a value that is smaller by up to
+%  2⁻²⁰ of the gap (2⁻⁴⁰ in two dimensions).
 %
-%  The time is 50 to 300 times that of pw85_contact() for isolated minima, otherwise up to some
-%  tenths of a second.
+%  The time is 50 to 300 times that of pw85_contact() if the minima are isolated. Otherwise it
+%  is up to a few tenths of a second.
 %
 %  For ellipses and ellipsoids.
 %
@@ -33,9 +34,9 @@ function [gap, point1, point2, normal] = pw85_gap_inside (varargin)
 %              not inside ellipsoid 1, as pw85_contains() decides. 1 column.
 %  point1, point2  The closest points of the surfaces of ellipsoids 1 and 2, both relative to
 %              the centre of ellipsoid 1; NaN if ellipsoid 2 is not inside. 3 or 2 columns each.
-%  normal      Unit vector out of both ellipsoids at these points, from point2 to point1: minus
-%              the derivative of the gap with respect to r12; NaN if ellipsoid 2 is not inside.
-%              3 or 2 columns.
+%  normal      Outward unit normal of both ellipsoids at these points, from point2 to point1;
+%              the derivative of the gap with respect to r12 is its negative; NaN if ellipsoid 2
+%              is not inside. 3 or 2 columns.
 %
 %  The function of the C API is pw85_gap_inside().
 

@@ -1,6 +1,6 @@
 function [normal, depth, point, curvatures, radius] = pw85_grain_contact (varargin)
-%pw85_grain_contact  Computes the contact of two grains along their common normal, which it
-%  finds by Newton's method.
+%pw85_grain_contact  Finds the common normal of two grains by Newton's method, and computes
+%  their contact along it.
 %
 %   [normal, depth, point, curvatures, radius] = pw85_grain_contact (r12, q1, q2, start)
 %   [normal, depth, point, curvatures, radius] = pw85_grain_contact (x, y, start)
@@ -11,10 +11,10 @@ function [normal, depth, point, curvatures, radius] = pw85_grain_contact (vararg
 %  normal of pw85_contact_geometry(), or from that of the previous time step. The search then
 %  takes one or two steps.
 %
-%  There is a minimum if the overlap is small: below the least sum of radii of curvature. The
-%  search ends after a step below 2⁻²² radians. At aspect ratios up to 4, the normal errs by
-%  less than 100·2⁻⁴⁴, and so do the point and the radius in units of the semi-axes. The depth
-%  errs by the square of that, and by rounding.
+%  A minimum exists if the overlap is smaller than the least sum of radii of curvature. The
+%  search ends after a step below 2⁻²² radians. At aspect ratios up to 4, the error of the
+%  normal is less than 100·2⁻⁴⁴, and so are the errors of the point and the radius in units of
+%  the semi-axes. The error of the depth is the square of this number, plus rounding.
 %
 %  For ellipsoids in three dimensions.
 %
@@ -28,13 +28,13 @@ function [normal, depth, point, curvatures, radius] = pw85_grain_contact (vararg
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.
 %
 %  normal      Unit vector n. 3 columns.
-%  depth       δ, in the unit of r12; negative if a slab across the normal separates the
-%              ellipsoids. 1 column.
+%  depth       δ, in the unit of r12; negative if a slab perpendicular to the normal separates
+%              the ellipsoids. 1 column.
 %  point       The midpoint of the two points of the surfaces with the normals n and -n, which
 %              are δ n apart, relative to the centre of ellipsoid 1. 3 columns.
-%  curvatures  Of the gap between both surfaces, > 0, the smaller one first: eigenvalues of the
-%              sum of their second fundamental forms, as pw85_hertz() of the C API takes them. 2
-%              columns.
+%  curvatures  Principal curvatures of the gap between both surfaces, > 0, the smaller one
+%              first, as input for pw85_hertz() of the C API: eigenvalues of the sum of the
+%              second fundamental forms. 2 columns.
 %  radius      The effective radius, for spheres R1 R2/(R1 + R2). 1 column.
 %
 %  The function of the C API is pw85_grain_contact().

@@ -1,11 +1,11 @@
 function [d_r12, d_rot1, d_rot2] = pw85_grain_radius_gradient (varargin)
-%pw85_grain_radius_gradient  Computes the derivatives of the radius of pw85_grain_contact(),
-%  whose normal follows each motion.
+%pw85_grain_radius_gradient  Computes the derivatives of the radius of pw85_grain_contact().
 %
 %   [d_r12, d_rot1, d_rot2] = pw85_grain_radius_gradient (r12, q1, q2, normal)
 %   [d_r12, d_rot1, d_rot2] = pw85_grain_radius_gradient (x, y, normal)
 %
-%  A force that depends on the radius needs them to conserve the energy.
+%  They include the change of the normal with the motion. A force that depends on the radius
+%  needs these derivatives to conserve the energy.
 %
 %  For ellipsoids in three dimensions.
 %

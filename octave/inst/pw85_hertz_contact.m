@@ -6,18 +6,19 @@ function [depth, point, curvatures, directions, radius, ellipse] = pw85_hertz_co
 %   [depth, point, curvatures, directions, radius, ellipse] = pw85_hertz_contact (x, y, normal)
 %
 %  Let n be the unit normal, and α and β the half-widths of the ellipsoids along n. The depth is
-%  α + β - n·r12. A negative depth proves that the ellipsoids are apart by at least its
-%  magnitude. If they overlap, the depth is at least that of pw85_penetration(), with equality
-%  for the direction of pw85_penetration(). The usual choice is the normal of
-%  pw85_contact_geometry(). The depth is then (1/μ - 1) n·r12, a smooth function of positions
-%  and orientations for μ > 0. It exceeds that of pw85_penetration() by a term of second order
-%  in the depth.
+%  α + β - n·r12. A negative depth proves that the distance of the ellipsoids is at least its
+%  magnitude. If the ellipsoids overlap, the depth is at least the depth of pw85_penetration(),
+%  with equality if n is the direction of pw85_penetration(). The usual choice of n is the
+%  normal of pw85_contact_geometry(). The depth is then (1/μ - 1) n·r12, a smooth function of
+%  positions and orientations for μ > 0. It exceeds the depth of pw85_penetration() by a term of
+%  second order in the depth.
 %
 %  The error of the depth is below 8 u Σ, with u = 2⁻⁵³ and Σ as for pw85_distance() with this
 %  normal. The other bounds hold up to aspect ratio 10⁶ for the normal as given. The relative
 %  errors of curvatures, radius and ellipse are below 1e-12. The point is half the sum of r12
-%  and of one vector of each ellipsoid; its error is below 1e-12 times the sum of their lengths.
-%  The directions err by less than 1e-12/(1 - k1/k2) radians, with the curvatures k1 < k2.
+%  and of one vector of each ellipsoid; its error is below 1e-12 times the sum of the lengths of
+%  these vectors. The error of the directions is less than 1e-12/(1 - k1/k2) radians, with the
+%  curvatures k1 < k2.
 %
 %  For ellipsoids in three dimensions.
 %
@@ -29,17 +30,17 @@ function [depth, point, curvatures, directions, radius, ellipse] = pw85_hertz_co
 %  normal      Out of ellipsoid 1 and into ellipsoid 2, of any length; not zero. 3 columns.
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.
 %
-%  depth       The depth, in the unit of r12; negative if a slab across the normal separates the
-%              ellipsoids. 1 column.
+%  depth       The depth, in the unit of r12; negative if a slab perpendicular to the normal
+%              separates the ellipsoids. 1 column.
 %  point       The point at which contact forces act, relative to the centre of ellipsoid 1: the
 %              midpoint of the two points of the surfaces with the normals n and -n. 3 columns.
-%  curvatures  Of the gap between both surfaces, > 0, the smaller one first: eigenvalues of the
-%              sum of their second fundamental forms, as pw85_hertz() of the C API takes them. 2
-%              columns.
+%  curvatures  Principal curvatures of the gap between both surfaces, > 0, the smaller one
+%              first, as input for pw85_hertz() of the C API: eigenvalues of the sum of the
+%              second fundamental forms. 2 columns.
 %  directions  Of these curvatures and of the contact ellipse. 6 columns, a matrix of 2 x 3 row
 %              by row.
 %  radius      The effective radius, for spheres R1 R2/(R1 + R2). 1 column.
-%  ellipse     Squares of the semi-axes of the contact ellipse over the depth, along the
+%  ellipse     Squares of the semi-axes of the contact ellipse, divided by the depth, along the
 %              direction of each curvature. 2 columns.
 %
 %  The function of the C API is pw85_hertz_contact().

@@ -5,7 +5,7 @@ function area = pw85_overlap_area (varargin)
 %   area = pw85_overlap_area (r12, q1, q2)
 %   area = pw85_overlap_area (x, y)
 %
-%  The error has the bound of that function, with areas for volumes.
+%  The bound on the error is that of pw85_overlap_volume(), with areas instead of volumes.
 %
 %  For ellipses.
 %

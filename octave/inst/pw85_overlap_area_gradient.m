@@ -5,7 +5,8 @@ function [d_r12, d_q1, d_q2] = pw85_overlap_area_gradient (varargin)
 %   [d_r12, d_q1, d_q2] = pw85_overlap_area_gradient (r12, q1, q2)
 %   [d_r12, d_q1, d_q2] = pw85_overlap_area_gradient (x, y)
 %
-%  The errors have its bounds, with areas for volumes.
+%  The bounds on the errors are those of pw85_overlap_volume_gradient(), with areas instead of
+%  volumes.
 %
 %  For ellipses.
 %

@@ -12,7 +12,8 @@ function volume = pw85_overlap_volume (varargin)
 %  pw85_overlap_volume_gradient().
 %
 %  If the intersection is as thin as rounding errors, V may be 0. If the part of the smaller
-%  ellipsoid outside of the other one is as thin, V may be the volume of the smaller ellipsoid.
+%  ellipsoid outside the other one is as thin as rounding errors, V may be the volume of the
+%  smaller ellipsoid.
 %
 %  For ellipsoids in three dimensions.
 %

@@ -6,10 +6,10 @@ function [d_r12, d_q1, d_q2] = pw85_overlap_volume_gradient (varargin)
 %   [d_r12, d_q1, d_q2] = pw85_overlap_volume_gradient (x, y)
 %
 %  The derivatives are 0 if the ellipsoids do not overlap. If one ellipsoid is inside the other
-%  one, only the derivatives of its own volume are not 0.
+%  one, V is its volume, and only the derivatives with respect to its form are not 0.
 %
 %  The error of the derivative with respect to a number p is below u (256 m + 64 s), with u =
-%  2⁻⁵³. The term s is that of pw85_overlap_volume() with ∂V/∂p in the place of V. The term m
+%  2⁻⁵³. The term s is defined as for pw85_overlap_volume(), with ∂V/∂p instead of V. The term m
 %  depends on the volume v of the smaller ellipsoid, the inverse P of its form, and the inverse
 %  P' of the form to which p belongs. It is v √P_ii for p = r12_i, v √(P_ii P'_ii) for a
 %  diagonal entry p of a form, and v (√(P_ii P'_jj) + √(P_jj P'_ii)) for another entry.

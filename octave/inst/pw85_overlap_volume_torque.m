@@ -9,9 +9,9 @@ function [d_rot1, d_rot2] = pw85_overlap_volume_torque (varargin)
 %  d_rot·ω. An energy U(V) exerts the torque -U'(V) d_rot on the ellipsoid. With ∂V/∂r12 from
 %  pw85_overlap_volume_gradient(), d_rot1 + d_rot2 + r12 × ∂V/∂r12 = 0.
 %
-%  The derivatives are the axial vectors of 2 q1 G1 and 2 q2 G2, where the matrix G has the
-%  derivatives ∂V/∂q. Each component is a sum of products 2 q_ij G_jk. Its error is below the
-%  sum of 2 |q_ij| times the bound on the error of G_jk.
+%  The derivatives are the axial vectors of 2 q1 G1 and 2 q2 G2, where G is the matrix of the
+%  derivatives ∂V/∂q. Each component is a sum of products 2 q_ij G_jk. The error of a component
+%  is below the sum of 2 |q_ij| times the bound on the error of G_jk.
 %
 %  For ellipsoids in three dimensions.
 %

@@ -5,11 +5,12 @@ function [overlap, lambda, point] = pw85_overlap_witness (varargin)
 %   [overlap, lambda, point] = pw85_overlap_witness (r12, q1, q2)
 %   [overlap, lambda, point] = pw85_overlap_witness (x, y)
 %
-%  If the ellipsoids are apart, the proof is a double λ with f(λ) > 1. The function finds one
-%  whenever one exists. If they overlap, the proof is a point inside both. The function searches
-%  for it near the point at which the ellipsoids, scaled by μ, touch. It may find none if 1 - μ²
-%  is below 1e-13. Tangent ellipsoids have no proof: λ and point are then NaN. Rational
-%  arithmetic can check a proof, which holds exactly for the numbers given.
+%  If the ellipsoids are apart, the proof is a double λ with f(λ) > 1. The function finds such a
+%  λ if any double has this property. If the ellipsoids overlap, the proof is a point inside
+%  both. The function searches for this point near the contact point of the ellipsoids scaled by
+%  μ. The search may fail if 1 - μ² is below 1e-13. For tangent ellipsoids there is no proof: λ
+%  and point are then NaN. A proof holds exactly for the numbers given, and a program can check
+%  it in rational arithmetic.
 %
 %  For ellipsoids in three dimensions.
 %

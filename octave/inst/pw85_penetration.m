@@ -8,17 +8,17 @@ function [depth, direction] = pw85_penetration (varargin)
 %  The depth is the length of the shortest translation of ellipsoid 2 that separates them.
 %
 %  The depth is the smallest value of α + β - n·r12 over unit vectors n, with the half-widths α
-%  and β of the ellipsoids along n. This function of n may have several local minima; the result
-%  is proved to be the global one. If several directions are equally good, the result is one of
-%  them.
+%  and β of the ellipsoids along n. This function of n may have several local minima. The
+%  library proves that its result is the global minimum. If several directions give the same
+%  value, the result is one of them.
 %
-%  depth is the value for the returned direction, with an error below 8 u Σ, with u = 2⁻⁵³ and Σ
-%  as for pw85_distance(). No other direction has a value that is smaller by more than 32 u Σ,
-%  with the larger Σ of the two directions.
+%  depth is the value of α + β - n·r12 for the returned direction n. Its error is below 8 u Σ,
+%  with u = 2⁻⁵³ and Σ as for pw85_distance(). No other direction has a value that is smaller by
+%  more than 32 u Σ, where Σ is the larger one of the two directions.
 %
-%  The time is 3 to 8 times that of pw85_contact() for more than nine of ten random pairs, whose
-%  minimum a certificate proves. It is 10 to 60 times that of pw85_contact() for the others, and
-%  about 1000 times if the best direction is not isolated.
+%  For more than nine of ten random pairs a quick certificate proves the minimum, and the time
+%  is 3 to 8 times that of pw85_contact(). For the other pairs the time is 10 to 60 times that
+%  of pw85_contact(), and about 1000 times if the minimum is not isolated.
 %
 %  For ellipses and ellipsoids.
 %

@@ -5,21 +5,21 @@ function [distance, point1, point2] = pw85_signed_distance (varargin)
 %   [distance, point1, point2] = pw85_signed_distance (r12, q1, q2)
 %   [distance, point1, point2] = pw85_signed_distance (x, y)
 %
-%  It is the distance if they are apart, and minus the penetration depth if they overlap.
+%  The signed distance is the distance if the ellipsoids are apart, and minus the penetration
+%  depth if they overlap.
 %
-%  In both cases it is the largest value of n·r12 - α - β over unit vectors n, with the
-%  half-widths α and β of the ellipsoids along n. It is a continuous, convex function of r12,
-%  whose gradient is a unit vector. It is positive only if the ellipsoids are apart, and
-%  negative only if they overlap, as pw85_overlap() decides.
+%  In both cases the signed distance is the largest value of n·r12 - α - β over unit vectors n,
+%  with the half-widths α and β of the ellipsoids along n. It is a continuous, convex function
+%  of r12, whose gradient is a unit vector. The sign is exact: positive only if the ellipsoids
+%  are apart, and negative only if they overlap, as pw85_overlap() decides.
 %
 %  If the ellipsoids overlap, moving ellipsoid 2 by point1 - point2 is the shortest translation
-%  that separates them. If several directions are equally good, the result belongs to one of
-%  them.
+%  that separates them. If several translations have this length, the result is one of them.
 %
 %  Errors and times are as for pw85_distance() if the ellipsoids are apart, and as for
-%  pw85_penetration() if they overlap. In an overlap, point2 - point1 differs from distance
-%  times the unit normal by less than 2¹⁸ u (|r12| + |point1| + |r12 - point2|), with u = 2⁻⁵³.
-%  This holds for a direction that is isolated and aspect ratios up to 10³.
+%  pw85_penetration() if they overlap. If the ellipsoids overlap, point2 - point1 differs from
+%  distance times the unit normal by less than 2¹⁸ u (|r12| + |point1| + |r12 - point2|), with u
+%  = 2⁻⁵³. This bound holds if the minimum is isolated, for aspect ratios up to 10³.
 %
 %  For ellipses and ellipsoids.
 %

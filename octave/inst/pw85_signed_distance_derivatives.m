@@ -5,9 +5,10 @@ function [d_r12, d_rot1, d_rot2, hessian] = pw85_signed_distance_derivatives (va
 %   [d_r12, d_rot1, d_rot2, hessian] = pw85_signed_distance_derivatives (r12, q1, q2)
 %   [d_r12, d_rot1, d_rot2, hessian] = pw85_signed_distance_derivatives (x, y)
 %
-%  At contact they are the limits from both sides. For the entries of the forms, which have no
-%  output, the derivatives are -n_i n_j/(2α) for q1 and -n_i n_j/(2β) for q2, and twice that for
-%  entries off the diagonal. Here n = d_r12, with the half-widths α and β along n.
+%  At contact, the derivatives are the limits from both sides. The function has no output for
+%  derivatives with respect to the entries of the forms. They are -n_i n_j/(2α) for q1 and -n_i
+%  n_j/(2β) for q2, and twice that for entries off the diagonal, with n = d_r12 and the
+%  half-widths α and β along n.
 %
 %  For ellipsoids in three dimensions.
 %
@@ -19,14 +20,14 @@ function [d_r12, d_rot1, d_rot2, hessian] = pw85_signed_distance_derivatives (va
 %  x, y        Rows of matGeom, [xc yc zc a b c phi theta psi]: see pw85_from_matgeom.
 %
 %  d_r12       Derivative with respect to r12: the unit normal to both surfaces at the points of
-%              pw85_signed_distance(), out of ellipsoid 1. If several directions are equally
-%              good, the derivative does not exist: the result is one of the subgradients. 3
-%              columns.
+%              pw85_signed_distance(), out of ellipsoid 1. If several directions give the same
+%              signed distance, the derivative does not exist, and the result is one of the
+%              subgradients. 3 columns.
 %  d_rot1, d_rot2  Derivatives with respect to rotations, as for pw85_contact_torque(). 3
 %              columns each.
 %  hessian     Symmetric matrix of second derivatives, as for pw85_distance_derivatives(); NaN,
-%              where the best direction is not isolated, or so nearly so that half of the digits
-%              would be lost. 81 columns, a matrix of 9 x 9 row by row.
+%              if the extremum over the directions is not isolated, or so nearly degenerate that
+%              half of the digits would be lost. 81 columns, a matrix of 9 x 9 row by row.
 %
 %  The function of the C API is pw85_signed_distance_derivatives().
 

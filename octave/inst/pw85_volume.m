@@ -4,8 +4,8 @@ function volume = pw85_volume (varargin)
 %   volume = pw85_volume (q)
 %   volume = pw85_volume (x)
 %
-%  The relative error is below 2⁻⁵² if the semi-axes differ by a factor below 10⁷. For a larger
-%  factor k it is below 2⁻⁵² k²/10¹⁴.
+%  The relative error is below 2⁻⁵² for aspect ratios below 10⁷. For a larger aspect ratio k it
+%  is below 2⁻⁵² k²/10¹⁴.
 %
 %  For ellipsoids in three dimensions.
 %

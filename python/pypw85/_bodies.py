@@ -31,7 +31,7 @@ _BALL = float(volume([1, 0, 0, 1, 0, 1]))
 # The memory of 2⁴⁰ points is 26 TB.
 _MOST_POINTS = 2**40
 _GOLDEN = (math.sqrt(5) - 1) / 2
-# Steps of the tables for even points: the error of an angle is some 1e-6.
+# Steps of the tables for even points: the error of an angle is about 1e-6.
 _STEPS = 1024
 
 
@@ -189,7 +189,7 @@ class EllipsoidMesh(NamedTuple):
 def ellipsoid_mesh(q: ArrayLike, deviation: float, fit: Fit = "volume") -> EllipsoidMesh:
     """A closed mesh of triangles near the surface of an ellipsoid.
 
-    The mesh is that of a sphere, an icosahedron whose edges are divided, stretched by the semi-axes. Its faces are outside of the
+    The mesh is that of a sphere, an icosahedron whose edges are divided, stretched by the semi-axes. Its faces are outside the
     sphere of some radius h, so the mesh is between two ellipsoids of the same shape, and (1 - h) times the longest semi-axis bounds
     the distance. The mesh has as many triangles as this needs.
 
@@ -201,7 +201,7 @@ def ellipsoid_mesh(q: ArrayLike, deviation: float, fit: Fit = "volume") -> Ellip
         The largest distance between both surfaces, in the unit of length.
     fit : str
         "inscribed": the vertices are on the ellipsoid, and the volume is too small. "circumscribed": the ellipsoid is inside, and touches
-        faces; the volume is too large. "volume": the volume is that of the ellipsoid, and vertices are outside of it.
+        faces; the volume is too large. "volume": the volume is that of the ellipsoid, and vertices are outside it.
 
     Returns
     -------

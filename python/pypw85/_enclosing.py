@@ -25,7 +25,7 @@ MOST_STEPS = 100
 def enclosing_ellipsoid(points: ArrayLike, tolerance: float = 1e-6) -> tuple[Floats, Floats, float]:
     """The ellipsoid of least volume around points in 1 to 16 dimensions, with a proof.
 
-    Every point is inside of the ellipsoid or on it, in exact arithmetic for the numbers that are returned. The volume is at most
+    Every point is inside the ellipsoid or on it, in exact arithmetic for the numbers that are returned. The volume is at most
     ``1 + excess`` times the least volume.
 
     Parameters
@@ -112,7 +112,7 @@ def enclosing_ellipsoid_of(centers: ArrayLike, forms: ArrayLike, tolerance: floa
 
 
 def credible_ellipsoid(samples: ArrayLike, share: float, tolerance: float = 1e-6) -> tuple[Floats, Floats, float]:
-    """An ellipsoid that holds a share of samples: the smallest one around the most central of them.
+    """An ellipsoid that contains a given fraction of samples: the smallest one around the most central of them.
 
     The most central samples are those with the smallest distances from the mean in the norm of the covariance. The mean and the
     covariance are computed again from these samples, until the samples stay the same. This is a heuristic: the ellipsoid is the smallest

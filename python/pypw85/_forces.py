@@ -187,7 +187,7 @@ def law_forces_pairs(
     cell: ArrayLike | None = None,
     images: ArrayLike | None = None,
 ) -> LawForces:
-    """Energy, forces, torques and virial of the pairs of a neighbour list, whose energy is a law of μ².
+    """Energy, forces, torques and virial of the pairs of a neighbour list. The energy of a pair is a law of μ².
 
     It takes little more time than `contact_derivatives_pairs` alone.
 

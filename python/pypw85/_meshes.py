@@ -23,7 +23,7 @@ class MeshDistance(NamedTuple):
     `distance` (n) is negative if they overlap, and infinite if the mesh has no triangles. `point1` and `point2` (n, 3) are the closest or
     the deepest points of the ellipsoids and of the mesh, relative to the centres. `normal` (n, 3) are unit vectors from the ellipsoids to
     the mesh. `triangle` (n) are indices of the nearest triangles, the first of several; -1 if there is none. `inside` (n) is 1 for
-    a centre inside of a closed mesh, 0 outside, and -1 if the mesh is not closed.
+    a centre inside a closed mesh, 0 outside, and -1 if the mesh is not closed.
     """
 
     distance: Floats
@@ -37,8 +37,8 @@ class MeshDistance(NamedTuple):
 class Mesh:
     """A mesh of triangles, such as a wall.
 
-    The mesh is a surface: an ellipsoid inside of a closed mesh does not overlap it unless it meets a triangle. A triangle without
-    area is the segment or the point that has all three vertices.
+    The mesh is a surface: an ellipsoid inside a closed mesh overlaps the mesh only if it overlaps a triangle. A triangle without area is
+    the segment or the point that has all three vertices.
 
     Parameters
     ----------
@@ -95,7 +95,7 @@ class Mesh:
     def read(cls, path: str | os.PathLike[str]) -> Mesh:
         """The triangles of a file, by meshio: STL, OBJ, PLY and more.
 
-        Polygons are divided into triangles, along diagonals that lie inside of them if they are flat.
+        Polygons are divided into triangles, along diagonals that lie inside them if they are flat.
 
         Parameters
         ----------
@@ -161,11 +161,11 @@ class Mesh:
         """Signed distances of ellipsoids and the mesh: the least of those of all triangles, by `distance_triangle`.
 
         If an ellipsoid overlaps no triangle, it is the distance to the surface. Otherwise it is minus the largest depth of a single
-        triangle. A translation that separates the ellipsoid from the mesh is no shorter, and may have to be longer.
+        triangle. Every translation that separates the ellipsoid from the mesh is at least as long.
 
-        The signed distance to the solid inside of a closed mesh is minus the distance if the centre is inside, and the distance if it is
-        outside, where the ellipsoid overlaps no triangle. A mesh is closed if each edge of a triangle is that of another
-        one in the opposite direction.
+        If the ellipsoid overlaps no triangle, the signed distance to the solid that a closed mesh bounds is the distance if the centre is
+        outside, and minus the distance if the centre is inside. A mesh is closed if each edge of a triangle is also an edge of another
+        triangle, in the opposite direction.
 
         Parameters
         ----------

@@ -50,10 +50,11 @@ class Neighbors:
         return f"<pypw85.Neighbors: {counted(len(self), 'pair')}>"
 
     def holds(self, centers: ArrayLike, q: ArrayLike, cell: ArrayLike | None = None) -> bool:
-        """Returns whether the list still has all pairs whose boxes meet, without skin, after the particles and the cell have changed.
+        """Returns whether the list still contains all pairs whose boxes intersect, without skin, after the particles and the cell have
+        changed.
 
-        It has while the box of each particle is within its old one, grown by half the skin on each side, up to a motion that all
-        particles share; where the cell has changed, after the linear map that takes its vectors back.
+        It does if the box of each particle is within its old box, enlarged by half the skin on each side, up to a motion that all
+        particles share. If the cell has changed, this holds after the linear map from the present cell vectors to the old ones.
 
         Parameters
         ----------
@@ -93,10 +94,10 @@ def neighbors(
     scale: float = 1.0,
     skin: float = 0.0,
 ) -> Neighbors:
-    """All pairs of ellipsoids whose bounding boxes meet, with images, each once.
+    """All pairs of ellipsoids whose bounding boxes intersect, with images, each once.
 
-    So they are all pairs with μ² <= scale², and all that can come to be while the list `holds`. Pairs have i < j, or i = j and
-    an image of i itself. Their order is that of the particles in space.
+    The list contains all pairs with μ² <= scale², also after the particles have moved, while `holds` returns True. Pairs have i < j, or i
+    = j and an image of i itself. Their order is that of the particles in space.
 
     Parameters
     ----------

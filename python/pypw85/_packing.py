@@ -193,10 +193,10 @@ def _pushes(soft: _Soft) -> Iterator[_Push]:
 
 
 def relax(system: System, steps: int = 20000, stage: Callable[[str], object] = str) -> System:
-    """Move and turn ellipsoids until none overlap, by the exact test; shapes and cell stay, and ellipses stay in their plane.
+    """Move and rotate ellipsoids until none overlap, by the exact test. Shapes and cell do not change, and ellipses stay in their plane.
 
-    Ellipsoids that overlap push one another apart. Where that gets stuck, because the packing is dense, all ellipsoids are shaken,
-    and come to rest slowly, again and again, each time twice as slowly.
+    Ellipsoids that overlap push one another apart. If this gets stuck because the packing is dense, all ellipsoids receive random
+    velocities and come to rest slowly. This is repeated, each time twice as slowly.
 
     Parameters
     ----------
@@ -269,8 +269,8 @@ def pack(
 ) -> System:
     """A random packing without overlaps, by the exact test, in a periodic cell.
 
-    Ellipsoids are thrown in at random, and push one another apart (`relax`). Dense packings take longer, and order locally:
-    see `nematic_order`.
+    Ellipsoids start at random positions, and push one another apart (`relax`). Dense packings take longer, and have local order: see
+    `nematic_order`.
 
     Parameters
     ----------

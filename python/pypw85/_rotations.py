@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from ._typing import Floats
 from ._words import shown
 
-SEQUENCES = "one to three of xyz (fixed axes) or of XYZ (axes that turn along), no two alike side by side"
+SEQUENCES = "one to three of xyz (fixed axes) or of XYZ (axes that rotate with the body), no two alike side by side"
 _SEQUENCE = re.compile("[xyz]{1,3}|[XYZ]{1,3}")
 
 
@@ -31,8 +31,8 @@ def check_sequence(value: Any, name: str) -> str:
 def quaternions_of_euler(sequence: str, angles: ArrayLike) -> Floats:
     """Quaternions w x y z of rotations by angles (n, k) in radians about k axes, one after the other.
 
-    Lower case means axes that stay fixed, upper case axes that turn along, as `scipy.spatial.transform.Rotation.from_euler` has it.
-    """
+    Lower case means axes that are fixed in space, upper case axes that rotate with the body, as in
+    `scipy.spatial.transform.Rotation.from_euler`. """
     check_sequence(sequence, "System.from_euler: euler")
     half = 0.5 * np.atleast_2d(np.asarray(angles, dtype=np.float64))
     if half.ndim != 2 or half.shape[1] != len(sequence):

@@ -78,13 +78,13 @@ class InsertionCounts(NamedTuple):
 
 
 class HardEllipsoids:
-    """Monte Carlo of hard ellipsoids, which never overlap.
+    """A Monte Carlo simulation of hard ellipsoids, which never overlap.
 
-    The exact overlap test decides each trial. The same calls give the same trajectory, bit by bit, with any number of threads. Calls
-    from several threads of Python wait for each other.
+    The exact overlap test decides each trial move. The same calls give bitwise equal trajectories, with any number of threads. Calls from
+    several Python threads run one after the other.
 
-    A system of two dimensions makes a simulation of hard ellipses: nothing leaves the plane. Rotations are about z, the area of the cell
-    takes the place of its volume, and points and directions may be given as (x, y).
+    A two-dimensional system gives a simulation of hard ellipses in a plane. Rotations are about z, areas replace volumes, and points and
+    directions may be given as (x, y).
 
     Parameters
     ----------
@@ -148,7 +148,8 @@ class HardEllipsoids:
 
     @classmethod
     def restore(cls, state: bytes) -> HardEllipsoids:
-        """Makes a simulation from the bytes of `save`, which it continues bit by bit. If it had a potential, set it again.
+        """Makes a simulation from the bytes of `save`. It continues the saved simulation with bitwise equal results. If that had a
+        potential, set it again.
 
         Parameters
         ----------
@@ -195,9 +196,9 @@ class HardEllipsoids:
         return f"<pypw85.HardEllipsoids: {len(self)} {'particles' if self.dimensions == 3 else 'ellipses'}>"
 
     def set_walls(self, walls: Iterable[Wall] = ()) -> None:
-        """Sets the hard walls, in place of those that there are. A particle may touch a wall.
+        """Sets the hard walls, and removes the walls that were set before. A particle may touch a wall.
 
-        The cell must not be periodic across a wall. With walls there are no event chains, and no compression.
+        The periodic vectors of the cell must be parallel to the walls. With walls, event chains and compression are not possible.
 
         Parameters
         ----------
@@ -233,11 +234,11 @@ class HardEllipsoids:
             self._fail(status, "set_walls", where + (last_cause() if is_cut else last_cause(rows, walls=given)))
 
     def set_mesh(self, mesh: Mesh | None) -> None:
-        """Sets the hard mesh, in place of the one that there is: triangles that no particle meets, beside the walls.
+        """Sets the hard mesh, and removes the mesh that was set before. No particle may overlap a triangle.
 
-        Particles are on both sides of the surface, and stay on their side in sweeps: the mesh shortens translations to less than twice
-        the shortest semi-axis of a particle. In a periodic cell the mesh is repeated. With a mesh there are no trials of the volume, no
-        event chains, and no compression.
+        Particles may be on both sides of the surface. In sweeps they stay on their side, because translations are limited to less than
+        twice the shortest semi-axis of a particle. In a periodic cell the mesh is also periodic. With a mesh, volume moves, event chains
+        and compression are not possible.
 
         Parameters
         ----------
@@ -270,9 +271,10 @@ class HardEllipsoids:
             self._fail(status, "set_mesh", f"the mesh cuts particle {particle}, next to triangle {triangle}" if particle >= 0 else cause)
 
     def set_fields(self, fields: Iterable[Field] = ()) -> None:
-        """Sets the fields, in place of those that there are. Configurations then have the density e^(-βU).
+        """Sets the fields, and removes the fields that were set before. The probability density of a configuration is then proportional to
+        e^(-βU).
 
-        A field is the same in all images of a periodic cell. With fields there are no event chains, and no compression.
+        A field must be the same in all images of a periodic cell. With fields, event chains and compression are not possible.
 
         Parameters
         ----------
@@ -307,10 +309,10 @@ class HardEllipsoids:
         self._check(status, "set_fields", rows, fields=given)
 
     def set_law(self, law: Law | None) -> None:
-        """Sets an energy of pairs beside the hard cores, or none: a law of μ², with βU in the place of U.
+        """Sets or removes a pair potential in addition to the hard cores: a law that gives βU as a function of μ².
 
-        Configurations then have the density e^(-βU), in which all images count. With a law there are no event chains;
-        `try_placement`, `try_insertion` and `compress` ask for overlaps only.
+        The probability density of a configuration is then proportional to e^(-βU), where U includes all images. With a law, event chains
+        are not possible; `try_placement`, `try_insertion` and `compress` test only for overlaps.
 
         Parameters
         ----------
@@ -341,16 +343,16 @@ class HardEllipsoids:
         self._check(status, "set_law", num_parameters=len(parameters), parameters=parameters)
 
     def set_potential(self, potential: Potential | int | None, context: int = 0) -> None:
-        """Sets a potential beside the fields, or none.
+        """Sets or removes a potential in addition to the fields.
 
-        A function of Python is slow, and only one thread calls it at a time. The address of a compiled function is as fast as in C.
+        A Python function is slow, and only one thread calls it at a time. A compiled function, given by its address, is as fast as in C.
 
         Parameters
         ----------
         potential : callable, int or None
             ``potential(particle, center, quaternion, semi_axes)`` returns βU of a particle, from its index and arrays that it must not
-            keep; or the address of a function of C, of the type ``pw85_potential``. Infinity forbids a place. It must not call methods of
-            this simulation, which would wait for each other.
+            keep; or the address of a function of C, of the type ``pw85_potential``. Infinity forbids a position. It must not call methods
+            of this simulation, which would wait for each other.
         context : int
             The first argument of a function of C.
 
@@ -390,7 +392,7 @@ class HardEllipsoids:
             self._fail(status, "set_potential", last_cause())
 
     def energy(self) -> float:
-        """The energy of all particles in the fields, the potential and the law of pairs, in the unit of k_B T; 0 without them.
+        """The energy of all particles in the fields and the potential, and of all pairs by the law, in units of k_B T; 0 without them.
 
         Returns
         -------
@@ -407,7 +409,7 @@ class HardEllipsoids:
         return energy
 
     def law_virial(self) -> float:
-        """The virial of the law of pairs, W = -2 Σ μ² dβU/dμ²; 0 without a law.
+        """The virial of the pair potential, W = -2 Σ μ² dβU/dμ²; 0 without a law.
 
         In d dimensions βP/ρ = 1 + (n'(0) + W)/(d N), where n(ε) is the mean number of pairs with μ < 1 + ε. `Observables` averages it.
 
@@ -432,7 +434,7 @@ class HardEllipsoids:
         return virial
 
     def sweep(self, number: SupportsIndex = 1) -> None:
-        """Makes sweeps. A sweep has as many trials as there are particles. It can be interrupted after each sweep.
+        """Makes sweeps. A sweep has as many trials as there are particles. Ctrl-C takes effect after the current sweep.
 
         Parameters
         ----------
@@ -449,7 +451,7 @@ class HardEllipsoids:
     def chain(self, number: SupportsIndex, length: float | None = None, direction: ArrayLike | None = None) -> float:
         """Makes event chains, which translate many particles without rejections, and gives the pressure.
 
-        Chains do not rotate particles: use `sweep`, too. They are interrupted only after all of them.
+        Chains do not rotate particles: alternate them with `sweep`. Ctrl-C takes effect after all chains of a call.
 
         Parameters
         ----------
@@ -489,7 +491,7 @@ class HardEllipsoids:
         return compressibility
 
     def volume_moves(self, number: SupportsIndex, pressure: float, change: Change = "isotropic") -> None:
-        """Tries changes of the cell and of all centres with it, at constant pressure. Volumes then have the density V^N exp(-βPV).
+        """Makes volume moves: trial changes of the cell and of all centres with it, at constant pressure βP.
 
         Parameters
         ----------
@@ -514,9 +516,9 @@ class HardEllipsoids:
     def tune(
         self, number: SupportsIndex, acceptance: float = 0.4, pressure: float = 0.0, change: Change = "isotropic"
     ) -> None:
-        """Makes sweeps to equilibrate, and changes the steps after each of them towards an acceptance. Then all counts are zero.
+        """Makes sweeps to equilibrate, and adjusts the step sizes after each sweep towards an acceptance. All counts are then set to zero.
 
-        Trials are not in detailed balance while the steps change. Translations become at most half as long as the longest semi-axis,
+        Detailed balance does not hold while the step sizes change. Translations become at most half as long as the longest semi-axis,
         unless particles are far apart.
 
         Parameters
@@ -541,7 +543,7 @@ class HardEllipsoids:
         self._repeat("tune", number, acceptance=acceptance, pressure=pressure, change=_change("tune", change))
 
     def neighbors(self, particle: SupportsIndex) -> NearImages:
-        """The images of particles whose bounding boxes meet that of one particle, ordered by their indices, then by their images.
+        """The images of particles whose bounding boxes intersect that of one particle, ordered by their indices, then by their images.
 
         Parameters
         ----------
@@ -612,7 +614,7 @@ class HardEllipsoids:
         return bool(is_free)
 
     def try_insertion(self, center: ArrayLike, quaternion: ArrayLike, semi_axes: ArrayLike, take: bool = False) -> bool:
-        """Tests whether a new particle would be free of overlaps, exactly; and inserts it as the last one, if wanted.
+        """Decides exactly whether a new particle would be free of overlaps, and inserts it as the last one if `take` is true.
 
         Arrays of the simulation that were taken before do not show the new particles.
 
@@ -649,7 +651,7 @@ class HardEllipsoids:
         return bool(is_free)
 
     def remove(self, particle: SupportsIndex) -> None:
-        """Removes a particle. The last one takes its index. Arrays that were taken before show the old particles.
+        """Removes a particle. The last particle takes over its index. Arrays that were obtained before show the old particles.
 
         Parameters
         ----------
@@ -669,10 +671,11 @@ class HardEllipsoids:
         self._check(status, "remove")
 
     def insertion_weight(self, number: SupportsIndex, semi_axes: ArrayLike) -> float:
-        """The mean of e^(-βU) of a particle that is inserted at random, 0 where it overlaps others: Widom's insertions.
+        """The mean of e^(-βU) of a particle that is inserted at random positions (Widom's test particle). A position with an overlap
+        counts as 0.
 
-        The place is in the cell, which begins at the origin, also along vectors that are not periodic. With the mean w over many states,
-        βμ = ln ρ - ln w for another particle of this species, whose density is ρ.
+        The position is in the cell, a corner of which is at the origin, also along vectors that are not periodic. With the mean w over
+        many states, βμ = ln ρ - ln w for another particle of this species, whose density is ρ.
 
         Parameters
         ----------
@@ -700,7 +703,7 @@ class HardEllipsoids:
         return weight
 
     def insertion_moves(self, number: SupportsIndex, semi_axes: ArrayLike, activities: ArrayLike) -> InsertionCounts:
-        """Tries insertions and removals of particles at constant activities: the grand canonical ensemble, beside `sweep`.
+        """Makes trial insertions and removals of particles at constant activities: with `sweep`, they sample the grand canonical ensemble.
 
         A particle is of the species that has its semi-axes. Particles of other species stay, and those that are out of the cell along
         vectors that are not periodic. Arrays of the simulation that were taken before do not show the new particles.
@@ -775,7 +778,7 @@ class HardEllipsoids:
         return factor
 
     def check(self) -> None:
-        """Searches all particles for overlaps, by a neighbour list of its own.
+        """Searches all particles for overlaps. The search makes a new neighbour list.
 
         Raises
         ------
@@ -791,8 +794,8 @@ class HardEllipsoids:
                   name_pairs([pair]) if pair[0] >= 0 else "")  # fmt: skip
 
     def save(self) -> bytes:
-        """The whole state as bytes, for `restore`: 80 for each particle and some hundreds. Walls and fields are among them, a potential is
-        not. Raises what the potential raises, and `PW85Error` if its energy is not finite, since that is saved."""
+        """The whole state as bytes, for `restore`: 80 for each particle and a few hundred more. They contain walls and fields, but not a
+        potential. Raises what the potential raises, and `PW85Error` if its energy is not finite, since that is saved."""
         with self._lock:
             state = np.empty(_core.hard_ellipsoids_num_bytes(self._simulation), np.uint8)
             status = _core.hard_ellipsoids_save(self._simulation, state)
@@ -883,7 +886,8 @@ class HardEllipsoids:
         self._check(status, "set_steps", steps=TrialSteps._fields)
 
     def set_kind_steps(self, semi_axes: ArrayLike, translation: ArrayLike, rotation: ArrayLike) -> None:
-        """Sets the largest translations and rotations of particles with some semi-axes, in place of all such steps.
+        """Sets the largest translations and rotations of particles with given semi-axes, and removes all step sizes of this type that were
+        set before.
 
         Other particles have the steps of `set_steps`. `tune` tunes those of each species by its own trials. There is a warning if no
         particle has these semi-axes.
@@ -947,7 +951,7 @@ class HardEllipsoids:
     def set_fractions(
         self, translation: float = 0.0, rotation: float = 0.0, both: float = 0.0, exchange: float = 0.0
     ) -> None:
-        """Sets the parts of the trials of a sweep that are translations, rotations, both at once, and exchanges of semi-axes.
+        """Sets which fractions of the trials of a sweep are translations, rotations, both at once, and exchanges of semi-axes.
 
         Parameters
         ----------

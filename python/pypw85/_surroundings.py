@@ -61,7 +61,7 @@ class Wall(NamedTuple):
 
     @classmethod
     def sphere(cls, center: ArrayLike, radius: float) -> Wall:
-        """All that is outside of a sphere; in two dimensions, of a disc.
+        """A wall that fills everything outside a sphere; in two dimensions, outside a disc.
 
         Parameters
         ----------
@@ -76,7 +76,7 @@ class Wall(NamedTuple):
 
     @classmethod
     def cylinder(cls, point: ArrayLike, axis: ArrayLike, radius: float) -> Wall:
-        """All that is outside of a cylinder of infinite length.
+        """A wall that fills everything outside a cylinder of infinite length.
 
         Parameters
         ----------
@@ -94,7 +94,7 @@ class Wall(NamedTuple):
 
     @classmethod
     def box(cls, lower: ArrayLike, upper: ArrayLike) -> Wall:
-        """All that is outside of a box; in two dimensions, of a rectangle.
+        """A wall that fills everything outside a box; in two dimensions, outside a rectangle.
 
         Parameters
         ----------

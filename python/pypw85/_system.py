@@ -163,7 +163,7 @@ class System:
         ----------
         centers, semi_axes : (n, 3) array_like
         euler : str
-            The axes of the rotations: lower case for fixed axes, upper case for axes that turn along, as in `from_euler`.
+            The axes of the rotations: lower case for fixed axes, upper case for axes that rotate with the body, as in `from_euler`.
         angles : (n, number of axes) array_like
         angle : str
             "radians" or "degrees".
@@ -348,7 +348,7 @@ class System:
         return self.contacts()
 
     def check(self, worst: int = 10, below: float = 1.0) -> Report:
-        """Overlaps, contacts below a μ, and the pairs with the smallest μ, whether or not these overlap."""
+        """Finds overlaps, contacts below a given μ, and the pairs with the smallest μ, whether these overlap or not."""
         worst, below = integer(worst, "System.check: worst"), positive(below, "System.check: below")
         tested = self._candidates(1.0)
         counts = len(tested.pairs), int(tested.overlap.sum())

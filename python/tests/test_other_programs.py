@@ -33,7 +33,7 @@ READ = {
     "schema2_double.gsd": (1 + 0.5e-12, "lengths of type_shapes as radii"),
     "rods_and_spheres.csv": (2.0, "lengths a b c as radii, quaternions qw qx qy qz as w x y z"),
     "semicolon.csv": (0.75, "lengths a b c as radii"),
-    "dream3d.csv": (0.75, "sequence ZXZ (axes that turn along)"),
+    "dream3d.csv": (0.75, "sequence ZXZ (axes that rotate with the body)"),
     "seeds.txt": (1.2, "rot_seq as degrees about axes of the body"),
     "splats.ply": (0.375, "one standard deviation, as radii"),
 }

@@ -17,7 +17,7 @@ namespace pw85 {
 /// @name Many pairs
 /// @{
 
-/// Computes ellipsoid_quaternion() for many ellipsoids, with the same bits: see
+/// Computes ellipsoid_quaternion() for many ellipsoids, with bitwise equal results: see
 /// pw85_ellipsoid_quaternion_batch().
 ///
 /// @param semi_axes one for each ellipsoid; > 0
@@ -31,7 +31,7 @@ static inline StatusCode ellipsoid_quaternion_batch(
     return detail::call_rows(pw85_ellipsoid_quaternion_batch, semi_axes, quaternions, q);
 }
 
-/// Computes ellipsoid_factor() for many ellipsoids, with the same bits: see
+/// Computes ellipsoid_factor() for many ellipsoids, with bitwise equal results: see
 /// pw85_ellipsoid_factor_batch().
 ///
 /// @param semi_axes one for each ellipsoid; > 0
@@ -57,7 +57,8 @@ static inline StatusCode contact_batch(Vectors r12, Forms q1, Forms q2, std::spa
     return detail::call_rows(pw85_contact_batch, r12, q1, q2, mu2, lambda);
 }
 
-/// Computes contact_rounded() for many pairs, with the same bits: see pw85_contact_rounded_batch().
+/// Computes contact_rounded() for many pairs, with bitwise equal results: see
+/// pw85_contact_rounded_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] mu2,lambda one for each pair, or empty
@@ -69,7 +70,7 @@ static inline StatusCode contact_rounded_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_contact_rounded_batch, r12, q1, q2, mu2, lambda);
 }
 
-/// Computes contact_factored() for many pairs, with the same bits: see
+/// Computes contact_factored() for many pairs, with bitwise equal results: see
 /// pw85_contact_factored_batch().
 ///
 /// @param r12,s1,s2 one for each pair
@@ -83,7 +84,7 @@ static inline StatusCode contact_factored_batch(Vectors r12, std::span<Factor<do
     return detail::call_rows(pw85_contact_factored_batch, r12, s1, s2, mu2, lambda);
 }
 
-/// Computes condition() for many pairs, with the same bits: see pw85_condition_batch().
+/// Computes condition() for many pairs, with bitwise equal results: see pw85_condition_batch().
 ///
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] cond one for each pair
@@ -95,7 +96,7 @@ static inline StatusCode condition_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_condition_batch, r12, q1, q2, lambda, cond);
 }
 
-/// Computes pw85_contact_function() for many pairs, with the same bits: see
+/// Computes pw85_contact_function() for many pairs, with bitwise equal results: see
 /// pw85_contact_function_batch().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -108,7 +109,7 @@ static inline StatusCode contact_function_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_contact_function_batch, r12, q1, q2, mu2, lambda);
 }
 
-/// Computes contact_geometry() for many pairs, with the same bits: see
+/// Computes contact_geometry() for many pairs, with bitwise equal results: see
 /// pw85_contact_geometry_batch().
 ///
 /// @param r12 one for each pair; not zero
@@ -123,7 +124,7 @@ static inline StatusCode contact_geometry_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_contact_geometry_batch, r12, q1, q2, lambda, point, normal);
 }
 
-/// Computes contact_geometry_factored() for many pairs, with the same bits: see
+/// Computes contact_geometry_factored() for many pairs, with bitwise equal results: see
 /// pw85_contact_geometry_factored_batch().
 ///
 /// @param r12 one for each pair; not zero
@@ -139,7 +140,7 @@ static inline StatusCode contact_geometry_factored_batch(
                              normal);
 }
 
-/// Computes contact_gradient() for many pairs, with the same bits: see
+/// Computes contact_gradient() for many pairs, with bitwise equal results: see
 /// pw85_contact_gradient_batch().
 ///
 /// @param r12,q1,q2,lambda one for each pair
@@ -153,7 +154,7 @@ static inline StatusCode contact_gradient_batch(
     return detail::call_rows(pw85_contact_gradient_batch, r12, q1, q2, lambda, d_r12, d_q1, d_q2);
 }
 
-/// Computes contact_gradient_factored() for many pairs, with the same bits: see
+/// Computes contact_gradient_factored() for many pairs, with bitwise equal results: see
 /// pw85_contact_gradient_factored_batch().
 ///
 /// @param r12,s1,s2,lambda one for each pair
@@ -168,7 +169,8 @@ static inline StatusCode contact_gradient_factored_batch(
                              d_s2);
 }
 
-/// Computes contact_torque() for many pairs, with the same bits: see pw85_contact_torque_batch().
+/// Computes contact_torque() for many pairs, with bitwise equal results: see
+/// pw85_contact_torque_batch().
 ///
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] d_rot1,d_rot2 one for each pair, or empty
@@ -181,7 +183,8 @@ static inline StatusCode contact_torque_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_contact_torque_batch, r12, q1, q2, lambda, d_rot1, d_rot2);
 }
 
-/// Computes contact_hessian() for many pairs, with the same bits: see pw85_contact_hessian_batch().
+/// Computes contact_hessian() for many pairs, with bitwise equal results: see
+/// pw85_contact_hessian_batch().
 ///
 /// @param r12 one for each pair; not zero
 /// @param q1,q2,lambda one for each pair
@@ -257,7 +260,7 @@ static inline StatusCode contains_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_contains_batch, r12, q1, q2, contains);
 }
 
-/// Computes containment() for many pairs, with the same bits: see pw85_containment_batch().
+/// Computes containment() for many pairs, with bitwise equal results: see pw85_containment_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] mu2,point one for each pair, or empty
@@ -280,7 +283,7 @@ static inline StatusCode closest_approach_batch(Vectors directions, Forms q1, Fo
     return detail::call_rows(pw85_closest_approach_batch, directions, q1, q2, distance);
 }
 
-/// Computes volume() for many ellipsoids, with the same bits: see pw85_volume_batch().
+/// Computes volume() for many ellipsoids, with bitwise equal results: see pw85_volume_batch().
 ///
 /// @param q one for each ellipsoid
 /// @param[out] volume one for each ellipsoid
@@ -290,7 +293,8 @@ static inline StatusCode volume_batch(Forms q, std::span<double> volume) noexcep
     return detail::call_rows(pw85_volume_batch, q, volume);
 }
 
-/// Computes overlap_volume() for many pairs, with the same bits: see pw85_overlap_volume_batch().
+/// Computes overlap_volume() for many pairs, with bitwise equal results: see
+/// pw85_overlap_volume_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] volume one for each pair
@@ -301,7 +305,7 @@ static inline StatusCode overlap_volume_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_overlap_volume_batch, r12, q1, q2, volume);
 }
 
-/// Computes overlap_volume_gradient() for many pairs, with the same bits: see
+/// Computes overlap_volume_gradient() for many pairs, with bitwise equal results: see
 /// pw85_overlap_volume_gradient_batch().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -315,7 +319,7 @@ static inline StatusCode overlap_volume_gradient_batch(
     return detail::call_rows(pw85_overlap_volume_gradient_batch, r12, q1, q2, d_r12, d_q1, d_q2);
 }
 
-/// Computes overlap_volume_torque() for many pairs, with the same bits: see
+/// Computes overlap_volume_torque() for many pairs, with bitwise equal results: see
 /// pw85_overlap_volume_torque_batch().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -328,7 +332,7 @@ static inline StatusCode overlap_volume_torque_batch(
     return detail::call_rows(pw85_overlap_volume_torque_batch, r12, q1, q2, d_rot1, d_rot2);
 }
 
-/// Computes area() for many ellipses, with the same bits: see pw85_area_batch_2d().
+/// Computes area() for many ellipses, with bitwise equal results: see pw85_area_batch_2d().
 ///
 /// @param q one for each ellipse
 /// @param[out] area one for each ellipse
@@ -338,7 +342,7 @@ static inline StatusCode area_batch(FlatForms q, std::span<double> area) noexcep
     return detail::call_rows(pw85_area_batch_2d, q, area);
 }
 
-/// Computes overlap_area() for many pairs of ellipses, with the same bits: see
+/// Computes overlap_area() for many pairs of ellipses, with bitwise equal results: see
 /// pw85_overlap_area_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -350,7 +354,7 @@ static inline StatusCode overlap_area_batch(FlatVectors r12, FlatForms q1, FlatF
     return detail::call_rows(pw85_overlap_area_batch_2d, r12, q1, q2, area);
 }
 
-/// Computes overlap_area_gradient() for many pairs of ellipses, with the same bits: see
+/// Computes overlap_area_gradient() for many pairs of ellipses, with bitwise equal results: see
 /// pw85_overlap_area_gradient_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -364,7 +368,7 @@ static inline StatusCode overlap_area_gradient_batch(
     return detail::call_rows(pw85_overlap_area_gradient_batch_2d, r12, q1, q2, d_r12, d_q1, d_q2);
 }
 
-/// Computes overlap_area_torque() for many pairs of ellipses, with the same bits: see
+/// Computes overlap_area_torque() for many pairs of ellipses, with bitwise equal results: see
 /// pw85_overlap_area_torque_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -390,7 +394,7 @@ static inline StatusCode contact_batch(FlatVectors r12, FlatForms q1, FlatForms 
     return detail::call_rows(pw85_contact_batch_2d, r12, q1, q2, mu2, lambda);
 }
 
-/// Computes contact_geometry() for many pairs of ellipses, with the same bits: see
+/// Computes contact_geometry() for many pairs of ellipses, with bitwise equal results: see
 /// pw85_contact_geometry_batch_2d().
 ///
 /// @param r12 one for each pair; not zero
@@ -405,7 +409,7 @@ static inline StatusCode contact_geometry_batch(FlatVectors r12, FlatForms q1, F
     return detail::call_rows(pw85_contact_geometry_batch_2d, r12, q1, q2, lambda, point, normal);
 }
 
-/// Computes contact_gradient() for many pairs of ellipses, with the same bits: see
+/// Computes contact_gradient() for many pairs of ellipses, with bitwise equal results: see
 /// pw85_contact_gradient_batch_2d().
 ///
 /// @param r12,q1,q2,lambda one for each pair
@@ -420,7 +424,7 @@ static inline StatusCode contact_gradient_batch(
                              d_q2);
 }
 
-/// Computes contact_torque() for many pairs of ellipses, with the same bits: see
+/// Computes contact_torque() for many pairs of ellipses, with bitwise equal results: see
 /// pw85_contact_torque_batch_2d().
 ///
 /// @param r12,q1,q2,lambda one for each pair
@@ -434,7 +438,7 @@ static inline StatusCode contact_torque_batch(FlatVectors r12, FlatForms q1, Fla
     return detail::call_rows(pw85_contact_torque_batch_2d, r12, q1, q2, lambda, d_rot1, d_rot2);
 }
 
-/// Computes contact_hessian() for many pairs of ellipses, with the same bits: see
+/// Computes contact_hessian() for many pairs of ellipses, with bitwise equal results: see
 /// pw85_contact_hessian_batch_2d().
 ///
 /// @param r12 one for each pair; not zero
@@ -459,7 +463,7 @@ static inline StatusCode overlap_batch(FlatVectors r12, FlatForms q1, FlatForms 
     return detail::call_rows(pw85_overlap_batch_2d, r12, q1, q2, overlap);
 }
 
-/// Computes closest_approach() for many pairs of ellipses, with the same bits: see
+/// Computes closest_approach() for many pairs of ellipses, with bitwise equal results: see
 /// pw85_closest_approach_batch_2d().
 ///
 /// @param directions one for each pair; not zero
@@ -484,7 +488,7 @@ static inline StatusCode distance_batch(Vectors r12, Forms q1, Forms q2, std::sp
     return detail::call_rows(pw85_distance_batch, r12, q1, q2, distance, point1, point2);
 }
 
-/// Computes distance_derivatives() for many pairs, with the same bits: see
+/// Computes distance_derivatives() for many pairs, with bitwise equal results: see
 /// pw85_distance_derivatives_batch().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -499,7 +503,7 @@ static inline StatusCode distance_derivatives_batch(
                              hessian);
 }
 
-/// Computes penetration() for many pairs, with the same bits: see pw85_penetration_batch().
+/// Computes penetration() for many pairs, with bitwise equal results: see pw85_penetration_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] depth,direction one for each pair, or empty
@@ -510,7 +514,8 @@ static inline StatusCode penetration_batch(Vectors r12, Forms q1, Forms q2, std:
     return detail::call_rows(pw85_penetration_batch, r12, q1, q2, depth, direction);
 }
 
-/// Computes signed_distance() for many pairs, with the same bits: see pw85_signed_distance_batch().
+/// Computes signed_distance() for many pairs, with bitwise equal results: see
+/// pw85_signed_distance_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] distance,point1,point2 one for each pair, or empty
@@ -523,7 +528,7 @@ static inline StatusCode signed_distance_batch(Vectors r12, Forms q1, Forms q2,
     return detail::call_rows(pw85_signed_distance_batch, r12, q1, q2, distance, point1, point2);
 }
 
-/// Computes signed_distance_derivatives() for many pairs, with the same bits: see
+/// Computes signed_distance_derivatives() for many pairs, with bitwise equal results: see
 /// pw85_signed_distance_derivatives_batch().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -538,7 +543,7 @@ static inline StatusCode signed_distance_derivatives_batch(
                              d_rot2, hessian);
 }
 
-/// Computes gap_inside() for many pairs, with the same bits: see pw85_gap_inside_batch().
+/// Computes gap_inside() for many pairs, with bitwise equal results: see pw85_gap_inside_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] gap,point1,point2,normal one for each pair, or empty
@@ -551,7 +556,7 @@ static inline StatusCode gap_inside_batch(Vectors r12, Forms q1, Forms q2, std::
     return detail::call_rows(pw85_gap_inside_batch, r12, q1, q2, gap, point1, point2, normal);
 }
 
-/// Computes distance() for many pairs of ellipses, with the same bits: see
+/// Computes distance() for many pairs of ellipses, with bitwise equal results: see
 /// pw85_distance_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -565,7 +570,7 @@ static inline StatusCode distance_batch(FlatVectors r12, FlatForms q1, FlatForms
     return detail::call_rows(pw85_distance_batch_2d, r12, q1, q2, distance, point1, point2);
 }
 
-/// Computes penetration() for many pairs of ellipses, with the same bits: see
+/// Computes penetration() for many pairs of ellipses, with bitwise equal results: see
 /// pw85_penetration_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -578,7 +583,7 @@ static inline StatusCode penetration_batch(FlatVectors r12, FlatForms q1, FlatFo
     return detail::call_rows(pw85_penetration_batch_2d, r12, q1, q2, depth, direction);
 }
 
-/// Computes signed_distance() for many pairs of ellipses, with the same bits: see
+/// Computes signed_distance() for many pairs of ellipses, with bitwise equal results: see
 /// pw85_signed_distance_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -592,7 +597,7 @@ static inline StatusCode signed_distance_batch(FlatVectors r12, FlatForms q1, Fl
     return detail::call_rows(pw85_signed_distance_batch_2d, r12, q1, q2, distance, point1, point2);
 }
 
-/// Computes gap_inside() for many pairs of ellipses, with the same bits: see
+/// Computes gap_inside() for many pairs of ellipses, with bitwise equal results: see
 /// pw85_gap_inside_batch_2d().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -607,7 +612,8 @@ static inline StatusCode gap_inside_batch(FlatVectors r12, FlatForms q1, FlatFor
     return detail::call_rows(pw85_gap_inside_batch_2d, r12, q1, q2, gap, point1, point2, normal);
 }
 
-/// Computes first_contact() for many pairs, with the same bits: see pw85_first_contact_batch().
+/// Computes first_contact() for many pairs, with bitwise equal results: see
+/// pw85_first_contact_batch().
 ///
 /// @param r12,q1,q2,motion1,motion2 one for each pair
 /// @param t_max the last time at which a contact counts; for all rows; >= 0; may be infinite
@@ -635,7 +641,7 @@ static inline StatusCode closest_passage_batch(Vectors r12, Forms q1, Forms q2, 
     return detail::call_rows(pw85_closest_passage_batch, r12, q1, q2, velocity, t_max, mu2, t);
 }
 
-/// Computes free_path() for many pairs, with the same bits: see pw85_free_path_batch().
+/// Computes free_path() for many pairs, with bitwise equal results: see pw85_free_path_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param directions one for each pair; not zero
@@ -649,7 +655,8 @@ static inline StatusCode free_path_batch(Vectors r12, Forms q1, Forms q2, Vector
     return detail::call_rows(pw85_free_path_batch, r12, q1, q2, directions, t_max, t);
 }
 
-/// Computes curvature() for many ellipsoids, with the same bits: see pw85_curvature_batch().
+/// Computes curvature() for many ellipsoids, with bitwise equal results: see
+/// pw85_curvature_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
 /// @param q one for each ellipsoid
@@ -662,7 +669,7 @@ static inline StatusCode curvature_batch(Vectors normals, Forms q,
     return detail::call_rows(pw85_curvature_batch, normals, q, curvatures, directions);
 }
 
-/// Computes hertz() for many contacts, with the same bits: see pw85_hertz_batch().
+/// Computes hertz() for many contacts, with bitwise equal results: see pw85_hertz_batch().
 ///
 /// @param curvatures one for each contact; > 0
 /// @param[out] radius,ellipse one for each contact, or empty
@@ -674,7 +681,8 @@ static inline StatusCode hertz_batch(std::span<std::array<double, 2> const> curv
     return detail::call_rows(pw85_hertz_batch, curvatures, radius, ellipse);
 }
 
-/// Computes hertz_contact() for many pairs, with the same bits: see pw85_hertz_contact_batch().
+/// Computes hertz_contact() for many pairs, with bitwise equal results: see
+/// pw85_hertz_contact_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param normals one for each pair; not zero
@@ -709,7 +717,7 @@ static inline StatusCode grain_contact_batch(Vectors r12, Forms q1, Forms q2, Ve
                              curvatures, radius);
 }
 
-/// Computes grain_radius_gradient() for many pairs, with the same bits: see
+/// Computes grain_radius_gradient() for many pairs, with bitwise equal results: see
 /// pw85_grain_radius_gradient_batch().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -724,7 +732,7 @@ static inline StatusCode grain_radius_gradient_batch(
                              d_rot2);
 }
 
-/// Computes grain_contact_wall() for many ellipsoids and walls, with the same bits: see
+/// Computes grain_contact_wall() for many ellipsoids and walls, with bitwise equal results: see
 /// pw85_grain_contact_wall_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
@@ -745,7 +753,8 @@ static inline StatusCode grain_contact_wall_batch(Vectors normals, std::span<dou
                              q, depth, point, curvatures, radius);
 }
 
-/// Computes surface_area() for many ellipsoids, with the same bits: see pw85_surface_area_batch().
+/// Computes surface_area() for many ellipsoids, with bitwise equal results: see
+/// pw85_surface_area_batch().
 ///
 /// @param q one for each ellipsoid
 /// @param[out] area one for each ellipsoid
@@ -755,7 +764,7 @@ static inline StatusCode surface_area_batch(Forms q, std::span<double> area) noe
     return detail::call_rows(pw85_surface_area_batch, q, area);
 }
 
-/// Computes second_moments() for many ellipsoids, with the same bits: see
+/// Computes second_moments() for many ellipsoids, with bitwise equal results: see
 /// pw85_second_moments_batch().
 ///
 /// @param q one for each ellipsoid
@@ -767,7 +776,8 @@ static inline StatusCode second_moments_batch(
     return detail::call_rows(pw85_second_moments_batch, q, moments);
 }
 
-/// Computes from_moments() for many ellipsoids, with the same bits: see pw85_from_moments_batch().
+/// Computes from_moments() for many ellipsoids, with bitwise equal results: see
+/// pw85_from_moments_batch().
 ///
 /// @param second_moments one for each ellipsoid
 /// @param[out] q one for each ellipsoid
@@ -778,7 +788,7 @@ static inline StatusCode from_moments_batch(Forms second_moments,
     return detail::call_rows(pw85_from_moments_batch, second_moments, q);
 }
 
-/// Computes shell_moments() for many ellipsoids, with the same bits: see
+/// Computes shell_moments() for many ellipsoids, with bitwise equal results: see
 /// pw85_shell_moments_batch().
 ///
 /// @param q one for each ellipsoid
@@ -790,7 +800,7 @@ static inline StatusCode shell_moments_batch(Forms q,
     return detail::call_rows(pw85_shell_moments_batch, q, moments);
 }
 
-/// Computes inertia() for many ellipsoids, with the same bits: see pw85_inertia_batch().
+/// Computes inertia() for many ellipsoids, with bitwise equal results: see pw85_inertia_batch().
 ///
 /// @param q one for each ellipsoid
 /// @param shell 0 for a solid body, any other number for a shell; for all rows
@@ -802,7 +812,8 @@ static inline StatusCode inertia_batch(Forms q, int shell,
     return detail::call_rows(pw85_inertia_batch, q, shell, inertia);
 }
 
-/// Computes perimeter() for many ellipses, with the same bits: see pw85_perimeter_batch_2d().
+/// Computes perimeter() for many ellipses, with bitwise equal results: see
+/// pw85_perimeter_batch_2d().
 ///
 /// @param q one for each ellipse
 /// @param[out] perimeter one for each ellipse
@@ -812,7 +823,7 @@ static inline StatusCode perimeter_batch(FlatForms q, std::span<double> perimete
     return detail::call_rows(pw85_perimeter_batch_2d, q, perimeter);
 }
 
-/// Computes second_moments() for many ellipses, with the same bits: see
+/// Computes second_moments() for many ellipses, with bitwise equal results: see
 /// pw85_second_moments_batch_2d().
 ///
 /// @param q one for each ellipse
@@ -824,7 +835,8 @@ static inline StatusCode second_moments_batch(
     return detail::call_rows(pw85_second_moments_batch_2d, q, moments);
 }
 
-/// Computes from_moments() for many ellipses, with the same bits: see pw85_from_moments_batch_2d().
+/// Computes from_moments() for many ellipses, with bitwise equal results: see
+/// pw85_from_moments_batch_2d().
 ///
 /// @param second_moments one for each ellipse
 /// @param[out] q one for each ellipse
@@ -835,7 +847,7 @@ static inline StatusCode from_moments_batch(FlatForms second_moments,
     return detail::call_rows(pw85_from_moments_batch_2d, second_moments, q);
 }
 
-/// Computes shell_moments() for many ellipses, with the same bits: see
+/// Computes shell_moments() for many ellipses, with bitwise equal results: see
 /// pw85_shell_moments_batch_2d().
 ///
 /// @param q one for each ellipse
@@ -847,7 +859,7 @@ static inline StatusCode shell_moments_batch(FlatForms q,
     return detail::call_rows(pw85_shell_moments_batch_2d, q, moments);
 }
 
-/// Computes distance_plane() for many ellipsoids and half-spaces, with the same bits: see
+/// Computes distance_plane() for many ellipsoids and half-spaces, with bitwise equal results: see
 /// pw85_distance_plane_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
@@ -861,8 +873,8 @@ static inline StatusCode distance_plane_batch(Vectors normals, std::span<double 
     return detail::call_rows(pw85_distance_plane_batch, normals, offsets, q, distance, point);
 }
 
-/// Computes distance_plane_derivatives() for many ellipsoids and half-spaces, with the same bits:
-/// see pw85_distance_plane_derivatives_batch().
+/// Computes distance_plane_derivatives() for many ellipsoids and half-spaces, with bitwise equal
+/// results: see pw85_distance_plane_derivatives_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
 /// @param q one for each ellipsoid
@@ -875,7 +887,7 @@ static inline StatusCode distance_plane_derivatives_batch(
     return detail::call_rows(pw85_distance_plane_derivatives_batch, normals, q, d_center, d_rot);
 }
 
-/// Computes contact_plane() for many ellipsoids and half-spaces, with the same bits: see
+/// Computes contact_plane() for many ellipsoids and half-spaces, with bitwise equal results: see
 /// pw85_contact_plane_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
@@ -889,8 +901,8 @@ static inline StatusCode contact_plane_batch(Vectors normals, std::span<double c
     return detail::call_rows(pw85_contact_plane_batch, normals, offsets, q, mu2, point);
 }
 
-/// Computes contact_plane_derivatives() for many ellipsoids and half-spaces, with the same bits:
-/// see pw85_contact_plane_derivatives_batch().
+/// Computes contact_plane_derivatives() for many ellipsoids and half-spaces, with bitwise equal
+/// results: see pw85_contact_plane_derivatives_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
 /// @param offsets,q one for each ellipsoid
@@ -904,7 +916,7 @@ static inline StatusCode contact_plane_derivatives_batch(
                              d_rot);
 }
 
-/// Computes distance_box() for many ellipsoids and boxes, with the same bits: see
+/// Computes distance_box() for many ellipsoids and boxes, with bitwise equal results: see
 /// pw85_distance_box_batch().
 ///
 /// @param lower,upper one for each ellipsoid; `lower` <= `upper`
@@ -919,7 +931,7 @@ static inline StatusCode distance_box_batch(Vectors lower, Vectors upper, Forms 
     return detail::call_rows(pw85_distance_box_batch, lower, upper, q, distance, point, normal);
 }
 
-/// Computes distance_cylinder() for many ellipsoids and cylinders, with the same bits: see
+/// Computes distance_cylinder() for many ellipsoids and cylinders, with bitwise equal results: see
 /// pw85_distance_cylinder_batch().
 ///
 /// @param axis one for each ellipsoid; not zero
@@ -937,7 +949,7 @@ static inline StatusCode distance_cylinder_batch(Vectors axis, std::span<double 
                              normal);
 }
 
-/// Computes distance_point() for many points and ellipsoids, with the same bits: see
+/// Computes distance_point() for many points and ellipsoids, with bitwise equal results: see
 /// pw85_distance_point_batch().
 ///
 /// @param r,q one for each point
@@ -950,7 +962,7 @@ static inline StatusCode distance_point_batch(Vectors r, Forms q, std::span<doub
     return detail::call_rows(pw85_distance_point_batch, r, q, distance, point, normal);
 }
 
-/// Computes intersect_line() for many lines and ellipsoids, with the same bits: see
+/// Computes intersect_line() for many lines and ellipsoids, with bitwise equal results: see
 /// pw85_intersect_line_batch().
 ///
 /// @param origin one for each line
@@ -965,8 +977,8 @@ static inline StatusCode intersect_line_batch(Vectors origin, Vectors directions
     return detail::call_rows(pw85_intersect_line_batch, origin, directions, q, enter, leave);
 }
 
-/// Computes overlap_volume_plane() for many ellipsoids and half-spaces, with the same bits: see
-/// pw85_overlap_volume_plane_batch().
+/// Computes overlap_volume_plane() for many ellipsoids and half-spaces, with bitwise equal results:
+/// see pw85_overlap_volume_plane_batch().
 ///
 /// @param normals one for each ellipsoid; not zero
 /// @param offsets,q one for each ellipsoid
@@ -1054,7 +1066,7 @@ static inline StatusCode overlap_box_batch(Vectors lower, Vectors upper, Forms q
     return detail::call_rows(pw85_overlap_box_batch, lower, upper, q, overlap);
 }
 
-/// Computes distance_segment() for many ellipsoids and segments, with the same bits: see
+/// Computes distance_segment() for many ellipsoids and segments, with bitwise equal results: see
 /// pw85_distance_segment_batch().
 ///
 /// @param end1,end2,q one for each ellipsoid
@@ -1070,7 +1082,7 @@ static inline StatusCode distance_segment_batch(Vectors end1, Vectors end2, Form
                              normal);
 }
 
-/// Computes distance_triangle() for many ellipsoids and triangles, with the same bits: see
+/// Computes distance_triangle() for many ellipsoids and triangles, with bitwise equal results: see
 /// pw85_distance_triangle_batch().
 ///
 /// @param vertex1,vertex2,vertex3,q one for each ellipsoid
@@ -1086,7 +1098,7 @@ static inline StatusCode distance_triangle_batch(Vectors vertex1, Vectors vertex
                              point1, point2, normal);
 }
 
-/// Computes distance_solid_box() for many ellipsoids and boxes, with the same bits: see
+/// Computes distance_solid_box() for many ellipsoids and boxes, with bitwise equal results: see
 /// pw85_distance_solid_box_batch().
 ///
 /// @param lower,upper one for each ellipsoid; `lower` <= `upper`
@@ -1103,7 +1115,7 @@ static inline StatusCode distance_solid_box_batch(Vectors lower, Vectors upper, 
                              point2, normal);
 }
 
-/// Computes contact_capsule() for many ellipsoids and capsules, with the same bits: see
+/// Computes contact_capsule() for many ellipsoids and capsules, with bitwise equal results: see
 /// pw85_contact_capsule_batch().
 ///
 /// @param end1,end2 one for each ellipsoid
@@ -1134,7 +1146,7 @@ static inline StatusCode overlap_capsule_batch(Vectors end1, Vectors end2,
     return detail::call_rows(pw85_overlap_capsule_batch, end1, end2, radius, q, overlap);
 }
 
-/// Computes distance_capsule() for many ellipsoids and capsules, with the same bits: see
+/// Computes distance_capsule() for many ellipsoids and capsules, with bitwise equal results: see
 /// pw85_distance_capsule_batch().
 ///
 /// @param end1,end2 one for each ellipsoid
@@ -1153,7 +1165,7 @@ static inline StatusCode distance_capsule_batch(Vectors end1, Vectors end2,
                              point2, normal);
 }
 
-/// Computes distance_point() for many points and ellipses, with the same bits: see
+/// Computes distance_point() for many points and ellipses, with bitwise equal results: see
 /// pw85_distance_point_batch_2d().
 ///
 /// @param r,q one for each point
@@ -1167,7 +1179,7 @@ static inline StatusCode distance_point_batch(FlatVectors r, FlatForms q,
     return detail::call_rows(pw85_distance_point_batch_2d, r, q, distance, point, normal);
 }
 
-/// Computes contact_segment() for many ellipses and segments, with the same bits: see
+/// Computes contact_segment() for many ellipses and segments, with bitwise equal results: see
 /// pw85_contact_segment_batch_2d().
 ///
 /// @param end1,end2,q one for each ellipse
@@ -1180,7 +1192,7 @@ static inline StatusCode contact_segment_batch(FlatVectors end1, FlatVectors end
     return detail::call_rows(pw85_contact_segment_batch_2d, end1, end2, q, mu2, point);
 }
 
-/// Computes contact_box() for many ellipses and boxes, with the same bits: see
+/// Computes contact_box() for many ellipses and boxes, with bitwise equal results: see
 /// pw85_contact_box_batch_2d().
 ///
 /// @param lower,upper one for each ellipse; `lower` <= `upper`
@@ -1219,7 +1231,8 @@ static inline StatusCode overlap_box_batch(FlatVectors lower, FlatVectors upper,
     return detail::call_rows(pw85_overlap_box_batch_2d, lower, upper, q, overlap);
 }
 
-/// Computes all that the forces and torques of an energy U(μ²) need, for many pairs: see
+/// Computes for many pairs the results of contact(), contact_geometry(), contact_gradient() and
+/// contact_torque(), from which the forces and torques of an energy U(μ²) follow: see
 /// pw85_contact_derivatives_batch().
 ///
 /// @param r12,q1,q2 one for each pair

@@ -33,8 +33,7 @@ class HardEllipsoids {
     {
     }
 
-    /// Turns a simulation into one of hard ellipses in a plane z = const, or back into one of
-    /// ellipsoids: see pw85_hard_ellipsoids_set_dimensions().
+    /// Sets the number of dimensions of a simulation: see pw85_hard_ellipsoids_set_dimensions().
     [[gnu::always_inline]] StatusCode set_dimensions(int dimensions) noexcept
     {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_set_dimensions(get(), dimensions));
@@ -48,7 +47,7 @@ class HardEllipsoids {
         return dimensions;
     }
 
-    /// Sets the hard walls of a simulation, in place of those that it has: see
+    /// Sets the hard walls of a simulation, and removes the walls that it had: see
     /// pw85_hard_ellipsoids_set_walls().
     [[gnu::always_inline]] StatusCode set_walls(std::span<Wall const> walls,
                                                 IndexPair &overlap) noexcept
@@ -58,7 +57,7 @@ class HardEllipsoids {
                                                                       overlap.data()));
     }
 
-    /// Sets the hard mesh of a simulation, in place of the one that it has: see
+    /// Sets the hard mesh of a simulation, and removes the mesh that it had: see
     /// pw85_hard_ellipsoids_set_mesh().
     [[gnu::always_inline]] StatusCode set_mesh(
         Vectors vertices, std::span<std::array<std::int32_t, 3> const> triangles,
@@ -71,7 +70,7 @@ class HardEllipsoids {
                                                                      overlap.data()));
     }
 
-    /// Sets the fields of a simulation, in place of those that it has: see
+    /// Sets the fields of a simulation, and removes the fields that it had: see
     /// pw85_hard_ellipsoids_set_fields().
     [[gnu::always_inline]] StatusCode set_fields(std::span<Field const> fields) noexcept
     {
@@ -79,7 +78,7 @@ class HardEllipsoids {
                                                                        fields.data()));
     }
 
-    /// Sets an energy of pairs beside the hard cores, or removes it: see
+    /// Sets or removes a pair potential in addition to the hard cores: see
     /// pw85_hard_ellipsoids_set_law().
     [[gnu::always_inline]] StatusCode set_law(Law const &law) noexcept
     {
@@ -123,15 +122,15 @@ class HardEllipsoids {
                                                                           context));
     }
 
-    /// Computes the energy of all particles in the fields, the potential and the law of pairs, in
-    /// the unit of k_B T: see pw85_hard_ellipsoids_energy().
+    /// Computes the sum of the energies of all particles in the fields and the potential, and of
+    /// all pairs by the law, in units of k_B T: see pw85_hard_ellipsoids_energy().
     [[gnu::always_inline]] StatusCode energy(double &energy) const noexcept
     {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_energy(get(), &energy));
     }
 
-    /// Computes the virial of the law of pairs, W = -2 Σ μ² dβU/dμ², which adds to the pressure of
-    /// the hard cores: see pw85_hard_ellipsoids_law_virial().
+    /// Computes the virial of the pair potential, W = -2 Σ μ² dβU/dμ², which adds to the pressure
+    /// of the hard cores: see pw85_hard_ellipsoids_law_virial().
     [[gnu::always_inline]] StatusCode law_virial(double &virial) const noexcept
     {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_law_virial(get(), &virial));
@@ -143,8 +142,7 @@ class HardEllipsoids {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_sweep(get(), num_sweeps));
     }
 
-    /// Tries changes of the cell, and of all centres with it, at constant pressure: see
-    /// pw85_hard_ellipsoids_volume_moves().
+    /// Makes volume moves: see pw85_hard_ellipsoids_volume_moves().
     [[gnu::always_inline]] StatusCode volume_moves(
         std::size_t num_moves, double pressure, CellChange change = CellChange::isotropic) noexcept
     {
@@ -172,7 +170,7 @@ class HardEllipsoids {
                                                                   &compressibility));
     }
 
-    /// Makes sweeps, and changes the steps after each of them towards an acceptance ratio: see
+    /// Makes sweeps, and adjusts the step sizes after each sweep towards an acceptance ratio: see
     /// pw85_hard_ellipsoids_tune().
     [[gnu::always_inline]] StatusCode tune(std::size_t num_sweeps, double acceptance,
                                            double pressure = 0.0,
@@ -183,8 +181,8 @@ class HardEllipsoids {
                                                                  static_cast<int>(change)));
     }
 
-    /// Sets the fractions of the trials of a sweep that are translations, rotations, both at once,
-    /// and exchanges: see pw85_hard_ellipsoids_set_fractions().
+    /// Sets which fractions of the trials of a sweep are translations, rotations, both at once, and
+    /// exchanges: see pw85_hard_ellipsoids_set_fractions().
     [[gnu::always_inline]] StatusCode set_fractions(TrialFractions const &fractions) noexcept
     {
         auto const &[translation, rotation, both, exchange] = fractions;
@@ -192,7 +190,7 @@ class HardEllipsoids {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_set_fractions(get(), fractions_in_c));
     }
 
-    /// Sets the largest changes of a trial: see pw85_hard_ellipsoids_set_steps().
+    /// Sets the step sizes: see pw85_hard_ellipsoids_set_steps().
     [[gnu::always_inline]] StatusCode set_steps(TrialSteps const &steps) noexcept
     {
         auto const &[translation, rotation, volume] = steps;
@@ -200,7 +198,7 @@ class HardEllipsoids {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_set_steps(get(), steps_in_c));
     }
 
-    /// Returns the largest changes of a trial: see pw85_hard_ellipsoids_steps().
+    /// Returns the step sizes: see pw85_hard_ellipsoids_steps().
     [[gnu::always_inline]] TrialSteps steps() const noexcept
     {
         double steps[3];
@@ -260,7 +258,7 @@ class HardEllipsoids {
     }
 
     /// Tests whether a particle would be free of overlaps at another position, and moves it there
-    /// if wanted: see pw85_hard_ellipsoids_try().
+    /// on request: see pw85_hard_ellipsoids_try().
     [[gnu::always_inline]] StatusCode try_placement(std::size_t particle,
                                                     Vector<double, 3> const &center,
                                                     Vector<double, 4> const &quaternion, bool take,
@@ -274,8 +272,8 @@ class HardEllipsoids {
         return static_cast<StatusCode>(status);
     }
 
-    /// Tests whether a new particle would be free of overlaps, and inserts it as the last one if
-    /// wanted: see pw85_hard_ellipsoids_insert().
+    /// Tests whether a new particle would be free of overlaps, and on request inserts it as the
+    /// last particle: see pw85_hard_ellipsoids_insert().
     [[gnu::always_inline]] StatusCode insert(Vector<double, 3> const &center,
                                              Vector<double, 4> const &quaternion,
                                              Vector<double, 3> const &semi_axes, bool take,
@@ -296,8 +294,8 @@ class HardEllipsoids {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_remove(get(), particle));
     }
 
-    /// Computes the mean of e^(-βU) of a particle that is inserted at random, where a position that
-    /// is not free counts as 0: see pw85_hard_ellipsoids_insertion_weight().
+    /// Computes the mean of e^(-βU) of a particle that is inserted at random positions (Widom's
+    /// test particle): see pw85_hard_ellipsoids_insertion_weight().
     [[gnu::always_inline]] StatusCode insertion_weight(std::size_t num_trials,
                                                        Vector<double, 3> const &semi_axes,
                                                        double &weight) noexcept
@@ -307,7 +305,7 @@ class HardEllipsoids {
                                                                              &weight));
     }
 
-    /// Tries insertions and removals of particles, at constant activities: see
+    /// Makes trial insertions and removals of particles at constant activities: see
     /// pw85_hard_ellipsoids_insertion_moves().
     [[gnu::always_inline]] StatusCode insertion_moves(std::size_t num_moves, Vectors semi_axes,
                                                       std::span<double const> activities,
@@ -320,16 +318,15 @@ class HardEllipsoids {
             counts.data()));
     }
 
-    /// Finds how far cell and centres can be compressed before particles touch, and compresses them
-    /// if wanted: see pw85_hard_ellipsoids_compress().
+    /// Finds by which factor cell and centres can be compressed until particles touch, and on
+    /// request compresses them: see pw85_hard_ellipsoids_compress().
     [[gnu::always_inline]] StatusCode compress(bool take, double &factor) noexcept
     {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_compress(get(), static_cast<int>(take),
                                                                      &factor));
     }
 
-    /// Searches all particles for overlaps, by a neighbour list of its own: see
-    /// pw85_hard_ellipsoids_check().
+    /// Searches all particles for overlaps: see pw85_hard_ellipsoids_check().
     [[gnu::always_inline]] StatusCode check(IndexPair &pair) const noexcept
     {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_check(get(), pair.data()));
@@ -391,8 +388,8 @@ class HardEllipsoids {
 /// @param quaternions one for each particle: (w, x, y, z), of any lengths; not zero
 /// @param seed selects the random numbers
 /// @param[out] simulation empty on error
-/// @param[out] pair the first two particles that overlap, twice the same one for a particle and its
-/// own image; -1 if no particles overlap
+/// @param[out] pair the first two particles that overlap; twice the same index if a particle
+/// overlaps its own image; -1 if no particles overlap
 /// @return Status::success; Status::overlap if particles overlap; Status::invalid_argument and
 /// Status::not_positive_definite as for neighbors_create(); Status::out_of_memory, also if
 /// particles are so long that a neighbour list has more than 2¹⁵ images of the cell, or 2¹³ pairs
@@ -415,15 +412,14 @@ static inline StatusCode hard_ellipsoids_create(Particles const &particles, Vect
     return static_cast<StatusCode>(status);
 }
 
-/// Makes a simulation from the bytes of another one, which it continues bit by bit: see
-/// pw85_hard_ellipsoids_restore().
+/// Makes a simulation from the bytes of a saved one: see pw85_hard_ellipsoids_restore().
 ///
 /// @param bytes one for each byte
 /// @param[out] simulation empty on error
 /// @return Status::success; Status::invalid_argument, also if the bytes are incomplete, have been
-/// changed, or are of a later format or of a version below 3.1; Status::invalid_argument,
-/// Status::overlap, Status::not_positive_definite, Status::bad_potential if their state is not
-/// possible; Status::out_of_memory
+/// changed, have a later format, or come from a version before 3.1; Status::invalid_argument,
+/// Status::overlap, Status::not_positive_definite, Status::bad_potential if the state that they
+/// describe is not possible; Status::out_of_memory
 static inline StatusCode hard_ellipsoids_restore(std::span<unsigned char const> bytes,
                                                  HardEllipsoids &simulation) noexcept
 {

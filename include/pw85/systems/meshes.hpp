@@ -57,7 +57,7 @@ struct MeshDistance {
     Vector<double, 3> point2; ///< of the mesh, relative to the centre of the ellipsoid
     Vector<double, 3> normal; ///< unit vector out of the ellipsoid at point1
     std::int32_t triangle;    ///< index of the nearest triangle; -1 if there is none
-    /// 1 for a centre inside of a closed mesh, 0 outside; -1 if the mesh is not closed
+    /// 1 for a centre inside a closed mesh, 0 outside; -1 if the mesh is not closed
     std::int32_t inside;
     StatusCode status;
 };
@@ -142,8 +142,8 @@ static inline MeshDistance mesh_distance(Mesh const &mesh, Vector<double, 3> con
     return found;
 }
 
-/// Computes mesh_contact() for many ellipsoids and one mesh, with the same bits: see
-/// pw85_mesh_contact_batch().
+/// Computes mesh_contact() for many ellipsoids and one mesh, in parallel, with bitwise equal
+/// results: see pw85_mesh_contact_batch().
 ///
 /// @param mesh a mesh
 /// @param centers,q one for each ellipsoid
@@ -161,7 +161,8 @@ static inline StatusCode mesh_contact_batch(Mesh const &mesh, Vectors centers, F
                                                            detail::in_c(out.triangle)));
 }
 
-/// Computes mesh_overlap() for many ellipsoids and one mesh: see pw85_mesh_overlap_batch().
+/// Computes mesh_overlap() for many ellipsoids and one mesh, in parallel: see
+/// pw85_mesh_overlap_batch().
 ///
 /// @param mesh a mesh
 /// @param centers,q one for each ellipsoid
@@ -176,8 +177,8 @@ static inline StatusCode mesh_overlap_batch(Mesh const &mesh, Vectors centers, F
                                                            detail::in_c(overlap)));
 }
 
-/// Computes mesh_distance() for many ellipsoids and one mesh, with the same bits: see
-/// pw85_mesh_distance_batch().
+/// Computes mesh_distance() for many ellipsoids and one mesh, in parallel, with bitwise equal
+/// results: see pw85_mesh_distance_batch().
 ///
 /// @param mesh a mesh
 /// @param centers,q one for each ellipsoid

@@ -65,8 +65,8 @@ class Neighbors {
 /// @param options see NeighborOptions
 /// @param[out] list empty on error
 /// @return Status::success; Status::invalid_argument, also if an image is more than 2²⁹ vectors
-/// away; Status::not_positive_definite; Status::out_of_memory. neighbors_check() tells which
-/// particle is bad.
+/// away; Status::not_positive_definite; Status::out_of_memory. neighbors_check() returns the index
+/// of the bad particle.
 static inline StatusCode neighbors_create(Particles const &particles,
                                           NeighborOptions const &options, Neighbors &list) noexcept
 {
@@ -80,15 +80,16 @@ static inline StatusCode neighbors_create(Particles const &particles,
     return static_cast<StatusCode>(status);
 }
 
-/// Finds the particle because of which neighbors_create() cannot make a list: see
+/// Finds the particle that prevents neighbors_create() from making a list: see
 /// pw85_neighbors_check().
 ///
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
 /// @param options see NeighborOptions
 /// @param[out] particle index of the first bad particle: its centre or form is invalid, or it is
 /// too far away; num_particles if there is none, 0 if `system` is null
-/// @return the status of that particle; the status of the other arguments, with `particle` =
-/// num_particles; or Status::success, if only the memory or the number of images can be the cause
+/// @return the status that this particle causes; the status that another argument causes, with
+/// `particle` = num_particles; or Status::success, if only the memory or the number of images can
+/// be the cause
 static inline StatusCode neighbors_check(Particles const &particles, NeighborOptions const &options,
                                          std::size_t &particle) noexcept
 {
@@ -100,14 +101,14 @@ static inline StatusCode neighbors_check(Particles const &particles, NeighborOpt
                                                         options.skin, &particle));
 }
 
-/// Tests whether a list still has all pairs whose boxes intersect (without skin), after particles
-/// have moved and turned and the cell has changed: see pw85_neighbors_holds().
+/// Tests whether a list still contains all pairs whose boxes intersect (without skin), after
+/// particles have moved and rotated and the cell has changed: see pw85_neighbors_holds().
 ///
 /// @param list a list
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
 /// @param[out] holds 1 or 0
 /// @return Status::success; the status of the first bad particle; Status::invalid_argument, also if
-/// only one of list and system has a cell, or the cells are periodic along other vectors
+/// only one of list and system has a cell, or if the two cells are periodic along different vectors
 static inline StatusCode neighbors_holds(Neighbors const &list, Particles const &particles,
                                          int &holds) noexcept
 {

@@ -76,7 +76,7 @@ static inline ReducedCell cell_reduce(Cell const &cell) noexcept
     return found;
 }
 
-/// Computes the nearest images that the functions of pair lists use without `images`: see
+/// Computes the nearest images that the functions of pair lists use if `images` is null: see
 /// pw85_nearest_images().
 ///
 /// @param pairs one for each pair: indices (i, j) of particles, from 0
@@ -100,7 +100,8 @@ static inline StatusCode nearest_images(std::span<IndexPair const> pairs,
                                                        detail::in_c(images)));
 }
 
-/// Computes the limit of μ² below which only nearest images count: see pw85_nearest_image_limit().
+/// Computes the limit of μ² below which an image of a pair of these particles is always the nearest
+/// image: see pw85_nearest_image_limit().
 ///
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
 /// @param[out] mu2 the limit; infinity without particles

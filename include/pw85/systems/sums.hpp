@@ -15,8 +15,8 @@ namespace pw85 {
 /// @name Sums over pairs
 /// @{
 
-/// Computes the times of the first contacts of the pairs of a list, and the next event of each
-/// particle, which event-driven simulations schedule: see pw85_first_contact_pairs().
+/// Computes the times of the first contacts of the pairs of a list, and the first contact of each
+/// particle, for event-driven simulations: see pw85_first_contact_pairs().
 ///
 /// @param list indices of particles, with or without images
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
@@ -45,8 +45,8 @@ static inline StatusCode first_contact_pairs(PairList const &list, Particles con
 ///
 /// @param list indices of particles, with or without images
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
-/// @param d_u one for each pair: dU/dμ²; a pair for which it is 0 is left out, whatever its
-/// derivatives
+/// @param d_u one for each pair: dU/dμ²; if it is 0, the pair contributes nothing, even if its
+/// derivatives are NaN
 /// @param derivatives rows in all spans, or in some: see pw85_contact_forces_pairs()
 /// @param[out] out rows in all spans, or in some: see pw85_contact_forces_pairs()
 /// @return Status::success, also if a NaN in the input makes some of the sums NaN;
@@ -82,7 +82,7 @@ static inline StatusCode contact_forces_pairs(PairList const &list, Particles co
 /// @param[out] out rows in all spans, or in some: see pw85_law_forces_pairs()
 /// @return as for contact_pairs(); sums to which a bad pair contributes are NaN.
 /// Status::invalid_argument also for a kind or parameters that are not allowed;
-/// Status::out_of_memory if there is not one megabyte per thread. Both come before anything is
+/// Status::out_of_memory if one megabyte per thread cannot be allocated. In both cases nothing is
 /// written.
 static inline StatusCode law_forces_pairs(PairList const &list, Particles const &particles,
                                           Law const &law, double &energy,

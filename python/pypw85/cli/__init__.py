@@ -33,7 +33,7 @@ from .plot import plot
 )
 @click.version_option(version(), prog_name="pw85")
 def pw85() -> None:
-    """Ellipsoids in files of simulation programs: which overlap, and what they look like."""
+    """Check files of ellipsoids for overlaps, draw and convert them, make packings, and simulate hard ellipsoids."""
 
 
 # For --help. A test runs them.

@@ -208,11 +208,11 @@ _OPTIONS = [
     click.option("--frames", type=Frames(), default=":", metavar="START:STOP:STEP",
                  help="One frame (0: the first, -1: the last), or every STEP-th frame from START up to, but without, STOP. Default: all."),
     click.option("--lengths", type=click.Choice(LENGTHS),
-                 help="Meaning of the lengths. By default the names of the columns decide; if they do not, lengths are diameters in "
+                 help="Meaning of the lengths. By default the names of the columns decide; otherwise lengths are diameters in "
                       "files of LAMMPS, and radii (semi-axes) in others. An RMS length is the standard deviation of a uniform body "
                       "along an axis."),
     click.option("--quaternion", type=click.Choice(ORDERS),
-                 help="Order of the components of quaternions. By default the names of the columns decide; if they do not, the order is "
+                 help="Order of the components of quaternions. By default the names of the columns decide; otherwise the order is "
                       "xyzw in extended XYZ, and wxyz in other formats."),
     click.option("--cell", type=Numbers(3, 9), metavar="NUMBER,...",
                  help="The cell: three edges A,B,C, or nine numbers, the three vectors one after the other."),
@@ -222,9 +222,9 @@ _OPTIONS = [
                  help="Lengths of the particles that have no shape in the file: of one type, or of all types ('*:A,B,C'). TYPE may be "
                       "left out if these particles have one type. May be repeated."),
     click.option("--shape-columns", metavar="A,B,C",
-                 help="Columns of a dump, CSV or XYZ file that have the lengths: three, two for ellipses, one for spheres. The "
+                 help="Columns of a dump, CSV or XYZ file that contain the lengths: three, two for ellipses, one for spheres. The "
                       "components of a property are NAME[1], NAME[2] and so on."),
-    click.option("--quaternion-columns", metavar="A,B,C,D", help="Columns that have the quaternion, in the order of --quaternion."),
+    click.option("--quaternion-columns", metavar="A,B,C,D", help="Columns that contain the quaternion, in the order of --quaternion."),
     click.option("--dimensions", type=click.Choice(["2", "3"]),
                  help="2 for ellipses in a plane z = constant, 3 for ellipsoids. By default the file decides."),
     click.option("--angle", type=click.Choice(ANGLES),
@@ -233,16 +233,16 @@ _OPTIONS = [
                  help=f"The program that wrote a table: {', '.join(CONVENTION_NAMES)}. By default the names of the columns decide; {NONE} "
                       "reads the columns by their names alone."),
     click.option("--euler", type=EulerSequence(), metavar="SEQUENCE",
-                 help="Axes of the Euler angles, in the order of the angles: zyx for fixed axes, ZYX for axes that turn with the body."),
+                 help="Axes of the Euler angles, in the order of the angles: zyx for fixed axes, ZYX for axes that rotate with the body."),
     click.option("--angle-columns", metavar="A,...",
                  help="Columns of the Euler angles, in the order of --euler; or the column of the angle of ellipses."),
     click.option("--angle-zero", type=click.Choice(["x", "y"]),
-                 help="Axis from which the angles of ellipses are counted. Default: x."),
+                 help="Axis at which the angle of an ellipse is 0. Default: x."),
     click.option("--angle-sense", type=click.Choice(["xy", "yx"]),
                  help="Sense in which the angles of ellipses grow: from x towards y (xy), or from y towards x (yx), which is "
                       "counterclockwise in a picture whose y axis points down. Default: xy."),
     click.option("--polar", metavar="A,B",
-                 help="Columns of two angles of an axis of revolution: A between the axis and z, B about z, counted from x."),
+                 help="Columns of the polar angle A (from z) and the azimuth B (about z, from x) of an axis of revolution."),
     click.option("--direction-columns", metavar="A,B,C", help="Columns of the direction of an axis of revolution."),
     click.option("--ignore-columns", metavar="A,...", help="Columns to ignore."),
     click.option("--points", is_flag=False, flag_value=_SHAPELESS, metavar="[TYPE,...]",

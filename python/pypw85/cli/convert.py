@@ -36,7 +36,7 @@ class Species(click.ParamType):
 @click.option("--deviation", type=click.FloatRange(0, min_open=True), metavar="LENGTH",
               help="For a mesh: largest distance of the triangles from the surfaces. Default: a hundredth of the longest semi-axis.")
 @click.option("--fit", type=click.Choice(FITS),
-              help="For a mesh: whether it is inside of the ellipsoids, outside, or has their volume. Default: volume.")
+              help="For a mesh: whether it is inside the ellipsoids, outside, or has their volume. Default: volume.")
 def convert(given: Input, output: str, to: str | None, precision: str | None, species: dict[str, str] | None, deviation: float | None,
             fit: Fit | None) -> int:  # fmt: skip
     """Write the chosen frames of FILE to OUTPUT. For ParaView, give OUTPUT a name that ends with .vtk, and apply the filter Tensor

@@ -24,7 +24,7 @@ from ._progress import progress
 @click.option("--size", type=click.IntRange(50, 20000), default=1200, show_default=True, help="Pixels of the longer side.")
 def draw(given: Input, picture: str, contacts: bool, elevation: float, azimuth: float, size: int, color: str) -> int:
     """Draw the first chosen frame of FILE. The name of PICTURE ends with .png, .pdf or .svg, or with .html: a page in which you can
-    turn the system, in any browser and without a network. Overlapping ellipsoids are red, unless --color says
+    rotate the system, in any browser and without a network. Overlapping ellipsoids are red, unless --color says
     otherwise. Centres are drawn within the cell. An arrow shows the director if the nematic order is 0.2 or more. The colours of ellipses
     in a plane show their angles, and ellipses that overlap have red edges; images across the borders of the cell are drawn, too."""
     refuse_standard_output(picture, "the end of a name says the format of a picture")

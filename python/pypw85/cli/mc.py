@@ -42,37 +42,37 @@ MOST_THREADS = 1024
 @click.command(short_help="Move hard ellipsoids by Monte Carlo, and print averages with errors.")
 @_START
 @click.option("--sweeps", type=WholeNumber(), metavar="N",
-              help="Number of sweeps, such as 1e5. A sweep has as many trials as there are particles.")
+              help="Number of sweeps, such as 1e5. A sweep is one trial move per particle on average.")
 @click.option("--out", metavar="FILE",
-              help="File of the run. If its name ends with .h5, it has averages, samples and checkpoint. If its name ends with .csv, it "
-                   "has the samples as a table, and FILE.h5 has the rest.")
+              help="File of the run. If its name ends with .h5, it contains averages, samples and checkpoint. If its name ends with "
+                   ".csv, it contains the samples as a table, and FILE.h5 the rest.")
 @click.option("--pressure", type=Finite(), metavar="P",
-              help="βP, in the inverse cube of the unit of length (in two dimensions, the inverse square). Without this option the "
-                   "volume is constant.")
+              help="Reduced pressure βP = P/(k_B T), in the inverse cube of the unit of length (in two dimensions, the inverse "
+                   "square). Without this option the volume is constant.")
 @click.option("--volume", type=click.Choice(["isotropic", "axis", "triclinic"]), default="isotropic", show_default=True,
-              help="How trial moves change the cell: all axes by one factor, one axis, or also by shear. Use axis and triclinic for "
+              help="How volume moves change the cell: all axes by one factor, one axis, or one axis or a shear. Use axis and triclinic for "
                    "crystals only: in a fluid the cell becomes longer and thinner without limit.")
 @click.option("--volume-trials", type=WholeNumber(), default=1, show_default=True, metavar="N",
-              help="Trial moves of the volume after each sweep.")
+              help="Number of volume moves after each sweep.")
 @click.option("--exchange", type=Finite(may_be_zero=True, below=1), default="0", show_default=True, metavar="PART",
-              help="Fraction of the trials that exchange the semi-axes of two unlike particles.")
+              help="Fraction of the trials that exchange the semi-axes of two particles of different species.")
 @click.option("--wall", "walls", type=WALL, multiple=True, metavar="KIND:NUMBER,...",
-              help=f"A hard wall: {WALL.forms()}. A plane is a wall that fills N·x > OFFSET. Particles are inside of the other "
+              help=f"A hard wall: {WALL.forms()}. A plane is a wall that fills N·x > OFFSET. Particles are inside the other "
                    "walls. May be repeated.")
 @click.option("--field", "fields", type=FIELD, multiple=True, metavar="KIND:NUMBER,...",
               help=f"A field, with energies in units of kT: {FIELD.forms()}. May be repeated.")
 @click.option("--law", type=LAW, metavar="KIND:...",
-              help="Pair potential U outside of the hard cores, in units of kT. powers:A,N,B,M,MU2_MAX is A μ^-N - B μ^-M minus its "
+              help="Pair potential U outside the hard cores, in units of kT. powers:A,N,B,M,MU2_MAX is A μ^-N - B μ^-M minus its "
                    "value at the cutoff MU2_MAX. table:FILE has lines of μ², U and dU/dμ²; U is 0 from the last line on.")
 @click.option("--equilibrate", type=WholeNumber(0), metavar="N",
-              help="Sweeps before the first sample, in addition to --sweeps; they tune the step sizes. By default they end as soon as no "
-                   "average drifts, and at the latest after 15/16 of --sweeps.")
-@click.option("--every", type=WholeNumber(), metavar="N", help="Sweeps between two samples. Default: 10, in dense systems 20.")
+              help="Number of sweeps before the first sample, in addition to --sweeps; they tune the step sizes. By default they end "
+                   "as soon as no average drifts, and at the latest after 15/16 of --sweeps.")
+@click.option("--every", type=WholeNumber(), metavar="N", help="Number of sweeps between two samples. Default: 10, in dense systems 20.")
 @click.option("--chains", type=WholeNumber(0), metavar="N",
-              help="Event chains at each sample. Default: one for every 250 trials between two samples, in dense systems for every 1000. "
-                   "There are none with walls, fields or a law, which event chains do not support.")
+              help="Number of event chains at each sample. Default: one for every 250 trials between two samples, in dense systems for "
+                   "every 1000, and none with walls, fields or a law, which event chains do not support.")
 @click.option("--chain-length", type=Finite(), metavar="L",
-              help="Length of each event chain. Default: a length with about fifty contacts.")
+              help="Length of each event chain: the sum of its displacements. Default: a length with about fifty contacts.")
 @click.option("--seed", type=WholeNumber(0, 2**64 - 1), default=1, show_default=True, help="Seed of the random numbers.")
 @click.option("--width", type=Finite(most=1.0), default="0.1", show_default=True,
               help="Width of the interval of μ - 1 from which the pressure is extrapolated; at most 1.")
@@ -81,7 +81,7 @@ MOST_THREADS = 1024
 @click.option("--bins", type=WholeNumber(), default=50, show_default=True, help="Number of bins of the pair correlation.")
 @click.option("--trajectory", metavar="FILE", help="Also write configurations to this file (.gsd, .xyz or .dump).")
 @click.option("--trajectory-every", type=WholeNumber(), default="1000", show_default=True, metavar="N",
-              help="Sweeps between two of these configurations.")
+              help="Number of sweeps between two configurations of --trajectory.")
 @click.option("--precision", type=click.Choice(["single", "double"]), default="double", show_default=True,
               help="Precision of a trajectory in GSD. Double needs a newer schema, which gsd.fl reads, but gsd.hoomd may refuse.")
 @click.option("--checkpoint", type=Finite(may_be_zero=True), default="60", show_default=True, metavar="SECONDS",
@@ -93,10 +93,10 @@ MOST_THREADS = 1024
 def mc(ctx: click.Context, /, given: Input | None, sweeps: int | None, checkpoint: float, threads: int | None,
        resumed: str | None, **others: Any) -> int:  # fmt: skip
     """Move hard ellipsoids by Monte Carlo, and print averages with their errors. The run starts from the first chosen frame of START,
-    which must have no overlaps. In two dimensions ellipses move in their plane, and areas take the place of volumes.
+    which must have no overlaps. In two dimensions ellipses move in their plane, and areas replace volumes.
 
-    After Ctrl-C the command finishes the sweep, writes a checkpoint, and ends with status 130. A run that --resume continues has the
-    same bits as an uninterrupted run.
+    After Ctrl-C the command finishes the sweep, writes a checkpoint, and ends with status 130. A run that --resume continues is
+    bitwise equal to an uninterrupted run.
     """
     if threads is not None:
         _core.set_num_threads(threads)
@@ -367,7 +367,7 @@ def _sampling(run: Run) -> str:
     return text + (f"; samples took {run.seconds_of_samples / seconds:.0%} of the time" if run.seconds_of_samples else "")
 
 
-# Steps are tuned to 0.4. Accepted parts outside of these limits cost a factor of two or so of the work; they mean that the density around
+# Steps are tuned to 0.4. Accepted parts outside these limits cost a factor of two or so of the work; they mean that the density around
 # particles was another one when the steps were tuned.
 _ACCEPTED = 0.2, 0.6
 # Translations end at half the longest semi-axis, so in a dilute system more of them are accepted, whatever the tuning.

@@ -46,7 +46,7 @@ _to = click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT. 
 @click.argument("output")
 @click.option("-n", "--number", type=WholeNumber(), help="Number of ellipsoids.")
 @click.option("--axes", "kinds", type=_Axes(), multiple=True, required=True, metavar="A,B,C",
-              help="Semi-axes A,B,C, or A,B for ellipses. If the option is repeated, each kind gets an equal number of ellipsoids.")
+              help="Semi-axes A,B,C, or A,B for ellipses. If the option is repeated, the shapes have equal numbers of ellipsoids.")
 @click.option("--spread", type=Finite(may_be_zero=True), default="0", show_default=True,
               help="Standard deviation of the natural logarithm of sizes.")
 @click.option("--fraction", type=Finite(below=1), help="Packing fraction.")
@@ -74,12 +74,12 @@ def pack(output: str, number: int | None, kinds: Any, spread: float, fraction: f
          seconds: float | None, kind: str | None, align: Any) -> int:  # fmt: skip
     """Write a random periodic packing without overlaps to OUTPUT: of ellipsoids, or of ellipses with --dimensions 2.
 
-    If overlaps are left after all steps (status 1) or at Ctrl-C (status 130), OUTPUT has the best packing that was found.
+    If overlaps remain after all steps (status 1) or at Ctrl-C (status 130), OUTPUT contains the best packing that was found.
 
-    With --rsa there are two ways. Either --cell is the cell, in the unit of the semi-axes, and is filled until no further ellipsoid
-    fits; or -n and --fraction determine the size of the cell, --cell only its shape, and -n ellipsoids are placed in it. The command
-    prints the number and the fraction that it reached. The status is 1 if there are fewer than -n ellipsoids, or if --attempts or
-    --seconds ended the addition.
+    With --rsa there are two modes. With --cell alone, the cell has this size, in the unit of the semi-axes, and is filled until no
+    further ellipsoid fits. With -n and --fraction, these determine the size of the cell, --cell determines only its shape, and -n
+    ellipsoids are placed. The command prints the number of ellipsoids and the packing fraction that it reached. The status is 1 if
+    there are fewer than -n ellipsoids, or if --attempts or --seconds ended the addition.
     """
     refuse_idle({"attempts": ("rsa",), "seconds": ("rsa",), "align": ("kind",), "resolution": ("voxels",)})
     to = check_written_name(output, to)
@@ -148,7 +148,7 @@ def _explaining_memory() -> Iterator[None]:
 
 @contextlib.contextmanager
 def _as_usage(name: str) -> Iterator[None]:
-    """Makes errors of a function those of the command line, with the options in the place of its arguments."""
+    """Makes errors of a function those of the command line, with the options instead of its arguments."""
     try:
         yield
     except ValueError as error:
@@ -244,15 +244,15 @@ def _add(output: str, to: str, wish: _Wish, voxels: str | None, resolution: int)
     return int(result.end in ("attempts", "seconds") or (wish.number or 0) > len(result.system))
 
 
-@click.command(short_help="Move and turn ellipsoids until none overlap.")
+@click.command(short_help="Move and rotate ellipsoids until none overlap.")
 @input_options
 @click.argument("output")
 @_to
 @_steps
 def relax(given: Input, output: str, to: str | None, steps: int) -> int:
-    """Move and turn the ellipsoids of the chosen frames of FILE until none overlap, and write them to OUTPUT.
+    """Move and rotate the ellipsoids of the chosen frames of FILE until none overlap, and write them to OUTPUT.
 
-    If overlaps are left after all steps (status 1) or at Ctrl-C (status 130), OUTPUT has the best configuration that was found. After
+    If overlaps remain after all steps (status 1) or at Ctrl-C (status 130), OUTPUT contains the best configuration that was found. After
     Ctrl-C all further frames are written unchanged.
     """
     to = check_written_name(output, to)

@@ -68,7 +68,7 @@ class Convention(NamedTuple):
 
 
 def sequence_in_words(sequence: str) -> str:
-    return f"{sequence} ({'axes that turn along' if sequence.isupper() else 'fixed axes'})"
+    return f"{sequence} ({'axes that rotate with the body' if sequence.isupper() else 'fixed axes'})"
 
 
 def sense_in_words(zero: str, sense: str) -> str:

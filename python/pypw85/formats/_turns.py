@@ -52,8 +52,8 @@ _DIRECTION_IN_PLANE = ("{0} may be the direction of the axis a of ellipses: say 
 _TWO_COMPONENTS = ("{0} may be the direction of an axis of ellipses, which needs three components: write a column of zeros for that along "
                    "z (and name all three, --direction-columns), or leave the columns out (--ignore-columns {1})")  # fmt: skip
 _TWO_UNITS = "{} may be in degrees or in radians: use --angle degrees or --angle radians"
-_SEQUENCES = ("{0} may be Euler angles of several sequences: say which, with fixed axes (--euler zyx) or with axes that turn along "
-              "(--euler ZYX), for the angles in this order, or leave the columns out (--ignore-columns {1})")  # fmt: skip
+_SEQUENCES = ("{0} may be Euler angles of several sequences: say which, with fixed axes (--euler zyx) or with axes that rotate with the "
+              "body (--euler ZYX), for the angles in this order, or leave the columns out (--ignore-columns {1})")  # fmt: skip
 _POLAR = ("{0} may be the angle from the axis z and that about it, or others: say so (--polar and the two columns in this order, as "
           "--polar {1}), or the sequence of Euler angles (--euler), or leave them out (--ignore-columns {1})")  # fmt: skip
 _ONE_ANGLE = ("{0} may be the angle of ellipses in a plane, or a rotation in space: say --dimensions 2, or the axis (--euler z), or leave "

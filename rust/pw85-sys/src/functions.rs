@@ -72,8 +72,8 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Computes the point and the normal of pw85_contact_geometry() for ellipsoids that are given
-    /// by factors of their forms.
+    /// Computes the contact point and the normal, as pw85_contact_geometry() does, for ellipsoids
+    /// that are given by factors of their forms.
     pub fn pw85_contact_geometry_factored(
         r12: *const f64,
         s1: *const f64,
@@ -126,8 +126,7 @@ extern "C" {
         q2: *const f64,
         overlap: *mut c_int,
     ) -> c_int;
-    /// Tests whether two ellipsoids overlap that are given by factors of their forms, Q1 = S1 S1ᵀ
-    /// and Q2 = S2 S2ᵀ.
+    /// Tests whether two ellipsoids, given by factors of their forms, overlap.
     pub fn pw85_overlap_factored(
         r12: *const f64,
         s1: *const f64,
@@ -159,8 +158,8 @@ extern "C" {
         q2: *const f64,
         contains: *mut c_int,
     ) -> c_int;
-    /// Computes the least factor by which ellipsoid 1, scaled about its centre, contains
-    /// ellipsoid 2, and a point where they then touch.
+    /// Computes the least factor by which ellipsoid 1 must be scaled about its centre to contain
+    /// ellipsoid 2, and a point where the two then touch.
     pub fn pw85_containment(
         r12: *const f64,
         q1: *const f64,
@@ -282,7 +281,7 @@ extern "C" {
         q2: *const f64,
         contains: *mut c_int,
     ) -> c_int;
-    /// Computes the least factor by which ellipse 1 contains ellipse 2.
+    /// Computes the least factor by which ellipse 1 must be scaled to contain ellipse 2.
     pub fn pw85_containment_2d(
         r12: *const f64,
         q1: *const f64,
@@ -344,7 +343,7 @@ extern "C" {
         d_rot2: *mut f64,
         hessian: *mut f64,
     ) -> c_int;
-    /// Computes the least gap between the surfaces of ellipsoid 1 and of ellipsoid 2 inside it.
+    /// Computes the least gap between the surface of ellipsoid 1 and an ellipsoid 2 inside it.
     pub fn pw85_gap_inside(
         r12: *const f64,
         q1: *const f64,
@@ -400,8 +399,8 @@ extern "C" {
         t_max: f64,
         t: *mut f64,
     ) -> c_int;
-    /// Computes the least μ² while ellipsoid 2 passes ellipsoid 1 on a straight path, and its
-    /// time.
+    /// Computes the least μ² while ellipsoid 2 translates past ellipsoid 1 on a straight path,
+    /// and the time of this minimum.
     pub fn pw85_closest_passage(
         r12: *const f64,
         q1: *const f64,
@@ -424,7 +423,7 @@ extern "C" {
     pub fn pw85__cholesky_decomp(a: *const f64, l: *mut f64);
     /// Solves L Lᵀ x = b.
     pub fn pw85__cholesky_solve(l: *const f64, b: *const f64, x: *mut f64);
-    /// Computes f, the residual g = μ2² - μ1² = -f', whose root is the maximiser of f, and g'.
+    /// Computes f, the residual g = μ2² - μ1² = -f' and its derivative g'.
     pub fn pw85__residual(
         lambda: f64,
         r12: *const f64,
@@ -432,7 +431,7 @@ extern "C" {
         q2: *const f64,
         out: *mut f64,
     );
-    /// Computes -f(λ), with the parameters in one array, as minimisers pass them.
+    /// Computes -f(λ), with all parameters in one array, as the callback of a minimiser.
     pub fn pw85_f_neg(lambda: f64, params: *const f64) -> f64;
     /// Computes the principal curvatures of the surface of an ellipsoid, and their directions, at
     /// the point with a given normal.
@@ -442,8 +441,8 @@ extern "C" {
         curvatures: *mut f64,
         directions: *mut f64,
     ) -> c_int;
-    /// Computes the numbers of Hertz's theory that give the force and the contact ellipse of two
-    /// elastic bodies as functions of the depth.
+    /// Computes the effective radius of Hertz's theory for two elastic bodies, and the shape of
+    /// the contact ellipse.
     pub fn pw85_hertz(curvatures: *const f64, radius: *mut f64, ellipse: *mut f64) -> c_int;
     /// Computes the geometry of the contact of two grains along a given normal, for laws of
     /// contact such as Hertz's.
@@ -459,8 +458,8 @@ extern "C" {
         radius: *mut f64,
         ellipse: *mut f64,
     ) -> c_int;
-    /// Computes the contact of two grains along their common normal, which it finds by Newton's
-    /// method.
+    /// Finds the common normal of two grains by Newton's method, and computes their contact along
+    /// it.
     pub fn pw85_grain_contact(
         r12: *const f64,
         q1: *const f64,
@@ -472,8 +471,7 @@ extern "C" {
         curvatures: *mut f64,
         radius: *mut f64,
     ) -> c_int;
-    /// Computes the derivatives of the radius of pw85_grain_contact(), whose normal follows each
-    /// motion.
+    /// Computes the derivatives of the radius of pw85_grain_contact().
     pub fn pw85_grain_radius_gradient(
         r12: *const f64,
         q1: *const f64,
@@ -550,7 +548,7 @@ extern "C" {
         d_rot: *mut f64,
     ) -> c_int;
     /// Computes the distance from an ellipsoid with its centre at 0 to the nearest face of a box
-    /// around it, a container.
+    /// that contains it.
     pub fn pw85_distance_box(
         lower: *const f64,
         upper: *const f64,
@@ -559,8 +557,8 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Computes the distance from an ellipsoid to the wall of a cylinder of infinite length
-    /// around it.
+    /// Computes the distance from an ellipsoid to the wall of a cylinder of infinite length that
+    /// contains it.
     pub fn pw85_distance_cylinder(
         axis: *const f64,
         radius: f64,
@@ -578,8 +576,8 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Computes the part t\[0\] \<= t \<= t\[1\] of the line origin + t·direction that is in an
-    /// ellipsoid.
+    /// Computes the interval t\[0\] \<= t \<= t\[1\] in which the line origin + t·direction is
+    /// inside an ellipsoid.
     pub fn pw85_intersect_line(
         origin: *const f64,
         direction: *const f64,
@@ -587,7 +585,7 @@ extern "C" {
         t: *mut f64,
     ) -> c_int;
     /// Computes the volume of the part of an ellipsoid that is in the half-space normal·x \<=
-    /// offset.
+    /// offset, where x is relative to the centre of the ellipsoid.
     pub fn pw85_overlap_volume_plane(
         normal: *const f64,
         offset: f64,
@@ -760,14 +758,14 @@ extern "C" {
         q: *const f64,
         overlap: *mut c_int,
     ) -> c_int;
-    /// Computes pw85_ellipsoid_quaternion() for n ellipsoids, with the same bits.
+    /// Computes pw85_ellipsoid_quaternion() for n ellipsoids, with bitwise equal results.
     pub fn pw85_ellipsoid_quaternion_batch(
         n: usize,
         semi_axes: *const f64,
         quaternions: *const f64,
         q: *mut f64,
     ) -> c_int;
-    /// Computes pw85_ellipsoid_factor() for n ellipsoids, with the same bits.
+    /// Computes pw85_ellipsoid_factor() for n ellipsoids, with bitwise equal results.
     pub fn pw85_ellipsoid_factor_batch(
         n: usize,
         semi_axes: *const f64,
@@ -783,7 +781,7 @@ extern "C" {
         mu2: *mut f64,
         lambda: *mut f64,
     ) -> c_int;
-    /// Computes pw85_contact_rounded() for n pairs, with the same bits.
+    /// Computes pw85_contact_rounded() for n pairs, with bitwise equal results.
     pub fn pw85_contact_rounded_batch(
         n: usize,
         r12: *const f64,
@@ -792,7 +790,7 @@ extern "C" {
         mu2: *mut f64,
         lambda: *mut f64,
     ) -> c_int;
-    /// Computes pw85_contact_factored() for n pairs, with the same bits.
+    /// Computes pw85_contact_factored() for n pairs, with bitwise equal results.
     pub fn pw85_contact_factored_batch(
         n: usize,
         r12: *const f64,
@@ -801,7 +799,7 @@ extern "C" {
         mu2: *mut f64,
         lambda: *mut f64,
     ) -> c_int;
-    /// Computes pw85_condition() for n pairs, with the same bits.
+    /// Computes pw85_condition() for n pairs, with bitwise equal results.
     pub fn pw85_condition_batch(
         n: usize,
         r12: *const f64,
@@ -810,7 +808,7 @@ extern "C" {
         lambda: *const f64,
         cond: *mut f64,
     ) -> c_int;
-    /// Computes pw85_contact_function() for n pairs, with the same bits.
+    /// Computes pw85_contact_function() for n pairs, with bitwise equal results.
     pub fn pw85_contact_function_batch(
         n: usize,
         r12: *const f64,
@@ -819,7 +817,7 @@ extern "C" {
         mu2: *mut f64,
         lambda: *mut f64,
     ) -> c_int;
-    /// Computes pw85_contact_geometry() for n pairs, with the same bits.
+    /// Computes pw85_contact_geometry() for n pairs, with bitwise equal results.
     pub fn pw85_contact_geometry_batch(
         n: usize,
         r12: *const f64,
@@ -829,7 +827,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Computes pw85_contact_geometry_factored() for n pairs, with the same bits.
+    /// Computes pw85_contact_geometry_factored() for n pairs, with bitwise equal results.
     pub fn pw85_contact_geometry_factored_batch(
         n: usize,
         r12: *const f64,
@@ -839,7 +837,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Computes pw85_contact_gradient() for n pairs, with the same bits.
+    /// Computes pw85_contact_gradient() for n pairs, with bitwise equal results.
     pub fn pw85_contact_gradient_batch(
         n: usize,
         r12: *const f64,
@@ -850,7 +848,7 @@ extern "C" {
         d_q1: *mut f64,
         d_q2: *mut f64,
     ) -> c_int;
-    /// Computes pw85_contact_gradient_factored() for n pairs, with the same bits.
+    /// Computes pw85_contact_gradient_factored() for n pairs, with bitwise equal results.
     pub fn pw85_contact_gradient_factored_batch(
         n: usize,
         r12: *const f64,
@@ -861,7 +859,7 @@ extern "C" {
         d_s1: *mut f64,
         d_s2: *mut f64,
     ) -> c_int;
-    /// Computes pw85_contact_torque() for n pairs, with the same bits.
+    /// Computes pw85_contact_torque() for n pairs, with bitwise equal results.
     pub fn pw85_contact_torque_batch(
         n: usize,
         r12: *const f64,
@@ -871,7 +869,7 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// Computes pw85_contact_hessian() for n pairs, with the same bits.
+    /// Computes pw85_contact_hessian() for n pairs, with bitwise equal results.
     pub fn pw85_contact_hessian_batch(
         n: usize,
         r12: *const f64,
@@ -923,7 +921,7 @@ extern "C" {
         q2: *const f64,
         contains: *mut u8,
     ) -> c_int;
-    /// Computes pw85_containment() for n pairs, with the same bits.
+    /// Computes pw85_containment() for n pairs, with bitwise equal results.
     pub fn pw85_containment_batch(
         n: usize,
         r12: *const f64,
@@ -940,9 +938,9 @@ extern "C" {
         q2: *const f64,
         distance: *mut f64,
     ) -> c_int;
-    /// Computes pw85_volume() for n ellipsoids, with the same bits.
+    /// Computes pw85_volume() for n ellipsoids, with bitwise equal results.
     pub fn pw85_volume_batch(n: usize, q: *const f64, volume: *mut f64) -> c_int;
-    /// Computes pw85_overlap_volume() for n pairs, with the same bits.
+    /// Computes pw85_overlap_volume() for n pairs, with bitwise equal results.
     pub fn pw85_overlap_volume_batch(
         n: usize,
         r12: *const f64,
@@ -950,7 +948,7 @@ extern "C" {
         q2: *const f64,
         volume: *mut f64,
     ) -> c_int;
-    /// Computes pw85_overlap_volume_gradient() for n pairs, with the same bits.
+    /// Computes pw85_overlap_volume_gradient() for n pairs, with bitwise equal results.
     pub fn pw85_overlap_volume_gradient_batch(
         n: usize,
         r12: *const f64,
@@ -960,7 +958,7 @@ extern "C" {
         d_q1: *mut f64,
         d_q2: *mut f64,
     ) -> c_int;
-    /// Computes pw85_overlap_volume_torque() for n pairs, with the same bits.
+    /// Computes pw85_overlap_volume_torque() for n pairs, with bitwise equal results.
     pub fn pw85_overlap_volume_torque_batch(
         n: usize,
         r12: *const f64,
@@ -969,9 +967,9 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// Computes pw85_area_2d() for n ellipses, with the same bits.
+    /// Computes pw85_area_2d() for n ellipses, with bitwise equal results.
     pub fn pw85_area_batch_2d(n: usize, q: *const f64, area: *mut f64) -> c_int;
-    /// Computes pw85_overlap_area_2d() for n pairs, with the same bits.
+    /// Computes pw85_overlap_area_2d() for n pairs, with bitwise equal results.
     pub fn pw85_overlap_area_batch_2d(
         n: usize,
         r12: *const f64,
@@ -979,7 +977,7 @@ extern "C" {
         q2: *const f64,
         area: *mut f64,
     ) -> c_int;
-    /// Computes pw85_overlap_area_gradient_2d() for n pairs, with the same bits.
+    /// Computes pw85_overlap_area_gradient_2d() for n pairs, with bitwise equal results.
     pub fn pw85_overlap_area_gradient_batch_2d(
         n: usize,
         r12: *const f64,
@@ -989,7 +987,7 @@ extern "C" {
         d_q1: *mut f64,
         d_q2: *mut f64,
     ) -> c_int;
-    /// Computes pw85_overlap_area_torque_2d() for n pairs, with the same bits.
+    /// Computes pw85_overlap_area_torque_2d() for n pairs, with bitwise equal results.
     pub fn pw85_overlap_area_torque_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1007,7 +1005,7 @@ extern "C" {
         mu2: *mut f64,
         lambda: *mut f64,
     ) -> c_int;
-    /// Computes pw85_contact_geometry_2d() for n pairs, with the same bits.
+    /// Computes pw85_contact_geometry_2d() for n pairs, with bitwise equal results.
     pub fn pw85_contact_geometry_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1017,7 +1015,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Computes pw85_contact_gradient_2d() for n pairs, with the same bits.
+    /// Computes pw85_contact_gradient_2d() for n pairs, with bitwise equal results.
     pub fn pw85_contact_gradient_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1028,7 +1026,7 @@ extern "C" {
         d_q1: *mut f64,
         d_q2: *mut f64,
     ) -> c_int;
-    /// Computes pw85_contact_torque_2d() for n pairs, with the same bits.
+    /// Computes pw85_contact_torque_2d() for n pairs, with bitwise equal results.
     pub fn pw85_contact_torque_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1038,7 +1036,7 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// Computes pw85_contact_hessian_2d() for n pairs, with the same bits.
+    /// Computes pw85_contact_hessian_2d() for n pairs, with bitwise equal results.
     pub fn pw85_contact_hessian_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1055,7 +1053,7 @@ extern "C" {
         q2: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// Computes pw85_closest_approach_2d() for n pairs, with the same bits.
+    /// Computes pw85_closest_approach_2d() for n pairs, with bitwise equal results.
     pub fn pw85_closest_approach_batch_2d(
         n: usize,
         directions: *const f64,
@@ -1073,7 +1071,7 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
-    /// Computes pw85_distance_derivatives() for n pairs, with the same bits.
+    /// Computes pw85_distance_derivatives() for n pairs, with bitwise equal results.
     pub fn pw85_distance_derivatives_batch(
         n: usize,
         r12: *const f64,
@@ -1084,7 +1082,7 @@ extern "C" {
         d_rot2: *mut f64,
         hessian: *mut f64,
     ) -> c_int;
-    /// Computes pw85_penetration() for n pairs, with the same bits.
+    /// Computes pw85_penetration() for n pairs, with bitwise equal results.
     pub fn pw85_penetration_batch(
         n: usize,
         r12: *const f64,
@@ -1093,7 +1091,7 @@ extern "C" {
         depth: *mut f64,
         direction: *mut f64,
     ) -> c_int;
-    /// Computes pw85_signed_distance() for n pairs, with the same bits.
+    /// Computes pw85_signed_distance() for n pairs, with bitwise equal results.
     pub fn pw85_signed_distance_batch(
         n: usize,
         r12: *const f64,
@@ -1103,7 +1101,7 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
-    /// Computes pw85_signed_distance_derivatives() for n pairs, with the same bits.
+    /// Computes pw85_signed_distance_derivatives() for n pairs, with bitwise equal results.
     pub fn pw85_signed_distance_derivatives_batch(
         n: usize,
         r12: *const f64,
@@ -1114,7 +1112,7 @@ extern "C" {
         d_rot2: *mut f64,
         hessian: *mut f64,
     ) -> c_int;
-    /// Computes pw85_gap_inside() for n pairs, with the same bits.
+    /// Computes pw85_gap_inside() for n pairs, with bitwise equal results.
     pub fn pw85_gap_inside_batch(
         n: usize,
         r12: *const f64,
@@ -1125,7 +1123,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Computes pw85_distance_2d() for n pairs, with the same bits.
+    /// Computes pw85_distance_2d() for n pairs, with bitwise equal results.
     pub fn pw85_distance_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1135,7 +1133,7 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
-    /// Computes pw85_penetration_2d() for n pairs, with the same bits.
+    /// Computes pw85_penetration_2d() for n pairs, with bitwise equal results.
     pub fn pw85_penetration_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1144,7 +1142,7 @@ extern "C" {
         depth: *mut f64,
         direction: *mut f64,
     ) -> c_int;
-    /// Computes pw85_signed_distance_2d() for n pairs, with the same bits.
+    /// Computes pw85_signed_distance_2d() for n pairs, with bitwise equal results.
     pub fn pw85_signed_distance_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1154,7 +1152,7 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
-    /// Computes pw85_gap_inside_2d() for n pairs, with the same bits.
+    /// Computes pw85_gap_inside_2d() for n pairs, with bitwise equal results.
     pub fn pw85_gap_inside_batch_2d(
         n: usize,
         r12: *const f64,
@@ -1165,7 +1163,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Computes pw85_first_contact() for n pairs, with the same bits.
+    /// Computes pw85_first_contact() for n pairs, with bitwise equal results.
     pub fn pw85_first_contact_batch(
         n: usize,
         r12: *const f64,
@@ -1187,7 +1185,7 @@ extern "C" {
         mu2: *mut f64,
         t: *mut f64,
     ) -> c_int;
-    /// Computes pw85_free_path() for n pairs, with the same bits.
+    /// Computes pw85_free_path() for n pairs, with bitwise equal results.
     pub fn pw85_free_path_batch(
         n: usize,
         r12: *const f64,
@@ -1197,7 +1195,7 @@ extern "C" {
         t_max: *const f64,
         t: *mut f64,
     ) -> c_int;
-    /// Computes pw85_curvature() for n ellipsoids, with the same bits.
+    /// Computes pw85_curvature() for n ellipsoids, with bitwise equal results.
     pub fn pw85_curvature_batch(
         n: usize,
         normals: *const f64,
@@ -1205,14 +1203,14 @@ extern "C" {
         curvatures: *mut f64,
         directions: *mut f64,
     ) -> c_int;
-    /// Computes pw85_hertz() for n contacts, with the same bits.
+    /// Computes pw85_hertz() for n contacts, with bitwise equal results.
     pub fn pw85_hertz_batch(
         n: usize,
         curvatures: *const f64,
         radius: *mut f64,
         ellipse: *mut f64,
     ) -> c_int;
-    /// Computes pw85_hertz_contact() for n pairs, with the same bits.
+    /// Computes pw85_hertz_contact() for n pairs, with bitwise equal results.
     pub fn pw85_hertz_contact_batch(
         n: usize,
         r12: *const f64,
@@ -1239,7 +1237,7 @@ extern "C" {
         curvatures: *mut f64,
         radius: *mut f64,
     ) -> c_int;
-    /// Computes pw85_grain_radius_gradient() for n pairs, with the same bits.
+    /// Computes pw85_grain_radius_gradient() for n pairs, with bitwise equal results.
     pub fn pw85_grain_radius_gradient_batch(
         n: usize,
         r12: *const f64,
@@ -1250,7 +1248,7 @@ extern "C" {
         d_rot1: *mut f64,
         d_rot2: *mut f64,
     ) -> c_int;
-    /// Computes pw85_grain_contact_wall() for n ellipsoids and walls, with the same bits.
+    /// Computes pw85_grain_contact_wall() for n ellipsoids and walls, with bitwise equal results.
     pub fn pw85_grain_contact_wall_batch(
         n: usize,
         normals: *const f64,
@@ -1263,25 +1261,26 @@ extern "C" {
         curvatures: *mut f64,
         radius: *mut f64,
     ) -> c_int;
-    /// Computes pw85_surface_area() for n ellipsoids, with the same bits.
+    /// Computes pw85_surface_area() for n ellipsoids, with bitwise equal results.
     pub fn pw85_surface_area_batch(n: usize, q: *const f64, area: *mut f64) -> c_int;
-    /// Computes pw85_second_moments() for n ellipsoids, with the same bits.
+    /// Computes pw85_second_moments() for n ellipsoids, with bitwise equal results.
     pub fn pw85_second_moments_batch(n: usize, q: *const f64, moments: *mut f64) -> c_int;
-    /// Computes pw85_from_moments() for n ellipsoids, with the same bits.
+    /// Computes pw85_from_moments() for n ellipsoids, with bitwise equal results.
     pub fn pw85_from_moments_batch(n: usize, second_moments: *const f64, q: *mut f64) -> c_int;
-    /// Computes pw85_shell_moments() for n ellipsoids, with the same bits.
+    /// Computes pw85_shell_moments() for n ellipsoids, with bitwise equal results.
     pub fn pw85_shell_moments_batch(n: usize, q: *const f64, moments: *mut f64) -> c_int;
-    /// Computes pw85_inertia() for n ellipsoids, with the same bits.
+    /// Computes pw85_inertia() for n ellipsoids, with bitwise equal results.
     pub fn pw85_inertia_batch(n: usize, q: *const f64, shell: c_int, inertia: *mut f64) -> c_int;
-    /// Computes pw85_perimeter_2d() for n ellipses, with the same bits.
+    /// Computes pw85_perimeter_2d() for n ellipses, with bitwise equal results.
     pub fn pw85_perimeter_batch_2d(n: usize, q: *const f64, perimeter: *mut f64) -> c_int;
-    /// Computes pw85_second_moments_2d() for n ellipses, with the same bits.
+    /// Computes pw85_second_moments_2d() for n ellipses, with bitwise equal results.
     pub fn pw85_second_moments_batch_2d(n: usize, q: *const f64, moments: *mut f64) -> c_int;
-    /// Computes pw85_from_moments_2d() for n ellipses, with the same bits.
+    /// Computes pw85_from_moments_2d() for n ellipses, with bitwise equal results.
     pub fn pw85_from_moments_batch_2d(n: usize, second_moments: *const f64, q: *mut f64) -> c_int;
-    /// Computes pw85_shell_moments_2d() for n ellipses, with the same bits.
+    /// Computes pw85_shell_moments_2d() for n ellipses, with bitwise equal results.
     pub fn pw85_shell_moments_batch_2d(n: usize, q: *const f64, moments: *mut f64) -> c_int;
-    /// Computes pw85_distance_plane() for n ellipsoids and half-spaces, with the same bits.
+    /// Computes pw85_distance_plane() for n ellipsoids and half-spaces, with bitwise equal
+    /// results.
     pub fn pw85_distance_plane_batch(
         n: usize,
         normals: *const f64,
@@ -1290,8 +1289,8 @@ extern "C" {
         distance: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// Computes pw85_distance_plane_derivatives() for n ellipsoids and half-spaces, with the same
-    /// bits.
+    /// Computes pw85_distance_plane_derivatives() for n ellipsoids and half-spaces, with bitwise
+    /// equal results.
     pub fn pw85_distance_plane_derivatives_batch(
         n: usize,
         normals: *const f64,
@@ -1299,7 +1298,8 @@ extern "C" {
         d_center: *mut f64,
         d_rot: *mut f64,
     ) -> c_int;
-    /// Computes pw85_contact_plane() for n ellipsoids and half-spaces, with the same bits.
+    /// Computes pw85_contact_plane() for n ellipsoids and half-spaces, with bitwise equal
+    /// results.
     pub fn pw85_contact_plane_batch(
         n: usize,
         normals: *const f64,
@@ -1308,8 +1308,8 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// Computes pw85_contact_plane_derivatives() for n ellipsoids and half-spaces, with the same
-    /// bits.
+    /// Computes pw85_contact_plane_derivatives() for n ellipsoids and half-spaces, with bitwise
+    /// equal results.
     pub fn pw85_contact_plane_derivatives_batch(
         n: usize,
         normals: *const f64,
@@ -1318,7 +1318,7 @@ extern "C" {
         d_center: *mut f64,
         d_rot: *mut f64,
     ) -> c_int;
-    /// Computes pw85_distance_box() for n ellipsoids and boxes, with the same bits.
+    /// Computes pw85_distance_box() for n ellipsoids and boxes, with bitwise equal results.
     pub fn pw85_distance_box_batch(
         n: usize,
         lower: *const f64,
@@ -1328,7 +1328,8 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Computes pw85_distance_cylinder() for n ellipsoids and cylinders, with the same bits.
+    /// Computes pw85_distance_cylinder() for n ellipsoids and cylinders, with bitwise equal
+    /// results.
     pub fn pw85_distance_cylinder_batch(
         n: usize,
         axis: *const f64,
@@ -1339,7 +1340,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Computes pw85_distance_point() for n points and ellipsoids, with the same bits.
+    /// Computes pw85_distance_point() for n points and ellipsoids, with bitwise equal results.
     pub fn pw85_distance_point_batch(
         n: usize,
         r: *const f64,
@@ -1348,7 +1349,7 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Computes pw85_intersect_line() for n lines and ellipsoids, with the same bits.
+    /// Computes pw85_intersect_line() for n lines and ellipsoids, with bitwise equal results.
     pub fn pw85_intersect_line_batch(
         n: usize,
         origin: *const f64,
@@ -1357,7 +1358,8 @@ extern "C" {
         enter: *mut f64,
         leave: *mut f64,
     ) -> c_int;
-    /// Computes pw85_overlap_volume_plane() for n ellipsoids and half-spaces, with the same bits.
+    /// Computes pw85_overlap_volume_plane() for n ellipsoids and half-spaces, with bitwise equal
+    /// results.
     pub fn pw85_overlap_volume_plane_batch(
         n: usize,
         normals: *const f64,
@@ -1418,7 +1420,8 @@ extern "C" {
         q: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// Computes pw85_distance_segment() for n ellipsoids and segments, with the same bits.
+    /// Computes pw85_distance_segment() for n ellipsoids and segments, with bitwise equal
+    /// results.
     pub fn pw85_distance_segment_batch(
         n: usize,
         end1: *const f64,
@@ -1429,7 +1432,8 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Computes pw85_distance_triangle() for n ellipsoids and triangles, with the same bits.
+    /// Computes pw85_distance_triangle() for n ellipsoids and triangles, with bitwise equal
+    /// results.
     pub fn pw85_distance_triangle_batch(
         n: usize,
         vertex1: *const f64,
@@ -1441,7 +1445,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Computes pw85_distance_solid_box() for n ellipsoids and boxes, with the same bits.
+    /// Computes pw85_distance_solid_box() for n ellipsoids and boxes, with bitwise equal results.
     pub fn pw85_distance_solid_box_batch(
         n: usize,
         lower: *const f64,
@@ -1452,7 +1456,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Computes pw85_contact_capsule() for n ellipsoids and capsules, with the same bits.
+    /// Computes pw85_contact_capsule() for n ellipsoids and capsules, with bitwise equal results.
     pub fn pw85_contact_capsule_batch(
         n: usize,
         end1: *const f64,
@@ -1471,7 +1475,8 @@ extern "C" {
         q: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// Computes pw85_distance_capsule() for n ellipsoids and capsules, with the same bits.
+    /// Computes pw85_distance_capsule() for n ellipsoids and capsules, with bitwise equal
+    /// results.
     pub fn pw85_distance_capsule_batch(
         n: usize,
         end1: *const f64,
@@ -1483,7 +1488,7 @@ extern "C" {
         point2: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Computes pw85_distance_point_2d() for n points and ellipses, with the same bits.
+    /// Computes pw85_distance_point_2d() for n points and ellipses, with bitwise equal results.
     pub fn pw85_distance_point_batch_2d(
         n: usize,
         r: *const f64,
@@ -1492,7 +1497,8 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Computes pw85_contact_segment_2d() for n ellipses and segments, with the same bits.
+    /// Computes pw85_contact_segment_2d() for n ellipses and segments, with bitwise equal
+    /// results.
     pub fn pw85_contact_segment_batch_2d(
         n: usize,
         end1: *const f64,
@@ -1501,7 +1507,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// Computes pw85_contact_box_2d() for n ellipses and boxes, with the same bits.
+    /// Computes pw85_contact_box_2d() for n ellipses and boxes, with bitwise equal results.
     pub fn pw85_contact_box_batch_2d(
         n: usize,
         lower: *const f64,
@@ -1526,7 +1532,9 @@ extern "C" {
         q: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// Computes all that the forces and torques of an energy U(μ²) need, for n pairs.
+    /// Computes for n pairs the results of pw85_contact(), pw85_contact_geometry(),
+    /// pw85_contact_gradient() and pw85_contact_torque(), from which the forces and torques of an
+    /// energy U(μ²) follow.
     pub fn pw85_contact_derivatives_batch(
         n: usize,
         r12: *const f64,
@@ -1551,8 +1559,7 @@ extern "C" {
         mu2: *mut f64,
         point: *mut f64,
     ) -> c_int;
-    /// Tests whether many ellipsoids overlap one polytope, for example which of them a camera
-    /// sees.
+    /// Tests which of many ellipsoids overlap one polytope, such as the frustum of a camera.
     pub fn pw85_overlap_polytope_batch(
         num_ellipsoids: usize,
         centers: *const f64,
@@ -1593,7 +1600,7 @@ extern "C" {
         q: *mut f64,
         excess: *mut f64,
     ) -> c_int;
-    /// Makes random points of an ellipsoid with its centre at 0, uniform in its volume or on its
+    /// Makes random points, distributed uniformly in an ellipsoid with its centre at 0, or on its
     /// surface.
     pub fn pw85_random_points(
         q: *const f64,

@@ -111,9 +111,9 @@ pub struct ContainmentScale {
     /// Square of the factor.
     pub mu2: f64,
     /// A point of contact on the surface of ellipsoid 2, relative to the centre of ellipsoid 1.
-    /// There are several such points if r12 = 0, and the result is one of them. There can also be
-    /// several if r12 is short and, after the linear map that makes ellipsoid 1 a unit ball, has
-    /// no component along the longest semi-axis of ellipsoid 2.
+    /// If r12 = 0, there are several such points, and the result is one of them. The same holds
+    /// for a short r12 that has no component along the longest semi-axis of ellipsoid 2, after
+    /// the linear map that makes ellipsoid 1 a unit ball.
     pub point: [f64; 3],
 }
 
@@ -197,10 +197,10 @@ pub struct ContactTorque2d {
 pub struct ContainmentScale2d {
     /// Square of the factor.
     pub mu2: f64,
-    /// A point of contact on the surface of ellipse 2, relative to the centre of ellipse 1. There
-    /// are several such points if r12 = 0, and the result is one of them. There can also be
-    /// several if r12 is short and, after the linear map that makes ellipse 1 a unit ball, has no
-    /// component along the longest semi-axis of ellipse 2.
+    /// A point of contact on the surface of ellipse 2, relative to the centre of ellipse 1. If
+    /// r12 = 0, there are several such points, and the result is one of them. The same holds for
+    /// a short r12 that has no component along the longest semi-axis of ellipse 2, after the
+    /// linear map that makes ellipse 1 a unit ball.
     pub point: [f64; 2],
 }
 
@@ -257,8 +257,9 @@ pub struct GapInside {
     /// `point1`, `point2`: The closest points of the surfaces of ellipsoids 1 and 2, both
     /// relative to the centre of ellipsoid 1; NaN if ellipsoid 2 is not inside.
     pub point2: [f64; 3],
-    /// Unit vector out of both ellipsoids at these points, from point2 to point1: minus the
-    /// derivative of the gap with respect to r12; NaN if ellipsoid 2 is not inside.
+    /// Outward unit normal of both ellipsoids at these points, from point2 to point1; the
+    /// derivative of the gap with respect to r12 is its negative; NaN if ellipsoid 2 is not
+    /// inside.
     pub normal: [f64; 3],
 }
 
@@ -299,8 +300,8 @@ pub struct GapInside2d {
     /// `point1`, `point2`: The closest points of the surfaces of ellipses 1 and 2, both relative
     /// to the centre of ellipse 1; NaN if ellipse 2 is not inside.
     pub point2: [f64; 2],
-    /// Unit vector out of both ellipses at these points, from point2 to point1: minus the
-    /// derivative of the gap with respect to r12; NaN if ellipse 2 is not inside.
+    /// Outward unit normal of both ellipses at these points, from point2 to point1; the
+    /// derivative of the gap with respect to r12 is its negative; NaN if ellipse 2 is not inside.
     pub normal: [f64; 2],
 }
 
@@ -319,7 +320,7 @@ pub struct Curvature {
     /// Reciprocals of the radii of curvature, \> 0, the smaller one first.
     pub curvatures: [f64; 2],
     /// Unit vectors along which the surface has these curvatures. Their cross product is the unit
-    /// normal. If both curvatures are equal, the result is any such pair of vectors.
+    /// normal. If both curvatures are equal, the result is one of the possible pairs of vectors.
     pub directions: [[f64; 3]; 2],
 }
 
@@ -328,29 +329,30 @@ pub struct Curvature {
 pub struct HertzEllipse {
     /// The effective radius, for spheres R1 R2/(R1 + R2).
     pub radius: f64,
-    /// Squares of the semi-axes of the contact ellipse over the depth, along the direction of
-    /// each curvature.
+    /// Squares of the semi-axes of the contact ellipse, divided by the depth, along the direction
+    /// of each curvature.
     pub ellipse: [f64; 2],
 }
 
 /// Results of [`hertz_contact()`](crate::hertz_contact).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HertzContact {
-    /// The depth, in the unit of `r12`; negative if a slab across the normal separates the
-    /// ellipsoids.
+    /// The depth, in the unit of `r12`; negative if a slab perpendicular to the normal separates
+    /// the ellipsoids.
     pub depth: f64,
     /// The point at which contact forces act, relative to the centre of ellipsoid 1: the midpoint
     /// of the two points of the surfaces with the normals n and -n.
     pub point: [f64; 3],
-    /// Of the gap between both surfaces, \> 0, the smaller one first: eigenvalues of the sum of
-    /// their second fundamental forms, as [`hertz()`](crate::hertz) takes them.
+    /// Principal curvatures of the gap between both surfaces, \> 0, the smaller one first, as
+    /// input for [`hertz()`](crate::hertz): eigenvalues of the sum of the second fundamental
+    /// forms.
     pub curvatures: [f64; 2],
     /// Of these curvatures and of the contact ellipse.
     pub directions: [[f64; 3]; 2],
     /// The effective radius, for spheres R1 R2/(R1 + R2).
     pub radius: f64,
-    /// Squares of the semi-axes of the contact ellipse over the depth, along the direction of
-    /// each curvature.
+    /// Squares of the semi-axes of the contact ellipse, divided by the depth, along the direction
+    /// of each curvature.
     pub ellipse: [f64; 2],
 }
 
@@ -359,13 +361,15 @@ pub struct HertzContact {
 pub struct GrainContact {
     /// Unit vector n.
     pub normal: [f64; 3],
-    /// δ, in the unit of `r12`; negative if a slab across the normal separates the ellipsoids.
+    /// δ, in the unit of `r12`; negative if a slab perpendicular to the normal separates the
+    /// ellipsoids.
     pub depth: f64,
     /// The midpoint of the two points of the surfaces with the normals n and -n, which are δ n
     /// apart, relative to the centre of ellipsoid 1.
     pub point: [f64; 3],
-    /// Of the gap between both surfaces, \> 0, the smaller one first: eigenvalues of the sum of
-    /// their second fundamental forms, as [`hertz()`](crate::hertz) takes them.
+    /// Principal curvatures of the gap between both surfaces, \> 0, the smaller one first, as
+    /// input for [`hertz()`](crate::hertz): eigenvalues of the sum of the second fundamental
+    /// forms.
     pub curvatures: [f64; 2],
     /// The effective radius, for spheres R1 R2/(R1 + R2).
     pub radius: f64,
@@ -392,7 +396,7 @@ pub struct GrainWallContact {
     /// The point of the ellipsoid that is deepest in the wall.
     pub point: [f64; 3],
     /// Of the gap, the smaller one first. If the smaller one is below 2⁻²⁰ times the larger one,
-    /// it is raised to this value: surfaces that touch along a line have no finite radius.
+    /// it is set to this value, because surfaces that touch along a line have no finite radius.
     pub curvatures: [f64; 2],
     /// The effective radius, for spheres R1 R2/(R1 + R2).
     pub radius: f64,
@@ -401,7 +405,7 @@ pub struct GrainWallContact {
 /// Results of [`distance_plane()`](crate::distance_plane).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceDistance {
-    /// The distance, in the unit of the semi-axes; minus the depth if the two overlap.
+    /// The distance, in the unit of the semi-axes; if the two overlap, minus the depth.
     pub distance: f64,
     /// The point of the ellipsoid that is nearest to the half-space, or deepest in it.
     pub point: [f64; 3],
@@ -489,14 +493,15 @@ pub struct ShapeContact {
 /// [`distance_capsule()`](crate::distance_capsule).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShapeDistance {
-    /// The signed distance; minus the depth if the two overlap.
+    /// The signed distance; if the two overlap, it is minus the depth.
     pub distance: f64,
     /// The point of the ellipsoid that is nearest to the segment, or deepest.
     pub point1: [f64; 3],
     /// The point of the segment that is nearest to the ellipsoid, or deepest; relative to the
     /// centre of the ellipsoid.
     pub point2: [f64; 3],
-    /// Unit vector out of the ellipsoid at point1; point2 - point1 is `distance` times it.
+    /// Outward unit normal of the ellipsoid at point1; point2 - point1 is `distance` times this
+    /// vector.
     pub normal: [f64; 3],
 }
 
@@ -557,8 +562,8 @@ pub fn spheroid(a: f64, c: f64, n: &[f64; 3]) -> Result<[f64; 6], Error> {
 /// - `semi_axes`: Lengths of the principal semi-axes (not diameters), whose squares are in the
 ///   range of double; \> 0. Unit: length.
 /// - `rotation`: Matrix R, which takes the body frame to the space frame; its columns are the
-///   principal directions. An entry of RᵀR - I may be at most 1e-6 in magnitude: single precision
-///   is enough. R may be a reflection.
+///   directions of the semi-axes. Each entry of RᵀR - I must be at most 1e-6 in magnitude: single
+///   precision is enough. R may be a reflection.
 ///
 /// # Errors
 ///
@@ -592,8 +597,8 @@ pub fn ellipsoid(semi_axes: &[f64; 3], rotation: &[[f64; 3]; 3]) -> Result<[f64;
 ///
 /// - `semi_axes`: Lengths of the principal semi-axes (not diameters), whose squares are in the
 ///   range of double; \> 0. Unit: length.
-/// - `quaternion`: (w, x, y, z), scalar first, which takes the body frame to the space frame; of
-///   any length, because the function normalises it; not zero.
+/// - `quaternion`: (w, x, y, z), scalar first, which rotates the body frame into the space frame;
+///   of any length, because the function normalises it; not zero.
 ///
 /// # Errors
 ///
@@ -621,8 +626,8 @@ pub fn ellipsoid_quaternion(
     Ok(q)
 }
 
-/// Computes [`ellipsoid_quaternion()`](crate::ellipsoid_quaternion) for many ellipsoids, with the
-/// same bits.
+/// Computes [`ellipsoid_quaternion()`](crate::ellipsoid_quaternion) for many ellipsoids, with
+/// bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -672,8 +677,8 @@ pub fn ellipsoid_quaternion_batch(
 ///
 /// - `semi_axes`: Lengths of the principal semi-axes (not diameters), whose squares are in the
 ///   range of double; \> 0. Unit: length.
-/// - `quaternion`: (w, x, y, z), scalar first, which takes the body frame to the space frame; not
-///   zero.
+/// - `quaternion`: (w, x, y, z), scalar first, which rotates the body frame into the space frame;
+///   not zero.
 ///
 /// # Errors
 ///
@@ -701,8 +706,8 @@ pub fn ellipsoid_factor(
     Ok(s)
 }
 
-/// Computes [`ellipsoid_factor()`](crate::ellipsoid_factor) for many ellipsoids, with the same
-/// bits.
+/// Computes [`ellipsoid_factor()`](crate::ellipsoid_factor) for many ellipsoids, with bitwise
+/// equal results.
 ///
 /// # Arguments
 ///
@@ -863,7 +868,7 @@ pub fn contact_batch(
 ///
 /// μ² is the double nearest to the exact value for the numbers given. If two doubles are equally
 /// near, it is the one whose last bit is 0. This rule includes underflow and overflow: a value of
-/// 2¹⁰²⁴ - 2⁹⁷⁰ or more becomes infinity. λ errs by less than one unit in the last place.
+/// 2¹⁰²⁴ - 2⁹⁷⁰ or more becomes infinity. The error of λ is less than one unit in the last place.
 ///
 /// Every processor and every instruction set therefore gives the same μ². Exchanging the two
 /// ellipsoids does not change it. Multiplying the unit of length by a power of two does not
@@ -902,7 +907,8 @@ pub fn contact_rounded(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<C
     Ok(Contact { mu2: out[0], lambda: out[1] })
 }
 
-/// Computes [`contact_rounded()`](crate::contact_rounded) for many pairs, with the same bits.
+/// Computes [`contact_rounded()`](crate::contact_rounded) for many pairs, with bitwise equal
+/// results.
 ///
 /// # Arguments
 ///
@@ -956,13 +962,14 @@ pub fn contact_rounded_batch(
 /// Computes the contact function of two ellipsoids that are given by factors of their forms, Q1 =
 /// S1 S1ᵀ and Q2 = S2 S2ᵀ.
 ///
-/// Use it for slender ellipsoids. An entry of a form is a sum of squares of long and short
-/// semi-axes, so rounding it loses digits of the short ones. At aspect ratios 100, 10⁴ and 10⁶,
-/// rounding the forms changes μ² by some 1e-12, 1e-8 and 1e-4, and rounding the factors changes
-/// it by less than 1e-14, 1e-12 and 1e-12.
+/// Use this function for slender ellipsoids. An entry of a form is a sum of squares of long and
+/// short semi-axes, so rounding the entry loses digits of the short ones. At aspect ratios 100,
+/// 10⁴ and 10⁶, rounding the forms changes μ² by about 1e-12, 1e-8 and 1e-4, and rounding the
+/// factors changes μ² by less than 1e-14, 1e-12 and 1e-12.
 ///
-/// The relative error of μ² is below 4 u c. Here u = 2⁻⁵³, and c is the relative change of μ², to
-/// first order, for relative changes of one in the entries of s1, s2 and r12.
+/// The relative error of μ² is below 4 u c, with u = 2⁻⁵³. If each entry of s1, s2 and r12
+/// changes by at most a fraction ε of itself, μ² changes by at most a fraction ε c, to first
+/// order in ε.
 ///
 /// # Arguments
 ///
@@ -1002,7 +1009,8 @@ pub fn contact_factored(
     Ok(Contact { mu2: out[0], lambda: out[1] })
 }
 
-/// Computes [`contact_factored()`](crate::contact_factored) for many pairs, with the same bits.
+/// Computes [`contact_factored()`](crate::contact_factored) for many pairs, with bitwise equal
+/// results.
 ///
 /// # Arguments
 ///
@@ -1097,7 +1105,7 @@ pub fn condition(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6], lambda: f64) -> R
     Ok(cond)
 }
 
-/// Computes [`condition()`](crate::condition) for many pairs, with the same bits.
+/// Computes [`condition()`](crate::condition) for many pairs, with bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -1188,7 +1196,8 @@ pub fn contact_function(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<
     Ok(Contact { mu2: out[0], lambda: out[1] })
 }
 
-/// Computes [`contact_function()`](crate::contact_function) for many pairs, with the same bits.
+/// Computes [`contact_function()`](crate::contact_function) for many pairs, with bitwise equal
+/// results.
 ///
 /// # Arguments
 ///
@@ -1286,7 +1295,8 @@ pub fn contact_geometry(
     Ok(ContactGeometry { point, normal })
 }
 
-/// Computes [`contact_geometry()`](crate::contact_geometry) for many pairs, with the same bits.
+/// Computes [`contact_geometry()`](crate::contact_geometry) for many pairs, with bitwise equal
+/// results.
 ///
 /// # Arguments
 ///
@@ -1342,12 +1352,12 @@ pub fn contact_geometry_batch(
     ) })
 }
 
-/// Computes the point and the normal of [`contact_geometry()`](crate::contact_geometry) for
-/// ellipsoids that are given by factors of their forms.
+/// Computes the contact point and the normal, as [`contact_geometry()`](crate::contact_geometry)
+/// does, for ellipsoids that are given by factors of their forms.
 ///
-/// Errors are below 4 u C for the λ given. Here u = 2⁻⁵³. C is the change of the result, to first
-/// order, if each entry of s1 and s2 changes by the largest magnitude in its column, and each
-/// coordinate of r12 by its own magnitude.
+/// Errors are below 4 u C for the given λ, with u = 2⁻⁵³. C is the largest change of the result,
+/// to first order, if each entry of s1 and s2 changes by the largest magnitude in its column, and
+/// each coordinate of r12 changes by its own magnitude.
 ///
 /// # Arguments
 ///
@@ -1394,7 +1404,7 @@ pub fn contact_geometry_factored(
 }
 
 /// Computes [`contact_geometry_factored()`](crate::contact_geometry_factored) for many pairs,
-/// with the same bits.
+/// with bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -1503,7 +1513,8 @@ pub fn contact_gradient(
     Ok(ContactGradient { d_r12, d_q1, d_q2 })
 }
 
-/// Computes [`contact_gradient()`](crate::contact_gradient) for many pairs, with the same bits.
+/// Computes [`contact_gradient()`](crate::contact_gradient) for many pairs, with bitwise equal
+/// results.
 ///
 /// # Arguments
 ///
@@ -1575,8 +1586,8 @@ pub fn contact_gradient_batch(
 /// Computes the derivatives of μ² for ellipsoids that are given by factors of their forms.
 ///
 /// The derivative with respect to a factor S is 2 (∂μ²/∂Q) S, where ∂μ²/∂Q is a symmetric matrix.
-/// A change dS of the factor changes μ² by Σ d_s_ij dS_ij. The errors have the bound of
-/// [`contact_geometry_factored()`](crate::contact_geometry_factored).
+/// A change dS of the factor changes μ² by Σ d_s_ij dS_ij. The bound on the errors is 4 u C, as
+/// for [`contact_geometry_factored()`](crate::contact_geometry_factored).
 ///
 /// # Arguments
 ///
@@ -1625,7 +1636,7 @@ pub fn contact_gradient_factored(
 }
 
 /// Computes [`contact_gradient_factored()`](crate::contact_gradient_factored) for many pairs,
-/// with the same bits.
+/// with bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -1741,7 +1752,8 @@ pub fn contact_torque(
     Ok(ContactTorque { d_rot1, d_rot2 })
 }
 
-/// Computes [`contact_torque()`](crate::contact_torque) for many pairs, with the same bits.
+/// Computes [`contact_torque()`](crate::contact_torque) for many pairs, with bitwise equal
+/// results.
 ///
 /// # Arguments
 ///
@@ -1798,10 +1810,10 @@ pub fn contact_torque_batch(
 
 /// Computes the second derivatives of μ² with respect to r12 and rotations of the ellipsoids.
 ///
-/// Their relative error is a few times the relative errors of λ and of 1-λ. λ from
-/// [`contact()`](crate::contact) has a relative error of some u times the squared aspect ratio,
-/// with u = 2⁻⁵³. If ellipsoid 1 is much larger than ellipsoid 2, the relative error of 1-λ is
-/// u/(1-λ).
+/// The relative error of the second derivatives is a few times the relative errors of λ and of
+/// 1-λ. If λ comes from [`contact()`](crate::contact), its relative error is a few u times the
+/// squared aspect ratio, with u = 2⁻⁵³. If ellipsoid 1 is much larger than ellipsoid 2, the
+/// relative error of 1-λ is u/(1-λ).
 ///
 /// # Arguments
 ///
@@ -1844,7 +1856,8 @@ pub fn contact_hessian(
     Ok(hessian)
 }
 
-/// Computes [`contact_hessian()`](crate::contact_hessian) for many pairs, with the same bits.
+/// Computes [`contact_hessian()`](crate::contact_hessian) for many pairs, with bitwise equal
+/// results.
 ///
 /// # Arguments
 ///
@@ -1975,14 +1988,14 @@ pub fn overlap_batch(
     ) })
 }
 
-/// Tests whether two ellipsoids overlap that are given by factors of their forms, Q1 = S1 S1ᵀ and
-/// Q2 = S2 S2ᵀ.
+/// Tests whether two ellipsoids, given by factors of their forms, overlap: Q1 = S1 S1ᵀ and Q2 =
+/// S2 S2ᵀ.
 ///
-/// The answer is exact for the exact products of the factors given. [`overlap()`](crate::overlap)
-/// may give another answer for the rounded products. Separating planes and common points, with
-/// bounds that account for rounding, decide almost all pairs. Integer arithmetic decides the
-/// others if r12 and the entries of s1 and s2 are multiples of one power of two and smaller than
-/// 2¹⁵⁰⁰ times this power.
+/// The answer is exact for the unrounded products S Sᵀ of the given factors.
+/// [`overlap()`](crate::overlap) may give another answer, because its forms are rounded.
+/// Separating planes and common points, with bounds that account for rounding, decide almost all
+/// pairs. Integer arithmetic decides the others, if r12 and the entries of s1 and s2 are
+/// multiples of one power of two and smaller than 2¹⁵⁰⁰ times this power.
 ///
 /// # Arguments
 ///
@@ -1994,8 +2007,8 @@ pub fn overlap_batch(
 ///
 /// # Errors
 ///
-/// A number is not finite. `Status::NoConvergence`: only integers can decide, because the
-/// ellipsoids nearly touch, and the numbers do not meet this condition.
+/// A number is not finite. `Status::NoConvergence`: the ellipsoids nearly touch, so that only
+/// integers can decide, and the numbers do not meet the condition above.
 ///
 /// # Examples
 ///
@@ -2155,11 +2168,12 @@ pub fn compare_batch(
 /// Tests whether two ellipsoids overlap, as [`overlap()`](crate::overlap) does, and returns a
 /// number or a point that proves the answer.
 ///
-/// If the ellipsoids are apart, the proof is a double λ with f(λ) \> 1. The function finds one
-/// whenever one exists. If they overlap, the proof is a point inside both. The function searches
-/// for it near the point at which the ellipsoids, scaled by μ, touch. It may find none if 1 - μ²
-/// is below 1e-13. Tangent ellipsoids have no proof: `λ` and `point` are then NaN. Rational
-/// arithmetic can check a proof, which holds exactly for the numbers given.
+/// If the ellipsoids are apart, the proof is a double λ with f(λ) \> 1. The function finds such a
+/// λ if any double has this property. If the ellipsoids overlap, the proof is a point inside
+/// both. The function searches for this point near the contact point of the ellipsoids scaled by
+/// μ. The search may fail if 1 - μ² is below 1e-13. For tangent ellipsoids there is no proof: `λ`
+/// and `point` are then NaN. A proof holds exactly for the numbers given, and a program can check
+/// it in rational arithmetic.
 ///
 /// # Arguments
 ///
@@ -2169,8 +2183,8 @@ pub fn compare_batch(
 /// # Errors
 ///
 /// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the
-/// function finds no proof among the doubles; seen only where μ² differs from one by less than
-/// 1e-13, at aspect ratios up to 10⁸.
+/// function finds no proof among the doubles; this was seen only if μ² differs from 1 by less
+/// than 1e-13, at aspect ratios up to 10⁸.
 ///
 /// # Examples
 ///
@@ -2263,9 +2277,9 @@ pub fn overlap_witness_batch(
 
 /// Tests whether ellipsoid 2 is inside ellipsoid 1.
 ///
-/// It may touch the surface from inside.
+/// An ellipsoid 2 that touches the surface from inside counts as inside.
 ///
-/// The answer is exact for the numbers given. Every ellipsoid is inside itself.
+/// The answer is exact for the numbers given. Every ellipsoid contains itself.
 ///
 /// # Arguments
 ///
@@ -2338,16 +2352,16 @@ pub fn contains_batch(
     ) })
 }
 
-/// Computes the least factor by which ellipsoid 1, scaled about its centre, contains ellipsoid 2,
-/// and a point where they then touch.
+/// Computes the least factor by which ellipsoid 1 must be scaled about its centre to contain
+/// ellipsoid 2, and a point where the two then touch.
 ///
 /// The square of the factor is the largest value of xᵀ q1⁻¹ x over the points x of ellipsoid 2,
 /// relative to the centre of ellipsoid 1. It is at most 1 if ellipsoid 2 is inside ellipsoid 1;
 /// [`contains()`](crate::contains) decides this exactly.
 ///
-/// The relative error of the square is below 16 u c, with u = 2⁻⁵³. The number c is the relative
-/// change of the square, to first order, for relative changes of one in the entries of r12, q1
-/// and q2. Bounds from both sides prove the result.
+/// The relative error of the square is below 16 u c, with u = 2⁻⁵³. If each entry of r12, q1 and
+/// q2 changes by at most a fraction ε of itself, the square changes by at most a fraction ε c, to
+/// first order in ε. A lower and an upper bound prove the result.
 ///
 /// # Arguments
 ///
@@ -2357,8 +2371,8 @@ pub fn contains_batch(
 ///
 /// # Errors
 ///
-/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the bounds
-/// cannot be made to agree; this has never been seen.
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the lower
+/// and the upper bound do not agree; this has never been seen.
 ///
 /// # Examples
 ///
@@ -2389,7 +2403,7 @@ pub fn containment(
     Ok(ContainmentScale { mu2, point })
 }
 
-/// Computes [`containment()`](crate::containment) for many pairs, with the same bits.
+/// Computes [`containment()`](crate::containment) for many pairs, with bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -2443,9 +2457,9 @@ pub fn containment_batch(
 
 /// Computes the distance of closest approach of two ellipsoids along a direction.
 ///
-/// It is the distance of the centres at which the ellipsoids touch from outside, in fixed
-/// orientation and with the centres on a line along d = `direction`. It is \|d\|/μ(d), where μ(d)
-/// is μ for r12 = d.
+/// This is the distance of the centres at which the ellipsoids touch from outside, if their
+/// orientations are fixed and the centres are on a line along d = `direction`. It is \|d\|/μ(d),
+/// where μ(d) is μ for r12 = d.
 ///
 /// # Arguments
 ///
@@ -2529,8 +2543,8 @@ pub fn closest_approach_batch(
 
 /// Computes the volume of an ellipsoid, (4/3)π √det q.
 ///
-/// The relative error is below 2⁻⁵² if the semi-axes differ by a factor below 10⁷. For a larger
-/// factor k it is below 2⁻⁵² k²/10¹⁴.
+/// The relative error is below 2⁻⁵² for aspect ratios below 10⁷. For a larger aspect ratio k it
+/// is below 2⁻⁵² k²/10¹⁴.
 ///
 /// # Arguments
 ///
@@ -2554,7 +2568,7 @@ pub fn volume(q: &[f64; 6]) -> Result<f64, Error> {
     Ok(volume)
 }
 
-/// Computes [`volume()`](crate::volume) for many ellipsoids, with the same bits.
+/// Computes [`volume()`](crate::volume) for many ellipsoids, with bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -2595,7 +2609,8 @@ pub fn volume_batch(q: &[[f64; 6]], volume: &mut [f64]) -> Result<(), Error> {
 /// [`overlap_volume_gradient()`](crate::overlap_volume_gradient).
 ///
 /// If the intersection is as thin as rounding errors, V may be 0. If the part of the smaller
-/// ellipsoid outside of the other one is as thin, V may be the volume of the smaller ellipsoid.
+/// ellipsoid outside the other one is as thin as rounding errors, V may be the volume of the
+/// smaller ellipsoid.
 ///
 /// # Arguments
 ///
@@ -2605,10 +2620,10 @@ pub fn volume_batch(q: &[[f64; 6]], volume: &mut [f64]) -> Result<(), Error> {
 ///
 /// # Errors
 ///
-/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the linear
-/// map that makes the smaller ellipsoid a unit ball makes the other one a disc thinner than 2⁻²¹;
-/// the integral does not converge; or 32 digits are not enough for the bound on the error, which
-/// is seen at aspect ratios above 10⁵.
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: one of
+/// three: the linear map that makes the smaller ellipsoid a unit ball makes the other one a disc
+/// thinner than 2⁻²¹; the integral does not converge; 32 digits are not enough for the bound on
+/// the error, which was seen at aspect ratios above 10⁵.
 ///
 /// # Examples
 ///
@@ -2633,7 +2648,8 @@ pub fn overlap_volume(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<f6
     Ok(volume)
 }
 
-/// Computes [`overlap_volume()`](crate::overlap_volume) for many pairs, with the same bits.
+/// Computes [`overlap_volume()`](crate::overlap_volume) for many pairs, with bitwise equal
+/// results.
 ///
 /// # Arguments
 ///
@@ -2680,14 +2696,14 @@ pub fn overlap_volume_batch(
 /// Computes the derivatives of the volume V of the intersection of two ellipsoids.
 ///
 /// The derivatives are 0 if the ellipsoids do not overlap. If one ellipsoid is inside the other
-/// one, only the derivatives of its own volume are not 0.
+/// one, V is its volume, and only the derivatives with respect to its form are not 0.
 ///
 /// The error of the derivative with respect to a number p is below u (256 m + 64 s), with u =
-/// 2⁻⁵³. The term s is that of [`overlap_volume()`](crate::overlap_volume) with ∂V/∂p in the
-/// place of V. The term m depends on the volume v of the smaller ellipsoid, the inverse P of its
-/// form, and the inverse P' of the form to which p belongs. It is v √P_ii for p = r12_i, v √(P_ii
-/// P'_ii) for a diagonal entry p of a form, and v (√(P_ii P'_jj) + √(P_jj P'_ii)) for another
-/// entry.
+/// 2⁻⁵³. The term s is defined as for [`overlap_volume()`](crate::overlap_volume), with ∂V/∂p
+/// instead of V. The term m depends on the volume v of the smaller ellipsoid, the inverse P of
+/// its form, and the inverse P' of the form to which p belongs. It is v √P_ii for p = r12_i, v
+/// √(P_ii P'_ii) for a diagonal entry p of a form, and v (√(P_ii P'_jj) + √(P_jj P'_ii)) for
+/// another entry.
 ///
 /// # Arguments
 ///
@@ -2698,7 +2714,7 @@ pub fn overlap_volume_batch(
 ///
 /// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the causes
 /// of [`overlap_volume()`](crate::overlap_volume); or the surfaces touch from inside at one
-/// point, up to some 10⁻¹⁷ of their size, and cross elsewhere.
+/// point, up to about 10⁻¹⁷ of their size, and cross elsewhere.
 ///
 /// # Examples
 ///
@@ -2732,7 +2748,7 @@ pub fn overlap_volume_gradient(
 }
 
 /// Computes [`overlap_volume_gradient()`](crate::overlap_volume_gradient) for many pairs, with
-/// the same bits.
+/// bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -2804,9 +2820,9 @@ pub fn overlap_volume_gradient_batch(
 /// [`overlap_volume_gradient()`](crate::overlap_volume_gradient), d_rot1 + d_rot2 + r12 × ∂V/∂r12
 /// = 0.
 ///
-/// The derivatives are the axial vectors of 2 q1 G1 and 2 q2 G2, where the matrix G has the
-/// derivatives ∂V/∂q. Each component is a sum of products 2 q_ij G_jk. Its error is below the sum
-/// of 2 \|q_ij\| times the bound on the error of G_jk.
+/// The derivatives are the axial vectors of 2 q1 G1 and 2 q2 G2, where G is the matrix of the
+/// derivatives ∂V/∂q. Each component is a sum of products 2 q_ij G_jk. The error of a component
+/// is below the sum of 2 \|q_ij\| times the bound on the error of G_jk.
 ///
 /// # Arguments
 ///
@@ -2847,8 +2863,8 @@ pub fn overlap_volume_torque(
     Ok(OverlapVolumeTorque { d_rot1, d_rot2 })
 }
 
-/// Computes [`overlap_volume_torque()`](crate::overlap_volume_torque) for many pairs, with the
-/// same bits.
+/// Computes [`overlap_volume_torque()`](crate::overlap_volume_torque) for many pairs, with
+/// bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -2902,7 +2918,7 @@ pub fn overlap_volume_torque_batch(
 
 /// Computes the area of an ellipse, π √det q.
 ///
-/// The error has the bound of [`volume()`](crate::volume).
+/// The bound on the error is that of [`volume()`](crate::volume).
 ///
 /// # Arguments
 ///
@@ -2926,7 +2942,7 @@ pub fn area_2d(q: &[f64; 3]) -> Result<f64, Error> {
     Ok(area)
 }
 
-/// Computes [`area_2d()`](crate::area_2d) for many ellipses, with the same bits.
+/// Computes [`area_2d()`](crate::area_2d) for many ellipses, with bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -2959,7 +2975,8 @@ pub fn area_batch_2d(q: &[[f64; 3]], area: &mut [f64]) -> Result<(), Error> {
 /// Computes the area of the intersection of two ellipses; see
 /// [`overlap_volume()`](crate::overlap_volume).
 ///
-/// The error has the bound of that function, with areas for volumes.
+/// The bound on the error is that of [`overlap_volume()`](crate::overlap_volume), with areas
+/// instead of volumes.
 ///
 /// # Arguments
 ///
@@ -2970,10 +2987,10 @@ pub fn area_batch_2d(q: &[[f64; 3]], area: &mut [f64]) -> Result<(), Error> {
 ///
 /// # Errors
 ///
-/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the linear
-/// map that makes the smaller ellipsoid a unit ball makes the other one a disc thinner than 2⁻²¹;
-/// the integral does not converge; or 32 digits are not enough for the bound on the error, which
-/// is seen at aspect ratios above 10⁵.
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: one of
+/// three: the linear map that makes the smaller ellipsoid a unit ball makes the other one a disc
+/// thinner than 2⁻²¹; the integral does not converge; 32 digits are not enough for the bound on
+/// the error, which was seen at aspect ratios above 10⁵.
 ///
 /// # Examples
 ///
@@ -2989,7 +3006,8 @@ pub fn overlap_area_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<f
     Ok(area)
 }
 
-/// Computes [`overlap_area_2d()`](crate::overlap_area_2d) for many pairs, with the same bits.
+/// Computes [`overlap_area_2d()`](crate::overlap_area_2d) for many pairs, with bitwise equal
+/// results.
 ///
 /// # Arguments
 ///
@@ -3036,7 +3054,8 @@ pub fn overlap_area_batch_2d(
 /// Computes the derivatives of the area of the intersection of two ellipses; see
 /// [`overlap_volume_gradient()`](crate::overlap_volume_gradient).
 ///
-/// The errors have its bounds, with areas for volumes.
+/// The bounds on the errors are those of
+/// [`overlap_volume_gradient()`](crate::overlap_volume_gradient), with areas instead of volumes.
 ///
 /// # Arguments
 ///
@@ -3048,7 +3067,7 @@ pub fn overlap_area_batch_2d(
 ///
 /// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the causes
 /// of [`overlap_volume()`](crate::overlap_volume); or the surfaces touch from inside at one
-/// point, up to some 10⁻¹⁷ of their size, and cross elsewhere.
+/// point, up to about 10⁻¹⁷ of their size, and cross elsewhere.
 ///
 /// # Examples
 ///
@@ -3078,7 +3097,7 @@ pub fn overlap_area_gradient_2d(
 }
 
 /// Computes [`overlap_area_gradient_2d()`](crate::overlap_area_gradient_2d) for many pairs, with
-/// the same bits.
+/// bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -3183,8 +3202,8 @@ pub fn overlap_area_torque_2d(
     Ok(OverlapAreaTorque { d_rot1, d_rot2 })
 }
 
-/// Computes [`overlap_area_torque_2d()`](crate::overlap_area_torque_2d) for many pairs, with the
-/// same bits.
+/// Computes [`overlap_area_torque_2d()`](crate::overlap_area_torque_2d) for many pairs, with
+/// bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -3366,8 +3385,8 @@ pub fn contact_geometry_2d(
     Ok(ContactGeometry2d { point, normal })
 }
 
-/// Computes [`contact_geometry_2d()`](crate::contact_geometry_2d) for many pairs, with the same
-/// bits.
+/// Computes [`contact_geometry_2d()`](crate::contact_geometry_2d) for many pairs, with bitwise
+/// equal results.
 ///
 /// # Arguments
 ///
@@ -3466,8 +3485,8 @@ pub fn contact_gradient_2d(
     Ok(ContactGradient2d { d_r12, d_q1, d_q2 })
 }
 
-/// Computes [`contact_gradient_2d()`](crate::contact_gradient_2d) for many pairs, with the same
-/// bits.
+/// Computes [`contact_gradient_2d()`](crate::contact_gradient_2d) for many pairs, with bitwise
+/// equal results.
 ///
 /// # Arguments
 ///
@@ -3579,7 +3598,8 @@ pub fn contact_torque_2d(
     Ok(ContactTorque2d { d_rot1, d_rot2 })
 }
 
-/// Computes [`contact_torque_2d()`](crate::contact_torque_2d) for many pairs, with the same bits.
+/// Computes [`contact_torque_2d()`](crate::contact_torque_2d) for many pairs, with bitwise equal
+/// results.
 ///
 /// # Arguments
 ///
@@ -3674,8 +3694,8 @@ pub fn contact_hessian_2d(
     Ok(hessian)
 }
 
-/// Computes [`contact_hessian_2d()`](crate::contact_hessian_2d) for many pairs, with the same
-/// bits.
+/// Computes [`contact_hessian_2d()`](crate::contact_hessian_2d) for many pairs, with bitwise
+/// equal results.
 ///
 /// # Arguments
 ///
@@ -3825,7 +3845,7 @@ pub fn contains_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<bool,
     Ok(contains == 1)
 }
 
-/// Computes the least factor by which ellipse 1 contains ellipse 2; see
+/// Computes the least factor by which ellipse 1 must be scaled to contain ellipse 2; see
 /// [`containment()`](crate::containment).
 ///
 /// # Arguments
@@ -3837,8 +3857,8 @@ pub fn contains_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<bool,
 ///
 /// # Errors
 ///
-/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the bounds
-/// cannot be made to agree; this has never been seen.
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the lower
+/// and the upper bound do not agree; this has never been seen.
 ///
 /// # Examples
 ///
@@ -3901,8 +3921,8 @@ pub fn closest_approach_2d(
     Ok(distance)
 }
 
-/// Computes [`closest_approach_2d()`](crate::closest_approach_2d) for many pairs, with the same
-/// bits.
+/// Computes [`closest_approach_2d()`](crate::closest_approach_2d) for many pairs, with bitwise
+/// equal results.
 ///
 /// # Arguments
 ///
@@ -3955,16 +3975,16 @@ pub fn closest_approach_batch_2d(
 /// α and β at the closest points. Rounding the data entry by entry can change the distance by u
 /// Σ.
 ///
-/// A program can check the result. For any unit vector n, n·r12 - α - β is a lower bound of the
-/// distance; `distance` is this bound for the normal of
-/// [`distance_derivatives()`](crate::distance_derivatives). For any two points of the ellipsoids,
-/// their distance is an upper bound; one is \|point2 - point1\|.
+/// A program can check the result by two bounds. For any unit vector n, n·r12 - α - β is a lower
+/// bound of the distance; `distance` is this bound for the normal of
+/// [`distance_derivatives()`](crate::distance_derivatives). The distance between any two points
+/// of the two ellipsoids is an upper bound, such as \|point2 - point1\|.
 ///
 /// Let ε = 2¹⁸ u (\|r12\| + \|point1\| + \|r12 - point2\|). The vector point2 - point1 differs
-/// from `distance` times n by less than ε, and its length from `distance` by at most ε. The
-/// points are the exact closest points for a pair whose r12 differs by at most ε. Each point is
-/// off its surface by less than 2¹⁸ u times the longest semi-axis of its ellipsoid, plus the
-/// rounding error u \|point2\| of the coordinates.
+/// from `distance` times n by less than ε, and the length of this vector differs from `distance`
+/// by at most ε. The points are the exact closest points for a pair whose r12 differs by at most
+/// ε. Each point is off its surface by less than 2¹⁸ u times the longest semi-axis of its
+/// ellipsoid, plus the rounding error u \|point2\| of its coordinates.
 ///
 /// # Arguments
 ///
@@ -3973,8 +3993,8 @@ pub fn closest_approach_batch_2d(
 ///
 /// # Errors
 ///
-/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the errors
-/// cannot be bounded; seen only beyond aspect ratio 10⁶.
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the error
+/// bound cannot be proved; this was seen only at aspect ratios above 10⁶.
 ///
 /// # Examples
 ///
@@ -4064,7 +4084,7 @@ pub fn distance_batch(
 
 /// Computes the derivatives of the distance of two ellipsoids.
 ///
-/// They are NaN if the ellipsoids overlap.
+/// The derivatives are NaN if the ellipsoids overlap.
 ///
 /// # Arguments
 ///
@@ -4109,8 +4129,8 @@ pub fn distance_derivatives(
     Ok(DistanceDerivatives { d_r12, d_rot1, d_rot2, hessian })
 }
 
-/// Computes [`distance_derivatives()`](crate::distance_derivatives) for many pairs, with the same
-/// bits.
+/// Computes [`distance_derivatives()`](crate::distance_derivatives) for many pairs, with bitwise
+/// equal results.
 ///
 /// # Arguments
 ///
@@ -4184,18 +4204,18 @@ pub fn distance_derivatives_batch(
 /// The depth is the length of the shortest translation of ellipsoid 2 that separates them.
 ///
 /// The depth is the smallest value of α + β - n·r12 over unit vectors n, with the half-widths α
-/// and β of the ellipsoids along n. This function of n may have several local minima; the result
-/// is proved to be the global one. If several directions are equally good, the result is one of
-/// them.
+/// and β of the ellipsoids along n. This function of n may have several local minima. The library
+/// proves that its result is the global minimum. If several directions give the same value, the
+/// result is one of them.
 ///
-/// `depth` is the value for the returned direction, with an error below 8 u Σ, with u = 2⁻⁵³ and
-/// Σ as for [`distance()`](crate::distance). No other direction has a value that is smaller by
-/// more than 32 u Σ, with the larger Σ of the two directions.
+/// `depth` is the value of α + β - n·r12 for the returned direction n. Its error is below 8 u Σ,
+/// with u = 2⁻⁵³ and Σ as for [`distance()`](crate::distance). No other direction has a value
+/// that is smaller by more than 32 u Σ, where Σ is the larger one of the two directions.
 ///
-/// The time is 3 to 8 times that of [`contact()`](crate::contact) for more than nine of ten
-/// random pairs, whose minimum a certificate proves. It is 10 to 60 times that of
-/// [`contact()`](crate::contact) for the others, and about 1000 times if the best direction is
-/// not isolated.
+/// For more than nine of ten random pairs a quick certificate proves the minimum, and the time is
+/// 3 to 8 times that of [`contact()`](crate::contact). For the other pairs the time is 10 to 60
+/// times that of [`contact()`](crate::contact), and about 1000 times if the minimum is not
+/// isolated.
 ///
 /// # Arguments
 ///
@@ -4205,7 +4225,7 @@ pub fn distance_derivatives_batch(
 /// # Errors
 ///
 /// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the proof
-/// takes too long; seen only for forms that are singular to working precision.
+/// takes too long; this was seen only for forms that are singular to working precision.
 ///
 /// # Examples
 ///
@@ -4232,7 +4252,7 @@ pub fn penetration(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<Penet
     Ok(Penetration { depth, direction })
 }
 
-/// Computes [`penetration()`](crate::penetration) for many pairs, with the same bits.
+/// Computes [`penetration()`](crate::penetration) for many pairs, with bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -4286,22 +4306,22 @@ pub fn penetration_batch(
 
 /// Computes the signed distance of two ellipsoids, and the points where it is reached.
 ///
-/// It is the distance if they are apart, and minus the penetration depth if they overlap.
+/// The signed distance is the distance if the ellipsoids are apart, and minus the penetration
+/// depth if they overlap.
 ///
-/// In both cases it is the largest value of n·r12 - α - β over unit vectors n, with the
-/// half-widths α and β of the ellipsoids along n. It is a continuous, convex function of r12,
-/// whose gradient is a unit vector. It is positive only if the ellipsoids are apart, and negative
-/// only if they overlap, as [`overlap()`](crate::overlap) decides.
+/// In both cases the signed distance is the largest value of n·r12 - α - β over unit vectors n,
+/// with the half-widths α and β of the ellipsoids along n. It is a continuous, convex function of
+/// r12, whose gradient is a unit vector. The sign is exact: positive only if the ellipsoids are
+/// apart, and negative only if they overlap, as [`overlap()`](crate::overlap) decides.
 ///
 /// If the ellipsoids overlap, moving ellipsoid 2 by point1 - point2 is the shortest translation
-/// that separates them. If several directions are equally good, the result belongs to one of
-/// them.
+/// that separates them. If several translations have this length, the result is one of them.
 ///
 /// Errors and times are as for [`distance()`](crate::distance) if the ellipsoids are apart, and
-/// as for [`penetration()`](crate::penetration) if they overlap. In an overlap, point2 - point1
-/// differs from `distance` times the unit normal by less than 2¹⁸ u (\|r12\| + \|point1\| + \|r12
-/// - point2\|), with u = 2⁻⁵³. This holds for a direction that is isolated and aspect ratios up
-/// to 10³.
+/// as for [`penetration()`](crate::penetration) if they overlap. If the ellipsoids overlap,
+/// point2 - point1 differs from `distance` times the unit normal by less than 2¹⁸ u (\|r12\| +
+/// \|point1\| + \|r12 - point2\|), with u = 2⁻⁵³. This bound holds if the minimum is isolated,
+/// for aspect ratios up to 10³.
 ///
 /// # Arguments
 ///
@@ -4340,7 +4360,8 @@ pub fn signed_distance(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<D
     Ok(Distance { distance, point1, point2 })
 }
 
-/// Computes [`signed_distance()`](crate::signed_distance) for many pairs, with the same bits.
+/// Computes [`signed_distance()`](crate::signed_distance) for many pairs, with bitwise equal
+/// results.
 ///
 /// # Arguments
 ///
@@ -4406,9 +4427,10 @@ pub fn signed_distance_batch(
 
 /// Computes the derivatives of the signed distance of two ellipsoids.
 ///
-/// At contact they are the limits from both sides. For the entries of the forms, which have no
-/// output, the derivatives are -n_i n_j/(2α) for q1 and -n_i n_j/(2β) for q2, and twice that for
-/// entries off the diagonal. Here n = d_r12, with the half-widths α and β along n.
+/// At contact, the derivatives are the limits from both sides. The function has no output for
+/// derivatives with respect to the entries of the forms. They are -n_i n_j/(2α) for q1 and -n_i
+/// n_j/(2β) for q2, and twice that for entries off the diagonal, with n = d_r12 and the
+/// half-widths α and β along n.
 ///
 /// # Arguments
 ///
@@ -4454,7 +4476,7 @@ pub fn signed_distance_derivatives(
 }
 
 /// Computes [`signed_distance_derivatives()`](crate::signed_distance_derivatives) for many pairs,
-/// with the same bits.
+/// with bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -4523,21 +4545,22 @@ pub fn signed_distance_derivatives_batch(
     ) })
 }
 
-/// Computes the least gap between the surfaces of ellipsoid 1 and of ellipsoid 2 inside it.
+/// Computes the least gap between the surface of ellipsoid 1 and an ellipsoid 2 inside it.
 ///
 /// Ellipsoid 2 can move by the gap in any direction without leaving ellipsoid 1. The gap is the
 /// smallest value of α - β - n·r12 over unit vectors n, with the half-widths α and β of
-/// ellipsoids 1 and 2 along n. This function of n may have several local minima; the result is
-/// proved to be the global one. If several directions are equally good, the result is one of
-/// them.
+/// ellipsoids 1 and 2 along n. This function of n may have several local minima. The library
+/// proves that its result is the global minimum. If several directions give the same value, the
+/// result is one of them.
 ///
-/// `gap` is the value for the returned normal, up to a few roundings. If minima are isolated, no
-/// other direction has a value smaller by more than 128 u α (1 + α/β), with u = 2⁻⁵³ and the α
-/// and β of the returned normal. If they are not, as on circles of spheroids with a common axis,
-/// another direction may have a value smaller by up to 2⁻²⁰ of the gap (2⁻⁴⁰ in two dimensions).
+/// `gap` is the value of α - β - n·r12 for the returned normal n, up to a few roundings. If the
+/// minima are isolated, no other direction has a value that is smaller by more than 128 u α (1 +
+/// α/β), with u = 2⁻⁵³ and α and β along the returned normal. If the minima are not isolated, as
+/// for spheroids with a common axis, another direction may have a value that is smaller by up to
+/// 2⁻²⁰ of the gap (2⁻⁴⁰ in two dimensions).
 ///
-/// The time is 50 to 300 times that of [`contact()`](crate::contact) for isolated minima,
-/// otherwise up to some tenths of a second.
+/// The time is 50 to 300 times that of [`contact()`](crate::contact) if the minima are isolated.
+/// Otherwise it is up to a few tenths of a second.
 ///
 /// # Arguments
 ///
@@ -4578,7 +4601,7 @@ pub fn gap_inside(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<GapIns
     Ok(GapInside { gap, point1, point2, normal })
 }
 
-/// Computes [`gap_inside()`](crate::gap_inside) for many pairs, with the same bits.
+/// Computes [`gap_inside()`](crate::gap_inside) for many pairs, with bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -4657,8 +4680,8 @@ pub fn gap_inside_batch(
 ///
 /// # Errors
 ///
-/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the errors
-/// cannot be bounded; seen only beyond aspect ratio 10⁶.
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the error
+/// bound cannot be proved; this was seen only at aspect ratios above 10⁶.
 ///
 /// # Examples
 ///
@@ -4683,7 +4706,7 @@ pub fn distance_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<Dista
     Ok(Distance2d { distance, point1, point2 })
 }
 
-/// Computes [`distance_2d()`](crate::distance_2d) for many pairs, with the same bits.
+/// Computes [`distance_2d()`](crate::distance_2d) for many pairs, with bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -4751,7 +4774,7 @@ pub fn distance_batch_2d(
 /// # Errors
 ///
 /// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the proof
-/// takes too long; seen only for forms that are singular to working precision.
+/// takes too long; this was seen only for forms that are singular to working precision.
 ///
 /// # Examples
 ///
@@ -4778,7 +4801,8 @@ pub fn penetration_2d(
     Ok(Penetration2d { depth, direction })
 }
 
-/// Computes [`penetration_2d()`](crate::penetration_2d) for many pairs, with the same bits.
+/// Computes [`penetration_2d()`](crate::penetration_2d) for many pairs, with bitwise equal
+/// results.
 ///
 /// # Arguments
 ///
@@ -4871,8 +4895,8 @@ pub fn signed_distance_2d(
     Ok(Distance2d { distance, point1, point2 })
 }
 
-/// Computes [`signed_distance_2d()`](crate::signed_distance_2d) for many pairs, with the same
-/// bits.
+/// Computes [`signed_distance_2d()`](crate::signed_distance_2d) for many pairs, with bitwise
+/// equal results.
 ///
 /// # Arguments
 ///
@@ -4974,7 +4998,7 @@ pub fn gap_inside_2d(r12: &[f64; 2], q1: &[f64; 3], q2: &[f64; 3]) -> Result<Gap
     Ok(GapInside2d { gap, point1, point2, normal })
 }
 
-/// Computes [`gap_inside_2d()`](crate::gap_inside_2d) for many pairs, with the same bits.
+/// Computes [`gap_inside_2d()`](crate::gap_inside_2d) for many pairs, with bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -5101,7 +5125,7 @@ pub fn first_contact(
     Ok(t)
 }
 
-/// Computes [`first_contact()`](crate::first_contact) for many pairs, with the same bits.
+/// Computes [`first_contact()`](crate::first_contact) for many pairs, with bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -5163,17 +5187,16 @@ pub fn first_contact_batch(
     ) })
 }
 
-/// Computes the least μ² while ellipsoid 2 passes ellipsoid 1 on a straight path, and its time.
+/// Computes the least μ² while ellipsoid 2 translates past ellipsoid 1 on a straight path, and
+/// the time of this minimum.
 ///
-/// It is the minimum of the contact function for the separations r12 + t velocity, 0 \<= t \<=
-/// t_max. μ² is a convex function of t, so the minimum is unique unless the velocity is zero.
-/// Ellipsoids that only translate overlap on this path if and only if the exact minimum is below
-/// 1.
+/// This is the minimum of the contact function for the separations r12 + t velocity, 0 \<= t \<=
+/// t_max. μ² is a convex function of t, so the minimum is unique unless the velocity is zero. The
+/// ellipsoids overlap somewhere on this path if and only if the exact minimum is below 1.
 ///
 /// The error of μ² is below 8 u S, with u = 2⁻⁵³. Here S = μ² cond + 2 λ(1-λ) Σ\|n_i\| (\|r12_i\|
 /// + t \|velocity_i\|), with cond, λ and n of [`condition()`](crate::condition) for the pair at
-/// time t. S is the change of μ², to first order, for relative changes of one in the given
-/// numbers.
+/// time t. Relative errors ε of the given numbers change μ² by at most ε S, to first order.
 ///
 /// # Arguments
 ///
@@ -5297,15 +5320,15 @@ pub fn closest_passage_batch(
 /// \<= 1 + 80 u S, with u = 2⁻⁵³ and S as for [`first_contact()`](crate::first_contact).
 ///
 /// t is 0 if the ellipsoids overlap at t = 0, or touch and do not separate. If they separate, an
-/// overlap of at most 128 times the bound on the rounding error of μ² does not count.
+/// overlap of at most 128 times the bound on the rounding error of μ² is ignored.
 ///
 /// # Arguments
 ///
 /// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
 /// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
 /// - `direction`: Of any length; not zero.
-/// - `t_max`: The end of the path, in units of the length of `direction`: a length if `direction`
-///   is a unit vector; \>= 0; may be infinite. Unit: length.
+/// - `t_max`: The end of the path, as a multiple of `direction`: a length if `direction` is a
+///   unit vector; \>= 0; may be infinite. Unit: length.
 ///
 /// # Errors
 ///
@@ -5346,7 +5369,7 @@ pub fn free_path(
     Ok(t)
 }
 
-/// Computes [`free_path()`](crate::free_path) for many pairs, with the same bits.
+/// Computes [`free_path()`](crate::free_path) for many pairs, with bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -5408,8 +5431,8 @@ pub fn free_path_batch(
 /// point with a given normal.
 ///
 /// The relative error of each curvature is below 1e-12 for the numbers as given, up to aspect
-/// ratio 10⁶. From an aspect ratio of about 10 the function computes with twice the digits, which
-/// takes some eight times as long.
+/// ratio 10⁶. Above an aspect ratio of about 10 the function computes in double-double
+/// arithmetic, with twice the digits, which takes about eight times as long.
 ///
 /// # Arguments
 ///
@@ -5440,7 +5463,7 @@ pub fn curvature(normal: &[f64; 3], q: &[f64; 6]) -> Result<Curvature, Error> {
     Ok(Curvature { curvatures, directions })
 }
 
-/// Computes [`curvature()`](crate::curvature) for many ellipsoids, with the same bits.
+/// Computes [`curvature()`](crate::curvature) for many ellipsoids, with bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -5488,13 +5511,15 @@ pub fn curvature_batch(
     ) })
 }
 
-/// Computes the numbers of Hertz's theory that give the force and the contact ellipse of two
-/// elastic bodies as functions of the depth.
+/// Computes the effective radius of Hertz's theory for two elastic bodies, and the shape of the
+/// contact ellipse.
+///
+/// From these, the force and the ellipse follow as functions of the depth.
 ///
 /// For a depth δ the force is (4/3) E\* √(radius δ³), a repulsion, and the energy is (8/15) E\*
 /// √(radius δ⁵). Here 1/E\* = (1 - ν1²)/E1 + (1 - ν2²)/E2, with Young's moduli E and Poisson's
 /// ratios ν. The contact area is an ellipse with semi-axes √(ellipse\[0\] δ) and √(ellipse\[1\]
-/// δ). The square of their arithmetic-geometric mean is radius δ. The results include the
+/// δ). The square of their arithmetic-geometric mean is radius δ. The function evaluates the
 /// complete elliptic integrals of the theory.
 ///
 /// The relative errors are below 256 u, with u = 2⁻⁵³, if the ratio of the curvatures is at most
@@ -5502,10 +5527,10 @@ pub fn curvature_batch(
 ///
 /// # Arguments
 ///
-/// - `curvatures`: Of the gap between the undeformed surfaces, along two perpendicular
-///   directions: the gap is half of the sum of curvature times squared length. They are those of
-///   [`hertz_contact()`](crate::hertz_contact) for two ellipsoids, and those of
-///   [`curvature()`](crate::curvature) for an ellipsoid on a plane; \> 0. Unit: 1/length.
+/// - `curvatures`: Principal curvatures k1, k2 of the gap between the undeformed surfaces: at the
+///   coordinates x, y along the principal directions the gap is (k1 x² + k2 y²)/2. For two
+///   ellipsoids they are the curvatures of [`hertz_contact()`](crate::hertz_contact), for an
+///   ellipsoid on a plane those of [`curvature()`](crate::curvature); \> 0. Unit: 1/length.
 ///
 /// # Errors
 ///
@@ -5526,7 +5551,7 @@ pub fn hertz(curvatures: &[f64; 2]) -> Result<HertzEllipse, Error> {
     Ok(HertzEllipse { radius, ellipse })
 }
 
-/// Computes [`hertz()`](crate::hertz) for many contacts, with the same bits.
+/// Computes [`hertz()`](crate::hertz) for many contacts, with bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -5571,20 +5596,20 @@ pub fn hertz_batch(
 /// such as Hertz's.
 ///
 /// Let n be the unit normal, and α and β the half-widths of the ellipsoids along n. The depth is
-/// α + β - n·r12. A negative depth proves that the ellipsoids are apart by at least its
-/// magnitude. If they overlap, the depth is at least that of
-/// [`penetration()`](crate::penetration), with equality for the direction of
-/// [`penetration()`](crate::penetration). The usual choice is the normal of
+/// α + β - n·r12. A negative depth proves that the distance of the ellipsoids is at least its
+/// magnitude. If the ellipsoids overlap, the depth is at least the depth of
+/// [`penetration()`](crate::penetration), with equality if n is the direction of
+/// [`penetration()`](crate::penetration). The usual choice of n is the normal of
 /// [`contact_geometry()`](crate::contact_geometry). The depth is then (1/μ - 1) n·r12, a smooth
-/// function of positions and orientations for μ \> 0. It exceeds that of
+/// function of positions and orientations for μ \> 0. It exceeds the depth of
 /// [`penetration()`](crate::penetration) by a term of second order in the depth.
 ///
 /// The error of the depth is below 8 u Σ, with u = 2⁻⁵³ and Σ as for
 /// [`distance()`](crate::distance) with this normal. The other bounds hold up to aspect ratio 10⁶
 /// for the normal as given. The relative errors of curvatures, radius and ellipse are below
 /// 1e-12. The point is half the sum of r12 and of one vector of each ellipsoid; its error is
-/// below 1e-12 times the sum of their lengths. The directions err by less than 1e-12/(1 - k1/k2)
-/// radians, with the curvatures k1 \< k2.
+/// below 1e-12 times the sum of the lengths of these vectors. The error of the directions is less
+/// than 1e-12/(1 - k1/k2) radians, with the curvatures k1 \< k2.
 ///
 /// # Arguments
 ///
@@ -5636,7 +5661,7 @@ pub fn hertz_contact(
     Ok(HertzContact { depth, point, curvatures, directions, radius, ellipse })
 }
 
-/// Computes [`hertz_contact()`](crate::hertz_contact) for many pairs, with the same bits.
+/// Computes [`hertz_contact()`](crate::hertz_contact) for many pairs, with bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -5724,8 +5749,7 @@ pub fn hertz_contact_batch(
     ) })
 }
 
-/// Computes the contact of two grains along their common normal, which it finds by Newton's
-/// method.
+/// Finds the common normal of two grains by Newton's method, and computes their contact along it.
 ///
 /// Let α and β be the half-widths of the ellipsoids along the unit vector n. The normal is the n
 /// at which the overlap δ(n) = α + β - n·r12 has a local minimum near a given direction. Since δ
@@ -5733,10 +5757,10 @@ pub fn hertz_contact_batch(
 /// normal of [`contact_geometry()`](crate::contact_geometry), or from that of the previous time
 /// step. The search then takes one or two steps.
 ///
-/// There is a minimum if the overlap is small: below the least sum of radii of curvature. The
-/// search ends after a step below 2⁻²² radians. At aspect ratios up to 4, the normal errs by less
-/// than 100·2⁻⁴⁴, and so do the point and the radius in units of the semi-axes. The depth errs by
-/// the square of that, and by rounding.
+/// A minimum exists if the overlap is smaller than the least sum of radii of curvature. The
+/// search ends after a step below 2⁻²² radians. At aspect ratios up to 4, the error of the normal
+/// is less than 100·2⁻⁴⁴, and so are the errors of the point and the radius in units of the
+/// semi-axes. The error of the depth is the square of this number, plus rounding.
 ///
 /// # Arguments
 ///
@@ -5873,10 +5897,10 @@ pub fn grain_contact_batch(
     ) })
 }
 
-/// Computes the derivatives of the radius of [`grain_contact()`](crate::grain_contact), whose
-/// normal follows each motion.
+/// Computes the derivatives of the radius of [`grain_contact()`](crate::grain_contact).
 ///
-/// A force that depends on the radius needs them to conserve the energy.
+/// They include the change of the normal with the motion. A force that depends on the radius
+/// needs these derivatives to conserve the energy.
 ///
 /// # Arguments
 ///
@@ -5923,8 +5947,8 @@ pub fn grain_radius_gradient(
     Ok(GrainRadiusGradient { d_r12, d_rot1, d_rot2 })
 }
 
-/// Computes [`grain_radius_gradient()`](crate::grain_radius_gradient) for many pairs, with the
-/// same bits.
+/// Computes [`grain_radius_gradient()`](crate::grain_radius_gradient) for many pairs, with
+/// bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -5995,8 +6019,8 @@ pub fn grain_radius_gradient_batch(
 
 /// Computes the contact of a grain with its centre at 0 and a wall.
 ///
-/// The wall touches the plane normal·x = offset and is curved along at most one direction: a
-/// plane, a cylinder, or the edge of one.
+/// The wall is tangent to the plane normal·x = offset and is curved along at most one direction:
+/// it is a plane, or a cylinder from inside or outside.
 ///
 /// The relative errors of both curvatures and of the radius are below 1e-12 for the numbers as
 /// given, up to aspect ratio 10⁶, also where the curvatures nearly cancel. The function computes
@@ -6007,10 +6031,10 @@ pub fn grain_radius_gradient_batch(
 /// # Arguments
 ///
 /// - `normal`: Into the half-space, of any length; not zero.
-/// - `offset`: In the unit of normal·x, which scales with `normal`: for a unit normal it is the
-///   distance of the plane from 0. It is negative if the centre is in the half-space. Unit:
-///   length.
-/// - `direction`: Across the normal, of any length, along which the wall is curved; not zero.
+/// - `offset`: In the unit of normal·x. For a unit normal it is the signed distance from 0 to the
+///   plane. Unit: length.
+/// - `direction`: Perpendicular to the normal, of any length, along which the wall is curved; not
+///   zero.
 /// - `curvature`: Of the wall along `direction`: positive if the wall is convex, 0 for a plane.
 ///   Unit: 1/length.
 /// - `q`: Form of the ellipsoid. Unit: length².
@@ -6060,7 +6084,7 @@ pub fn grain_contact_wall(
 }
 
 /// Computes [`grain_contact_wall()`](crate::grain_contact_wall) for many ellipsoids and walls,
-/// with the same bits.
+/// with bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -6169,7 +6193,8 @@ pub fn surface_area(q: &[f64; 6]) -> Result<f64, Error> {
     Ok(area)
 }
 
-/// Computes [`surface_area()`](crate::surface_area) for many ellipsoids, with the same bits.
+/// Computes [`surface_area()`](crate::surface_area) for many ellipsoids, with bitwise equal
+/// results.
 ///
 /// # Arguments
 ///
@@ -6225,7 +6250,8 @@ pub fn second_moments(q: &[f64; 6]) -> Result<[f64; 6], Error> {
     Ok(moments)
 }
 
-/// Computes [`second_moments()`](crate::second_moments) for many ellipsoids, with the same bits.
+/// Computes [`second_moments()`](crate::second_moments) for many ellipsoids, with bitwise equal
+/// results.
 ///
 /// # Arguments
 ///
@@ -6283,7 +6309,8 @@ pub fn shell_moments(q: &[f64; 6]) -> Result<[f64; 6], Error> {
     Ok(moments)
 }
 
-/// Computes [`shell_moments()`](crate::shell_moments) for many ellipsoids, with the same bits.
+/// Computes [`shell_moments()`](crate::shell_moments) for many ellipsoids, with bitwise equal
+/// results.
 ///
 /// # Arguments
 ///
@@ -6340,7 +6367,8 @@ pub fn perimeter_2d(q: &[f64; 3]) -> Result<f64, Error> {
     Ok(perimeter)
 }
 
-/// Computes [`perimeter_2d()`](crate::perimeter_2d) for many ellipses, with the same bits.
+/// Computes [`perimeter_2d()`](crate::perimeter_2d) for many ellipses, with bitwise equal
+/// results.
 ///
 /// # Arguments
 ///
@@ -6376,7 +6404,7 @@ pub fn perimeter_batch_2d(q: &[[f64; 3]], perimeter: &mut [f64]) -> Result<(), E
 
 /// Computes the mean of x xᵀ over a uniform ellipse, about its centre: q/4.
 ///
-/// Its trace is the moment of inertia about the axis across the plane, for the mass 1.
+/// For mass 1, its trace is the moment of inertia about the axis perpendicular to the plane.
 ///
 /// # Arguments
 ///
@@ -6400,8 +6428,8 @@ pub fn second_moments_2d(q: &[f64; 3]) -> Result<[f64; 3], Error> {
     Ok(moments)
 }
 
-/// Computes [`second_moments_2d()`](crate::second_moments_2d) for many ellipses, with the same
-/// bits.
+/// Computes [`second_moments_2d()`](crate::second_moments_2d) for many ellipses, with bitwise
+/// equal results.
 ///
 /// # Arguments
 ///
@@ -6459,8 +6487,8 @@ pub fn shell_moments_2d(q: &[f64; 3]) -> Result<[f64; 3], Error> {
     Ok(moments)
 }
 
-/// Computes [`shell_moments_2d()`](crate::shell_moments_2d) for many ellipses, with the same
-/// bits.
+/// Computes [`shell_moments_2d()`](crate::shell_moments_2d) for many ellipses, with bitwise equal
+/// results.
 ///
 /// # Arguments
 ///
@@ -6501,9 +6529,9 @@ pub fn shell_moments_batch_2d(q: &[[f64; 3]], moments: &mut [[f64; 3]]) -> Resul
 /// # Arguments
 ///
 /// - `normal`: Into the half-space, of any length; not zero.
-/// - `offset`: In the unit of normal·x, which scales with `normal`: for a unit normal it is the
-///   distance of the plane from 0. It is negative if the centre is in the half-space. Unit:
-///   length.
+/// - `offset`: In the unit of normal·x. For a unit normal it is the signed distance from 0 to the
+///   plane; for another normal it is \|normal\| times this distance. It is negative if the centre
+///   is in the half-space. Unit: length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
 /// # Errors
@@ -6536,7 +6564,7 @@ pub fn distance_plane(
 }
 
 /// Computes [`distance_plane()`](crate::distance_plane) for many ellipsoids and half-spaces, with
-/// the same bits.
+/// bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -6592,7 +6620,7 @@ pub fn distance_plane_batch(
 
 /// Computes the derivatives of the distance to a half-space, which do not depend on its offset.
 ///
-/// They are -n and n × point, with the unit normal n and the point of
+/// The derivatives are -n and n × point, with the unit normal n and the point of
 /// [`distance_plane()`](crate::distance_plane).
 ///
 /// # Arguments
@@ -6628,7 +6656,7 @@ pub fn distance_plane_derivatives(
 }
 
 /// Computes [`distance_plane_derivatives()`](crate::distance_plane_derivatives) for many
-/// ellipsoids and half-spaces, with the same bits.
+/// ellipsoids and half-spaces, with bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -6682,9 +6710,8 @@ pub fn distance_plane_derivatives_batch(
 /// # Arguments
 ///
 /// - `normal`: Into the half-space, of any length; not zero.
-/// - `offset`: In the unit of normal·x, which scales with `normal`: for a unit normal it is the
-///   distance of the plane from 0. It is negative if the centre is in the half-space. Unit:
-///   length.
+/// - `offset`: In the unit of normal·x. For a unit normal it is the signed distance from 0 to the
+///   plane. Unit: length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
 /// # Errors
@@ -6713,7 +6740,7 @@ pub fn contact_plane(normal: &[f64; 3], offset: f64, q: &[f64; 6]) -> Result<Pla
 }
 
 /// Computes [`contact_plane()`](crate::contact_plane) for many ellipsoids and half-spaces, with
-/// the same bits.
+/// bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -6768,16 +6795,15 @@ pub fn contact_plane_batch(
 
 /// Computes the derivatives of μ² of [`contact_plane()`](crate::contact_plane).
 ///
-/// They are -2μ n/α and 2μ² (n × p)/α, with the normal n as given, the point p of the ellipsoid
-/// that is nearest to the half-space, and α = n·p. They are zero if the centre is in the
-/// half-space.
+/// The derivatives are -2μ n/α and 2μ² (n × p)/α, with the normal n as given, the point p of the
+/// ellipsoid that is nearest to the half-space, and α = n·p. They are zero if the centre is in
+/// the half-space.
 ///
 /// # Arguments
 ///
 /// - `normal`: Into the half-space, of any length; not zero.
-/// - `offset`: In the unit of normal·x, which scales with `normal`: for a unit normal it is the
-///   distance of the plane from 0. It is negative if the centre is in the half-space. Unit:
-///   length.
+/// - `offset`: In the unit of normal·x. For a unit normal it is the signed distance from 0 to the
+///   plane. Unit: length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
 /// # Errors
@@ -6814,7 +6840,7 @@ pub fn contact_plane_derivatives(
 }
 
 /// Computes [`contact_plane_derivatives()`](crate::contact_plane_derivatives) for many ellipsoids
-/// and half-spaces, with the same bits.
+/// and half-spaces, with bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -6873,10 +6899,10 @@ pub fn contact_plane_derivatives_batch(
     ) })
 }
 
-/// Computes the distance from an ellipsoid with its centre at 0 to the nearest face of a box
-/// around it, a container.
+/// Computes the distance from an ellipsoid with its centre at 0 to the nearest face of a box that
+/// contains it.
 ///
-/// For a solid box, an obstacle, see [`distance_solid_box()`](crate::distance_solid_box).
+/// For a box that is an obstacle, see [`distance_solid_box()`](crate::distance_solid_box).
 ///
 /// # Arguments
 ///
@@ -6919,8 +6945,8 @@ pub fn distance_box(
     Ok(DistanceBox { distance, point, normal })
 }
 
-/// Computes [`distance_box()`](crate::distance_box) for many ellipsoids and boxes, with the same
-/// bits.
+/// Computes [`distance_box()`](crate::distance_box) for many ellipsoids and boxes, with bitwise
+/// equal results.
 ///
 /// # Arguments
 ///
@@ -6984,8 +7010,8 @@ pub fn distance_box_batch(
     ) })
 }
 
-/// Computes the distance from an ellipsoid to the wall of a cylinder of infinite length around
-/// it.
+/// Computes the distance from an ellipsoid to the wall of a cylinder of infinite length that
+/// contains it.
 ///
 /// # Arguments
 ///
@@ -7035,7 +7061,7 @@ pub fn distance_cylinder(
 }
 
 /// Computes [`distance_cylinder()`](crate::distance_cylinder) for many ellipsoids and cylinders,
-/// with the same bits.
+/// with bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -7139,8 +7165,8 @@ pub fn distance_point(r: &[f64; 3], q: &[f64; 6]) -> Result<DistancePoint, Error
     Ok(DistancePoint { distance, point, normal })
 }
 
-/// Computes [`distance_point()`](crate::distance_point) for many points and ellipsoids, with the
-/// same bits.
+/// Computes [`distance_point()`](crate::distance_point) for many points and ellipsoids, with
+/// bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -7193,13 +7219,13 @@ pub fn distance_point_batch(
     ) })
 }
 
-/// Computes the part t\[0\] \<= t \<= t\[1\] of the line origin + t·direction that is in an
-/// ellipsoid.
+/// Computes the interval t\[0\] \<= t \<= t\[1\] in which the line origin + t·direction is inside
+/// an ellipsoid.
 ///
-/// A ray from the origin has t \>= 0. The segment from origin to origin + direction has 0 \<= t
-/// \<= 1. If the line is nearly tangent, rounding errors decide whether it misses the ellipsoid.
-/// [`overlap_segment()`](crate::overlap_segment) decides exactly whether a segment has points
-/// inside the ellipsoid.
+/// For a ray from the origin, intersect this interval with t \>= 0; for the segment from origin
+/// to origin + direction, with 0 \<= t \<= 1. If the line is nearly tangent, rounding errors
+/// decide whether it misses the ellipsoid. [`overlap_segment()`](crate::overlap_segment) decides
+/// exactly whether a segment has points inside the ellipsoid.
 ///
 /// # Arguments
 ///
@@ -7238,8 +7264,8 @@ pub fn intersect_line(
     Ok(Chord { enter: t[0], leave: t[1] })
 }
 
-/// Computes [`intersect_line()`](crate::intersect_line) for many lines and ellipsoids, with the
-/// same bits.
+/// Computes [`intersect_line()`](crate::intersect_line) for many lines and ellipsoids, with
+/// bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -7292,9 +7318,8 @@ pub fn intersect_line_batch(
     ) })
 }
 
-/// Computes the volume of the part of an ellipsoid that is in the half-space normal·x \<= offset.
-///
-/// The points x are relative to the centre of the ellipsoid.
+/// Computes the volume of the part of an ellipsoid that is in the half-space normal·x \<= offset,
+/// where x is relative to the centre of the ellipsoid.
 ///
 /// # Arguments
 ///
@@ -7326,7 +7351,7 @@ pub fn overlap_volume_plane(normal: &[f64; 3], offset: f64, q: &[f64; 6]) -> Res
 }
 
 /// Computes [`overlap_volume_plane()`](crate::overlap_volume_plane) for many ellipsoids and
-/// half-spaces, with the same bits.
+/// half-spaces, with bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -7375,8 +7400,8 @@ pub fn overlap_volume_plane_batch(
 ///
 /// # Arguments
 ///
-/// - `end1`, `end2`: Of the segment, relative to the centre of the ellipsoid; equal ends are a
-///   point. Unit: length.
+/// - `end1`, `end2`: Of the segment, relative to the centre of the ellipsoid; they may be equal:
+///   the segment is then a point. Unit: length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
 /// # Errors
@@ -7969,7 +7994,7 @@ pub fn distance_segment(
 }
 
 /// Computes [`distance_segment()`](crate::distance_segment) for many ellipsoids and segments,
-/// with the same bits.
+/// with bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -8041,7 +8066,8 @@ pub fn distance_segment_batch(
 /// Computes the signed distance of an ellipsoid and a triangle, and the points where it is
 /// reached.
 ///
-/// The triangle is a surface: a translation to either side undoes an overlap.
+/// The triangle is a surface: the shortest translation that separates the two may be to either
+/// side.
 ///
 /// # Arguments
 ///
@@ -8090,7 +8116,7 @@ pub fn distance_triangle(
 }
 
 /// Computes [`distance_triangle()`](crate::distance_triangle) for many ellipsoids and triangles,
-/// with the same bits.
+/// with bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -8167,7 +8193,7 @@ pub fn distance_triangle_batch(
 /// Computes the signed distance of an ellipsoid and a solid box with sides along the axes, and
 /// the points where it is reached.
 ///
-/// For a box around the ellipsoid, a container, see [`distance_box()`](crate::distance_box).
+/// For a box that contains the ellipsoid, see [`distance_box()`](crate::distance_box).
 ///
 /// # Arguments
 ///
@@ -8213,7 +8239,7 @@ pub fn distance_solid_box(
 }
 
 /// Computes [`distance_solid_box()`](crate::distance_solid_box) for many ellipsoids and boxes,
-/// with the same bits.
+/// with bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -8286,8 +8312,8 @@ pub fn distance_solid_box_batch(
 ///
 /// # Arguments
 ///
-/// - `end1`, `end2`: Of the segment, relative to the centre of the ellipsoid; equal ends are a
-///   ball. Unit: length.
+/// - `end1`, `end2`: Of the segment, relative to the centre of the ellipsoid; they may be equal:
+///   the capsule is then a ball. Unit: length.
 /// - `radius`: Of the capsule; \>= 0. Unit: length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
@@ -8328,7 +8354,7 @@ pub fn contact_capsule(
 }
 
 /// Computes [`contact_capsule()`](crate::contact_capsule) for many ellipsoids and capsules, with
-/// the same bits.
+/// bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -8536,7 +8562,7 @@ pub fn distance_capsule(
 }
 
 /// Computes [`distance_capsule()`](crate::distance_capsule) for many ellipsoids and capsules,
-/// with the same bits.
+/// with bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -8646,7 +8672,7 @@ pub fn distance_point_2d(r: &[f64; 2], q: &[f64; 3]) -> Result<SurfaceDistance2d
 }
 
 /// Computes [`distance_point_2d()`](crate::distance_point_2d) for many points and ellipses, with
-/// the same bits.
+/// bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -8704,8 +8730,8 @@ pub fn distance_point_batch_2d(
 ///
 /// # Arguments
 ///
-/// - `end1`, `end2`: Of the segment, relative to the centre of the ellipse; equal ends are a
-///   point. Unit: length.
+/// - `end1`, `end2`: Of the segment, relative to the centre of the ellipse; they may be equal:
+///   the segment is then a point. Unit: length.
 /// - `q`: Form of the ellipse. Unit: length².
 ///
 /// # Errors
@@ -8738,7 +8764,7 @@ pub fn contact_segment_2d(
 }
 
 /// Computes [`contact_segment_2d()`](crate::contact_segment_2d) for many ellipses and segments,
-/// with the same bits.
+/// with bitwise equal results.
 ///
 /// # Arguments
 ///
@@ -8829,8 +8855,8 @@ pub fn contact_box_2d(
     Ok(ShapeContact2d { mu2, point })
 }
 
-/// Computes [`contact_box_2d()`](crate::contact_box_2d) for many ellipses and boxes, with the
-/// same bits.
+/// Computes [`contact_box_2d()`](crate::contact_box_2d) for many ellipses and boxes, with bitwise
+/// equal results.
 ///
 /// # Arguments
 ///
@@ -8887,8 +8913,8 @@ pub fn contact_box_batch_2d(
 ///
 /// # Arguments
 ///
-/// - `end1`, `end2`: Of the segment, relative to the centre of the ellipse; equal ends are a
-///   point. Unit: length.
+/// - `end1`, `end2`: Of the segment, relative to the centre of the ellipse; they may be equal:
+///   the segment is then a point. Unit: length.
 /// - `q`: Form of the ellipse. Unit: length².
 ///
 /// # Errors
@@ -9036,12 +9062,13 @@ pub fn overlap_box_batch_2d(
     ) })
 }
 
-/// Computes all that the forces and torques of an energy U(μ²) need, for many pairs.
-///
-/// The results of [`contact()`](crate::contact), [`contact_geometry()`](crate::contact_geometry),
+/// Computes for many pairs the results of [`contact()`](crate::contact),
+/// [`contact_geometry()`](crate::contact_geometry),
 /// [`contact_gradient()`](crate::contact_gradient) and
-/// [`contact_torque()`](crate::contact_torque). A pair with r12 = 0 is valid: its derivatives are
-/// zero, its point and normal NaN.
+/// [`contact_torque()`](crate::contact_torque), from which the forces and torques of an energy
+/// U(μ²) follow.
+///
+/// A pair with r12 = 0 is valid: its derivatives are zero, its point and normal NaN.
 ///
 /// # Arguments
 ///
@@ -9193,7 +9220,8 @@ pub fn from_moments(second_moments: &[f64; 6]) -> Result<[f64; 6], Error> {
     Ok(q)
 }
 
-/// Computes [`from_moments()`](crate::from_moments) for many ellipsoids, with the same bits.
+/// Computes [`from_moments()`](crate::from_moments) for many ellipsoids, with bitwise equal
+/// results.
 ///
 /// # Arguments
 ///
@@ -9251,7 +9279,8 @@ pub fn from_moments_2d(second_moments: &[f64; 3]) -> Result<[f64; 3], Error> {
     Ok(q)
 }
 
-/// Computes [`from_moments_2d()`](crate::from_moments_2d) for many ellipses, with the same bits.
+/// Computes [`from_moments_2d()`](crate::from_moments_2d) for many ellipses, with bitwise equal
+/// results.
 ///
 /// # Arguments
 ///
