@@ -61,6 +61,7 @@ LANES = {
     "pw85_overlap_volume": ("volumes", PAIRS, "VolumeArray{volume}"),
     "pw85_overlap_area_2d": ("two_dimensions", PLANAR, "AreaArray{area}"),
     "pw85_distance": ("distance", PAIRS, "DistanceArrays{distance, point1, point2}"),
+    "pw85_penetration": ("depth", PAIRS, "DepthArrays{depth, direction}"),
     "pw85_closest_passage": ("passage", PAIRS, "PassageArrays{velocity, t_max, mu2, t}"),
     "pw85_grain_contact": ("grains", PAIRS, "GrainArrays{starts, normal, depth, point, curvatures, radius}"),
     "pw85_distance_point": ("surface_distances", "PointRows{r, q}", "SurfaceArrays{distance, point, normal}"),
