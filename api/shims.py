@@ -59,6 +59,7 @@ LANES = {
     "overlap_volume": ("volumes", "VolumeArray"),
     "overlap_area_2d": ("two_dimensions", "AreaArray"),
     "distance": ("distance", "DistanceArrays"),
+    "penetration": ("depth", "DepthArrays"),
     "closest_passage": ("passage", "PassageArrays"),
     "grain_contact": ("grains", "GrainArrays"),
     "distance_point": ("surface_distances", "SurfaceArrays", "PointRows{r, q}"),

@@ -17,10 +17,14 @@ const FLAGS: &str = "-std=c++20 -O3 -DNDEBUG -fPIC -fvisibility=hidden";
 const FLAGS_FOR_ALL: &str = "-ffp-contract=off -fno-math-errno -fno-tree-slp-vectorize -Wno-psabi \
     -Wno-unknown-pragmas -Wno-maybe-uninitialized -Wno-uninitialized";
 /// The words of src/folders.txt, by which a folder chooses its flags.
-const WORDS: [(&str, &str); 5] = [
+const WORDS: [(&str, &str); 6] = [
     (
         "fused",
         "-ffp-contract=fast -mprefer-vector-width=128 -mmove-max=128 -mstore-max=128",
+    ),
+    (
+        "narrow",
+        "-mprefer-vector-width=128 -mmove-max=128 -mstore-max=128",
     ),
     ("unlimited", "--param=inline-unit-growth=1000"),
     ("frugal", "--param=max-inline-insns-single=70"),

@@ -6,6 +6,7 @@
 #include <pw85_batch.h>
 
 #include "../rows/many_pairs.hpp"
+#include "../simd/lanes/depth.hpp"
 #include "../simd/lanes/distance.hpp"
 
 using namespace pw85::detail::kernels;
@@ -16,4 +17,12 @@ int pw85_distance_batch(size_t n, double const *r12, double const *q1, double co
     static constexpr char const *names[] = {"pw85_distance_batch", "r12", "q1", "q2"};
     return compute_rows(names, n, PairArrays<3>{r12, q1, q2},
                         DistanceArrays{distance, point1, point2}, r12, q1, q2);
+}
+
+int pw85_penetration_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                           double *depth, double *direction)
+{
+    static constexpr char const *names[] = {"pw85_penetration_batch", "r12", "q1", "q2"};
+    return compute_rows(names, n, PairArrays<3>{r12, q1, q2}, DepthArrays{depth, direction}, r12,
+                        q1, q2);
 }

@@ -19,15 +19,6 @@ int pw85_distance_derivatives_batch(size_t n, double const *r12, double const *q
                     OptionalRowsOf<3>{d_rot2}, OptionalRowsOf<81>{hessian});
 }
 
-int pw85_penetration_batch(size_t n, double const *r12, double const *q1, double const *q2,
-                           double *depth, double *direction)
-{
-    static constexpr char const *names[] = {"pw85_penetration_batch", "r12", "q1", "q2", "depth",
-                                            "direction"};
-    return each_row(names, n, pw85_penetration, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
-                    OptionalRowsOf<1>{depth}, OptionalRowsOf<3>{direction});
-}
-
 int pw85_signed_distance_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                double *distance, double *point1, double *point2)
 {

@@ -404,7 +404,18 @@ PW85_INLINE Pack square_root(Pack const &x) noexcept
 #endif
 }
 
-#if defined(PW85_LANES_AVX512)
+#if defined(PW85_ROUNDED_PRODUCTS)
+/// Computes the bits of the function of two doubles.
+PW85_INLINE Pack coarse_root_of_ratio(Pack const &x, Pack const &y) noexcept
+{
+    typedef std::uint64_t Bits __attribute__((vector_size(lanes * sizeof(double))));
+    constexpr auto one = __builtin_bit_cast(std::uint64_t, 1.0);
+    return reinterpret_cast<Register>(
+        (reinterpret_cast<Bits>(x.v) - reinterpret_cast<Bits>(y.v) + 2 * one) >> 1);
+}
+#endif
+
+#if defined(PW85_LANES_AVX512) && !defined(PW85_ROUNDED_PRODUCTS)
 // An estimate with a relative error of 2^-14, improved by one step of Newton's method, which
 // doubles the number of correct digits.
 PW85_INLINE Pack rough_quotient(Pack const &x, Pack const &y) noexcept

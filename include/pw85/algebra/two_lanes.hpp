@@ -104,6 +104,17 @@ template <class Mask> PW85_FUNCTION constexpr bool all_of(TwoMasks<Mask> const &
     return all_of(mask.first) && all_of(mask.second);
 }
 
+// For packs, one truth value per lane.
+
+template <class Mask> PW85_FUNCTION constexpr Mask either_of(TwoMasks<Mask> const &mask) noexcept
+{
+    return mask.first || mask.second;
+}
+template <class Mask> PW85_FUNCTION constexpr Mask both_of(TwoMasks<Mask> const &mask) noexcept
+{
+    return mask.first && mask.second;
+}
+
 // Devices compute in scalars, and so do processors of 32 bits without SSE2.
 #if (defined(__SSE2__) || defined(__aarch64__) || defined(__wasm_simd128__)) &&                    \
     !defined(__CUDA__) && !defined(__CUDACC__)
@@ -196,6 +207,9 @@ PW85_FUNCTION inline bool all_of(TwoLaneMask const &mask) noexcept
     return (mask.bits[0] & mask.bits[1]) != 0;
 }
 #endif
+
+PW85_FUNCTION inline bool either_of(TwoLaneMask const &mask) noexcept { return any_of(mask); }
+PW85_FUNCTION inline bool both_of(TwoLaneMask const &mask) noexcept { return all_of(mask); }
 
 /// Computes the bits of the function of two doubles, without a detour through other registers.
 PW85_FUNCTION inline double coarse_root_of_ratio(TwoLanes<double> const &x) noexcept

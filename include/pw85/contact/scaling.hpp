@@ -173,13 +173,13 @@ passes_fast_checks(Pair<T, D> const &pair) noexcept
 }
 
 /// Tests one pair in this way, from both forms side by side and their adjugates.
-template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline bool
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 passes_fast_checks(Vector<T, D> const &r12, SymmetricMatrix<TwoLanes<T>, D> const &q,
                    SymmetricMatrix<TwoLanes<T>, D> const &adjugate_of_q) noexcept
 {
     auto const largest = largest_diagonal(q);
-    return all_of(is_in_range(TwoLanes<T>(sum_of_magnitudes(r12)), largest, largest) &&
-                  is_clearly_definite(q, adjugate_of_q));
+    return both_of(is_in_range(TwoLanes<T>(sum_of_magnitudes(r12)), largest, largest) &&
+                   is_clearly_definite(q, adjugate_of_q));
 }
 
 } // namespace pw85::detail

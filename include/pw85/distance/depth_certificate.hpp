@@ -37,10 +37,12 @@ namespace pw85::detail {
 
 /// Returns whether item 5 proves that a quartic is positive for c > 0, from bounds from below of
 /// its coefficients. They may have relative errors far below 64u.
-template <class T> PW85_FUNCTION inline bool is_positive(T const (&k)[5]) noexcept
+template <class T>
+PW85_FUNCTION inline typename ScalarTraits<T>::Mask is_positive(T const (&k)[5]) noexcept
 {
-    if (!(k[4] > T(0) && k[0] > T(0))) return false;
-    if (k[3] >= T(0) && k[2] >= T(0) && k[1] >= T(0)) return true;
+    auto const ends = k[4] > T(0) && k[0] > T(0);
+    auto proved = ends && k[3] >= T(0) && k[2] >= T(0) && k[1] >= T(0), open = ends && !proved;
+    if (!any_of(open)) return proved;
     T const a = square_root(k[4]), b = square_root(k[0]), ab = a * b,
             margin = T(64 * unit_roundoff<T>());
     T const least = T(-0.53125) * minimum(T(k[3] / a), T(k[1] / b)); // makes x and y positive
@@ -49,12 +51,17 @@ template <class T> PW85_FUNCTION inline bool is_positive(T const (&k)[5]) noexce
         T const up = T(2) * a * mu, down = T(2) * b * mu;
         T const x = k[3] + up - margin * (absolute(k[3]) + up),
                 y = k[1] + down - margin * (absolute(k[1]) + down);
-        if (!(x > T(0) && y > T(0))) return false;
+        open = open && x > T(0) && y > T(0);
+        if (!any_of(open)) return proved;
         T const root = square_root(T(x * y)), rest = T(2) * ab + mu * mu;
-        if (k[2] - rest + T(2) * root >= margin * (absolute(k[2]) + rest + root)) return true;
+        auto const now =
+            open && k[2] - rest + T(2) * root >= margin * (absolute(k[2]) + rest + root);
+        proved = proved || now;
+        open = open && !now;
+        if (!any_of(open)) return proved;
         mu = (a * y + b * x) / root;
     }
-    return false;
+    return proved;
 }
 
 /// Twice the mixed discriminant of two matrices of two rows, less a margin of 64u of the sum of
@@ -76,8 +83,8 @@ template <class T, int D> struct CertificateForms {
 /// products in the entries of B1, B2 and R are at most those of the diagonals, because these
 /// matrices are semidefinite. So the entries of N err by less than 4u of the sums of the diagonals,
 /// and N is definite if its determinant exceeds 64u of their product.
-template <class T>
-PW85_FUNCTION inline bool is_inside_sum(CertificateForms<T, 2> const &forms) noexcept
+template <class T> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
+is_inside_sum(CertificateForms<T, 2> const &forms) noexcept
 {
     auto const &[b1, b2, r] = forms;
     auto const n = blend(blend(b1, T(1), b2), T(-1), r);
@@ -85,11 +92,13 @@ PW85_FUNCTION inline bool is_inside_sum(CertificateForms<T, 2> const &forms) noe
         all{d1[0] + d2[0] + r(0, 0), d1[1] + d2[1] + r(1, 1)};
     T const half = T(0.5), margin = T(64 * unit_roundoff<T>()),
             determinant = n(0, 0) * n(1, 1) - n(0, 1) * n(0, 1) - margin * (all[0] * all[1]);
-    if (n(0, 0) > margin * all[0] && determinant > T(0)) return true;
+    auto const by_sum = n(0, 0) > margin * all[0] && determinant > T(0);
+    if (all_of(by_sum)) return by_sum;
     T const k[5] = {half * mixed_discriminant(b2, b2, d2), mixed_discriminant(b2, n, all),
                     determinant + mixed_discriminant(b1, b2, d2), mixed_discriminant(b1, n, all),
                     half * mixed_discriminant(b1, b1, d1)};
-    return d1[0] > T(0) && d2[0] > T(0) && is_positive(k);
+    auto const definite = d1[0] > T(0) && d2[0] > T(0);
+    return any_of(definite) ? by_sum || (definite && is_positive(k)) : by_sum;
 }
 
 template <class T>
@@ -119,8 +128,8 @@ point_errors(SymmetricMatrix<TwoLanes<T>, D> const &q, TwoLanes<T> const &invers
 
 /// The bound of B of both ellipsoids from below, in the basis of the tangents.
 ///
-/// An entry of Q errs by less than 16u trace Q (two products, and the errors of the tangents), one
-/// of ppᵀ by less than 2|p| error + error² + 16u|p|², and |p|² <= trace Q. The eigenvalues of a
+/// An entry of Q errs by less than 20u trace Q (two products, and the errors of the tangents), one
+/// of ppᵀ by less than 2|p| error + error² + 20u|p|², and |p|² <= trace Q. The eigenvalues of a
 /// matrix of two rows err by at most twice as much.
 template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<TwoLanes<T>, D - 1>
 curvatures_below(SymmetricMatrix<TwoLanes<T>, D> const &q, DirectionState<T, D> const &at,
@@ -160,6 +169,23 @@ second_of(SymmetricMatrix<TwoLanes<T>, D> const &a) noexcept
     return second;
 }
 
+/// Computes the directions orthogonal to the unit vector n: the columns of the reflection that
+/// exchanges n and the last axis. Their errors are below (1 + 4√2)u. Those of fill_tangents(),
+/// which chooses an axis, are below (1 + 3.2)u.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline void
+fill_tangents_by_last_axis(Vector<T, D> const &n,
+                           Vector<T, D> (&tangents)[std::size_t(D - 1)]) noexcept
+{
+    T const &pole = n[D - 1];
+    T const size = T(1) + absolute(pole);
+    Vector<T, D> v = n;
+    v[D - 1] = pole + select(pole < T(0), T(-1), T(1));
+    for (int i = 0; i < D - 1; ++i) {
+        tangents[i] = T(-n[i] / size) * v;
+        tangents[i][i] = tangents[i][i] + T(1);
+    }
+}
+
 /// Returns whether the certificate proves that no direction needs less than the best shift, minus
 /// twice its rounding error ρ. `at` is the state from which follow_normal() has found the best
 /// direction, whose last correction is not in it.
@@ -169,7 +195,7 @@ second_of(SymmetricMatrix<TwoLanes<T>, D> const &a) noexcept
 /// 7ρ <= 2ℓ. α and β have a relative error below 106,496 u (support.hpp), which a factor of 1 +
 /// 2^18 u covers. f errs by η <= 4ρ|r| + 2ℓ times the error of w. So ffᵀ is at most (1 + 2^-9)ffᵀ +
 /// 2^10 η² I with the computed f.
-template <class T, int D> PW85_FUNCTION inline bool
+template <class T, int D> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 is_certified(DepthSearch<T, D> const &search, DirectionState<T, D> const &at) noexcept
 {
     auto const &r12 = search.r12;
@@ -177,15 +203,17 @@ is_certified(DepthSearch<T, D> const &search, DirectionState<T, D> const &at) no
     Shift<T> const &best = search.best;
     Vector<T, D> const n = at.scale * at.n;
     T const u = T(unit_roundoff<T>()), rho = best.rounding, d = best.length - T(2) * rho;
-    if (!(d > T(0))) return true; // the pair overlaps: all shifts are positive
+    auto const touches = !(d > T(0)); // the pair overlaps: all shifts are positive
+    if (all_of(touches)) return touches;
     auto const q = side_by_side(q1, q2);
     T const l = sum_of_lanes(at.extents) * at.scale, distance = sum_of_magnitudes(r12),
             h = dot(n, r12) - T(8) * u * distance - rho;
     auto const points =
         point_errors(q, TwoLanes<T>(TwoLanes<T>(T(dot(at.n, at.n) * at.scale)) * at.factors));
     T const spread = maximum(first_of(points.spread), second_of(points.spread));
-    if (!(h > T(0) && T(7) * rho <= T(2) * l && spread * spread <= largest_spread<T>()))
-        return false;
+    auto const is_clear =
+        h > T(0) && T(7) * rho <= T(2) * l && spread * spread <= largest_spread<T>();
+    if (!any_of(is_clear)) return touches;
     Vector<T, D> const off = project(off_surface(at, r12), n);
     T const reach = sum_of_lanes(points.size) + distance,
             error = sum_of_lanes(points.error) + T(16) * u * reach,
@@ -195,7 +223,7 @@ is_certified(DepthSearch<T, D> const &search, DirectionState<T, D> const &at) no
         factor * ((best.length + T(5) * rho) * l + T(7) * rho * reach * reach / l +
                   T(4) * l * (w * w) / rho + T(2) * w * reach + T(2048) * (eta * eta) * inverse);
     Vector<T, D> tangents[std::size_t(D - 1)];
-    fill_tangents(n, tangents);
+    fill_tangents_by_last_axis(n, tangents);
     auto const below = curvatures_below(q, at, tangents, points);
     CertificateForms<T, D - 1> forms{first_of(below), second_of(below), {}};
     Vector<T, D - 1> f{};
@@ -205,7 +233,7 @@ is_certified(DepthSearch<T, D> const &search, DirectionState<T, D> const &at) no
             forms.r(j, i) = (factor + negative_power_of_two<T>(9)) * inverse * f[i] * f[j];
         forms.r(i, i) = forms.r(i, i) + diagonal;
     }
-    return is_inside_sum(forms);
+    return touches || (is_clear && is_inside_sum(forms));
 }
 
 } // namespace pw85::detail

@@ -157,6 +157,24 @@ template <class T> struct DepthStart {
     Decision decision;
 };
 
+/// t after one step of the search for the maximum of f.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline T
+step_from(QuarticStart<T> const &start, Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+          SymmetricMatrix<T, D> const &q2) noexcept
+{
+    RationalSearch<T, FormOfSteps<T>> search{
+        form_of_steps(start.quartic.form), {start.t, T(0), T(0)}, start.t == start.t};
+    take_step(search, pair_of(r12, q1, q2));
+    return search.candidate.t;
+}
+
+/// Returns whether f >= 1, up to rounding.
+template <class T> [[gnu::always_inline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
+seems_apart(QuarticEvaluation<T> const &value, T const &t) noexcept
+{
+    return t * value.a >= T(T(1) + t) * value.b;
+}
+
 /// Takes one step of the search for the maximum of f, with the quartic of the overlap test, which
 /// also decides. More steps cost more than they save in turns of the normal. All callers
 /// share one instance of this function: the same products are fused, and scaling changes no bit.
@@ -167,15 +185,11 @@ start_depth(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
     auto const start = start_by_quartic(r12, q1, q2);
     if (!start.passes) return {T(0), Decision::none};
     if (start.decision == Decision::apart) return {T(0), Decision::apart};
-    RationalSearch<T, FormOfSteps<T>> search{
-        form_of_steps(start.quartic.form), {start.t, T(0), T(0)}, start.t == start.t};
-    take_step(search, pair_of(r12, q1, q2));
-    T const t = search.candidate.t;
+    T const t = step_from(start, r12, q1, q2);
     if (start.decision == Decision::overlap) return {t, Decision::overlap};
     auto const value = evaluate_quartic(start.quartic, t);
     auto const certainty = test_by_coefficients(value, t);
-    bool const seems_apart = t * value.a >= (T(1) + t) * value.b; // f >= 1, up to rounding
-    return {seems_apart ? T(0) : t, to_decision(certainty.apart, certainty.overlap)};
+    return {seems_apart(value, t) ? T(0) : t, to_decision(certainty.apart, certainty.overlap)};
 }
 
 /// Returns t of start_depth(), or that of the maximum of f if the step has not found it. It does

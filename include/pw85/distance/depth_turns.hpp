@@ -69,22 +69,45 @@ template <class T, int D> struct DirectionState {
     T length;                               ///< the shift along the unit vector, g/|n|
 };
 
+/// Those of two vectors that a mask chooses, in each lane.
+template <class Mask, class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Vector<T, D>
+selected(Mask const &mask, Vector<T, D> const &yes, Vector<T, D> const &no) noexcept
+{
+    Vector<T, D> x{};
+    for (int i = 0; i < D; ++i) x[i] = select(mask, yes[i], no[i]);
+    return x;
+}
+
+template <class Mask, class T, int D>
+[[gnu::always_inline]] PW85_FUNCTION inline Vector<TwoLanes<T>, D>
+selected(Mask const &mask, Vector<TwoLanes<T>, D> const &yes,
+         Vector<TwoLanes<T>, D> const &no) noexcept
+{
+    Vector<TwoLanes<T>, D> x{};
+    for (int i = 0; i < D; ++i)
+        x[i] = TwoLanes<T>(select(mask, first_of(yes[i]), first_of(no[i])),
+                           select(mask, second_of(yes[i]), second_of(no[i])));
+    return x;
+}
+
 /// Qn of both ellipsoids. If they are to be accurate, the points Qn/α err by less than 2^12 u of
 /// their distance from the centre: in plain arithmetic by 3uX (support.hpp).
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Vector<TwoLanes<T>, D>
 both_products(SymmetricMatrix<TwoLanes<T>, D> const &q, Vector<T, D> const &n,
-              bool accurate) noexcept
+              typename ScalarTraits<T>::Mask accurate) noexcept
 {
     auto const along = converted<TwoLanes<T>>(n);
     auto const plain = product(q, along);
     auto const most = TwoLanes<T>(T(1024)) * dot(along, plain);
-    if (all_of(TwoLanes<T>(trace(q) * dot(along, along)) < most) || !accurate) return plain;
-    return accurate_product(q, along);
+    auto const is_plain = both_of(TwoLanes<T>(trace(q) * dot(along, along)) < most) || !accurate;
+    if (all_of(is_plain)) return plain;
+    auto const exact = accurate_product(q, along);
+    return any_of(is_plain) ? selected(is_plain, plain, exact) : exact;
 }
 
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline DirectionState<T, D>
 state_along(SymmetricMatrix<TwoLanes<T>, D> const &q, Vector<T, D> const &r12,
-            Vector<T, D> const &n, bool accurate) noexcept
+            Vector<T, D> const &n, typename ScalarTraits<T>::Mask accurate) noexcept
 {
     auto const along = converted<TwoLanes<T>>(n), products = both_products(q, n, accurate);
     auto const forms = positive_form(q, along, products), extents = roots(forms),
@@ -137,7 +160,7 @@ minors_across(SymmetricMatrix<T, 2> const &a, DirectionState<T, 2> const &at) no
 }
 
 /// Returns whether the least eigenvalue across n is proved to exceed `floor`.
-template <class T> [[gnu::always_inline]] PW85_FUNCTION inline bool
+template <class T> [[gnu::always_inline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 exceeds(MinorsAcross<T> const &minors, T const &floor) noexcept
 {
     return minors.trace > T(0) && minors.determinant > floor * minors.trace;
@@ -181,14 +204,29 @@ product_of(SymmetricMatrix<T, 2> const &a, Vector<T, 2> const &b) noexcept
     return {a[0] * b[0] + a[1] * b[1], a[1] * b[0] + a[2] * b[1]};
 }
 
+/// The turn that the curvatures alone give, from A1 + A2, its trace, and r - p1 - p2. If rounding
+/// hides the lesser curvature, the turn is along the force.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Vector<T, D>
+turn_by_curvatures(SymmetricMatrix<T, D> const &turn, T const &size, Vector<T, D> const &off,
+                   DirectionState<T, D> const &at) noexcept
+{
+    auto const curved = minors_across(turn, at);
+    auto const definite = exceeds(curved, T(T(unit_roundoff<T>()) * size));
+    Vector<T, D> along_force{}, step{};
+    if (!all_of(definite))
+        along_force = T(T(1) / size) * (off - T(dot(at.n, off) * at.inverse_square) * at.n);
+    if (!any_of(definite)) return along_force;
+    step = T(T(1) / curved.determinant) * product_of(inverse_across(turn, at), off);
+    return selected(definite, step, along_force);
+}
+
 /// A turn of the normal towards a minimum, which lies across n: Newton's step (curvature.hpp), or,
 /// where the stiffness A1 + A2 - g I is not positive definite, the step with the curvatures alone.
 /// It is to be added to n. Returns whether it is Newton's step; `inverse` then is that of the
 /// stiffness. A structure of results would pass through memory.
 ///
-/// Newton's step is taken where the direction is isolated with half of the digits to spare. If
-/// rounding hides the lesser curvature, the turn is along the force.
-template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline bool
+/// Newton's step is taken where the direction is isolated with half of the digits to spare.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 normal_turn(SymmetricMatrix<TwoLanes<T>, D> const &q, Vector<T, D> const &r12,
             DirectionState<T, D> const &at, Vector<T, D> &step,
             SymmetricMatrix<T, D> &inverse) noexcept
@@ -198,19 +236,19 @@ normal_turn(SymmetricMatrix<TwoLanes<T>, D> const &q, Vector<T, D> const &r12,
                stiffness = plus_multiple_of_identity(turn, T(-at.shift * at.inverse_square));
     T const size = trace(turn);
     auto const minors = minors_across(stiffness, at);
-    if (exceeds(minors, T(negative_power_of_two<T>(mantissa_digits<T>() / 2) * size))) {
+    auto const newton =
+        exceeds(minors, T(negative_power_of_two<T>(mantissa_digits<T>() / 2) * size));
+    if (any_of(newton)) {
         auto const adj = inverse_across(stiffness, at);
         Vector<T, D> const along = product_of(adj, off); // while the processor divides
         T const reciprocal = T(1) / minors.determinant;
         step = reciprocal * along;
         inverse = reciprocal * adj;
-        return true;
+        if (all_of(newton)) return newton;
     }
-    auto const curved = minors_across(turn, at);
-    bool const definite = exceeds(curved, T(T(unit_roundoff<T>()) * size));
-    step = definite ? T(T(1) / curved.determinant) * product_of(inverse_across(turn, at), off)
-                    : T(T(1) / size) * (off - (dot(at.n, off) * at.inverse_square) * at.n);
-    return false;
+    Vector<T, D> const other = turn_by_curvatures(turn, size, off, at);
+    step = any_of(newton) ? selected(newton, step, other) : other;
+    return newton;
 }
 
 /// The numbers of turns, and of halves of one, that follow_normal() takes at most. Three whole ones
@@ -218,11 +256,12 @@ normal_turn(SymmetricMatrix<TwoLanes<T>, D> const &q, Vector<T, D> const &r12,
 inline constexpr int max_normal_turns = 32, max_turn_halves = 8;
 
 /// n + factor·turn, normalised after a turn by more than half a right angle.
-template <class T, int D> PW85_FUNCTION inline Vector<T, D>
-turned(Vector<T, D> const &n, T const &factor, Vector<T, D> const &turn, bool is_large) noexcept
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Vector<T, D>
+turned(Vector<T, D> const &n, T const &factor, Vector<T, D> const &turn,
+       typename ScalarTraits<T>::Mask is_large) noexcept
 {
     Vector<T, D> const next = add_scaled(n, factor, turn);
-    return is_large ? unit_along(next) : next;
+    return any_of(is_large) ? selected(is_large, unit_along(next), next) : next;
 }
 
 /// Takes the longest part of a turn, of halves of it, that does not lengthen the shift by more than
@@ -266,17 +305,33 @@ correction_at(DirectionState<T, D> const &at, Vector<T, D> const &r12,
     return {turn, absolute(dot(across, turn))};
 }
 
-/// Corrects the direction of a path, and keeps it if it is the best one. The square of a correction
-/// is below 2^-(3/4 digits): terms of fourth order of the length of n + x are below rounding.
+/// Returns whether a correction is so small that the length needs none: it changes the length by
+/// less than uℓ/2, ℓ = α + β, and terms of fourth order of the length of n + x are below rounding.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
+is_last(Correction<T, D> const &correction, DirectionState<T, D> const &at) noexcept
+{
+    auto const &[x, change] = correction;
+    T const short_square = negative_power_of_two<T>(mantissa_digits<T>() / 4 * 3);
+    return change <= T(unit_roundoff<T>()) * sum_of_lanes(at.extents) &&
+           dot(x, x) * at.inverse_square <= short_square;
+}
+
+/// The unit vector along n + x, with a correction x for which is_last() holds, or zero.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Vector<T, D>
+corrected(DirectionState<T, D> const &at, Vector<T, D> const &x) noexcept
+{
+    T const growth = at.inverse_square * (dot(at.n, x) + T(0.5) * dot(x, x));
+    return T(at.scale - at.scale * growth) * (at.n + x);
+}
+
+/// Corrects the direction of a path, and keeps it if it is the best one.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline FollowedNormal<T, D>
 finish_turns(DepthSearch<T, D> &search, SymmetricMatrix<TwoLanes<T>, D> const &q,
              DirectionState<T, D> const &at, Vector<T, D> const &correction,
              bool converged) noexcept
 {
     Shift<T> const along = shift_along(T(at.scale) * at.n, search.r12, q);
-    T const growth =
-        at.inverse_square * (dot(at.n, correction) + T(0.5) * dot(correction, correction));
-    Vector<T, D> const direction = T(at.scale - at.scale * growth) * (at.n + correction);
+    Vector<T, D> const direction = corrected(at, correction);
     bool const best = along.length <= search.best.length + search.best.rounding;
     if (best) {
         search.best = along;
@@ -287,13 +342,44 @@ finish_turns(DepthSearch<T, D> &search, SymmetricMatrix<TwoLanes<T>, D> const &q
 
 /// Tests if the correction after a Newton's turn t leaves an error of more than 32u, by |t|² and
 /// that of the turn before: see follow_normal().
-template <class T>
-[[gnu::always_inline]] PW85_FUNCTION inline bool is_rough(T const &square, T const &last) noexcept
+template <class T> [[gnu::always_inline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
+is_rough(T const &square, T const &last) noexcept
 {
     T const u = T(unit_roundoff<T>()), tiny = negative_power_of_two<T>(mantissa_digits<T>() + 16);
     T const fourth = (last * last) * (last * last), // C² is square/last²
         left = maximum(fourth, T(square * square)) * (square * square * square);
     return both_true(square > tiny, left > T(256) * u * u * fourth); // 2C²|t|³ > 32u
+}
+
+/// The next vector of a path, and what is known of the turn to it.
+template <class T, int D> struct TurnedPath {
+    using Mask = typename ScalarTraits<T>::Mask;
+    Vector<T, D> n;
+    T square;                           ///< of the last turn
+    Mask accurate, converged, is_large; ///< is_large: by more than half a right angle
+};
+
+/// Adds a turn to the vector of a state.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline void
+add_turn(TurnedPath<T, D> &path, DirectionState<T, D> const &at, Vector<T, D> const &turn,
+         typename ScalarTraits<T>::Mask newton) noexcept
+{
+    T const last = path.square;
+    path.square = dot(turn, turn) * at.inverse_square;
+    auto const close = both_true(newton, path.square <= negative_power_of_two<T>(14));
+    path.converged = both_true(both_true(path.accurate, close), !is_rough(path.square, last));
+    path.is_large = path.square > T(1);
+    path.n = turned(at.n, T(1), turn, path.is_large);
+    path.accurate = close;
+}
+
+/// The rounding error of a shift along a path. `distance` is the sum of the magnitudes of r.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline T
+slack_of_path(DirectionState<T, D> const &at, TwoLanes<T> const &traces, T const &distance) noexcept
+{
+    T const length = dot(at.n, at.n) * at.scale;
+    return T(8 * unit_roundoff<T>()) *
+           (distance + length * sum_of_lanes(TwoLanes<T>(traces * at.factors)));
 }
 
 /// Follows turns from a vector n to a local minimum. The best direction is kept.
@@ -307,47 +393,33 @@ template <class T>
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline FollowedNormal<T, D>
 follow_normal(DepthSearch<T, D> &search, Vector<T, D> const &start) noexcept
 {
-    T const u = T(unit_roundoff<T>()),
-            short_square = negative_power_of_two<T>(mantissa_digits<T>() / 4 * 3),
-            limit = negative_power_of_two<T>(14);
     auto const q = side_by_side(search.q1, search.q2);
-    auto const size = trace(q);
+    auto const traces = trace(q);
     T const distance = sum_of_magnitudes(search.r12);
-    Vector<T, D> n = start;
+    TurnedPath<T, D> path{start, T(1), false, false, false};
     DirectionState<T, D> at;
     Vector<T, D> step;
     SymmetricMatrix<T, D> inverse;
-    bool accurate = false, converged = false, is_large = false;
-    T square = T(1);                              // of the last turn
     for (int i = 0; i <= max_normal_turns; ++i) { // the first state stands in it, too: registers
-        auto const next = state_along(q, search.r12, n, accurate);
-        T const length = dot(n, n) * next.scale,
-                slack =
-                    T(8) * u * (distance + length * sum_of_lanes(TwoLanes<T>(size * next.factors)));
+        auto const next = state_along(q, search.r12, path.n, path.accurate);
+        T const slack = slack_of_path(next, traces, distance);
         if (i == 0 || next.length <= at.length + slack) {
             at = next;
         } else {
             auto part = at; // the address of `at` would keep it in memory
-            converged = false;
+            path.converged = false;
             auto const turn = step;
-            if (!take_part_of_turn(q, search.r12, turn, accurate, is_large, slack, part)) break;
+            if (!take_part_of_turn(q, search.r12, turn, path.accurate, path.is_large, slack, part))
+                break;
             at = part;
         }
         if (i == max_normal_turns || at.length < -slack) break; // the direction separates
-        if (converged) {
-            auto const [x, change] = correction_at(at, search.r12, inverse);
-            if (change <= u * sum_of_lanes(at.extents) &&
-                dot(x, x) * at.inverse_square <= short_square)
-                return finish_turns(search, q, at, x, true);
+        if (path.converged) {
+            auto const correction = correction_at(at, search.r12, inverse);
+            if (is_last(correction, at)) return finish_turns(search, q, at, correction.turn, true);
         }
         bool const newton = normal_turn(q, search.r12, at, step, inverse);
-        T const last = square;
-        square = dot(step, step) * at.inverse_square;
-        bool const close = both_true(newton, square <= limit);
-        converged = both_true(both_true(accurate, close), !is_rough(square, last));
-        is_large = square > T(1);
-        n = turned(at.n, T(1), step, is_large);
-        accurate = close;
+        add_turn(path, at, step, newton);
     }
     return finish_turns(search, q, at, Vector<T, D>{}, false);
 }

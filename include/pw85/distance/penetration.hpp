@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The depth of an overlap: the shortest translation that separates two ellipsoids.
-/// src/simd/search/depth.cpp calls penetration().
+/// src/simd/unfused/depth.cpp calls penetration(), and src/simd/lanes/depth.hpp its first tier for
+/// one pair per lane.
 ///
 /// Turns of the normal find a local minimum (depth_search.hpp). For most pairs the curvatures there
 /// prove that it is the global one (depth_certificate.hpp). Otherwise two proofs show that the best

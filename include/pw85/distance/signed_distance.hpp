@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The signed distance of two ellipsoids: their distance if they are apart, minus the depth
-/// of their overlap otherwise. The kernels of the C API (src/simd/search/depth.cpp) call
+/// of their overlap otherwise. The kernels of the C API (src/simd/unfused/depth.cpp) call
 /// signed_distance_overlapping() and signed_derivatives_overlapping() with the normal from
 /// penetration.hpp.
 ///

@@ -49,9 +49,9 @@ namespace pw85::detail {
 /// Tier 1, with what the next tier starts from.
 template <class T> struct QuarticStart {
     QuarticCoefficients<T> quartic;
-    T t;               ///< the first point
-    Decision decision; ///< of decide_by_points(), for a pair that passes
-    bool passes;       ///< the result of passes_fast_checks()
+    T t;                                   ///< the first point
+    DecisionOf<T> decision;                ///< of decide_by_points(), for a pair that passes
+    typename ScalarTraits<T>::Mask passes; ///< the result of passes_fast_checks()
 };
 
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline QuarticStart<T>
@@ -65,7 +65,7 @@ start_by_quartic(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
     auto const other = side_by_side(q2, q1), adj = adjugate(q);
     QuarticCoefficients<T> const quartic{rational_form(q, other, adj, weights),
                                          diagonal_coefficients(q, other)};
-    Decision const decision = decide_by_points(quartic, t);
+    auto const decision = decide_by_points(quartic, t);
     return {quartic, t, decision, passes_fast_checks(r12, q, adj)};
 }
 

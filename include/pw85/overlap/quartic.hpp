@@ -29,6 +29,17 @@ template <class Mask> struct Certainty {
     Mask overlap;
 };
 
+/// The decisions of packs; decision.hpp has that of one pair.
+template <class Mask>
+PW85_FUNCTION constexpr Certainty<Mask> to_decision(Mask const &apart, Mask const &overlap) noexcept
+{
+    return {apart, overlap};
+}
+
+/// The decision of one pair, or those of a pack.
+template <class T> using DecisionOf =
+    decltype(to_decision(typename ScalarTraits<T>::Mask(), typename ScalarTraits<T>::Mask()));
+
 /// The values that the test needs at t.
 template <class T> struct QuarticEvaluation {
     T b;        ///< det M
@@ -186,12 +197,12 @@ test_by_coefficients(QuarticEvaluation<T> const &e, T const &t) noexcept
 inline constexpr int second_point = 2;
 
 /// Tests two points at once, which takes little more time than a test of one.
-template <class T> [[gnu::always_inline]] PW85_FUNCTION inline Decision
+template <class T> [[gnu::always_inline]] PW85_FUNCTION inline DecisionOf<T>
 decide_by_points(QuarticCoefficients<T> const &quartic, T const &t) noexcept
 {
     TwoLanes<T> const points(t, T(T(second_point) * t));
     auto const certainty = test_by_coefficients(evaluate_quartic(quartic, points), points);
-    return to_decision(any_of(certainty.apart), any_of(certainty.overlap));
+    return to_decision(either_of(certainty.apart), either_of(certainty.overlap));
 }
 
 /// A search on the rational form with a test at each of its points. It is a task

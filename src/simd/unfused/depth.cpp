@@ -1,11 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The depth and the signed distance of one pair. They are compiled for the baseline and for one
-// newer instruction set (meson.build).
+// The depth and the signed distance of one pair. Depths have the bits of lanes (lanes/depth.hpp).
 #include "../one_pair.hpp"
 
 #include <pw85/distance/signed_distance.hpp>
 
 #include "../../base/c_arrays.hpp"
+
+#define PW85_IS_BASELINE_baseline 1
+#define PW85_IS_BASELINE_OF(name) PW85_IS_BASELINE_##name
+#define PW85_IS_BASELINE(name) PW85_IS_BASELINE_OF(name)
+
+namespace pw85::detail {
+
+namespace kernels::baseline {
+
+bool prove_globally(DepthSearch<double, 3> &search) noexcept;
+
+#if PW85_IS_BASELINE(PW85_BUILDING)
+bool prove_globally(DepthSearch<double, 3> &search) noexcept
+{
+    return detail::prove_globally<double, 3>(search);
+}
+#endif
+
+} // namespace kernels::baseline
+
+// Proofs without a certificate have the same bits and take the same time for each instruction set.
+// So that of the baseline serves all; the call in the template finds it.
+#if !PW85_IS_BASELINE(PW85_BUILDING)
+using kernels::baseline::prove_globally;
+#endif
+
+} // namespace pw85::detail
 
 namespace pw85::detail::kernels {
 
