@@ -540,6 +540,9 @@ NEEDS = {"pages": "tests", "static": "tests", "thorough": "tests", "whole": "tes
          "clang-tidy": "clang", "whole-clang-tidy": "clang"}
 # They run `meson test` in the build folder of the test command, which has one log: one of them at a time.
 IN_TEST_BUILD = {"tests", "pages", "wheel", "thorough", "whole", "formats", "valgrind"}
+# A run ends no sooner than these parts, behind each other, and then LAMMPS's launches, which are one at a time: the others take what
+# these leave of the processors.
+LONGEST_CHAIN = IN_TEST_BUILD | {"lammps"}
 
 
 # The tests of memory, of threads and of bad input, and those of code that differs per instruction set. Headers
@@ -595,7 +598,8 @@ class Scheduler:
             report_file.unlink(missing_ok=True)
             start = time.monotonic()
             with log.open("w") as output:
-                process = subprocess.Popen([sys.executable, __file__, "--one", name, str(report_file)], stdout=output,
+                first = [] if name in LONGEST_CHAIN else ["nice", "-n", "5"]
+                process = subprocess.Popen([*first, sys.executable, __file__, "--one", name, str(report_file)], stdout=output,
                                            stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL)
                 _, _, usage = os.wait4(process.pid, 0)
             self.end(name, log, report_file, time.monotonic() - start, usage.ru_utime + usage.ru_stime)
