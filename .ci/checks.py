@@ -15,6 +15,7 @@ import dataclasses
 import fnmatch
 import json
 import os
+import re
 import shlex
 import shutil
 import subprocess
@@ -45,7 +46,7 @@ WITH_LIBRARIES = {
 }
 NOT_IN_CI = ["powerpc64le-linux-gnu", "riscv64-linux-gnu"]  # half a minute each, and ARM and z/Architecture find the same errors
 ONE_LIBRARY = "-Ddefault_library=shared"  # half the time to compile; the other parts build both
-JOINED = "-Djoined=true"  # some sources in each unit; the parts `tests` and `clang` compile each source alone
+JOINED = "-Djoined=true"  # some sources in each unit; the part `tests` compiles each source alone
 ONLY_TESTS = ["-Dtests=enabled", "-Dgpu=enabled", "-Dbench=disabled", "-Dpython=disabled", "-Dfortran=disabled"]
 
 
@@ -266,13 +267,19 @@ def tidy(name, units, *options):
     return bool(entries) and subprocess.run(command, cwd=ROOT, text=True, input=files).returncode == 0
 
 
+def sources_of(unit):
+    """The sources of a unit: those that a unit of Meson joins, or the file itself."""
+    joined = re.findall("^#include *<(.+)>$", unit.read_text(encoding="utf-8"), re.MULTILINE) if "-unity" in unit.name else []
+    return [Path(name).resolve() for name in joined] or [unit]
+
+
 def units_of_library(of_rows):
     """Sources of the library by their folder and the arguments of the compiler: those of the loops over rows, or all others. A source
     that is compiled more than once is there once: as the first of its units, which is for the newest instruction set."""
     build = folder_of("clang")
     commands = build / "compile_commands.json"
     units = json.loads(commands.read_text()) if commands.exists() else []
-    of_file = {(build / unit["file"]).resolve(): unit for unit in reversed(units)}
+    of_file = {source: unit for unit in reversed(units) for source in reversed(sources_of((build / unit["file"]).resolve()))}
     found = {}
     for source in reversed(of_file):
         is_of_rows = source.parent == ROOT / "src/c_api" and source.stem.endswith(("_rows", "_lanes"))
@@ -374,8 +381,9 @@ def check_python_of_debian_13(results):
 
 def check_clang(results):
     """Runs the tests that depend on the optimisation of a compiler, with clang. The sanitizers run the examples with clang."""
-    suites = ["--suite=quick", "--suite=portable", "--suite=flags", "--no-suite=examples"]
-    test_some(results, "clang", [*suites, *NOT_SOURCES], [*ONLY_TESTS, "-Dgsl=disabled"], CLANG)
+    # Programs take more from a static library of joined units.
+    suites = ["--suite=quick", "--suite=portable", "--suite=flags", "--no-suite=examples", "--no-suite=install"]
+    test_some(results, "clang", [*suites, *NOT_SOURCES], [*ONLY_TESTS, JOINED, "-Dgsl=disabled"], CLANG)
 
 
 SANITIZED = [*ONLY_TESTS, ONE_LIBRARY, JOINED, "-Dgsl=disabled", "-Db_lundef=false", "-Doptimization=1", "-Doptimized=false"]
@@ -532,6 +540,9 @@ NEEDS = {"pages": "tests", "static": "tests", "thorough": "tests", "whole": "tes
          "clang-tidy": "clang", "whole-clang-tidy": "clang"}
 # They run `meson test` in the build folder of the test command, which has one log: one of them at a time.
 IN_TEST_BUILD = {"tests", "pages", "wheel", "thorough", "whole", "formats", "valgrind"}
+# A run ends no sooner than these parts, behind each other, and then LAMMPS's launches, which are one at a time: the others take what
+# these leave of the processors.
+LONGEST_CHAIN = IN_TEST_BUILD | {"lammps"}
 
 
 # The tests of memory, of threads and of bad input, and those of code that differs per instruction set. Headers
@@ -587,7 +598,8 @@ class Scheduler:
             report_file.unlink(missing_ok=True)
             start = time.monotonic()
             with log.open("w") as output:
-                process = subprocess.Popen([sys.executable, __file__, "--one", name, str(report_file)], stdout=output,
+                first = [] if name in LONGEST_CHAIN else ["nice", "-n", "5"]
+                process = subprocess.Popen([*first, sys.executable, __file__, "--one", name, str(report_file)], stdout=output,
                                            stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL)
                 _, _, usage = os.wait4(process.pid, 0)
             self.end(name, log, report_file, time.monotonic() - start, usage.ru_utime + usage.ru_stime)

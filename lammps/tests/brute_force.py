@@ -12,7 +12,7 @@ UNIT_ROUNDOFF = 2.0 ** -53
 
 def call(name, *arguments):
     """Calls a function of pw85 with arrays; the last argument is the output."""
-    pointers = [a if a is None or isinstance(a, ctypes.c_double) else a.ctypes.data_as(ctypes.c_void_p)
+    pointers = [a if a is None or isinstance(a, (ctypes.c_double, ctypes.c_size_t)) else a.ctypes.data_as(ctypes.c_void_p)
                 for a in arguments]
     status = getattr(LIBRARY, name)(*pointers)
     if status != 0:
@@ -48,6 +48,12 @@ def pairs(system, reach):
 
 def overlap(r12, q1, q2):
     return int(call("pw85_overlap", r12, q1, q2, np.zeros(1, dtype=np.intc))[0])
+
+
+def overlaps(r12, q1, q2):
+    """The same for many pairs, rows of arrays: 0 or 1 for each."""
+    rows = [np.ascontiguousarray(a, dtype=float) for a in (r12, q1, q2)]
+    return call("pw85_overlap_batch", ctypes.c_size_t(len(r12)), *rows, np.empty(len(r12), dtype=np.uint8))
 
 
 def contact(r12, q1, q2):

@@ -9,7 +9,7 @@ import unittest
 from pathlib import Path
 
 import numpy as np
-from brute_force import call, overlap
+from brute_force import overlaps
 from lammps_runs import System, failure, launch, preamble, read_dump, run, thermo
 
 HARD = """
@@ -305,18 +305,17 @@ class Moves(unittest.TestCase):
         np.testing.assert_array_equal(self.table("1 3 translate 0.02 tune 0", 10)[6], 0.02)
 
 
-def form_rows(semi_axes, quaternions):
-    rows = np.empty((len(quaternions), 6))
-    for k, quaternion in enumerate(quaternions):
-        call("pw85_ellipsoid_quaternion", semi_axes, np.ascontiguousarray(quaternion), rows[k])
-    return rows
-
-
 def axis_of(quaternions, column):
     w, x, y, z = quaternions.T
     return np.array([[w*w + x*x - y*y - z*z, 2*(x*y + w*z), 2*(x*z - w*y)],
                      [2*(x*y - w*z), w*w - x*x + y*y - z*z, 2*(y*z + w*x)],
                      [2*(x*z + w*y), 2*(y*z - w*x), w*w - x*x - y*y + z*z]])[column].T
+
+
+def forms_of(semi_axes, quaternions):
+    """Matrices, by formulas of their own."""
+    axes = np.stack([axis_of(quaternions, k) for k in range(3)], axis=1)  # rows: the axes
+    return np.einsum("nki,nk,nkj->nij", axes, np.asarray(semi_axes)**2 * np.ones((len(quaternions), 3)), axes)
 
 
 class Distribution(unittest.TestCase):
@@ -350,8 +349,8 @@ class Distribution(unittest.TestCase):
         r12 = self.nearest(random.uniform(0.0, 1.0, (count, 3)) @ pair.cell, pair.cell)
         quaternions = random.normal(size=(2, count, 4))
         quaternions /= np.linalg.norm(quaternions, axis=2)[:, :, None]
-        q1, q2 = (form_rows(a, q) for a, q in zip(pair.semi_axes, quaternions))
-        free = np.array([overlap(np.ascontiguousarray(r), a, b) == 0 if r @ r < 4.0 else True for r, a, b in zip(r12, q1, q2)])
+        q1, q2 = (forms_of(a, q)[:, [0, 0, 0, 1, 1, 2], [0, 1, 2, 1, 2, 2]] for a, q in zip(pair.semi_axes, quaternions))
+        free = overlaps(r12, q1, q2) == 0
         return self.observables(r12[free], quaternions[0][free], quaternions[1][free])
 
     def test_two_ellipsoids(self):
@@ -420,12 +419,6 @@ ALL_SIDES = "".join(f"change_box all {axis} final -1.7 {edge + 1.7:.17g} boundar
                     for k, (axis, edge) in enumerate(zip("xyz", MIXTURE.cell.diagonal())))
 CONTAINER = ALL_SIDES + "fix plates all wall/pw85 box " + " ".join(
     f"-1.25 {edge + 1.4:.17g}" for edge in MIXTURE.cell.diagonal()) + " hard\n"
-
-
-def forms_of(semi_axes, quaternions):
-    """Matrices, by formulas of their own."""
-    axes = np.stack([axis_of(quaternions, k) for k in range(3)], axis=1)  # rows: the axes
-    return np.einsum("nki,nk,nkj->nij", axes, np.asarray(semi_axes)**2 * np.ones((len(quaternions), 3)), axes)
 
 
 class Walls(unittest.TestCase):

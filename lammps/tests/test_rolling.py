@@ -12,16 +12,10 @@ from test_granular import HERTZ_LAW, HOOKE_LAW, AgainstLammps, Grains, Spheres, 
 ROLLING = "rolling sds 3000 5 0.1"
 
 
-class AgainstGranular(unittest.TestCase):
-    """LAMMPS's pair_style granular has other arms for friction than the default here."""
+class AgainstGranular:
+    """LAMMPS's pair_style granular has other arms for friction than the default here. Other tests compare with it, too."""
 
     compare = AgainstLammps.compare
-    NO_FRICTION = (("hooke 10000 20 damping mass_velocity tangential linear_nohistory 0 0 ", "hooke 10000 20 damping mass_velocity "),
-                   ("hertz/material 200000 40 0.3 damping velocity tangential linear_nohistory 0 0 ",
-                    "hertz/material 200000 40 0.3 damping velocity "))
-    FRICTION = (HOOKE_LAW.words(), HERTZ_LAW.words(),
-                "hertz/material 200000 0.7 0.3 damping tsuji tangential mindlin NULL 0.6 0.5",
-                "hooke 10000 20 damping mass_velocity tangential linear_nohistory 0.5 0.4")
 
     # Neighbour lists that hold for the whole run. When LAMMPS's style finds a pair in the other order in a new list, it reverses the
     # rolling spring, which is the same from both sides.
@@ -36,6 +30,15 @@ class AgainstGranular(unittest.TestCase):
         expected = move(grains, theirs, steps)[-1]
         self.assertGreater(np.count_nonzero(np.abs(expected[:, 10:13]).max(axis=1) > 0.1), least, "hardly any torques")
         self.compare(move(Grains(**vars(grains)), ours, steps, ranks)[-1], expected, tolerance, ours)
+
+
+class RollingSpheres(AgainstGranular, unittest.TestCase):
+    NO_FRICTION = (("hooke 10000 20 damping mass_velocity tangential linear_nohistory 0 0 ", "hooke 10000 20 damping mass_velocity "),
+                   ("hertz/material 200000 40 0.3 damping velocity tangential linear_nohistory 0 0 ",
+                    "hertz/material 200000 40 0.3 damping velocity "))
+    FRICTION = (HOOKE_LAW.words(), HERTZ_LAW.words(),
+                "hertz/material 200000 0.7 0.3 damping tsuji tangential mindlin NULL 0.6 0.5",
+                "hooke 10000 20 damping mass_velocity tangential linear_nohistory 0.5 0.4")
 
     def check_pairs(self, theirs, ours, style=""):
         laws = f"pair_style granular\npair_coeff * * {theirs}{ROLLING}{self.LISTS}", granular(ours + ROLLING, style) + self.LISTS

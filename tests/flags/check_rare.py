@@ -9,7 +9,7 @@ import re
 import subprocess
 import sys
 
-WITH_WIDER = ("_rare_", "any_dimension_", "enclosing_")
+WITH_WIDER = ("_rare_", "_volumes_baseline-unity", "any_dimension_", "enclosing_")  # that of volumes alone has another name, joined
 WIDER = re.compile(r"Doubled<|Extended<|sign_of_terms")
 
 
