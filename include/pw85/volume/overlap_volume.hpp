@@ -94,7 +94,7 @@ template <class T> [[gnu::noinline]] PW85_FUNCTION inline CheckedMeasure<ResultO
 common_measure(JointFrame<T, 3> const &frame) noexcept
 {
     using Result = ResultOf<T>;
-    auto const integration = rim_integration(frame, accurate_rim_frame(frame));
+    auto const integration = rim_integration(frame);
     if constexpr (std::is_floating_point_v<T>)
         if (!are_integrals_accurate(frame, integration)) return {quiet_nan<Result>(), false};
     Result const sum =

@@ -146,7 +146,7 @@ surface_tensor(RimSums<T, rim_moments> const &m, T const &area, T const &sign,
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline FrameDerivatives<T, 3>
 frame_derivatives(JointFrame<T, 3> const &frame) noexcept
 {
-    auto const integration = rim_integration(frame, accurate_rim_frame(frame));
+    auto const integration = rim_integration(frame);
     auto const &rim = integration.rim;
     T const scale = T(frame.axes[0] * frame.axes[1]);
     auto const [m, converged] = moments_of(integration, scale, frame.axes[2]);

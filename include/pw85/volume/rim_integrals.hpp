@@ -187,6 +187,13 @@ rim_integration(JointFrame<T, 3> const &frame, RimFrame<T> const &rim) noexcept
     return integration;
 }
 
+/// The frame of the rim is not in the memory of the caller, which computes the sum.
+template <class T>
+PW85_FUNCTION inline RimIntegration<T> rim_integration(JointFrame<T, 3> const &frame) noexcept
+{
+    return rim_integration(frame, accurate_rim_frame(frame));
+}
+
 } // namespace pw85::detail
 
 #endif

@@ -189,7 +189,7 @@ template <class T> [[gnu::noinline]] PW85_FUNCTION inline T
 sum_of_moved_pair(JointFrame<T, 3> frame, T const &part) noexcept
 {
     frame.center = T(T(1) + part) * frame.center;
-    auto const integration = rim_integration(frame, accurate_rim_frame(frame));
+    auto const integration = rim_integration(frame);
     if (!is_one_sum_enough(frame, integration.rim.half_chord)) return quiet_nan<T>();
     return sum_of_terms(frame, integration);
 }
