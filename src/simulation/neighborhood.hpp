@@ -101,9 +101,9 @@ class Neighborhood {
     /// Centres the fixed box of particle i at its present position, as update() does.
     ///
     /// @param near all particles with images within reach_of_recentered(), and maybe others
-    /// @return false if there is no memory for the rows; then nothing changes
-    [[nodiscard]] bool recenter(std::size_t i, Configuration const &configuration, double reach,
-                                double skin, std::span<std::int32_t const> near) noexcept;
+    /// @return a status, PW85_EINVAL if there is no room for the rows; on error nothing changes
+    int recenter(std::size_t i, Configuration const &configuration, double reach, double skin,
+                 std::span<std::int32_t const> near) noexcept;
 
     /// Returns for how many particles recenter() has memory, by estimate.
     std::size_t room() const noexcept;
@@ -176,8 +176,8 @@ class Neighborhood {
     bool fill_rows(std::size_t n, pw85_pair_list const &list) noexcept;
     std::size_t begin_rows(std::size_t n, std::size_t num_shares, Places *next) noexcept;
     void put(std::size_t &place, Neighbor const &moved) noexcept;
-    bool find_meetings(std::size_t i, neighbors::Extent const &box,
-                       std::span<std::int32_t const> near, std::size_t &size) noexcept;
+    int find_meetings(std::size_t i, neighbors::Extent const &box,
+                      std::span<std::int32_t const> near, std::size_t &size) noexcept;
     Multiples nearest_image(Vector3 const &from, Vector3 const &to) const noexcept;
     bool meets(neighbors::Extent const &box, std::size_t j, Multiples const &image) const noexcept;
     std::int32_t number_of(Multiples const &image) const noexcept;

@@ -56,7 +56,7 @@ int Sweeps::run() noexcept
     Counts const before = model_.parameters.counts;
     if (int const status = prepare_list()) return status;
     if (int const status = prepare_domains()) return status;
-    if (int const status = recenter_loose()) return status;
+    if (int const status = recenter_all({loose_.data(), num_loose_})) return status;
     int const status = run_all();
     if (status == PW85_SUCCESS) ++model_.parameters.step;
     if (status != PW85_EPOTENTIAL) return status;
@@ -69,21 +69,24 @@ int Sweeps::prepare_list() noexcept
 {
     Particles &particles = model_.particles;
     double const room = least_room * model_.skin();
-    if (find_loose(room)) return PW85_SUCCESS;
+    bool are_few = false;
+    if (int const status = find_loose(room, are_few)) return status;
+    if (are_few) return PW85_SUCCESS;
     num_loose_ = 0;
     if (++num_rebuilds_ % rebuilds_per_order == 0)
         if (int const status = particles.reorder()) return status;
     return model_.rebuild_list();
 }
 
-/// Lists the particles with less room in their fixed boxes. Returns false if they are too many to
-/// move their boxes alone.
-bool Sweeps::find_loose(double room) noexcept
+/// Lists the particles with less room in their fixed boxes, if they are few enough to move their
+/// boxes alone. Returns a status.
+int Sweeps::find_loose(double room, bool &are_few) noexcept
 {
     Configuration const &all = model_.particles.copy();
     num_loose_ = 0;
-    if (model_.list.holds_all(all, room)) return true;
-    if (!loose_.resize(model_.list.rows().room())) return false;
+    are_few = model_.list.holds_all(all, room);
+    if (are_few) return PW85_SUCCESS;
+    if (!loose_.resize(model_.list.rows().room())) return PW85_ENOMEM;
     std::atomic<std::size_t> count{0};
     for_all(all.size(), [&](Range range) {
         for (std::size_t i = range.begin; i < range.end; ++i) {
@@ -94,37 +97,42 @@ bool Sweeps::find_loose(double room) noexcept
         return Failure{0, PW85_SUCCESS};
     });
     num_loose_ = count.load();
-    return num_loose_ <= loose_.size();
+    are_few = num_loose_ <= loose_.size();
+    return PW85_SUCCESS;
 }
 
-/// Centres the fixed boxes of the particles that find_loose() has listed. Returns a status.
-int Sweeps::recenter_loose() noexcept
+/// Centres the fixed boxes of some particles, or makes another list. Returns a status.
+int Sweeps::recenter_all(std::span<std::int32_t const> places) noexcept
 {
-    for (std::int32_t const place : std::span(loose_.data(), num_loose_))
-        if (!recenter(place)) return model_.rebuild_list();
+    for (std::int32_t const place : places) {
+        int const status = recenter(place);
+        if (status == PW85_EINVAL) return model_.rebuild_list();
+        if (status != PW85_SUCCESS) return status;
+    }
     return PW85_SUCCESS;
 }
 
 /// Centres the fixed boxes of the particles whose trials would leave them. Returns a status.
 int Sweeps::recenter_unlisted() noexcept
 {
-    bool recentered = true;
+    std::size_t count = 0;
+    if (!loose_.resize(2 * progress_.size())) return PW85_ENOMEM;
     for (Progress &progress : std::span(progress_.data(), progress_.size()))
         for (std::int32_t &place : progress.unlisted)
-            if (std::int32_t const one = std::exchange(place, -1); one >= 0)
-                recentered = recentered && recenter(one);
-    return recentered ? int{PW85_SUCCESS} : model_.rebuild_list();
+            if (std::int32_t const one = std::exchange(place, -1); one >= 0) loose_[count++] = one;
+    return recenter_all({loose_.data(), count});
 }
 
-/// Centres the fixed box of a particle at its present position. Returns false if the Verlet list
-/// must be rebuilt.
-bool Sweeps::recenter(std::int32_t place) noexcept
+/// Centres the fixed box of a particle at its present position. Returns a status, PW85_EINVAL if
+/// the Verlet list must be rebuilt.
+int Sweeps::recenter(std::int32_t place) noexcept
 {
     auto const i = static_cast<std::size_t>(place);
     Configuration const &all = model_.particles.copy();
     double const reach = model_.list.reach_of_recentered();
-    return reach < HUGE_VAL && domains_.list_near(all.centers[i], reach, near_) &&
-           model_.list.recenter(i, all, model_.skin(), {near_.begin(), near_.size()});
+    if (!(reach < HUGE_VAL)) return PW85_EINVAL;
+    if (!domains_.list_near(all.centers[i], reach, near_)) return PW85_ENOMEM;
+    return model_.list.recenter(i, all, model_.skin(), {near_.begin(), near_.size()});
 }
 
 /// Divides the cell, and draws the order of the domains.

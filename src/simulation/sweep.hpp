@@ -48,11 +48,11 @@ class Sweeps {
 
   private:
     int prepare_list() noexcept;
-    bool find_loose(double least_room) noexcept;
+    int find_loose(double room, bool &are_few) noexcept;
     int prepare_domains() noexcept;
-    int recenter_loose() noexcept;
     int recenter_unlisted() noexcept;
-    bool recenter(std::int32_t place) noexcept;
+    int recenter(std::int32_t place) noexcept;
+    int recenter_all(std::span<std::int32_t const> places) noexcept;
     int run_all() noexcept;
     bool run(std::size_t position) noexcept;
     void run(DomainRun &run) noexcept;

@@ -36,12 +36,12 @@ class VerletList {
     ///
     /// @param skin that of a new list
     /// @param near all particles with images within reach_of_recentered(), and maybe others
-    /// @return false if a new list is needed; then nothing changes
-    [[nodiscard]] bool recenter(std::size_t i, Configuration const &all, double skin,
-                                std::span<std::int32_t const> near) noexcept
+    /// @return a status, PW85_EINVAL if a new list is needed; on error nothing changes
+    int recenter(std::size_t i, Configuration const &all, double skin,
+                 std::span<std::int32_t const> near) noexcept
     {
-        return skin <= skin_ && boxes_.covers(all.centers[i]) &&
-               rows_.recenter(i, all, reach_, skin_, near);
+        if (!(skin <= skin_ && boxes_.covers(all.centers[i]))) return PW85_EINVAL;
+        return rows_.recenter(i, all, reach_, skin_, near);
     }
 
     /// Returns whether all particles are in their fixed boxes, and stay there if they move by
