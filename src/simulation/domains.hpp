@@ -130,7 +130,7 @@ class Domains {
     }
 
   private:
-    /// Some consecutive parts of a vector, which may go on from the last part to the first one.
+    /// Some consecutive parts of a vector, which may continue from the last part to the first one.
     struct Parts {
         std::uint32_t first, count;
     };

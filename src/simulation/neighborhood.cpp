@@ -17,7 +17,7 @@ namespace {
 /// Shorter lists are not worth the start of threads; more shares are not worth their memory.
 constexpr std::size_t pairs_per_share = 16384, most_shares = 16;
 
-/// Memory for the rows of recenter(): one word for so many words of the rows that are made. More
+/// Memory for the rows of recenter(): one word for eight words of the rows that are made. More
 /// would cost memory, and less another list after fewer sweeps.
 constexpr std::size_t words_per_spare = 8;
 

@@ -159,7 +159,7 @@ class Neighborhood {
     }
 
   private:
-    /// Where a row begins, its moved neighbours begin, and it ends.
+    /// Positions of the beginning of a row, of its moved neighbours, and of its end.
     struct RowEnds {
         std::size_t begin, others, end;
     };

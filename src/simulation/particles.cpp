@@ -21,8 +21,8 @@ bool grow(Array<T> &array, std::size_t n, std::size_t capacity, Array<T> &old) n
     return true;
 }
 
-/// How many particles before it is copied a particle is prefetched by commit(): the copies of that
-/// many take about as long as to load one.
+/// Number of particles by which commit() prefetches ahead: their copies take about as long as to
+/// load one.
 constexpr std::size_t prefetched = 16;
 
 } // namespace

@@ -4036,7 +4036,7 @@ pub fn closest_approach_batch_2d(
 /// # Errors
 ///
 /// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the errors
-/// cannot be bounded; seen only beyond aspect ratio 10⁶.
+/// cannot be bounded with 384 binary digits; not seen up to aspect ratio 2¹⁰⁰.
 ///
 /// # Examples
 ///
@@ -4736,7 +4736,7 @@ pub fn gap_inside_batch(
 /// # Errors
 ///
 /// A number is not finite or a form is not positive definite. `Status::NoConvergence`: the errors
-/// cannot be bounded; seen only beyond aspect ratio 10⁶.
+/// cannot be bounded with 384 binary digits; not seen up to aspect ratio 2¹⁰⁰.
 ///
 /// # Examples
 ///
