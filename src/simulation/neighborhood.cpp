@@ -95,7 +95,7 @@ constexpr Multiples no_image{{0, 0, 0}};
 /// Bounds the rounding errors of distances of boxes, over the magnitudes of their terms.
 constexpr double rounding_of_boxes = 0x1p-40;
 
-/// The largest difference of coordinates in the cell for which rounding finds the image: nearly 1/2.
+/// The largest difference of coordinates in the cell for which rounding finds the image.
 constexpr double largest_part = 0.49;
 
 /// The images of some pairs.
@@ -254,8 +254,8 @@ bool Neighborhood::set_cell(Cell const &cell) noexcept
 // Each particle is within H of the centre of its fixed box, and particle i is at that of the new
 // one. So the centres of the particles, mapped back, are at most 3 H apart. The inverse of I + K
 // lengthens a coordinate by at most 1 + 4 max|K_ed| if max|K_ed| is at most 1/12. The
-// coordinates in the cell of centres that are 2 H apart differ by less than 1/2, so only the nearest
-// image can meet.
+// coordinates in the cell of centres that are 2 H apart differ by less than 1/2, so only the
+// nearest image can meet.
 double Neighborhood::reach_of_recentered(double half_width) const noexcept
 {
     double const gradient = deformation_.largest_gradient();
