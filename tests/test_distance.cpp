@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests of distances, closest points and derivatives.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -448,6 +449,116 @@ PW85_TEST("/distance/extreme/shapes")
                        [&] { return hex_text(s); });
     }
 }
+
+/// Solves m x = b by elimination, for a positive definite matrix.
+template <class T, int D>
+pw85::Vector<T, D> eliminate(pw85::SymmetricMatrix<T, D> const &matrix, pw85::Vector<T, D> x)
+{
+    T m[std::size_t(D)][std::size_t(D)];
+    for (int i = 0; i < D; ++i)
+        for (int j = 0; j < D; ++j) m[i][j] = matrix(std::min(i, j), std::max(i, j));
+    for (int k = 0; k < D; ++k)
+        for (int i = k + 1; i < D; ++i) {
+            T const factor = m[i][k] / m[k][k];
+            for (int j = k; j < D; ++j) m[i][j] = m[i][j] - factor * m[k][j];
+            x[i] = x[i] - factor * x[k];
+        }
+    for (int k = D - 1; k >= 0; --k) {
+        for (int j = k + 1; j < D; ++j) x[k] = x[k] - m[k][j] * x[j];
+        x[k] = x[k] / m[k][k];
+    }
+    return x;
+}
+
+/// A lower and an upper bound of a distance, and Σ (sensitivity()).
+template <class T> struct Bracket {
+    T lower, upper, sigma;
+};
+
+template <class T, int D>
+pw85::Vector<T, D> times(pw85::SymmetricMatrix<T, D> const &q, pw85::Vector<T, D> const &x)
+{
+    pw85::Vector<T, D> y{};
+    for (int i = 0; i < D; ++i)
+        for (int j = 0; j < D; ++j) y[i] = y[i] + q(std::min(i, j), std::max(i, j)) * x[j];
+    return y;
+}
+
+/// Brackets the distance by the width of the slab along a vector and by the distance of the points
+/// that touch the slab. These are bounds for any vector. From a vector with the half-widths α and β
+/// follows the next one, (Q1 + α/β Q2 + αd I)⁻¹r.
+template <class T, int D> Bracket<T> bracket(Sample<T, D> const &p, pw85::Vector<T, D> normal)
+{
+    for (int steps = 0;; ++steps) {
+        normal = T(T(1) / norm(normal)) * normal;
+        auto const p1 = times(p.q1, normal), p2 = times(p.q2, normal);
+        T const a = sqrt(T(pw85::dot(normal, p1))), b = sqrt(T(pw85::dot(normal, p2)));
+        auto const between = difference(difference(p.r12, T(T(1) / a) * p1), T(T(1) / b) * p2);
+        T const lower = pw85::dot(normal, p.r12) - a - b, upper = norm(between);
+        T const sigma = sensitivity(p, normal);
+        if (upper - lower <= T(0x1p-5 * u) * sigma || steps == 100) return {lower, upper, sigma};
+        auto m = pw85::detail::blend(p.q1, T(a / b), p.q2);
+        for (int i = 0; i < D; ++i) m(i, i) = m(i, i) + pw85::detail::maximum(T(0), T(a * lower));
+        normal = eliminate(m, p.r12);
+    }
+}
+
+/// A form whose axes have lengths that differ by up to `binades` binades, along the coordinates or
+/// nearly so.
+template <int D> pw85::SymmetricMatrix<double, D> slender_form(Random &random, double binades)
+{
+    double factor[std::size_t(D)][std::size_t(D)] = {};
+    bool const aligned = random.sign() < 0.0;
+    for (int i = 0; i < D; ++i) factor[i][i] = std::exp2(random.uniform(-0.5, 0.5) * binades);
+    for (int i = 0; i < D && !aligned; ++i)
+        for (int j = i + 1; j < D; ++j) factor[i][j] = random.uniform(-0.5, 0.5) * factor[j][j];
+    pw85::SymmetricMatrix<double, D> q{};
+    for (int i = 0; i < D; ++i)
+        for (int j = i; j < D; ++j)
+            for (int k = 0; k <= i; ++k) q(i, j) += factor[k][i] * factor[k][j];
+    return q;
+}
+
+// Aspect ratios from 10⁸ to 2¹⁰⁰, and gaps from 10⁻¹² of the lengths on. Beyond some 10¹¹ even
+// twice the digits are not enough.
+template <int D> void test_immense_aspects()
+{
+    using Truth = Multiprecision<100>;
+    Failures failures;
+    Random random(385 + D);
+    for (int n = 0; n < draws(400); ++n) {
+        double const binades = random.uniform(27.0, 100.0);
+        Sample<double, D> s{random.direction<D>(), slender_form<D>(random, binades),
+                            slender_form<D>(random, binades)};
+        for (int i = 0; i < D; ++i) s.r12[i] *= std::sqrt(s.q1(i, i)) + std::sqrt(s.q2(i, i));
+        auto const contact = pw85::contact(s.r12, s.q1, s.q2);
+        if (contact.status != pw85::Status::success) continue;
+        s.r12 = std::sqrt((1.0 + random.log_uniform(1e-12, 1e2)) / contact.mu2) * s.r12;
+        auto const d = c_distance(s);
+        auto const text = [&] { return hex_text(s); };
+        auto const check = [&](Truth const &error, Truth const &bound, char const *what) {
+            failures.check(error <= bound, what, static_cast<double>(error),
+                           static_cast<double>(bound), text);
+        };
+        failures.check(d.status == pw85::Status::success, "status", static_cast<int>(d.status), 0,
+                       text);
+        if (d.distance == 0.0 || d.status != pw85::Status::success) continue;
+        auto const p = convert<Truth>(s);
+        auto const from1 = convert<Truth>(d.point1),
+                   from2 = difference(convert<Truth>(d.point2), p.r12);
+        auto const found = bracket(p, convert<Truth>(distance(convert<Wide>(s)).normal));
+        check(found.upper - found.lower, 0x1p-5 * u * found.sigma, "truth");
+        Truth const above = found.upper - d.distance, below = d.distance - found.lower;
+        check(pw85::detail::maximum(above, below), 8 * u * found.sigma, "distance");
+        Truth const length = norm(p.r12) + norm(from1) + norm(from2);
+        auto const joint = difference(convert<Truth>(d.point2), from1);
+        check(pw85::detail::absolute(Truth(norm(joint) - d.distance)), 0x1p18 * u * length,
+              "distance of the points");
+    }
+}
+
+PW85_TEST("/distance/extreme/immense_aspects") { test_immense_aspects<3>(); }
+PW85_TEST("/distance/extreme/immense_aspects_2d") { test_immense_aspects<2>(); }
 
 template <class T> void check_scalar(Failures &failures, Random &random)
 {

@@ -34,6 +34,13 @@ class Deformation {
     /// common point if any two of them have one.
     Box shared_motions(Extent const &now, Extent const &then) const noexcept;
 
+    /// Returns the box of a particle in the cell for which the list was made: the centre c'_i (I +
+    /// K) and the half-widths g.
+    Extent taken_back(Extent const &now) const noexcept;
+
+    /// Returns the largest |K_ed|.
+    double largest_gradient() const noexcept;
+
   private:
     /// Adds the error that the rounding of K causes for one periodic vector, as it is now and as it
     /// was then: a_l = a'_l (I + K) + ρ_l, and r has Σ n_l ρ_l in addition. Here n_l is the product
@@ -41,6 +48,9 @@ class Deformation {
     /// of D_l. Let |x| be the sum of the magnitudes of x. So s_id must shrink by (|c'_i| + |h'_i|)
     /// Σ_l |D_l| |ρ_ld|.
     void add_error(double dual_bound, double const *now, double const *then) noexcept;
+
+    /// Returns g_d for half-widths h'.
+    double half_width(int d, Vector<double, 3> const &now) const noexcept;
 
     double gradient_[3][3] = {}; ///< K
     double error_[3] = {};       ///< s_d shrinks by this times |c'| + |h'|

@@ -25,6 +25,8 @@ int Bins::prepare(Configuration const &configuration, double side, std::size_t m
     neighbors::Periodicity periodicity;
     if (!cell_.find_lattice(periodicity)) return PW85_EINVAL;
     std::size_t const n = configuration.size();
+    if (double const longest = std::max(n > 0 ? side : 0.0, largest_of_cell()); longest > 0.0)
+        per_unit_ = unit_of(longest).to_local(1.0);
     for (int k = 0; k < 3; ++k)
         dual_[k] =
             periodicity.is_periodic(k) ? periodicity.dual_of_cell(k) : Vector3{0.0, 0.0, 0.0};
@@ -35,11 +37,23 @@ int Bins::prepare(Configuration const &configuration, double side, std::size_t m
         !sort(configuration, num_bins) || !order_.resize(n + more))
         return PW85_ENOMEM;
     clear(num_bins);
-    if (!fill(configuration)) return PW85_EINVAL;
+    if (!fill(configuration))
+        return note_cause(PW85_EINVAL, nullptr,
+                          "centers must be below 2¹²⁷ times the longest semi-axis or vector of the "
+                          "cell");
     if (spanned_bins() <= most_spanned_bins) return PW85_SUCCESS;
     return note_cause(PW85_EINVAL, nullptr,
                       "the cell must not be so skewed or so small that a particle spans more than "
                       "2²⁰ bins of it");
+}
+
+/// Returns the largest coordinate of the periodic vectors; 0 without a cell.
+double Bins::largest_of_cell() const noexcept
+{
+    double largest = 0.0;
+    for (int k = 0; k < 3 && cell_.exists; ++k)
+        if (cell_.periodic[k]) largest = std::max(largest, largest_coordinate(cell_.vector(k)));
+    return largest;
 }
 
 /// Divides the vectors of the cell into parts not much smaller than `side`, but into no more than
@@ -130,7 +144,7 @@ bool Bins::fill(Configuration const &configuration) noexcept
         std::size_t const number = number_in_configuration(i);
         insert(i, configuration.centers[number], configuration.half_widths[number]);
     }
-    for (double const x : cell_.vectors) widen_margin(cell_.exists ? 2.0 * std::abs(x) : 0.0);
+    widen_margin(2.0 * per_unit_ * largest_of_cell());
     return margin_ < std::numeric_limits<float>::infinity();
 }
 
@@ -139,7 +153,7 @@ void Bins::insert(std::size_t i, Vector3 const &center, Vector3 const &half_widt
     Box box;
     std::int32_t const bin = locate(center, places_[i].cell, box);
     for (int d = 0; d < 3; ++d) {
-        box.half_widths[d] = static_cast<float>(half_widths[d]);
+        box.half_widths[d] = to_local(half_widths[d]);
         largest_[d] = std::max(largest_[d], half_widths[d]);
     }
     insert(i, bin, box);
@@ -160,15 +174,15 @@ void Bins::add(std::size_t i, std::size_t in_configuration, Vector3 const &cente
 void Bins::widen_margin(double magnitude) noexcept
 {
     farthest_ = std::max(farthest_, magnitude);
-    margin_ = static_cast<float>(0x1p-20 * (farthest_ + largest_coordinate(largest_)));
+    margin_ = static_cast<float>(0x1p-20 * (farthest_ + per_unit_ * largest_coordinate(largest_)));
 }
 
 /// Returns the largest magnitude that the margin must cover for a particle. One such magnitude is
 /// 2⁻²⁸ times the centre before it is moved into the cell, because its coordinates are rounded as
 /// doubles.
-double Bins::magnitude_of(Vector3 const &center, Box const &box) noexcept
+double Bins::magnitude_of(Vector3 const &center, Box const &box) const noexcept
 {
-    double largest = 0x1p-28 * largest_coordinate(center);
+    double largest = 0x1p-28 * (per_unit_ * largest_coordinate(center));
     for (float const x : box.center) largest = std::max(largest, std::abs(double{x}));
     return largest;
 }
@@ -182,7 +196,7 @@ std::int32_t Bins::locate(Vector3 const &center, Multiples &home, Box &box) cons
         part[k] = std::min(parts_[k] - 1, static_cast<std::int32_t>((x - cell) * parts_[k]));
     }
     Vector3 const inside = center - cell_.translation(home);
-    for (int d = 0; d < 3; ++d) box.center[d] = static_cast<float>(inside[d]);
+    for (int d = 0; d < 3; ++d) box.center[d] = to_local(inside[d]);
     return static_cast<std::int32_t>(bin_of(part[0], part[1], part[2]));
 }
 

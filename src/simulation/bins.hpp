@@ -7,6 +7,9 @@
 /// Vector k of the cell is divided into equal parts if it is periodic. A bin is a parallelepiped of
 /// parts. It has the particles whose centres are in it, after they are moved into the cell, in
 /// blocks of four. All its blocks but the first one are full.
+///
+/// Boxes are in single precision. Their unit is a power of two near the longest length of the
+/// particles and the cell, so they are in range in any units of the caller.
 #ifndef PW85_SIMULATION_BINS_HPP_INCLUDED
 #define PW85_SIMULATION_BINS_HPP_INCLUDED
 
@@ -63,7 +66,7 @@ class Bins {
         Multiples home;
         for (int k = 0; k < 3; ++k) home.n[k] = find_range(k, center, half_widths, first[k]);
         Query query{{}, {}, {}};
-        for (int d = 0; d < 3; ++d) query.reach[d] += static_cast<float>(half_widths[d]) + margin_;
+        for (int d = 0; d < 3; ++d) query.reach[d] += to_local(half_widths[d]) + margin_;
         Vector3 const from = center - cell_.translation(home);
         auto const &[x, y, z] = first;
         for (Part a = x; a.left > 0; next(0, a, 1))
@@ -71,8 +74,7 @@ class Bins {
                 for (Part c = z; c.left > 0;) {
                     Multiples const cell{{a.cell, b.cell, c.cell}};
                     Vector3 const shift = cell_.translation(cell) - from;
-                    for (int d = 0; d < 3; ++d)
-                        query.shift[d] = Float4{} + static_cast<float>(shift[d]);
+                    for (int d = 0; d < 3; ++d) query.shift[d] = Float4{} + to_local(shift[d]);
                     for (int k = 0; k < 3; ++k) query.cell.n[k] = cell.n[k] + home.n[k];
                     std::int32_t const count = std::min(c.left, parts_[2] - c.number);
                     std::size_t const bin = bin_of(a.number, b.number, c.number);
@@ -100,7 +102,13 @@ class Bins {
     typedef float Float4 __attribute__((vector_size(16)));
     typedef std::int32_t Int4 __attribute__((vector_size(16)));
 
-    /// The box of a particle, moved into the cell.
+    /// Converts a length to the unit of boxes.
+    [[gnu::always_inline]] float to_local(double length) const noexcept
+    {
+        return static_cast<float>(per_unit_ * length);
+    }
+
+    /// The box of a particle, moved into the cell, in the unit of boxes.
     struct Box {
         float center[3], half_widths[3];
     };
@@ -190,8 +198,9 @@ class Bins {
     bool sort(Configuration const &configuration, std::size_t num_bins) noexcept;
     bool fill(Configuration const &configuration) noexcept;
     void divide(double side, double most) noexcept;
+    double largest_of_cell() const noexcept;
     double spanned_bins() const noexcept;
-    static double magnitude_of(Vector3 const &center, Box const &box) noexcept;
+    double magnitude_of(Vector3 const &center, Box const &box) const noexcept;
     void widen_margin(double magnitude) noexcept;
     void set(Place const &place, std::int32_t particle, Box const &box) noexcept;
     Box get(Place const &place) const noexcept;
@@ -203,10 +212,11 @@ class Bins {
     Block &block(std::int32_t number) noexcept { return blocks_[static_cast<std::size_t>(number)]; }
 
     Cell cell_{};
+    double per_unit_ = 1.0; ///< of boxes
     std::int32_t parts_[3] = {1, 1, 1};
     Vector3 dual_[3] = {};
     Vector3 largest_ = {};  ///< of the half-widths of all boxes
-    double farthest_ = 0.0; ///< the magnitudes that the margin covers
+    double farthest_ = 0.0; ///< the magnitudes that the margin covers, in the unit of boxes
     /// of the comparisons, for rounding errors (widen_margin())
     float margin_ = 0.0F;
     std::int32_t unused_ = -1; ///< the first block that is not in use

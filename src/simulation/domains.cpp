@@ -12,6 +12,9 @@ namespace {
 /// trials leave them, but the threads have less to share.
 constexpr double particles_per_domain = 32.0;
 
+/// Bounds the rounding errors of a coordinate in the cell, over that coordinate.
+constexpr double rounding_of_parts = 0x1p-40;
+
 /// Returns the largest number of parts of a vector if all vectors have the same number.
 double most_parts_of(std::size_t num_particles, int dimensions) noexcept
 {
@@ -73,6 +76,39 @@ Label Domains::domain(std::uint32_t color, std::uint32_t place) const noexcept
         if (is_divided(k)) color >>= 1;
     }
     return Label(part);
+}
+
+/// Returns the parts of vector k that have the centres within `range` of a centre along each axis.
+Domains::Parts Domains::parts_near(int k, Vector3 const &center, double range) const noexcept
+{
+    double const x = dot(dual_[k], center) + origin_[k], all = parts_[k];
+    double const reach =
+        sum_of_magnitudes(dual_[k]) * range + rounding_of_parts * (1.0 + absolute(x));
+    double const first = std::floor((x - reach) * all),
+                 count = std::floor((x + reach) * all) - first + 1.0;
+    if (!(count < all)) return {0, parts_[k]};
+    return {static_cast<std::uint32_t>(first - all * std::floor(first / all)) % parts_[k],
+            static_cast<std::uint32_t>(count)};
+}
+
+bool Domains::list_near(Vector3 const &center, double range,
+                        List<std::int32_t> &found) const noexcept
+{
+    Parts parts[3];
+    for (int k = 0; k < 3; ++k) parts[k] = parts_near(k, center, range);
+    std::uint32_t const count = parts[0].count * parts[1].count * parts[2].count;
+    found.clear();
+    for (std::uint32_t step = 0; step < count; ++step) {
+        std::uint32_t part[3], rest = step;
+        for (int k = 0; k < 3; ++k) {
+            part[k] = (parts[k].first + rest % parts[k].count) % parts_[k];
+            rest /= parts[k].count;
+        }
+        auto const places = members(Label(part));
+        if (!found.reserve(found.size() + places.size())) return false;
+        for (std::int32_t const place : places) found.push(place);
+    }
+    return true;
 }
 
 void Domains::mark_readable(Label label, std::uint8_t mark, std::uint8_t *marks) const noexcept

@@ -23,6 +23,7 @@
 
 #include <pw85/algebra/philox.hpp>
 
+#include "../base/list.hpp"
 #include "configuration.hpp"
 
 namespace pw85::detail::simulation {
@@ -102,6 +103,11 @@ class Domains {
         return {members_.data() + begin, begin_[number(label) + 1] - begin};
     }
 
+    /// Lists the places of the particles of which an image may be within `range` of a centre along
+    /// each axis, and of others. Returns false if there is no memory.
+    [[nodiscard]] bool list_near(Vector3 const &center, double range,
+                                 List<std::int32_t> &found) const noexcept;
+
     /// Sets the marks of a domain and of those next to it.
     void mark_readable(Label label, std::uint8_t mark, std::uint8_t *marks) const noexcept;
 
@@ -124,6 +130,12 @@ class Domains {
     }
 
   private:
+    /// Some consecutive parts of a vector, which may continue from the last part to the first one.
+    struct Parts {
+        std::uint32_t first, count;
+    };
+
+    Parts parts_near(int k, Vector3 const &center, double range) const noexcept;
     bool is_divided(int k) const noexcept { return parts_[k] > 1; }
     bool assign(Configuration const &configuration, std::span<std::int32_t const> places) noexcept;
 

@@ -9,7 +9,8 @@
 /// errs by less than v (S + h), with v = 2⁻²⁴. The bounds of the other box err as much, as much
 /// again by their margin, and by 3 v (S + h) by a translation. The sum is less than 8 v (S + h),
 /// and less than 12 v S because S is at least 2 h. The margin is 2⁻¹⁸ S. That is five times as
-/// much, because particles move farther than S says if the cell has grown since the rows were made.
+/// much, because particles move farther than S says if the cell has grown since the rows were made,
+/// or if their fixed boxes were moved: then up to 2 S (covers()).
 #ifndef PW85_SIMULATION_FLOAT_BOXES_HPP_INCLUDED
 #define PW85_SIMULATION_FLOAT_BOXES_HPP_INCLUDED
 
@@ -86,8 +87,16 @@ class FloatBoxes {
             translations_[k] = rounded(per_unit_ * translation);
             farthest = std::max(farthest, largest_coordinate(translation));
         }
+        farthest_center_ = 2.0 * farthest - displacement;
         auto const margin = static_cast<float>(0x1p-18 * (farthest * per_unit_));
         margin_ = Float4{margin, margin, margin, 0.0F};
+    }
+
+    /// Returns whether the margin holds for a particle that moves away from this centre by at most
+    /// the displacement of refresh().
+    bool covers(Vector3 const &center) const noexcept
+    {
+        return largest_coordinate(center - origin_) <= farthest_center_;
     }
 
     /// Takes note of the present centre and half-widths of particle i.
@@ -148,7 +157,7 @@ class FloatBoxes {
     Array<Float4> translations_;
     Float4 margin_{};
     Vector3 origin_{};
-    double per_unit_ = 1.0, per_half_width_ = 1.0;
+    double per_unit_ = 1.0, per_half_width_ = 1.0, farthest_center_ = 0.0;
 };
 
 } // namespace pw85::detail::simulation

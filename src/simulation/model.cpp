@@ -9,9 +9,8 @@ namespace pw85::detail::simulation {
 namespace {
 
 /// The skin over the longest semi-axis takes the least time at packing fraction 0.4 and aspect
-/// ratio 3 if it is this up to 1e4 particles and grows with the logarithm of their number beyond:
-/// the more particles, the sooner one of them has left its fixed box.
-constexpr double relative_skin = 0.75, growth_of_skin = 0.12, few_particles = 1e4;
+/// ratio 3.
+constexpr double relative_skin = 0.6;
 
 } // namespace
 
@@ -43,8 +42,7 @@ double Model::skin() const noexcept
     double step = step_of(parameters.translation, parameters.rotation);
     for (SpeciesSteps const &one : std::span(parameters.species.data(), parameters.species.size()))
         step = std::max(step, step_of(one.translation, one.rotation));
-    double const many = std::max(1.0, static_cast<double>(particles.copy().size()) / few_particles);
-    double const usual = (relative_skin + growth_of_skin * std::log(many)) * sizes.longest;
+    double const usual = relative_skin * sizes.longest;
     return std::max({usual, 3.0 * step,
                      parameters.fractions[exchange] > 0.0 ? 2.125 * sizes.spread * reach : 0.0});
 }

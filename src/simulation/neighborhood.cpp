@@ -17,6 +17,10 @@ namespace {
 /// Shorter lists are not worth the start of threads; more shares are not worth their memory.
 constexpr std::size_t pairs_per_share = 16384, most_shares = 16;
 
+/// Memory for the rows of recenter(): one word for eight words of the rows that are made. More
+/// would cost memory, and less another list after fewer sweeps.
+constexpr std::size_t words_per_spare = 8;
+
 bool is_same(Multiples const &x, Multiples const &y) noexcept
 {
     // memcmp() would take 5 % of a sweep
@@ -88,13 +92,11 @@ class ImageTable {
 
 constexpr Multiples no_image{{0, 0, 0}};
 
-/// Positions of the next neighbours of a particle in its list, for those that are not moved and
-/// those that are; in the first pass, their numbers.
-struct Places {
-    std::size_t of[2] = {};
+/// Bounds the rounding errors of distances of boxes, over the magnitudes of their terms.
+constexpr double rounding_of_boxes = 0x1p-40;
 
-    void count(bool is_moved) noexcept { of[is_moved] += is_moved ? 2 : 1; }
-};
+/// The largest difference of coordinates in the cell for which rounding finds the image.
+constexpr double largest_part = 0.49;
 
 /// The images of some pairs.
 struct ImagesOfShare {
@@ -122,19 +124,12 @@ bool number_images(std::span<ImagesOfShare const> shares, ImageTable &table) noe
     return table.finish();
 }
 
-/// Replaces the numbers of neighbours, by share and particle, by the positions of the first ones.
-/// Returns the size of all rows.
-std::size_t begin_rows(std::size_t n, std::size_t num_shares, Places *next,
-                       std::size_t *begin) noexcept
+/// Enlarges the half-widths of a box by half of the skin.
+void enlarge(Vector3 &half_widths, double skin, int dimensions) noexcept
 {
-    std::size_t sum = 0;
-    for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t part = 0; part < 2; ++part) {
-            begin[2 * i + part] = sum;
-            for (std::size_t share = 0; share < num_shares; ++share)
-                sum += std::exchange(next[share * n + i].of[part], sum);
-        }
-    return begin[2 * n] = sum;
+    for (int d = 0; d < 3; ++d) half_widths[d] += 0.5 * skin;
+    // All particles of a plane are at the same height: rows do not depend on their boxes along z.
+    if (dimensions == 2) half_widths[2] = HUGE_VAL;
 }
 
 } // namespace
@@ -154,6 +149,10 @@ int Neighborhood::rebuild_list(Configuration const &configuration, double reach,
     neighbors::BoundedList list;
     if (int const status = list.make(configuration.system(), reach, skin)) return status;
     std::copy_n(configuration.cell.vectors, 9, cell_);
+    neighbors::Periodicity lattice;
+    if (!configuration.cell.find_lattice(lattice)) return PW85_EINVAL;
+    for (int k = 0; k < 3; ++k)
+        dual_[k] = lattice.is_periodic(k) ? lattice.dual_of_cell(k) : Vector3{0.0, 0.0, 0.0};
     if (!store_extents(configuration, reach, skin) ||
         !fill_rows(configuration.size(), list.pairs()) || !translations_.resize(images_.size()))
         return PW85_ENOMEM;
@@ -168,10 +167,7 @@ bool Neighborhood::store_extents(Configuration const &configuration, double reac
     return for_all(n, [&](Range range) {
                for (std::size_t i = range.begin; i < range.end; ++i) {
                    Vector3 half_widths = reach * configuration.half_widths[i];
-                   for (int d = 0; d < 3; ++d) half_widths[d] += 0.5 * skin;
-                   // All particles of a plane are at the same height: rows do not depend on their
-                   // boxes along z.
-                   if (configuration.dimensions == 2) half_widths[2] = HUGE_VAL;
+                   enlarge(half_widths, skin, configuration.dimensions);
                    extents_[i] = {configuration.centers[i], half_widths};
                }
                return Failure{0, PW85_SUCCESS};
@@ -186,7 +182,7 @@ bool Neighborhood::fill_rows(std::size_t n, pw85_pair_list const &list) noexcept
     std::size_t const num_shares =
         list.num_pairs < pairs_per_share ? 1 : std::min(most_threads(), most_shares);
     Array<Places> next; // by share and particle
-    if (!next.resize(num_shares * n) || !begin_.resize(2 * n + 1)) return false;
+    if (!next.resize(num_shares * n) || !ends_.resize(n)) return false;
     auto const for_shares = [&](auto const &visit) {
         for_tasks(num_shares, num_shares > 1, [&](std::size_t share) {
             std::size_t const end = list.num_pairs * (share + 1) / num_shares;
@@ -204,7 +200,8 @@ bool Neighborhood::fill_rows(std::size_t n, pw85_pair_list const &list) noexcept
     });
     ImageTable table(images_);
     if (!number_images({of_shares, num_shares}, table)) return false;
-    if (!rows_.resize(begin_rows(n, num_shares, next.data(), begin_.data()))) return false;
+    used_ = begin_rows(n, num_shares, next.data());
+    if (!rows_.resize(used_ + used_ / words_per_spare)) return false;
     for_shares([&](std::size_t share, Multiples const &image, std::int32_t i, std::int32_t j) {
         Places *const places = next.data() + share * n;
         if (is_same(image, no_image)) {
@@ -216,6 +213,25 @@ bool Neighborhood::fill_rows(std::size_t n, pw85_pair_list const &list) noexcept
         }
     });
     return true;
+}
+
+/// Replaces the numbers of neighbours, by share and particle, by the positions of the first ones.
+/// Returns the size of all rows.
+std::size_t Neighborhood::begin_rows(std::size_t n, std::size_t num_shares, Places *next) noexcept
+{
+    std::size_t sum = 0;
+    auto const begin_part = [&](std::size_t i, std::size_t part) {
+        std::size_t const begin = sum;
+        for (std::size_t share = 0; share < num_shares; ++share)
+            sum += std::exchange(next[share * n + i].of[part], sum);
+        return begin;
+    };
+    for (std::size_t i = 0; i < n; ++i) {
+        ends_[i].begin = begin_part(i, 0);
+        ends_[i].others = begin_part(i, 1);
+        ends_[i].end = sum;
+    }
+    return sum;
 }
 
 void Neighborhood::put(std::size_t &place, Neighbor const &moved) noexcept
@@ -232,6 +248,144 @@ bool Neighborhood::set_cell(Cell const &cell) noexcept
     for (std::size_t k = 0; k < images_.size(); ++k)
         translations_[k] = cell.translation(images_[k]);
     return true;
+}
+
+// Two fixed boxes, with half-widths H, meet if the centres are at most 2 H apart along each axis.
+// Each particle is within H of the centre of its fixed box, and particle i is at that of the new
+// one. So the centres of the particles, mapped back, are at most 3 H apart. The inverse of I + K
+// lengthens a coordinate by at most 1 + 4 max|K_ed| if max|K_ed| is at most 1/12. The
+// coordinates in the cell of centres that are 2 H apart differ by less than 1/2, so only the
+// nearest image can meet.
+double Neighborhood::reach_of_recentered(double half_width) const noexcept
+{
+    double const gradient = deformation_.largest_gradient();
+    bool is_unique = gradient <= 1.0 / 12.0;
+    for (Vector3 const &dual : dual_)
+        is_unique = is_unique && 2.0 * half_width * sum_of_magnitudes(dual) < largest_part;
+    return is_unique ? 3.0 * half_width * (1.0 + 4.0 * gradient) : HUGE_VAL;
+}
+
+/// Returns the image of `to` whose coordinates in the cell are nearest to those of `from`.
+Multiples Neighborhood::nearest_image(Vector3 const &from, Vector3 const &to) const noexcept
+{
+    Multiples image;
+    for (int k = 0; k < 3; ++k)
+        image.n[k] = static_cast<std::int32_t>(std::floor(dot(dual_[k], from - to) + 0.5));
+    return image;
+}
+
+std::size_t Neighborhood::room() const noexcept
+{
+    // About a third of the images are new. Each makes a row of mean length longer.
+    std::size_t const mean = used_ / std::max<std::size_t>(1, size()) + 1;
+    return 3 * (rows_.size() - used_) / (mean * mean);
+}
+
+int Neighborhood::recenter(std::size_t i, Configuration const &configuration, double reach,
+                           double skin, std::span<std::int32_t const> near) noexcept
+{
+    neighbors::Extent box =
+        deformation_.taken_back({configuration.centers[i], reach * configuration.half_widths[i]});
+    enlarge(box.half_widths, skin, configuration.dimensions);
+    std::size_t size = 0;
+    if (int const status = find_meetings(i, box, near, size)) return status;
+    if (size > rows_.size() - used_) return PW85_EINVAL;
+    extents_[i] = box;
+    RowEnds &own = ends_[i];
+    own.begin = used_;
+    for (Meeting const &one : meetings_)
+        if (one.image.image == 0) rows_[used_++] = one.image.index;
+    own.others = used_;
+    for (Meeting const &one : meetings_)
+        if (one.image.image != 0) put(used_, one.image);
+    own.end = used_;
+    for (Meeting const &one : meetings_)
+        if (one.is_new)
+            append(static_cast<std::size_t>(one.image.index),
+                   {static_cast<std::int32_t>(i), one.back});
+    return PW85_SUCCESS;
+}
+
+/// Lists the images that a fixed box meets, and finds the memory that their rows need. Returns a
+/// status, PW85_EINVAL if an image is not in the table.
+int Neighborhood::find_meetings(std::size_t i, neighbors::Extent const &box,
+                                std::span<std::int32_t const> near, std::size_t &size) noexcept
+{
+    meetings_.clear();
+    if (!meetings_.reserve(near.size())) return PW85_ENOMEM;
+    for (std::int32_t const place : near) {
+        auto const j = static_cast<std::size_t>(place);
+        Multiples const multiples = nearest_image(box.center, extents_[j].center);
+        if (j == i || !meets(box, j, multiples)) continue;
+        std::int32_t const image = number_of(multiples), back = number_of(negative(multiples));
+        if (image < 0 || back < 0) return PW85_EINVAL;
+        bool const is_new = !has(j, {static_cast<std::int32_t>(i), back});
+        meetings_.push({{place, image}, back, is_new});
+        size += 2 + (is_new ? ends_[j].end - ends_[j].begin + 2 : 0);
+    }
+    return PW85_SUCCESS;
+}
+
+/// Returns whether a fixed box meets the fixed box of an image of particle j, up to rounding.
+bool Neighborhood::meets(neighbors::Extent const &box, std::size_t j,
+                         Multiples const &image) const noexcept
+{
+    neighbors::Extent const &other = extents_[j];
+    bool meets = true;
+    for (int d = 0; d < 3; ++d) {
+        double apart = other.center[d] - box.center[d],
+               size = absolute(other.center[d]) + absolute(box.center[d]);
+        for (int k = 0; k < 3; ++k) {
+            if (image.n[k] == 0) continue; // other vectors need not be finite
+            double const part = image.n[k] * cell_[3 * k + d];
+            apart += part;
+            size += absolute(part);
+        }
+        meets &=
+            absolute(apart) <= box.half_widths[d] + other.half_widths[d] + rounding_of_boxes * size;
+    }
+    return meets;
+}
+
+/// Returns the number of an image; -1 if it has none.
+std::int32_t Neighborhood::number_of(Multiples const &image) const noexcept
+{
+    for (std::size_t k = 0; k < images_.size(); ++k)
+        if (is_same(images_[k], image)) return static_cast<std::int32_t>(k);
+    return -1;
+}
+
+/// Returns whether an image is in the row of particle i.
+bool Neighborhood::has(std::size_t i, Neighbor const &image) const noexcept
+{
+    Row const own = row(i);
+    if (image.image == 0) {
+        auto const unmoved = own.unmoved();
+        return std::find(unmoved.begin(), unmoved.end(), image.index) != unmoved.end();
+    }
+    bool found = false;
+    for (std::size_t k = 0; k < own.num_moved(); ++k) {
+        Neighbor const other = own.moved(k);
+        found |= other.index == image.index && other.image == image.image;
+    }
+    return found;
+}
+
+/// Moves the row of particle i behind all others, with one more image.
+void Neighborhood::append(std::size_t i, Neighbor const &image) noexcept
+{
+    RowEnds const old = std::exchange(ends_[i], {used_, 0, 0});
+    std::int32_t const *const all = rows_.data();
+    auto const copy = [&](std::size_t begin, std::size_t end) {
+        std::copy(all + begin, all + end, rows_.data() + used_);
+        used_ += end - begin;
+    };
+    copy(old.begin, old.others);
+    if (image.image == 0) rows_[used_++] = image.index;
+    ends_[i].others = used_;
+    copy(old.others, old.end);
+    if (image.image != 0) put(used_, image);
+    ends_[i].end = used_;
 }
 
 } // namespace pw85::detail::simulation

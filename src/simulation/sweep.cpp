@@ -11,9 +11,9 @@ namespace {
 /// The task whose random numbers belong to a whole sweep. No domain has this number.
 constexpr std::uint32_t whole_sweep = UINT32_MAX;
 
-/// The Verlet list is rebuilt before a sweep if the clearance of a particle in its fixed box is
+/// The fixed box of a particle is moved before a sweep if the clearance of the particle in it is
 /// less than this part of the skin. Otherwise a particle would often leave its fixed box during the
-/// sweep, and other threads would wait for the new Verlet list. At packing fraction 0.4, aspect
+/// sweep, and other threads would wait for the Verlet list. At packing fraction 0.4, aspect
 /// ratio 3 and with 1e4 particles, 0.02 takes a twentieth less time with one thread, but a fifth
 /// more with two. Larger values rebuild the list more often: 0.1 takes some 7 % more instructions
 /// for each trial, and 0.25 nearly twice as many.
@@ -56,6 +56,7 @@ int Sweeps::run() noexcept
     Counts const before = model_.parameters.counts;
     if (int const status = prepare_list()) return status;
     if (int const status = prepare_domains()) return status;
+    if (int const status = recenter_all({loose_.data(), num_loose_})) return status;
     int const status = run_all();
     if (status == PW85_SUCCESS) ++model_.parameters.step;
     if (status != PW85_EPOTENTIAL) return status;
@@ -67,10 +68,71 @@ int Sweeps::run() noexcept
 int Sweeps::prepare_list() noexcept
 {
     Particles &particles = model_.particles;
-    if (model_.list.holds_all(particles.copy(), least_room * model_.skin())) return PW85_SUCCESS;
+    double const room = least_room * model_.skin();
+    bool are_few = false;
+    if (int const status = find_loose(room, are_few)) return status;
+    if (are_few) return PW85_SUCCESS;
+    num_loose_ = 0;
     if (++num_rebuilds_ % rebuilds_per_order == 0)
         if (int const status = particles.reorder()) return status;
     return model_.rebuild_list();
+}
+
+/// Lists the particles with less room in their fixed boxes, if they are few enough to move their
+/// boxes alone. Returns a status.
+int Sweeps::find_loose(double room, bool &are_few) noexcept
+{
+    Configuration const &all = model_.particles.copy();
+    num_loose_ = 0;
+    are_few = model_.list.holds_all(all, room);
+    if (are_few) return PW85_SUCCESS;
+    if (!loose_.resize(model_.list.rows().room())) return PW85_ENOMEM;
+    std::atomic<std::size_t> count{0};
+    for_all(all.size(), [&](Range range) {
+        for (std::size_t i = range.begin; i < range.end; ++i) {
+            if (model_.list.holds(i, all, room)) continue;
+            std::size_t const k = count.fetch_add(1, std::memory_order_relaxed);
+            if (k < loose_.size()) loose_[k] = static_cast<std::int32_t>(i);
+        }
+        return Failure{0, PW85_SUCCESS};
+    });
+    num_loose_ = count.load();
+    are_few = num_loose_ <= loose_.size();
+    return PW85_SUCCESS;
+}
+
+/// Centres the fixed boxes of some particles, or makes another list. Returns a status.
+int Sweeps::recenter_all(std::span<std::int32_t const> places) noexcept
+{
+    for (std::int32_t const place : places) {
+        int const status = recenter(place);
+        if (status == PW85_EINVAL) return model_.rebuild_list();
+        if (status != PW85_SUCCESS) return status;
+    }
+    return PW85_SUCCESS;
+}
+
+/// Centres the fixed boxes of the particles whose trials would leave them. Returns a status.
+int Sweeps::recenter_unlisted() noexcept
+{
+    std::size_t count = 0;
+    if (!loose_.resize(2 * progress_.size())) return PW85_ENOMEM;
+    for (Progress &progress : std::span(progress_.data(), progress_.size()))
+        for (std::int32_t &place : progress.unlisted)
+            if (std::int32_t const one = std::exchange(place, -1); one >= 0) loose_[count++] = one;
+    return recenter_all({loose_.data(), count});
+}
+
+/// Centres the fixed box of a particle at its present position. Returns a status, PW85_EINVAL if
+/// the Verlet list must be rebuilt.
+int Sweeps::recenter(std::int32_t place) noexcept
+{
+    auto const i = static_cast<std::size_t>(place);
+    Configuration const &all = model_.particles.copy();
+    double const reach = model_.list.reach_of_recentered();
+    if (!(reach < HUGE_VAL)) return PW85_EINVAL;
+    if (!domains_.list_near(all.centers[i], reach, near_)) return PW85_ENOMEM;
+    return model_.list.recenter(i, all, model_.skin(), {near_.begin(), near_.size()});
 }
 
 /// Divides the cell, and draws the order of the domains.
@@ -89,7 +151,8 @@ int Sweeps::prepare_domains() noexcept
         Label const domain = scheduler_.domain(k);
         progress_[k] = {
             Stream(model_.parameters.seed, model_.parameters.step, domains_.number(domain)),
-            static_cast<std::uint32_t>(domains_.members(domain).size())};
+            static_cast<std::uint32_t>(domains_.members(domain).size()),
+            {-1, -1}};
     }
     std::fill_n(marks_.data(), marks_.size(), std::uint8_t{0});
     return PW85_SUCCESS;
@@ -101,7 +164,7 @@ int Sweeps::run_all() noexcept
     has_failed_.store(false, std::memory_order_relaxed);
     while (!scheduler_.for_all(domains_, [&](std::size_t k) { return run(k); })) {
         if (has_failed_.load(std::memory_order_relaxed)) return PW85_EPOTENTIAL;
-        if (int const status = model_.rebuild_list()) return status;
+        if (int const status = recenter_unlisted()) return status;
     }
     return PW85_SUCCESS;
 }
@@ -158,15 +221,16 @@ void Sweeps::run(DomainRun &run) noexcept
         }
         Stream const before = stream;
         Move const move = choose(stream);
-        std::size_t const i = draw();
-        Outcome const outcome =
-            move == exchange ? try_exchange(i, draw(), run) : try_move(move, i, run);
+        std::size_t const i = draw(), j = move == exchange ? draw() : i;
+        Outcome const outcome = move == exchange ? try_exchange(i, j, run) : try_move(move, i, run);
         if (outcome == Outcome::failed) {
             has_failed_.store(true, std::memory_order_relaxed);
             return;
         }
         if (outcome == Outcome::unlisted) {
             stream = before;
+            run.progress.unlisted[0] = static_cast<std::int32_t>(i);
+            if (j != i) run.progress.unlisted[1] = static_cast<std::int32_t>(j);
             return;
         }
         run.counts.count(move, outcome == Outcome::accepted);

@@ -24,6 +24,8 @@ namespace pw85::detail::simulation {
 struct Progress {
     Stream stream;
     std::uint32_t remaining; ///< trials that remain
+    /// the particles of a trial that leaves the fixed box of one of them; -1 without
+    std::int32_t unlisted[2] = {-1, -1};
 };
 
 /// The work on a domain. Each thread has its own: threads do not write to the same cache lines.
@@ -46,7 +48,11 @@ class Sweeps {
 
   private:
     int prepare_list() noexcept;
+    int find_loose(double room, bool &are_few) noexcept;
     int prepare_domains() noexcept;
+    int recenter_unlisted() noexcept;
+    int recenter(std::int32_t place) noexcept;
+    int recenter_all(std::span<std::int32_t const> places) noexcept;
     int run_all() noexcept;
     bool run(std::size_t position) noexcept;
     void run(DomainRun &run) noexcept;
@@ -65,8 +71,11 @@ class Sweeps {
     Model &model_;
     Domains domains_;
     DomainScheduler scheduler_;
-    Array<std::uint8_t> marks_;           ///< of the domains, by threads (ReadableDomains)
-    Array<Progress> progress_;            ///< in the order of turns
+    Array<std::uint8_t> marks_; ///< of the domains, by threads (ReadableDomains)
+    Array<Progress> progress_;  ///< in the order of turns
+    Array<std::int32_t> loose_; ///< particles with little room in their fixed boxes
+    std::size_t num_loose_ = 0;
+    List<std::int32_t> near_;             ///< particles near the one whose box recenter() moves
     std::atomic<bool> has_failed_{false}; ///< true if the energy of a trial of this sweep was NaN
     int num_rebuilds_ = 0;                ///< of the Verlet list before a sweep
 };

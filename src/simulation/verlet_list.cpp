@@ -29,6 +29,7 @@ int VerletList::rebuild(Particles const &particles, double reach, double skin) n
     Configuration const &all = particles.copy();
     dimensions_ = all.dimensions;
     reach_ = reach;
+    skin_ = skin;
     widest_ = 2.0 * (reach * particles.sizes().longest) + skin;
     int status = rows_.update(all, reach, skin);
     if (status == PW85_SUCCESS && !boxes_.resize(all.size(), rows_.num_images()))

@@ -28,6 +28,22 @@ class VerletList {
     /// are in their fixed boxes. Returns false if the cell is singular.
     [[nodiscard]] bool deform(Particles const &particles) noexcept;
 
+    /// Returns how far apart along each axis the centres of two particles are, at most, if
+    /// recenter() may have to list their pair; infinity if it cannot be called.
+    double reach_of_recentered() const noexcept { return rows_.reach_of_recentered(0.5 * widest_); }
+
+    /// Centres the fixed box of a particle at its present position.
+    ///
+    /// @param skin that of a new list
+    /// @param near all particles with images within reach_of_recentered(), and maybe others
+    /// @return a status, PW85_EINVAL if a new list is needed; on error nothing changes
+    int recenter(std::size_t i, Configuration const &all, double skin,
+                 std::span<std::int32_t const> near) noexcept
+    {
+        if (!(skin <= skin_ && boxes_.covers(all.centers[i]))) return PW85_EINVAL;
+        return rows_.recenter(i, all, reach_, skin_, near);
+    }
+
     /// Returns whether all particles are in their fixed boxes, and stay there if they move by
     /// `displacement` along any axis; false without a list.
     bool holds_all(Configuration const &all, double displacement = 0.0) const noexcept;
@@ -143,7 +159,7 @@ class VerletList {
     FloatBoxes boxes_;
     std::uint64_t generation_ = 0;
     int dimensions_ = 0;
-    double reach_ = 0.0;
+    double reach_ = 0.0, skin_ = 0.0;
     /// Between two rebuilds a particle moves by at most twice the half-width of its fixed box along
     /// an axis, which is no longer than this.
     double widest_ = 0.0;

@@ -8,11 +8,8 @@
 /// the vector w between the points of the surfaces along u the upper bound |w|. Both are computed
 /// with twice the digits of double. The search ends where they agree to rounding.
 ///
-/// Let L be the longest semi-axis, h a half-width along the normal, and 2^-p the rounding error of
-/// an operation. The point Qu/h errs by 2^-p L²/h where the terms of Qu cancel. |w| needs u n·r12
-/// if the ellipsoids nearly touch. So L² <= 2^p u h n·r12 is enough: with h about n·r12, lengths up
-/// to some 2^26 n·r12 for twice the digits of double, and 2^157 n·r12 for seven times the digits.
-/// Numbers with seven times the digits continue the search where twice the digits do not suffice.
+/// Numbers with seven times the digits continue the search where twice the digits do not suffice
+/// (refine_slab() of distance/distance.hpp says when).
 #ifndef PW85_ANY_DIMENSION_DISTANCE_HPP_INCLUDED
 #define PW85_ANY_DIMENSION_DISTANCE_HPP_INCLUDED
 

@@ -244,41 +244,85 @@ step_slab(DistancePair<T, D> const &pair, Slab<T, D> const &slab) noexcept
     return found_slab(pair, take_last_step(pair, factorize_normal(pair, x), x).u);
 }
 
-template <class T, int D>
-PW85_FUNCTION constexpr DistancePair<Finer<T>, D> finer(DistancePair<T, D> const &pair) noexcept
+/// Converts a pair to the type F.
+template <class F, class T, int D>
+PW85_FUNCTION constexpr DistancePair<F, D> finer(DistancePair<T, D> const &pair) noexcept
 {
-    using F = Finer<T>;
     return {converted<F>(pair.r12), converted<F>(pair.q1), converted<F>(pair.q2), F(pair.scale1),
             F(pair.scale2)};
 }
 
-template <class T, int D>
-PW85_FUNCTION constexpr Distance<T, D> rounded(Distance<Finer<T>, D> const &d) noexcept
+template <class T, class F, int D>
+PW85_FUNCTION constexpr Distance<T, D> rounded_to(Distance<F, D> const &d) noexcept
 {
     return {rounded(d.distance), rounded(d.point1), rounded(d.point2), rounded(d.normal), d.status};
 }
 
-/// Finds the slab in the finer type, for a normal or half-widths that are not accurate in T. If the
-/// given normal is not accurate enough, Newton's method improves it.
-template <class T, int D> PW85_FUNCTION inline FoundSlab<Finer<T>, D>
-polish(DistancePair<T, D> const &pair, Slab<T, D> const &slab) noexcept
+/// Returns whether a slab in the type F, which has more digits than T, is accurate in T.
+///
+/// @param largest of the errors of the points, in units of u of T
+template <class T, class F, int D> PW85_FUNCTION constexpr bool
+is_accurate_in(DistancePair<F, D> const &fine, Slab<F, D> const &slab, T const &largest) noexcept
 {
-    using F = Finer<T>;
-    auto const fine = finer(pair);
-    F const unit = F(unit_roundoff<T>()), error = F(largest_error<T>()) * unit;
-    F const spread = error / (F(3) * F(unit_roundoff<F>()));
+    F const unit = F(unit_roundoff<T>()),
+            spread = F(largest_error<T>()) * unit / (F(3) * F(unit_roundoff<F>()));
+    return is_accurate(fine, slab, unit, F(largest) * unit, spread, spread);
+}
+
+/// Finds the slab in the type F, for a normal or half-widths that are not accurate in T. If the
+/// given normal is not accurate enough, at most `steps` steps of Newton's method improve it.
+template <class F, class T, int D> PW85_FUNCTION inline FoundSlab<F, D>
+polish(DistancePair<T, D> const &pair, Slab<T, D> const &slab, int steps) noexcept
+{
+    auto const fine = finer<F>(pair);
     auto const given = slab_along(fine, converted<F>(slab.u));
-    if (is_accurate(fine, given, unit, error, spread, spread)) return {given, true, true, true};
+    if (is_accurate_in<T>(fine, given, largest_error<T>())) return {given, true, true, true};
     auto const start = multipliers(slab);
     Multipliers<F> x{F(start.ratio), F(start.shift)};
-    for (int i = 0; i < max_last_steps; ++i) {
+    for (int i = 0; i < steps; ++i) {
         auto const last = take_last_step(fine, factorize_normal(fine, x), x);
         auto const polished = slab_along(fine, last.u);
-        if (is_accurate(fine, polished, unit, F(T(64)) * unit, spread, spread))
-            return {polished, true, true, true};
+        if (is_accurate_in<T>(fine, polished, T(64))) return {polished, true, true, true};
         x = last.next;
     }
     return {given, true, false, true};
+}
+
+/// Finds the slab with seven times the digits of T, by Newton's method, or else by the nested
+/// search.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline FoundSlab<Widened<T>, D>
+polish_extended(DistancePair<T, D> const &pair, Slab<T, D> const &slab) noexcept
+{
+    using F = Widened<T>;
+    auto const polished = polish<F>(pair, slab, max_normal_steps + max_last_steps);
+    if (polished.accurate) return polished;
+    auto const fine = finer<F>(pair);
+    auto const ratio = F(multipliers(slab).ratio);
+    auto const found =
+        slab_along(fine, unit_along(search_normal(fine, ratio > F(0) ? ratio : F(1))));
+    return {found, true, is_accurate_in<T>(fine, found, largest_error<T>()), true};
+}
+
+/// Searches for the slab of a pair for which find_slab() has not found an accurate one. Returns
+/// answer(found) for the slab that it finds: in T, or with twice the digits, or with seven times
+/// the digits if T has extended numbers. found.accurate is false if all of them fail.
+///
+/// Let L be the longest semi-axis, h a half-width along the normal, and 2^-p the rounding error of
+/// an operation. Where the terms of Qn cancel, the point Qn/h errs by 2^-p L²/h. It needs u n·r12
+/// if the ellipsoids nearly touch. So L² <= 2^p u h n·r12 is enough: with h about n·r12, lengths up
+/// to some 2^26 n·r12 for twice the digits of double, and 2^157 n·r12 for seven times the digits.
+template <class T, int D, class Answer>
+PW85_FUNCTION inline auto refine_slab(DistancePair<T, D> const &pair, FoundSlab<T, D> const &slab,
+                                      Answer const &answer) noexcept
+{
+    FoundSlab<T, D> found = slab;
+    if (!found.found) found = search_slab(pair);
+    if (!found.accurate) found = step_slab(pair, found.slab);
+    if (found.accurate) return answer(found);
+    auto const polished = polish<Finer<T>>(pair, found.slab, max_last_steps);
+    if constexpr (has_extended_numbers<T>)
+        if (!polished.accurate) return answer(polish_extended(pair, found.slab));
+    return answer(polished);
 }
 
 /// The distance of a pair for which find_slab() has not found an accurate slab. It is in memory, as
@@ -286,13 +330,10 @@ polish(DistancePair<T, D> const &pair, Slab<T, D> const &slab) noexcept
 template <class T, int D> PW85_RARE Distance<T, D>
 refined_distance(DistancePair<T, D> const &pair, FoundSlab<T, D> const &slab) noexcept
 {
-    FoundSlab<T, D> found = slab;
-    if (!found.found) found = search_slab(pair);
-    if (!found.accurate) found = step_slab(pair, found.slab);
-    if (found.accurate) return distance_across(found.slab);
-    auto const polished = polish(pair, found.slab);
-    if (!polished.accurate) return all_nan<Distance<T, D>>(StatusCode::no_convergence);
-    return rounded<T, D>(distance_across(polished.slab));
+    return refine_slab(pair, slab, [](auto const &found) {
+        return found.accurate ? rounded_to<T>(distance_across(found.slab))
+                              : all_nan<Distance<T, D>>(StatusCode::no_convergence);
+    });
 }
 
 /// The distance of a pair that is apart, from the result of find_slab(). Both points are relative

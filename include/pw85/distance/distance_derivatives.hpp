@@ -101,16 +101,11 @@ derivatives_across(DistancePair<T, 3> const &pair, Distance<T, 3> const &d) noex
     return result;
 }
 
-template <class T> PW85_RARE DistanceDerivatives<T>
-refined_derivatives(DistancePair<T, 3> const &pair, FoundSlab<T, 3> const &slab) noexcept
+/// Computes the derivatives at an accurate slab of a type with more digits, and rounds them.
+template <class T, class F> [[gnu::noinline]] PW85_FUNCTION inline DistanceDerivatives<T>
+derivatives_at(DistancePair<T, 3> const &pair, Slab<F, 3> const &slab) noexcept
 {
-    FoundSlab<T, 3> found = slab;
-    if (!found.found) found = search_slab(pair);
-    if (!found.accurate) found = step_slab(pair, found.slab);
-    if (found.accurate) return derivatives_across(pair, distance_across(found.slab));
-    auto const polished = polish(pair, found.slab);
-    if (!polished.accurate) return all_nan<DistanceDerivatives<T>>(StatusCode::no_convergence);
-    auto const fine = derivatives_across(finer(pair), distance_across(polished.slab));
+    auto const fine = derivatives_across(finer<F>(pair), distance_across(slab));
     DistanceDerivatives<T> result{rounded(fine.r12),
                                   rounded(fine.rotation1),
                                   rounded(fine.rotation2),
@@ -119,6 +114,15 @@ refined_derivatives(DistancePair<T, 3> const &pair, FoundSlab<T, 3> const &slab)
     for (int i = 0; i < 9; ++i)
         for (int j = 0; j < 9; ++j) result.hessian[i][j] = rounded(fine.hessian[i][j]);
     return result;
+}
+
+template <class T> PW85_RARE DistanceDerivatives<T>
+refined_derivatives(DistancePair<T, 3> const &pair, FoundSlab<T, 3> const &slab) noexcept
+{
+    return refine_slab(pair, slab, [&](auto const &found) {
+        return found.accurate ? derivatives_at(pair, found.slab)
+                              : all_nan<DistanceDerivatives<T>>(StatusCode::no_convergence);
+    });
 }
 
 /// Returns derivatives in the caller's units.
