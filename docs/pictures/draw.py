@@ -12,8 +12,8 @@ import matplotlib
 
 matplotlib.use("Agg")
 
-import matplotlib.pyplot  # noqa: E402, F401
-import pypw85  # noqa: E402, F401
+import matplotlib.pyplot
+import pypw85  # noqa: F401
 
 HERE = Path(__file__).resolve().parent
 PICTURES = (
