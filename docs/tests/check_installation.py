@@ -1,11 +1,12 @@
-"""Runs the commands of the chapter on installation, in the Test Anything Protocol.
+"""Runs README's commands and those of the chapter on installation, in the Test Anything Protocol.
 
-Usage: check_installation.py SOURCE [--docs]
+Usage: check_installation.py SOURCE [--docs LIBRARY PROGRAM...]
 
 In a copy of the source, with a home directory of its own and no more of the environment than a login shell has (and the variables of
-ccache and pip): builds and installs the library, then builds and runs programs against it, and installs the Python package into a fresh
-virtual environment. With --docs, it makes the pictures instead. Commands that install packages get an `apt-get` that looks
-whether the packages are there; those of other systems are checked for syntax.
+ccache and pip): builds and installs the library by scripts/tutorial.sh, then builds and runs programs against it, and installs the
+Python package into a fresh virtual environment. With --docs, it makes the tables and pictures instead, with what is built: the shared
+library, the measuring programs, and the Python package on the path. Commands that install packages get an `apt-get` that looks whether
+the packages are there; those of other systems are checked for syntax.
 """
 
 import os
@@ -15,22 +16,28 @@ import sys
 import tempfile
 from pathlib import Path
 
-# Scripts in the order in which they are run, and the file with the output of their last command, if it is on record.
+import check_readme
+
+# Scripts of the chapter that are run, and the file with the output of their last command, if it is on record.
 RUN = {
     "debian": None,
-    "build": None,
     "pkg-config": "examples/c/tutorial.txt",
     "fortran": "examples/fortran/closest_approach.txt",
     "python": "examples/c/pair.txt",
 }
-RUN_DOCS = {"docs": None, "pictures": None}
+LANGUAGES = ("c", "cpp", "fortran")  # of README, whose commands for Python are those of the chapter
 OTHER_SYSTEMS = ["fedora", "macos", "msys2"]
 # What .ci/run runs itself.
 ELSEWHERE = {"test": "scripts/test.sh"}
 # Scripts that the test of the installation runs (tests/install/test_install.py --whole).
 WHOLE = ["cmake"]
-# Commands that take minutes and that another test runs in its own build folder: docs_pages makes the pages.
-RUN_BY_OTHER_TESTS = ["meson compile -C build-docs docs"]
+# Commands for the pages, which .ci/run pages gives in the build folder of the tests.
+OF_DOCS = [
+    "meson setup build-docs -Ddocs=enabled",
+    "meson compile -C build-docs docs",
+    "meson compile -C build-docs measurements",
+    "meson compile -C build-docs pictures",
+]
 
 TOOLS = {
     "sudo": 'exec "$@"',
@@ -50,23 +57,20 @@ def make_tools(folder):
     return folder
 
 
-def run(script, source, home, tools):
-    lines = script.read_text(encoding="utf-8").splitlines()
-    done = subprocess.run(
-        ["sh", "-c", "\n".join(line for line in lines if line not in RUN_BY_OTHER_TESTS)],
-        cwd=source,
-        env={
-            "HOME": str(home),
-            "PATH": f"{tools}:/usr/local/bin:/usr/bin:/bin",
-            "LANG": "C.UTF-8",
-            "PW85_MEASURE_ONCE": "",
-            **{name: value for name, value in os.environ.items() if name.startswith(("CCACHE_", "PIP_"))},
-        },
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        encoding="utf-8",
-    )
+def run(command, folder, environment=None):
+    """Whether a command succeeds, and its output."""
+    done = subprocess.run(command, cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8")
     return done.returncode == 0, done.stdout
+
+
+def run_as_user(text, folder, home, tools):
+    environment = {
+        "HOME": str(home),
+        "PATH": f"{tools}:/usr/local/bin:/usr/bin:/bin",
+        "LANG": "C.UTF-8",
+        **{name: value for name, value in os.environ.items() if name.startswith(("CCACHE_", "PIP_"))},
+    }
+    return run(["sh", "-e", "-c", text], folder, environment)
 
 
 def commands(script):
@@ -85,32 +89,70 @@ def built(source, folder, names):
     ]
 
 
-def checks_without_running(scripts):
+def copied(source, work):
+    """A copy of the source."""
+    copy = work / "pw85"
+    shutil.copytree(source, copy, ignore=lambda folder, names: built(source, folder, names))
+    return copy
+
+
+def whole_lines(text):
+    """The commands of a text, each on one line."""
+    return [" ".join(line.split()) for line in text.replace("\\\n", "").splitlines()]
+
+
+def checks_without_running(source):
     """As checks_of_commands, of the lists above and of what is not run."""
-    known = {*RUN, *RUN_DOCS, *OTHER_SYSTEMS, *ELSEWHERE, *WHOLE}
+    scripts = scripts_of(source)
+    known = {"build", "docs", "pictures", *RUN, *OTHER_SYSTEMS, *ELSEWHERE, *WHOLE}
     yield "each script has a check", lambda: (set(scripts) == known, f"{set(scripts) ^ known}")
-    omitted = [line for name in RUN_DOCS for line in commands(scripts[name]) if line in RUN_BY_OTHER_TESTS]
-    yield "what other tests run", lambda: (omitted == RUN_BY_OTHER_TESTS, f"{omitted}")
+    omitted = [line for name in ("docs", "pictures") for line in commands(scripts[name]) if line.startswith("meson")]
+    yield "what makes the pages", lambda: (omitted == OF_DOCS, f"{omitted}")
+    tutorial = (source / "scripts/tutorial.sh").read_text(encoding="utf-8")
+    lines = whole_lines(tutorial.replace('"$build"', "build").replace("$prefix", "$HOME/.local"))
+    others = [line for line in whole_lines("\n".join(commands(scripts["build"]))) if line not in lines]
+    yield "what builds is in scripts/tutorial.sh", lambda: (not others, f"{others}")
     for name in OTHER_SYSTEMS + WHOLE:
         yield f"syntax of {name}", lambda name=name: (subprocess.run(["sh", "-n", scripts[name]]).returncode == 0, "")
     for name, command in ELSEWHERE.items():
         yield name, lambda name=name, command=command: (commands(scripts[name]) == [command], "")
 
 
-def checks_of_commands(source, work, expected_outputs):
+def all_commands(source):
+    """Names, commands, and the output of the last of them, if it is on record."""
+    readme = (source / "README.md").read_text(encoding="utf-8")
+    of_languages = check_readme.commands_of_languages(readme)
+    printed = next(text for language, text in check_readme.blocks(readme) if language == "text")
+    yield "README without an installation", check_readme.without_installation(readme), printed
+    yield "tutorial", check_readme.tutorial(readme), (source / "examples/c/tutorial.txt").read_text(encoding="utf-8")
+    yield from ((f"README in {language}", of_languages[language], printed) for language in LANGUAGES)
+    for name, file in RUN.items():
+        text = scripts_of(source)[name].read_text(encoding="utf-8")
+        yield name, text, (source / file).read_text(encoding="utf-8") if file else ""
+
+
+def checks_of_commands(source, work):
     """Names of checks, and functions that return whether they pass, and what to print if not."""
-    copy, home = work / "pw85", work / "home"
-    shutil.copytree(source, copy, ignore=lambda folder, names: built(source, folder, names))
+    copy, home, tools = copied(source, work), work / "home", make_tools(work / "tools")
     home.mkdir()
-    scripts = scripts_of(copy)
-    tools = make_tools(work / "tools")
+    # The chapter installs into a folder of the user, which here is that of scripts/tutorial.sh.
+    (home / ".local").symlink_to(copy / "install")
 
-    def passes(name, expected):
-        good, output = run(scripts[name], copy, home, tools)
-        return good and (expected is None or output.endswith((copy / expected).read_text(encoding="utf-8"))), output
+    def passes(text, expected):
+        good, output = run_as_user(text, copy, home, tools)
+        return good and output.endswith(expected), output
 
-    for name, expected in expected_outputs.items():
-        yield name, lambda name=name, expected=expected: passes(name, expected)
+    for name, text, expected in all_commands(copy):
+        yield name, lambda text=text, expected=expected: passes(text, expected)
+
+
+def checks_of_docs(source, work, library, *programs):
+    """As checks_of_commands. The tables and pictures are written beside the programs that make them, which is why these are copied."""
+    copy, tools = copied(source, work), make_tools(work / "tools")
+    packages = "\n".join(line for line in commands(scripts_of(copy)["docs"]) if line not in OF_DOCS)
+    yield "packages", lambda: run_as_user(packages, copy, work, tools)
+    for program, *words in (["bench/measure.py", *programs], ["docs/pictures/draw.py", library]):
+        yield program, lambda command=(sys.executable, copy / program, *words): run(command, copy)
 
 
 def main():
@@ -118,9 +160,9 @@ def main():
     with tempfile.TemporaryDirectory(prefix="pw85-docs-") as folder:
         work = Path(folder).resolve()
         if "--docs" in sys.argv:
-            todo = list(checks_of_commands(source, work, RUN_DOCS))
+            todo = list(checks_of_docs(source, work, *(Path(name).resolve() for name in sys.argv[3:])))
         else:
-            todo = [*checks_without_running(scripts_of(source)), *checks_of_commands(source, work, RUN)]
+            todo = [*checks_without_running(source), *checks_of_commands(source, work)]
         print(f"1..{len(todo)}")
         for number, (name, check) in enumerate(todo, 1):
             good, output = check()

@@ -231,7 +231,7 @@ class Installation:
         build = folder / "build"
         fast_to_build = ["-DPW85_OPTIMIZED=OFF", "-DPW85_GPU=OFF", f"-DPW85_SIMD={kind == 'shared'}"]
         if not self.whole:
-            fast_to_build += [*WITHOUT_SYSTEMS, *(f"-DPW85_{part.upper()}=OFF" for part in BEYOND_CONTACT)]
+            fast_to_build += [*WITHOUT_SYSTEMS, *(f"-DPW85_{part.upper()}=OFF" for part in BEYOND_CONTACT), "-DCMAKE_UNITY_BUILD=ON"]
         run("cmake", "-G", "Ninja", "-S", folder, "-B", build, *fast_to_build, f"-DFETCH={way == 'fetch'}",
             f"-DBUILD_SHARED_LIBS={kind == 'shared'}", "-DCMAKE_INSTALL_LIBDIR=lib", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON")
         run("cmake", "--build", build)
@@ -451,7 +451,8 @@ class Installation:
 
     def check_brent(self, build, wanted):
         """Other projects have GSL, which is under the GPL, only if they ask for it."""
-        found = set(re.findall(r"/(brent_(?:boost|gsl)\.cpp)\b", (build / "compile_commands.json").read_text()))
+        lists = (build / "compile_commands.json", *build.rglob("unity_*.cxx"))
+        found = {name for path in lists for name in re.findall(r"/(brent_(?:boost|gsl)\.cpp)\b", path.read_text())}
         if found != {wanted}:
             raise Failed(f"{build} has {found}, not {wanted}")
 
