@@ -90,7 +90,7 @@ def _check_streams() -> None:
     """Ends the command if the standard output is closed. Files that it opens would take the numbers of closed streams."""
     if sys.stderr is None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
-        sys.stderr = open(2, "w", encoding="utf-8", closefd=False)
+        sys.stderr = os.fdopen(2, "w", encoding="utf-8", closefd=False)
     if sys.stdout is None:
         _complain("the standard output is closed: redirect it to a file, or to /dev/null")
         sys.exit(2)

@@ -261,8 +261,8 @@ def _checked(given: Input, system: System, is_surrounded: bool) -> System:
     """Refuses a start that makes no simulation."""
     if not is_surrounded and not is_bulk(system):
         letters = "abc"[: system.dimensions]
-        raise FileError(given.path, f"the cell must be periodic along its {_vectors(system)} vectors: use --cell and --periodic {letters}, or "
-                        "hold the particles by walls and fields (--wall, --field)")  # fmt: skip
+        raise FileError(given.path, f"the cell must be periodic along its {_vectors(system)} vectors: use --cell and --periodic {letters}, "
+                        "or hold the particles by walls and fields (--wall, --field)")  # fmt: skip
     if system.shapeless:
         left = counted(system.shapeless, "particle without a shape is", "particles without a shape are")
         say(f"pw85: warning: {given.path}: {left} left out", sys.stderr)

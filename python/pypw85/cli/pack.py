@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import sys
 from functools import partial
 from typing import Any, NamedTuple
@@ -19,7 +20,7 @@ from .._packing import relax as relax_system
 from .._random_addition import AdditionInterrupted, RandomAddition, random_addition
 from .._statistics import nematic_order
 from .._system import UNIT_BALL, System
-from .._voxels import check_voxels_name, save_voxels
+from .._voxels import MOST_VOXELS, check_voxels_name, save_voxels
 from .._words import counted
 from ..formats import WRITABLE, check_written_name, write
 from ._input import Finite, Input, Numbers, WholeNumber, input_options, refuse_given, refuse_idle
@@ -46,7 +47,8 @@ _to = click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT. 
 @click.argument("output")
 @click.option("-n", "--number", type=WholeNumber(), help="Number of ellipsoids.")
 @click.option("--axes", "kinds", type=_Axes(), multiple=True, required=True, metavar="A,B,C",
-              help="Semi-axes A,B,C, or A,B for ellipses. If the option is repeated, each kind gets an equal number of ellipsoids, up to one.")
+              help="Semi-axes A,B,C, or A,B for ellipses. If the option is repeated, each kind gets an equal number of ellipsoids, up to "
+                   "one.")
 @click.option("--spread", type=Finite(may_be_zero=True), default="0", show_default=True,
               help="Standard deviation of the natural logarithm of sizes.")
 @click.option("--fraction", type=Finite(below=1), help="Packing fraction.")
@@ -66,7 +68,8 @@ _to = click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT. 
               help="Seed of the random numbers. Another seed gives another packing.")
 @click.option("--voxels", metavar="FILE",
               help="Also write a voxel image to this file (.vtk or .h5). The value of a voxel is the number of its ellipsoid, or 0.")
-@click.option("--resolution", type=WholeNumber(), default=64, show_default=True, help="Voxels along each vector of the cell.")
+@click.option("--resolution", type=WholeNumber(most=MOST_VOXELS), default=64, show_default=True,
+              help="Voxels along each vector of the cell.")
 @_to
 @_steps
 def pack(output: str, number: int | None, kinds: Any, spread: float, fraction: float | None, cell: Any, seed: int, voxels: str | None,
@@ -85,7 +88,9 @@ def pack(output: str, number: int | None, kinds: Any, spread: float, fraction: f
     to = check_written_name(output, to)
     vectors = _check_plane(kinds, cell, int(dimensions), voxels)
     if voxels is not None:
-        check_voxels_name(voxels)
+        check_voxels_name(voxels, vectors)
+        if os.path.realpath(voxels) == os.path.realpath(output):
+            raise click.UsageError("OUTPUT and --voxels name one file: name another one")
     if kind is not None:
         for name in ("spread", "cell", "dimensions", "rsa", "attempts", "seconds", "seed", "steps"):
             refuse_given(name, "on a lattice")
