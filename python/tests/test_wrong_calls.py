@@ -100,6 +100,7 @@ WRONG = [
     *[(f"{MC.replace('start', 'flat')} --field {field}", f"--field {field}: has no effect on particles that stay in a plane")
       for field in ("linear:0,0,1", "weight:0,0,1", "harmonic:0,0,0,0,0,1", "aligning:0,0,1,2,0")],
     (f"{MC.replace('start', 'flat')} --field aligning:0,1,0,3", "on ellipses, whose axis 2 is along z: append the AXIS 0 or 1"),
+    (f"{MC} --reach 1e6", "there is not enough memory for all pairs within --reach, 1e.06: choose a smaller one"),
     (f"{MC} --bins 5", "has no effect without --reach"),
     # draw
     ("draw start.xyz", "Missing argument 'PICTURE'"),
@@ -182,3 +183,9 @@ def test_wrong_call(call, sentence, folder, run, monkeypatch):
     assert re.search(sentence, lines[-1]) and re.match(r"(pw85|Error): \S", lines[-1]), done
     assert not FOREIGN.search(done.err), done
     assert sorted(os.listdir()) == before
+
+
+def test_points_without_effect(folder, run, monkeypatch):
+    monkeypatch.chdir(folder)
+    done = run("check", "start.xyz", "--points")
+    assert done.status == 0 and "warning: start.xyz, frame 0: --points has no effect, because all particles have shapes\n" in done.err, done

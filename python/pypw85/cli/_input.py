@@ -50,7 +50,10 @@ class Input(NamedTuple):
         yield from itertools.chain([first], found)
 
     def load(self, location: Location) -> System:
-        return load(self.path, self.format, location, self.options)
+        system = load(self.path, self.format, location, self.options)
+        if self.has_points and len(system) and not system.shapeless:
+            system.notes = (*system.notes, "--points has no effect, because all particles have shapes")
+        return system
 
     def describe(self, source: str) -> str:
         """A line that says what was taken of the file."""

@@ -18,6 +18,7 @@ from .. import _core
 from .._blocking import LEAST_INDEPENDENT
 from .._observables import Observables
 from .._simulations import HardEllipsoids, is_bulk, name_pairs
+from .._statistics import pair_correlation
 from .._system import System
 from .._words import counted
 from ..formats import FORMATS, FileError, check_output, check_storable, refuse_standard_output
@@ -176,6 +177,8 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
     refuse_idle_fields(given.path, system.dimensions, options["fields"])
     settings = _settings(system, path, trajectory, sweeps=sweeps, trajectory_format=growing, has_table=has_table, **options)
     observables = Observables(width, reach, bins)
+    if reach:
+        _check_reach(system, reach, bins)
     held.enter_context(locked(path))
     _refuse_existing(path)
     simulation = _simulation(given.path, system, **options)
@@ -188,6 +191,14 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
         run.check_cell()
     run.save()
     return run
+
+
+def _check_reach(system: System, reach: float, bins: int) -> None:
+    """Refuses a pair correlation that memory cannot hold, before the run has a file."""
+    try:
+        pair_correlation(system, reach, bins)
+    except MemoryError:
+        raise ValueError(f"there is not enough memory for all pairs within --reach, {reach:g}: choose a smaller one") from None
 
 
 def _settings(system: System, path: str, trajectory: str | None, *, volume: Any, every: int | None, chains: int | None,
@@ -335,7 +346,7 @@ def _report(run: Run) -> None:
     for name, texts in (("wall", run.settings.walls), ("field", run.settings.fields), ("law", laws)):
         for text in texts:
             say(f"{name} {text}")
-    say(f"{run.equilibrated} sweeps to equilibrate")
+    say(f"{counted(run.equilibrated, 'sweep')} to equilibrate")
     for move, (trials, accepted) in run.simulation.counts.items():
         if trials:
             say(f"{accepted / trials:.3f} accepted of {trials} trials: {move}")
@@ -358,7 +369,7 @@ def _report(run: Run) -> None:
     for text in _doubts(run):
         say(f"warning: {text}")
     run.simulation.check()
-    say(f"no overlaps after {run.sweeps} sweeps")
+    say(f"no overlaps after {counted(run.sweeps, 'sweep')}")
 
 
 def _is_printed(run: Run, name: str) -> bool:
