@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file The contact function of Perram and Wertheim for two ellipsoids: C++ templates over the
-/// scalar type, in headers only.
+/// @file
+/// The contact function of Perram and Wertheim for two ellipsoids: C++ templates over the scalar
+/// type, in headers only.
 ///
 /// The ellipsoid with centre c and quadratic form Q is the set of the points m for which (m-c)ᵀ Q⁻¹
 /// (m-c) <= 1. The matrix Q is symmetric and positive definite. Its eigenvalues are the squares of

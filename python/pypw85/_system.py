@@ -117,8 +117,8 @@ class System:
                 raise ValueError(f"{counted(n, 'center')}, but {counted(len(rows), name, name + 's')}")
         self.periodic: tuple[bool, ...] = tuple(map(bool, flags(periodic, "periodic") & (self.cell is not None)))
         self.origin, self.step, self.shapeless = reals(origin, "origin"), integer(step, "step", None), integer(shapeless, "shapeless")
-        if self.origin.shape != (3,):
-            raise ValueError(f"origin must be three numbers, not {shown(origin)}")
+        if self.origin.shape != (3,) or not np.isfinite(self.origin).all():
+            raise ValueError(f"origin must be three finite numbers, not {shown(origin)}")
         self.dimensions, self.source, self.notes = choice(dimensions, "dimensions", (2, 3)), "", ()
         self._axes: tuple[Floats, Floats] | None = None
         if dimensions == 2:

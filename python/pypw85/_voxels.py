@@ -11,7 +11,12 @@ from numpy.typing import NDArray
 from ._forms import full
 from ._numbers import instance, integer
 from ._system import System
+from ._typing import Floats
 from .formats import FileError, check_output, refuse_standard_output, replacing
+
+
+# Voxels along a vector of which the bytes of an image can be counted
+MOST_VOXELS = 2**20 - 1
 
 
 def voxels(system: System, resolution: int) -> NDArray[np.int32]:
@@ -30,14 +35,21 @@ def voxels(system: System, resolution: int) -> NDArray[np.int32]:
     Raises
     ------
     ValueError
-        There is no cell.
+        There is no cell, or not enough memory.
     """
     instance(system, System, "voxels: system").require_three_dimensions("a voxel image")
-    resolution = integer(resolution, "voxels: resolution", 1)
+    resolution = integer(resolution, "voxels: resolution", 1, MOST_VOXELS)
     if system.cell is None:
         raise ValueError("voxels need a cell: pass cell (of a file: --cell)")
+    try:
+        return _image(system, system.cell, resolution)
+    except MemoryError:
+        raise ValueError(f"there is not enough memory for {resolution}³ voxels: choose a smaller resolution (--resolution)") from None
+
+
+def _image(system: System, cell: Floats, resolution: int) -> NDArray[np.int32]:
     image = np.zeros((resolution,) * 3, dtype=np.int32)
-    to_grid = resolution * np.linalg.inv(system.cell)
+    to_grid = resolution * np.linalg.inv(cell)
     # Voxel k has its centre at k + 1/2 in units of voxels.
     centers = (system.centers - system.origin) @ to_grid - 0.5
     forms = to_grid.T @ full(system.q) @ to_grid
@@ -52,17 +64,19 @@ def voxels(system: System, resolution: int) -> NDArray[np.int32]:
     return image
 
 
-def check_voxels_name(path: str) -> None:
-    """Raises for a name that cannot be written. Call it before the work."""
+def check_voxels_name(path: str, cell: Floats | None = None) -> None:
+    """Raises for a name that cannot be written, or not with this cell. Call it before the work."""
     refuse_standard_output(path, "the suffix of the name chooses the format of a voxel image")
     if not path.lower().endswith((".h5", ".hdf5", ".vtk")):
         raise FileError(path, "the name of a voxel image must end with .h5, .hdf5 or .vtk")
     check_output(path)
+    if cell is not None and path.lower().endswith(".vtk") and (cell != np.diag(np.diag(cell))).any():
+        raise ValueError("the cell must be rectangular for an image of VTK: write the voxels as .h5")
 
 
 def save_voxels(path: str, system: System, resolution: int) -> None:
     """Writes a data set "voxels" of HDF5 with cell and origin, or an image of VTK's legacy format (rectangular cells only)."""
-    check_voxels_name(path)
+    check_voxels_name(path, system.cell)
     image = voxels(system, resolution)
     with replacing(path) as temporary:
         if path.lower().endswith((".h5", ".hdf5")):
@@ -82,11 +96,8 @@ def _save_hdf5(path: str, system: System, image: NDArray[Any]) -> None:
 def _save_vtk(path: str, system: System, image: NDArray[Any]) -> None:
     """x runs fastest, and numbers have their highest byte first."""
     assert system.cell is not None
-    edges = np.diag(system.cell)
-    if (system.cell != np.diag(edges)).any():
-        raise ValueError("the cell must be rectangular for an image of VTK: write the voxels as .h5")
     n = len(image)
-    spacing, origin = edges / n, system.origin
+    spacing, origin = np.diag(system.cell) / n, system.origin
     header = [
         "# vtk DataFile Version 3.0", "voxels of pw85", "BINARY", "DATASET STRUCTURED_POINTS",
         f"DIMENSIONS {n + 1} {n + 1} {n + 1}", "ORIGIN {:.17g} {:.17g} {:.17g}".format(*origin),

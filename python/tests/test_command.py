@@ -354,6 +354,18 @@ def test_closed_pipe(folder):
     assert command.wait(timeout=60) == 141  # not 2, which is bad input
 
 
+@pytest.mark.parametrize("closed, status", [(">&-", 2), ("2>&-", 0)])
+def test_streams_that_are_closed(folder, closed, status):
+    """A file that is opened would take the number 1 or 2 of a closed stream."""
+    system = pypw85.System.from_axes(3 * np.eye(3), [[0.5, 0.5, 1]] * 3, [[1, 0, 0, 0]] * 3)
+    pypw85.write("apart.h5", system)
+    done = subprocess.run(["sh", "-c", f'exec "$@" {closed}', "sh", *PW85, "check", "apart.h5", "--csv", "-"], capture_output=True)
+    assert done.returncode == status, done
+    said = "pw85: the standard output is closed: redirect it to a file, or to /dev/null\n" if status else ""
+    assert done.stderr.decode() == said, done
+    assert len(done.stdout.splitlines()) == (0 if status else 1), done  # the names of the columns, and nothing of the summary
+
+
 SLOW = """
 import os, time
 from pypw85.cli._progress import progress, say

@@ -139,6 +139,7 @@ CALLS = [
     (lambda path: pypw85.contact_pairs(OnGPU(), [[0, 0, 0]], [[1, 0, 0, 1, 0, 1]], out=()), "with arrays on a GPU, there can be no 'out'"),
     (lambda path: forces(0), "the derivatives must have 1 rows, one for each pair"),
     (lambda path: pypw85.voxels(sphere(), 2), "voxels need a cell: pass cell"),
+    (lambda path: pypw85.voxels(sphere(cell=9 * np.eye(3)), 2**18), "there is not enough memory for 262144³ voxels: choose a smaller"),
     (lambda path: pypw85.write(path / "a.vtk", [sphere()] * 2), "a VTK file holds one frame: choose one with --frames"),
     (lambda path: pypw85.write(path / "a.data", [sphere(cell=9 * np.eye(3))] * 2), "a data file of LAMMPS holds one frame"),
     (lambda path: pypw85.write(path / "a.data", sphere(cell=9 * np.eye(3), origin=[1e20, 0, 0])),

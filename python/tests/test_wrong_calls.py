@@ -25,11 +25,16 @@ WRONG = [
     (f"{PACK} --cell 1,1,nan", "must be .* finite numbers"),
     (f"{PACK} --dimensions 2", "--axes must have 2 numbers"),
     (f"{PACK} --dimensions 4", "Invalid value for '--dimensions'"),
+    ("pack new.xyz -n 2 --axes 1,1,2 --axes 1,1,3 --axes 1,1,4 --fraction 0.2", "-n must be at least 3, the number of kinds .*, not 2"),
+    (f"{PACK} --spread 1000", "--spread 1000 makes sizes that are beyond double precision: choose a smaller one"),
     (f"{PACK} --attempts 5", "--attempts has no effect without --rsa: add --rsa, or leave out --attempts"),
     (f"{PACK} --resolution 5", "--resolution has no effect without --voxels: add --voxels, or leave out --resolution"),
     ("pack new.xyz --axes 1,1,3 --rsa --cell 10,10,10", "--rsa can prove saturation of ellipses and balls only, .*: use --attempts, "),
     ("pack new.xyz --axes 1,1,1 --rsa --cell 10,10,10 --steps 5", "--steps has no effect with --rsa, .*: leave it out"),
     (f"{PACK} --align 0,0,1", "--align has no effect without --lattice"),
+    (f"{PACK} --voxels a.h5 --resolution 1e9", r"must be a whole number from 1 to 2\*\*20 - 1, not '1e9'"),
+    (f"{PACK} --voxels a.vtk --cell 1,0,0,1,1,0,0,0,1", "the cell must be rectangular for an image of VTK: write the voxels as .h5"),
+    ("pack a.h5 -n 8 --axes 1,1,2 --fraction 0.2 --voxels ./a.h5", "OUTPUT and --voxels name one file: name another one"),
     (f"{PACK} --voxels image.png", r"image\.png"),
     ("pack new.png -n 8 --axes 1,1,2 --fraction 0.2", r"^pw85: new\.png: no format has this suffix"),
     ("pack none/new.xyz -n 8 --axes 1,1,2 --fraction 0.2", r"^pw85: none/new\.xyz: there is no folder none: make it"),
@@ -88,6 +93,14 @@ WRONG = [
     (f"{MC} --threads 0", "must be a whole number from 1.*, not '0'"),
     (f"{MC} --trajectory a.png", r"a\.png: a trajectory grows"),
     (f"{MC} --wall plane", "Invalid value for '--wall'"),
+    (f"{MC} --trajectory a.xyz --trajectory-every 5 --precision single", "--precision has no effect on a trajectory that is not a"),
+    (f"{MC} --periodic none --wall sphere:3,3,3,90 --width 0.2", "--width has no effect without a cell that is periodic along"),
+    (f"{MC} --field linear:0,0,0", r"--field linear:0,0,0: has no effect: leave it out"),
+    (f"{MC} --field aligning:0,0,1,0", r"--field aligning:0,0,1,0: has no effect: leave it out"),
+    *[(f"{MC.replace('start', 'flat')} --field {field}", f"--field {field}: has no effect on particles that stay in a plane")
+      for field in ("linear:0,0,1", "weight:0,0,1", "harmonic:0,0,0,0,0,1", "aligning:0,0,1,2,0")],
+    (f"{MC.replace('start', 'flat')} --field aligning:0,1,0,3", "on ellipses, whose axis 2 is along z: append the AXIS 0 or 1"),
+    (f"{MC} --reach 1e6", "there is not enough memory for all pairs within --reach, 1e.06: choose a smaller one"),
     (f"{MC} --bins 5", "has no effect without --reach"),
     # draw
     ("draw start.xyz", "Missing argument 'PICTURE'"),
@@ -96,6 +109,9 @@ WRONG = [
     ("draw none.xyz a.png", r"none\.xyz: there is no such file"),
     ("draw start.xyz start.xyz", r"the name of a picture must end with one of|is the input"),
     ("draw start.xyz none/a.png", r"none/a\.png: "),
+    *[(f"draw start.xyz a.html --{name} 60", f"--{name} has no effect on a page") for name in ("elevation", "azimuth", "size")],
+    *[(f"draw flat.xyz a.png --{option}", f"--{option.split()[0]} has no effect on ellipses in a plane")
+      for option in ("elevation 9", "azimuth 9", "color orientation")],
     ("draw start.xyz a.html --elevation nan", "must be a finite number of degrees, not 'nan'"),
     ("draw start.xyz a.png --azimuth inf", "must be a finite number of degrees, not 'inf'"),
     ("draw start.xyz a.png --elevation high", "must be a finite number of degrees, not 'high'"),
@@ -108,11 +124,14 @@ WRONG = [
     ("plot none.xyz a.png", r"none\.xyz: there is no such file"),
     ("plot start.xyz a.png --reach nan", "must be a finite number > 0, not 'nan'"),
     ("plot start.xyz a.png --reach inf", "must be a finite number > 0, not 'inf'"),
+    ("plot start.xyz a.png --reach 1e300", r"not enough memory for all pairs with μ < 1e\+300: choose a smaller number \(--reach\)"),
     ("plot start.xyz a.png --reach 0", "must be a finite number > 0, not '0'"),
     ("plot start.xyz a.png --bins 0", "Invalid value for '--bins'"),
     ("plot start.xyz a.png --frames 7:9", "there are no frames 7:9: the file has one frame, 0"),
     ("plot start.xyz none/a.png", r"none/a\.png: there is no folder none"),
     ("plot truncated.h5 a.png", r"^pw85: truncated\.h5: no readable HDF5 file .*: it is broken or truncated; bring back a copy"),
+    # convert
+    ("convert start.xyz a.stl --species 1:H", "--species has no effect on a mesh of triangles, which has no types: leave it out"),
     # check
     ("check", "Missing argument 'FILE'"),
     ("check none.xyz", r"none\.xyz: there is no such file"),
@@ -131,6 +150,8 @@ WRONG = [
     ("check start.xyz --periodic q", "Invalid value for '--periodic'"),
     ("check start.xyz --euler zz", "Invalid value for '--euler': must be one to three of xyz .* not 'zz'"),
     ("check start.xyz --shape 1,2,0", "Invalid value for '--shape': '1,2,0' must be 3 finite numbers > 0"),
+    ("check start.xyz --shape 1,1,1 --shape 2,2,2", "--shape is given twice for one type: leave one of them out"),
+    ("check start.xyz --shape 1:1,1,1 --shape 1:1,1,1", "--shape is given twice for '1': leave one of them out"),
     ("check start.xyz --overlap", "No such option"),
     ("examine start.xyz", "No such command"),
 ]
@@ -144,6 +165,8 @@ def folder(tmp_path_factory):
     system = pypw85.System.from_axes(np.eye(3) * 3, [[0.5, 0.5, 1]] * 3, [[1, 0, 0, 0]] * 3, cell=6 * np.eye(3))
     for name in ("start.xyz", "other.h5"):
         pypw85.write(path / name, system)
+    flat = pypw85.System.from_ellipses(np.eye(2) * 3, [[0.5, 1]] * 2, [0, 0], cell=9 * np.eye(2))
+    pypw85.write(path / "flat.xyz", flat)
     (path / "truncated.h5").write_bytes((path / "other.h5").read_bytes()[:1000])
     (path / "folder.xyz").mkdir()
     (path / "folder.h5").mkdir()
@@ -160,3 +183,9 @@ def test_wrong_call(call, sentence, folder, run, monkeypatch):
     assert re.search(sentence, lines[-1]) and re.match(r"(pw85|Error): \S", lines[-1]), done
     assert not FOREIGN.search(done.err), done
     assert sorted(os.listdir()) == before
+
+
+def test_points_without_effect(folder, run, monkeypatch):
+    monkeypatch.chdir(folder)
+    done = run("check", "start.xyz", "--points")
+    assert done.status == 0 and "warning: start.xyz, frame 0: --points has no effect, because all particles have shapes\n" in done.err, done

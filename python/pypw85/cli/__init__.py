@@ -66,6 +66,7 @@ _GONE = 128 + 13
 
 def main() -> None:
     """Runs the command in a thread of its own: an interruption need not wait for a long computation."""
+    _check_streams()
     outcome, finished = [2], threading.Event()
 
     def run() -> None:
@@ -83,6 +84,16 @@ def main() -> None:
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, signal.SIG_IGN)  # what was to be said is said
     sys.exit(outcome[0])
+
+
+def _check_streams() -> None:
+    """Ends the command if the standard output is closed. Files that it opens would take the numbers of closed streams."""
+    if sys.stderr is None:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
+        sys.stderr = os.fdopen(2, "w", encoding="utf-8", closefd=False)
+    if sys.stdout is None:
+        _complain("the standard output is closed: redirect it to a file, or to /dev/null")
+        sys.exit(2)
 
 
 def _run() -> int:

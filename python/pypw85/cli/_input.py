@@ -50,7 +50,10 @@ class Input(NamedTuple):
         yield from itertools.chain([first], found)
 
     def load(self, location: Location) -> System:
-        return load(self.path, self.format, location, self.options)
+        system = load(self.path, self.format, location, self.options)
+        if self.has_points and len(system) and not system.shapeless:
+            system.notes = (*system.notes, "--points has no effect, because all particles have shapes")
+        return system
 
     def describe(self, source: str) -> str:
         """A line that says what was taken of the file."""
@@ -271,9 +274,10 @@ def _options(points: str | None, *, cell: Any, periodic: str | None, shape: Any,
     """Converts the options of the command line to those of the readers."""
     if cell is not None:
         cell = np.diag(cell) if len(cell) == 3 else cell.reshape(3, 3)
+    _refuse_repeated([kind for kind, _ in shape])
     return Options(
         cell=cell, periodic=None if periodic is None else [periodic != "none" and name in periodic for name in "abc"],
-        shape=next((lengths for kind, lengths in reversed(shape) if kind is None), None),
+        shape=next((lengths for kind, lengths in shape if kind is None), None),
         shapes={kind: lengths for kind, lengths in shape if kind is not None} or None,
         dimensions=None if dimensions is None else int(dimensions), points=names_of_option(points) if points else None,
         spacing=spacing[0] if spacing is not None and len(spacing) == 1 else spacing, euler=euler,
@@ -283,6 +287,14 @@ def _options(points: str | None, *, cell: Any, periodic: str | None, shape: Any,
         direction_columns=_names(direction_columns, 3, "--direction-columns"),
         ignore_columns=None if ignore_columns is None else names_of_option(ignore_columns), **others,
     )  # fmt: skip
+
+
+def _refuse_repeated(kinds: Sequence[str | None]) -> None:
+    """Refuses two shapes of one type, of which one would have no effect."""
+    for i, kind in enumerate(kinds):
+        if kind in kinds[:i]:
+            raise click.UsageError(f"--shape is given twice for {'one type' if kind is None else repr(kind)}: leave one of them out, or "
+                                   "name another type")  # fmt: skip
 
 
 def input_options(
@@ -324,6 +336,12 @@ def refuse_idle(needed: Mapping[str, Sequence[str]]) -> None:
         if name in given and not any(ctx.params[other] for other in needed[name]):
             others = " or ".join(options[other] for other in needed[name])
             raise click.UsageError(f"{given[name]} has no effect without {others}: add {others}, or leave out {given[name]}")
+
+
+def refuse_given(name: str, where: str) -> None:
+    """Refuses an option on the command line, by its name, that has no effect there."""
+    if option := given_options().get(name):
+        raise click.UsageError(f"{option} has no effect {where}: leave it out")
 
 
 def check_outputs(given: Input, *paths: str | None) -> None:

@@ -129,6 +129,17 @@ def set_law(path: str, simulation: HardEllipsoids, law: Surrounding) -> None:
         raise FileError(path, f"--law {law.text}: {error.detail}") from None
 
 
+def refuse_idle_fields(path: str, dimensions: int, fields: Iterable[Surrounding]) -> None:
+    """Refuses fields in which the energy of a particle never changes."""
+    for field in fields:
+        made: Any = field.made
+        if not any(made.vector[:dimensions]) or made.strength == 0:
+            plane = " on particles that stay in a plane z = constant" if any(made.vector) and made.strength else ""
+            raise FileError(path, f"--field {field.text}: has no effect{plane}: leave it out, or change its numbers")
+        if dimensions == 2 and field.text.startswith("aligning") and made.axis == 2:
+            raise FileError(path, f"--field {field.text}: has no effect on ellipses, whose axis 2 is along z: append the AXIS 0 or 1")
+
+
 def surround(path: str, ids: Any, simulation: HardEllipsoids, walls: Iterable[Surrounding], fields: Iterable[Surrounding]) -> None:
     """Sets walls and fields. Raises FileError with the first one that the simulation of a file cannot have."""
     both: list[tuple[str, Iterable[Surrounding], Callable[..., None]]] = [

@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from .._bodies import FITS, Fit
-from ..formats import WRITABLE, renamed_types, write
+from ..formats import WRITABLE, check_written_name, is_mesh, renamed_types, write
 from ._input import Input, input_options
 from ._progress import beside, progress
 
@@ -41,6 +41,8 @@ def convert(given: Input, output: str, to: str | None, precision: str | None, sp
             fit: Fit | None) -> int:  # fmt: skip
     """Write the chosen frames of FILE to OUTPUT. For ParaView, give OUTPUT a name that ends with .vtk, and apply the filter Tensor
     Glyph with a sphere of radius 1 to the tensor "shape". If its name ends with .stl, .obj or .ply, OUTPUT is a mesh of triangles."""
+    if species and is_mesh(check_written_name(output, to)):
+        raise click.UsageError("--species has no effect on a mesh of triangles, which has no types: leave it out")
     with progress() as stage:
         stage("converting")
         systems = given.systems(beside(output))

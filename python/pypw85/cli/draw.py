@@ -7,9 +7,9 @@ import sys
 
 import click
 
-from .._drawing import COLOURINGS, check_picture
+from .._drawing import COLOURINGS, check_picture, is_page
 from ..formats import refuse_standard_output
-from ._input import Angle, Input, check_outputs, input_options, one_frame
+from ._input import Angle, Input, check_outputs, input_options, one_frame, refuse_given
 from ._progress import progress
 
 
@@ -30,9 +30,15 @@ def draw(given: Input, picture: str, contacts: bool, elevation: float, azimuth: 
     refuse_standard_output(picture, "the end of a name says the format of a picture")
     check_picture(picture)
     check_outputs(given, picture)
+    if is_page(picture):
+        for name in ("elevation", "azimuth", "size"):
+            refuse_given(name, "on a page, in which the view can be turned and has the size of the window")
     with progress() as stage:
         stage("reading")
         system = one_frame(given, sys.stdout)
+        if system.dimensions == 2:
+            for name in ("elevation", "azimuth", "color"):
+                refuse_given(name, "on ellipses in a plane, which are seen from above in the colours of their angles")
         stage("drawing")
         system.draw(picture, contacts=contacts, elevation=elevation, azimuth=azimuth, size=size, color=color)
     return 0

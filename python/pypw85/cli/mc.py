@@ -18,14 +18,15 @@ from .. import _core
 from .._blocking import LEAST_INDEPENDENT
 from .._observables import Observables
 from .._simulations import HardEllipsoids, is_bulk, name_pairs
+from .._statistics import pair_correlation
 from .._system import System
 from .._words import counted
 from ..formats import FORMATS, FileError, check_output, check_storable, refuse_standard_output
-from ._input import Finite, Input, WholeNumber, given_options, input_options, one_frame, refuse_idle
+from ._input import Finite, Input, WholeNumber, given_options, input_options, one_frame, refuse_given, refuse_idle
 from ._interruption import keeping_work
 from ._progress import progress, say
 from ._runs import ACCEPTANCE, Run, Settings, locked, resume
-from ._surroundings import FIELD, LAW, WALL, Surrounding, set_law, surround
+from ._surroundings import FIELD, LAW, WALL, Surrounding, refuse_idle_fields, set_law, surround
 
 _START = partial(input_options, argument=click.argument("file", required=False, metavar="[START]"))
 # What may be given with --resume
@@ -162,6 +163,8 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
         raise click.UsageError(f"give {' and '.join(missing)} for a new run, or --resume FILE to continue one")
     path, has_table = _run_file(out)
     growing = "" if trajectory is None else _growing_format(trajectory)
+    if growing != "gsd":
+        refuse_given("precision", "on a trajectory that is not a GSD file")
     for name in (path, out, trajectory, path + ".samples"):
         _refuse_existing(name)
     _refuse_long_steps(sweeps, options["every"], None if trajectory is None else options["trajectory_every"])
@@ -170,8 +173,12 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
         _check_exchange(given, system)
     if not is_bulk(system):
         _refuse_averages_of_bulk(system, pressure=options["pressure"], reach=reach)
+        refuse_given("width", f"without a cell that is periodic along its {_vectors(system)} vectors, because there is no pressure")
+    refuse_idle_fields(given.path, system.dimensions, options["fields"])
     settings = _settings(system, path, trajectory, sweeps=sweeps, trajectory_format=growing, has_table=has_table, **options)
     observables = Observables(width, reach, bins)
+    if reach:
+        _check_reach(system, reach, bins)
     held.enter_context(locked(path))
     _refuse_existing(path)
     simulation = _simulation(given.path, system, **options)
@@ -184,6 +191,14 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
         run.check_cell()
     run.save()
     return run
+
+
+def _check_reach(system: System, reach: float, bins: int) -> None:
+    """Refuses a pair correlation that memory cannot hold, before the run has a file."""
+    try:
+        pair_correlation(system, reach, bins)
+    except MemoryError:
+        raise ValueError(f"there is not enough memory for all pairs within --reach, {reach:g}: choose a smaller one") from None
 
 
 def _settings(system: System, path: str, trajectory: str | None, *, volume: Any, every: int | None, chains: int | None,
@@ -245,16 +260,20 @@ def _refuse_averages_of_bulk(system: System, **options: float | None) -> None:
     """Refuses what needs a volume that is the same everywhere."""
     for name, value in options.items():
         if value:
-            vectors = "three" if system.dimensions == 3 else "two"
-            raise click.UsageError(f"--{name} needs a cell that is periodic along its {vectors} vectors: leave it out")
+            raise click.UsageError(f"--{name} needs a cell that is periodic along its {_vectors(system)} vectors: leave it out")
+
+
+def _vectors(system: System) -> str:
+    """The number of vectors of the cell along which a system can be periodic."""
+    return "three" if system.dimensions == 3 else "two"
 
 
 def _checked(given: Input, system: System, is_surrounded: bool) -> System:
     """Refuses a start that makes no simulation."""
     if not is_surrounded and not is_bulk(system):
-        vectors, letters = ("three", "abc") if system.dimensions == 3 else ("two", "ab")
-        raise FileError(given.path, f"the cell must be periodic along its {vectors} vectors: use --cell and --periodic {letters}, or "
-                        "hold the particles by walls and fields (--wall, --field)")  # fmt: skip
+        letters = "abc"[: system.dimensions]
+        raise FileError(given.path, f"the cell must be periodic along its {_vectors(system)} vectors: use --cell and --periodic {letters}, "
+                        "or hold the particles by walls and fields (--wall, --field)")  # fmt: skip
     if system.shapeless:
         left = counted(system.shapeless, "particle without a shape is", "particles without a shape are")
         say(f"pw85: warning: {given.path}: {left} left out", sys.stderr)
@@ -327,7 +346,7 @@ def _report(run: Run) -> None:
     for name, texts in (("wall", run.settings.walls), ("field", run.settings.fields), ("law", laws)):
         for text in texts:
             say(f"{name} {text}")
-    say(f"{run.equilibrated} sweeps to equilibrate")
+    say(f"{counted(run.equilibrated, 'sweep')} to equilibrate")
     for move, (trials, accepted) in run.simulation.counts.items():
         if trials:
             say(f"{accepted / trials:.3f} accepted of {trials} trials: {move}")
@@ -350,7 +369,7 @@ def _report(run: Run) -> None:
     for text in _doubts(run):
         say(f"warning: {text}")
     run.simulation.check()
-    say(f"no overlaps after {run.sweeps} sweeps")
+    say(f"no overlaps after {counted(run.sweeps, 'sweep')}")
 
 
 def _is_printed(run: Run, name: str) -> bool:

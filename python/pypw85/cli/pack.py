@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import sys
 from functools import partial
 from typing import Any, NamedTuple
@@ -19,10 +20,10 @@ from .._packing import relax as relax_system
 from .._random_addition import AdditionInterrupted, RandomAddition, random_addition
 from .._statistics import nematic_order
 from .._system import UNIT_BALL, System
-from .._voxels import check_voxels_name, save_voxels
+from .._voxels import MOST_VOXELS, check_voxels_name, save_voxels
 from .._words import counted
 from ..formats import WRITABLE, check_written_name, write
-from ._input import Finite, Input, Numbers, WholeNumber, given_options, input_options, refuse_idle
+from ._input import Finite, Input, Numbers, WholeNumber, input_options, refuse_given, refuse_idle
 from ._interruption import is_interrupted, keeping_work
 from ._progress import beside, progress, say
 
@@ -46,7 +47,8 @@ _to = click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT. 
 @click.argument("output")
 @click.option("-n", "--number", type=WholeNumber(), help="Number of ellipsoids.")
 @click.option("--axes", "kinds", type=_Axes(), multiple=True, required=True, metavar="A,B,C",
-              help="Semi-axes A,B,C, or A,B for ellipses. If the option is repeated, the shapes have equal numbers of ellipsoids.")
+              help="Semi-axes A,B,C, or A,B for ellipses. If the option is repeated, the shapes have equal numbers of ellipsoids, up to "
+                   "one.")
 @click.option("--spread", type=Finite(may_be_zero=True), default="0", show_default=True,
               help="Standard deviation of the natural logarithm of sizes.")
 @click.option("--fraction", type=Finite(below=1), help="Packing fraction.")
@@ -66,7 +68,8 @@ _to = click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT. 
               help="Seed of the random numbers. Another seed gives another packing.")
 @click.option("--voxels", metavar="FILE",
               help="Also write a voxel image to this file (.vtk or .h5). The value of a voxel is the number of its ellipsoid, or 0.")
-@click.option("--resolution", type=WholeNumber(), default=64, show_default=True, help="Voxels along each vector of the cell.")
+@click.option("--resolution", type=WholeNumber(most=MOST_VOXELS), default=64, show_default=True,
+              help="Voxels along each vector of the cell.")
 @_to
 @_steps
 def pack(output: str, number: int | None, kinds: Any, spread: float, fraction: float | None, cell: Any, seed: int, voxels: str | None,
@@ -85,19 +88,25 @@ def pack(output: str, number: int | None, kinds: Any, spread: float, fraction: f
     to = check_written_name(output, to)
     vectors = _check_plane(kinds, cell, int(dimensions), voxels)
     if voxels is not None:
-        check_voxels_name(voxels)
+        check_voxels_name(voxels, vectors)
+        if os.path.realpath(voxels) == os.path.realpath(output):
+            raise click.UsageError("OUTPUT and --voxels name one file: name another one")
     if kind is not None:
-        _refuse("on a lattice", "spread", "cell", "dimensions", "rsa", "attempts", "seconds", "seed", "steps")
+        for name in ("spread", "cell", "dimensions", "rsa", "attempts", "seconds", "seed", "steps"):
+            refuse_given(name, "on a lattice")
         return _write_lattice(output, to, kinds, number, fraction, kind, align, voxels, resolution)
     if rsa:
-        _refuse("with --rsa, which has as many sizes as there are --axes and makes no steps", "spread", "steps")
+        for name in ("spread", "steps"):
+            refuse_given(name, "with --rsa, which has as many sizes as there are --axes and makes no steps")
         return _add(output, to, _Wish(np.array(kinds), vectors, number, fraction, seed, attempts, seconds), voxels, resolution)
     if number is None or fraction is None:
         raise click.UsageError("give -n and --fraction")
+    if number < len(kinds):
+        raise click.UsageError(f"-n must be at least {len(kinds)}, the number of kinds (--axes), not {number}")
     wanted: float = fraction
     with _explaining_memory():
         types = np.arange(number) % len(kinds)
-        sizes = np.exp(spread * np.random.default_rng(seed).normal(size=(number, 1)))
+        sizes = _sizes(spread, seed, number)
     best, packed = _Best(output), list[System]()
 
     with _explaining_memory(), keeping_work(), progress() as stage:
@@ -113,12 +122,13 @@ def pack(output: str, number: int | None, kinds: Any, spread: float, fraction: f
     return best.report(packed[0] if packed else None)
 
 
-def _refuse(where: str, *names: str) -> None:
-    """Refuses options that have no effect there."""
-    given = given_options()
-    for name in names:
-        if name in given:
-            raise click.UsageError(f"{given[name]} has no effect {where}: leave it out")
+def _sizes(spread: float, seed: int, number: int) -> Any:
+    """Factors of the semi-axes of each ellipsoid (number, 1), with a log-normal distribution."""
+    with np.errstate(over="ignore"):
+        sizes = np.exp(spread * np.random.default_rng(seed).normal(size=(number, 1)))
+    if not ((sizes > 0) & (sizes < np.inf)).all():
+        raise click.UsageError(f"--spread {spread:g} makes sizes that are beyond double precision: choose a smaller one")
+    return sizes
 
 
 def _write_lattice(output: str, to: str, kinds: Any, number: int | None, fraction: float | None, kind: str, align: Any,

@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import sys
 from functools import partial
 from typing import Any
+from collections.abc import Iterator
 
 import click
 import numpy as np
@@ -53,8 +55,9 @@ def plot(given: Input, picture: str, reach: float, bins: int) -> int:
             if not len(system):
                 say(f"{frame:>6} {system.step:>10} {'no particles':>14}")
                 continue
-            found.append(correlation(system, reach, bins))
-            rings.add(system, reach)
+            with _explaining_memory(reach):
+                found.append(correlation(system, reach, bins))
+                rings.add(system, reach)
             row = [order(system) for order in (nematic_order, tetratic_order)[: len(names)]]
             if orders and len(orders[0]) != 1 + len(row):
                 raise FileError(given.path, "frames have different dimensions: choose frames, or say which (--dimensions)", frame)
@@ -66,6 +69,14 @@ def plot(given: Input, picture: str, reach: float, bins: int) -> int:
         with replacing(picture) as temporary:
             figure.savefig(temporary)
     return 0
+
+
+@contextlib.contextmanager
+def _explaining_memory(reach: float) -> Iterator[None]:
+    try:
+        yield
+    except MemoryError:
+        raise ValueError(f"there is not enough memory for all pairs with μ < {reach:g}: choose a smaller number (--reach)") from None
 
 
 def _refuse_distributions() -> None:

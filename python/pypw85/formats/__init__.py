@@ -64,6 +64,7 @@ __all__ = [
     "frames",
     "guess",
     "guess_for_writing",
+    "is_mesh",
     "load",
     "locate",
     "no_frames",
@@ -189,6 +190,11 @@ def guess_for_writing(path: Path) -> str:
             raise FileError(path, reason)
     ends = ", ".join(suffix for module in FORMATS.values() for suffix in module.SUFFIXES)
     raise FileError(path, f"no format has this suffix: use --to FORMAT (format= in Python), or end the name with one of {ends}")
+
+
+def is_mesh(format: str) -> bool:
+    """Returns whether files of a format are meshes of triangles."""
+    return FORMATS[format] in _MESHES
 
 
 def check_written_name(path: Path, format: str | None) -> str:
