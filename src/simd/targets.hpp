@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file The instruction sets for which functions are compiled, and the choice among them. Each
+/// @file
+/// The instruction sets for which functions are compiled, and the choice among them. Each
 /// instruction set has a namespace of its name (baseline, avx2, ...) with its copies of these
 /// functions. Each caller chooses among the functions that it calls, by PW85_OF_PAIR() or
 /// PW85_OF_LANES(). No list names all functions: programs with the static library get only what

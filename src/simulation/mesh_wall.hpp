@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file A hard mesh around or between the particles of a simulation. external_potential.hpp has it
+/// @file
+/// A hard mesh around or between the particles of a simulation. external_potential.hpp has it
 /// beside the walls.
 ///
 /// 1. A particle is free of the mesh if pw85_mesh_overlap() finds no overlap. In a periodic cell

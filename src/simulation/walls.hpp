@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file Hard walls around the particles of a simulation. external_potential.hpp holds them;
+/// @file
+/// Hard walls around the particles of a simulation. external_potential.hpp holds them;
 /// external_potential.cpp calls it.
 ///
 /// 1. A particle is free of a wall if it has no inner point in the wall: it may touch the wall. The
