@@ -4,7 +4,7 @@
 /// src/simd/unfused/depth.cpp calls penetration(), and src/simd/lanes/depth.hpp its first tier for
 /// one pair per lane.
 ///
-/// Turns of the normal find a local minimum (depth_search.hpp). For most pairs the curvatures there
+/// Turns of the normal find a local minimum (depth_turns.hpp). For most pairs the curvatures there
 /// prove that it is the global one (depth_certificate.hpp). Otherwise two proofs show that the best
 /// minimum is the global one, or find a better one: around it depth_minimum.hpp, and elsewhere
 /// depth_intervals.hpp.

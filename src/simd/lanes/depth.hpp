@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The depths of many overlaps, one pair per lane, with the bits of one pair: the kernel drives the
-/// turns of the normal (distance/depth_search.hpp) and the certificate of their end
+/// turns of the normal (distance/depth_turns.hpp) and the certificate of their end
 /// (distance/depth_certificate.hpp).
 ///
 /// The first step of the contact search gives a direction to start from, and shows that some pairs
