@@ -8,8 +8,8 @@ namespace pw85::detail::simulation {
 
 namespace {
 
-/// The skin over the longest semi-axis takes the least time at packing fraction 0.4 and aspect
-/// ratio 3.
+/// The skin over the longest semi-axis. Of values from 0.4 to 0.75, this one takes the least time
+/// for 1e5 particles at packing fraction 0.4 and aspect ratio 3.
 constexpr double relative_skin = 0.6;
 
 } // namespace
