@@ -36,7 +36,7 @@ CHOICES = [
 ]
 
 NORMAL_CHOICES = [
-    ("distance/normal_search.hpp", "return T(1.5);", "return T({});", ["1.5", "1", "1.9"]),
+    ("distance/normal_search.hpp", "bound = T(1.5);", "bound = T({});", ["1.5", "1", "1.9"]),
     ("distance/normal_search.hpp", "mantissa_digits<T>() / 4", "mantissa_digits<T>() / {}", ["4", "3", "6"]),
     ("distance/normal_search.hpp", "max_normal_steps = 16", "max_normal_steps = {}", ["16", "10", "24"]),
     ("distance/normal_search.hpp", "max_last_steps = 6", "max_last_steps = {}", ["6", "0", "2"]),

@@ -193,10 +193,11 @@ def _pushes(soft: _Soft) -> Iterator[_Push]:
 
 
 def relax(system: System, steps: int = 20000, stage: Callable[[str], object] = str) -> System:
-    """Move and rotate ellipsoids until none overlap, by the exact test. Shapes and cell do not change, and ellipses stay in their plane.
+    """Move and rotate ellipsoids until none overlap, by the exact test.
 
-    Ellipsoids that overlap push one another apart. If this gets stuck because the packing is dense, all ellipsoids receive random
-    velocities and come to rest slowly. This is repeated, each time twice as slowly.
+    Shapes and cell do not change, and ellipses stay in their plane. Ellipsoids that overlap push one another apart. If this gets stuck
+    because the packing is dense, all ellipsoids receive random velocities and come to rest slowly. This is repeated, each time twice as
+    slowly.
 
     Parameters
     ----------

@@ -28,7 +28,7 @@ bool prove_globally(DepthSearch<double, 3> &search) noexcept
 // Proofs without a certificate have the same bits and take the same time for each instruction set.
 // So that of the baseline serves all; the call in the template finds it.
 #if !PW85_IS_BASELINE(PW85_BUILDING)
-using kernels::baseline::prove_globally;
+using kernels::baseline::prove_globally; // NOLINT(misc-unused-using-decls)
 #endif
 
 } // namespace pw85::detail
