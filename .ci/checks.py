@@ -231,7 +231,7 @@ def check_static(results):
     scripts = [file for file in tracked("*.sh", ".ci/run", "debian/tests/consumer") if file != "scripts/packages.sh"]
     results.add("shellcheck", run(["shellcheck", "-x", "-s", "sh", "-e", "SC2046", *scripts]))  # unquoted lists of words
     prose = [file for file in tracked() if not file.endswith((".svg", ".png", ".ipynb", ".h5", ".js", ".out", "words.txt", "_pairs.txt"))]
-    results.add("codespell", run(["codespell", "-L", "crate,fo,lod,nd,nin,numer,rotat,te", *prose]))
+    results.add("codespell", run(["codespell", "-L", "calcuations,crate,fo,lod,nd,nin,numer,rotat,te", *prose]))
     results.add("licences", run(["reuse", "lint"]))
     add_unless_missing(results, "ruff", ["scripts/sid.sh", "ruff", "check"])
     glib = subprocess.run(["pkg-config", "--cflags", "glib-2.0"], check=True, text=True, stdout=subprocess.PIPE).stdout.split()
