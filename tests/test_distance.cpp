@@ -519,11 +519,36 @@ template <int D> pw85::SymmetricMatrix<double, D> slender_form(Random &random, d
     return q;
 }
 
+/// Compares the distance of a pair with the bracket of the truth.
+template <int D> void check_in_bracket(Sample<double, D> const &s, Failures &failures)
+{
+    using Truth = Multiprecision<100>;
+    auto const d = c_distance(s);
+    auto const text = [&] { return hex_text(s); };
+    auto const check = [&](Truth const &error, Truth const &bound, char const *what) {
+        failures.check(error <= bound, what, static_cast<double>(error), static_cast<double>(bound),
+                       text);
+    };
+    failures.check(d.status == pw85::Status::success, "status", static_cast<int>(d.status), 0,
+                   text);
+    if (d.distance == 0.0 || d.status != pw85::Status::success) return;
+    auto const p = convert<Truth>(s);
+    auto const from1 = convert<Truth>(d.point1),
+               from2 = difference(convert<Truth>(d.point2), p.r12);
+    auto const found = bracket(p, convert<Truth>(distance(convert<Wide>(s)).normal));
+    check(found.upper - found.lower, 0x1p-5 * u * found.sigma, "truth");
+    Truth const above = found.upper - d.distance, below = d.distance - found.lower;
+    check(pw85::detail::maximum(above, below), 8 * u * found.sigma, "distance");
+    Truth const length = norm(p.r12) + norm(from1) + norm(from2);
+    auto const joint = difference(convert<Truth>(d.point2), from1);
+    check(pw85::detail::absolute(Truth(norm(joint) - d.distance)), 0x1p18 * u * length,
+          "distance of the points");
+}
+
 // Aspect ratios from 10⁸ to 2¹⁰⁰, and gaps from 10⁻¹² of the lengths on. Beyond some 10¹¹ even
 // twice the digits are not enough.
 template <int D> void test_immense_aspects()
 {
-    using Truth = Multiprecision<100>;
     Failures failures;
     Random random(385 + D);
     for (int n = 0; n < draws(400); ++n) {
@@ -534,31 +559,24 @@ template <int D> void test_immense_aspects()
         auto const contact = pw85::contact(s.r12, s.q1, s.q2);
         if (contact.status != pw85::Status::success) continue;
         s.r12 = std::sqrt((1.0 + random.log_uniform(1e-12, 1e2)) / contact.mu2) * s.r12;
-        auto const d = c_distance(s);
-        auto const text = [&] { return hex_text(s); };
-        auto const check = [&](Truth const &error, Truth const &bound, char const *what) {
-            failures.check(error <= bound, what, static_cast<double>(error),
-                           static_cast<double>(bound), text);
-        };
-        failures.check(d.status == pw85::Status::success, "status", static_cast<int>(d.status), 0,
-                       text);
-        if (d.distance == 0.0 || d.status != pw85::Status::success) continue;
-        auto const p = convert<Truth>(s);
-        auto const from1 = convert<Truth>(d.point1),
-                   from2 = difference(convert<Truth>(d.point2), p.r12);
-        auto const found = bracket(p, convert<Truth>(distance(convert<Wide>(s)).normal));
-        check(found.upper - found.lower, 0x1p-5 * u * found.sigma, "truth");
-        Truth const above = found.upper - d.distance, below = d.distance - found.lower;
-        check(pw85::detail::maximum(above, below), 8 * u * found.sigma, "distance");
-        Truth const length = norm(p.r12) + norm(from1) + norm(from2);
-        auto const joint = difference(convert<Truth>(d.point2), from1);
-        check(pw85::detail::absolute(Truth(norm(joint) - d.distance)), 0x1p18 * u * length,
-              "distance of the points");
+        check_in_bracket(s, failures);
     }
 }
 
 PW85_TEST("/distance/extreme/immense_aspects") { test_immense_aspects<3>(); }
 PW85_TEST("/distance/extreme/immense_aspects_2d") { test_immense_aspects<2>(); }
+
+// One of the few pairs for which twice the digits are not enough.
+PW85_TEST("/distance/extreme/beyond_twice_the_digits")
+{
+    Failures failures;
+    check_in_bracket<3>({{0x1.e8ad91dbcbb38p+40, -0x1.09812ae62def1p+38, 0x1.fb8cb8909e71cp-29},
+                         {0x1.5481589536ba8p+83, 0x0p+0, 0x0p+0, 0x1.5219b371568d7p+78, 0x0p+0,
+                          0x1.166fa3ed64c97p-56},
+                         {0x1.2b6ab4870fb66p-17, -0x1.c99e2132933bp+12, 0x1.82ab735bb0889p-40,
+                          0x1.31fa4e142ce5p+45, 0x1.cec1f707b257cp-12, 0x1.55462e0da50acp-60}},
+                        failures);
+}
 
 template <class T> void check_scalar(Failures &failures, Random &random)
 {
