@@ -69,7 +69,7 @@ template <class T, int D> struct DirectionState {
     T length;                               ///< the shift along the unit vector, g/|n|
 };
 
-/// Those of two vectors that a mask chooses, in each lane.
+/// Those of two vectors or numbers that a mask chooses, in each lane.
 template <class Mask, class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Vector<T, D>
 selected(Mask const &mask, Vector<T, D> const &yes, Vector<T, D> const &no) noexcept
 {
@@ -78,15 +78,19 @@ selected(Mask const &mask, Vector<T, D> const &yes, Vector<T, D> const &no) noex
     return x;
 }
 
+template <class Mask, class T> [[gnu::always_inline]] PW85_FUNCTION inline TwoLanes<T>
+selected(Mask const &mask, TwoLanes<T> const &yes, TwoLanes<T> const &no) noexcept
+{
+    return {select(mask, first_of(yes), first_of(no)), select(mask, second_of(yes), second_of(no))};
+}
+
 template <class Mask, class T, int D>
 [[gnu::always_inline]] PW85_FUNCTION inline Vector<TwoLanes<T>, D>
 selected(Mask const &mask, Vector<TwoLanes<T>, D> const &yes,
          Vector<TwoLanes<T>, D> const &no) noexcept
 {
     Vector<TwoLanes<T>, D> x{};
-    for (int i = 0; i < D; ++i)
-        x[i] = TwoLanes<T>(select(mask, first_of(yes[i]), first_of(no[i])),
-                           select(mask, second_of(yes[i]), second_of(no[i])));
+    for (int i = 0; i < D; ++i) x[i] = selected(mask, yes[i], no[i]);
     return x;
 }
 

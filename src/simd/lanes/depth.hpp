@@ -106,12 +106,6 @@ struct SidePair {
     SymmetricMatrix<TwoLanes<Pack>, 3> q;
 };
 
-PW85_INLINE TwoLanes<Pack> selected(PackMask mask, TwoLanes<Pack> const &yes,
-                                    TwoLanes<Pack> const &no) noexcept
-{
-    return {select(mask, yes.first, no.first), select(mask, yes.second, no.second)};
-}
-
 PW85_INLINE void replace(PackMask mask, DirectionState<Pack, 3> &old,
                          DirectionState<Pack, 3> const &at) noexcept
 {
