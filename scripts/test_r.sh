@@ -16,8 +16,9 @@ if (cd pw85 && PKG_CONFIG_LIBDIR=/nonexistent PKG_CONFIG_PATH='' ./configure) 2>
 grep -q 'the library pw85, version [0-9.]* or later, is not installed' message
 
 export PKG_CONFIG_PATH="$prefix/lib/pkgconfig" R_LIBS="$PWD/library"
-echo '+ R CMD INSTALL'
-R CMD INSTALL pw85 >install.log 2>&1 || { cat install.log && exit 1; }
+echo '+ R CMD INSTALL, without warnings'
+echo 'CFLAGS += -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror' >makevars
+R_MAKEVARS_USER="$PWD/makevars" R CMD INSTALL pw85 >install.log 2>&1 || { cat install.log && exit 1; }
 if grep -i warning: install.log; then exit 1; fi
 
 echo '+ the bits of C'

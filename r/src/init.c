@@ -62,6 +62,7 @@ static SEXP call_reproducible(SEXP on)
 static SEXP call_threads(SEXP number)
 {
     int const before = pw85_num_threads;
+    (void)number;
 #if defined _OPENMP
     if (!Rf_isNull(number)) pw85_num_threads = Rf_asInteger(number);
 #endif
@@ -70,17 +71,20 @@ static SEXP call_threads(SEXP number)
 
 static SEXP call_version(void) { return Rf_mkString(pw85_version()); }
 
+/* A routine as R stores it. GCC warns of a direct cast to DL_FUNC. */
+#define ROUTINE(function) ((DL_FUNC)(void (*)(void))(function))
+
 void R_init_pw85(DllInfo *info)
 {
     static R_CallMethodDef const methods[] = {
-        {"enclosing", (DL_FUNC)&call_enclosing, 3},
-        {"reproducible", (DL_FUNC)&call_reproducible, 1},
-        {"threads", (DL_FUNC)&call_threads, 1},
-        {"version", (DL_FUNC)&call_version, 0},
+        {"enclosing", ROUTINE(call_enclosing), 3},
+        {"reproducible", ROUTINE(call_reproducible), 1},
+        {"threads", ROUTINE(call_threads), 1},
+        {"version", ROUTINE(call_version), 0},
         {NULL, NULL, 0},
     };
     static R_ExternalMethodDef const externals[] = {
-        {"ask", (DL_FUNC)&pw85_ask, -1},
+        {"ask", ROUTINE(pw85_ask), -1},
         {NULL, NULL, 0},
     };
     pthread_atfork(NULL, NULL, use_one_thread);

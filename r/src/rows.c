@@ -76,7 +76,7 @@ static struct column column_of(SEXP values, R_xlen_t offset, char const *argumen
         found.integers = LOGICAL_RO(values) + offset;
     else {
         char text[80];
-        snprintf(text, sizeof text, "must be numeric, not %s", Rf_type2char(TYPEOF(values)));
+        snprintf(text, sizeof text, "must be numeric, not %s", Rf_type2char((SEXPTYPE)TYPEOF(values)));
         pw85_refuse(argument, -1, name, text);
     }
     return found;
@@ -496,6 +496,7 @@ static R_xlen_t compute_rows(struct block *blocks, int threads, R_xlen_t from, R
                              void *const *columns)
 {
     R_xlen_t refused = end;
+    (void)threads;
 #if defined _OPENMP
 #pragma omp parallel for num_threads(threads)
 #endif
@@ -546,7 +547,7 @@ static SEXP one_output(struct call *call, R_xlen_t rows, int count)
     bool const is_truth = call->function->is_truth;
     SEXP const result = PROTECT(count == 1 ? Rf_allocVector(is_truth ? LGLSXP : REALSXP, rows)
                                            : Rf_allocMatrix(REALSXP, (int)rows, count));
-    void *columns[PW85_COLUMNS];
+    void *columns[PW85_COLUMNS] = {NULL};
     for (int k = 0; k < count; ++k)
         columns[k] = is_truth ? (void *)LOGICAL(result) : (void *)(REAL(result) + k * rows);
     compute(call, rows, columns);
