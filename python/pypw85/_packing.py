@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._choices import choice
-from ._functions import ellipsoid_quaternion
+from ._functions import cell_reduce, ellipsoid_quaternion
 from ._arrays import reals
 from ._numbers import function, instance, integer, real
 from ._words import shown
@@ -44,6 +44,10 @@ _FLAT = 1e-12
 _MOST_SLENDER = 1e6
 # Skin of the neighbour lists, in units of the shortest semi-axis. A list is rebuilt when a surface has moved by half of it.
 _SKIN = 0.2
+
+
+# Edges of the cell are given with rounding errors.
+_ROUNDING = 1e-9
 
 
 class OverlapsLeft(ValueError):
@@ -219,9 +223,13 @@ def relax(system: System, steps: int = 20000, stage: Callable[[str], object] = s
         ValueError.
     RelaxationInterrupted
         Ctrl-C. It has the same attribute, and is a KeyboardInterrupt.
+    ValueError
+        The cell is so small or thin that an ellipsoid overlaps its own image however it is turned.
     """
     soft, steps = _Soft(instance(system, System, "relax: system")), integer(steps, "relax: steps", 1)
     function(stage, "relax: stage")
+    if reason := too_thin(system):
+        raise ValueError(reason)
     best, least = (soft.centers, soft.quaternions), np.inf
     try:
         for k, push in zip(range(steps), _pushes(soft)):
@@ -235,6 +243,35 @@ def relax(system: System, steps: int = 20000, stage: Callable[[str], object] = s
         raise RelaxationInterrupted(left, len(left.overlaps().mu)) from None
     left = _moved(system, *best)
     raise OverlapsLeft(left, len(left.overlaps().mu), steps)
+
+
+def too_thin(system: System) -> str:
+    """Says which ellipsoid overlaps its own image however it is turned; an empty string if none is known to.
+
+    An ellipsoid with the semi-axes a <= b <= c contains a ball of the radius a, and its section with any plane through its centre has at
+    least the area π a b (its semi-axes lie between those of the ellipsoid). Its images along one, two or three vectors, with the length,
+    area or volume D, form a lattice packing of segments, ellipses or ellipsoids, whose densest fractions are 1, π/√12 and π/√18: so
+    D >= 2 a, √12 a b or √32 a b c.
+    """
+    periodic = np.asarray(system.periodic, dtype=bool)
+    if system.cell is None or not periodic.any():
+        return ""
+    count = int(periodic.sum())
+    # Far apart along the directions that do not repeat, so that these are the last ones of the reduced cell
+    others = np.linalg.svd(system.cell[periodic])[2][count:] * (10 * float(np.abs(system.cell).sum()))
+    vectors = cell_reduce(np.vstack([system.cell[periodic], others]))
+    vectors = vectors[np.linalg.norm(vectors, axis=1).argsort()[:count]]
+    axes = np.sort(system.semi_axes[:, : system.dimensions], axis=1)
+    for number, factor, what in ((1, 2.0, "length"), (2, 12**0.5, "area"), (3, 32**0.5, "volume")):
+        for chosen in itertools.combinations(vectors, number):
+            room = float(np.sqrt(np.linalg.det(np.inner(chosen, chosen))))
+            least = factor * axes[:, :number].prod(axis=1)
+            if (room < (1 - _ROUNDING) * least).any():
+                k = int(least.argmax())
+                return (f"the cell is too small or too thin: ellipsoid {system.ids[k]} overlaps its own image however it is turned, because "
+                        f"it repeats within the {what} {room:.6g}, and with the semi-axes {' '.join(f'{x:g}' for x in axes[k])} it needs "
+                        f"{least[k]:.6g} at least: give a thicker cell, or a smaller fraction of it")  # fmt: skip
+    return ""
 
 
 def _moved(system: System, centers: Floats, quaternions: Floats) -> System:
@@ -299,7 +336,7 @@ def pack(
     OverlapsLeft, RelaxationInterrupted
         As for `relax`.
     ValueError
-        Semi-axes, fraction or cell make no sense.
+        Semi-axes, fraction or cell make no sense, or the cell is too thin, as for `relax`.
 
     Examples
     --------

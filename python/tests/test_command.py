@@ -229,6 +229,10 @@ NAMES = [
     (["check", "a.dump", "--csv", "new", "--json", "./new"], "./new: is named for two outputs"),
     (["check", "a.dump", "--csv", "c.csv", "--frames", "7"], "there is no frame 7: the file has one frame, 0"),
     (["convert", "a.dump", "a.txt"], "no format has this suffix"),
+    # Columns that are not used would be lost.
+    (["convert", "a.dump", "a.dump"], "a.dump: is the input: name another file"),
+    (["convert", "link", "./a.dump", "--to", "csv"], "a.dump: is the input"),
+    (["relax", "a.dump", "link", "--to", "xyz"], "link: is the input"),
     (["convert", "a.dump", "no/a.xyz"], "no/a.xyz: there is no folder no"),
     (["convert", "a.dump", "a.gsd.gz"], "is not written compressed"),
     (["convert", "a.dump", "a.csv", "--frames", "7"], "there is no frame 7: the file has one frame, 0"),

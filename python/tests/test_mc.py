@@ -106,6 +106,10 @@ def test_results(whole):
     text = (whole / "out").read_text().splitlines()
     assert text[0] == "run.h5: 24 particles, βP = 1.5, seed 1" and text[-1] == "no overlaps after 400 sweeps"
     assert {line.split()[0] for line in text} >= {"density", "nematic_order", "compressibility_chains", "director"}
+    units = text.index("units: lengths in the unit L of START, volume in L³, density in L⁻³; other averages are pure numbers")
+    v0 = 4 / 3 * np.pi * START.semi_axes.prod(axis=1).mean()
+    assert text[units + 1] == f"βP is in L⁻³; βP v0 = {1.5 * v0:.6g}, with the mean volume v0 = {v0:.6g} L³ of a particle"
+    assert any(line.split() == "value standard error independent samples".split() for line in text)
 
 
 def test_old_format(run, folder):

@@ -84,6 +84,35 @@ def test_too_dense():
             pypw85.pack(axes, fraction)
 
 
+# Semi-axes of one ellipsoid, and the largest cells in which it overlaps its own image however it is turned: one is too short, one has too
+# small an area, of which ellipses on a triangular lattice need √12 times the product of their semi-axes, and one too small a volume.
+THIN = {
+    (1.0, 2.0, 3.0): [np.diag([9.0, 9, 2]), np.diag([9.0, 2.5, 2 * 12**0.5 / 2.5]), np.cbrt(6 * 32**0.5) * np.eye(3)],
+    (1.0, 2.0): [np.diag([9.0, 2]), np.array([[2.0, 0], [1, 12**0.5]]), np.array([[12**0.5, 0], [5 * 12**0.5, 2.0]])],
+}
+
+
+@pytest.mark.parametrize("axes", THIN)
+def test_thin_cells(axes, monkeypatch):
+    """Are refused before the first step; slightly larger ones are not."""
+    monkeypatch.setattr(_packing._Soft, "push", lambda *_: pytest.fail("there was a step"))
+    for cell in THIN[axes]:
+        fraction = _packing.UNIT_BALL[len(axes)] * np.prod(axes) / abs(np.linalg.det(cell))
+        with pytest.raises(ValueError, match="ellipsoid 1 overlaps its own image however it is turned, because it repeats within the"):
+            pypw85.pack([axes], fraction * 1.001, cell, dimensions=len(axes))
+        one = np.ones((1, 4)) / 2
+        system = (pypw85.System.from_ellipses(0 * one[:, :2], [axes], [0.0], cell=1.001 * cell) if len(axes) == 2 else
+                  pypw85.System.from_axes(0 * one[:, :3], [axes], one, cell=1.001 * cell))  # fmt: skip
+        assert not _packing.too_thin(system)
+
+
+def test_thin_and_partly_periodic():
+    """Directions in which the system does not repeat do not matter."""
+    for periodic in ((True, True, False), (False, False, True)):
+        system = pypw85.System.from_axes([[0, 0, 0]], [[1, 1, 2]], [[1, 0, 0, 0]], cell=np.diag([9, 9, 1.9]), periodic=periodic)
+        assert ("within the length 1.9, and" in _packing.too_thin(system)) == periodic[2]
+
+
 def test_the_best_is_kept(monkeypatch):
     """Not the last: annealing starts with deep overlaps."""
     depths, push = [], _packing._Soft.push

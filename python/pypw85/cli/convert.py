@@ -9,7 +9,7 @@ import click
 
 from .._bodies import FITS, Fit
 from ..formats import WRITABLE, check_written_name, is_mesh, renamed_types, write
-from ._input import Input, input_options
+from ._input import Input, check_outputs, input_options
 from ._progress import beside, progress
 
 
@@ -43,6 +43,7 @@ def convert(given: Input, output: str, to: str | None, precision: str | None, sp
     Glyph with a sphere of radius 1 to the tensor "shape". If its name ends with .stl, .obj or .ply, OUTPUT is a mesh of triangles."""
     if species and is_mesh(check_written_name(output, to)):
         raise click.UsageError("--species has no effect on a mesh of triangles, which has no types: leave it out")
+    check_outputs(given, output)
     with progress() as stage:
         stage("converting")
         systems = given.systems(beside(output))

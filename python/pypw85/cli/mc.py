@@ -19,7 +19,7 @@ from .._blocking import LEAST_INDEPENDENT
 from .._observables import Observables
 from .._simulations import HardEllipsoids, is_bulk, name_pairs
 from .._statistics import pair_correlation
-from .._system import System
+from .._system import UNIT_BALL, System
 from .._words import counted
 from ..formats import FORMATS, FileError, check_output, check_storable, refuse_standard_output
 from ._input import Finite, Input, WholeNumber, given_options, input_options, one_frame, refuse_given, refuse_idle
@@ -350,9 +350,12 @@ def _report(run: Run) -> None:
     for move, (trials, accepted) in run.simulation.counts.items():
         if trials:
             say(f"{accepted / trials:.3f} accepted of {trials} trials: {move}")
+    for text in _units(run, space):
+        say(text)
     if len(run.observables):
         say(_sampling(run))
-        say(_LINE.format("", "value", "error", "independent samples"))
+        say("means of the samples, and standard errors of the means, by blocking because samples are correlated:")
+        say(_LINE.format("", "value", "standard error", "independent samples"))
     else:
         say(f"no averages: a sample is taken every {run.settings.every} sweeps (--every)")
     drifting, unresolved = run.observables.drifting(), run.unresolved()
@@ -370,6 +373,20 @@ def _report(run: Run) -> None:
         say(f"warning: {text}")
     run.simulation.check()
     say(f"no overlaps after {counted(run.sweeps, 'sweep')}")
+
+
+def _units(run: Run, space: str) -> Iterator[str]:
+    """Says the units of what is printed, and the pressure times the volume of a particle, which is a pure number."""
+    system, power = run.simulation, "³" if run.simulation.dimensions == 3 else "²"
+    parts = ["lengths in the unit L of START"]
+    if is_bulk(system):
+        parts += [f"{space} in L{power}, density in L⁻{power}"]
+    parts += ["energy in kT"] * _is_printed(run, "energy")
+    yield f"units: {', '.join(parts)}; other averages are pure numbers"
+    if run.settings.pressure is not None:
+        mean = UNIT_BALL[system.dimensions] * float(system.semi_axes[:, : system.dimensions].prod(axis=1).mean())
+        yield (f"βP is in L⁻{power}; βP v0 = {run.settings.pressure * mean:.6g}, with the mean {space} v0 = {mean:.6g} L{power} of a "
+               "particle")  # fmt: skip
 
 
 def _is_printed(run: Run, name: str) -> bool:
@@ -443,7 +460,7 @@ def _doubts(run: Run) -> Iterator[str]:
         yield "the shape of the cell has changed much: use --volume axis and triclinic for crystals, and isotropic for fluids"
 
 
-_LINE = "{:<24} {:>14} {:>10} {:>20}"
+_LINE = "{:<24} {:>14} {:>14} {:>20}"
 
 
 def _number(value: float, digits: str) -> str:

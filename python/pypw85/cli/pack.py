@@ -14,7 +14,7 @@ import click
 import numpy as np
 
 from .._lattices import lattice
-from .._packing import OverlapsLeft, RelaxationInterrupted, check_cell
+from .._packing import OverlapsLeft, RelaxationInterrupted, check_cell, too_thin
 from .._packing import pack as pack_system
 from .._packing import relax as relax_system
 from .._random_addition import AdditionInterrupted, RandomAddition, random_addition
@@ -22,8 +22,8 @@ from .._statistics import nematic_order
 from .._system import UNIT_BALL, System
 from .._voxels import MOST_VOXELS, check_voxels_name, save_voxels
 from .._words import counted
-from ..formats import WRITABLE, check_written_name, write
-from ._input import Finite, Input, Numbers, WholeNumber, input_options, refuse_given, refuse_idle
+from ..formats import WRITABLE, FileError, check_written_name, write
+from ._input import Finite, Input, Numbers, WholeNumber, check_outputs, input_options, refuse_given, refuse_idle
 from ._interruption import is_interrupted, keeping_work
 from ._progress import beside, progress, say
 
@@ -266,11 +266,14 @@ def relax(given: Input, output: str, to: str | None, steps: int) -> int:
     Ctrl-C all further frames are written unchanged.
     """
     to = check_written_name(output, to)
+    check_outputs(given, output)
     best, counts = _Best(output), list[int]()
 
     def relaxed() -> Iterator[System]:
         for frame, system in given.numbered_systems(beside(output)):
             done = is_interrupted() or not len(system)
+            if not done and (reason := too_thin(system)):
+                raise FileError(given.path, f"{reason} (--cell), or leave such frames out (--frames)", frame)
             yield system if done else best.of(partial(relax_system, system, steps, stage), frame)
             counts.append(len(system))
 
