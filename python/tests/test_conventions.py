@@ -248,6 +248,10 @@ def test_counted():
     (b"CRYST1   50.000   50.000   50.000  90.00  90.00  90.00\nATOM      1  N   ALA A   1\n", "files of PDB, CIF and STAR are not read"),
     (b"# a comment\n\ndata_x\nloop_\n_atom_site_aniso_U_11\n", "files of PDB, CIF and STAR are not read, nor displacement ellipsoids"),
     (b"Number of particles = 3\n", "files of AtomEye"), (b"CDF\1\0", "files of NetCDF are not read"),
+    (b"<svg><ellipse/></svg>", "XML and HTML are not read"), (b"NRRD0004\n", "pictures are not read"), (b"ObjectType = Image\n", "pictures"),
+    (b"\x5c\1\0\0" + bytes(9), "pictures are not read"), (b"PAR1\x15", "binary files of MATLAB, Parquet and Excel are not read"),
+    (b"***tess\n **format\n", "tessellations of Neper"), (b"#CRTFv0\n", "regions of CASA are not read: save them as regions of DS9"),
+    (b"Water\n 2\n    1SOL     OW    1   0.126   1.624   1.679\n", "files of GROMACS"), (b"TITLE\nWater\nEND\nPOSITION\n", "of GROMACS"),
 ])  # fmt: skip
 def test_other_files(start, reason, tmp_path):
     (tmp_path / "a.bin").write_bytes(start)

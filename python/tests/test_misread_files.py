@@ -94,7 +94,9 @@ REFUSED = {
        for name in ("power", "dilation", "growth_factor", "multiplier", "confidence", "conf_level", "n_std", "superness", "um_per_px",
                     "z_step", "binning", "bmaj,bmin", "hwhm", "DC_Maj", "r_perp,r_par", "d50",
                     "x_len", "xdim", "sma", "coating", "box_x", "mirror", "handedness",
-                    "eigvec1x", "pc1_x", "V1x", "rotmat00", "v_power", "i_mirror")},
+                    "eigvec1x", "pc1_x", "V1x", "rotmat00", "v_power", "i_mirror",
+                    "beta11,beta_12", "Ueq_or_Biso,U_iso_or_equiv", "ori0,ori1,ori2,ori3", "mirror_x", "spacing_z", "vox", "calib", "conf",
+                    "quantile", "chi2_95", "inner", "mesh_file", "hull", "template_id", "geometry_id", "sieve", "shear_xy")},
     # Directions from north, and units of angles other than degrees and radians
     **{f"x,y,a,b,{name}": ({"angle_columns": [name]}, "0,0,2,1,30", f"{name} may be counted from the axis x or from y")
        for name in ("azimuth_deg", "bearing_deg", "strike_deg", "PA_deg", "dip_direction_deg", "az_deg")},
@@ -171,6 +173,10 @@ TABLES = {
            f"line 3: the column {name} has several values, A1 and A2" for name in ("well", "FOV", "Metadata_Well", "image_path")},
     "frame_id,x,y,z,radius\n0,0,0,0,1\n1,0,1.5,0,1": "line 3: the column frame_id has several values, 0 and 1",
     "t,x,y,z,radius\n0,0,0,0,1\n0.5,0,1.5,0,1": "line 3: the column t has several values",
+    **{f"{name},x,y,z,radius\n0,0,0,0,1\n5,0,1.5,0,1": "line 3: the column .* has several values, 0 and 5" for name in
+       ("time_ms", "t_s", "Elapsed (s)", "elapsed_time", "timestamp_ns", "nstep", "load_step", "iter", "simulation", "config_id", "repeat",
+        "experiment", "increment", "source_file", "movie", "datetime")},
+    "id,x,y,z,radius\n1,0,0,0,1\n2,9,0,0,1\n1,0,1.5,0,1\n2,9,1.5,0,1": "line 4: the column id has each id 2 times, as for 2 frames",
     "x\ty\tz\tradius\n0\t0\t0\t0.5\n1,500\t0\t0\t0.5": "line 3: '1,500' has a comma, and '0.5' a point",
     "x;y;z;radius\n0;0;0;0.5\n1,5;0;0;0.5": "line 3: '1,5' has a comma, and '0.5' a point",
     "x;y;z;radius\n0;0;0;1\n1,500;0;0;1": "line 3: the comma of '1,500' may be decimal or group thousands",
@@ -249,6 +255,15 @@ PAIRS = {
     "a radius beside g and b": ("x,y,z,r,g,b\n0,0,0,.5,9,9\n0,1.5,0,.5,9,9", {"shape_columns": ["r"]}, 1.5),
     **{f"shapes of {names}": (f"x,y,z,shapex,shapey,shapez,{names}\n0,0,0,{axes},{UP}\n0,1.5,0,{axes},{UP}", {}, 0.375)
        for names, axes in (("quatw,quati,quatj,quatk", "4,1,1"), ("quat1,quat2,quat3,quat4", "2,.5,.5"))},
+    **{f"positions {names}": (f"{names},radius\n0,0,0,.5\n0,1.5,0,.5", {}, 1.5) for names in
+       ("xpos,ypos,zpos", "x Cent (mm),y Cent (mm),z Cent (mm)", "x0,y0,z0", "mean_x,mean_y,mean_z",
+        "pore.coords[0],pore.coords[1],pore.coords[2]",
+        "pose.position.x,pose.position.y,pose.position.z",
+        "Particle X-Coordinate [m],Particle Y-Coordinate [m],Particle Z-Coordinate [m]")},
+    "positions of a start": ("x,y,z,x0,y0,z0,radius\n0,0,0,5,5,5,.5\n0,1.5,0,5,5,5,.5", {}, 1.5),
+    "a single id": ("id,x,y,z,radius\n0,0,0,0,.5\n0,0,1.5,0,.5", {}, 1.5),
+    "ids of two frames as one system": ("id,x,y,z,radius\n1,0,0,0,.5\n2,0,1.5,0,.5\n1,0,9,0,.5\n2,0,19,0,.5",
+                                        {"ignore_columns": ["id"]}, 1.5),
     "a box and its centre": ("x,y,z,center_x,center_y,center_z,radius\n9,9,9,0,0,0,.5\n0,0,0,0,1.5,0,.5",
                              {"ignore_columns": ["x", "y", "z"]}, 1.5),
     "discs by their sides": ("center_x,center_y,width,height\n0,0,1,1\n0,1.5,1,1", {"lengths": "diameters"}, 1.5),
@@ -787,6 +802,16 @@ def test_systems_of_regions(text, tmp_path):
 def test_semicolons_in_texts_of_regions(tmp_path):
     text = "# Region file format: DS9\nimage; ellipse(10,20,4,2,30) # text={a; b}\ncircle(1,2,3) # text=\"x;y\"; circle(30,2,3)\n"
     np.testing.assert_array_equal(read_text(tmp_path / "a.reg", text).centers[:, 0], [10, 1, 30])
+
+
+@pytest.mark.parametrize("head", ["", "image\n", "image; ", "# made by CIAO\nglobal color=red\nimage\n"])
+def test_regions_without_a_mark(head, tmp_path):
+    (tmp_path / "a.reg").write_text(f"{head}ellipse(10,20,4,2,30)\ncircle(1,2,3)\n")
+    if head:
+        assert read(tmp_path / "a.reg").semi_axes[:, :2].tolist() == [[4, 2], [3, 3]]
+        return
+    with pytest.raises(pypw85.FileError, match="line 1: the regions are in the system 'none': save them in the system image"):
+        read(tmp_path / "a.reg")
 
 
 def test_composite_regions(tmp_path):

@@ -76,7 +76,8 @@ static struct column column_of(SEXP values, R_xlen_t offset, char const *argumen
         found.integers = LOGICAL_RO(values) + offset;
     else {
         char text[80];
-        snprintf(text, sizeof text, "must be numeric, not %s", Rf_type2char((SEXPTYPE)TYPEOF(values)));
+        snprintf(text, sizeof text, "must be numeric, not %s",
+                 Rf_type2char((SEXPTYPE)TYPEOF(values)));
         pw85_refuse(argument, -1, name, text);
     }
     return found;

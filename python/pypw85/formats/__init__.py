@@ -123,7 +123,13 @@ _OTHERS = [
     (rb"# vtk DataFile|(?:<\?xml[^>]*>\s*)?<VTKFile", "files of VTK and ParaView are not read: save the table as CSV"),
     (rb"(?:<\?xml[^>]*>|<!--.*?-->|\s)*<(?:mujoco|robot|sdf)\b", "models of bodies (MJCF, URDF, SDF) are not read: write a table of the "
                                                                "positions, quaternions and semi-axes of the ellipsoids"),
-    (rb"<\?xml", "XML is not read: save the table as CSV"),
+    (rb"\s*<[!?\w]", "XML and HTML are not read: save the table as CSV"),
+    (rb"NRRD\d|ObjectType =|(?:\x5c\x01\0\0|\0\0\x01\x5c)", "pictures are not read: write their labels with numpy.save (.npy)"),
+    (rb"MATLAB 5\.0|PAR1|\xd0\xcf\x11\xe0", "binary files of MATLAB, Parquet and Excel are not read: save the table as CSV"),
+    (rb"\*\*\*tess", "tessellations of Neper are not read: write a table of the centres, semi-axes and orientations of the grains"),
+    (rb"#CRTF", "regions of CASA are not read: save them as regions of DS9 in pixels"),
+    (rb"[^\n]*\n *\d+ *\r?\n {0,4}\d+[A-Za-z]|TITLE *\r?\n[^\n]*\n(?:[^\n]*\n)?END", "files of GROMACS have no shapes of particles: write "
+     "a dump of LAMMPS or extended XYZ"),
     (rb"ply\s(?!.*\belement (?:face|tristrips)\b).*\bend_header\b", "these are points without shapes, neither splats nor a mesh: save "
                                                                      "a table as CSV, with columns of lengths"),
     (rb"ply\s|(?i:solid)\s|(?:#[^\n]*\n|\s)*(?:mtllib|o|v)\s", "this is a mesh, not a file of particles: read it with pypw85.Mesh.read"),

@@ -102,20 +102,23 @@ _SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thi
                     r"(dims?|extents?|span|std|stdev|stddev|sd|var|variance|precision|rms|voxel|pixel)[xyz0-3]|"
                     r"eps(ilon)?[12]|geom|geometry|primitive|kind|[xyz](2|end)|(corner|end|tip|tail)\d?[xyz]|[abcdhlrsw]|"
                     r"[abdhrsl][xyz0-3]|[fv]?[rd](max|mid|int|min)|rad|len|dia|(?!chi)[a-z]?(xx|yy|zz|xy|xz|yz)|"
-                    r"(?![cfv]\d)[a-z]{1,2}(0[0-2]|[123][0-3])|[ub](iso|eq|equiv|aniso)|"
-                    r"units?|spacing|resolution|magnification|calibration|pixel|voxel|"
+                    r"(?![cfv]\d)[a-z]{1,2}(0[0-2]|[123][0-3])|beta[123][1-3]|[ub](iso|eq|equiv|aniso)\w*|"
+                    r"units?|spacing[xyz]?|resolution|res|magnification|calib(ration)?|pixel|voxel|vox|"
                     r"power\d?|dilat(ion|ed)|inflat(ion|ed)|swell(ing)?|shrink(age)?|growth|zoom|enlargement|multiplier|binning|zstep|"
-                    r"((dilat|inflat|swell|grow|shrink|expan|conv|correct|calib|unit)\w*|[ap]d?)?factor|qexp|confidence(level)?|conflevel|"
+                    r"((dilat|inflat|swell|grow|shrink|expan|conv|correct|calib|unit)\w*|[ap]d?)?factor|qexp|conf(idence)?(level)?|"
                     r"n(std|sig)|super(ness|quad\w*)|squircle\w*|polydispersity|z?anisotropy|(um|nm|mm|microns?)perp\w*|hwhm\w*|hpbw\w*|"
                     r"[bs](maj|min)(ax)?|(err|dc|s)?maj|(err|dc)min|r(perp|par|half|eff|pol)\w*|(rad|r)eq|e[cs]d|d[1-9]0|"
-                    r"gamma[12]|shear[12xyz]?|foc(us|i)\w*|r(inner|outer|in|out|core|shell)|superball\w*|[mnpq]exp|sphero\w*|geom(etry)?type|"
+                    r"gamma[12]|shear[12xyz]{0,2}|foc(us|i)\w*|r(inner|outer|in|out|core|shell)|superball\w*|[mnpq]exp|sphero\w*|"
+                    r"geom(etry)?type|"
                     r"x(dim|len|ext|rad)|(dim|len|ext|rad)x|[xyz](err|unc)|sm[abc]|(box|cell|lattice|domain)[xyzabc]|bboxw|boxw|obb\w|"
-                    r"h[wh]|coating|shell")
+                    r"quantile|percentile|chi2\w*|h[wh]|coating|shell|inner|outer|mesh(file)?|(convex)?hull|stl(file)?|template|"
+                    r"polygon|polyhedron|(geometry|primitive|kind|template|mesh)(id|index|type|name|no|number)|sieve")
 _TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bearing|trend|plunge|strike|rake|tilt|inclin|"
                     r"(?<!mis)orient|rotat|quat|phi|theta|psi(?!lon)|direct|(?<!ab)normal|posang|rodrig|sequence).*|alpha|beta|gamma|"
                     r"dip|dipdir\w*|polar|zenith|colatitude|rod[xyz0-3]|rot|rot\w|rotvec\w*|rot.?\[\d\]|roll|pa|"
-                    r"(is)?(mirror(ed)?|flip(ped)?)|handedness|lefthanded|e(ig)?vec\w*|pca?[1-3]\w|v[1-3][xyz]|(rot)?mat\d+|dcm\d+|r\[\d\]|"
-                    r"rw|q(uat)?[wxyzijk0-4rs]?|qv\w*|[unde][xyz0-3]|dir[xyz]|ori[xyz]|e[1-3][xyz]|axis\w*")  # fmt: skip
+                    r"(is)?(mirror(ed)?|flip(ped)?|reflect(ed)?)[xyz]?|handedness|lefthanded|e(ig)?vec\w*|pca?[1-3]\w|v[1-3][xyz]|"
+                    r"(rot)?mat\d+|dcm\d+|r\[\d\]|rw|q(uat)?[wxyzijk0-4rs]?|qv\w*|[unde][xyz0-3]|dir[xyz]|ori[xyz0-4]|e[1-3][xyz]|"
+                    r"axis\w*")  # fmt: skip
 # Names of whole lengths, and of half ones
 _SOUND_WHOLE = re.compile(r".*(diam|length|width|height|thick|breadth|feret|calliper|caliper|size).*|"
                           r"(?!aspherical)\w*shape(\[[1-3]\]|[1-3])|[fv]?[dl](max|mid|int|min|[xyz]|\d)|[lwh]|full[xyz]|"

@@ -67,16 +67,22 @@ _POSITIONS = [
                        ("c", "xyz"), ("", ("xc", "yc", "zc")), ("loc", "xyz"), ("location", "xyz"), ("coord", "xyz"), ("p", "xyz"),
                        ("centerofmass", "xyz"), ("barycenter", "xyz"), ("translation", "xyz"),
                        ("points", "012"), ("centroids", "012"), ("coordinates", "012"), ("position", "012"),
-                       *((one, ("[0]", "[1]", "[2]")) for one in ("pos", "position", "center", "centre", "centroid"))]
+                       *((one, ("[0]", "[1]", "[2]")) for one in ("pos", "position", "center", "centre", "porecoords")),
+                       *((one, "xyz") for one in ("mean", "poseposition", "poseposeposition", "fieldposeposition")),
+                       *((stem, tuple(axis + one for axis in "xyz")) for stem, one in (
+                           ("", "0"), ("", "pos"), ("", "position"), ("", "cent"), ("", "center"), ("", "centroid"), ("", "coord"),
+                           ("", "coordinate"), ("particle", "coordinate")))]
 ]  # fmt: skip
 # Names that mean the middle of a body, where others may mean the corner of a box around it
-_OF_CENTERS = re.compile(r"(cent|barycent|pos|loc).*|[xyz]c|c[xyz]")
+_OF_CENTERS = re.compile(r"(cent|barycent|pos|loc).*|[xyz](c|pos|cent).*|c[xyz]")
 # The sides of boxes, as `plain_name` makes their names
 _SIDES = (["width", "height"], ["w", "h"])
 # Columns that number pictures, planes or times, of which a table should have one
-_SERIES = re.compile(r"(slice|frame|image|picture|step|timestep|timepoint|time|timestamp|snapshot|iteration|cycle|plane|zplane|layer|scan|"
-                     r"file|sample|stack|replica|replicate|realization|realisation|run|trial|specimen|scene)"
-                     r"(s|id|no|nr|num|number|index|idx|name)?|t")
+_SERIES = re.compile(r"(slice|frame|image|picture|\w*step|timepoint|time|timestamp|snapshot|iter(ation)?|cycle|plane|zplane|layer|scan|"
+                     r"(source)?file|sample|stack|replica|replicate|rep|repeat|realization|realisation|run|trial|specimen|scene|"
+                     r"increment|sim(ulation)?|config(uration)?|experiment|dump|movie|batch)"
+                     r"(s|id|no|nr|num|number|index|idx|name)?|t[munµ]?s?|date(time)?|"
+                     r"((elapsed|sim|epoch)?time(stamp)?|elapsed)([munµ]?s|sec(onds?)?|min(utes?)?|h)?")
 # The same in tables of programs that measure pictures
 _PICTURES = re.compile(r"(metadata)?(well|site|field|fieldofview|fov|tile|crop|position|movie|video|experiment|dataset|channel|series|"
                        r"section|(image|file)?path|epoch|tp|tindex|condition|animal|mouse|patient|subject|date|day)"
@@ -183,6 +189,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         wanted = [name for name in (*positions, *offsets, *taken.columns, ids, types, *series) if name]
         table = lines.table(count, columns, [types, *series], separator, wanted, decimal_comma=separator != ",")
         _check_series(table, series, lines)
+        _check_repeated(table, ids, lines)
     frame = Frame(
         path, location, table.stack(positions) + table.stack(offsets) if offsets else table.stack(positions),
         types=table[types] if types else None, ids=table.integers(ids) if ids else None,
@@ -311,6 +318,15 @@ def _check_series(table: Table, series: list[str], lines: Lines) -> None:
             lines.number = table.line + rows.index(values[1])
             raise lines.error(f"the column {name} has several values, {values[0]} and {values[1]}: write the rows of one of them, or say "
                               f"that all are bodies of one system (--ignore-columns {for_option([name])})")  # fmt: skip
+
+
+def _check_repeated(table: Table, ids: str, lines: Lines) -> None:
+    """Refuses rows in which all particles occur equally often, as in several frames one behind the other."""
+    _, first, counts = np.unique(table.integers(ids) if ids else [], return_index=True, return_counts=True)
+    if len(counts) > 1 and counts.min() == counts.max() > 1:
+        lines.number = table.line + int(np.setdiff1d(np.arange(table.count), first)[0])
+        raise lines.error(f"the column {ids} has each id {counts[0]} times, as for {counts[0]} frames or pictures: write the rows of one "
+                          f"of them, or say that all are bodies of one system (--ignore-columns {for_option([ids])})")  # fmt: skip
 
 
 def _box(keys: dict[str, str], lines: Lines) -> tuple[Floats | None, list[float], list[bool]]:

@@ -18,6 +18,8 @@ from ._table import Lines
 SUFFIXES: tuple[str, ...] = ()
 _SYSTEMS = ("image", "physical", "detector", "amplifier", "linear", "fk4", "fk5", "icrs", "galactic", "ecliptic", "b1950", "j2000", "wcs")
 _OF_PIXELS = ("image", "physical")
+_START = re.compile(rf"# Region file format: DS9|(?:#.*\n|global .*\n|(?:{'|'.join(_SYSTEMS)})[ \t\r]*[;\n]\s*)*"
+                    r"[+-]?(?:ellipse|circle) *\(", re.IGNORECASE)  # fmt: skip
 # Those of a composite region have || behind them.
 _REGION = re.compile(r"\+?\s*(ellipse|circle)\s*[( ]\s*([^)|#]*)\)?\s*(?:\|\|)?\s*(?:#.*)?", re.IGNORECASE)
 # Names that users give, in which there may be semicolons
@@ -26,7 +28,8 @@ _COMMENT = re.compile(r"#.*|global\b.*|$", re.IGNORECASE)
 
 
 def recognise(start: bytes) -> bool:
-    return re.match(rb"# Region file format: DS9", start) is not None
+    """By the mark, or by a region behind comments and the name of a system."""
+    return _START.match(start.decode("utf-8", errors="replace")) is not None
 
 
 def locate(path: os.PathLike[str]) -> Iterator[Location]:
