@@ -150,6 +150,9 @@ REFUSED = {
     "CenterX,CenterY,XStdDist,YStdDist,Rotation":
         ({"shape_columns": ("XStdDist", "YStdDist"), "lengths": "radii", "angle": "degrees"}, "0,0,4,1,60",
          "Rotation may be counted from the axis x or from y"),
+    # In scikit-image the row comes first.
+    "centroid[0],centroid[1],a,b,angle_deg": ({}, "0,0,2,1,30", r"there is no column 'x', but centroid\[0\]"),
+    "x,y,a,b,angle_in_mdeg": ({}, "0,0,2,1,30", "the column angle_in_mdeg could change"),
     "x,y,a,b,direction": ({"angle_columns": ["direction"], "angle": "degrees"}, "0,0,2,1,30", "direction may be counted from the axis x"),
     "x,y,semi_major,semi_minor,position_angle":
         ({}, "0,0,4,1,30", "may be those of gnuastro, and other programs mean other lengths .*--convention gnuastro"),
@@ -264,6 +267,8 @@ PAIRS = {
     "a single id": ("id,x,y,z,radius\n0,0,0,0,.5\n0,0,1.5,0,.5", {}, 1.5),
     "ids of two frames as one system": ("id,x,y,z,radius\n1,0,0,0,.5\n2,0,1.5,0,.5\n1,0,9,0,.5\n2,0,19,0,.5",
                                         {"ignore_columns": ["id"]}, 1.5),
+    **{f"unit of {name}": (f"x;y;a;b;{name}\n0;0;2;.5;90\n0;1.5;2;.5;90", {}, 0.375) for name in
+       ("angle in degrees", "angle_in_deg", "Angle, deg", "angle(deg.)", "theta, °")},
     "a box and its centre": ("x,y,z,center_x,center_y,center_z,radius\n9,9,9,0,0,0,.5\n0,0,0,0,1.5,0,.5",
                              {"ignore_columns": ["x", "y", "z"]}, 1.5),
     "discs by their sides": ("center_x,center_y,width,height\n0,0,1,1\n0,1.5,1,1", {"lengths": "diameters"}, 1.5),
@@ -527,6 +532,14 @@ def test_units_in_latin_1(other, tmp_path):
         assert read(tmp_path / "a.csv").notes == ()
         return
     with pytest.raises(pypw85.FileError, match="have different units: convert them to one"):
+        read(tmp_path / "a.csv")
+
+
+def test_degrees_in_latin_1(tmp_path):
+    (tmp_path / "a.csv").write_bytes("x,y,a,b,angle (°)\n0,0,2,1,30\n".encode("latin-1"))
+    assert "in degrees, from x" in read(tmp_path / "a.csv").source
+    (tmp_path / "a.csv").write_bytes("x,y,a,b,angle (µrad)\n0,0,2,1,30\n".encode("latin-1"))
+    with pytest.raises(pypw85.FileError, match="could change the shapes"):
         read(tmp_path / "a.csv")
 
 

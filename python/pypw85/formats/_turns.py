@@ -23,7 +23,9 @@ from ._table import Table
 Names = tuple[str, ...]
 Error = Callable[[str], FileError]
 
-_UNITS = re.compile(r"(.*?)[\s_.:/(\[-]*(?:(deg|degs|degrees?|°)|(rad|rads|radians?))?(?:\s|\)|(?<!\d)\])*")
+# In texts in Latin-1, ° is a character that is not read (\ufffd).
+_UNITS = re.compile(r"(.*?)(?:[\s_]in(?=[\s_]))?[\s_.,:/(\[-]*(?:(deg|degs|degrees?|°|\ufffd)\.?|(rad|rads|radians?)\.?)?"
+                    r"(?:\s|\)|(?<!\d)\])*")  # fmt: skip
 # Units of angles that are neither degrees nor radians, at the end of a name
 _OTHER_UNITS = re.compile(r".*[\W_](([mcuµμ]|milli|centi|micro|tenths?|pi|x?10+)[\W_]*(deg|rad)\w*|gon|grads?|turns?|rev\w*|"
                           r"arc\w*|m?as|hours?|hrs?|hourangle|pi|rad/pi)\W*", re.IGNORECASE)  # fmt: skip
