@@ -496,6 +496,14 @@ def test_keys_of_extended_xyz_that_change_bodies(tmp_path):
     assert "energy units" in read_text(tmp_path / "a.xyz", text.format("energy=1 units=nm")).source
 
 
+def test_units_of_extended_xyz(tmp_path):
+    text = "1\n{} Properties=species:S:1:pos:R:3:radius:R:1\nA 0 0 0 1\n"
+    for keys in ("length_unit=nm energy_unit=eV", "units=nm radius_units=NM", "length_units=um time_units=s"):
+        assert len(read_text(tmp_path / "a.xyz", text.format(keys))) == 1
+    with pytest.raises(pypw85.FileError, match="line 2: the keys length_unit and radius_unit state different units of length: convert"):
+        read_text(tmp_path / "a.xyz", text.format("length_unit=nm radius_unit=um"))
+
+
 def test_words_of_extended_xyz(tmp_path):
     text = "1\nProperties=species:S:1:pos:R:3:radius:R:1:{}:S:1\nA 0 0 0 1 cube\n"
     assert read_text(tmp_path / "a.xyz", text.format("group")).source == "lengths radius as radii, columns that are not used: group"

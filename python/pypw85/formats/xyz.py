@@ -43,6 +43,9 @@ _COMMENT_ON_CELL = re.compile(rf"[#%]?\s*{SAYS_CELL}", re.IGNORECASE)
 _CELL_ALONE = re.compile(r"(?:[-+]?[0-9]*\.?[0-9]+(?:[eE][-+]?[0-9]+)?[\s,]*){3,9}")
 # A number that is neither the number of a type nor that of a chemical element
 _FRACTION = re.compile(r"[-+]?(?:[0-9]+\.[0-9]*|\.[0-9]+|[0-9]+(?=[eE]))(?:[eE][-+]?[0-9]+)?|-[0-9]+")
+# Keys of units, and units of length
+_SAYS_UNIT = re.compile(r"(\w+_)?units?", re.IGNORECASE)
+_LENGTH = re.compile(r"[pnuµμmck]?m|Å|angstroms?|microns?|(pico|nano|micro|milli|centi)?met(er|re)s?|bohr|pix|pixels?|voxels?", re.I)
 _PROPERTIES = {"pos": 3, "asphericalshape": 3, "orientation": 4, "radius": 1, "species": 1, "type": 1, "id": 1}
 
 
@@ -173,8 +176,12 @@ def _check_keys(keys: dict[str, str], options: Options, lines: Lines) -> None:
 
 def _check_others(keys: dict[str, str], taken: Taken, options: Options, lines: Lines) -> None:
     """Refuses keys that are not used, and whose names or values could change bodies."""
+    units = {value.lower(): name for name, value in keys.items() if _SAYS_UNIT.fullmatch(name) and _LENGTH.fullmatch(value)}
+    if len(units) > 1:
+        raise lines.error(f"the keys {' and '.join(units.values())} state different units of length: convert all lengths to one, and "
+                          "remove these keys")  # fmt: skip
     for name in keys:
-        if could_change(name) and not re.fullmatch(r"(\w+_)?units?", name, re.IGNORECASE):  # which all lengths have
+        if could_change(name) and not _SAYS_UNIT.fullmatch(name):  # which all lengths have
             raise lines.error(f"the key {name[:40]} could change the shapes or how they are turned, and is not used: write what it says as "
                               f"properties, or leave it out (--ignore-columns {for_option([name])})")  # fmt: skip
     _comments.check((f"{name}={value}" for name, value in keys.items()), meaning_of(taken, options), lines.error)
