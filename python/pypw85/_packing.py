@@ -268,8 +268,8 @@ def too_thin(system: System) -> str:
             least = factor * axes[:, :number].prod(axis=1)
             if (room < (1 - _ROUNDING) * least).any():
                 k = int(least.argmax())
-                return (f"the cell is too small or too thin: ellipsoid {system.ids[k]} overlaps its own image however it is turned, because "
-                        f"it repeats within the {what} {room:.6g}, and with the semi-axes {' '.join(f'{x:g}' for x in axes[k])} it needs "
+                return (f"the cell is too small or too thin: ellipsoid {system.ids[k]} overlaps its own image however it is turned, "
+                        f"because it repeats within the {what} {room:.6g}, and with the semi-axes {' '.join(f'{x:g}' for x in axes[k])} it needs "
                         f"{least[k]:.6g} at least: give a thicker cell, or a smaller fraction of it")  # fmt: skip
     return ""
 
