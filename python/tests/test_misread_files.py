@@ -267,6 +267,7 @@ PAIRS = {
     "a single id": ("id,x,y,z,radius\n0,0,0,0,.5\n0,0,1.5,0,.5", {}, 1.5),
     "ids of two frames as one system": ("id,x,y,z,radius\n1,0,0,0,.5\n2,0,1.5,0,.5\n1,0,9,0,.5\n2,0,19,0,.5",
                                         {"ignore_columns": ["id"]}, 1.5),
+    "pixels": (f"x_px,y_px,z_px,a_px,b_px,c_px,qw,qx,qy,qz\n0,0,0,2,.5,.5,{UP}\n0,1.5,0,2,.5,.5,{UP}", {}, 0.375),
     **{f"unit of {name}": (f"x;y;a;b;{name}\n0;0;2;.5;90\n0;1.5;2;.5;90", {}, 0.375) for name in
        ("angle in degrees", "angle_in_deg", "Angle, deg", "angle(deg.)", "theta, °")},
     "a box and its centre": ("x,y,z,center_x,center_y,center_z,radius\n9,9,9,0,0,0,.5\n0,0,0,0,1.5,0,.5",

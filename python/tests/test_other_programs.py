@@ -127,8 +127,8 @@ def test_dumps_without_one_kind_of_coordinates(tmp_path):
     (tmp_path / "a.dump").write_text(dump("id type x y zs radius", "1 1 0 0 0.5 1", "2 1 0 0 0.7 1"))
     with pytest.raises(pypw85.FileError, match="line 9: there are no columns x y z, but id type x y zs radius"):
         pypw85.read(tmp_path / "a.dump")
-    row = "0.5 7 8 0 0 0 1 2 3 0.6 0 0.8 0"
-    (tmp_path / "a.dump").write_text(dump("id type q c_cm v_px x y z shapex shapey shapez quatw quati quatj quatk", f"1 1 {row}"))
+    row = "0.5 7 7 8 0 0 0 1 2 3 0.6 0 0.8 0"
+    (tmp_path / "a.dump").write_text(dump("id type q c_cm c_px v_px x y z shapex shapey shapez quatw quati quatj quatk", f"1 1 {row}"))
     np.testing.assert_array_equal(pypw85.read(tmp_path / "a.dump").quaternions, [[0.6, 0, 0.8, 0]])
 
 

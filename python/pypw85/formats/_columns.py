@@ -147,9 +147,9 @@ _SEVERAL_UNUSED = ("the columns {0} could change the shapes or how they are turn
                    "them out (--ignore-columns {2})")  # fmt: skip
 
 
-# A unit of length behind a name, not in brackets. A compute, a fix or a variable of LAMMPS may be called px.
+# A unit of length behind a name, not in brackets. A fix or a variable of LAMMPS may be called px; a compute, too, which dumps allow for.
 UNIT_AT_END = re.compile(r"(?<=[^\W_])(?<![_/ ]per)"
-                         r"(?:[_/ ](mm|[uµμn\ufffd]m|cm|microns?|voxels?)|(?<!^[cfv])[_/ ](px|pix|pixels?)|/(m))$", re.IGNORECASE)
+                         r"(?:[_/ ](mm|[uµμn\ufffd]m|cm|microns?|voxels?)|(?<!^[fv])[_/ ](px|pix|pixels?)|/(m))$", re.IGNORECASE)
 
 
 # What stands in brackets, but an index; and words there that are not units
