@@ -66,6 +66,8 @@ REFUSED = {
     "x,y,a,b,theta [deg from north]": ({}, "0,0,2,1,0", "theta"),
     "x,y,z,a,b,c,orientation_x,orientation_y,orientation_z": ({}, "0,0,0,2,.5,.5,30,0,90", "which may be angles or a direction: say"),
     "x,y,z,radius,particle_type": ({}, "0,0,0,1,cube", "particles of the type cube are not ellipsoids"),
+    **{f"x,y,z,radius,{name}": ({}, f"0,0,0,1,{body}", f"of the type {body} are not ell")
+       for name, body in (("type", "clump"), ("species", "Octahedron"), ("object", "torus"))},
     "x,y,z,radius,class": ({}, "0,0,0,1,Cylinder", "particles of the type Cylinder are not ellipsoids"),
     "Center of Mass X (mm),Center of Mass Y (mm),Center of Mass Z (mm),Max Feret Diameter (mm),Aspect Ratio":
         ({}, "0,0,0,1,2", r"the columns Max Feret Diameter \(mm\) Aspect Ratio could .*--ignore-columns 'Max Feret Diameter \(mm\),A"),

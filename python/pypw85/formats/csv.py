@@ -18,6 +18,7 @@ from typing import IO
 from collections.abc import Iterator
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .._system import System
 from .._typing import Floats
@@ -189,10 +190,12 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         wanted = [name for name in (*positions, *offsets, *taken.columns, ids, types, *series) if name]
         table = lines.table(count, columns, [types, *series], separator, wanted, decimal_comma=separator != ",")
         _check_series(table, series, lines)
-        _check_repeated(table, ids, lines)
+        numbers = table.integers(ids) if ids else None
+        if numbers is not None and not (np.diff(numbers) > 0).all():
+            _check_repeated(numbers, ids, table.line, lines)
     frame = Frame(
         path, location, table.stack(positions) + table.stack(offsets) if offsets else table.stack(positions),
-        types=table[types] if types else None, ids=table.integers(ids) if ids else None,
+        types=table[types] if types else None, ids=numbers,
         cell=cell, origin=origin, periodic=periodic, step=step,
         lines=range(table.line, table.line + table.count), dimensions=dimensions,
     )  # fmt: skip
@@ -320,11 +323,11 @@ def _check_series(table: Table, series: list[str], lines: Lines) -> None:
                               f"that all are bodies of one system (--ignore-columns {for_option([name])})")  # fmt: skip
 
 
-def _check_repeated(table: Table, ids: str, lines: Lines) -> None:
+def _check_repeated(numbers: NDArray[np.int64], ids: str, line: int, lines: Lines) -> None:
     """Refuses rows in which all particles occur equally often, as in several frames one behind the other."""
-    _, first, counts = np.unique(table.integers(ids) if ids else [], return_index=True, return_counts=True)
+    _, first, counts = np.unique(numbers, return_index=True, return_counts=True)
     if len(counts) > 1 and counts.min() == counts.max() > 1:
-        lines.number = table.line + int(np.setdiff1d(np.arange(table.count), first)[0])
+        lines.number = line + int(np.setdiff1d(np.arange(len(numbers)), first)[0])
         raise lines.error(f"the column {ids} has each id {counts[0]} times, as for {counts[0]} frames or pictures: write the rows of one "
                           f"of them, or say that all are bodies of one system (--ignore-columns {for_option([ids])})")  # fmt: skip
 
