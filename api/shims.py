@@ -60,6 +60,7 @@ LANES = {
     "overlap_area_2d": ("two_dimensions", "AreaArray"),
     "distance": ("distance", "DistanceArrays"),
     "penetration": ("depth", "DepthArrays"),
+    "signed_distance": ("signed_distance", "SignedDistanceArrays"),
     "closest_passage": ("passage", "PassageArrays"),
     "grain_contact": ("grains", "GrainArrays"),
     "distance_point": ("surface_distances", "SurfaceArrays", "PointRows{r, q}"),

@@ -1753,7 +1753,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_penetration_batch
 
-    !> Computes pw85_signed_distance() for n pairs, with bitwise equal results.
+    !> Computes pw85_signed_distance() for n pairs.
     function pw85_signed_distance_batch(n, r12, q1, q2, distance, point1, point2) result(status) &
       bind(C, name='pw85_signed_distance_batch')
       import

@@ -454,7 +454,8 @@ PW85_API int pw85_distance_derivatives_batch(size_t n, double const *r12, double
 PW85_API int pw85_penetration_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                     double *depth, double *direction);
 
-/** Computes pw85_signed_distance() for n pairs, with bitwise equal results.
+/** Computes pw85_signed_distance() for n pairs. The errors have the same bounds. The results are
+ * bitwise equal where the ellipsoids overlap; where they are apart, the last bits may differ.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]

@@ -116,6 +116,8 @@ LIBRARY_MUTANTS = [
     ("simulation/float_boxes.hpp", "negative_upper_(all.margin_ - boxes", "negative_upper_(-boxes", "hard_ellipsoids/far_spheres"),
     ("simd/lanes/volumes.hpp", "merge(!by_three);", "merge(by_three);", "same_bits/scales"),
     ("simd/lanes/depth.hpp", "!(at.length <= parts.length + slack)", "!(at.length <= infinity<Pack>())", "same_bits/scales"),
+    ("simd/lanes/signed_distance.hpp", "Pack(0.0) - found.depth", "found.depth", "same_bits/scales"),
+    ("simd/lanes/listed_distances.cpp", "live & ~certain, [", "0u, [", "same_bits/scales"),
     ("simd/lanes/images.hpp", "(certainty.overlap & passing) != 0", "certainty.overlap != 0", "hard_ellipsoids/tiny_pairs"),
     ("simulation/contact_search.cpp", "length_ + 0x1p-16 * scale * sum_of_magnitudes(center);", "length_;",
      "event_chains/passing_far_away"),

@@ -25,7 +25,8 @@ inline std::vector<std::string> const with_lanes = {
     "pw85_mesh_overlap_batch",     "pw85_contact_polytope_batch",
     "pw85_overlap_polytope_batch", "pw85_closest_passage_batch",
     "pw85_contact_segment_batch",  "pw85_contact_triangle_batch",
-    "pw85_contact_box_batch",      "pw85_grain_contact_batch"};
+    "pw85_contact_box_batch",      "pw85_grain_contact_batch",
+    "pw85_signed_distance_batch"};
 
 /// The function of one row of a function of many, by its name; null if it has lanes or no such
 /// relative.

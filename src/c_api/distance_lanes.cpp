@@ -8,6 +8,7 @@
 #include "../rows/many_pairs.hpp"
 #include "../simd/lanes/depth.hpp"
 #include "../simd/lanes/distance.hpp"
+#include "../simd/lanes/signed_distance.hpp"
 
 using namespace pw85::detail::kernels;
 
@@ -25,4 +26,12 @@ int pw85_penetration_batch(size_t n, double const *r12, double const *q1, double
     static constexpr char const *names[] = {"pw85_penetration_batch", "r12", "q1", "q2"};
     return compute_rows(names, n, PairArrays<3>{r12, q1, q2}, DepthArrays{depth, direction}, r12,
                         q1, q2);
+}
+
+int pw85_signed_distance_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                               double *distance, double *point1, double *point2)
+{
+    static constexpr char const *names[] = {"pw85_signed_distance_batch", "r12", "q1", "q2"};
+    return compute_rows(names, n, PairArrays<3>{r12, q1, q2},
+                        SignedDistanceArrays{distance, point1, point2}, r12, q1, q2);
 }

@@ -19,16 +19,6 @@ int pw85_distance_derivatives_batch(size_t n, double const *r12, double const *q
                     OptionalRowsOf<3>{d_rot2}, OptionalRowsOf<81>{hessian});
 }
 
-int pw85_signed_distance_batch(size_t n, double const *r12, double const *q1, double const *q2,
-                               double *distance, double *point1, double *point2)
-{
-    static constexpr char const *names[] = {"pw85_signed_distance_batch", "r12", "q1", "q2",
-                                            "distance", "point1", "point2"};
-    return each_row(names, n, pw85_signed_distance, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
-                    OptionalRowsOf<1>{distance}, OptionalRowsOf<3>{point1},
-                    OptionalRowsOf<3>{point2});
-}
-
 int pw85_signed_distance_derivatives_batch(size_t n, double const *r12, double const *q1,
                                            double const *q2, double *d_r12, double *d_rot1,
                                            double *d_rot2, double *hessian)

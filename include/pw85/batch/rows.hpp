@@ -514,8 +514,7 @@ static inline StatusCode penetration_batch(Vectors r12, Forms q1, Forms q2, std:
     return detail::call_rows(pw85_penetration_batch, r12, q1, q2, depth, direction);
 }
 
-/// Computes signed_distance() for many pairs, with bitwise equal results: see
-/// pw85_signed_distance_batch().
+/// Computes signed_distance() for many pairs: see pw85_signed_distance_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] distance,point1,point2 one for each pair, or empty

@@ -1091,7 +1091,7 @@ extern "C" {
         depth: *mut f64,
         direction: *mut f64,
     ) -> c_int;
-    /// Computes pw85_signed_distance() for n pairs, with bitwise equal results.
+    /// Computes pw85_signed_distance() for n pairs.
     pub fn pw85_signed_distance_batch(
         n: usize,
         r12: *const f64,

@@ -4360,8 +4360,10 @@ pub fn signed_distance(r12: &[f64; 3], q1: &[f64; 6], q2: &[f64; 6]) -> Result<D
     Ok(Distance { distance, point1, point2 })
 }
 
-/// Computes [`signed_distance()`](crate::signed_distance) for many pairs, with bitwise equal
-/// results.
+/// Computes [`signed_distance()`](crate::signed_distance) for many pairs.
+///
+/// The errors have the same bounds. The results are bitwise equal where the ellipsoids overlap;
+/// where they are apart, the last bits may differ.
 ///
 /// # Arguments
 ///

@@ -10,6 +10,8 @@
 #define PW85_SIMD_LANES_DISTANCE_HPP_INCLUDED
 
 #include "../pairs.hpp"
+#include "../targets.hpp"
+#include "../worklist.hpp"
 
 namespace pw85::detail::kernels {
 
@@ -24,6 +26,18 @@ struct DistanceArrays {
     }
 };
 
+/// Computes the distances of the pairs in a list whose last pack is filled (pad()). Those that are
+/// not certain are left over, and nothing is written for them.
+using ListedDistances = void(PairArrays<3> const &, std::uint16_t const *indices, std::size_t count,
+                             DistanceArrays const &, Worklist &rejected_lanes) noexcept;
+
+#define PW85_DECLARE_LISTED_DISTANCES(target, one_pair, available)                                 \
+    namespace target {                                                                             \
+    ListedDistances listed_distances;                                                              \
+    }
+PW85_EACH_TARGET(PW85_DECLARE_LISTED_DISTANCES)
+#undef PW85_DECLARE_LISTED_DISTANCES
+
 } // namespace pw85::detail::kernels
 
 #ifdef PW85_KERNEL
@@ -37,7 +51,8 @@ PW85_INLINE DistancePair<Pack, 3> with_units(LanePair<3> const &pair) noexcept
     return {pair.r12, pair.q1, pair.q2, Pack(1.0), Pack(1.0)};
 }
 
-/// Stores the distances and closest points of consecutive pairs.
+/// Stores the distances and closest points of consecutive pairs. In `d`, point 2 is relative to its
+/// own centre.
 PW85_INLINE void store_distances(Distance<Pack, 3> const &d, Vector<Pack, 3> const &r12,
                                  std::size_t first, std::size_t left,
                                  kernels::DistanceArrays const &out) noexcept
@@ -47,6 +62,35 @@ PW85_INLINE void store_distances(Distance<Pack, 3> const &d, Vector<Pack, 3> con
     Vector<Pack, 3> point2;
     for (int i = 0; i < 3; ++i) point2[i] = r12[i] - d.point2[i];
     if (out.point2 != nullptr) store_rows(point2, left, out.point2 + 3 * first);
+}
+
+/// Stores distances and points of the lanes of some bits in the rows of a list.
+PW85_INLINE void scatter_distances(Distance<Pack, 3> const &d, Vector<Pack, 3> const &r12,
+                                   unsigned bits, std::uint16_t const *indices,
+                                   kernels::DistanceArrays const &out) noexcept
+{
+    for_lanes(bits, [&](unsigned i) {
+        std::size_t const row = indices[i];
+        if (out.distance != nullptr) out.distance[row] = d.distance[i];
+        for (int k = 0; k < 3; ++k) {
+            if (out.point1 != nullptr) kernels::row_of(out.point1, 3, row)[k] = d.point1[k][i];
+            if (out.point2 != nullptr)
+                kernels::row_of(out.point2, 3, row)[k] = r12[k][i] - d.point2[k][i];
+        }
+    });
+}
+
+/// Takes the last step of a search, calls store(distances), and returns the lanes that are certain.
+/// Both points are relative to their own centres.
+template <class Store> PW85_INLINE PackMask finish_search(LanePair<3> const &pair,
+                                                          Multipliers<Pack> const &x,
+                                                          Store const &store) noexcept
+{
+    auto const last = take_last_step(with_units(pair), x);
+    auto const slab = accurate_slab_along(with_units(pair), last.u);
+    store(distance_across(slab)); // before the tests: registers
+    return last.found && passes_fast_checks(pair) && is_wide(with_units(pair), slab) &&
+           is_accurate(with_units(pair), slab);
 }
 
 /// Computes the distances of a chunk. scalar_fallback() overwrites those that are not certain.
@@ -68,13 +112,9 @@ template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk con
     for (std::size_t k = 0; k < packs; ++k) {
         std::size_t const first = begin + k * lanes, left = count - k * lanes;
         auto const &pair = pairs[k];
-        auto const last = take_last_step(with_units(pair), searches[k].x);
-        auto const slab = accurate_slab_along(with_units(pair), last.u);
-        auto const d = distance_across(slab);
-        store_distances(d, pair.r12, first, left, out);
-        PackMask const done = last.found && passes_fast_checks(pair) &&
-                              is_wide(with_units(pair), slab) &&
-                              is_accurate(with_units(pair), slab);
+        PackMask const done = finish_search(pair, searches[k].x, [&](Distance<Pack, 3> const &d) {
+            store_distances(d, pair.r12, first, left, out);
+        });
         for_lanes(live_lanes(left) & ~done.to_bits(),
                   [&](unsigned i) { rejected_lanes.push(first + i); });
     }
