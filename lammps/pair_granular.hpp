@@ -53,6 +53,8 @@ class PairGranular final : public LAMMPS_NS::Pair {
     std::vector<Touch> const &touches() const { return touches_; }
 
   private:
+    static constexpr char granular_style[] = "Pair pw85/granular";
+
     struct Material {
         ContactLaw law;
         /// true if the force is minus the gradient of the energy, of which R is a part

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Proves the bounds of the approximations in include/pw85/volume/chord_area.hpp, with the constants as they stand there.
+"""Proves the bounds of the approximations in chord_axis.hpp and chord_area.hpp of include/pw85/volume, with their constants.
 
-Usage: chord_bounds.py HEADER
+Usage: chord_bounds.py HEADER...
 
 1. A function f that is analytic in the ellipse with the foci 0 and 1 and the sum 5/2 of its semi-axes, with |f| <= M there, differs from
    its interpolant at n + 1 Chebyshev points of [0, 1] by at most 4 M 5^-n/4 (L. N. Trefethen, Approximation Theory and Approximation
@@ -149,7 +149,7 @@ BOUNDS = [
 
 
 def main():
-    text = Path(sys.argv[1]).read_text(encoding="utf-8")
+    text = "".join(Path(header).read_text(encoding="utf-8") for header in sys.argv[1:])
     failed = False
     for name, error, limit in BOUNDS:
         found = error(text)

@@ -51,7 +51,7 @@ MUTANTS = [
     ("volume/volume_terms.hpp", "largest_distance_of_integrals = 64.0", "largest_distance_of_integrals = 1e6", "test_overlap_volume"),
     ("volume/chord_area.hpp", "return end(0) && end(1);", "return end(0) || true;", "test_overlap_area"),
     ("volume/chord_area.hpp", "exceeds(T(a.other + a.other_error)", "exceeds(T(0.5 * a.other)", "test_overlap_area"),
-    ("volume/chord_area.hpp", "T(0.051474763346229496)", "T(0.051484763346229496)", "test_overlap_area"),
+    ("volume/chord_axis.hpp", "T(0.051474763346229496)", "T(0.051484763346229496)", "test_overlap_area"),
     ("volume/overlap_volume.hpp", "largest_number_of_frame = 16.0", "largest_number_of_frame = 1e6", "test_overlap_area"),
     ("volume/overlap_volume.hpp", "return first && second;", "return first || second;", "test_overlap_volume"),
     ("motion/closest_passage.hpp", "at_end = (t == T(0) && along >= T(0))", "at_end = (t == T(0) && along <= T(0))",

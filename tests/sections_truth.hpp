@@ -229,53 +229,65 @@ inline Sums integrate(Body const &ball, Body const &other, Real tolerance)
     return total;
 }
 
-/// V, dV/dr12, dV/dq1, dV/dq2 of any pair (by stored entries).
-inline Sums common_part(double const *r, double const *q1, double const *q2, Real tolerance)
-{
-    using Vector = Numbers<3>;
-    struct M {
-        Vector rows[3];
+using Vector = Numbers<3>;
 
-        Vector &operator[](int i) { return rows[i]; }
-        Vector const &operator[](int i) const { return rows[i]; }
-    };
-    auto matrix = [](double const *q) {
-        M m;
-        int n = 0;
-        for (int i = 0; i < 3; ++i)
-            for (int j = i; j < 3; ++j) m[i][j] = m[j][i] = q[n++];
-        return m;
-    };
-    auto chol = [](M const &q) {
-        M l{};
-        for (int j = 0; j < 3; ++j) {
-            Real d = q[j][j];
-            for (int k = 0; k < j; ++k) d -= l[j][k] * l[j][k];
-            l[j][j] = std::sqrt(d);
-            for (int i = j + 1; i < 3; ++i) {
-                Real x = q[i][j];
-                for (int k = 0; k < j; ++k) x -= l[i][k] * l[j][k];
-                l[i][j] = x / l[j][j];
-            }
+/// A matrix, by its rows.
+struct Matrix {
+    Vector rows[3];
+
+    Vector &operator[](int i) { return rows[i]; }
+    Vector const &operator[](int i) const { return rows[i]; }
+};
+
+inline Real dot(Vector const &x, Vector const &y)
+{
+    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+}
+
+/// L of Q = L Lᵀ.
+inline Matrix cholesky(double const *form)
+{
+    Matrix q, l{};
+    for (int i = 0, n = 0; i < 3; ++i)
+        for (int j = i; j < 3; ++j) q[i][j] = q[j][i] = form[n++];
+    for (int j = 0; j < 3; ++j) {
+        Real d = q[j][j];
+        for (int k = 0; k < j; ++k) d -= l[j][k] * l[j][k];
+        l[j][j] = std::sqrt(d);
+        for (int i = j + 1; i < 3; ++i) {
+            Real x = q[i][j];
+            for (int k = 0; k < j; ++k) x -= l[i][k] * l[j][k];
+            l[i][j] = x / l[j][j];
         }
-        return l;
-    };
-    M const a = matrix(q1), b = matrix(q2), la = chol(a), lb = chol(b);
-    bool const swapped = la[0][0] * la[1][1] * la[2][2] > lb[0][0] * lb[1][1] * lb[2][2];
-    M const &l = swapped ? lb : la, &lo = swapped ? la : lb;
-    auto solve = [&](Vector x) {
-        for (int j = 0; j < 3; ++j) {
-            for (int k = 0; k < j; ++k) x[j] -= l[j][k] * x[k];
-            x[j] /= l[j][j];
-        }
-        return x;
-    };
-    // one-sided Jacobi of G = l^-1 lo, rows of g are its columns
-    M g;
-    for (int j = 0; j < 3; ++j) g[j] = solve({lo[0][j], lo[1][j], lo[2][j]});
-    auto dot = [](Vector const &x, Vector const &y) {
-        return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    };
+    }
+    return l;
+}
+
+inline Real determinant(Matrix const &l) { return l[0][0] * l[1][1] * l[2][2]; }
+
+/// L⁻¹ x.
+inline Vector solve(Matrix const &l, Vector x)
+{
+    for (int j = 0; j < 3; ++j) {
+        for (int k = 0; k < j; ++k) x[j] -= l[j][k] * x[k];
+        x[j] /= l[j][j];
+    }
+    return x;
+}
+
+/// L⁻ᵀ x.
+inline Vector solve_transposed(Matrix const &l, Vector x)
+{
+    for (int j = 2; j >= 0; --j) {
+        for (int k = j + 1; k < 3; ++k) x[j] -= l[k][j] * x[k];
+        x[j] /= l[j][j];
+    }
+    return x;
+}
+
+/// Makes rows orthogonal by rotations, as Jacobi's method for one side does.
+inline void make_orthogonal(Matrix &g)
+{
     for (int sweep = 0; sweep < 40; ++sweep)
         for (int i = 0; i < 3; ++i)
             for (int j = i + 1; j < 3; ++j) {
@@ -290,32 +302,16 @@ inline Sums common_part(double const *r, double const *q1, double const *q2, Rea
                     g[j][k] = sn * x + cs * y;
                 }
             }
-    Body ball{{1, 1, 1}, {0, 0, 0}}, other{};
-    auto const c = solve(
-        {swapped ? -(Real)r[0] : r[0], swapped ? -(Real)r[1] : r[1], swapped ? -(Real)r[2] : r[2]});
-    M u;
-    for (int i = 0; i < 3; ++i) {
-        other.axes[i] = std::sqrt(dot(g[i], g[i]));
-        for (int k = 0; k < 3; ++k) u[i][k] = g[i][k] / other.axes[i];
-        other.center[i] = dot(u[i], c);
-    }
-    Sums const s = integrate(ball, other, tolerance);
-    Real const det = l[0][0] * l[1][1] * l[2][2];
-    // map = l^-T u, columns map[i]
-    M map;
-    for (int i = 0; i < 3; ++i) {
-        auto x = u[i];
-        for (int j = 2; j >= 0; --j) {
-            for (int k = j + 1; k < 3; ++k) x[j] -= l[k][j] * x[k];
-            x[j] /= l[j][j];
-        }
-        map[i] = x;
-    }
+}
+
+/// The sums of a pair from those in the frame of the ball, of which `map` has the axes in its rows.
+inline Sums to_space(Sums const &s, Matrix const &map, Real det, bool swapped)
+{
+    static int const index[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
     Sums out{};
     out[0] = det * s[0];
     for (int k = 0; k < 3; ++k)
         for (int i = 0; i < 3; ++i) out[1 + k] += det * (swapped ? -1 : 1) * s[1 + i] * map[i][k];
-    static int const index[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
     for (int body = 0; body < 2; ++body) {
         int const to = (body == 0) != swapped ? 4 : 10, from = body == 0 ? 4 : 10;
         for (int p = 0; p < 3; ++p)
@@ -327,6 +323,28 @@ inline Sums common_part(double const *r, double const *q1, double const *q2, Rea
             }
     }
     return out;
+}
+
+/// V, dV/dr12, dV/dq1, dV/dq2 of any pair (by stored entries).
+inline Sums common_part(double const *r, double const *q1, double const *q2, Real tolerance)
+{
+    Matrix const l1 = cholesky(q1), l2 = cholesky(q2);
+    bool const swapped = determinant(l1) > determinant(l2);
+    Matrix const &l = swapped ? l2 : l1, &other_l = swapped ? l1 : l2;
+    // L⁻¹ times the factor of the other one, with its columns as rows.
+    Matrix g, map;
+    for (int j = 0; j < 3; ++j) g[j] = solve(l, {other_l[0][j], other_l[1][j], other_l[2][j]});
+    make_orthogonal(g);
+    Real const sign = swapped ? -1 : 1;
+    Vector const c = solve(l, {sign * r[0], sign * r[1], sign * r[2]});
+    Body ball{{1, 1, 1}, {0, 0, 0}}, other{};
+    for (int i = 0; i < 3; ++i) {
+        other.axes[i] = std::sqrt(dot(g[i], g[i]));
+        for (int k = 0; k < 3; ++k) g[i][k] /= other.axes[i];
+        other.center[i] = dot(g[i], c);
+        map[i] = solve_transposed(l, g[i]);
+    }
+    return to_space(integrate(ball, other, tolerance), map, determinant(l), swapped);
 }
 } // namespace pw85_tests::sections
 

@@ -12,6 +12,7 @@
 #include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
+#include "integer_maps.hpp"
 #include "random_pairs.hpp"
 #include "reference_data.hpp"
 #include "sturm.hpp"
@@ -133,41 +134,8 @@ PW85_TEST("/compare/sizes")
     g_assert_cmpint(signs.above, >, draws(150));
 }
 
-int random_integer(Random &random, int limit)
-{
-    return static_cast<int>(std::floor(random.uniform(-limit, limit + 1)));
-}
-
-/// A linear map of small integers with positive determinant: lower triangular, often diagonal, or
-/// the identity.
-template <int D> struct Map {
-    double l[std::size_t(D)][std::size_t(D)] = {};
-};
-
-template <int D> Map<D> random_map(Random &random, int limit)
-{
-    Map<D> map;
-    bool const diagonal = random.uniform(0.0, 1.0) < 0.5;
-    for (int i = 0; i < D; ++i) {
-        for (int j = 0; j < i && !diagonal; ++j) map.l[i][j] = random_integer(random, limit);
-        map.l[i][i] = 1 + std::abs(random_integer(random, limit));
-    }
-    return map;
-}
-
-/// L diag(d) Lᵀ.
 template <int D>
-pw85::SymmetricMatrix<double, D> mapped(Map<D> const &map, pw85::Vector<double, D> const &d)
-{
-    pw85::SymmetricMatrix<double, D> q{};
-    for (int i = 0; i < D; ++i)
-        for (int j = i; j < D; ++j)
-            for (int k = 0; k < D; ++k) q(i, j) += map.l[i][k] * d[k] * map.l[j][k];
-    return q;
-}
-
-template <int D>
-pw85::Vector<double, D> mapped_vector(Map<D> const &map, pw85::Vector<double, D> const &x)
+pw85::Vector<double, D> mapped_vector(IntegerMap<D> const &map, pw85::Vector<double, D> const &x)
 {
     pw85::Vector<double, D> y{};
     for (int i = 0; i < D; ++i)
@@ -187,7 +155,7 @@ template <int D> void test_equal()
         double const sum = std::ldexp(1.0, 4 + n % 4),
                      a1 = 1 + std::abs(random_integer(random, 13)), a2 = sum - a1;
         double const unit = std::ldexp(1.0, 40 * (n % 9 - 4));
-        auto const map = random_map<D>(random, n % 5);
+        auto const map = random_map<D>(random, n % 5, n % 5);
         pw85::Vector<double, D> r{}, d1{}, d2{};
         bool const along_axis = n % 3 == 0;
         double const wide1 = along_axis ? 1 + std::abs(random_integer(random, 30)) : 1,
@@ -218,14 +186,11 @@ template <int D> void test_small_integers()
     Signs signs;
     Random random(630 + D);
     for (int n = 0; n < draws(6000); ++n) {
-        pw85::Vector<double, D> ones{};
         Sample<double, D> s{};
-        for (int i = 0; i < D; ++i) {
-            ones[i] = 1;
-            s.r12[i] = n % (i + 2) == 0 ? 0 : random_integer(random, 6);
-        }
-        s.q1 = mapped(random_map<D>(random, 1 + n % 3), ones);
-        s.q2 = n % 7 == 0 ? s.q1 : mapped(random_map<D>(random, 1 + n % 3), ones);
+        for (int i = 0; i < D; ++i) s.r12[i] = n % (i + 2) == 0 ? 0 : random_integer(random, 6);
+        auto const form = [&] { return mapped_ball(random_map<D>(random, 1 + n % 3, 1 + n % 3)); };
+        s.q1 = form();
+        s.q2 = n % 7 == 0 ? s.q1 : form();
         if (pw85::detail::largest_coordinate(s.r12) == 0) continue;
         double const m = std::fmax(1.0, std::round(4 * pw85::contact(s.r12, s.q1, s.q2).mu2)) / 4;
         expect(s, m, true_sign(s, m), failures, signs);

@@ -15,6 +15,7 @@
 #include "containment_truth.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
+#include "integer_maps.hpp"
 #include "random_pairs.hpp"
 
 using namespace pw85_tests;
@@ -133,36 +134,6 @@ template <int D> void test_units()
     }
 }
 
-int random_integer(Random &random, int limit)
-{
-    return static_cast<int>(std::floor(random.uniform(-limit, limit + 1)));
-}
-
-/// The lower triangle L of a random form, of small integers; often diagonal.
-template <int D> struct Factor {
-    double l[std::size_t(D)][std::size_t(D)] = {};
-};
-
-template <int D> Factor<D> random_factor(Random &random, int limit)
-{
-    Factor<D> f;
-    bool const diagonal = random.uniform(0.0, 1.0) < 0.5;
-    for (int i = 0; i < D; ++i) {
-        for (int j = 0; j < i && !diagonal; ++j) f.l[i][j] = random_integer(random, limit);
-        f.l[i][i] = 1 + std::abs(random_integer(random, limit - 1));
-    }
-    return f;
-}
-
-template <int D> pw85::SymmetricMatrix<double, D> form_of(Factor<D> const &f, double scale2)
-{
-    pw85::SymmetricMatrix<double, D> q{};
-    for (int i = 0; i < D; ++i)
-        for (int j = i; j < D; ++j)
-            for (int k = 0; k < D; ++k) q(i, j) += scale2 * f.l[i][k] * f.l[j][k];
-    return q;
-}
-
 // Small integers: coincidences of all kinds.
 template <int D> void test_small_integers()
 {
@@ -170,9 +141,8 @@ template <int D> void test_small_integers()
     Random random(520 + D);
     int inside = 0, touching = 0;
     for (int n = 0; n < draws(1500); ++n) {
-        Sample<double, D> s{{},
-                            form_of(random_factor<D>(random, 5), 1.0),
-                            form_of(random_factor<D>(random, 3), 1.0)};
+        Sample<double, D> s{
+            {}, mapped_ball(random_map<D>(random, 5, 4)), mapped_ball(random_map<D>(random, 3, 2))};
         for (int i = 0; i < D; ++i)
             s.r12[i] = n % (i + 2) == 0 ? 0 : random_integer(random, 4) / 2.0;
         auto const k = kappa2(s);
@@ -195,12 +165,13 @@ PW85_TEST("/containment/touching_balls")
                                     {6, 6, 7, 11}, {0, 3, 4, 5}, {0, 0, 2, 2}};
     for (int n = 0; n < draws(400); ++n) {
         auto const &quadruple = quadruples[n % 6];
-        auto const map = n < 6 ? Factor<3>{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}
-                               : random_factor<3>(random, 1 + n % 40);
+        auto const map = n < 6 ? IntegerMap<3>{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}
+                               : random_map<3>(random, 1 + n % 40, n % 40);
         double const a2 = 1 + std::abs(random_integer(random, 20)), a1 = quadruple[3] + a2,
                      scale = std::ldexp(1, n % 801 - 400);
-        Sample<double, 3> s{
-            {}, form_of(map, a1 * a1 * scale * scale), form_of(map, a2 * a2 * scale * scale)};
+        Sample<double, 3> s{{},
+                            mapped_ball(map, a1 * a1 * scale * scale),
+                            mapped_ball(map, a2 * a2 * scale * scale)};
         for (int i = 0; i < 3; ++i)
             for (int k = 0; k <= i; ++k) s.r12[i] += map.l[i][k] * quadruple[k] * scale;
         compare(s, true, failures);

@@ -121,6 +121,20 @@ void test_largest(void const *data)
     g_assert_cmpfloat(std::fabs(out[1] - 0.5), <=, 0x1p-52);
 }
 
+/// Derivatives and contact points at a λ.
+struct AtLambda {
+    double point[3], normal[3], force[3], torque1[3], torque2[3];
+
+    AtLambda(Sample<double, 3> const &x, double lambda)
+    {
+        double const *const r = x.r12.coordinates, *const q1 = x.q1.entries,
+                            *const q2 = x.q2.entries;
+        pw85_contact_geometry(r, q1, q2, lambda, point, normal);
+        pw85_contact_gradient(r, q1, q2, lambda, force, nullptr, nullptr);
+        pw85_contact_torque(r, q1, q2, lambda, torque1, torque2);
+    }
+};
+
 // Derivatives and contact points scale as they must: bits are those of the unscaled pair.
 void test_derivatives_scale()
 {
@@ -132,20 +146,9 @@ void test_derivatives_scale()
         Sample<double, 3> const s{pw85::detail::times_power_of_two(p.r12, e),
                                   pw85::detail::times_power_of_two(p.q1, 2 * e),
                                   pw85::detail::times_power_of_two(p.q2, 2 * e)};
-        double out[2], point[3], scaled_point[3], normal[3], scaled_normal[3], force[3],
-            scaled_force[3], torque[3], scaled_torque[3], other[3];
+        double out[2];
         pw85_contact(p.r12.coordinates, p.q1.entries, p.q2.entries, out);
-        auto const of = [&](Sample<double, 3> const &x, double *point_, double *normal_,
-                            double *force_, double *torque_) {
-            pw85_contact_geometry(x.r12.coordinates, x.q1.entries, x.q2.entries, out[1], point_,
-                                  normal_);
-            pw85_contact_gradient(x.r12.coordinates, x.q1.entries, x.q2.entries, out[1], force_,
-                                  nullptr, nullptr);
-            pw85_contact_torque(x.r12.coordinates, x.q1.entries, x.q2.entries, out[1], torque_,
-                                other);
-        };
-        of(p, point, normal, force, torque);
-        of(s, scaled_point, scaled_normal, scaled_force, scaled_torque);
+        AtLambda const own(p, out[1]), scaled(s, out[1]);
         // Exchanging the two, as scaling may, changes rounding errors only: a few u of the largest
         // coordinate, times the condition number of the blend, 100 at most.
         auto const close = [&](double const *x, double const *y, int exponent, char const *what) {
@@ -158,10 +161,10 @@ void test_derivatives_scale()
                                [&] { return hex_text(p) + ", exponent " + std::to_string(e); });
             }
         };
-        close(point, scaled_point, e, "point");
-        close(normal, scaled_normal, 0, "normal");
-        close(force, scaled_force, -e, "d_r12");
-        close(torque, scaled_torque, 0, "d_rot1");
+        close(own.point, scaled.point, e, "point");
+        close(own.normal, scaled.normal, 0, "normal");
+        close(own.force, scaled.force, -e, "d_r12");
+        close(own.torque1, scaled.torque1, 0, "d_rot1");
     }
 }
 

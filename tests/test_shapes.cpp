@@ -10,6 +10,7 @@
 #include <pw85.h>
 
 #include "draws.hpp"
+#include "integer_maps.hpp"
 #include "shape_cases.hpp"
 
 using namespace pw85_tests;
@@ -231,11 +232,6 @@ template <class Shape, class T> void test_near_touch()
     g_assert_cmpint(overlapping, <, 3 * count / 4);
 }
 
-double random_integer(Random &random, int limit)
-{
-    return std::floor(random.uniform(-limit, limit + 1));
-}
-
 // Small integers: the ellipsoid and the set touch exactly, at vertices, on edges and inside of
 // faces.
 template <class Shape> void test_small_integers()
@@ -245,15 +241,11 @@ template <class Shape> void test_small_integers()
     int touching = 0, overlapping = 0;
     for (int n = 0; n < draws(20000); ++n) {
         Case<Shape::size> c{};
-        double const l[3][3] = {
-            {1 + std::abs(random_integer(random, 2)), 0, 0},
-            {random_integer(random, 1), 1 + std::abs(random_integer(random, 2)), 0},
-            {random_integer(random, 1), random_integer(random, 1), 1}};
-        for (int i = 0; i < 3; ++i)
-            for (int j = i; j < 3; ++j)
-                for (int k = 0; k < 3; ++k) c.q(i, j) += l[i][k] * l[j][k];
-        for (auto &x : c.points)
-            x = {random_integer(random, 3), random_integer(random, 3), random_integer(random, 3)};
+        auto const integer = [&](int limit) { return double(random_integer(random, limit)); };
+        c.q = mapped_ball(IntegerMap<3>{{{1 + std::abs(integer(2)), 0, 0},
+                                         {integer(1), 1 + std::abs(integer(2)), 0},
+                                         {integer(1), integer(1), 1}}});
+        for (auto &x : c.points) x = {integer(3), integer(3), integer(3)};
         for (int i = 0; i < 3; ++i)
             if (std::is_same_v<Shape, Box> && c.points[0][i] > c.points[1][i])
                 std::swap(c.points[0][i], c.points[1][i]);

@@ -177,15 +177,13 @@ void expect_moments(Confined const &confined, std::vector<Vector3> const &axes,
     expect_no_overlap(simulation);
 }
 
-/// Walls of all kinds. Whether a particle is inside is decided by distances, which share no
-/// decision with the simulation.
-std::vector<Confined> confinements()
+bool is_below(Vector3 const &normal, double offset, Vector3 const &x, Form const &q)
 {
-    auto const from_plane = [](Vector3 const &normal, double offset, Vector3 const &x,
-                               Form const &q) {
-        return pw85::distance_plane(normal, offset - dot(normal, x), q).distance >= 0.0;
-    };
-    std::vector<Confined> all;
+    return pw85::distance_plane(normal, offset - dot(normal, x), q).distance >= 0.0;
+}
+
+Confined in_planes()
+{
     Vector3 const slanted = {0.6, 0.0, 0.8};
     std::vector<Wall> planes;
     std::vector<std::pair<Vector3, double>> half_spaces;
@@ -193,11 +191,31 @@ std::vector<Confined> confinements()
                              Vector3{0, -2, 0}, Vector3{0, 0, -1}, slanted})
         half_spaces.emplace_back(n, n[1] != 0.0 ? 2.4 : 1.2);
     for (auto const &[n, offset] : half_spaces) planes.push_back(Wall::plane(n, offset));
-    all.push_back({"planes", planes, {1.2, 1.2, 2.4}, [=](Vector3 const &x, Form const &q) {
-                       return std::all_of(
-                           half_spaces.begin(), half_spaces.end(),
-                           [&](auto const &h) { return from_plane(h.first, h.second, x, q); });
-                   }});
+    return {"planes", planes, {1.2, 1.2, 2.4}, [=](Vector3 const &x, Form const &q) {
+                return std::all_of(half_spaces.begin(), half_spaces.end(), [&](auto const &h) {
+                    return is_below(h.first, h.second, x, q);
+                });
+            }};
+}
+
+Confined in_cylinder(char const *name, Vector3 const &axis, Vector3 const &end)
+{
+    return {
+        name,
+        {Wall::cylinder({0.1, 0.0, 0.0}, axis, 1.1), Wall::plane(end, 1.0), Wall::plane(-end, 1.0)},
+        {1.3, 1.4, 1.4},
+        [=](Vector3 const &x, Form const &q) {
+            return pw85::distance_cylinder(axis, 1.1, x - Vector3{0.1, 0.0, 0.0}, q).distance >=
+                       0.0 &&
+                   is_below(end, 1.0, x, q) && is_below(-end, 1.0, x, q);
+        }};
+}
+
+/// Walls of all kinds. Whether a particle is inside is decided by distances, which share no
+/// decision with the simulation.
+std::vector<Confined> confinements()
+{
+    std::vector<Confined> all = {in_planes()};
     all.push_back({"sphere",
                    {Wall::sphere({0.1, 0, 0}, 1.3)},
                    {1.4, 1.3, 1.3},
@@ -213,19 +231,8 @@ std::vector<Confined> confinements()
                                                  Vector3{1.1, 1.0, 1.3} - x, q)
                                   .distance >= 0.0;
                    }});
-    for (bool const is_slanted : {false, true}) {
-        Vector3 const axis = is_slanted ? Vector3{0.0, 1.0, 0.25} : Vector3{0.0, 0.0, 2.0};
-        Vector3 const end = is_slanted ? Vector3{0, 1, 0} : Vector3{0, 0, 1};
-        all.push_back({is_slanted ? "slanted cylinder" : "cylinder",
-                       {Wall::cylinder({0.1, 0.0, 0.0}, axis, 1.1), Wall::plane(end, 1.0),
-                        Wall::plane(-end, 1.0)},
-                       {1.3, 1.4, 1.4},
-                       [=](Vector3 const &x, Form const &q) {
-                           return pw85::distance_cylinder(axis, 1.1, x - Vector3{0.1, 0.0, 0.0}, q)
-                                          .distance >= 0.0 &&
-                                  from_plane(end, 1.0, x, q) && from_plane(-end, 1.0, x, q);
-                       }});
-    }
+    all.push_back(in_cylinder("cylinder", {0.0, 0.0, 2.0}, {0, 0, 1}));
+    all.push_back(in_cylinder("slanted cylinder", {0.0, 1.0, 0.25}, {0, 1, 0}));
     return all;
 }
 

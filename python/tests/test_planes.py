@@ -399,10 +399,21 @@ def test_ellipses_in_other_formats(tmp_path):
         np.testing.assert_array_equal(np.concatenate([system.centers[0, :2], system.semi_axes[0, :2]]), [1, 2, 3, 1])
         np.testing.assert_allclose(system.angles, [np.pi / 6], rtol=0, atol=2 * U)
         assert "in degrees" in system.source
-    with h5py.File(tmp_path / "a.h5", "a") as file:  # as H5MD has a plane
-        del file["particles/all/box/edges"]
-        box = file["particles/all/box"]
-        box["edges"], box["offset"], box.attrs["boundary"] = [[9.0, 1], [0, 9]], [-1.0, 2], np.array([b"none", b"periodic"])
+    (tmp_path / "a.xyz").write_text("1\nDimensions=5 Properties=species:S:1:pos:R:3:radius:R:1\nA 1 2 0 3\n")
+    with pytest.raises(pypw85.FileError, match="'Dimensions' must be 2 or 3, not 5"):
+        pypw85.read(tmp_path / "a.xyz")
+
+
+def test_planes_of_h5md(tmp_path):
+    """Boxes of two vectors, and attributes that are not those of a plane."""
+    import h5py
+
+    with h5py.File(tmp_path / "a.h5", "w") as file:
+        group = file.create_group("particles/all")
+        group["position"], group["semi_axes"], group["angle"] = [[1.0, 2]], [[3.0, 1]], [30.0]
+        group["angle"].attrs["unit"] = "deg"
+        group["box/edges"] = [[9.0, 1], [0, 9]]
+        group["box/offset"], group["box"].attrs["boundary"] = [-1.0, 2], np.array([b"none", b"periodic"])
     with pytest.warns(UserWarning, match="taken as two-dimensional"):
         system = pypw85.read(tmp_path / "a.h5")
     assert system.cell.tolist() == [[9, 1, 0], [0, 9, 0], [0, 0, 1]] and system.periodic == (False, True, False)
@@ -416,9 +427,6 @@ def test_ellipses_in_other_formats(tmp_path):
         file["particles/all"].attrs["dimensions"] = 4
     with pytest.raises(pypw85.FileError, match="the attribute dimensions must be 2 or 3, not 4"):
         pypw85.read(tmp_path / "a.h5")
-    (tmp_path / "a.xyz").write_text("1\nDimensions=5 Properties=species:S:1:pos:R:3:radius:R:1\nA 1 2 0 3\n")
-    with pytest.raises(pypw85.FileError, match="'Dimensions' must be 2 or 3, not 5"):
-        pypw85.read(tmp_path / "a.xyz")
     flat, solid = gas(np.random.default_rng(1), 5), pypw85.System.from_axes(np.eye(3), np.ones((3, 3)), [[1, 0, 0, 0]] * 3)
     with pytest.raises(ValueError, match="frame 1 has another number of dimensions"):
         pypw85.write(tmp_path / "b.h5", [flat, solid])

@@ -283,7 +283,7 @@ def test_overlapping_start():
         pypw85.HardEllipsoids(lattice(1, (1, 1, 1)))
 
 
-def test_bad_input():
+def test_bad_systems():
     start = lattice()
     start.centers[7, 1] = np.nan
     with pytest.raises(pypw85.PW85Error, match="particle 7: centers must be finite, not .*nan"):
@@ -295,7 +295,22 @@ def test_bad_input():
             pypw85.HardEllipsoids(lattice(), seed)
     with pytest.raises(TypeError):
         pypw85.HardEllipsoids(lattice(), 1.5)
-    simulation = pypw85.HardEllipsoids(lattice(), np.int64(3))
+    for start in (None, lattice().centers, "start.xyz"):
+        with pytest.raises(TypeError, match=r"system must be a pypw85\.System, not \w+$"):
+            pypw85.HardEllipsoids(start)
+
+
+def test_bad_restored_bytes():
+    before = pypw85.HardEllipsoids(lattice(), np.int64(3)).save()
+    with pytest.raises(pypw85.PW85Error, match="restore: bytes must be complete: num_bytes differs from the number in the state"):
+        pypw85.HardEllipsoids.restore(before[:-1])
+    with pytest.raises(TypeError):
+        pypw85.HardEllipsoids.restore("text")
+
+
+def test_bad_numbers():
+    """Refused numbers change nothing."""
+    simulation = pypw85.HardEllipsoids(lattice(), 3)
     before = simulation.save()
     for call, argument, numbers, range_ in (
         (lambda x: simulation.volume_moves(1, x), "pressure", (0.0, -1.0), "> 0"),
@@ -315,27 +330,6 @@ def test_bad_input():
     for number, range_ in ((-1.0, ">= 0"), (np.nan, "finite"), (np.inf, "finite")):
         with pytest.raises(pypw85.PW85Error, match=rf"set_fractions: fractions must be {range_}, not \[1.0, {number}, 0.0, 0.0\]$"):
             simulation.set_fractions(1, number)
-    with pytest.raises(pypw85.PW85Error, match="translation must be at most the longest vector of the cell, not 11.0$"):
-        simulation.set_steps(11, 0.1, 0.1)
-    with pytest.raises(pypw85.PW85Error, match="set_fractions: fractions must have a sum that is > 0 and finite, not "):
-        simulation.set_fractions()
-    with pytest.raises(pypw85.PW85Error, match=r"chain: length must let chains advance: .* the length is too long, not 1e\+17$"):
-        pypw85.HardEllipsoids(lattice()).chain(1, 1e17)
-    for quaternion, reason in (([0, 0, 0, 0], "not be zero"), ([1, np.nan, 0, 0], "be finite")):
-        with pytest.raises(pypw85.PW85Error, match=f"try_placement: quaternion must {reason}, not"):
-            simulation.try_placement(0, None, quaternion)
-    with pytest.raises(pypw85.PW85Error, match="try_placement: center must not be too far away"):
-        simulation.try_placement(0, [1e18, 1, 2])
-    for start in (None, lattice().centers, "start.xyz"):
-        with pytest.raises(TypeError, match=r"system must be a pypw85\.System, not \w+$"):
-            pypw85.HardEllipsoids(start)
-    with pytest.raises(ValueError, match="change must be 'isotropic', 'axis', 'triclinic' or 'aspect', not 'shear'"):
-        simulation.volume_moves(1, 1.0, "shear")
-    for direction, reason in (([0, 0, 0], "not be zero"), ([np.inf, 0, 0], "be finite")):
-        with pytest.raises(pypw85.PW85Error, match=rf"^HardEllipsoids\.chain: direction must {reason}, not "):
-            simulation.chain(1, 1.0, direction)
-    with pytest.raises(ValueError, match=r"chain: the shape of direction must be \(3,\), not \(2,\)$"):
-        simulation.chain(1, 1.0, [1, 2])
     for call in (
         simulation.sweep,
         lambda n: simulation.tune(n, 0.4),
@@ -347,10 +341,31 @@ def test_bad_input():
         with pytest.raises(TypeError, match="number must be an integer >= 0, not 0.5"):
             call(0.5)
     assert simulation.save() == before
-    with pytest.raises(pypw85.PW85Error, match="restore: bytes must be complete: num_bytes differs from the number in the state"):
-        pypw85.HardEllipsoids.restore(before[:-1])
-    with pytest.raises(TypeError):
-        pypw85.HardEllipsoids.restore("text")
+
+
+def test_bad_moves():
+    """Refused arguments of moves change nothing."""
+    simulation = pypw85.HardEllipsoids(lattice(), 3)
+    before = simulation.save()
+    with pytest.raises(pypw85.PW85Error, match="translation must be at most the longest vector of the cell, not 11.0$"):
+        simulation.set_steps(11, 0.1, 0.1)
+    with pytest.raises(pypw85.PW85Error, match="set_fractions: fractions must have a sum that is > 0 and finite, not "):
+        simulation.set_fractions()
+    with pytest.raises(pypw85.PW85Error, match=r"chain: length must let chains advance: .* the length is too long, not 1e\+17$"):
+        pypw85.HardEllipsoids(lattice()).chain(1, 1e17)
+    for quaternion, reason in (([0, 0, 0, 0], "not be zero"), ([1, np.nan, 0, 0], "be finite")):
+        with pytest.raises(pypw85.PW85Error, match=f"try_placement: quaternion must {reason}, not"):
+            simulation.try_placement(0, None, quaternion)
+    with pytest.raises(pypw85.PW85Error, match="try_placement: center must not be too far away"):
+        simulation.try_placement(0, [1e18, 1, 2])
+    with pytest.raises(ValueError, match="change must be 'isotropic', 'axis', 'triclinic' or 'aspect', not 'shear'"):
+        simulation.volume_moves(1, 1.0, "shear")
+    for direction, reason in (([0, 0, 0], "not be zero"), ([np.inf, 0, 0], "be finite")):
+        with pytest.raises(pypw85.PW85Error, match=rf"^HardEllipsoids\.chain: direction must {reason}, not "):
+            simulation.chain(1, 1.0, direction)
+    with pytest.raises(ValueError, match=r"chain: the shape of direction must be \(3,\), not \(2,\)$"):
+        simulation.chain(1, 1.0, [1, 2])
+    assert simulation.save() == before
 
 
 def test_cells():

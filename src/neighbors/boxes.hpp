@@ -73,10 +73,12 @@ static inline Box enclose(Block const &block) noexcept
     return box;
 }
 
-/// Bit k is set where `box` intersects box k of the block.
+// intersecting(): bit k is set where `box` intersects box k of the block.
+
+#if defined(__AVX512F__)
+
 static inline unsigned intersecting(Box const &box, Block const &block) noexcept
 {
-#if defined(__AVX512F__)
     __mmask8 both = 0xff;
     for (int d = 0; d < 3; ++d) {
         both = _mm512_mask_cmp_pd_mask(both, _mm512_loadu_pd(block.lower[d]),
@@ -85,7 +87,12 @@ static inline unsigned intersecting(Box const &box, Block const &block) noexcept
                                        _mm512_set1_pd(box.lower[d]), _CMP_GE_OQ);
     }
     return both;
+}
+
 #elif defined(__AVX__)
+
+static inline unsigned intersecting(Box const &box, Block const &block) noexcept
+{
     unsigned bits = 0;
     for (int k = 0; k < width; k += 4) {
         __m256d both = _mm256_castsi256_pd(_mm256_set1_epi32(-1));
@@ -98,7 +105,12 @@ static inline unsigned intersecting(Box const &box, Block const &block) noexcept
         bits |= static_cast<unsigned>(_mm256_movemask_pd(both)) << k;
     }
     return bits;
+}
+
 #elif defined(__SSE2__)
+
+static inline unsigned intersecting(Box const &box, Block const &block) noexcept
+{
     unsigned bits = 0;
     for (int k = 0; k < width; k += 2) {
         __m128d both = _mm_castsi128_pd(_mm_set1_epi32(-1));
@@ -111,7 +123,12 @@ static inline unsigned intersecting(Box const &box, Block const &block) noexcept
         bits |= static_cast<unsigned>(_mm_movemask_pd(both)) << k;
     }
     return bits;
+}
+
 #else
+
+static inline unsigned intersecting(Box const &box, Block const &block) noexcept
+{
     unsigned bits = 0;
     for (int k = 0; k < width; ++k) {
         unsigned one = 1;
@@ -121,8 +138,9 @@ static inline unsigned intersecting(Box const &box, Block const &block) noexcept
         bits |= one << k;
     }
     return bits;
-#endif
 }
+
+#endif
 
 } // namespace pw85::detail::neighbors
 

@@ -18,86 +18,13 @@
 
 #include <pw85/algebra/scalar.hpp>
 
-// At most one of PW85_LANES_AVX512, _AVX2, _SVE512, _SVE256 and _NEON is defined, by the set. A
-// unit that defines PW85_TWO_LANES has PW85_LANES_FMA instead of _AVX2: two doubles, with fused
-// multiply-add. PW85_FOUR_LANES takes four doubles where registers have eight.
-#define PW85_SET_avx512 1
-#define PW85_SET_avx2 2
-#define PW85_SET_sve512 3
-#define PW85_SET_sve256 4
-#define PW85_SET_neon 5
-#define PW85_SET_NUMBER(name) PW85_SET_##name
-#define PW85_SET(name) PW85_SET_NUMBER(name)
-#if PW85_SET(PW85_BUILDING) == 1 && !defined(PW85_FOUR_LANES)
-#define PW85_LANES_AVX512
-#elif PW85_SET(PW85_BUILDING) == 2 && defined(PW85_TWO_LANES)
-#define PW85_LANES_FMA
-#elif PW85_SET(PW85_BUILDING) == 2 || PW85_SET(PW85_BUILDING) == 1
-#define PW85_LANES_AVX2
-#elif PW85_SET(PW85_BUILDING) == 3
-#define PW85_LANES_SVE512
-#elif PW85_SET(PW85_BUILDING) == 4
-#define PW85_LANES_SVE256
-#elif PW85_SET(PW85_BUILDING) == 5
-#define PW85_LANES_NEON
-#endif
-#if defined(PW85_LANES_AVX512) || defined(PW85_LANES_AVX2) || defined(PW85_LANES_FMA)
-#include <immintrin.h>
-#elif defined(PW85_LANES_SVE512) || defined(PW85_LANES_SVE256)
-#define PW85_LANES_SVE
-#include <arm_sve.h>
-#elif defined(PW85_LANES_NEON)
-#include <arm_neon.h>
-#elif defined(__SSE2__)
-#include <emmintrin.h>
-#elif defined(__wasm_simd128__)
-#include <wasm_simd128.h>
-#endif
-#if !defined(PW85_LANES_AVX512) && !defined(PW85_LANES_AVX2) && defined(__SSE2__)
-#define PW85_LANES_SSE2 // registers of two doubles
-#endif
+#include "registers.hpp"
 
 /// Each kernel is compiled into one function, so the compiler's limits on inlining must not apply.
 #define PW85_INLINE __attribute__((always_inline)) inline
 
-// The namespace of packs is named after what they depend on, so that units for the same instruction
-// set can pass packs to each other.
-#if defined(PW85_LANES_AVX512)
-#define PW85_PACKS_OF(kind) kind##_avx512
-#elif defined(PW85_LANES_AVX2)
-#define PW85_PACKS_OF(kind) kind##_avx2
-#elif defined(PW85_LANES_FMA)
-#define PW85_PACKS_OF(kind) kind##_fma
-#elif defined(PW85_LANES_SVE512)
-#define PW85_PACKS_OF(kind) kind##_sve512
-#elif defined(PW85_LANES_SVE256)
-#define PW85_PACKS_OF(kind) kind##_sve256
-#elif defined(PW85_LANES_NEON)
-#define PW85_PACKS_OF(kind) kind##_neon
-#else
-#define PW85_PACKS_OF(kind) kind##_baseline
-#if !defined(PW85_ROUNDED_PRODUCTS)
-#define PW85_ROUNDED_PRODUCTS // there are no others
-#endif
-#endif
-#if defined(PW85_ROUNDED_PRODUCTS)
-#define PW85_PACKS PW85_PACKS_OF(rounded_packs)
-#else
-#define PW85_PACKS PW85_PACKS_OF(packs)
-#endif
-
 namespace pw85::detail {
 inline namespace PW85_PACKS {
-
-#if defined(PW85_LANES_AVX512)
-inline constexpr std::size_t lanes = 8;
-#elif defined(PW85_LANES_AVX2)
-inline constexpr std::size_t lanes = 4;
-#elif defined(PW85_LANES_SVE)
-inline constexpr std::size_t lanes = __ARM_FEATURE_SVE_BITS / 64;
-#else
-inline constexpr std::size_t lanes = 2;
-#endif
 
 /// A mask of all lanes.
 inline constexpr unsigned all_lanes = (1u << lanes) - 1u;
@@ -236,44 +163,18 @@ PW85_INLINE Pack operator-(Pack const &x) noexcept { return -x.v; }
 PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept { return p.x * p.y + z.v; }
 PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept { return p.x * p.y - z.v; }
 PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept { return z.v - p.x * p.y; }
-#elif defined(PW85_LANES_AVX512)
+#elif defined(PW85_X86)
 PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept
 {
-    return _mm512_fmadd_pd(p.x, p.y, z.v);
+    return PW85_X86(fmadd)(p.x, p.y, z.v);
 }
 PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept
 {
-    return _mm512_fmsub_pd(p.x, p.y, z.v);
+    return PW85_X86(fmsub)(p.x, p.y, z.v);
 }
 PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept
 {
-    return _mm512_fnmadd_pd(p.x, p.y, z.v);
-}
-#elif defined(PW85_LANES_AVX2)
-PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept
-{
-    return _mm256_fmadd_pd(p.x, p.y, z.v);
-}
-PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept
-{
-    return _mm256_fmsub_pd(p.x, p.y, z.v);
-}
-PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept
-{
-    return _mm256_fnmadd_pd(p.x, p.y, z.v);
-}
-#elif defined(PW85_LANES_FMA)
-PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept
-{
-    return _mm_fmadd_pd(p.x, p.y, z.v);
-}
-PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept
-{
-    return _mm_fmsub_pd(p.x, p.y, z.v);
-}
-PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept
-{
-    return _mm_fnmadd_pd(p.x, p.y, z.v);
+    return PW85_X86(fnmadd)(p.x, p.y, z.v);
 }
 #elif defined(PW85_LANES_SVE)
 PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept
@@ -353,15 +254,9 @@ PW85_INLINE PackMask operator>(Pack const &x, Pack const &y) noexcept { return y
 PW85_INLINE PackMask operator>=(Pack const &x, Pack const &y) noexcept { return y <= x; }
 
 // If either operand is NaN, the instructions return the second one, as select(y > x, y, x) does.
-#if defined(PW85_LANES_AVX512)
-PW85_INLINE Pack maximum(Pack const &x, Pack const &y) noexcept { return _mm512_max_pd(y.v, x.v); }
-PW85_INLINE Pack minimum(Pack const &x, Pack const &y) noexcept { return _mm512_min_pd(y.v, x.v); }
-#elif defined(PW85_LANES_AVX2)
-PW85_INLINE Pack maximum(Pack const &x, Pack const &y) noexcept { return _mm256_max_pd(y.v, x.v); }
-PW85_INLINE Pack minimum(Pack const &x, Pack const &y) noexcept { return _mm256_min_pd(y.v, x.v); }
-#elif defined(PW85_LANES_SSE2)
-PW85_INLINE Pack maximum(Pack const &x, Pack const &y) noexcept { return _mm_max_pd(y.v, x.v); }
-PW85_INLINE Pack minimum(Pack const &x, Pack const &y) noexcept { return _mm_min_pd(y.v, x.v); }
+#if defined(PW85_X86)
+PW85_INLINE Pack maximum(Pack const &x, Pack const &y) noexcept { return PW85_X86(max)(y.v, x.v); }
+PW85_INLINE Pack minimum(Pack const &x, Pack const &y) noexcept { return PW85_X86(min)(y.v, x.v); }
 #elif defined(__wasm_simd128__) // its operands are in the other order
 PW85_INLINE Pack maximum(Pack const &x, Pack const &y) noexcept
 {
@@ -385,16 +280,12 @@ PW85_INLINE Pack absolute(Pack const &x) noexcept
 
 PW85_INLINE Pack square_root(Pack const &x) noexcept
 {
-#if defined(PW85_LANES_AVX512)
-    return _mm512_sqrt_pd(x.v);
-#elif defined(PW85_LANES_AVX2)
-    return _mm256_sqrt_pd(x.v);
+#if defined(PW85_X86)
+    return PW85_X86(sqrt)(x.v);
 #elif defined(PW85_LANES_SVE)
     return svsqrt_x(svptrue_b64(), x.v);
 #elif defined(PW85_LANES_NEON)
     return vsqrtq_f64(x.v);
-#elif defined(PW85_LANES_SSE2)
-    return _mm_sqrt_pd(x.v);
 #elif defined(__wasm_simd128__)
     return reinterpret_cast<Register>(wasm_f64x2_sqrt(reinterpret_cast<v128_t>(x.v)));
 #else

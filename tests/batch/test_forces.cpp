@@ -226,11 +226,9 @@ std::vector<double> cubic_table(double begin, double end, int points)
     return all;
 }
 
-std::vector<KnownLaw> known_laws()
+KnownLaw soft_repulsion(char const *name, double exponent)
 {
-    auto const soft = [](char const *name, double exponent) {
-        return KnownLaw{
-            name,
+    return {name,
             PW85_LAW_SOFT_REPULSION,
             {3.0, exponent},
             [=](long double x) {
@@ -242,36 +240,41 @@ std::vector<KnownLaw> known_laws()
                              : 0;
             },
             10.0 + 4.0 * exponent};
+}
+
+KnownLaw inverse_powers(char const *name, double n, double m, double cutoff)
+{
+    auto const u = [=](long double x) {
+        return 4 * std::pow(x, -n / 2.0L) - 3 * std::pow(x, -m / 2.0L);
     };
-    auto const powers = [](char const *name, double n, double m, double cutoff) {
-        auto const u = [=](long double x) {
-            return 4 * std::pow(x, -n / 2.0L) - 3 * std::pow(x, -m / 2.0L);
-        };
-        return KnownLaw{name,
-                        PW85_LAW_INVERSE_POWERS,
-                        {4.0, n, 3.0, m, cutoff},
-                        [=](long double x) { return x < cutoff ? u(x) - u(cutoff) : 0; },
-                        [=](long double x) {
-                            return x < cutoff ? (-2.0L * n * std::pow(x, -n / 2.0L) +
-                                                 1.5L * m * std::pow(x, -m / 2.0L)) /
-                                                    x
-                                              : 0;
-                        },
-                        20.0 + 2.0 * n};
-    };
+    return {name,
+            PW85_LAW_INVERSE_POWERS,
+            {4.0, n, 3.0, m, cutoff},
+            [=](long double x) { return x < cutoff ? u(x) - u(cutoff) : 0; },
+            [=](long double x) {
+                return x < cutoff ? (-2.0L * n * std::pow(x, -n / 2.0L) +
+                                     1.5L * m * std::pow(x, -m / 2.0L)) /
+                                        x
+                                  : 0;
+            },
+            20.0 + 2.0 * n};
+}
+
+std::vector<KnownLaw> known_laws()
+{
     // Of x³ the interpolation subtracts values of the order of 8, and derivatives of the order of
     // 12 times up to three.
     auto const cube = [](long double x) {
         return x < 0.25L ? 0.015625L + 0.1875L * (x - 0.25L) : x < 2 ? x * x * x : 0;
     };
     auto const slope = [](long double x) { return x < 0.25L ? 0.1875L : x < 2 ? 3 * x * x : 0; };
-    return {soft("harmonic", 2.0),
-            soft("Hertz", 2.5),
-            soft("constant", 1.0),
-            soft("irrational", 2.7),
-            powers("Lennard-Jones", 12.0, 6.0, 2.0),
-            powers("odd powers", 9.0, 5.0, 1.5),
-            powers("irrational powers", 7.3, 3.1, 3.0),
+    return {soft_repulsion("harmonic", 2.0),
+            soft_repulsion("Hertz", 2.5),
+            soft_repulsion("constant", 1.0),
+            soft_repulsion("irrational", 2.7),
+            inverse_powers("Lennard-Jones", 12.0, 6.0, 2.0),
+            inverse_powers("odd powers", 9.0, 5.0, 1.5),
+            inverse_powers("irrational powers", 7.3, 3.1, 3.0),
             {"table", PW85_LAW_TABLE, cubic_table(0.25, 2.0, 8), cube, slope, 600.0},
             {"two points", PW85_LAW_TABLE, cubic_table(0.25, 2.0, 2), cube, slope, 600.0}};
 }

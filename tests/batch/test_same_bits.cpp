@@ -3,6 +3,7 @@
 // and bad rows in each place of a pack, among others. A signed distance of ellipsoids that are
 // apart may have the bits of a row of distances instead.
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <vector>
@@ -224,104 +225,64 @@ PW85_TEST("/same_bits/scales")
         }
 }
 
-constexpr int kinds = 24;
+constexpr Form3 sphere{1, 0, 0, 1, 0, 1}, disc{4, 0, 0, 4, 0, 0.25}, needle{0.01, 0, 0, 9, 0, 0.01};
 
-/// Rows that few others are like, and bad ones.
-Row unusual(Row row, int kind)
-{
-    Form3 const sphere{1, 0, 0, 1, 0, 1}, disc{4, 0, 0, 4, 0, 0.25}, needle{0.01, 0, 0, 9, 0, 0.01};
-    switch (kind) {
-    case 0: // concentric
-        row.a = {0, 0, 0};
-        return row;
-    case 1:
-        row.a = {0, -0.0, 0};
-        row.q1 = row.q2 = sphere;
-        return row;
-    case 2: // on an axis, inside, where F(0) < 1
-        row.a = {0.1, 0, 0};
-        row.q1 = row.q2 = disc;
-        row.b = {0, 0, 1};
-        return row;
-    case 3: // on the shortest axis
-        row.a = {0, 0, 0.01};
-        row.q1 = disc;
-        row.q2 = needle;
-        row.b = {0, 0, -2};
-        return row;
-    case 4:
-        row.q1 = row.q2 = sphere;
-        row.b = {1, 0, 0};
-        return row;
-    case 5:
-        row.q1 = needle;
-        row.q2 = disc;
-        return row;
-    case 6: // equal
-        row.q2 = row.q1;
-        return row;
-    case 7: // on the surface
-        row.a = {2, 0, 0};
-        row.q1 = disc;
-        return row;
-    case 8: // numbers whose products underflow
-        row.a[1] = 0x1p-1060;
-        row.q1 = disc;
-        row.b = {0, 0x1p-1050, 1};
-        return row;
-    case 9:
-        row.a = {0x1p-300, 0x1p-600, 0.5};
-        row.q1 = needle;
-        row.b = {0x1p-530, 0x1p-520, -1};
-        return row;
-    case 10:
-        row.q1[1] = row.q2[2] = 0x1p-1070;
-        return row;
-    case 11: // apart
-        row.a = {50, 60, 70};
-        return row;
-    case 12:
-        row.a = {0x1p200, 1, 1};
-        return row;
-    case 13:
-        row.b = {0x1p-1000, 0x1p-1001, 0};
-        return row;
-    case 14:
-        row.b = {0x1p1000, 0x1p1001, 0};
-        return row;
-    case 15: // bad ones
-        row.a[1] = nan;
-        return row;
-    case 16:
-        row.a[2] = -infinity;
-        return row;
-    case 17:
-        row.q1[4] = nan;
-        return row;
-    case 18:
-        row.q1[0] = infinity;
-        return row;
-    case 19:
-        row.q1 = {1, 2, 0, 1, 0, 1};
-        return row;
-    case 20:
-        row.q2 = row.q1 = {1, 1, 1, 1, 1, 1};
-        return row;
-    case 21:
-        row.b = {0, 0, 0};
-        row.q2 = {0, 0, 0, 0, 0, 0};
-        return row;
-    case 22:
-        row.b[0] = nan;
-        row.x = infinity;
-        row.q2[5] = infinity;
-        return row;
-    default:
-        row.x = -1.0;
-        row.q2[5] = nan;
-        return row;
-    }
-}
+/// Changes of an ordinary row into one that few others are like, or into a bad one.
+void (*const unusual[])(Row &) = {
+    [](Row &r) {
+        r.a = {0, 0, 0};
+    }, // concentric
+    [](Row &r) {
+        r.a = {0, -0.0, 0}, r.q1 = r.q2 = sphere;
+    },
+    // on an axis, inside, where F(0) < 1
+    [](Row &r) {
+        r.a = {0.1, 0, 0}, r.b = {0, 0, 1}, r.q1 = r.q2 = disc;
+    },
+    // on the shortest axis
+    [](Row &r) {
+        r.a = {0, 0, 0.01}, r.b = {0, 0, -2}, r.q1 = disc, r.q2 = needle;
+    },
+    [](Row &r) {
+        r.b = {1, 0, 0}, r.q1 = r.q2 = sphere;
+    },
+    [](Row &r) { r.q1 = needle, r.q2 = disc; },
+    [](Row &r) { r.q2 = r.q1; }, // equal
+    [](Row &r) {
+        r.a = {2, 0, 0}, r.q1 = disc;
+    }, // on the surface
+    // numbers whose products underflow
+    [](Row &r) {
+        r.a[1] = 0x1p-1060, r.b = {0, 0x1p-1050, 1}, r.q1 = disc;
+    },
+    [](Row &r) {
+        r.a = {0x1p-300, 0x1p-600, 0.5}, r.b = {0x1p-530, 0x1p-520, -1}, r.q1 = needle;
+    },
+    [](Row &r) { r.q1[1] = r.q2[2] = 0x1p-1070; },
+    [](Row &r) {
+        r.a = {50, 60, 70};
+    }, // apart
+    [](Row &r) {
+        r.a = {0x1p200, 1, 1};
+    },
+    [](Row &r) {
+        r.b = {0x1p-1000, 0x1p-1001, 0};
+    },
+    [](Row &r) {
+        r.b = {0x1p1000, 0x1p1001, 0};
+    },
+    [](Row &r) { r.a[1] = nan; }, // bad ones
+    [](Row &r) { r.a[2] = -infinity; },
+    [](Row &r) { r.q1[4] = nan; },
+    [](Row &r) { r.q1[0] = infinity; },
+    [](Row &r) { r.q1 = {1, 2, 0, 1, 0, 1}; },
+    [](Row &r) { r.q2 = r.q1 = {1, 1, 1, 1, 1, 1}; },
+    [](Row &r) {
+        r.b = {0, 0, 0}, r.q2 = {0, 0, 0, 0, 0, 0};
+    },
+    [](Row &r) { r.b[0] = nan, r.x = r.q2[5] = infinity; },
+    [](Row &r) { r.x = -1.0, r.q2[5] = nan; },
+};
 
 /// Each kind in each place of the packs of a chunk, of 24 rows at most, and in none other.
 PW85_TEST("/same_bits/places")
@@ -329,12 +290,12 @@ PW85_TEST("/same_bits/places")
     Failures failures;
     Random random(4712);
     for (Function const &function : functions)
-        for (int kind = 0; kind < kinds; ++kind)
+        for (auto const &change : unusual)
             for (std::size_t place = 0; place < 26; ++place) {
                 std::vector<Row> rows;
                 for (std::size_t i = 0; i < place + place % 5 + 1; ++i)
                     rows.push_back(ordinary(random));
-                rows[place] = unusual(rows[place], kind);
+                change(rows[place]);
                 compare(failures, function, rows);
             }
 }
@@ -346,9 +307,9 @@ PW85_TEST("/same_bits/mixed")
     Random random(4713);
     for (Function const &function : functions) {
         std::vector<Row> rows;
-        for (int i = 0; i < 1300; ++i) {
+        for (std::size_t i = 0; i < 1300; ++i) {
             rows.push_back(ordinary(random));
-            if (i % 3 != 0) rows.back() = unusual(rows.back(), i % kinds);
+            if (i % 3 != 0) unusual[i % std::size(unusual)](rows.back());
         }
         compare(failures, function, rows);
     }

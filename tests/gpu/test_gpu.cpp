@@ -135,6 +135,29 @@ struct Vectors {
     }
 };
 
+double largest(double const *x)
+{
+    return std::fmax(std::fabs(x[0]), std::fmax(std::fabs(x[1]), std::fabs(x[2])));
+}
+
+/// The vectors of a pair by the functions for one pair, and the numbers to which errors are
+/// relative.
+struct ExpectedVectors {
+    double of[5][3], scale[5];
+
+    ExpectedVectors(Pair3 const &p, double lambda)
+    {
+        double const *const r = p.r12.coordinates, *const q1 = p.q1.entries,
+                            *const q2 = p.q2.entries;
+        pw85_contact_geometry(r, q1, q2, lambda, of[0], of[1]);
+        pw85_contact_gradient(r, q1, q2, lambda, of[2], nullptr, nullptr);
+        pw85_contact_torque(r, q1, q2, lambda, of[3], of[4]);
+        double const torque = largest(of[2]) * largest(r);
+        for (int k = 0; k < 5; ++k)
+            scale[k] = k < 3 ? largest(of[k]) : std::fmax(largest(of[k]), torque);
+    }
+};
+
 // Those of the functions for one pair at the same λ: either errs by 64 u aspect² of the largest
 // coordinate and what the adjugate adds, at most 2^-28 (tests/batch/test_derivatives.cpp), or is as
 // exact.
@@ -158,35 +181,22 @@ void test_derivatives()
     stream.wait();
     auto const lambdas = lambda.values(), mu2s = mu2.values();
     auto const host = run_batch(pairs);
-    for (int k = 0; k < 5; ++k) {
-        auto const rows = v.rows[k].values();
-        for (std::size_t i = 0; i < n; ++i) {
-            Pair3 const &p = pairs[i];
-            auto const describe = [&] { return hex_text(p) + ", vector " + std::to_string(k); };
-            double expected[5][3];
-            pw85_contact_geometry(p.r12.coordinates, p.q1.entries, p.q2.entries, lambdas[i],
-                                  expected[0], expected[1]);
-            pw85_contact_gradient(p.r12.coordinates, p.q1.entries, p.q2.entries, lambdas[i],
-                                  expected[2], nullptr, nullptr);
-            pw85_contact_torque(p.r12.coordinates, p.q1.entries, p.q2.entries, lambdas[i],
-                                expected[3], expected[4]);
-            failures.check(std::isnan(mu2s[i]) == std::isnan(host.mu2[i]), "NaN", mu2s[i],
-                           host.mu2[i], describe);
-            auto const largest = [](double const *x) {
-                return std::fmax(std::fabs(x[0]), std::fmax(std::fabs(x[1]), std::fabs(x[2])));
-            };
-            double const scale = k < 3
-                                     ? largest(expected[k])
-                                     : std::fmax(largest(expected[k]),
-                                                 largest(expected[2]) * largest(p.r12.coordinates));
-            for (std::size_t d = 0; d < 3; ++d) {
-                double const x = rows[3 * i + d], y = expected[k][d];
-                failures.check(std::isnan(x) == std::isnan(y), "NaN of a vector", x, y, describe);
-                if (i < num_mixed || std::isnan(y)) continue;
-                double const bound = 2 * (64 * u * 900 + 0x1p-28) * scale;
-                failures.check(std::fabs(x - y) <= bound, "coordinate", std::fabs(x - y), bound,
-                               describe);
-            }
+    std::vector<double> rows[5];
+    for (int k = 0; k < 5; ++k) rows[k] = v.rows[k].values();
+    for (std::size_t i = 0; i < n; ++i) {
+        ExpectedVectors const expected(pairs[i], lambdas[i]);
+        auto const describe = [&] { return hex_text(pairs[i]); };
+        failures.check(std::isnan(mu2s[i]) == std::isnan(host.mu2[i]), "NaN", mu2s[i], host.mu2[i],
+                       describe);
+        for (std::size_t j = 0; j < 15; ++j) {
+            std::size_t const k = j / 3;
+            double const x = rows[k][3 * i + j % 3], y = expected.of[k][j % 3];
+            auto const number = [&] { return describe() + ", number " + std::to_string(j); };
+            failures.check(std::isnan(x) == std::isnan(y), "NaN of a vector", x, y, number);
+            if (i < num_mixed || std::isnan(y)) continue;
+            double const bound = 2 * (64 * u * 900 + 0x1p-28) * expected.scale[k];
+            failures.check(std::fabs(x - y) <= bound, "coordinate", std::fabs(x - y), bound,
+                           number);
         }
     }
 }
@@ -219,66 +229,73 @@ struct ListCase {
     bool cell, images, open; ///< open: not periodic along one of the vectors
 };
 
-void test_lists(void const *data)
+/// What is computed for the pairs of a list.
+struct ListResults {
+    std::vector<double> mu2, forces;
+    std::vector<unsigned char> overlaps;
+};
+
+ListResults on_device(System const &s, ListCase const &c)
 {
-    auto const [with_cell, with_images, open] = *static_cast<ListCase const *>(data);
-    Failures failures;
-    Random random(702);
-    System const s(random);
-    double const *const cell = with_cell ? s.cell : nullptr;
-    std::size_t const n = System::num_pairs, particles = System::num_particles;
+    double const *const cell = c.cell ? s.cell : nullptr;
+    std::size_t const n = System::num_pairs;
     DeviceArray<double> const centers(s.centers), q(s.q), mu2(n), lambda(n), force(3 * n);
     DeviceArray<std::int32_t> const pairs(s.pairs), images(s.images);
     DeviceArray<unsigned char> const overlap(n);
-    std::int32_t const *const device_images = with_images ? images.get() : nullptr;
+    auto const list = list_of(n, pairs.get(), c.images ? images.get() : nullptr);
+    auto const system = system_of(System::num_particles, centers.get(), q.get(), cell, c.open);
     Stream const stream;
-    g_assert_cmpint(pw85_gpu_contact_pairs(stream.handle(), list_of(n, pairs.get(), device_images),
-                                           system_of(particles, centers.get(), q.get(), cell, open),
-                                           mu2.get(), lambda.get()),
+    g_assert_cmpint(pw85_gpu_contact_pairs(stream.handle(), list, system, mu2.get(), lambda.get()),
                     ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_gpu_overlap_pairs(stream.handle(), list_of(n, pairs.get(), device_images),
-                                           system_of(particles, centers.get(), q.get(), cell, open),
-                                           overlap.get()),
-                    ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_gpu_contact_derivatives_pairs(
-                        stream.handle(), list_of(n, pairs.get(), device_images),
-                        system_of(particles, centers.get(), q.get(), cell, open), nullptr, nullptr,
-                        nullptr, nullptr, force.get(), nullptr, nullptr),
+    g_assert_cmpint(pw85_gpu_overlap_pairs(stream.handle(), list, system, overlap.get()), ==,
+                    PW85_SUCCESS);
+    g_assert_cmpint(pw85_gpu_contact_derivatives_pairs(stream.handle(), list, system, nullptr,
+                                                       nullptr, nullptr, nullptr, force.get(),
+                                                       nullptr, nullptr),
                     ==, PW85_SUCCESS);
     stream.wait();
-    std::vector<double> host_mu2(n), host_lambda(n), host_force(3 * n);
-    std::vector<unsigned char> host_overlap(n);
-    std::int32_t const *const host_images = with_images ? s.images.data() : nullptr;
-    pw85_contact_pairs(list_of(n, s.pairs.data(), host_images),
-                       system_of(particles, s.centers.data(), s.q.data(), cell, open),
-                       host_mu2.data(), host_lambda.data());
-    pw85_overlap_pairs(list_of(n, s.pairs.data(), host_images),
-                       system_of(particles, s.centers.data(), s.q.data(), cell, open),
-                       host_overlap.data());
-    pw85_contact_derivatives_pairs(list_of(n, s.pairs.data(), host_images),
-                                   system_of(particles, s.centers.data(), s.q.data(), cell, open),
-                                   nullptr, nullptr, nullptr, nullptr, host_force.data(), nullptr,
-                                   nullptr);
-    auto const mu2s = mu2.values(), forces = force.values();
-    auto const overlaps = overlap.values();
+    return {mu2.values(), force.values(), overlap.values()};
+}
+
+ListResults on_host(System const &s, ListCase const &c)
+{
+    std::size_t const n = System::num_pairs;
+    ListResults made{std::vector<double>(n), std::vector<double>(3 * n),
+                     std::vector<unsigned char>(n)};
+    std::vector<double> lambda(n);
+    auto const list = list_of(n, s.pairs.data(), c.images ? s.images.data() : nullptr);
+    auto const system = system_of(System::num_particles, s.centers.data(), s.q.data(),
+                                  c.cell ? s.cell : nullptr, c.open);
+    pw85_contact_pairs(list, system, made.mu2.data(), lambda.data());
+    pw85_overlap_pairs(list, system, made.overlaps.data());
+    pw85_contact_derivatives_pairs(list, system, nullptr, nullptr, nullptr, nullptr,
+                                   made.forces.data(), nullptr, nullptr);
+    return made;
+}
+
+void test_lists(void const *data)
+{
+    auto const &list_case = *static_cast<ListCase const *>(data);
+    Failures failures;
+    Random random(702);
+    System const s(random);
+    auto const device = on_device(s, list_case), host = on_host(s, list_case);
     int overlapping = 0;
-    for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t k = 0; k < System::num_pairs; ++k) {
         auto const describe = [&] { return "pair " + std::to_string(k); };
-        overlapping += overlaps[k];
-        failures.check(overlaps[k] == host_overlap[k], "overlap", overlaps[k], host_overlap[k],
-                       describe);
+        overlapping += device.overlaps[k];
+        failures.check(device.overlaps[k] == host.overlaps[k], "overlap", device.overlaps[k],
+                       host.overlaps[k], describe);
         // cond is at most 2 + 2 (largest semi-axis)²/(smallest pivot of a blend): forms of aspect
         // 100, 1e5 is ample.
-        failures.check(std::fabs(mu2s[k] - host_mu2[k]) <= 8 * u * 1e5 * host_mu2[k], "mu2",
-                       mu2s[k], host_mu2[k], describe);
-        for (std::size_t d = 0; d < 3; ++d)
-            failures.check(std::fabs(forces[3 * k + d] - host_force[3 * k + d]) <=
-                               1e-6 * (std::fabs(host_force[3 * k]) +
-                                       std::fabs(host_force[3 * k + 1]) +
-                                       std::fabs(host_force[3 * k + 2])),
-                           "d_r12", forces[3 * k + d], host_force[3 * k + d], describe);
+        failures.check(std::fabs(device.mu2[k] - host.mu2[k]) <= 8 * u * 1e5 * host.mu2[k], "mu2",
+                       device.mu2[k], host.mu2[k], describe);
+        double const *const x = &device.forces[3 * k], *const y = &host.forces[3 * k];
+        double const size = std::fabs(y[0]) + std::fabs(y[1]) + std::fabs(y[2]);
+        for (int d = 0; d < 3; ++d)
+            failures.check(std::fabs(x[d] - y[d]) <= 1e-6 * size, "d_r12", x[d], y[d], describe);
     }
-    g_test_message("%d of %zu overlap", overlapping, n);
+    g_test_message("%d of %zu overlap", overlapping, System::num_pairs);
     g_assert_cmpint(overlapping, >, 10);
 }
 
@@ -325,35 +342,31 @@ void test_arguments()
     double const *const r12 = in.r12.get(), *const q1 = in.q1.get(), *const q2 = in.q2.get();
     double own[36] = {};
     double const singular[9] = {}, bad[9] = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, HUGE_VAL};
+    auto const contact = [&](std::size_t n, double const *r, double *mu2, double *lambda) {
+        return pw85_gpu_contact_batch(nullptr, n, r, q1, q2, mu2, lambda);
+    };
     g_assert_cmpint(pw85_gpu_contact_batch(nullptr, 0, nullptr, nullptr, nullptr, nullptr, nullptr),
                     ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_gpu_contact_batch(nullptr, 4, nullptr, q1, q2, out.get(), nullptr), ==,
-                    PW85_EINVAL);
-    g_assert_cmpint(pw85_gpu_contact_batch(nullptr, 4, r12, q1, q2, nullptr, nullptr), ==,
-                    PW85_EINVAL);
-    g_assert_cmpint(pw85_gpu_contact_batch(nullptr, SIZE_MAX, r12, q1, q2, out.get(), nullptr), ==,
-                    PW85_EINVAL);
+    g_assert_cmpint(contact(4, nullptr, out.get(), nullptr), ==, PW85_EINVAL);
+    g_assert_cmpint(contact(4, r12, nullptr, nullptr), ==, PW85_EINVAL);
+    g_assert_cmpint(contact(SIZE_MAX, r12, out.get(), nullptr), ==, PW85_EINVAL);
     // Memory that is not the device's.
-    g_assert_cmpint(pw85_gpu_contact_batch(nullptr, 4, own, q1, q2, out.get(), nullptr), ==,
-                    PW85_EINVAL);
-    g_assert_cmpint(pw85_gpu_contact_batch(nullptr, 4, r12, q1, q2, out.get(), own), ==,
-                    PW85_EINVAL);
+    g_assert_cmpint(contact(4, own, out.get(), nullptr), ==, PW85_EINVAL);
+    g_assert_cmpint(contact(4, r12, out.get(), own), ==, PW85_EINVAL);
     g_assert_cmpint(
         pw85_gpu_overlap_batch(nullptr, 4, r12, q1, q2, reinterpret_cast<unsigned char *>(own)), ==,
         PW85_EINVAL);
     g_assert_cmpint(pw85_gpu_overlap_batch(nullptr, 4, r12, q1, nullptr, overlap.get()), ==,
                     PW85_EINVAL);
+    auto const contact_pairs = [&](pw85_pair_list const *list, double const *cell) {
+        return pw85_gpu_contact_pairs(nullptr, list, system_of(2, r12, q1, cell), out.get(),
+                                      nullptr);
+    };
     for (double const *cell : {singular, bad})
-        g_assert_cmpint(pw85_gpu_contact_pairs(nullptr, list_of(1, pairs.get()),
-                                               system_of(2, r12, q1, cell), out.get(), nullptr),
-                        ==, PW85_EINVAL);
+        g_assert_cmpint(contact_pairs(list_of(1, pairs.get()), cell), ==, PW85_EINVAL);
     // Images without a cell.
-    g_assert_cmpint(pw85_gpu_contact_pairs(nullptr, list_of(1, pairs.get(), pairs.get()),
-                                           system_of(2, r12, q1, nullptr), out.get(), nullptr),
-                    ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_gpu_contact_pairs(nullptr, list_of(1, nullptr),
-                                           system_of(2, r12, q1, nullptr), out.get(), nullptr),
-                    ==, PW85_EINVAL);
+    g_assert_cmpint(contact_pairs(list_of(1, pairs.get(), pairs.get()), nullptr), ==, PW85_EINVAL);
+    g_assert_cmpint(contact_pairs(list_of(1, nullptr), nullptr), ==, PW85_EINVAL);
     g_assert_cmpint(pw85_gpu_count(nullptr), ==, PW85_EINVAL);
     int count = 0;
     g_assert_cmpint(pw85_gpu_count(&count), ==, PW85_SUCCESS);
@@ -370,17 +383,18 @@ struct Function {
 
 template <class T = double> T *as(void *pointer) { return static_cast<T *>(pointer); }
 
-/// All of them, for two rows of these arrays.
-std::vector<Function> all_functions(DeviceColumns const &in, double const *out,
-                                    unsigned char const *codes, std::int32_t const *pairs,
-                                    Columns &own)
+/// Two rows of arrays of the device.
+struct DeviceRows {
+    DeviceColumns in;
+    DeviceArray<double> out{6};
+    DeviceArray<unsigned char> codes{2};
+    DeviceArray<std::int32_t> pairs{std::vector<std::int32_t>{0, 1, 1, 0}};
+};
+
+std::vector<Function> batch_functions(DeviceRows const &rows)
 {
-    void *const r = in.r12.get(), *const a = in.q1.get(), *const b = in.q2.get(),
-                *const list = const_cast<int *>(pairs), *const x = const_cast<double *>(out),
-                *const c = const_cast<unsigned char *>(codes);
-    void *const r0 = own.r12.data(), *const a0 = own.q1.data(), *const b0 = own.q2.data();
-    static double results[12];
-    static unsigned char overlaps[2];
+    void *const r = rows.in.r12.get(), *const a = rows.in.q1.get(), *const b = rows.in.q2.get(),
+                *const x = rows.out.get(), *const c = rows.codes.get();
     return {
         {"contact_batch",
          4,
@@ -404,6 +418,14 @@ std::vector<Function> all_functions(DeviceColumns const &in, double const *out,
                                                        as(p[3]), nullptr, nullptr, nullptr,
                                                        as(p[4]), nullptr, nullptr);
          }},
+    };
+}
+
+std::vector<Function> pairs_functions(DeviceRows const &rows)
+{
+    void *const r = rows.in.r12.get(), *const a = rows.in.q1.get(), *const list = rows.pairs.get(),
+                *const x = rows.out.get(), *const c = rows.codes.get();
+    return {
         {"contact_pairs",
          4,
          {list, r, a, x, x},
@@ -428,6 +450,15 @@ std::vector<Function> all_functions(DeviceColumns const &in, double const *out,
                  nullptr, list_of(n, as<int>(p[0])), system_of(2, as(p[1]), as(p[2]), nullptr),
                  as(p[3]), nullptr, nullptr, as(p[4]), nullptr, nullptr, nullptr);
          }},
+    };
+}
+
+std::vector<Function> host_functions(Columns &own)
+{
+    void *const r0 = own.r12.data(), *const a0 = own.q1.data(), *const b0 = own.q2.data();
+    static double results[12];
+    static unsigned char overlaps[2];
+    return {
         {"contact_host",
          4,
          {r0, a0, b0, results, results + 2},
@@ -457,11 +488,11 @@ void test_null_pointers()
 {
     Random random(708);
     Columns own(mixed_pairs(random, 2));
-    DeviceColumns const in{own};
-    DeviceArray<double> const out(6);
-    DeviceArray<unsigned char> const codes(2);
-    DeviceArray<std::int32_t> const pairs(std::vector<std::int32_t>{0, 1, 1, 0});
-    for (Function const &f : all_functions(in, out.get(), codes.get(), pairs.get(), own)) {
+    DeviceRows const rows{DeviceColumns(own)};
+    std::vector<Function> all = batch_functions(rows);
+    for (auto const &functions : {pairs_functions(rows), host_functions(own)})
+        all.insert(all.end(), functions.begin(), functions.end());
+    for (Function const &f : all) {
         g_test_message("%s", f.name);
         std::vector<void *> const none(f.pointers.size(), nullptr);
         g_assert_cmpint(f.call(0, none.data()), ==, PW85_SUCCESS);

@@ -202,6 +202,22 @@ bool is_very_slow(std::string const &name)
            name.starts_with("pw85_overlap_area");
 }
 
+/// Whether a function takes so long that it computes few of the pairs of a chunk.
+bool is_slow(std::string const &name)
+{
+    return is_one_of(
+        name, {"pw85_penetration_batch", "pw85_signed_distance_batch", "pw85_penetration_batch_2d",
+               "pw85_signed_distance_batch_2d", "pw85_overlap_volume_batch",
+               "pw85_overlap_volume_gradient_batch", "pw85_overlap_volume_torque_batch",
+               // some hundred microseconds
+               "pw85_signed_distance_derivatives_batch",
+               // twice the digits
+               "pw85_surface_area_batch", "pw85_shell_moments_batch", "pw85_inertia_batch",
+               "pw85_perimeter_batch_2d", "pw85_shell_moments_batch_2d",
+               "pw85_distance_segment_batch", "pw85_distance_triangle_batch",
+               "pw85_distance_solid_box_batch", "pw85_distance_capsule_batch"});
+}
+
 /// Names of functions; none stand for all.
 using Names = std::vector<std::string>;
 
@@ -232,19 +248,7 @@ void add_pairs(Checksums &sums, std::vector<ExactPair> const &pairs, Integers co
             }
             continue;
         }
-        bool const slow = is_one_of(
-            name,
-            {"pw85_penetration_batch", "pw85_signed_distance_batch", "pw85_penetration_batch_2d",
-             "pw85_signed_distance_batch_2d", "pw85_overlap_volume_batch",
-             "pw85_overlap_volume_gradient_batch", "pw85_overlap_volume_torque_batch",
-             // some hundred microseconds
-             "pw85_signed_distance_derivatives_batch",
-             // twice the digits
-             "pw85_surface_area_batch", "pw85_shell_moments_batch", "pw85_inertia_batch",
-             "pw85_perimeter_batch_2d", "pw85_shell_moments_batch_2d",
-             "pw85_distance_segment_batch", "pw85_distance_triangle_batch",
-             "pw85_distance_solid_box_batch", "pw85_distance_capsule_batch"});
-        Call call(function, slow ? few : pairs);
+        Call call(function, is_slow(name) ? few : pairs);
         vary(call, integers, known);
         if (selects(only, name)) add_call(sums[name], call);
         if (!is_one_of(name,

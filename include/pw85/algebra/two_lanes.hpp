@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Two numbers side by side, on which the same formula is computed. A function of one pair computes
-/// with both forms, or tests two points, at once. contact/both_forms.hpp and overlap/quartic.hpp
-/// use this file.
+/// with both forms, or tests two points, at once. contact/rational.hpp and overlap/quartic.hpp use
+/// this file.
 ///
 /// The two numbers are in one register where processors have registers for two doubles. This is
 /// written in the source, because compilers find it only by some flags.

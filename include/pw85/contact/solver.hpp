@@ -13,7 +13,6 @@
 
 #include <pw85/algebra/definite.hpp>
 #include <pw85/algebra/doubled.hpp>
-#include <pw85/contact/both_forms.hpp>
 #include <pw85/contact/factorized_search.hpp>
 #include <pw85/contact/iteration.hpp>
 
@@ -96,44 +95,6 @@ maximize_factorized(Pair<T, D> const &pair, Candidate<T> const &start, int evalu
         if (!found_again || !refined.certified)
             return maximize_wider(pair, candidate.t, evaluations);
     return to_maximum(refined, evaluations, found_again);
-}
-
-/// The end of the search on the rational form of one pair. `evaluations` is 0 if the rational form
-/// is too inaccurate to guide a search; the candidate is then the guess.
-template <class T> struct EndOfSearch {
-    Candidate<T> candidate;
-    int evaluations;
-};
-
-/// The start of the search on the rational form of one pair, at initial_guess(). `accurate` is
-/// false if the rational form is too inaccurate to guide a search.
-template <class T> struct StartOfSearch {
-    RationalSearch<T, FormOfSteps<T>> search;
-    bool accurate;
-};
-
-template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline StartOfSearch<T>
-start_on_rational_form(Pair<T, D> const &pair) noexcept
-{
-    auto const q = side_by_side(pair.q1, pair.q2), other = side_by_side(pair.q2, pair.q1),
-               adj = adjugate(q);
-    auto const weights = outer_weights(converted<TwoLanes<T>>(pair.r12));
-    auto const forms = quadratic_form(q, weights);
-    T const guess = initial_guess(first_of(forms), second_of(forms), pair.ratio);
-    auto const rational = rational_form(q, other, adj, weights);
-    T const diagonal = diagonal_product(blend(pair.q1, guess, pair.q2));
-    return {{form_of_steps(rational), {guess, T(0), T(0)}, guess == guess},
-            evaluate_b(rational, guess) >= rough_conditioning<T>() * diagonal};
-}
-
-/// Searches on the rational form, from initial_guess().
-template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline EndOfSearch<T>
-search_rational_form(Pair<T, D> const &pair) noexcept
-{
-    auto start = start_on_rational_form(pair);
-    int evaluations = 0;
-    if (start.accurate) evaluations = run(start.search, pair, max_rational_steps);
-    return {start.search.candidate, evaluations};
 }
 
 /// Finds the maximum of f over λ in [0, 1], for a pair of positive definite forms in range with r12

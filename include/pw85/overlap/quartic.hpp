@@ -12,12 +12,11 @@
 /// are these projections. The search on the rational form gives the next t.
 ///
 /// There are two ways to evaluate a and b. One pair has the coefficients of their powers of t
-/// (both_forms.hpp); each t then costs a few products. The adjugate of M at t has smaller rounding
-/// errors. It serves packs of lanes, and one pair at the last t.
+/// (contact/rational.hpp); each t then costs a few products. The adjugate of M at t has smaller
+/// rounding errors. It serves packs of lanes, and one pair at the last t.
 #ifndef PW85_OVERLAP_QUARTIC_HPP_INCLUDED
 #define PW85_OVERLAP_QUARTIC_HPP_INCLUDED
 
-#include <pw85/contact/both_forms.hpp>
 #include <pw85/contact/contact.hpp>
 #include <pw85/overlap/decision.hpp>
 
@@ -248,6 +247,46 @@ call_search_for_decision(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q
                          T const &t) noexcept
 {
     return search_for_decision(pair_of(r12, q1, q2), quartic, t);
+}
+
+/// Tier 1, with what the next tier starts from.
+template <class T> struct QuarticStart {
+    QuarticCoefficients<T> quartic;
+    T t;                                   ///< the first point
+    DecisionOf<T> decision;                ///< of decide_by_points(), for a pair that passes
+    typename ScalarTraits<T>::Mask passes; ///< the result of passes_fast_checks()
+};
+
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline QuarticStart<T>
+start_by_quartic(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                 SymmetricMatrix<T, D> const &q2) noexcept
+{
+    // t comes first, because the points wait for it, and not for the coefficients.
+    auto const q = side_by_side(q1, q2);
+    auto const weights = outer_weights(converted<TwoLanes<T>>(r12));
+    T const t = coarse_root_of_ratio(quadratic_form(q, weights));
+    auto const other = side_by_side(q2, q1), adj = adjugate(q);
+    QuarticCoefficients<T> const quartic{rational_form(q, other, adj, weights),
+                                         diagonal_coefficients(q, other)};
+    auto const decision = decide_by_points(quartic, t);
+    return {quartic, t, decision, passes_fast_checks(r12, q, adj)};
+}
+
+/// Tiers 1 and 2. The result is `none` for pairs that fail the fast checks, are ill-conditioned, or
+/// are tangent up to rounding.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Decision
+decide_by_quartic(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                  SymmetricMatrix<T, D> const &q2) noexcept
+{
+    auto const start = start_by_quartic(r12, q1, q2);
+    if (start.passes && start.decision != Decision::none) return start.decision;
+    if (!start.passes) return Decision::none;
+    if constexpr (is_for_device) { // a call would need local memory
+        return search_for_decision(pair_of(r12, q1, q2), start.quartic, start.t);
+    } else {
+        auto const copy = start.quartic; // its address would keep the original in memory
+        return call_search_for_decision(r12, q1, q2, copy, start.t);
+    }
 }
 
 } // namespace pw85::detail

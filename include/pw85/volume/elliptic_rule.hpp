@@ -226,6 +226,24 @@ PW85_FUNCTION inline N root_of_quartic(EllipticRule<T> const &rule, N const &exc
     return square_root(maximum(square, N(N(smallest_number<T>()) + N(rim_floor<T>()) * N(t * t))));
 }
 
+/// A vector in the direction of ψ, and the square of the length of the vector before the stretch.
+template <class N> struct StretchedVector {
+    UnitVector2<N> psi;
+    N square;
+};
+
+/// The direction of ψ from that of 2χ. The length of the vector (1 + cos 2χ, sin 2χ) is the root of
+/// 2 (1 + cos 2χ). It has the direction of χ. So has the vector (sin 2χ, 1 - cos 2χ).
+template <class T, class N> [[gnu::always_inline]] PW85_FUNCTION inline StretchedVector<N>
+stretched_half(EllipticRule<T> const &rule, UnitVector2<N> const &twice) noexcept
+{
+    N const larger = N(1) + absolute(twice.cosine);
+    auto const is_acute = twice.cosine > N(0);
+    return {{N(select(is_acute, larger, twice.sine) * N(rule.inverse_stretch)),
+             N(select(is_acute, twice.sine, larger) * N(rule.stretch))},
+            N(larger + larger)};
+}
+
 /// The half-planes at a value of the parameter, or at values in lanes of N. `theta` is φ, less a
 /// quarter turn for m < 0. So those at -θ are the mirror images of those at θ.
 template <class T, class N> PW85_FUNCTION inline RimDirection<N>
@@ -249,14 +267,8 @@ rim_direction(EllipticRule<T> const &rule, UnitVector2<N> const &theta) noexcept
     }
     if (rule.steps > 0) weight = select(rule.takes_step(1), N(weight * delta), weight);
     auto const twice = select(rule.is_shifted, UnitVector2<N>{phi.sine, -phi.cosine}, phi); // 2χ
-    // The length of the vector (1 + cos 2χ, sin 2χ) is the root of 2 (1 + cos 2χ). It has the
-    // direction of χ. So has the vector (sin 2χ, 1 - cos 2χ).
-    N const larger = N(1) + absolute(twice.cosine);
-    auto const is_acute = twice.cosine > N(0);
-    UnitVector2<N> const psi{N(select(is_acute, larger, twice.sine) * N(rule.inverse_stretch)),
-                             N(select(is_acute, twice.sine, larger) * N(rule.stretch))};
-    N const square = N(larger + larger), c2 = N(psi.cosine * psi.cosine),
-            s2 = N(psi.sine * psi.sine);
+    auto const [psi, square] = stretched_half(rule, twice);
+    N const c2 = N(psi.cosine * psi.cosine), s2 = N(psi.sine * psi.sine);
     N const inverse = N(1) / N(c2 + s2), scale = square_root(inverse);
     auto const swings = absolute(rule.swing) > T(0);
     N excess = N(rule.excess[0]) * c2 + N(rule.excess[1]) * s2;

@@ -70,6 +70,18 @@ template <class T> PW85_FUNCTION inline T middle_of_common_part(RimFrame<T> cons
     return T(T(0.5) * T(top + bottom));
 }
 
+/// The change of moments as a fraction: of the areas, and of the area vector by its components
+/// times the lengths of their vectors. `units` has the units of these five numbers.
+template <class T>
+[[gnu::always_inline]] PW85_FUNCTION inline T change_of_moments(RimSums<T, rim_moments> const &x,
+                                                                RimSums<T, rim_moments> const &y,
+                                                                T const (&units)[5]) noexcept
+{
+    auto const of = [&](int i) { return T(units[i] * absolute(T(x.numbers[i] - y.numbers[i]))); };
+    return fraction_of_areas({x.numbers[0], T(units[1] * x.numbers[1])}, {of(0), of(1)},
+                             T(T(of(2) + of(3)) + of(4)));
+}
+
 /// The integrals over 2π, with the orientation of the ball. X is relative to the middle of the
 /// common part of the axis.
 template <class T> PW85_FUNCTION inline RimMeans<T, rim_moments>
@@ -98,15 +110,10 @@ moments_of(RimIntegration<T> const &integration, T const &scale, T const &shorte
                     add_moments(sums.numbers, plane, points[1], points[1].z - middle, speed, -sign);
             });
     };
-    // The areas, and the area vector by its components times the lengths of their vectors
     T const ray0 = magnitude(rim.rays[0]), ray1 = magnitude(rim.rays[1]);
     T const units[5] = {T(1), scale, ray0, ray1, T(ray0 * ray1)};
     auto const change = [&](RimSums<T, rim_moments> const &x, RimSums<T, rim_moments> const &y) {
-        auto const of = [&](int i) {
-            return T(units[i] * absolute(T(x.numbers[i] - y.numbers[i])));
-        };
-        return fraction_of_areas({x.numbers[0], T(scale * x.numbers[1])}, {of(0), of(1)},
-                                 T(T(of(2) + of(3)) + of(4)));
+        return change_of_moments(x, y, units);
     };
     auto moments = mean_over_half_planes<T, rim_moments>(elliptic_rule(rim), add, change);
     for (int body = 0; body < 2; ++body)

@@ -92,9 +92,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
             raise lines.error("the file has become shorter")
         keys = _keys(lines, options)
         _check_keys(keys, options, lines)
-        dimensions = lines.whole(keys["Dimensions"], "Dimensions") if "Dimensions" in keys else None
-        if dimensions not in (None, 2, 3):
-            raise lines.error(f"'Dimensions' must be 2 or 3, not {dimensions}")
+        dimensions = _dimensions(keys, lines)
         columns, text = _columns(keys, lines, count)
         positions = [f"pos[{k}]" for k in (1, 2, 3) if f"pos[{min(k, 2)}]" not in columns or f"pos[{k}]" in columns]
         if positions[0] not in columns:
@@ -126,6 +124,13 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         frame.source = ", ".join(filter(None, [frame.source, f"keys that are not used: {unused}"]))
     frame.refuse_other_bodies(options)
     return frame.system(options)
+
+
+def _dimensions(keys: dict[str, str], lines: Lines) -> int | None:
+    dimensions = lines.whole(keys["Dimensions"], "Dimensions") if "Dimensions" in keys else None
+    if dimensions not in (None, 2, 3):
+        raise lines.error(f"'Dimensions' must be 2 or 3, not {dimensions}")
+    return dimensions
 
 
 def _keys(lines: Lines, options: Options) -> dict[str, str]:

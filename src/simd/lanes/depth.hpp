@@ -145,7 +145,27 @@ struct PartsOfTurns {
         path.n = selected(in, turned(n, factor, turn, path.is_large), path.n);
         return in && factor < Pack(1.0 / (1 << max_turn_halves));
     }
+
+    /// Takes the states in `longer` as parts, and keeps the state and the turn of the other paths.
+    PW85_INLINE void keep(PackMask longer, DirectionState<Pack, 3> const &at,
+                          Vector<Pack, 3> const &next) noexcept
+    {
+        taken = longer;
+        n = selected(longer, n, at.n);
+        turn = selected(longer, turn, next);
+        length = select(longer, length, at.length);
+    }
 };
+
+/// Replaces paths by shorter ones.
+PW85_INLINE void replace(PackMask mask, TurnedPath<Pack, 3> &old,
+                         TurnedPath<Pack, 3> const &shorter) noexcept
+{
+    old.n = selected(mask, shorter.n, old.n);
+    old.square = select(mask, shorter.square, old.square);
+    old.accurate = (mask && shorter.accurate) || (!mask && old.accurate);
+    old.is_large = (mask && shorter.is_large) || (!mask && old.is_large);
+}
 
 /// follow_normal() from the directions in which ellipsoids touch.
 [[gnu::noinline, gnu::flatten]] inline void follow_normals(SidePair const &pair, Pack const &t,
@@ -184,15 +204,8 @@ struct PartsOfTurns {
         Vector<Pack, 3> turn;
         PackMask const newton = normal_turn(pair.q, pair.r12, at, turn, inverse);
         add_turn(path, at, turn, newton);
-        parts.taken = is_longer;
-        parts.n = selected(is_longer, parts.n, at.n);
-        parts.turn = selected(is_longer, parts.turn, turn);
-        parts.length = select(is_longer, parts.length, at.length);
-        if (!any_of(is_longer)) continue;
-        path.n = selected(is_longer, shorter.n, path.n);
-        path.square = select(is_longer, shorter.square, path.square);
-        path.accurate = (is_longer && shorter.accurate) || (!is_longer && path.accurate);
-        path.is_large = (is_longer && shorter.is_large) || (!is_longer && path.is_large);
+        parts.keep(is_longer, at, turn);
+        if (any_of(is_longer)) replace(is_longer, path, shorter);
     }
 }
 
