@@ -26,6 +26,9 @@
 #define PW85_SIGNATURE_compare_exactly(define, T, D) \
     define(compare_exactly, (Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, \
            SymmetricMatrix<T, D> const &q2, exact::BinaryFraction<T> const &m), (r12, q1, q2, m))
+#define PW85_SIGNATURE_contact_points_scaled(define, T, N, Find) \
+    define(contact_points_scaled, (Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const \
+           &q, Find const &find), (points, q, find))
 #define PW85_SIGNATURE_contact_polytope_exactly(define, T) \
     define(contact_polytope_exactly, (std::size_t n, T const *normals, T const *offsets, \
            SymmetricMatrix<T, 3> const &q, Vector<T, 3> const &center), (n, normals, offsets, q, \
@@ -98,6 +101,8 @@
            SymmetricMatrix<T, D> const &q2), (r12, q1, q2))
 #define PW85_SIGNATURE_minimize_dual_wider(define, T, D) \
     define(minimize_dual_wider, (Pair<T, D> const &pair), (pair))
+#define PW85_SIGNATURE_overlap_of_any(define, T, Shape) \
+    define(overlap_of_any, (Shape const &shape, SymmetricMatrix<T, 3> const &q), (shape, q))
 #define PW85_SIGNATURE_overlaps_exactly(define, T, N) \
     define(overlaps_exactly, (Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q), \
            (points, q))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The C API of an ellipsoid and convex sets. The functions check for null pointers. Kernels compute
-// ordinary segments, triangles and boxes; the core checks and computes everything else. Rows share
-// what computes polytopes (PW85_SHARED_BY_QUESTIONS).
+// ordinary segments, triangles and boxes; the core checks and computes everything else. Other units
+// share what computes that, and polytopes (PW85_SHARED_BY_QUESTIONS).
 #include <pw85.h>
 
 #include <pw85/shapes/overlap_polytope.hpp>
@@ -19,9 +19,17 @@
 namespace pw85::detail {
 inline namespace PW85_SHARED_WITH {
 
+using HullOfSegment = Hull<double, 2>; // macros take no commas
+using HullOfTriangle = Hull<double, 3>;
+
 PW85_DEFINE_SHARED(search_polytope, double)
 PW85_DEFINE_SHARED(check_planes, double)
 PW85_DEFINE_SHARED(decide_polytope, double)
+PW85_DEFINE_SHARED(contact_points_scaled, double, 2, FindOnSegment<>)
+PW85_DEFINE_SHARED(contact_points_scaled, double, 3, FindOnTriangle<>)
+PW85_DEFINE_SHARED(overlap_of_any, double, HullOfSegment)
+PW85_DEFINE_SHARED(overlap_of_any, double, HullOfTriangle)
+PW85_DEFINE_SHARED(overlap_of_any, double, SolidBox<double>)
 
 } // namespace PW85_SHARED_WITH
 } // namespace pw85::detail
@@ -67,7 +75,7 @@ constexpr auto hull_of = [](auto const &...points) {
 };
 template <class Find>
 constexpr auto contact_of_hull = [](SymmetricMatrix<double, 3> const &q, auto const &...points) {
-    return contact_scaled(hull_of(points...).points, q, Find{});
+    return contact_points_scaled(hull_of(points...).points, q, Find{});
 };
 
 /// Records why a polytope or an ellipsoid is refused. Too many planes are not read.

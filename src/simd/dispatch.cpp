@@ -13,7 +13,7 @@ namespace pw85::detail::kernels {
 
 namespace {
 
-#define PW85_ONE(target, one_pair, available) +1
+#define PW85_ONE(target, one_pair, lanes256, available) +1
 constexpr int num_targets = PW85_EACH_TARGET(PW85_ONE);
 #undef PW85_ONE
 
@@ -25,7 +25,7 @@ struct Targets {
 
 constexpr Targets numbered() noexcept
 {
-#define PW85_NAME(target, one_pair, available) #target,
+#define PW85_NAME(target, one_pair, lanes256, available) #target,
     char const *const names[] = {PW85_EACH_TARGET(PW85_NAME)};
 #undef PW85_NAME
     Targets made{};
@@ -42,7 +42,7 @@ constexpr Target reproducible = {"reproducible", 0};
 /// Returns the newest available target that is not newer than the one that PW85_TARGET names.
 Target const &newest() noexcept
 {
-#define PW85_AVAILABLE(target, one_pair, available) available,
+#define PW85_AVAILABLE(target, one_pair, lanes256, available) available,
     bool const available[] = {PW85_EACH_TARGET(PW85_AVAILABLE)};
 #undef PW85_AVAILABLE
     char const *const wanted = std::getenv("PW85_TARGET");

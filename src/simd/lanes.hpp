@@ -23,7 +23,7 @@ template <class Rows> using GatherPairs = void(Rows const &, std::uint16_t const
                                                std::size_t count,
                                                PairRow<Rows::dimension> *pairs) noexcept;
 
-#define PW85_DECLARE_LANES(target, one_pair, available)                                            \
+#define PW85_DECLARE_LANES(target, one_pair, lanes256, available)                                  \
     namespace target {                                                                             \
     template <class Rows, class Arrays>                                                            \
     std::size_t compute(Rows const &, std::size_t, Arrays const &, Worklist &) noexcept;           \
@@ -40,7 +40,10 @@ namespace {
 template <class Rows, class Arrays> auto compute_of(Target const &target) noexcept
 {
     using Compute = ComputeLanes<Rows, Arrays>;
-    return PW85_OF_LANES(target, Compute, compute);
+    if constexpr (has_lanes256<Rows, Arrays>)
+        return PW85_OF_LANES256(target, Compute, compute);
+    else
+        return PW85_OF_LANES(target, Compute, compute);
 }
 
 template <class Rows> auto gather_of(Target const &target) noexcept

@@ -42,7 +42,7 @@ template <class Result, class... Parameters> struct Noexcept<Result(Parameters..
 };
 
 #define PW85_DECLARE_FUNCTION(name) Noexcept<decltype(pw85_##name)>::Function name;
-#define PW85_DECLARE_ONE_PAIR(target, one_pair, available)                                         \
+#define PW85_DECLARE_ONE_PAIR(target, one_pair, lanes256, available)                               \
     namespace one_pair {                                                                           \
     PW85_ONE_PAIR_FUNCTIONS(PW85_DECLARE_FUNCTION)                                                 \
     }

@@ -22,7 +22,7 @@ using OverlapOfTwoPoints = bool(double const *, double const *, double const *q,
 using OverlapOfThreePoints = bool(double const *, double const *, double const *, double const *q,
                                   int *overlap) noexcept;
 
-#define PW85_DECLARE_ONE_SET(target, one_pair, available)                                          \
+#define PW85_DECLARE_ONE_SET(target, one_pair, lanes256, available)                                \
     namespace one_pair {                                                                           \
     ContactOfTwoPoints contact_segment, contact_box;                                               \
     ContactOfThreePoints contact_triangle;                                                         \

@@ -111,6 +111,10 @@ struct OneToImages {
     double const *translations; ///< a row of three for each number
 };
 
+/// True if the kernel of some rows and arrays is in lanes256/, because registers of 512 bits gain
+/// less than a factor of 1.3.
+template <class Rows, class Arrays> inline constexpr bool has_lanes256 = false;
+
 /// The numbers of one pair.
 template <int D> struct PairRow {
     double r12[std::size_t(D)], q1[std::size_t(D * (D + 1) / 2)], q2[std::size_t(D * (D + 1) / 2)];

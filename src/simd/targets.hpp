@@ -10,11 +10,11 @@
 
 #include "instruction_sets.h"
 
-/// Calls X(name, the name of its functions for one pair, condition, ...) for each target, from the
-/// newest to the oldest.
+/// Calls X(name, the name of its functions for one pair, that of its lanes of at most 256 bits,
+/// condition, ...) for each target, from the newest to the oldest.
 #define PW85_EACH_TARGET(X, ...)                                                                   \
     PW85_INSTRUCTION_SETS(X __VA_OPT__(, ) __VA_ARGS__)                                            \
-    X(baseline, baseline, true __VA_OPT__(, ) __VA_ARGS__)
+    X(baseline, baseline, baseline, true __VA_OPT__(, ) __VA_ARGS__)
 
 namespace pw85::detail::kernels {
 
@@ -50,14 +50,21 @@ template <auto baseline, auto... others> auto one_of(Target const &target) noexc
 #define PW85_OF_PAIR(target, function)                                                             \
     pw85::detail::kernels::one_of<pw85::detail::kernels::baseline::function PW85_INSTRUCTION_SETS( \
         PW85_AND_OF_PAIR, function)>(target)
-#define PW85_AND_OF_PAIR(name, one_pair, available, function)                                      \
+#define PW85_AND_OF_PAIR(name, one_pair, lanes256, available, function)                            \
     , pw85::detail::kernels::one_pair::function
 
 /// A target's function for lanes (lanes.hpp), of a type.
 #define PW85_OF_LANES(target, type, function)                                                      \
     one_of<static_cast<type *>(baseline::function)                                                 \
                PW85_INSTRUCTION_SETS(PW85_AND_OF_LANES, type, function)>(target)
-#define PW85_AND_OF_LANES(name, one_pair, available, type, function)                               \
+#define PW85_AND_OF_LANES(name, one_pair, lanes256, available, type, function)                     \
     , static_cast<type *>(name::function)
+
+/// A target's function for lanes of at most 256 bits (lanes256/), of a type.
+#define PW85_OF_LANES256(target, type, function)                                                   \
+    one_of<static_cast<type *>(baseline::function)                                                 \
+               PW85_INSTRUCTION_SETS(PW85_AND_OF_LANES256, type, function)>(target)
+#define PW85_AND_OF_LANES256(name, one_pair, lanes256, available, type, function)                  \
+    , static_cast<type *>(lanes256::function)
 
 #endif

@@ -20,7 +20,7 @@ struct Target {
 };
 
 /// From the newest to the oldest.
-#define PW85_TARGET(name, one_pair, available) {#name, available},
+#define PW85_TARGET(name, one_pair, lanes256, available) {#name, available},
 Target const targets[] = {PW85_EACH_TARGET(PW85_TARGET)};
 #undef PW85_TARGET
 

@@ -278,8 +278,8 @@ to_caller(T const &mu2, Vector<T, 3> const &point, Unit shape, Unit ellipsoid) n
 /// digits and a wider range, where there are such numbers.
 template <class T, std::size_t N, class Find>
 [[gnu::noinline]] PW85_FUNCTION inline ShapeContact<T, 3>
-contact_scaled(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q,
-               Find const &find) noexcept
+contact_points_scaled(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q,
+                      Find const &find) noexcept
 {
     StatusCode const status = is_finite(points) ? validate(q) : StatusCode::invalid_argument;
     if (status != StatusCode::success) return all_nan<ShapeContact<T, 3>>(status);
@@ -309,7 +309,7 @@ contact_of(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q,
         auto const found = find(points, q);
         if (found.certified) return {found.mu2, found.point, StatusCode::success};
     }
-    return contact_scaled(points, q, find);
+    return contact_points_scaled(points, q, find);
 }
 
 } // namespace pw85::detail

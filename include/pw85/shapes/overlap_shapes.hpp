@@ -243,6 +243,10 @@ overlap_of_any(Shape const &shape, SymmetricMatrix<T, 3> const &q) noexcept
         return {shape.template nearest<false>(q).mu2 < T(1), status};
 }
 
+PW85_SHARED_BY_QUESTIONS_OF(overlap_of_any, double, Hull<double, 2>)
+PW85_SHARED_BY_QUESTIONS_OF(overlap_of_any, double, Hull<double, 3>)
+PW85_SHARED_BY_QUESTIONS_OF(overlap_of_any, double, SolidBox<double>)
+
 template <class T, class Shape> PW85_FUNCTION inline ShapeOverlap
 overlap_of(Shape const &shape, SymmetricMatrix<T, 3> const &q) noexcept
 {

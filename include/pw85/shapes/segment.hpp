@@ -62,6 +62,7 @@ template <bool with_normal = false, bool refined = true> struct FindOnSegment {
 
 PW85_RARE_TIER_OF(find_finer, double, 2, FindOnSegment<>)
 PW85_RARE_TIER_OF(contact_with_all_digits, double, 2, FindOnSegment<>)
+PW85_SHARED_BY_QUESTIONS_OF(contact_points_scaled, double, 2, FindOnSegment<>)
 
 } // namespace pw85::detail
 

@@ -208,6 +208,7 @@ template <bool with_normal = false, bool refined = true> struct FindOnTriangle {
 
 PW85_RARE_TIER_OF(find_finer, double, 3, FindOnTriangle<>)
 PW85_RARE_TIER_OF(contact_with_all_digits, double, 3, FindOnTriangle<>)
+PW85_SHARED_BY_QUESTIONS_OF(contact_points_scaled, double, 3, FindOnTriangle<>)
 
 } // namespace pw85::detail
 

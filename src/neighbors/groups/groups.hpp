@@ -24,7 +24,7 @@ using PairGroups = bool(Tree const &, MovedGroup const &, std::size_t group, Fou
 
 namespace pw85::detail::kernels {
 
-#define PW85_DECLARE_GROUPS(target, one_pair, available)                                           \
+#define PW85_DECLARE_GROUPS(target, one_pair, lanes256, available)                                 \
     namespace target {                                                                             \
     neighbors::PairGroups pair_groups;                                                             \
     }

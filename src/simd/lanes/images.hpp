@@ -18,7 +18,7 @@ inline constexpr std::size_t most_images = 256;
 /// find none, `rejected_lanes` has those that need the function for one pair.
 using FindOverlap = bool(OneToImages const &, std::size_t n, Worklist &rejected_lanes) noexcept;
 
-#define PW85_DECLARE_IMAGES(target, one_pair, available)                                           \
+#define PW85_DECLARE_IMAGES(target, one_pair, lanes256, available)                                 \
     namespace target {                                                                             \
     FindOverlap find_overlap_of_images;                                                            \
     }

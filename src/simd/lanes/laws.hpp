@@ -43,7 +43,7 @@ struct LawSums {
 template <class Law>
 using EvaluateLaw = LawSums(Law const &, std::size_t n, double const *mu2, double *d_u) noexcept;
 
-#define PW85_DECLARE_LAWS(target, one_pair, available)                                             \
+#define PW85_DECLARE_LAWS(target, one_pair, lanes256, available)                                   \
     namespace target {                                                                             \
     template <class Law>                                                                           \
     LawSums evaluate(Law const &, std::size_t, double const *, double *) noexcept;                 \

@@ -18,4 +18,3 @@ inline namespace PW85_PACKS {
 PW85_GATHER(PairArrays<2>)
 PW85_KERNEL(PairArrays<2>, ContactArrays)
 PW85_KERNEL(PairArrays<2>, OverlapArray)
-PW85_KERNEL(PairArrays<2>, AreaArray)

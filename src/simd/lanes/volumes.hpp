@@ -27,6 +27,9 @@ struct VolumeArray {
     PW85_MEMBER VolumeArray from(std::size_t begin) const noexcept { return {volume + begin}; }
 };
 
+/// With the instructions of AVX-512, four lanes would gain a factor of 1.00 to 1.10.
+template <> inline constexpr bool has_lanes256<PairArrays<3>, VolumeArray> = true;
+
 } // namespace pw85::detail::kernels
 
 #ifdef PW85_KERNEL

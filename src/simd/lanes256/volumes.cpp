@@ -2,8 +2,8 @@
 // Lanes: volumes of common parts, with the bits of one pair.
 #define PW85_ROUNDED_PRODUCTS
 #define PW85_FOUR_LANES
-#include "chunks.hpp"
+#include "../lanes/chunks.hpp"
 
-#include "volumes.hpp"
+#include "../lanes/volumes.hpp"
 
 PW85_KERNEL(PairArrays<3>, VolumeArray)
