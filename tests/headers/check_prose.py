@@ -28,7 +28,8 @@ SHARES = (0.2, 1.0)  # of words that are dropped, one for each trial
 MADE = ("include/pw85_batch.h", "include/pw85/batch/", "include/pw85/linked.hpp", "include/pw85/simulation/", "include/pw85/systems/",
         "src/base/objects.hpp", "src/c_api/objects_", "src/c_api/contact_lanes", "src/c_api/contact.cpp", "fortran/", "r/R/", "r/man/",
         "r/src/", "octave/inst/", "octave/src/", "rust/pw85/src/", "rust/pw85-sys/src/", "js/", "debian/", "table of the tests",
-        "table of Python", "objects of Python", "legacy.py", "_functions.py")  # fmt: skip
+        "table of Python", "objects of Python", "legacy.py", "_functions.py",
+        "pw85_gpu.h: attributes", "pw85_any_dimension.h: attributes", "pw85_pre1.h: attributes")  # fmt: skip
 COMMENT = re.compile(r"/\*\*[\s\S]*?\*/|(?:^ *///.*\n)+", re.MULTILINE)
 # What is data in a comment: marks, tags with their names and attributes, titles.
 DATA = re.compile(
@@ -117,6 +118,10 @@ def made(folder):
     for name in ("_functions", "legacy"):
         files[f"{name}.py"] = python.module(folder / f"python/pypw85/{name}.in.py")
     files["modules of JavaScript"] = "\n".join(name for module in javascript.ASKED for name in javascript.exports(module))
+    for header in declarations.EVERY_HEADER:  # some attributes reach tests and pages alone
+        parameters = [(one, own) for one in declarations.functions(header) for own in one.flattened]
+        listed = [(one.name, own.name, vars(own.attributes) | {"words": sorted(own.attributes.words)}) for one, own in parameters]
+        files[f"{header}: attributes"] = "\n".join(map(str, listed))
     for cause in causes.CAUSES:
         files[f"cause: {cause.key}"] = "\n".join(one.name for one in causes.functions_with_status() if causes.has_cause(one, cause))
     files["functions of the pages"] = "\n".join(f"{name}: {place}" for name, place in pages.places_in_python().items())
