@@ -23,7 +23,26 @@ one that stands twice or in another order, or does not fit the parameter:
 """
 
 import re
+import sys
 from dataclasses import dataclass, replace
+
+
+class Refused(ValueError):
+    """What a program of this folder refuses in a header or a template, with file and line."""
+
+
+def run(main):
+    """Runs a program of this folder; what it refuses is its last word."""
+    try:
+        main(*sys.argv[1:])
+    except Refused as refused:
+        sys.exit(str(refused))
+
+
+def line_of(file, text, position):
+    """File and line of a position in a text."""
+    return f"{file}:{text.count(chr(10), 0, position) + 1}"
+
 
 # The extent of packed symmetric matrices in n dimensions.
 PACKED = "n(n+1)/2"
@@ -34,6 +53,11 @@ LIMITS = {
     "rotation": "rotation", "index": "", "a periodic row": "", "independent rows": "", "needs cell": "", "near the cell": "",
     "of as many particles": "", "or infinite": "may_be_infinite", "or NaN": "may_be_nan", "or far away": "",
 }  # fmt: skip
+# The types that they limit, if not double; how many numbers they need; and those of which one stands alone.
+TYPES_OF_LIMITS = {"1..16": "int", "> 0 until t_max": "pw85_motion", "index": "int32_t", "needs cell": "int32_t",
+                   "of as many particles": "pw85_neighbors"}  # fmt: skip
+SIZES_OF_LIMITS = {"definite": (3, 6, PACKED), "rotation": (9,), "a periodic row": (9,), "independent rows": (9,), "0..1": (1,)}
+RANGES = ("> 0", ">= 0", "!= 0", "0..1")
 NAMES = r"([\w.]+(?:, [\w.]+)*)"
 LISTS = ("without", "needs", "members", "each")
 # The attributes in their order, with what they say in a group; {extent} is the name of a number of rows.
@@ -47,7 +71,7 @@ FORMS = {
     **{word: re.escape(word) for word in ("optional", "optional if not needed", *LIMITS)},
     "members": f"members {NAMES}",
     "each": f"member {NAMES}",
-    "on_error": r"(\S+) on error",
+    "on_error": r"(NaN|null|-?\d+|{extent}) on error",
 }
 # What stands in a text by mistake.
 ASTRAY = re.compile(r"\[(?:as pw85|number of|n×|\d+×|length|optional|definite|members? )|\((?:n×\d|length[²³]?;|optional;)")
@@ -76,7 +100,10 @@ class Attributes:
     def misfits(self, one, is_marked):
         """What is wrong where these, the parameter's own, do not fit it. `is_marked` is for @param[out]."""
         is_output, shape = one.is_output() or one.outer, "×".join(map(str, self.shape))
-        limits = sorted(self.words & LIMITS.keys())
+        limits, value = [word for word in LIMITS if word in self.words], self.on_error
+        only = "NaN" if one.type == "double" else "null" if one.outer else ""  # other types have numbers
+        is_of_type = value == only if only else value not in ("NaN", "null")
+        ranges = [word for word in RANGES if word in limits]
         unread = sorted({*self.without, *self.needs} - one.member_names())
         found = {
             "an output needs @param[out]": is_output and not is_marked,
@@ -91,7 +118,14 @@ class Attributes:
             f"outputs have no limits: {', '.join(limits)}": limits and is_output,
             f"inputs are not members of a result: {', '.join(self.members)}": self.members and not is_output,
             f"inputs stay as they are: {self.on_error} on error": self.on_error and not is_output,
+            f"outputs of type {one.type} cannot be {value} on error": value and not is_of_type,
+            f"{' and '.join(ranges)} exclude each other": len(ranges) > 1,
+            f"{', '.join(self.members)}: a member stands twice": len({*self.members}) < len(self.members),
         }
+        for word in limits:
+            kind, sizes = TYPES_OF_LIMITS.get(word, "double"), SIZES_OF_LIMITS.get(word, (one.size,))
+            found[f"{word} limits {kind}, not {one.type}"] = one.type != kind and not word.startswith("or ")
+            found[f"{word} needs {' or '.join(map(str, sizes))} numbers, not {one.size}"] = one.size not in sizes
         return [text for text, is_wrong in found.items() if is_wrong]
 
 
@@ -100,7 +134,7 @@ def form_of(item, extents):
     for place, (name, form) in enumerate(FORMS.items()):
         if match := re.fullmatch(form.replace("{extent}", "|".join(map(re.escape, extents))), item):
             return place, name, match[match.lastindex or 0]
-    raise ValueError(f"unknown attribute: {item or 'none between the brackets'}")
+    raise Refused(f"unknown attribute: {item or 'none between the brackets'}")
 
 
 def parsed(text, extents):
@@ -109,7 +143,7 @@ def parsed(text, extents):
     for item in [] if text is None else " ".join(text.split()).split("; "):
         place, name, said = form_of(item, [*extents, PACKED])
         if place <= last[0]:
-            raise ValueError(f"{item} must not stand behind {last[1]}")
+            raise Refused(f"{item} must not stand behind {last[1]}")
         found[name], last = said, (place, item)
     words = frozenset(name for name, said in found.items() if name == said)
     values = {name: tuple(said.split(", ")) if name in LISTS else said for name, said in found.items() if name not in words}
@@ -122,5 +156,5 @@ def text_behind(text):
     """The text behind the brackets; brackets that are open, or stand behind a word, are not read as attributes."""
     plain = " ".join(text.split())
     if ASTRAY.search(plain):
-        raise ValueError(f"attributes must stand between brackets behind the name: {plain}")
+        raise Refused(f"attributes must stand between brackets behind the name: {plain}")
     return plain

@@ -18,7 +18,7 @@ import re
 from itertools import groupby
 
 import layout
-from attributes import LIMITS
+from attributes import LIMITS, Refused, line_of
 from declarations import INCLUDE, ONE_ROW, SOURCE, c_functions, functions
 from rows import TRUTHS, name_of_many
 
@@ -59,7 +59,13 @@ class Statement:
         self.rows = (said and said["rows"]) or rows_of(function)
         self.row = self.rows.split()[0].removesuffix("s")
         self.results = said and said["results"]
-        self.said = dict(line.strip().split(": ", 1) for line in said["parameters"].splitlines()) if said else {}
+        self.said, names = {}, [name for one in function.parameters for name in names_of(one)]
+        for line in said["parameters"].splitlines() if said else ():
+            name, _, text = line.strip().partition(": ")
+            if name not in names or name in self.said or not text.startswith("["):
+                place = line_of(TEMPLATE.name, said.string, said.string.index(line, said.start()))
+                raise Refused(f"{place}: {self.name}() has no parameter {name}, or it is described twice, or without brackets")
+            self.said[name] = text
 
     def arguments(self):
         """The parameters of one row, each with those of the made header that stand for it."""
@@ -100,24 +106,19 @@ def statements():
     text = TEMPLATE.read_text(encoding="utf-8")
     mark = MARK.search(text)
     if mark is None:
-        raise ValueError(f"{TEMPLATE.name}: no mark @rows")
+        raise Refused(f"{TEMPLATE.name}: no mark @rows")
     known = {one.name: one for header in ONE_ROW for one in functions(header) if has_rows(one)}
-    said = {one["name"]: one for one in SAID.finditer(mark["said"])}
-    for name in (*mark["without"].split(", "), *said):
-        if name not in known:
-            raise ValueError(f"{TEMPLATE.name}: no function {name}() of one row")
-    for name in mark["without"].split(", "):
-        del known[name]
-    found = [Statement(function, said.get(name)) for name, function in known.items()]
-    for one in found:
-        if unknown := one.said.keys() - {name for own in one.function.parameters for name in names_of(own)}:
-            raise ValueError(f"{TEMPLATE.name}: {one.name}() has no parameter {', '.join(sorted(unknown))}")
-    return found
+    without, said = re.findall(r"\w+", mark["without"]), [*SAID.finditer(text, *mark.span("said"))]
+    names = [*without, *(one["name"] for one in said)]
+    for name, start in zip(names, [*(mark.start() for _ in without), *(one.start() for one in said)]):
+        if name not in known or names.count(name) > 1:
+            raise Refused(f"{line_of(TEMPLATE.name, text, start)}: no function {name}() of one row, or it is named twice")
+    return [Statement(known[name], dict(zip(names[len(without):], said)).get(name)) for name in known if name not in without]
 
 
 def header():
     made = "\n".join(one.declaration() for one in statements())
     text = MARK.sub(lambda match: made, TEMPLATE.read_text(encoding="utf-8"))
     if left := re.search(r"^@.*", text, re.MULTILINE):
-        raise ValueError(f"{TEMPLATE.name}: {left[0]}: not understood")
+        raise Refused(f"{TEMPLATE.name}: {left[0]}: not understood")
     return text

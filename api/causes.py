@@ -50,7 +50,6 @@ CAUSES = (
 )  # fmt: skip
 # The attributes of parameters that have another cause instead.
 INSTEAD = {"not positive": ">= 0", "negative": "> 0"}
-FUNCTIONS = tuple(function for header in PARTS for function in functions(header) if function.type == "int")
 
 
 def is_named(cause, one):
@@ -69,6 +68,10 @@ def can_have(cause, one):
         return False
     is_of_type = cause.type in ("", one.type)
     return is_of_type and bool(re.fullmatch(cause.parameters, one.name)) and (cause.key == "null" or not one.pointer or one.const)
+
+
+def functions_with_status():
+    return [function for header in PARTS for function in functions(header) if function.type == "int"]
 
 
 def has_cause(function, cause):

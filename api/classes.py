@@ -8,6 +8,7 @@ A line of a template becomes a function that calls that of C of its name (cpp_ca
     @member sweep                   a member of the class, by pw85_hard_ellipsoids_sweep()
     @member steps returns TrialSteps
     @member remove, save            several of the same kind
+    @others                         all functions on the object of the class, or outside of a class on none, that no template calls
 
 "as" gives another name, and "without direction" passes null. A function that "returns" a type has its outputs in it, and the status if
 it has such a member. Indented lines below give the C++ type of a parameter, with its default, or that of a struct that has several
@@ -18,7 +19,8 @@ in include/pw85/batch/values.hpp. api/committed.py writes the headers or compare
 
 import re
 
-from cpp import CLASSES, FOLDER, TEMPLATES, is_of_list, is_of_rows, name_in_cpp, structs
+from attributes import Refused, line_of
+from cpp import CLASSES, FOLDER, TEMPLATES, is_of_list, is_of_rows, kinds, name_in_cpp, structs
 from cpp_calls import Call
 from declarations import SIMULATION, c_functions, functions, sections
 from layout import arguments, cpp_header
@@ -40,22 +42,33 @@ PRIVATE = """\
     std::unique_ptr<{0}, Destroy> object_;
 """
 MARK_OF_MANY = re.compile(r"^@(?P<kind>rows|pairs) (?P<header>\w+\.h)\n", re.MULTILINE)
+MARK_OF_OTHERS = re.compile(r"^(?P<indent> *)@others\n", re.MULTILINE)
 KINDS = {"rows": is_of_rows, "pairs": is_of_list}
 
 
-def definitions_of(match, prefix, path):
-    """The functions of a line; an empty line is between them and those of the next one."""
+def definitions_of(match, prefix, path, made):
+    """The functions of a line; an empty line is between them and those of the next one. `made` are those of the lines before."""
     is_member, texts = match["kind"] == "member", []
     types = dict(line.strip().split(": ", 1) for line in match["said"].splitlines())
     for name in match["names"].split(", "):
-        place, c_name = f"{path.name}: @{match['kind']} {name}", f"{prefix if is_member else 'pw85_'}{name}"
+        place = f"{line_of(path.name, match.string, match.start('kind'))}: @{match['kind']} {name}"
+        c_name, own = f"{prefix if is_member else 'pw85_'}{name}", match["own"] or name
         if c_name not in c_functions():
-            raise ValueError(f"{place}: no function {c_name}()")
+            raise Refused(f"{place}: no function {c_name}()")
+        if (own, match["without"]) in made:
+            raise Refused(f"{place}: {own}() is made twice")
+        for kind in (match["type"], *types.values()):
+            if kind and kind.split()[0] not in kinds():
+                raise Refused(f"{place}: no type {kind.split()[0]} in the headers of C++")
+        made.add((own, match["without"]))
         call = Call(c_functions()[c_name], types, is_member, match["without"], match["type"])
+        outputs = call.function.outputs  # the only one can be the result itself
+        if match["type"] and outputs[1:] and (left := [one.name for one in outputs if not call.place(one).startswith("found.")]):
+            raise Refused(f"{place}: {match['type']} has no member {left[0]}")
         known = {None, *call.function.parameter_names(), *(one.name for one in call.declared)}
         if unknown := {*types, match["without"]} - known:
-            raise ValueError(f"{place}: no such parameter: {', '.join(sorted(unknown))}")
-        texts.append(call.text(match["own"] or name, match["indent"]))
+            raise Refused(f"{place}: no such parameter: {', '.join(sorted(unknown))}")
+        texts.append(call.text(own, match["indent"]))
     return "\n".join(texts) + "\n" * bool(MARK.match(match.string, match.end()))
 
 
@@ -79,21 +92,43 @@ def definitions(match):
     return "\n".join(texts)
 
 
-def header(name, path):
+def marks_of_others(match, owned, others):
+    """The line in the place of a mark @others; an empty one if there are none."""
+    kind, owner = ("member", owned) if match["indent"] else ("function", "")
+    names = [one.name.removeprefix(f"{owner or 'pw85'}_") for one in others if owner_of(one) == owner]
+    return f"{match['indent']}@{kind} {', '.join(names)}\n" if names else "\n"
+
+
+def owner_of(function):
+    """The type of the object on which a function works; empty if it works on none."""
+    return next((one.type for one in function.parameters if one.type in CLASSES), "")
+
+
+def header(name, path, others):
     template = path.read_text(encoding="utf-8")
     owned = next((c_name for c_name, kind in CLASSES.items() if f"\nclass {kind} {{" in template), "pw85")
-    made = MARK.sub(lambda match: definitions_of(match, f"{owned}_", path), template)
+    template = MARK_OF_OTHERS.sub(lambda match: marks_of_others(match, owned, others), template)
+    listed = set()
+    made = MARK.sub(lambda match: definitions_of(match, f"{owned}_", path, listed), template)
     made = MARK_OF_MANY.sub(definitions, made.replace("@private\n", PRIVATE.format(owned)))
     if left := re.search(r"^ *@(?!\{|\}).*", made, re.MULTILINE):
-        raise ValueError(f"{path.name}: {left[0].strip()}: not understood")
+        raise Refused(f"{line_of(path.name, template, template.index(left[0]))}: not understood: {left[0].strip()}")
     return cpp_header(FOLDER / f"{name}.hpp", made, path)
+
+
+def headers(others):
+    return {FOLDER / f"{name}.hpp": header(name, path, others) for name, path in TEMPLATES.items()}
+
+
+def uncalled(made):
+    """The functions on systems and objects that no text calls."""
+    called = set(re.findall(r"\bpw85_\w+", "".join(made.values())))
+    return [one for name in ("pw85_systems.h", *SIMULATION) for one in functions(name) if one.name not in called]
 
 
 def files():
     """The texts of the headers by their paths."""
-    made = {FOLDER / f"{name}.hpp": header(name, path) for name, path in TEMPLATES.items()}
-    called = set(re.findall(r"\bpw85_\w+", "".join(made.values())))
-    for function in (one for name in ("pw85_systems.h", *SIMULATION) for one in functions(name)):
-        if function.name not in called:
-            raise ValueError(f"{function.place}: in no template of C++, api/*.hpp.in")
+    made = headers(uncalled(headers([])))
+    if left := uncalled(made):
+        raise Refused(f"{left[0].place}: in no template of C++, api/*.hpp.in")
     return made

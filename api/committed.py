@@ -21,6 +21,7 @@ import rare
 import rust
 import shims
 import symbols
+from attributes import run
 from declarations import SOURCE
 
 PROGRAMS = (fortran, shims, objects, symbols, linked, classes, rare, r, octave, javascript, rust)
@@ -30,6 +31,8 @@ def files():
     """The texts of all of them by their paths, and the list of them for diffs and reviews."""
     header = batch.header()
     declarations.replace({"pw85_batch.h": header})  # from which the others follow
+    for function in (one for name in declarations.EVERY_HEADER for one in declarations.functions(name)):
+        _ = function.flattened, function.is_nan_on_error()  # also where no program needs all attributes
     made = {batch.HEADER: header} | {path: text for program in PROGRAMS for path, text in program.files().items()}
     marks = (f"{path.relative_to(SOURCE)} linguist-generated\n" for path in sorted(made))
     return made | {SOURCE / ".gitattributes": "# Made by api/committed.py, as all files in this list.\n" + "".join(marks)}
@@ -50,4 +53,4 @@ def main(check=None):
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    run(main)

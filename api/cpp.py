@@ -5,6 +5,7 @@ import re
 from functools import cache
 from math import prod
 
+from attributes import Refused
 from declarations import CPP_HEADERS, INCLUDE, SOURCE, c_functions, functions, statuses
 from voice import limits_of
 
@@ -13,6 +14,7 @@ FOLDER = INCLUDE / "pw85"
 TEMPLATES = {name: SOURCE / f"api/{name.split('/')[1]}.hpp.in" for name in (
     "batch/rows", "systems/lists", "systems/neighbors", "systems/meshes", "systems/sums", "systems/periodic",
     "simulation/hard_ellipsoids")}  # fmt: skip
+MANY = ("batch", "systems", "simulation", "history", "api")  # folders whose functions are not those of one row
 CLASSES = {"pw85_neighbors": "Neighbors", "pw85_mesh": "Mesh", "pw85_hard_ellipsoids": "HardEllipsoids"}
 STRUCTS = {"pw85_pair_list": "PairList", "pw85_system": "Particles", "pw85_law": "Law"}
 NUMBERS = {"size_t": "std::size_t", "int32_t": "std::int32_t", "int64_t": "std::int64_t"}
@@ -67,11 +69,30 @@ def names_in_cpp():
 
 
 @cache
+def texts():
+    """The headers in folders and their templates, without comments and details, by their paths."""
+    paths = [*sorted(FOLDER.glob("*/*.hpp")), *TEMPLATES.values()]
+    return {path: DETAIL.sub("", re.sub(r"//.*", "", path.read_text(encoding="utf-8"))) for path in paths}
+
+
+@cache
+def kinds():
+    """The names of types."""
+    return {"int", "double", "bool", *re.findall(r"\b(?:struct|enum class|class) (\w+)", "".join(texts().values()))}
+
+
+@cache
+def homes(name):
+    """The headers that define a function of namespace pw85 for one row."""
+    form = re.compile(rf"\b{name}\([^;{{}}]*\)\s*noexcept\s*\{{")
+    return [path.relative_to(INCLUDE) for path, text in texts().items() if path.parent.name not in MANY and form.search(text)]
+
+
+@cache
 def structs():
     """The members of the structs of the arguments and results, by the names of the structs; the status is the last one."""
     found = {}
-    for path in [*sorted(FOLDER.glob("*/*.hpp")), *TEMPLATES.values()]:
-        text = DETAIL.sub("", re.sub(r"//.*", "", path.read_text(encoding="utf-8")))
+    for text in texts().values():
         for name, body in STRUCT.findall(text):
             plain = re.sub(r"<[^;]*>|\[[^\]]*\]| = [^,;]*", "", body)
             found[name] = [name for listed in MEMBERS.findall(plain) for name in listed.split(", ")]
@@ -112,6 +133,8 @@ def described(function, one):
     if not one.rows:
         return text
     counts = next(other for other in function.flattened if other.name == one.rows)
+    if not counts.attributes.rows:
+        raise Refused(f"{counts.place}: number of what? C++ names the rows")
     of_row = counts.attributes.rows.replace("vertices", "vertex").removesuffix("s")
     row = f"one for each {of_row}{', or empty' if one.nullable else ''}"
     return f"{row}{': ' if one.text else '; '}{text}" if text else row

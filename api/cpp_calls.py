@@ -10,6 +10,7 @@ import re
 from collections import namedtuple
 from itertools import groupby
 
+from attributes import Refused
 from cpp import CLASSES, NUMBERS, SHORT_NAMES, STRUCTS, address, brief, described, in_cpp, row_type, structs
 from declarations import members_read, returned
 from layout import arguments, wrapped
@@ -70,7 +71,7 @@ class Call:
         owners = (struct for struct, kind in self.types.items() if struct != one.name and name in structs().get(kind, ()))
         place = next((f"{struct}.{name}" for struct in owners), NAMES.get(one.name, one.name))
         if one.attributes.members and "." not in place:
-            raise ValueError(f"{one.place}: no struct of the template has the member {name}")
+            raise Refused(f"{one.place}: no struct of the template has the member {name}")
         return place
 
     def declare(self, one, text):

@@ -18,7 +18,7 @@ from functools import cache, cached_property
 from math import prod
 from pathlib import Path
 
-from attributes import PACKED, Attributes, parsed, text_behind
+from attributes import PACKED, Attributes, Refused, line_of, parsed, text_behind
 
 SOURCE = Path(__file__).resolve().parent.parent
 INCLUDE = SOURCE / "include"
@@ -31,6 +31,7 @@ PARTS = (*ONE_ROW, "pw85_batch.h", "pw85_enclosing.h", "pw85_systems.h", *SIMULA
 # Those of the functions that take numbers and arrays of the host, whatever the library.
 HOST_HEADERS = (*PARTS, "pw85_legacy.h", "pw85_zheng.h")
 C_HEADERS = (*PARTS, "pw85_gpu.h", "pw85_zheng.h", "pw85_legacy.h", "pw85_pre1.h")
+EVERY_HEADER = (*C_HEADERS, "pw85_any_dimension.h")
 CPP_HEADERS = (
     "pw85/pw85.hpp",
     *(f"pw85/batch/{name}.hpp" for name in ("rows", "pairs")),
@@ -42,7 +43,7 @@ CPP_HEADERS = (
 SECTION = r"^(?:/\*\*| \*|///) @name (?P<title>[^\n]+)$"
 C = re.compile(
     SECTION + r"|(?P<comment>/\*\*(?:(?!\*/).)*\*/\s*)?^(?:PW85_API|PW85_PRE1_FUNCTION) "
-    r"(?P<type>[\w *]+?)(?P<name>pw85\w+)\((?P<parameters>[^)]*)\)",
+    r"(?P<type>[\w *]+?)(?P<name>pw85\w+)\((?P<parameters>[^)]*)\)\s*[;{]",
     re.DOTALL | re.MULTILINE,
 )
 CPP = re.compile(
@@ -61,6 +62,11 @@ CALLBACKS = ("pw85_potential",)  # types of functions of the caller
 ELEMENTS = ("pw85_motion", "pw85_wall", "pw85_field")  # structs that are elements of arrays
 NUMBERS = ("double", "int", "size_t", "int32_t", "int64_t", "unsigned char", "char", "void")
 TYPES = (*NUMBERS, *STRUCTS, *ELEMENTS, *OBJECTS, *CALLBACKS)
+RETURNED = ("int", "void", "size_t", "double", "double const *", "char const *", "pw85_pair_list", "pw85_system")
+# Lines of C that declare a function, tags that are not read, and references to constants.
+DECLARATION = re.compile(r"^(?:PW85_API\b|(?!typedef )(?:\w+ )+\*?pw85\w*\().*", re.MULTILINE)
+TAG = re.compile(r"@(?!(?:param(?:\[out\])?|return|name|file|brief)(?:\s|$))\w.*")
+CONSTANT = re.compile(r"#(PW85_\w+)")
 STRUCT = re.compile(r"^typedef struct (?P<name>\w+) \{\n(?P<members>.*?)^\} (?P=name);", re.DOTALL | re.MULTILINE)
 MEMBER = re.compile(r"/\*\*(?P<comment>(?:(?!\*/).)*)\*/\s*(?P<declaration>[^;/]+);", re.DOTALL)
 
@@ -161,9 +167,12 @@ class Function:
     @cached_property
     def parameters(self):
         """The parameters of a function of C."""
-        if unknown := self.descriptions.keys() - set(self.parameter_names()):
-            raise ValueError(f"{self.descriptions[min(unknown)].place}: no such parameter: {min(unknown)}")
-        listed = zip(self.written, self.parameter_names())
+        names = self.parameter_names()
+        if unknown := self.descriptions.keys() - set(names):
+            raise Refused(f"{self.descriptions[min(unknown)].place}: no such parameter: {min(unknown)}")
+        if len(set(names)) < len(names):
+            raise Refused(f"{self.place}: two parameters of one name: {', '.join(names)}")
+        listed = zip(self.written, names)
         return with_counts(parameter(written, described(self, name), self.descriptions[name]) for written, name in listed)
 
     @property
@@ -196,15 +205,15 @@ class Function:
             place = f"{self.header}:{self.line + self.comment.count(chr(10), 0, match.start())}: {self.name}()"
             said = DESCRIPTION.fullmatch(match[0])
             if said is None:
-                raise ValueError(f"{place}: not understood: {' '.join(match[0].split())}")
+                raise Refused(f"{place}: not understood: {' '.join(match[0].split())}")
             names, place = said["names"].split(","), f"{place}, {said['names']}"
             whole = description(said["attributes"], said["text"], bool(said["output"]), self.extents(), place)
             each = whole.attributes.each
             if len(each) not in (0, len(names)):
-                raise ValueError(f"{place}: {len(each)} members for {len(names)} outputs")
+                raise Refused(f"{place}: {len(each)} members for {len(names)} outputs")
             for k, name in enumerate(names):
                 if name in found:
-                    raise ValueError(f"{place}: {name} is described twice")
+                    raise Refused(f"{place}: {name} is described twice")
                 members = each[k : k + 1] or whole.attributes.members
                 found[name] = whole._replace(attributes=changed(whole.attributes, members=members))
         return found
@@ -213,7 +222,7 @@ class Function:
         """Whether a function without status gives NaN for invalid input."""
         returned = re.search(r"@return\s+\[([^\]]*)\]", self.comment)
         if returned and returned[1] != "NaN on error":
-            raise ValueError(f"{self.place}, @return: unknown attribute: {returned[1]}")
+            raise Refused(f"{self.place}, @return: unknown attribute: {returned[1]}")
         found = [one.attributes.on_error for one in self.descriptions.values() if self.type in ("void", "double")]
         return returned is not None or "NaN" in found
 
@@ -264,10 +273,10 @@ def text_of(header):
 def sections(header):
     """The sections of a header, in order; the first has no title, and is empty where every function is in one that has."""
     found = [Section("", [])]
-    text, end = text_of(header), 0
-    for match in (CPP if header.endswith("pp") else C).finditer(text):
-        refuse_unread(header, text, end, match.start())
-        end = match.end()
+    text, is_c = text_of(header), header.endswith(".h")
+    matches = [*(C if is_c else CPP).finditer(text)]
+    refuse_unread(header, text, matches, is_c)
+    for match in matches:
         if match["title"]:
             found.append(Section(match["title"].strip(), []))
             continue
@@ -275,16 +284,17 @@ def sections(header):
         found[-1].functions.append(
             Function(match["name"], match["type"].strip(), match["parameters"], comment, header, text.count("\n", 0, match.start()) + 1)
         )
-    refuse_unread(header, text, end, len(text))
     return found
 
 
-def refuse_unread(header, text, begin, end):
-    """Refuses a declaration of C in a part of a header in which none was found."""
-    place = text.find("\nPW85_API ", begin, end) + 1
-    if place:
-        line = text[place:].partition("\n")[0]
-        raise ValueError(f"{header}:{text.count(chr(10), 0, place) + 1}: not understood: {line}")
+def refuse_unread(header, text, matches, is_c):
+    """Refuses lines with declarations and tags that are not read, or with types and constants that there are not."""
+    wrong = [*TAG.finditer(text), *(one for one in CONSTANT.finditer(text) if one[1] not in macros())]
+    if is_c:
+        read = {text.rfind("\n", 0, one.start("name")) + 1 for one in matches if one["name"] and one["type"].strip() in RETURNED}
+        wrong += [one for one in DECLARATION.finditer(text) if one.start() not in read]
+    for one in wrong:
+        raise Refused(f"{line_of(header, text, one.start())}: not understood: {one[0]}")
 
 
 def values(header):
@@ -312,6 +322,13 @@ def statuses():
 
 
 @cache
+def macros():
+    """The names of all macros and statuses."""
+    texts = (path.read_text(encoding="utf-8") for path in INCLUDE.rglob("*.h*"))
+    return {*statuses(), *(name for text in texts for name in re.findall(r"#define (PW85_\w+)", text))}
+
+
+@cache
 def constants():
     """The macros of the C headers that are numbers, and the status codes, as texts."""
     found = {}
@@ -319,7 +336,7 @@ def constants():
         for line, text in enumerate(text_of(header).splitlines(), 1):
             if match := re.match(r"#define (PW85_\w+) (\S.*)|(?:typedef )?enum (?!pw85_status )", text):
                 if not match[1] or not re.fullmatch(r"[\d.e-]+", match[2]):
-                    raise ValueError(f"{header}:{line}: constants are macros of decimal numbers, not: {text}")
+                    raise Refused(f"{header}:{line}: constants are macros of decimal numbers, not: {text}")
                 found[match[1]] = match[2]
     return found | {name: value for name, (_, value) in statuses().items()}
 
@@ -327,7 +344,11 @@ def constants():
 @cache
 def c_functions():
     """All functions of the C headers by name."""
-    return {function.name: function for header in C_HEADERS for function in functions(header)}
+    found = {}
+    for function in (one for header in C_HEADERS for one in functions(header)):
+        if found.setdefault(function.name, function) is not function:
+            raise Refused(f"{function.place}: declared twice, also at {found[function.name].place}")
+    return found
 
 
 def referenced(function, known):
@@ -344,7 +365,7 @@ def referenced(function, known):
 def entry_of(table, key, name, place):
     """The entry of a table. If there is none, the error says which declaration needs one in the table of this name."""
     if key not in table:
-        raise ValueError(f"{place}: {name} has no entry {key}")
+        raise Refused(f"{place}: {name} has no entry {key}")
     return table[key]
 
 
@@ -364,22 +385,22 @@ def description(attributes, text, is_output, extents, place):
     try:
         return Description(parsed(attributes, extents), text_behind(text), is_output, place)
     except ValueError as error:
-        raise ValueError(f"{place}: {error}") from None
+        raise Refused(f"{place}: {error}") from None
 
 
 def described(function, name, seen=()):
     """The description of a parameter, with the attributes of the one that it is like, and the beginning of its text."""
     if name not in function.descriptions:
-        raise ValueError(f"{function.place}, {name}: not described")
+        raise Refused(f"{function.place}, {name}: not described")
     own = function.descriptions[name]
     like = own.attributes.like
     if not like:
         return own
     known = c_functions() if function.header in C_HEADERS else {one.name: one for one in functions(function.header)}
     if like not in known:
-        raise ValueError(f"{own.place}: no function {like}()")
+        raise Refused(f"{own.place}: no function {like}()")
     if like in (function.name, *seen) or name not in known[like].parameter_names():
-        raise ValueError(f"{own.place}: {like}() does not say what {name} is")
+        raise Refused(f"{own.place}: {like}() does not say what {name} is")
     other = described(known[like], name, (*seen, function.name))
     is_whole = function.name.endswith("_2d") and not own.text
     text = other.text if is_whole else "; ".join(filter(None, [other.text.partition(";")[0], own.text]))
@@ -390,14 +411,14 @@ def parameter(written, said, own):
     """A parameter or member. Extents of another function's parameter count where they are as many numbers as the declaration says."""
     match, shape = PARAMETER.fullmatch(written), said.attributes.shape
     if match is None or match["type"] not in TYPES:
-        raise ValueError(f"{own.place}: of no type in TYPES of api/declarations.py: {written}")
+        raise Refused(f"{own.place}: of no type in TYPES of api/declarations.py: {written}")
     length = int(match["length"]) if match["length"] else None
     if length is not None and not (shape and (own.attributes.shape or prod(shape) == length)):
         shape = (length,)
     one = Parameter(match["name"], match["type"], "*" in match["pointers"] or length is not None, bool(match["const"]), length,
                     "**" in match["pointers"], said.text, changed(said.attributes, shape=shape), own.place)  # fmt: skip
     for wrong in own.attributes.misfits(one, own.is_output):
-        raise ValueError(f"{own.place}: {wrong}")
+        raise Refused(f"{own.place}: {wrong}")
     return one
 
 
@@ -405,14 +426,18 @@ def parameter(written, said, own):
 def members(struct):
     """The members of a struct argument, except for those that are arrays."""
     text = text_of("pw85_systems.h")
-    body = next(match for match in STRUCT.finditer(text) if match["name"] == struct)
+    body = next((match for match in STRUCT.finditer(text) if match["name"] == struct), None)
+    if body is None:
+        raise Refused(f"{line_of('pw85_systems.h', text, text.find(f'struct {struct}'))}: no struct {struct} that ends with its name")
     found = [match for match in MEMBER.finditer(text, *body.span("members")) if "[" not in match["declaration"]]
     listed, extents = [], counts_of(match["declaration"] for match in found)
     for match in found:
-        place = f"pw85_systems.h:{text.count(chr(10), 0, match.start()) + 1}: {struct}, {match['declaration']}"
+        place = f"{line_of('pw85_systems.h', text, match.start())}: {struct}, {match['declaration']}"
         comment = re.fullmatch(r"\s*(?:\[([^\]]*)\])?(.*)", re.sub(r"\n *\*", " ", match["comment"]), re.DOTALL)
         said = description(comment[1], comment[2], False, extents, place)
         listed.append(parameter(match["declaration"], said, said))
+        if listed[-1].name in [one.name for one in listed[:-1]]:
+            raise Refused(f"{place}: two members of one name")
     return with_counts(listed)
 
 

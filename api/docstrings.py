@@ -3,6 +3,7 @@
 
 import re
 
+from attributes import Refused
 from layout import filled
 
 WIDTH = 116
@@ -17,7 +18,7 @@ def parse(text):
     paragraphs = [paragraph.strip("\n") for paragraph in head.split("\n\n") if paragraph.strip()]
     sections = {title: lines.strip("\n") for title, lines in zip(rest[::2], rest[1::2])}
     if sections.keys() - set(ORDER):
-        raise ValueError(f"no such section: {', '.join(sections.keys() - set(ORDER))}")
+        raise Refused(f"no such section: {', '.join(sections.keys() - set(ORDER))}")
     return paragraphs, sections
 
 
@@ -50,7 +51,7 @@ def in_place(made, given):
         for name in names.split(", "):
             found[named.get(name) or f"{left}{mark}{rest}"] = None
     if {*own} - found.keys():
-        raise ValueError(f"no such parameter: {', '.join({*own} - found.keys())}")
+        raise Refused(f"no such parameter: {', '.join({*own} - found.keys())}")
     return "\n".join(found)
 
 

@@ -7,9 +7,9 @@ contactRows(). js/pw85.js reads arguments and writes results by the table. The n
 
 import json
 import re
-import sys
 from functools import cache
 
+from attributes import run
 from declarations import SOURCE, version
 from layout import insert, wrapped
 from rows import row_functions
@@ -151,4 +151,4 @@ def files():
 
 
 if __name__ == "__main__":
-    print(" ".join(f"-Wl,--export={name}" for name in exports(sys.argv[1])))
+    run(lambda module: print(" ".join(f"-Wl,--export={name}" for name in exports(module))))

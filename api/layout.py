@@ -4,6 +4,8 @@
 import re
 import textwrap
 
+from attributes import Refused, line_of
+
 WIDTH = 100  # of C, C++, Fortran and Rust
 
 
@@ -49,7 +51,7 @@ def insert(template, mark, made):
 
     def lines(match):
         if match[2] not in made:
-            raise ValueError(f"{template.name}: {mark} {match[2]}: not understood")
+            raise Refused(f"{line_of(template.name, match.string, match.start())}: not understood: {mark.strip()} {match[2]}")
         return "".join(f"{match[1]}{line}".rstrip() + "\n" for line in made[match[2]])
 
     return re.sub(rf"^( *){re.escape(mark)} (\w+)\n", lines, template.read_text(encoding="utf-8"), flags=re.MULTILINE)

@@ -8,6 +8,7 @@ description names. Of an overlap the library does not give out the tier, which i
 
 import re
 
+from attributes import Refused
 import layout
 from cpp import structs
 from cpp_calls import Call
@@ -33,10 +34,12 @@ def is_relative(template, function):
     name, outputs = result_of(template, 0).partition("<")[0], function.outputs
     for one in outputs if name in structs() else ():
         if unknown := {member.partition(".")[0] for member in one.members()} - {*structs()[name]}:
-            raise ValueError(f"{one.place}: {name} has no member {min(unknown)}")
+            raise Refused(f"{one.place}: {name} has no member {min(unknown)}")
     fixed = {found for one in template.written for found in re.findall(r"<T, ([23])>", one)}
     if template.type.startswith("constexpr ") or fixed not in (set(), {str(function.dimension)}):
         return False
+    if name not in structs():
+        raise Refused(f"{template.place}: no struct {name} in the headers of C++")
     needed = {*structs()[name]} - {"status", *NOT_GIVEN_OUT.get(name, ())}
     same = len(function.inputs) == len(template.written) and {name for one in outputs for name in one.members()} == needed
     return same and all(len(one.members()) in (1, one.length) for one in outputs)

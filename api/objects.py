@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The functions of the C API on objects that the library owns, src/c_api/objects_*.cpp: neighbour lists, meshes, simulations.
+"""The functions of the C API on systems of particles, and on objects that the library owns (neighbour lists, meshes, simulations), in
+src/c_api/objects_*.cpp.
 
 A made function marks its outputs, checks its arguments by what their declarations say (src/base/checked_call.hpp), and calls the
 function of namespace pw85::detail of the same name, which is written by hand and declared in src/base/objects.hpp. This gets
@@ -8,7 +9,7 @@ references in the place of pointers to objects and structs that must not be null
 
 from declarations import OBJECTS, SIMULATION, SOURCE, functions, members_read
 from layout import arguments, cpp_header
-from shims import FOLDER, HEAD, described
+from shims import FOLDER, HEAD, by_hand, described
 
 NAMES = {header: "objects_" + header.removeprefix("pw85_").removesuffix(".h") for header in ("pw85_systems.h", *SIMULATION)}
 INCLUDES = '#include "../base/checked_call.hpp"\n#include "../base/objects.hpp"'
@@ -29,8 +30,8 @@ namespace pw85::detail {{
 
 
 def is_of_object(function):
-    """Whether a function has a status and an object of the library, which it makes or on which it works."""
-    return function.type == "int" and any(one.type in OBJECTS for one in function.parameters)
+    """Whether a function has a status, and a system or an object of the library, which it makes or on which it works."""
+    return function.type == "int" and any(one.type in (*OBJECTS, "pw85_system") for one in function.parameters)
 
 
 def is_reference(one):
@@ -45,37 +46,41 @@ def worker(function):
     return arguments(f"int {function.plain}(", listed, ") noexcept;")
 
 
-def marked(one):
+def marked(one, places):
     """The statement that fills an output with what it is on error; none if it stays as it is."""
     value = one.attributes.on_error or ("NaN" if one.type == "double" and one.is_returned() else "")
     if value and (one.is_output() or one.outer):
-        yield f"    mark({one.name}, {' * '.join(map(str, one.shape)) or 1}, {MARKS.get(value, value)});"
+        yield f"    mark({one.name}, {' * '.join(map(str, one.shape)) or 1}, {(MARKS | places).get(value, value)});"
 
 
-def checked_arguments(function):
+def places_of(structs):
+    """Where the members of structs are, null structs being empty."""
+    return {member: f"{one.name}_given.{member}" for one in structs for member in one.member_names()}
+
+
+def checked_arguments(function, places):
     """The arguments for the check, with the members of structs that must not be null. The functions check cells by themselves."""
-    listed, places = [], {}
+    listed = []
     for one in function.parameters:
         listed.append(one)
         if one.is_struct() and is_reference(one):
-            read = [member for member in members_read(function, one) if member.name != "cell"]
-            places |= {member.name: f"{one.name}_given.{member.name}" for member in read}
-            listed += [member for member in read if member.pointer]
+            listed += [member for member in members_read(function, one) if member.pointer and member.name != "cell"]
     is_read = [one for one in listed if (one.type == "double" and not one.is_output()) or (one.pointer and not one.nullable)]
     return [described(one, places) for one in is_read]
 
 
 def shim(function):
     passed = [f"*{one.name}" if is_reference(one) else one.name for one in function.parameters]
-    structs = [one.name for one in function.parameters if one.is_struct() and is_reference(one)]
+    structs = [one for one in function.parameters if one.is_struct() and is_reference(one)]
+    places = places_of(structs)
     lines = [
         "",
         arguments(f"int {function.name}(", function.written, ")"),
         "{",
-        *(line for one in function.parameters for line in marked(one)),
-        *(f"    auto const {name}_given = value_or_empty({name});" for name in structs),
+        *(f"    auto const {one.name}_given = value_or_empty({one.name});" for one in structs),
+        *(line for one in function.parameters for line in marked(one, places)),
         arguments(f"    auto const work = [&] {{ return {function.plain}(", passed, "); };"),
-        arguments("    return checked_call(", [f'"{function.name}"', "work", *checked_arguments(function)], ");"),
+        arguments("    return checked_call(", [f'"{function.name}"', "work", *checked_arguments(function, places)], ");"),
         "}",
     ]
     return "\n".join(lines) + "\n"
@@ -83,7 +88,8 @@ def shim(function):
 
 def files():
     """The texts of the files by their paths."""
-    listed = {header: [one for one in functions(header) if is_of_object(one)] for header in NAMES}
+    hands = by_hand()
+    listed = {header: [one for one in functions(header) if is_of_object(one) and one.name not in hands] for header in NAMES}
     made = {}
     for header, own in listed.items():
         head = HEAD.format(what=f" of objects: the functions of {header}", sources=header, includes=INCLUDES,

@@ -4,6 +4,7 @@
 import re
 from functools import cache
 
+from attributes import Refused
 from declarations import C_HEADERS, PARTS, c_functions, functions, sections
 from python import package_names, python_names
 from rows import name_of_many
@@ -30,7 +31,7 @@ def python_functions(title):
     """The functions of Python that a section of the C headers, or a header without sections, has."""
     found = [name for name, place in places_in_python().items() if place == title]
     if not found:
-        raise ValueError(f"no functions of Python in {title}")
+        raise Refused(f"no functions of Python in {title}")
     return found
 
 

@@ -27,6 +27,7 @@ from collections import namedtuple
 from dataclasses import dataclass
 from pathlib import Path
 
+from attributes import Refused, run
 from declarations import SOURCE
 from docstrings import INDENT, docstring
 from layout import in_one_line_or_each, insert
@@ -140,6 +141,8 @@ def module(template):
     lines = text.splitlines(keepends=True)
     for node in ast.parse(text).body:
         if [ast.unparse(one) for one in getattr(node, "decorator_list", [])] == ["declared"]:
+            if node.name not in rows:
+                raise Refused(f"{template.name}:{node.lineno}: no function of the headers is {node.name}() in Python")
             parts += ["".join(lines[place : node.decorator_list[0].lineno - 1]), made(rows.pop(node.name), node)]
             place = node.end_lineno
     parts.append("".join(lines[place:]))
@@ -187,4 +190,4 @@ def main(kind, *paths):
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    run(main)

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from functools import cache
 from math import prod
 
+from attributes import Refused
 from declarations import HOST_HEADERS, ONE_ROW, Function, Parameter, functions
 
 # Python has one number of what this building block of 1.0's programs gives: f, by a function of python/src/function.cpp.
@@ -158,5 +159,5 @@ def row_functions():
         elif is_of_many_rows(function):
             found.append(row_function(function, function))
         elif function.type == "int" and function.header in (*ONE_ROW, "pw85_batch.h") and name not in NOT_OF_ROWS:
-            raise ValueError(f"{function.place}: parameters that languages cannot take as rows, and not in NOT_OF_ROWS of api/rows.py")
+            raise Refused(f"{function.place}: parameters that languages cannot take as rows, and not in NOT_OF_ROWS of api/rows.py")
     return found

@@ -7,6 +7,7 @@ A function of one row takes arrays and returns a number, an array or a struct; o
 import re
 from functools import cache
 
+from attributes import Refused
 from declarations import ONE_ROW, SOURCE, c_functions, entry_of, functions, statuses, version
 from examples import example_value
 from layout import in_one_line_or_each as listing
@@ -155,7 +156,7 @@ def single(row):
     """The function of one row."""
     name, inputs, outputs = names_in_rust()[row.function.name], row.function.inputs, row.function.outputs
     if not outputs:
-        raise ValueError(f"{row.function.place}: api/rust.py makes no functions of those that return a number")
+        raise Refused(f"{row.function.place}: api/rust.py makes no functions of those that return a number")
     errors = sentence(re.sub(r"^For a single (row|value): | Rows of arrays become NaN\.$", "", voice(row).raises())).strip()
     given = [f"{'&' * (argument_type(one)[0] == '&')}{literal(row.function, one)}" for one in inputs]
     shown = [*listing(f"let found = pw85::{name}(", given, ")?;"), 'println!("{found:?}");']

@@ -14,37 +14,37 @@ A function that a file of src/c_api/ defines by hand is not made.
 import re
 
 import batch
-from attributes import LIMITS
-from declarations import ONE_ROW, SOURCE, c_functions, sections
+from attributes import LIMITS, Refused
+from cpp import homes, name_in_cpp
+from declarations import ONE_ROW, SOURCE, c_functions, functions, sections
 from layout import WIDTH, arguments
 
 FOLDER = SOURCE / "src/c_api"
-# The files: their titles, and the headers that they include. A file has few questions, so that programs with the static library get what
-# they call.
+# The files with their titles. A file has few questions, so that programs with the static library get what they call.
 FILES = {
-    "forms": ("Quadratic forms", ("contact/forms",)),
-    "contact": ("Contact of two ellipsoids", ()),
-    "factored": ("Ellipsoids by their factors", ()),
-    "rounded": ("The contact function, correctly rounded", ()),
-    "condition": ("Condition numbers", ("contact/condition",)),
-    "overlap": ("Overlaps", ()),
-    "compare": ("Comparisons", ("overlap/compare",)),
-    "witness": ("Witnesses", ("overlap/witness",)),
-    "contains": ("Containment, yes or no", ()),
-    "containment": ("Factors of containment", ("overlap/containment_factor",)),
-    "volumes": ("Volumes and common parts", ("volume/overlap_volume_derivatives",)),
-    "two_dimensions": ("Two dimensions", ("pw85",)),
-    "distance": ("Distance", ()),
-    "gap_inside": ("Gaps of contained ellipsoids", ("distance/gap_inside",)),
-    "first_contact": ("First contacts", ()),
-    "passage": ("Closest passages and free paths", ("motion/closest_passage", "motion/free_path")),
-    "grains": ("Curvature and contact of grains", ("distance/grain_contact", "distance/grain_contact_wall", "distance/hertz")),
-    "bodies": ("Surface and inertia of bodies", ("bodies/inertia",)),
-    "walls": ("Walls, points and lines", ("distance/line", "distance/walls", "volume/half_space")),
-    "shapes": ("Shapes", ()),
-    "solids": ("Distances to shapes", ("pw85",)),
-    "contact_function": ("The contact function by Brent's method", ()),
-    "others": ("Functions of other sections", ()),
+    "forms": "Quadratic forms",
+    "contact": "Contact of two ellipsoids",
+    "factored": "Ellipsoids by their factors",
+    "rounded": "The contact function, correctly rounded",
+    "condition": "Condition numbers",
+    "overlap": "Overlaps",
+    "compare": "Comparisons",
+    "witness": "Witnesses",
+    "contains": "Containment, yes or no",
+    "containment": "Factors of containment",
+    "volumes": "Volumes and common parts",
+    "two_dimensions": "Two dimensions",
+    "distance": "Distance",
+    "gap_inside": "Gaps of contained ellipsoids",
+    "first_contact": "First contacts",
+    "passage": "Closest passages and free paths",
+    "grains": "Curvature and contact of grains",
+    "bodies": "Surface and inertia of bodies",
+    "walls": "Walls, points and lines",
+    "shapes": "Shapes",
+    "solids": "Distances to shapes",
+    "contact_function": "The contact function by Brent's method",
+    "others": "Functions of other sections",
 }
 # The files of functions, sections and headers that have other names.
 FILE_OF = {"pw85_contact_rounded": "rounded", "pw85_overlap_witness": "witness", "Time": "passage", "pw85_shapes.h": "solids"}
@@ -133,18 +133,17 @@ def described(one, places=None):
 
 def checks(function):
     """Statements that refuse null pointers. Answers and numbers are marked before anything else can fail."""
-    answers = [one for one in function.outputs if one.type == "int"]
-    for one in (*function.inputs, *answers):
-        if one.nullable:
-            raise ValueError(f"{one.place}: only outputs of doubles can be optional in a function of one row")
-    numbers = [one for one in function.outputs if one.type != "int"]
+    answers, numbers = ([one for one in function.outputs if (one.type == "int") is kind] for kind in (True, False))
+    for one in function.parameters:
+        if one.nullable and (one not in numbers or "optional" not in one.attributes.words):
+            raise Refused(f"{one.place}: only outputs of doubles can be optional in a function of one row")
     needed = [one.name for one in function.parameters if one.pointer and one not in answers and not (one.is_output() and one.nullable)]
     condition = f"    if (any_null({', '.join(needed)}))"
     marked = [f"{one.name}, {one.length or 1}" for one in numbers]
     yield from (f"    store_nan({numbers});" for numbers in marked if answers)
     for one in answers:
         if not one.attributes.on_error:
-            raise ValueError(f"{one.place}: no value on error, such as -1 on error")
+            raise Refused(f"{one.place}: no value on error, such as -1 on error")
         yield from (f"    if (any_null({one.name})) return refused(PW85_EINVAL);", f"    *{one.name} = {one.attributes.on_error};")
     status = "PW85_EINVAL" if answers else f"null_pointer({', '.join(marked)})"
     line = f"{condition} return refused({status});"
@@ -152,7 +151,7 @@ def checks(function):
 
 
 def body(function, of_kernels):
-    name = function.plain.removesuffix("_2d")
+    name = name_in_cpp(function)
     if function.name in of_kernels:
         passed = [f"PW85_OF_PAIR(kernels::chosen(), {name})", *function.parameter_names()]
         return arguments("    return checked(in_default_environment(", passed, "), refused);")
@@ -177,12 +176,23 @@ def of_one_row(function, of_kernels):
     ])  # fmt: skip
 
 
-def one_row_file(title, headers, listed):
+def homes_of(function):
+    """The headers of the template that it calls."""
+    name = name_in_cpp(function)
+    if name not in [one.name for one in functions("pw85/pw85.hpp")]:
+        raise Refused(f"{function.place}: pw85/pw85.hpp does not declare {name}(), which it calls")
+    if not (found := homes(name)):
+        raise Refused(f"{function.place}: no header of include/pw85/ defines {name}(), which it calls")
+    return found
+
+
+def one_row_file(title, listed):
     names = DISPATCHED.findall((SOURCE / "src/simd/one_pair.hpp").read_text(encoding="utf-8"))
     of_kernels = {f"pw85_{name}" for name in names}
     own = ["../base/c_arrays.hpp", "../base/floating_point_environment.hpp", "../base/last_error.hpp"]
     own += ["../simd/one_pair.hpp"] if any(one.name in of_kernels for one in listed) else []
-    includes = ["#include <pw85.h>\n", *(f"#include <pw85/{header}.hpp>" for header in headers), *[""] * bool(headers)]
+    headers = sorted({home for one in listed if one.name not in of_kernels for home in homes_of(one)})
+    includes = ["#include <pw85.h>\n", *(f"#include <{header.as_posix()}>" for header in headers), *[""] * bool(headers)]
     includes = "\n".join([*includes, *(f'#include "{header}"' for header in own)])
     namespaces = "using namespace pw85::detail;\nusing namespace pw85::detail::c_api;"
     head = HEAD.format(what=f": {title[0].lower()}{title[1:]}", sources=SOURCES_OF_ONE, includes=includes, namespaces=namespaces)
@@ -244,7 +254,7 @@ def file_of(function, section):
         return "two_dimensions"
     if function.name.endswith("_factored"):
         return "factored"
-    titles = {title: name for name, (title, _) in FILES.items()} | {f"pw85_{name}": name for name in FILES} | FILE_OF
+    titles = {title: name for name, title in FILES.items()} | {f"pw85_{name}": name for name in FILES} | FILE_OF
     return next((titles[key] for key in (function.name, section.title, function.header) if key in titles), "others")
 
 
@@ -259,5 +269,5 @@ def files():
     for statement in batch.statements():
         name = f"{known[statement.function.name]}_{'lanes' if statement.function.plain in LANES else 'rows'}"
         of_many.setdefault(name, []).append(statement)
-    made = {FOLDER / f"{name}.cpp": one_row_file(*FILES[name], listed) for name, listed in of_one.items()}
-    return made | {FOLDER / f"{name}.cpp": many_rows_file(FILES[name.rpartition("_")[0]][0], listed) for name, listed in of_many.items()}
+    made = {FOLDER / f"{name}.cpp": one_row_file(FILES[name], listed) for name, listed in of_one.items()}
+    return made | {FOLDER / f"{name}.cpp": many_rows_file(FILES[name.rpartition("_")[0]], listed) for name, listed in of_many.items()}

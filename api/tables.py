@@ -10,7 +10,7 @@ import re
 import sys
 from pathlib import Path
 
-from attributes import PACKED
+from attributes import PACKED, run
 from declarations import HOST_HEADERS, OBJECTS, entry_of, functions, values_of_members
 
 TYPES = {
@@ -85,4 +85,4 @@ def main(output):
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    run(main)

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tells which argument was refused, its row, and the cause, as the library tells it. Nothing here runs before a call has failed."""
+"""Tells which argument was refused, its row, and the cause, as the library tells it. Nothing here runs before a call has failed.
+
+NumPy refuses types and shapes of arrays before it calls the library, and numbers the operands. The errors here name the arguments.
+"""
 
 from __future__ import annotations
 

@@ -13,6 +13,8 @@ namespace pw85::detail {
 
 int neighbors_create(pw85_system const &system, double scale, double skin,
                      pw85_neighbors *&list) noexcept;
+int neighbors_check(pw85_system const &system, double scale, double skin,
+                    size_t *particle) noexcept;
 int neighbors_holds(pw85_neighbors const &list, pw85_system const &system, int *holds) noexcept;
 int mesh_create(size_t num_vertices, double const *vertices, size_t num_triangles,
                 int32_t const *triangles, pw85_mesh *&mesh) noexcept;

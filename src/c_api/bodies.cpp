@@ -6,6 +6,7 @@
 #include <pw85.h>
 
 #include <pw85/bodies/inertia.hpp>
+#include <pw85/bodies/surface.hpp>
 
 #include "../base/c_arrays.hpp"
 #include "../base/floating_point_environment.hpp"

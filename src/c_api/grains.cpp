@@ -8,6 +8,7 @@
 #include <pw85/distance/grain_contact.hpp>
 #include <pw85/distance/grain_contact_wall.hpp>
 #include <pw85/distance/hertz.hpp>
+#include <pw85/distance/principal_curvatures.hpp>
 
 #include "../base/c_arrays.hpp"
 #include "../base/floating_point_environment.hpp"

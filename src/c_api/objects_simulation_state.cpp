@@ -12,9 +12,9 @@ int pw85_hard_ellipsoids_create(pw85_system const *system, double const *semi_ax
                                 double const *quaternions, size_t seed, int32_t pair[2],
                                 pw85_hard_ellipsoids **simulation)
 {
+    auto const system_given = value_or_empty(system);
     mark(pair, 2, -1);
     mark(simulation, 1, nullptr);
-    auto const system_given = value_or_empty(system);
     auto const work = [&] { return hard_ellipsoids_create(*system, semi_axes, quaternions, seed,
                                                           pair, *simulation); };
     return checked_call(

@@ -11,8 +11,8 @@ using namespace pw85::detail;
 int pw85_neighbors_create(pw85_system const *system, double scale, double skin,
                           pw85_neighbors **list)
 {
-    mark(list, 1, nullptr);
     auto const system_given = value_or_empty(system);
+    mark(list, 1, nullptr);
     auto const work = [&] { return neighbors_create(*system, scale, skin, *list); };
     return checked_call(
         "pw85_neighbors_create", work, Argument("system", system),
@@ -22,10 +22,23 @@ int pw85_neighbors_create(pw85_system const *system, double scale, double skin,
         Argument("list", list));
 }
 
+int pw85_neighbors_check(pw85_system const *system, double scale, double skin, size_t *particle)
+{
+    auto const system_given = value_or_empty(system);
+    mark(particle, 1, system_given.num_particles);
+    auto const work = [&] { return neighbors_check(*system, scale, skin, particle); };
+    return checked_call(
+        "pw85_neighbors_check", work, Argument("system", system),
+        Argument::rows("centers", system_given.centers, system_given.num_particles, 3),
+        Argument::rows("q", system_given.q, system_given.num_particles, 6, limit::definite),
+        Argument("scale", scale, limit::positive), Argument("skin", skin, limit::from_zero),
+        Argument("particle", particle));
+}
+
 int pw85_neighbors_holds(pw85_neighbors const *list, pw85_system const *system, int *holds)
 {
-    mark(holds, 1, -1);
     auto const system_given = value_or_empty(system);
+    mark(holds, 1, -1);
     auto const work = [&] { return neighbors_holds(*list, *system, holds); };
     return checked_call(
         "pw85_neighbors_holds", work, Argument("list", list), Argument("system", system),

@@ -5,7 +5,8 @@
 // clang-format off
 #include <pw85.h>
 
-#include <pw85/pw85.hpp>
+#include <pw85/distance/capsule.hpp>
+#include <pw85/distance/solids.hpp>
 
 #include "../base/c_arrays.hpp"
 #include "../base/floating_point_environment.hpp"

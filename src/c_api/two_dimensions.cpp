@@ -5,7 +5,27 @@
 // clang-format off
 #include <pw85.h>
 
-#include <pw85/pw85.hpp>
+#include <pw85/bodies/inertia.hpp>
+#include <pw85/bodies/surface.hpp>
+#include <pw85/contact/closest_approach.hpp>
+#include <pw85/contact/contact.hpp>
+#include <pw85/contact/contact_hessian.hpp>
+#include <pw85/contact/geometry.hpp>
+#include <pw85/distance/distance.hpp>
+#include <pw85/distance/gap_inside.hpp>
+#include <pw85/distance/nearest.hpp>
+#include <pw85/distance/penetration.hpp>
+#include <pw85/distance/signed_distance.hpp>
+#include <pw85/overlap/containment.hpp>
+#include <pw85/overlap/containment_factor.hpp>
+#include <pw85/overlap/overlap.hpp>
+#include <pw85/shapes/box.hpp>
+#include <pw85/shapes/in_plane.hpp>
+#include <pw85/shapes/overlap_shapes.hpp>
+#include <pw85/shapes/segment.hpp>
+#include <pw85/volume/overlap_area_derivatives.hpp>
+#include <pw85/volume/overlap_volume.hpp>
+#include <pw85/volume/volume.hpp>
 
 #include "../base/c_arrays.hpp"
 #include "../base/floating_point_environment.hpp"

@@ -5,7 +5,9 @@
 // clang-format off
 #include <pw85.h>
 
+#include <pw85/volume/overlap_volume.hpp>
 #include <pw85/volume/overlap_volume_derivatives.hpp>
+#include <pw85/volume/volume.hpp>
 
 #include "../base/c_arrays.hpp"
 #include "../base/floating_point_environment.hpp"

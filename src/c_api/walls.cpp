@@ -6,6 +6,7 @@
 #include <pw85.h>
 
 #include <pw85/distance/line.hpp>
+#include <pw85/distance/nearest.hpp>
 #include <pw85/distance/walls.hpp>
 #include <pw85/volume/half_space.hpp>
 

@@ -316,24 +316,6 @@ int create(pw85_system const &system, double scale, double skin, ListLimits cons
     return status;
 }
 
-int check(pw85_system const &system, double scale, double skin, std::size_t &particle) noexcept
-{
-    Particles const particles{system, scale, skin};
-    Periodicity lattice;
-    if (int const status = prepare(particles, lattice)) return status;
-    Failure const first = for_blocks(system.num_particles, [&](Range range) {
-        Failure failure{0, PW85_SUCCESS};
-        for (std::size_t i = range.begin; i < range.end && failure.status == PW85_SUCCESS; ++i) {
-            Extent extent;
-            LatticeVector vector;
-            failure = measure(particles, lattice, i, extent, vector);
-        }
-        return failure;
-    });
-    if (first.status != PW85_SUCCESS) particle = first.index;
-    return first.status;
-}
-
 int compare(pw85_neighbors const &list, pw85_system const &system, int &holds) noexcept
 {
     Particles const particles{system, list.scale, list.skin};
@@ -367,16 +349,23 @@ int BoundedList::make(pw85_system const &system, double scale, double skin) noex
         "exceed the memory or have more than 2¹⁵ images of the cell");
 }
 
-int pw85_neighbors_check(pw85_system const *system, double scale, double skin, size_t *particle)
+int pw85::detail::neighbors_check(pw85_system const &system, double scale, double skin,
+                                  size_t *particle) noexcept
 {
-    if (any_null(particle)) return PW85_EINVAL;
-    *particle = 0;
-    if (any_null(system)) return PW85_EINVAL;
-    *particle = system->num_particles;
-    int const status =
-        in_default_environment([&] { return check(*system, scale, skin, *particle); });
-    return checked(status,
-                   [](int bad) { return refuse_noted(bad, "pw85_neighbors_check", nullptr, 0); });
+    Particles const particles{system, scale, skin};
+    Periodicity lattice;
+    if (int const status = prepare(particles, lattice)) return status;
+    Failure const first = for_blocks(system.num_particles, [&](Range range) {
+        Failure failure{0, PW85_SUCCESS};
+        for (std::size_t i = range.begin; i < range.end && failure.status == PW85_SUCCESS; ++i) {
+            Extent extent;
+            LatticeVector vector;
+            failure = measure(particles, lattice, i, extent, vector);
+        }
+        return failure;
+    });
+    if (first.status != PW85_SUCCESS) *particle = first.index;
+    return first.status;
 }
 
 int pw85::detail::neighbors_holds(pw85_neighbors const &list, pw85_system const &system,

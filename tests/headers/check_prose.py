@@ -28,7 +28,8 @@ SHARES = (0.2, 1.0)  # of words that are dropped, one for each trial
 MADE = ("include/pw85_batch.h", "include/pw85/batch/", "include/pw85/linked.hpp", "include/pw85/simulation/", "include/pw85/systems/",
         "src/base/objects.hpp", "src/c_api/objects_", "src/c_api/contact_lanes", "src/c_api/contact.cpp", "fortran/", "r/R/", "r/man/",
         "r/src/", "octave/inst/", "octave/src/", "rust/pw85/src/", "rust/pw85-sys/src/", "js/", "debian/", "table of the tests",
-        "table of Python", "objects of Python", "legacy.py", "_functions.py")  # fmt: skip
+        "table of Python", "objects of Python", "legacy.py", "_functions.py",
+        "pw85_gpu.h: attributes", "pw85_any_dimension.h: attributes", "pw85_pre1.h: attributes")  # fmt: skip
 COMMENT = re.compile(r"/\*\*[\s\S]*?\*/|(?:^ *///.*\n)+", re.MULTILINE)
 # What is data in a comment: marks, tags with their names and attributes, titles.
 DATA = re.compile(
@@ -117,8 +118,12 @@ def made(folder):
     for name in ("_functions", "legacy"):
         files[f"{name}.py"] = python.module(folder / f"python/pypw85/{name}.in.py")
     files["modules of JavaScript"] = "\n".join(name for module in javascript.ASKED for name in javascript.exports(module))
+    for header in declarations.EVERY_HEADER:  # some attributes reach tests and pages alone
+        parameters = [(one, own) for one in declarations.functions(header) for own in one.flattened]
+        listed = [(one.name, own.name, vars(own.attributes) | {"words": sorted(own.attributes.words)}) for one, own in parameters]
+        files[f"{header}: attributes"] = "\n".join(map(str, listed))
     for cause in causes.CAUSES:
-        files[f"cause: {cause.key}"] = "\n".join(one.name for one in causes.FUNCTIONS if causes.has_cause(one, cause))
+        files[f"cause: {cause.key}"] = "\n".join(one.name for one in causes.functions_with_status() if causes.has_cause(one, cause))
     files["functions of the pages"] = "\n".join(f"{name}: {place}" for name, place in pages.places_in_python().items())
     return {path: without_texts(path, text) for path, text in files.items()}
 
@@ -180,7 +185,7 @@ SPOILED = {
         (FORMS, "@param[in] q1,q2 [length²; definite]", "not understood: @param[in] q1,q2"),
         (FORMS, "@param q1, q2 [length²; definite]", "not understood: @param q1, q2"),
         (FORMS, "@params q1,q2 [length²; definite]", "not understood: @params q1,q2"),
-        (FORMS, "@arg q1,q2 [length²; definite]", "pw85_contact(), q1: not described"),
+        (FORMS, "@arg q1,q2 [length²; definite]", "not understood: @arg q1,q2"),
         (FORMS, "@param q1,q3 [length²; definite]", "no such parameter: q3"),
         (FORMS, "@param q1 [length²; definite]", "pw85_contact(), q2: not described"),
         (FORMS, "@param q1,q2 [2×2; length²; definite]", "2×2 are not 6 numbers"),
@@ -195,6 +200,7 @@ SPOILED = {
         (OUT, "@param[out] out [members mu2, lambdas]", "has no member lambdas"),
         (FORMS, "@param q1,q2 [length²; optional; definite]", "only outputs of doubles can be optional"),
         ("overlap [-1 on error]", "overlap [optional; -1 on error]", "only outputs of doubles can be optional"),
+        ("volume [length³]", "volume [length³; optional if not needed]", "only outputs of doubles can be optional"),
         (FORMS, "@param q1,q2 [as pw85_contact()]", "pw85_contact() does not say what q1 is"),
         (LIKE, "r12,q1,q2 [as pw85_kontact()]", "no function pw85_kontact()"),
         (LIKE, "r12,q1,q2 [as pw85_volume()]", "pw85_volume() does not say what r12 is"),
@@ -204,6 +210,26 @@ SPOILED = {
         ("overlap [-1 on error]", "overlap", "no value on error"),
         ("@param params [15; mixed units]", "@param params [mixed units]", "an array without extents"),
         ("@return [NaN on error]", "@return [nan on error]", "unknown attribute: nan on error"),
+        (FORMS, "@param q1,q2 [length²; rotation]", "rotation needs 9 numbers, not 6"),
+        (FORMS, "@param q1,q2 [length²; 1..16]", "1..16 limits int, not double"),
+        (FORMS, "@param q1,q2 [length²; > 0; != 0]", "> 0 and != 0 exclude each other"),
+        ("lambda [0..1]", "lambda [definite]", "definite needs 3 or 6 or n(n+1)/2 numbers, not 1"),
+        (OUT, "@param[out] out [members mu2, mu2]", "mu2, mu2: a member stands twice"),
+        (OUT, "@param[out] out [members mu2, lambda; -1 on error]", "outputs of type double cannot be -1 on error"),
+        ("overlap [-1 on error]", "overlap [NaN on error]", "outputs of type int cannot be NaN on error"),
+        ("pw85_volume(double const q[6], double *volume)", "pw85_volume(double const q[6], double *volume, double *volume)",
+         "two parameters of one name: q, volume, volume"),
+        ("pw85_volume(double const q[6], double *volume)", "pw85_volume(double const *q, double *volume)", "an array without extents"),
+        ("pw85_volume(double const q[6], double *volume)", "pw85_volume(double q[6], double *volume)", "an output needs @param[out]"),
+        ("pw85_volume(double const q[6], double *volume);", "pw85_volume(double const q[6], double *volume)",
+         "not understood: PW85_API int pw85_volume("),
+        ("PW85_API int pw85_volume(", "int pw85_volume(", "not understood: int pw85_volume("),
+        ("PW85_API int pw85_volume(", "PW85_API long pw85_volume(", "not understood: PW85_API long pw85_volume("),
+        ("PW85_API int pw85_volume(", "PW85_API int pw85_contact(", "declared twice, also at pw85.h:"),
+        ("PW85_API int pw85_volume(", "PW85_API int pw85_volumes(", "pw85/pw85.hpp does not declare volumes()"),
+        ("@name Volumes and", "@named Volumes and", "not understood: @named Volumes and"),
+        ("@return #PW85_SUCCESS", "@return #PW85_SUCCES", "not understood: #PW85_SUCCES"),
+        ("@return #PW85_SUCCESS", "@returns #PW85_SUCCESS", "not understood: @returns #PW85_SUCCESS"),
         ("pw85_contact(double const r12[3]", "pw85_contact(float const r12[3]", "r12: of no type in TYPES of api/declarations.py"),
         ("pw85_contact(double const r12[3]", "pw85_contact(double const r12[2 + 1]", "of no type in TYPES"),
         ("pw85_is_reproducible(int *on)", "pw85_is_reproducible(char *on)", "on: TYPES of api/fortran.py has no entry char"),
@@ -219,21 +245,30 @@ SPOILED = {
         ("[num_pairs×2; index]", "[3×num_pairs; index]", "unknown attribute: 3×num_pairs"),
         ("[num_pairs×2; index]", "[num_pairs×2; indices]", "unknown attribute: indices"),
         ("[num_pairs; time; member time]", "[num_pairs; time; member tim]", "no struct of the template has the member tim"),
+        ("/** [number of pairs] 0 is", "/** 0 is", "number of what?"),
+        ("int32_t const *images;\n} pw85_pair_list", "int32_t const *pairs;\n} pw85_pair_list", "two members of one name"),
     ),
 }
+# One of each kind of headers: one row, systems, simulations, n dimensions, devices, older programs.
+EVERY = ("pw85.h", "pw85_systems.h", "pw85_simulation_trials.h", "pw85_any_dimension.h", "pw85_gpu.h", "pw85_pre1.h")
 # What replaces a part of a template of headers, and what is said then.
 SPOILED_TEMPLATES = (
-    ("hard_ellipsoids.hpp.in", "law_virial, sweep\n", "law_virial, sweeps\n", "no function pw85_hard_ellipsoids_sweeps()"),
+    ("hard_ellipsoids.hpp.in", "@member set_potential\n", "@member set_potentials\n", "no function pw85_hard_ellipsoids_set_potentials()"),
     ("hard_ellipsoids.hpp.in", "        fractions: Trial", "        fraction: Trial", "no such parameter: fraction"),
     ("hard_ellipsoids.hpp.in", "@member chain without direction", "@member chain without a direction", "not understood"),
     ("neighbors.hpp.in", "@function neighbors_holds", "@functions neighbors_holds", "not understood"),
-    ("sums.hpp.in", "@function law_forces_pairs\n    out: ForceSpans\n", "", "pw85_law_forces_pairs(): in no template of C++"),
+    ("hard_ellipsoids.hpp.in", "returns TrialSteps", "returns TrialStep", "no type TrialStep in the headers of C++"),
+    ("hard_ellipsoids.hpp.in", "returns TrialCounts", "returns TrialSteps", "TrialSteps has no member trials"),
+    ("hard_ellipsoids.hpp.in", "    @others\n", "    @others\n    @member check\n    @member check\n", "check() is made twice"),
+    ("periodic.hpp.in", "@others\n", "", "pw85_nearest_images(): in no template of C++"),
     ("lists.hpp.in", "@pairs pw85_systems.h", "@triples pw85_systems.h", "not understood"),
     ("linked.hpp.in", "//@ others", "//@ other", "not understood"),
     ("pw85_batch.h.in", "@rows without", "@row without", "no mark @rows"),
     ("pw85_batch.h.in", "\npw85_compare:", "\npw85_compares:", "no function pw85_compares() of one row"),
     ("pw85_batch.h.in", "without pw85_ellipsoid,", "without pw85_ellipsoids,", "no function pw85_ellipsoids() of one row"),
     ("pw85_batch.h.in", "    sign: [n] -1", "    signs: [n] -1", "pw85_compare_batch() has no parameter signs"),
+    ("pw85_batch.h.in", "    sign: [n] -1", "    sign: n, -1", "described twice, or without brackets"),
+    ("pw85_batch.h.in", "pw85_hertz contacts\n", "pw85_hertz contacts\npw85_hertz contacts\n", "of one row, or it is named twice"),
 )
 
 
@@ -241,8 +276,8 @@ def complaint_of(make, new, said, place):
     """What is wrong with the error of a spoiled text, which must say this, at this place."""
     try:
         make()
-    except ValueError as error:
-        if said in str(error) and re.match(place, str(error)):
+    except Exception as error:  # of another type it would end with a traceback
+        if type(error).__name__ == "Refused" and said in str(error) and re.match(place, str(error)):
             return []
         return [f"{new}: {error}"]
     return [f"{new}: accepted"]
@@ -259,6 +294,7 @@ def complaints_of_spoiling(folder):
     import shims
 
     def make(header):
+        declarations.c_functions()
         for one in declarations.functions(header):
             one.flattened, one.is_nan_on_error()
         rows.row_functions.cache_clear()
@@ -295,12 +331,24 @@ def complaints_of_templates(folder):
         template.write_text(text, encoding="utf-8")
 
 
+def complaints_of_program(folder):
+    """Whether the program that a maintainer calls ends with the sentence alone, whatever the header."""
+    for name in EVERY:
+        header = folder / f"include/{name}"
+        text = header.read_text(encoding="utf-8")
+        header.write_text(re.sub(r"(@param\S* \S+ \[[^\]\n]*)\]", r"\1; unheard-of]", text, 1), encoding="utf-8")
+        done = subprocess.run([sys.executable, "-B", folder / "api/committed.py"], capture_output=True, text=True)
+        if done.returncode != 1 or done.stdout or not re.fullmatch(rf"{name}:\d+: .*: unknown attribute: unheard-of\n", done.stderr):
+            yield f"committed.py, {name}: {done.returncode}, {done.stderr or 'accepted'}"
+        header.write_text(text, encoding="utf-8")
+
+
 def main(source):
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         other = copied(source, folder / "spoiled")
-        parts = (complaints_of_rewording(source, folder), complaints_of_spoiling(other), complaints_of_templates(other))
-        found = [complaint for part in parts for complaint in part]
+        parts = (complaints_of_spoiling, complaints_of_templates, complaints_of_program)
+        found = [*complaints_of_rewording(source, folder), *(complaint for part in parts for complaint in part(other))]
     print("\n".join(found))
     return 1 if found else 0
 

@@ -33,49 +33,12 @@ class HardEllipsoids {
     {
     }
 
-    /// Sets the number of dimensions of a simulation: see pw85_hard_ellipsoids_set_dimensions().
-    [[gnu::always_inline]] StatusCode set_dimensions(int dimensions) noexcept
-    {
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_dimensions(get(), dimensions));
-    }
-
     /// Returns the number of dimensions of a simulation: see pw85_hard_ellipsoids_dimensions().
     [[gnu::always_inline]] int dimensions() const noexcept
     {
         int dimensions;
         static_cast<void>(pw85_hard_ellipsoids_dimensions(get(), &dimensions));
         return dimensions;
-    }
-
-    /// Sets the hard walls of a simulation, and removes the walls that it had: see
-    /// pw85_hard_ellipsoids_set_walls().
-    [[gnu::always_inline]] StatusCode set_walls(std::span<Wall const> walls,
-                                                IndexPair &overlap) noexcept
-    {
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_walls(get(), walls.size(),
-                                                                      walls.data(),
-                                                                      overlap.data()));
-    }
-
-    /// Sets the hard mesh of a simulation, and removes the mesh that it had: see
-    /// pw85_hard_ellipsoids_set_mesh().
-    [[gnu::always_inline]] StatusCode set_mesh(
-        Vectors vertices, std::span<std::array<std::int32_t, 3> const> triangles,
-        IndexPair &overlap) noexcept
-    {
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_mesh(get(), vertices.size(),
-                                                                     detail::in_c(vertices),
-                                                                     triangles.size(),
-                                                                     detail::in_c(triangles),
-                                                                     overlap.data()));
-    }
-
-    /// Sets the fields of a simulation, and removes the fields that it had: see
-    /// pw85_hard_ellipsoids_set_fields().
-    [[gnu::always_inline]] StatusCode set_fields(std::span<Field const> fields) noexcept
-    {
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_fields(get(), fields.size(),
-                                                                       fields.data()));
     }
 
     /// Sets or removes a pair potential in addition to the hard cores: see
@@ -120,26 +83,6 @@ class HardEllipsoids {
     {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_set_potential(get(), potential,
                                                                           context));
-    }
-
-    /// Computes the sum of the energies of all particles in the fields and the potential, and of
-    /// all pairs by the law, in units of k_B T: see pw85_hard_ellipsoids_energy().
-    [[gnu::always_inline]] StatusCode energy(double &energy) const noexcept
-    {
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_energy(get(), &energy));
-    }
-
-    /// Computes the virial of the pair potential, W = -2 Σ μ² dβU/dμ², which adds to the pressure
-    /// of the hard cores: see pw85_hard_ellipsoids_law_virial().
-    [[gnu::always_inline]] StatusCode law_virial(double &virial) const noexcept
-    {
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_law_virial(get(), &virial));
-    }
-
-    /// Makes sweeps: see pw85_hard_ellipsoids_sweep().
-    [[gnu::always_inline]] StatusCode sweep(std::size_t num_sweeps) noexcept
-    {
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_sweep(get(), num_sweeps));
     }
 
     /// Makes volume moves: see pw85_hard_ellipsoids_volume_moves().
@@ -272,6 +215,63 @@ class HardEllipsoids {
         return static_cast<StatusCode>(status);
     }
 
+    /// Sets the number of dimensions of a simulation: see pw85_hard_ellipsoids_set_dimensions().
+    [[gnu::always_inline]] StatusCode set_dimensions(int dimensions) noexcept
+    {
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_dimensions(get(), dimensions));
+    }
+
+    /// Returns the number of bytes that pw85_hard_ellipsoids_save() writes: see
+    /// pw85_hard_ellipsoids_num_bytes().
+    [[gnu::always_inline]] std::size_t num_bytes() const noexcept
+    {
+        return pw85_hard_ellipsoids_num_bytes(get());
+    }
+
+    /// Writes the whole state of a simulation as bytes: see pw85_hard_ellipsoids_save().
+    [[gnu::always_inline]] StatusCode save(std::span<unsigned char> bytes) const noexcept
+    {
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_save(get(), bytes.size(),
+                                                                 detail::in_c(bytes)));
+    }
+
+    /// Sets the hard walls of a simulation, and removes the walls that it had: see
+    /// pw85_hard_ellipsoids_set_walls().
+    [[gnu::always_inline]] StatusCode set_walls(std::span<Wall const> walls,
+                                                IndexPair &overlap) noexcept
+    {
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_walls(get(), walls.size(),
+                                                                      walls.data(),
+                                                                      overlap.data()));
+    }
+
+    /// Sets the hard mesh of a simulation, and removes the mesh that it had: see
+    /// pw85_hard_ellipsoids_set_mesh().
+    [[gnu::always_inline]] StatusCode set_mesh(
+        Vectors vertices, std::span<std::array<std::int32_t, 3> const> triangles,
+        IndexPair &overlap) noexcept
+    {
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_mesh(get(), vertices.size(),
+                                                                     detail::in_c(vertices),
+                                                                     triangles.size(),
+                                                                     detail::in_c(triangles),
+                                                                     overlap.data()));
+    }
+
+    /// Sets the fields of a simulation, and removes the fields that it had: see
+    /// pw85_hard_ellipsoids_set_fields().
+    [[gnu::always_inline]] StatusCode set_fields(std::span<Field const> fields) noexcept
+    {
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_fields(get(), fields.size(),
+                                                                       fields.data()));
+    }
+
+    /// Makes sweeps: see pw85_hard_ellipsoids_sweep().
+    [[gnu::always_inline]] StatusCode sweep(std::size_t num_sweeps) noexcept
+    {
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_sweep(get(), num_sweeps));
+    }
+
     /// Tests whether a new particle would be free of overlaps, and on request inserts it as the
     /// last particle: see pw85_hard_ellipsoids_insert().
     [[gnu::always_inline]] StatusCode insert(Vector<double, 3> const &center,
@@ -318,18 +318,32 @@ class HardEllipsoids {
             counts.data()));
     }
 
-    /// Finds by which factor cell and centres can be compressed until particles touch, and on
-    /// request compresses them: see pw85_hard_ellipsoids_compress().
-    [[gnu::always_inline]] StatusCode compress(bool take, double &factor) noexcept
+    /// Computes the sum of the energies of all particles in the fields and the potential, and of
+    /// all pairs by the law, in units of k_B T: see pw85_hard_ellipsoids_energy().
+    [[gnu::always_inline]] StatusCode energy(double &energy) const noexcept
     {
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_compress(get(), static_cast<int>(take),
-                                                                     &factor));
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_energy(get(), &energy));
+    }
+
+    /// Computes the virial of the pair potential, W = -2 Σ μ² dβU/dμ², which adds to the pressure
+    /// of the hard cores: see pw85_hard_ellipsoids_law_virial().
+    [[gnu::always_inline]] StatusCode law_virial(double &virial) const noexcept
+    {
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_law_virial(get(), &virial));
     }
 
     /// Searches all particles for overlaps: see pw85_hard_ellipsoids_check().
     [[gnu::always_inline]] StatusCode check(IndexPair &pair) const noexcept
     {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_check(get(), pair.data()));
+    }
+
+    /// Finds by which factor cell and centres can be compressed until particles touch, and on
+    /// request compresses them: see pw85_hard_ellipsoids_compress().
+    [[gnu::always_inline]] StatusCode compress(bool take, double &factor) noexcept
+    {
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_compress(get(), static_cast<int>(take),
+                                                                     &factor));
     }
 
     /// Centres, forms and cell. They are valid as long as this object lives, and show the present
@@ -352,20 +366,6 @@ class HardEllipsoids {
     {
         return {reinterpret_cast<Vector<double, 3> const *>(pw85_hard_ellipsoids_semi_axes(get())),
                 system().num_particles};
-    }
-
-    /// Returns the number of bytes that pw85_hard_ellipsoids_save() writes: see
-    /// pw85_hard_ellipsoids_num_bytes().
-    [[gnu::always_inline]] std::size_t num_bytes() const noexcept
-    {
-        return pw85_hard_ellipsoids_num_bytes(get());
-    }
-
-    /// Writes the whole state of a simulation as bytes: see pw85_hard_ellipsoids_save().
-    [[gnu::always_inline]] StatusCode save(std::span<unsigned char> bytes) const noexcept
-    {
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_save(get(), bytes.size(),
-                                                                 detail::in_c(bytes)));
     }
 
     [[gnu::always_inline]] pw85_hard_ellipsoids *get() const noexcept { return object_.get(); }
