@@ -31,7 +31,7 @@ struct DistanceArrays {
 using ListedDistances = void(PairArrays<3> const &, std::uint16_t const *indices, std::size_t count,
                              DistanceArrays const &, Worklist &rejected_lanes) noexcept;
 
-#define PW85_DECLARE_LISTED_DISTANCES(target, one_pair, available)                                 \
+#define PW85_DECLARE_LISTED_DISTANCES(target, one_pair, lanes256, available)                       \
     namespace target {                                                                             \
     ListedDistances listed_distances;                                                              \
     }
