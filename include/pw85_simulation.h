@@ -8,7 +8,8 @@
  * - pw85_simulation_surroundings.h: walls, meshes, fields and laws;
  * - pw85_simulation_trials.h: sweeps, event chains and changes of the cell;
  * - pw85_simulation_insertions.h: positions, insertions and removals of single particles;
- * - pw85_simulation_observations.h: energies, neighbours and overlaps.
+ * - pw85_simulation_observations.h: energies, neighbours and overlaps;
+ * - pw85_simulation_addition.h: random sequential addition, which makes packings.
  *
  * The conventions are those of pw85.h. These are added:
  *
@@ -27,6 +28,7 @@
 #ifndef PW85_SIMULATION_H_INCLUDED
 #define PW85_SIMULATION_H_INCLUDED
 
+#include <pw85_simulation_addition.h>
 #include <pw85_simulation_insertions.h>
 #include <pw85_simulation_observations.h>
 #include <pw85_simulation_state.h>
