@@ -29,7 +29,7 @@ ROOMS = {
     "meshes": ("base", "rows", "neighbors"),
     "simulation": ("base", "periodic", "simd", "rows", "neighbors"),
     "addition": ("base", "simd"),
-    "c_api": ("base", "periodic", "simd", "brent", "rows", "lists", "forces"),
+    "c_api": ("base", "periodic", "simd", "any_dimension", "brent", "rows", "lists", "forces", "enclosing"),
     "gpu": ("base", "periodic", "simd"),
     "legacy": ("base",),
 }
