@@ -47,7 +47,7 @@ double some_length(Random &random)
 
 Number pi_exactly() { return Number(4) * atan(Number(1)); }
 
-/// Whether an ellipse is inside another one with the same centre: the difference of the forms is
+/// Returns whether an ellipse is inside another one with the same centre: the difference of the forms is
 /// positive semidefinite.
 bool is_inside(pw85::SymmetricMatrix<double, 2> const &inner, Number const (&outer)[3])
 {
@@ -192,6 +192,14 @@ PW85_TEST("/random_addition/moved_positions")
         }
 }
 
+/// The images of particles that may meet one whose centre is in the cell.
+struct Image {
+    Vector3 center;
+    pw85::SymmetricMatrix<double, 3> q;
+    double longest;
+    std::size_t particle;
+};
+
 /// A packing, and what is needed to compute it again.
 struct Packed {
     int dimensions;
@@ -202,12 +210,6 @@ struct Packed {
     AdditionEnd end = AdditionEnd::none;
     pw85::AdditionState state{};
 
-    pw85::SymmetricMatrix<double, 3> form(std::size_t k) const
-    {
-        auto const kind = static_cast<std::size_t>(kinds[k]);
-        return pw85::ellipsoid_quaternion(semi_axes[kind], quaternions[k]).q;
-    }
-
     /// Adds particles until the addition ends.
     void fill(std::size_t seed, double attempts = unlimited, std::size_t number = any_number)
     {
@@ -216,32 +218,46 @@ struct Packed {
                       StatusCode::success);
         do g_assert_true(addition.advance(attempts, number, end) == StatusCode::success);
         while (end == AdditionEnd::none);
-        read(addition);
-    }
-
-    void read(RandomAddition const &addition)
-    {
         state = addition.state();
         std::size_t const n = state.num_particles;
         centers.resize(n), quaternions.resize(n), kinds.resize(n);
         g_assert_true(addition.particles(centers, quaternions, kinds) == StatusCode::success);
     }
 
-    /// Whether an ellipsoid meets a particle, but the one of this index, or an image of it.
-    bool meets(Vector3 const &center, pw85::SymmetricMatrix<double, 3> const &q,
-               std::size_t but = any_number) const
+    double longest(std::size_t species) const
     {
+        auto const &axes = semi_axes[species].coordinates;
+        return *std::max_element(axes, axes + dimensions);
+    }
+
+    /// All images in the cell and in those next to it.
+    std::vector<Image> images() const
+    {
+        std::vector<Image> all;
         for (std::size_t k = 0; k < centers.size(); ++k)
             for (int code = 0; code < (dimensions == 2 ? 9 : 27); ++code) {
-                Vector3 r = centers[k] - center;
+                Vector3 x = centers[k];
                 for (int i = 0, rest = code; i < dimensions; ++i, rest /= 3)
-                    r = pw85::detail::add_scaled(r, rest % 3 - 1.0,
+                    x = pw85::detail::add_scaled(x, rest % 3 - 1.0,
                                                  cell[static_cast<std::size_t>(i)]);
-                if (k != but && pw85::overlap(r, q, form(k)).overlap) return true;
+                auto const species = static_cast<std::size_t>(kinds[k]);
+                all.push_back({x, pw85::ellipsoid_quaternion(semi_axes[species], quaternions[k]).q,
+                               longest(species), k});
             }
-        return false;
+        return all;
     }
 };
+
+/// Returns whether a particle meets an image of another one than `but`.
+bool meets(std::vector<Image> const &images, Image const &one, std::size_t but = any_number)
+{
+    return std::any_of(images.begin(), images.end(), [&](Image const &other) {
+        Vector3 const r = other.center - one.center;
+        double const reach = other.longest + one.longest;
+        return other.particle != but && dot(r, r) < reach * reach * 1.0001 &&
+               pw85::overlap(r, one.q, other.q).overlap;
+    });
+}
 
 pw85::Cell skewed(double edge, int dimensions)
 {
@@ -249,46 +265,83 @@ pw85::Cell skewed(double edge, int dimensions)
 }
 
 Packed const examples[] = {
-    {2, skewed(9, 2), {{1, 1, 1}}, {}, {}, {}},
-    {2, skewed(9, 2), {{2, 1, 1}}, {}, {}, {}},
-    {2, skewed(9, 2), {{1, 2.5, 1}, {0.7, 0.7, 0.7}}, {}, {}, {}},
+    {2, skewed(14, 2), {{1, 1, 1}}, {}, {}, {}},
+    {2, skewed(14, 2), {{2, 1, 1}}, {}, {}, {}},
+    {2, skewed(14, 2), {{1, 2.5, 1}, {0.7, 0.7, 0.7}}, {}, {}, {}},
     {3, skewed(6, 3), {{1, 1, 1}}, {}, {}, {}},
 };
 
-/// No two particles overlap, and no attempt at a random place finds room. After all but some are
-/// removed, there is room.
+/// Counts the random attempts that are free among images.
+int count_free(Packed const &one, std::vector<Image> const &images, int attempts, Random &random)
+{
+    int count = 0;
+    for (int draw = 0; draw < attempts; ++draw) {
+        Vector3 center{};
+        for (int i = 0; i < one.dimensions; ++i)
+            center = pw85::detail::add_scaled(center, uniform(random, 0, 1),
+                                              one.cell[static_cast<std::size_t>(i)]);
+        double const angle = uniform(random, 0, pi);
+        std::size_t const species = random() % one.semi_axes.size();
+        auto const q = pw85::ellipsoid_quaternion(one.semi_axes[species],
+                                                  Vector4{std::cos(angle), 0, 0, std::sin(angle)});
+        count += !meets(images, {center, q.q, one.longest(species), 0});
+    }
+    return count;
+}
+
+/// No two particles overlap, and no attempt at a random place finds room. Among few, there is room.
 PW85_TEST("/random_addition/saturated")
 {
     Failures failures;
     Random random(5);
-    for (Packed one : examples) {
-        one.fill(3);
-        g_assert_true(one.end == AdditionEnd::saturated);
-        failures.check(one.state.free_share == 0, "free share", one.state.free_share, 0,
-                       [] { return std::string(); });
-        for (std::size_t k = 0; k < one.centers.size(); ++k)
-            failures.check(!one.meets(one.centers[k], one.form(k), k), "overlap", one.centers[k][0],
-                           one.centers[k][1], [&] { return std::to_string(k); });
-        int found[2] = {};
-        for (int const room : {0, 1}) {
-            if (room == 1) one.centers.resize(4);
-            for (int draw = 0; draw < 1000; ++draw) {
-                Vector3 center{};
-                for (int i = 0; i < one.dimensions; ++i)
-                    center = pw85::detail::add_scaled(center, uniform(random, 0, 1),
-                                                      one.cell[static_cast<std::size_t>(i)]);
-                double const angle = uniform(random, 0, pi);
-                auto const q =
-                    pw85::ellipsoid_quaternion(one.semi_axes[random() % one.semi_axes.size()],
-                                               Vector4{std::cos(angle), 0, 0, std::sin(angle)});
-                found[room] += !one.meets(center, q.q);
-            }
+    for (Packed one : examples)
+        for (std::size_t const seed : {3u, 4u, 5u}) {
+            one.fill(seed);
+            g_assert_true(one.end == AdditionEnd::saturated);
+            auto const inputs = [&] { return std::to_string(one.centers.size()); };
+            failures.check(one.state.free_share == 0, "free share", one.state.free_share, 0,
+                           inputs);
+            auto images = one.images();
+            for (Image const &image : images)
+                if (one.centers[image.particle][0] == image.center[0])
+                    failures.check(!meets(images, image, image.particle), "overlap",
+                                   image.center[0], image.center[1], inputs);
+            int const free = count_free(one, images, 4000, random);
+            failures.check(free == 0, "free in the packing", free, 0, inputs);
+            images.resize(40);
+            int const room = count_free(one, images, 400, random);
+            failures.check(room > 100, "free among few", room, 100, inputs);
         }
-        failures.check(found[0] == 0, "free in the packing", found[0], 0,
-                       [&] { return std::to_string(one.dimensions); });
-        failures.check(found[1] > 50, "free among few", found[1], 50,
-                       [&] { return std::to_string(one.dimensions); });
-    }
+}
+
+/// In a saturated packing of discs of radius 1, each point where two circles of radius 2 about
+/// centres cross is inside a third one: the part that is free would have such points as its
+/// corners. 2⁻²⁸ is a margin, which excludes the two circles themselves.
+PW85_TEST("/random_addition/saturated_discs")
+{
+    Failures failures;
+    Packed one = {2, skewed(40, 2), {{1, 1, 1}}, {}, {}, {}};
+    one.fill(6);
+    g_assert_true(one.end == AdditionEnd::saturated);
+    auto const images = one.images();
+    auto const is_inside_any = [&](Vector3 const &x) {
+        return std::any_of(images.begin(), images.end(), [&](Image const &image) {
+            Vector3 const r = image.center - x;
+            return dot(r, r) < 4 - 0x1p-28;
+        });
+    };
+    for (Vector3 const &center : one.centers)
+        for (Image const &image : images) {
+            Vector3 const r = image.center - center;
+            double const square = dot(r, r);
+            if (square == 0 || square > 16) continue;
+            double const height = std::sqrt(4 / square - 0.25);
+            Vector3 const crossing =
+                center + Vector3{0.5 * r[0] - height * r[1], 0.5 * r[1] + height * r[0], 0};
+            failures.check(is_inside_any(crossing), "crossing", crossing[0], crossing[1],
+                           [&] { return std::to_string(std::sqrt(square)); });
+        }
+    g_assert_cmpint(static_cast<int>(failures.checked()), >, 1000);
 }
 
 /// Fractions at saturation: discs 0.5471 (Zhang and Torquato, Phys. Rev. E 88, 053312, 2013), balls
