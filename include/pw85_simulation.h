@@ -19,9 +19,9 @@
  *   between centres as rounded to doubles. The target is the uniform distribution over all
  *   configurations without overlaps, at constant volume or, with volume moves, at constant
  *   pressure.
- * - The random numbers come from Philox4x32-10 (Salmon and others 2011). The seed and the number of
- *   the step select them. The same calls therefore give bitwise equal trajectories, with any number
- *   of threads and after pw85_hard_ellipsoids_restore().
+ * - The random numbers of a simulation come from Philox4x32-10 (Salmon and others 2011). The seed
+ *   and the number of the step select them. The same calls therefore give bitwise equal
+ *   trajectories, with any number of threads and after pw85_hard_ellipsoids_restore().
  * - A two-dimensional simulation (pw85_hard_ellipsoids_set_dimensions()) has hard ellipses in a
  *   plane z = const.
  */
