@@ -47,8 +47,8 @@ double some_length(Random &random)
 
 Number pi_exactly() { return Number(4) * atan(Number(1)); }
 
-/// Returns whether an ellipse is inside another one with the same centre: the difference of the forms is
-/// positive semidefinite.
+/// Returns whether an ellipse is inside another one with the same centre: the difference of the
+/// forms is positive semidefinite.
 bool is_inside(pw85::SymmetricMatrix<double, 2> const &inner, Number const (&outer)[3])
 {
     Number const xx = outer[0] - Number(inner[0]), xy = outer[1] - Number(inner[1]),
