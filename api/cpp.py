@@ -13,9 +13,10 @@ FOLDER = INCLUDE / "pw85"
 # The headers that api/classes.py makes, of these templates.
 TEMPLATES = {name: SOURCE / f"api/{name.split('/')[1]}.hpp.in" for name in (
     "batch/rows", "systems/lists", "systems/neighbors", "systems/meshes", "systems/sums", "systems/periodic",
-    "simulation/hard_ellipsoids")}  # fmt: skip
+    "simulation/hard_ellipsoids", "simulation/random_addition")}  # fmt: skip
 MANY = ("batch", "systems", "simulation", "history", "api")  # folders whose functions are not those of one row
-CLASSES = {"pw85_neighbors": "Neighbors", "pw85_mesh": "Mesh", "pw85_hard_ellipsoids": "HardEllipsoids"}
+CLASSES = {"pw85_neighbors": "Neighbors", "pw85_mesh": "Mesh", "pw85_hard_ellipsoids": "HardEllipsoids",
+           "pw85_random_addition": "RandomAddition"}  # fmt: skip
 STRUCTS = {"pw85_pair_list": "PairList", "pw85_system": "Particles", "pw85_law": "Law"}
 NUMBERS = {"size_t": "std::size_t", "int32_t": "std::int32_t", "int64_t": "std::int64_t"}
 # What the rows of an array of double are, by their extents: in space, and in the plane.
@@ -103,7 +104,7 @@ def row_type(function, one):
     """The type of a row, or of an array of one row."""
     extents = one.shape[bool(one.rows) :]
     if one.type == "double":
-        cell = {(3, 3): "Cell"} if function.header == "pw85_systems.h" else {}
+        cell = {(3, 3): "Cell"} if function.header in ("pw85_systems.h", "pw85_simulation_addition.h") else {}
         return (ELEMENTS[function.dimension] | cell).get(extents) or f"std::array<double, {prod(extents)}>"
     name = NUMBERS.get(one.type, one.type)
     return ELEMENTS_OF_OTHERS.get((one.type, prod(extents))) or (f"std::array<{name}, {prod(extents)}>" if extents else name)

@@ -25,7 +25,7 @@ INCLUDE = SOURCE / "include"
 # The headers of functions of one row: a pair of ellipsoids; contacts of grains; an ellipsoid and a wall or another shape.
 ONE_ROW = ("pw85.h", "pw85_grains.h", "pw85_shapes.h")
 # Those of simulations, which pw85_simulation.h includes.
-SIMULATION = tuple(f"pw85_simulation_{name}.h" for name in ("state", "surroundings", "trials", "insertions", "observations"))
+SIMULATION = tuple(f"pw85_simulation_{name}.h" for name in ("state", "surroundings", "trials", "insertions", "observations", "addition"))
 # The headers of the library pw85: one row; many rows; ellipsoids around points; systems of particles; simulations.
 PARTS = (*ONE_ROW, "pw85_batch.h", "pw85_enclosing.h", "pw85_systems.h", *SIMULATION)
 # Those of the functions that take numbers and arrays of the host, whatever the library.
@@ -37,7 +37,7 @@ CPP_HEADERS = (
     *(f"pw85/batch/{name}.hpp" for name in ("rows", "pairs")),
     "pw85/enclosing.hpp",
     *(f"pw85/systems/{name}.hpp" for name in ("lists", "sums", "periodic", "neighbors", "meshes")),
-    *(f"pw85/simulation/{name}.hpp" for name in ("surroundings", "trials", "hard_ellipsoids")),
+    *(f"pw85/simulation/{name}.hpp" for name in ("surroundings", "trials", "hard_ellipsoids", "addition", "random_addition")),
 )
 
 SECTION = r"^(?:/\*\*| \*|///) @name (?P<title>[^\n]+)$"
@@ -57,7 +57,7 @@ DESCRIPTION = re.compile(
     r"@param(?P<output>\[out\])? (?P<names>\w+(?:,\w+)*)(?!\S)(?:\s+\[(?P<attributes>[^\]]*)\])?(?P<text>.*)", re.DOTALL
 )
 STRUCTS = ("pw85_pair_list", "pw85_system", "pw85_law")  # structs that are arguments
-OBJECTS = ("pw85_neighbors", "pw85_mesh", "pw85_hard_ellipsoids")  # what the library owns
+OBJECTS = ("pw85_neighbors", "pw85_mesh", "pw85_hard_ellipsoids", "pw85_random_addition")  # what the library owns
 CALLBACKS = ("pw85_potential",)  # types of functions of the caller
 ELEMENTS = ("pw85_motion", "pw85_wall", "pw85_field")  # structs that are elements of arrays
 NUMBERS = ("double", "int", "size_t", "int32_t", "int64_t", "unsigned char", "char", "void")
@@ -227,8 +227,8 @@ class Function:
         return returned is not None or "NaN" in found
 
     def is_of_simulations(self):
-        """Whether its results depend on the calls before, so that it has tests of its own: tests/test_hard_ellipsoids.cpp."""
-        return self.name.startswith("pw85_hard_ellipsoids_")
+        """Whether its results depend on the calls before, so that it has tests of its own: tests/test_hard_ellipsoids.cpp and others."""
+        return self.name.startswith(("pw85_hard_ellipsoids_", "pw85_random_addition_"))
 
     def references(self):
         """The names of the functions to which the comment refers."""

@@ -46,6 +46,10 @@ module pw85
   integer(c_int), parameter, public :: pw85_change_axis = 1
   integer(c_int), parameter, public :: pw85_change_triclinic = 2
   integer(c_int), parameter, public :: pw85_change_aspect = 3
+  integer(c_int), parameter, public :: pw85_addition_continues = 0
+  integer(c_int), parameter, public :: pw85_addition_saturated = 1
+  integer(c_int), parameter, public :: pw85_addition_attempts = 2
+  integer(c_int), parameter, public :: pw85_addition_particles = 3
   integer(c_int), parameter, public :: pw85_success = 0
   integer(c_int), parameter, public :: pw85_einval = 1
   integer(c_int), parameter, public :: pw85_enotpd = 2
@@ -367,6 +371,11 @@ module pw85
   public :: pw85_hard_ellipsoids_neighbors
   public :: pw85_hard_ellipsoids_check
   public :: pw85_hard_ellipsoids_compress
+  public :: pw85_random_addition_create
+  public :: pw85_random_addition_advance
+  public :: pw85_random_addition_state
+  public :: pw85_random_addition_particles
+  public :: pw85_random_addition_destroy
   public :: pw85_legacy__det_sym
   public :: pw85_legacy__xt_adja_x
   public :: pw85_legacy__detq_as_poly
@@ -3016,6 +3025,61 @@ module pw85
       real(c_double), intent(out) :: factor
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_compress
+
+  end interface
+
+  ! pw85_simulation_addition.h
+  interface
+
+    !> Makes an empty periodic cell for random sequential addition (RSA). Row k in C is cell(:, k).
+    function pw85_random_addition_create(dimensions, cell, num_kinds, semi_axes, seed, addition) &
+      result(status) bind(C, name='pw85_random_addition_create')
+      import
+      integer(c_size_t), value :: num_kinds, seed
+      integer(c_int), value :: dimensions
+      real(c_double), intent(in) :: cell(3, 3), semi_axes(3, num_kinds)
+      type(c_ptr), intent(out) :: addition
+      integer(c_int) :: status
+    end function pw85_random_addition_create
+
+    !> Makes some attempts, at least one unless the addition is at its end.
+    function pw85_random_addition_advance(addition, attempts, num_particles, end) result(status) &
+      bind(C, name='pw85_random_addition_advance')
+      import
+      integer(c_size_t), value :: num_particles
+      type(c_ptr), value :: addition
+      real(c_double), value :: attempts
+      integer(c_int), intent(out) :: end
+      integer(c_int) :: status
+    end function pw85_random_addition_advance
+
+    !> Returns how far an addition is.
+    function pw85_random_addition_state(addition, num_particles, attempts, free_share) &
+      result(status) bind(C, name='pw85_random_addition_state')
+      import
+      type(c_ptr), value :: addition
+      integer(c_size_t), intent(out) :: num_particles
+      real(c_double), intent(out) :: attempts, free_share
+      integer(c_int) :: status
+    end function pw85_random_addition_state
+
+    !> Copies the particles of an addition, in the order in which they were added.
+    function pw85_random_addition_particles(addition, num_particles, centers, quaternions, kinds) &
+      result(status) bind(C, name='pw85_random_addition_particles')
+      import
+      integer(c_size_t), value :: num_particles
+      type(c_ptr), value :: addition
+      real(c_double), intent(out) :: centers(3, num_particles)
+      real(c_double), intent(out), optional :: quaternions(4, num_particles)
+      integer(c_int32_t), intent(out), optional :: kinds(num_particles)
+      integer(c_int) :: status
+    end function pw85_random_addition_particles
+
+    !> Frees a random sequential addition.
+    subroutine pw85_random_addition_destroy(addition) bind(C, name='pw85_random_addition_destroy')
+      import
+      type(c_ptr), value :: addition
+    end subroutine pw85_random_addition_destroy
 
   end interface
 

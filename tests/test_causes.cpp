@@ -477,6 +477,87 @@ PW85_TEST("/causes/kinds")
         pw85_hard_ellipsoids_insertion_moves(one, 1, 0, same, activities, nullptr));
 }
 
+PW85_TEST("/causes/random_addition")
+{
+    char const *const create = "pw85_random_addition_create";
+    double const none = std::nan(""), ball[] = {1, 1, 1}, two[] = {1, 1, 1, 1, 0, 1},
+                 needle[] = {1, 1, 1, 1, 0x1p-23, 1}, small[] = {1, 1, 1, 0x1p-481, 1, 1};
+    pw85_random_addition *made = nullptr;
+    auto const make = [&](int dimensions, double const *rows, std::size_t num_kinds,
+                          double const *all) {
+        made = reinterpret_cast<pw85_random_addition *>(&made);
+        int const status = pw85_random_addition_create(dimensions, rows, num_kinds, all, 1, &made);
+        g_assert_true((made == nullptr) == (status != PW85_SUCCESS));
+        return status;
+    };
+    double wide[] = {9, 0, 0, 0, 9, 0, 0, 0, 9};
+    Expected{create, "dimensions", "must be 2 or 3"}(make(4, wide, 1, ball));
+    Expected{create, "num_kinds", "must be > 0 and below 2³¹"}(make(3, wide, 0, ball));
+    Expected{create, "num_kinds", "must be > 0 and below 2³¹"}(make(3, wide, too_many, ball));
+    Expected{create, "cell", "must not be null"}(make(3, nullptr, 1, ball));
+    Expected{create, "semi_axes", "must not be null"}(make(3, wide, 1, nullptr));
+    Expected{create, "semi_axes", "must be > 0", 1, 1}(make(3, wide, 2, two));
+    Expected{create, "semi_axes", "must be at least 2⁻⁴⁸⁰ times the longest semi-axis",
+             1}(make(3, wide, 2, small));
+    Expected{create, "semi_axes",
+             "must have a ratio below 2²³, or rounding may make the form indefinite",
+             1}(make(2, wide, 2, needle), PW85_ENOTPD);
+    for (int const i : {2, 5, 6, 7}) {
+        wide[i] = 0.25;
+        Expected{create, "cell",
+                 "must have two vectors in the plane of x and y and one along z, in two dimensions",
+                 0, static_cast<std::size_t>(i)}(make(2, wide, 1, ball));
+        wide[i] = 0;
+    }
+    for (double const edge : {1.99, 2 + 1e-9, 0.0}) {
+        wide[4] = edge;
+        for (int const dimensions : {2, 3})
+            Expected{create, "cell",
+                     "must have opposite faces that are farther apart than the longest diameter of "
+                     "a particle"}(make(dimensions, wide, 1, ball));
+    }
+    wide[4] = 0x1p302;
+    Expected{create, "cell",
+             "must not be longer than 2³⁰⁰ times the longest semi-axis"}(make(3, wide, 1, ball));
+    wide[4] = none;
+    Expected{create, "cell", "must be finite", 0, 4}(make(3, wide, 1, ball));
+    wide[4] = 2.00001;
+    g_assert_cmpint(make(2, wide, 1, ball), ==, PW85_SUCCESS);
+
+    char const *const advance = "pw85_random_addition_advance";
+    int end = 0;
+    Expected{advance, "attempts", "must be > 0"}(pw85_random_addition_advance(made, 0, 1, &end));
+    g_assert_cmpint(end, ==, -1);
+    Expected{advance, "attempts",
+             "must not be NaN"}(pw85_random_addition_advance(made, none, 1, &end));
+    Expected{advance, "attempts",
+             "must be > 0"}(pw85_random_addition_advance(made, -INFINITY, 1, &end));
+    Expected{advance, "num_particles",
+             "must be > 0 and below 2³¹"}(pw85_random_addition_advance(made, INFINITY, 0, &end));
+    Expected{advance, "num_particles", "must be > 0 and below 2³¹"}(
+        pw85_random_addition_advance(made, INFINITY, too_many, &end));
+    Expected{advance, "addition",
+             "must not be null"}(pw85_random_addition_advance(nullptr, INFINITY, 1, &end));
+    g_assert_cmpint(pw85_random_addition_advance(made, INFINITY, 1, &end), ==, PW85_SUCCESS);
+    double centers[6];
+    Expected{
+        "pw85_random_addition_particles",
+        "num_particles",
+        "must be the number of particles of the addition",
+        0,
+        0,
+    }(pw85_random_addition_particles(made, 2, centers, nullptr, nullptr));
+    Expected{"pw85_random_addition_particles", "centers", "must not be null"}(
+        pw85_random_addition_particles(made, 1, nullptr, nullptr, nullptr));
+    Expected{"pw85_random_addition_state", "num_particles",
+             "must not be null"}(pw85_random_addition_state(made, nullptr, nullptr, nullptr));
+    g_assert_cmpint(pw85_random_addition_particles(made, 1, centers, nullptr, nullptr), ==,
+                    PW85_SUCCESS);
+    g_assert_true(centers[2] == 0);
+    pw85_random_addition_destroy(made);
+    pw85_random_addition_destroy(nullptr);
+}
+
 PW85_TEST("/causes/insertions")
 {
     Simulation const one({4, 4, 4}), open({0, 0, 0}, nullptr, {0, 0, 0});

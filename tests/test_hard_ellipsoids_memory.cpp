@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Monte Carlo of hard ellipsoids, and of hard ellipses, while each allocation in turn fails: there
-// is an error, and no overlap then or later.
+// is an error, and no overlap then or later. Random sequential addition, while each allocation in
+// turn fails: it continues, to saturation.
+#include <cmath>
 #include <vector>
 
 #include <glib.h>
 
+#include <pw85/pw85.hpp>
 #include <pw85/simulation.hpp>
 
 #include "cases.hpp"
@@ -139,6 +142,49 @@ PW85_TEST("/hard_ellipsoids_memory/insertions")
         refuse_each(8, dimensions, exchange);
         refuse_each(8, dimensions, insert);
         refuse_each(6, dimensions, weigh);
+    }
+}
+
+/// Adds discs until the packing is saturated. Returns how often the memory was refused.
+int fill(pw85::RandomAddition &addition)
+{
+    auto end = pw85::AdditionEnd::none;
+    int refusals = 0;
+    while (end != pw85::AdditionEnd::saturated) {
+        Status const status = addition.advance(INFINITY, 100000, end);
+        g_assert_true(status == Status::success || status == Status::out_of_memory);
+        refusals += status == Status::out_of_memory;
+    }
+    return refusals;
+}
+
+PW85_TEST("/hard_ellipsoids_memory/random_addition")
+{
+    double const edge = 20.0;
+    pw85::Cell const cell{{{edge, 0, 0}, {0, edge, 0}, {0, 0, 1}}};
+    std::vector<pw85::Vector<double, 3>> const disc = {{1, 1, 1}};
+    for (long refused = 0;; ++refused) {
+        pw85::RandomAddition addition;
+        granted = refused;
+        Status const made = random_addition_create(2, cell, disc, 1, addition);
+        int const refusals = made == Status::success ? fill(addition) : 1;
+        bool const all_granted = granted.exchange(-1) >= 0;
+        g_assert_cmpint(refusals, ==, !all_granted);
+        if (made != Status::success) continue;
+        std::size_t const n = addition.state().num_particles;
+        std::vector<pw85::Vector<double, 3>> centers(n);
+        g_assert_true(addition.particles(centers) == Status::success);
+        g_assert_cmpuint(n, >, 55); // discs of a fraction of 0.43
+        for (std::size_t i = 0; i < n; ++i)
+            for (std::size_t j = 0; j < i; ++j) {
+                auto r = centers[i] - centers[j];
+                for (int d = 0; d < 2; ++d) r[d] -= edge * std::round(r[d] / edge);
+                g_assert_cmpfloat(dot(r, r), >=, 4 * (1 - 1e-12));
+            }
+        if (!all_granted) continue;
+        g_test_message("%ld refusals", refused);
+        g_assert_cmpint(refused, >=, 12);
+        return;
     }
 }
 

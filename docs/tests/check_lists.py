@@ -28,7 +28,8 @@ ELSEWHERE = {
 }
 
 # The functions of an object are members of a class in C++ and Python, or parts of what makes it.
-CLASSES = {"pw85_neighbors_": "Neighbors", "pw85_mesh_": "Mesh", "pw85_hard_ellipsoids_": "HardEllipsoids"}
+CLASSES = {"pw85_neighbors_": "Neighbors", "pw85_mesh_": "Mesh", "pw85_hard_ellipsoids_": "HardEllipsoids",
+           "pw85_random_addition_": "RandomAddition"}  # fmt: skip
 
 
 def text(path):

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import reals
+from ._errors import Status, check_status
 from ._numbers import function, integer, real, seed_of
 from ._packing import check_axes, check_cell
 from ._system import UNIT_BALL, System
@@ -20,6 +21,8 @@ from ._words import counted
 
 # A count of particles that is never reached: indices have 32 bits.
 _NO_NUMBER = 2**31 - 1
+# Reasons of the library for the end, PW85_ADDITION_...
+_ENDS = ("", "saturated", "attempts", "number")
 
 
 class RandomAddition(NamedTuple):
@@ -131,23 +134,27 @@ def random_addition(
     box, kinds = np.eye(3), np.ones((len(axes), 3))
     box[:dimensions, :dimensions], kinds[:, :dimensions] = shape, axes
     kinds[:, dimensions:] = axes.min(axis=1, keepdims=True)
-    # In this unit, a power of two, no square overflows or underflows
-    unit = float(np.ldexp(1.0, np.frexp(axes.max())[1]))
-    addition = _core.random_addition(box / unit, kinds / unit, dimensions, key)
+    status, addition = _core.random_addition_create(dimensions, box, kinds, key)
+    _check(status, cell=box, semi_axes=kinds)
     share = UNIT_BALL[dimensions] * axes.prod(axis=1).mean() / volume  # of one particle
-    state: tuple[Any, ...] = (0, 0.0, 0, 1.0, False)
-    end: str = "number"
-    limit, start = np.inf if attempts is None else float(attempts), time.monotonic()
+    limit, start, end = np.inf if attempts is None else float(attempts), time.monotonic(), ""
     try:
-        while state[0] < most:
-            state = _core.random_addition_advance(addition, limit, most)
-            stage(f"{state[0]} particles, fraction {share * state[0]:.4f}, {state[1]:.2e} attempts")
-            if (reached := _end_of(state, attempts, seconds, time.monotonic() - start)) is not None:
-                end = reached
-                break
+        while not end:
+            status, reached = _core.random_addition_advance(addition, limit, most)
+            _check(status)
+            _, added, tried, _ = _core.random_addition_state(addition)
+            stage(f"{added} particles, fraction {share * added:.4f}, {tried:.2e} attempts")
+            is_late = seconds is not None and time.monotonic() - start >= seconds
+            end = _ENDS[reached] if reached or not is_late else "seconds"
     except KeyboardInterrupt:
-        raise AdditionInterrupted(_result(addition, unit, kinds, shape, state, "interrupted")) from None
-    return _result(addition, unit, kinds, shape, state, end)
+        raise AdditionInterrupted(_result(addition, kinds, shape, "interrupted")) from None
+    return _result(addition, kinds, shape, end)
+
+
+def _check(status: int, **arguments: Any) -> None:
+    if status == Status.ENOMEM:
+        raise MemoryError("random_addition: " + _core.strerror(status))
+    check_status(status, "random_addition", "ellipsoid", **arguments)
 
 
 def _check_limits(ends: bool, number: SupportsIndex | None, attempts: float | None, seconds: float | None) -> None:
@@ -166,23 +173,16 @@ def _check_room(axes: Floats, shape: Floats) -> None:
         raise ValueError(f"opposite sides of the cell must be at least {diameter:g}, the longest diameter, apart, not {height:g}")
 
 
-def _end_of(state: tuple[Any, ...], attempts: float | None, seconds: float | None, passed: float) -> str | None:
-    if state[4]:
-        return "saturated"
-    if attempts is not None and state[1] >= attempts:
-        return "attempts"
-    return "seconds" if seconds is not None and passed >= seconds else None
-
-
-def _result(addition: Any, unit: float, kinds: Floats, shape: Floats, state: tuple[Any, ...], end: str) -> RandomAddition:
-    centers, quaternions, which = _core.random_addition_placed(addition)
+def _result(addition: Any, kinds: Floats, shape: Floats, end: str) -> RandomAddition:
+    _, added, attempts, free_share = _core.random_addition_state(addition)
+    centers, quaternions, which = np.empty((added, 3)), np.empty((added, 4)), np.empty(added, np.int32)
+    _core.random_addition_particles(addition, centers, quaternions, which)
     dimensions = len(shape)
     cell, origin = np.eye(3), np.array([0.0, 0.0, -0.5 if dimensions == 2 else 0.0])
     cell[:dimensions, :dimensions] = shape
-    system = System.from_axes(
-        unit * centers, kinds[which], quaternions, cell=cell, types=which + 1, origin=origin, dimensions=dimensions
-    )
-    return RandomAddition(system, state[1], end, state[3])
+    types = which.astype(np.int64) + 1
+    system = System.from_axes(centers, kinds[which], quaternions, cell=cell, types=types, origin=origin, dimensions=dimensions)
+    return RandomAddition(system, attempts, end, free_share)
 
 
 AdditionInterrupted.__module__ = "pypw85"

@@ -56,35 +56,10 @@ PyObject *parse_rows(PyObject *self, PyObject *args);
 /// columns have the same number of rows, and all arrays are contiguous.
 PyObject *format_rows(PyObject *self, PyObject *args);
 
-/// random_addition(cell, semi-axes of kinds, dimensions, seed): an object. Arrays have three
-/// columns; each distance of opposite faces of the cell is at least twice the longest semi-axis,
-/// which is from 0.5 to 1.
-PyObject *random_addition(PyObject *self, PyObject *args);
-
-/// random_addition_advance(object, most attempts, most particles): some attempts; (particles,
-/// attempts, voxels, their share of all, whether the packing is saturated).
-PyObject *random_addition_advance(PyObject *self, PyObject *args);
-
-/// inside_turned_ellipses(a, b, angle): the semi-axes of an ellipse inside all that are turned by
-/// at most an angle from the one with the semi-axes a >= b. For tests.
-PyObject *inside_turned_ellipses(PyObject *self, PyObject *args);
-
-/// radius_inside_body(a, b): the radius of a ball that random_addition takes as inside any
-/// ellipsoid with the longest semi-axis a and the shortest one b. For tests.
-PyObject *radius_inside_body(PyObject *self, PyObject *args);
-
-/// form_of_voxel(a, b, edges, angle, angles): the ellipse that random_addition takes for all with
-/// the semi-axes a >= b of which the angle over π is from angle / angles to (angle + 1) / angles,
-/// in a cell with the sum of edges; None if rounding leaves none.
-PyObject *form_of_voxel(PyObject *self, PyObject *args);
-
 /// nd_one_pair(name, r12, q1, q2) or (name, r12, q1, q2, number): what the function of the package
 /// with this name returns for one pair, as a tuple if there are several outputs. None, if the
 /// arguments are not plain numbers of one pair, or the status is not success.
 PyObject *nd_one_pair(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// random_addition_placed(object): (centers, quaternions, kinds).
-PyObject *random_addition_placed(PyObject *self, PyObject *capsule);
 
 } // namespace pypw85
 

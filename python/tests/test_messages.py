@@ -29,6 +29,7 @@ EXCEPTED = {
     "_device.py: _no_device(name)": "the device fails while it computes",
     "_mesh_files.py: meshio cannot read it": "depends on the version of meshio",
     "_meshes.py: Mesh: ": "there is not enough memory",
+    "_random_addition.py: random_addition: ": "there is not enough memory",
     "cli/_progress.py: KeyboardInterrupt": "Ctrl-C, which tests send to other processes",
 }  # fmt: skip
 # What a message must not have: the end of a sentence, several blanks or lines, and what Python says of its own objects

@@ -1,20 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Random sequential addition, against brute force and known fractions."""
+"""Random sequential addition, against brute force and known fractions. tests/test_random_addition.cpp has the proofs of what voxels cover."""
 
-import itertools
 import os
 import re
 import subprocess
 import sys
-from decimal import Decimal, localcontext
-from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import pypw85
-from pypw85 import _core
 
 SHAPES = {"discs": [[1, 1]], "ellipses": [[2, 1]], "mixture": [[1, 2.5], [0.7, 0.7]], "balls": [[1, 1, 1]]}
 
@@ -44,82 +40,6 @@ def free_attempts(system, axes, count, rng):
     return int((~taken).sum())
 
 
-def test_ellipse_inside_turned_ones(rng):
-    """What stands for all angles of a voxel: nowhere wider than an ellipse that is turned by up to the angle, and close to it for small
-    angles. Half-widths along t are √(m + d cos 2(t - φ))."""
-    t = np.linspace(0, np.pi, 721)
-    for b, ratio, angle in zip(rng.uniform(0.1, 2, 200), 2 ** rng.uniform(0, 5, 200), 2.0 ** rng.uniform(-12, 1, 200)):
-        a = b * ratio
-        axes = _core.inside_turned_ellipses(a, b, angle)
-        inner = (axes[0] * np.cos(t)) ** 2 + (axes[1] * np.sin(t)) ** 2
-        for phi in np.linspace(-1, 1, 41) * min(angle, np.pi / 2):
-            assert (inner <= ((a * np.cos(t - phi)) ** 2 + (b * np.sin(t - phi)) ** 2) * (1 + 1e-12)).all()
-        assert axes[0] >= axes[1] > 0 and axes[0] * axes[1] >= b * b * (1 - 1e-15)
-        # The loss is of the first order in the angle, with a factor of the order of the ratio squared.
-        assert axes[0] * axes[1] >= a * b * (1 - 4 * ratio**2 * angle)
-
-
-PI = Decimal("3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803")
-
-
-def cosine_sine(angle):
-    """To 60 digits, by their series, and by halving the angle until it is small."""
-    with localcontext() as context:
-        context.prec = 80
-        x = angle / 1024
-        c, s, term = Decimal(0), Decimal(0), Decimal(1)
-        for k in itertools.count(1):
-            c, s = (c + term, s) if k % 2 else (c, s + term)
-            if abs(term) < Decimal("1e-75"):
-                break
-            term = term * x / k * (1 if k % 2 else -1)
-        for _ in range(10):
-            c, s = c * c - s * s, 2 * c * s
-        return Fraction(c), Fraction(s)
-
-
-def is_inside(inner, outer):
-    """Whether an ellipse about the same centre is inside another one: the difference of the forms is not negative."""
-    xx, xy, yy = (Fraction(y) - Fraction(x) for x, y in zip(inner, outer))
-    return xx + yy >= 0 and xx * yy >= xy * xy
-
-
-@pytest.mark.parametrize("aspect", [1, 2.5, 30, 1e3, 1e4, 1e5, 1e6])
-def test_form_of_a_voxel_is_inside_all_that_is_drawn(aspect, rng):
-    """Exactly, with the forms as doubles: inside all true ellipses, and inside those that the library makes of what is drawn. Voxels of
-    angles are so narrow that rounding matters, and the widths of these are of all sizes."""
-    for k in range(60):
-        b = float(np.ldexp(rng.uniform(1, 2), int(rng.integers(-40, 41))))
-        a, angles = b * aspect, 2 ** int(rng.integers(1, 51))
-        index = int(rng.integers(0, angles)) if k % 2 else (0, angles // 4, angles // 2, 3 * angles // 4, angles - 1)[k // 2 % 5]
-        found = _core.form_of_voxel(a, b, 2 * a, index, angles)
-        for turns in (Fraction(index, angles), Fraction(2 * index + 1, 2 * angles), Fraction(index + 1, angles)):
-            c, s = cosine_sine(PI * turns.numerator / turns.denominator)
-            long, short = Fraction(a) ** 2, Fraction(b) ** 2
-            true = (long * c * c + short * s * s, (long - short) * c * s, long * s * s + short * c * c)
-            assert is_inside(found, true), (a.hex(), b.hex(), index, angles, turns)
-        for u in (index / angles, (index + 0.5) / angles, np.nextafter((index + 1) / angles, 0)):
-            drawn = pypw85.ellipsoid_quaternion([a, b, b], [np.cos(np.pi / 2 * u), 0, 0, np.sin(np.pi / 2 * u)])
-            assert is_inside(found, drawn[[0, 1, 3]].tolist()), (a.hex(), b.hex(), index, angles, u)
-
-
-@pytest.mark.parametrize("aspect", [1, 30, 1e3, 1e5, 1e6])
-def test_ball_inside_all_that_is_drawn(aspect, rng):
-    """Exactly, for the forms as doubles: Q - s I is positive semidefinite for the square s of the radius. Rounding makes the shortest
-    semi-axis of slender forms smaller. The ball is smaller by no more than 2⁻⁴⁶ of the square of the aspect ratio."""
-    for turns in rng.normal(size=(200, 4)):
-        b = float(np.ldexp(rng.uniform(1, 2), int(rng.integers(-40, 41))))
-        axes = rng.permutation([b * aspect, b, b * aspect ** rng.uniform()])
-        radius = _core.radius_inside_body(axes.max(), axes.min())
-        q = [Fraction(x) for x in pypw85.ellipsoid_quaternion(axes, turns / np.linalg.norm(turns)).tolist()]
-        xx, yy, zz = (q[k] - Fraction(radius) ** 2 for k in (0, 3, 5))
-        xy, xz, yz = q[1], q[2], q[4]
-        minors = yy * zz - yz * yz, xx * zz - xz * xz, xx * yy - xy * xy
-        determinant = xx * minors[0] + xy * (xz * yz - xy * zz) + xz * (xy * yz - xz * yy)
-        assert xx + yy + zz >= 0 and sum(minors) >= 0 and determinant >= 0, (axes.tolist(), turns.tolist())
-        assert radius**2 >= b**2 * (1 - 2.0**-45 * aspect**2)
-
-
 @pytest.mark.parametrize("axes, exponents", [([[2, 1]], (-500, 490)), ([[1, 1, 2], [1, 1, 1]], (-340, 330))])
 def test_same_in_any_unit(axes, exponents):
     """Powers of two as units change nothing but the size."""
@@ -129,22 +49,6 @@ def test_same_in_any_unit(axes, exponents):
         other = pypw85.random_addition(np.ldexp(axes, exponent), np.ldexp(cell_of(axes), exponent), attempts=20000, seed=2).system
         np.testing.assert_array_equal(other.centers, np.ldexp(one.centers, exponent))
         np.testing.assert_array_equal(other.quaternions, one.quaternions)
-
-
-def test_form_of_a_voxel_bears_moved_places(rng):
-    """A half-width h that is left is so much smaller than that of the ellipse that places may be wrong by some roundings of the cell."""
-    for aspect, edges in itertools.product([1, 7, 1e3, 1e5], [2, 50, 1e3]):
-        b = float(np.ldexp(rng.uniform(1, 2), int(rng.integers(-40, 41))))
-        a, length = b * aspect, b * aspect * edges
-        with localcontext() as context:
-            context.prec = 50
-            moved = 27 * Decimal(length) * Decimal(2).sqrt() / 2**53
-            xx, xy, yy = (Decimal(x) for x in _core.form_of_voxel(a, b, length, 0, 2**50))
-            for turn in [0, 1, *(Decimal(float(x)) for x in 2 ** rng.uniform(-40, 0, 40))]:
-                c, s = Decimal(turn), (1 - Decimal(turn) ** 2).sqrt()
-                h = (xx * c * c + 2 * xy * c * s + yy * s * s).sqrt()
-                whole = ((Decimal(a) * c) ** 2 + (Decimal(b) * s) ** 2).sqrt()
-                assert h + moved <= whole, (a.hex(), b.hex(), length.hex(), c)
 
 
 @pytest.mark.parametrize("name", SHAPES)

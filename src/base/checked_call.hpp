@@ -36,8 +36,11 @@ template <class Struct>
     if (one.columns > 0) return true;
     bool good = !(one.limits & limit::not_zero);
     for (std::size_t i = 0; i < one.count; ++i) good = good || !is_zero(one.numbers()[i]);
-    for (std::size_t i = 0; i < one.count; ++i)
-        good = good && is_finite(one.numbers()[i]) && is_within(one.numbers()[i], one.limits);
+    for (std::size_t i = 0; i < one.count; ++i) {
+        double const x = one.numbers()[i];
+        bool const may_be = (one.limits & limit::may_be_infinite) && !is_nan(x);
+        good = good && (is_finite(x) || may_be) && is_within(x, one.limits);
+    }
     return good;
 }
 

@@ -56,6 +56,11 @@ constexpr std::int64_t bits_of_infinity = 0x7ff0000000000000;
     return (bits_of(x) & bits_of_infinity) != bits_of_infinity;
 }
 
+[[gnu::always_inline]] inline bool is_nan(double x) noexcept
+{
+    return (bits_of(x) & INT64_MAX) > bits_of_infinity;
+}
+
 /// Returns whether a number that is not NaN is within the ranges that these limits name. (A
 /// negative number has negative bits.)
 [[gnu::always_inline]] inline bool is_within(double x, unsigned limits) noexcept

@@ -37,6 +37,7 @@ template <class T> class List {
     [[gnu::always_inline]] std::size_t size() const noexcept { return size_; }
     [[gnu::always_inline]] bool is_empty() const noexcept { return size_ == 0; }
     [[gnu::always_inline]] T &operator[](std::size_t i) noexcept { return memory_[i]; }
+    [[gnu::always_inline]] T const &operator[](std::size_t i) const noexcept { return memory_[i]; }
     [[gnu::always_inline]] T const &last() const noexcept { return memory_[size_ - 1]; }
     [[gnu::always_inline]] T *begin() noexcept { return memory_.data(); }
     [[gnu::always_inline]] T *end() noexcept { return memory_.data() + size_; }

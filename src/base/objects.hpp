@@ -86,6 +86,15 @@ int hard_ellipsoids_neighbors(pw85_hard_ellipsoids &simulation, size_t particle,
                               double *separations) noexcept;
 int hard_ellipsoids_check(pw85_hard_ellipsoids const &simulation, int32_t pair[2]) noexcept;
 int hard_ellipsoids_compress(pw85_hard_ellipsoids &simulation, int take, double *factor) noexcept;
+int random_addition_create(int dimensions, double const cell[9], size_t num_kinds,
+                           double const *semi_axes, size_t seed,
+                           pw85_random_addition *&addition) noexcept;
+int random_addition_advance(pw85_random_addition &addition, double attempts, size_t num_particles,
+                            int *end) noexcept;
+int random_addition_state(pw85_random_addition const &addition, size_t *num_particles,
+                          double *attempts, double *free_share) noexcept;
+int random_addition_particles(pw85_random_addition const &addition, size_t num_particles,
+                              double *centers, double *quaternions, int32_t *kinds) noexcept;
 
 } // namespace pw85::detail
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The C function for random points of an ellipsoid: uniform points of the unit ball or of its
+// Random points of an ellipsoid: uniform points of the unit ball or of its
 // sphere, stretched by the semi-axes.
 //
 // Stretching keeps points of a body uniform. It multiplies the element of area at the direction n
@@ -11,21 +11,15 @@
 #include <cmath>
 #include <cstdint>
 
-#include <pw85_enclosing.h>
-
 #include <pw85/algebra/doubled.hpp>
 #include <pw85/algebra/philox.hpp>
 #include <pw85/contact/scaling.hpp>
 #include <pw85/distance/nearest.hpp>
 
 #include "../base/c_arrays.hpp"
-#include "../base/floating_point_environment.hpp"
-#include "../base/last_error.hpp"
+#include "functions.hpp"
 
-using namespace pw85;
-using namespace pw85::detail;
-using namespace pw85::detail::c_api;
-
+namespace pw85::detail::enclosing {
 namespace {
 
 using Vector3 = Vector<double, 3>;
@@ -71,35 +65,18 @@ class StretchedBall {
     double semi_axes_[3], axes_[3][3], shortest_;
 };
 
+} // namespace
+
 /// Steps of simulations count from 0 upward. Points count from 2⁶⁴ - 1 downward: a simulation with
 /// the same seed draws other numbers.
-void draw(StretchedBall const &ball, bool surface, std::uint64_t seed, std::size_t num_points,
-          double *points) noexcept
+void draw_points(SymmetricMatrix<double, 3> const &q, bool surface, std::uint64_t seed,
+                 std::size_t num_points, double *points) noexcept
 {
+    StretchedBall const ball(q);
     for (std::size_t k = 0; k < num_points; ++k) {
         Stream random(seed, ~std::uint64_t{k}, 0);
-        store(surface ? ball.on_surface(random) : ball.inside(random), points + 3 * k);
+        c_api::store(surface ? ball.on_surface(random) : ball.inside(random), points + 3 * k);
     }
 }
 
-} // namespace
-
-int pw85_random_points(double const q[6], int surface, size_t seed, size_t num_points,
-                       double *points)
-{
-    if (num_points > PTRDIFF_MAX / (3 * sizeof(double)) || (num_points > 0 && any_null(points)))
-        return refuse_arrays("pw85_random_points", "num_points", num_points,
-                             NamedArray{"points", points});
-    int const found = in_default_environment([&] {
-        auto const status =
-            any_null(q) ? Status::invalid_argument : Status(validate(load_matrix<3>(q)));
-        if (status == Status::success)
-            draw(StretchedBall(load_matrix<3>(q)), surface != 0, seed, num_points, points);
-        else
-            std::fill_n(points, 3 * num_points, quiet_nan<double>());
-        return put(status);
-    });
-    return checked(found, [&](int status) {
-        return refuse_call(status, "pw85_random_points", Argument("q", q, 6, limit::definite));
-    });
-}
+} // namespace pw85::detail::enclosing

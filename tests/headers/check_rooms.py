@@ -28,7 +28,8 @@ ROOMS = {
     "enclosing": ("base", "any_dimension"),
     "meshes": ("base", "rows", "neighbors"),
     "simulation": ("base", "periodic", "simd", "rows", "neighbors"),
-    "c_api": ("base", "periodic", "simd", "brent", "rows", "lists", "forces"),
+    "addition": ("base", "simd"),
+    "c_api": ("base", "periodic", "simd", "any_dimension", "brent", "rows", "lists", "forces", "enclosing"),
     "gpu": ("base", "periodic", "simd"),
     "legacy": ("base",),
 }
@@ -36,7 +37,7 @@ WITHOUT_PART = ("gpu", "legacy", "brent/brent_gsl.cpp", "brent/brent_boost.cpp")
 PARTS = ("contact", "geometry", "systems", "simulation")
 # The rooms of the parts above contact, whole.
 PART_OF_ROOM = {"periodic": "systems", "lists": "systems", "forces": "systems", "neighbors": "systems", "meshes": "systems",
-                "simulation": "simulation"}  # fmt: skip
+                "simulation": "simulation", "addition": "simulation"}  # fmt: skip
 # How the names of those headers of C begin that only sources of a part, and of those above it, include.
 PART_OF_HEADER = {"pw85_systems": "systems", "pw85_gpu": "systems", "pw85_simulation": "simulation"}
 

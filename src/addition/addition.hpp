@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Random sequential addition in a periodic cell.
+///
+/// 1. Attempts draw particles in the whole cell. Threads test many of them against the packing, and
+///    then one thread tests those that are free against the ones added before, in their order. So
+///    the result does not depend on the number of threads.
+/// 2. If few attempts succeed, voxels (voxels.hpp) are made, or halved. Attempts then draw in
+///    voxels. Those elsewhere would fail, so that an attempt in a fraction of all voxels counts as
+///    the inverse of this fraction, which is the mean number of attempts for one that hits a voxel.
+#ifndef PW85_ADDITION_ADDITION_HPP_INCLUDED
+#define PW85_ADDITION_ADDITION_HPP_INCLUDED
+
+#include "voxels.hpp"
+
+namespace pw85::detail::sequential_addition {
+
+/// The minimum number of attempts at once, and the ratio of successful attempts below which voxels
+/// are divided. They change the time, but not the distribution of packings.
+constexpr std::size_t min_attempts = 4096;
+constexpr double first_few_accepted = 0.02;
+
+/// Limits of an addition.
+struct Limits {
+    double attempts;
+    std::size_t particles;
+};
+
+template <int D> class Addition {
+  public:
+    /// @param all_species not empty; the object takes them
+    Addition(Cell<D> const &cell, Array<Species<D>> &&all_species, std::uint64_t seed) noexcept
+        : all_species_(std::move(all_species)), packing_(cell), voxels_(all_species_, cell),
+          seed_(seed)
+    {
+    }
+
+    /// Allocates the memory of the empty cell. Returns false if there is none.
+    [[nodiscard]] bool prepare() noexcept
+    {
+        double outer = 0.0;
+        for (std::size_t k = 0; k < all_species_.size(); ++k)
+            outer = std::max(outer, all_species_[k].outer());
+        return packing_.divide(outer);
+    }
+
+    Packing<D> const &packing() const noexcept { return packing_; }
+    double attempts() const noexcept { return attempts_; }
+    double share() const noexcept { return voxels_.share(); }
+    bool is_saturated() const noexcept { return voxels_.is_saturated(); }
+
+    /// Makes some attempts, and then divides voxels if few of them succeed. Returns false if there
+    /// is no memory.
+    [[nodiscard]] bool advance(Limits const &limits) noexcept
+    {
+        std::size_t const before = packing_.size();
+        if (is_saturated() || before >= limits.particles) return true;
+        double const left = std::ceil((limits.attempts - attempts_) * share());
+        if (!(left >= 1)) return true;
+        auto const number =
+            static_cast<std::size_t>(std::min(left, static_cast<double>(attempts_at_once())));
+        if (!try_many(number, limits.particles)) return false;
+        bool const is_slow = static_cast<double>(packing_.size() - before) <
+                             few_accepted_ * static_cast<double>(number);
+        // Attempts without voxels take about as long as making the voxels.
+        bool const is_early = !voxels_.exist() && attempts_ < voxels_.total();
+        if (!is_slow || is_early || packing_.size() >= limits.particles) return true;
+        Division const division = voxels_.divide(packing_);
+        if (division == Division::too_many) few_accepted_ /= 2;
+        return division != Division::no_memory;
+    }
+
+  private:
+    std::size_t attempts_at_once() const noexcept
+    {
+        return std::max(
+            {min_attempts, packing_.size() / 4, std::min(voxels_.size(), max_voxels / 8)});
+    }
+
+    Particle<D> drawn(std::uint64_t attempt) const noexcept
+    {
+        return voxels_.draw_any(Random(seed_, attempt), packing_.cell());
+    }
+
+    /// Makes attempts up to a number of particles. Returns false if there is no memory: attempts
+    /// that were made count.
+    [[nodiscard]] bool try_many(std::size_t number, std::size_t most_particles) noexcept
+    {
+        constexpr std::size_t attempts_per_task = 256;
+        if (!is_free_.resize(number)) return false;
+        std::size_t const tasks = (number + attempts_per_task - 1) / attempts_per_task;
+        for_tasks(tasks, tasks > 1, [&](std::size_t task) {
+            std::size_t const end = std::min((task + 1) * attempts_per_task, number);
+            for (std::size_t k = task * attempts_per_task; k < end; ++k)
+                is_free_[k] = packing_.is_free(drawn(next_ + k));
+        });
+        std::size_t k = 0;
+        bool has_memory = true;
+        while (k < number && packing_.size() < most_particles && has_memory) {
+            if (is_free_[k]) has_memory = add_if_free(drawn(next_ + k));
+            k += has_memory; // an attempt without memory is made again
+        }
+        next_ += has_memory ? number : k;
+        attempts_ += static_cast<double>(k) / share();
+        return has_memory;
+    }
+
+    /// Returns false if there is no memory.
+    [[nodiscard]] bool add_if_free(Particle<D> const &one) noexcept
+    {
+        return !packing_.is_free(one) || packing_.add(one);
+    }
+
+    Array<Species<D>> all_species_;
+    Packing<D> packing_;
+    Voxels<D> voxels_;
+    Array<bool> is_free_;
+    std::uint64_t seed_, next_ = 0;
+    double attempts_ = 0.0, few_accepted_ = first_few_accepted;
+};
+
+} // namespace pw85::detail::sequential_addition
+
+#endif

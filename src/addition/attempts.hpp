@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The random particles of a random sequential addition: one for each attempt.
+#ifndef PW85_ADDITION_ATTEMPTS_HPP_INCLUDED
+#define PW85_ADDITION_ATTEMPTS_HPP_INCLUDED
+
+#include <pw85/contact/forms.hpp>
+
+#include "packing.hpp"
+
+namespace pw85::detail::sequential_addition {
+
+/// Random numbers in [0, 1) for one attempt: splitmix64 (Steele, Lea and Flood 2014) from a state
+/// that depends on the number of the attempt.
+class Random {
+  public:
+    Random(std::uint64_t seed, std::uint64_t attempt) noexcept
+        : state_(mixed(seed) ^ mixed(~attempt))
+    {
+    }
+
+    double uniform() noexcept
+    {
+        state_ += 0x9e3779b97f4a7c15;
+        return static_cast<double>(mixed(state_) >> 11) * 0x1p-53;
+    }
+
+  private:
+    static std::uint64_t mixed(std::uint64_t z) noexcept
+    {
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
+        return z ^ (z >> 31);
+    }
+
+    std::uint64_t state_;
+};
+
+/// A species of particles: its semi-axes. In two dimensions no decision uses the third.
+template <int D> struct Species {
+    Vector<double, 3> axes;
+
+    double inner() const noexcept
+    {
+        return *std::min_element(axes.coordinates, axes.coordinates + D);
+    }
+    double outer() const noexcept
+    {
+        return *std::max_element(axes.coordinates, axes.coordinates + D);
+    }
+};
+
+/// A part of all positions and angles of a species: the number of the part along each vector of the
+/// cell, and among the angles.
+template <int D> struct Voxel {
+    std::uint64_t corner[std::size_t(D)];
+    std::uint64_t angle;
+    std::uint32_t species;
+};
+
+/// Into how many parts each vector of the cell and the angles are divided.
+template <int D> struct Divisions {
+    std::uint64_t places[std::size_t(D)], angles;
+
+    /// The number of parts of all positions and angles.
+    double count() const noexcept
+    {
+        double total = static_cast<double>(angles);
+        for (std::uint64_t const one : places) total *= static_cast<double>(one);
+        return total;
+    }
+};
+
+/// The orientation by three random numbers, of which ellipses need the first: an angle from 0 to π;
+/// or as Shoemake (Graphics Gems III, 1992) has it.
+template <int D> Vector<double, 4> random_quaternion(double u, double v, double w) noexcept
+{
+    if constexpr (D == 2) return {std::cos(pi / 2 * u), 0.0, 0.0, std::sin(pi / 2 * u)};
+    double const s = std::sqrt(1 - u), t = std::sqrt(u);
+    return {t * std::cos(2 * pi * w), s * std::sin(2 * pi * v), s * std::cos(2 * pi * v),
+            t * std::sin(2 * pi * w)};
+}
+
+template <int D>
+Form<D> form_of(Species<D> const &species, Vector<double, 4> const &quaternion) noexcept
+{
+    auto const q = ellipsoid_quaternion(species.axes, quaternion).q;
+    if constexpr (D == 2)
+        return {q[0], q[1], q[3]};
+    else
+        return q;
+}
+
+/// Draws a particle in a voxel.
+template <int D> Particle<D> draw(Random &random, Voxel<D> const &voxel,
+                                  Divisions<D> const &divisions, Species<D> const &species,
+                                  Cell<D> const &cell) noexcept
+{
+    Particle<D> one;
+    for (int i = 0; i < D; ++i)
+        one.place[i] = std::min((static_cast<double>(voxel.corner[i]) + random.uniform()) /
+                                    static_cast<double>(divisions.places[i]),
+                                0x1.fffffffffffffp-1); // the last number below 1
+    double const u = (static_cast<double>(voxel.angle) + random.uniform()) /
+                     static_cast<double>(divisions.angles),
+                 v = D == 3 ? random.uniform() : 0.0, w = D == 3 ? random.uniform() : 0.0;
+    one.center = cell.point(one.place);
+    one.quaternion = random_quaternion<D>(u, v, w);
+    one.body = {form_of(species, one.quaternion), species.outer(),
+                radius_inside(species.outer(), species.inner())};
+    one.species = voxel.species;
+    return one;
+}
+
+} // namespace pw85::detail::sequential_addition
+
+#endif
