@@ -36,10 +36,9 @@ typedef struct pw85_random_addition pw85_random_addition;
  *
  * An attempt draws a species, a position and an orientation, each uniformly. The particle is added
  * if it overlaps none of those that were added before, by the exact overlap test. It never moves
- * afterwards. The seed and the number of the attempt select the random numbers, which come from
- * splitmix64 (Steele, Lea and Flood 2014). The same calls therefore give
- * bitwise equal packings, with any number of threads, and with lengths in any unit that is a power
- * of two.
+ * afterwards. The seed and the number of the attempt select the random numbers, as those of a
+ * simulation. The same calls therefore give bitwise equal packings, with any number of threads, and
+ * with lengths in any unit that is a power of two.
  *
  * In two dimensions the particles are ellipses in the plane of x and y, which rotate about z.
  *

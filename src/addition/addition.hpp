@@ -20,6 +20,10 @@ namespace pw85::detail::sequential_addition {
 constexpr std::size_t min_attempts = 4096;
 constexpr double first_few_accepted = 0.02;
 
+/// The task of the random numbers of an attempt, whose number is their step: no domain of a sweep
+/// and no event chain has this task.
+constexpr std::uint32_t stream_of_attempts = UINT32_MAX - 1;
+
 /// Limits of an addition.
 struct Limits {
     double attempts;
@@ -79,7 +83,7 @@ template <int D> class Addition {
 
     Particle<D> drawn(std::uint64_t attempt) const noexcept
     {
-        return voxels_.draw_any(Random(seed_, attempt), packing_.cell());
+        return voxels_.draw_any(Stream(seed_, attempt, stream_of_attempts), packing_.cell());
     }
 
     /// Makes attempts up to a number of particles. Returns false if there is no memory: attempts

@@ -4,37 +4,12 @@
 #ifndef PW85_ADDITION_ATTEMPTS_HPP_INCLUDED
 #define PW85_ADDITION_ATTEMPTS_HPP_INCLUDED
 
+#include <pw85/algebra/philox.hpp>
 #include <pw85/contact/forms.hpp>
 
 #include "packing.hpp"
 
 namespace pw85::detail::sequential_addition {
-
-/// Random numbers in [0, 1) for one attempt: splitmix64 (Steele, Lea and Flood 2014) from a state
-/// that depends on the number of the attempt.
-class Random {
-  public:
-    Random(std::uint64_t seed, std::uint64_t attempt) noexcept
-        : state_(mixed(seed) ^ mixed(~attempt))
-    {
-    }
-
-    double uniform() noexcept
-    {
-        state_ += 0x9e3779b97f4a7c15;
-        return static_cast<double>(mixed(state_) >> 11) * 0x1p-53;
-    }
-
-  private:
-    static std::uint64_t mixed(std::uint64_t z) noexcept
-    {
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-        return z ^ (z >> 31);
-    }
-
-    std::uint64_t state_;
-};
 
 /// A species of particles: its semi-axes. In two dimensions no decision uses the third.
 template <int D> struct Species {
@@ -92,7 +67,7 @@ Form<D> form_of(Species<D> const &species, Vector<double, 4> const &quaternion) 
 }
 
 /// Draws a particle in a voxel.
-template <int D> Particle<D> draw(Random &random, Voxel<D> const &voxel,
+template <int D> Particle<D> draw(Stream &random, Voxel<D> const &voxel,
                                   Divisions<D> const &divisions, Species<D> const &species,
                                   Cell<D> const &cell) noexcept
 {

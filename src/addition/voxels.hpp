@@ -69,7 +69,7 @@ template <int D> class Voxels {
     }
 
     /// Draws a particle in a random voxel.
-    Particle<D> draw_any(Random random, Cell<D> const &cell) const noexcept
+    Particle<D> draw_any(Stream random, Cell<D> const &cell) const noexcept
     {
         double const choice = random.uniform();
         if (exist_) {
