@@ -110,6 +110,7 @@ template <class AcceptEnergy> int VolumeMoves::change_cell(Change const &change,
 {
     outcome = Outcome::rejected;
     if (!old_centers_.resize(model_.particles.copy().size())) return PW85_ENOMEM;
+    prefer_huge_pages(old_centers_);
     apply(change);
     if (!model_.list.deform(model_.particles)) return revert(false);
     bool const list_is_new = !model_.list.holds_all(model_.particles.copy());
