@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Simulations of hard ellipsoids in other units: after all functions that take lengths, each number
-// is that of the same simulation in units of one, to the last bit. Where forms have very
-// large exponents, pairs are scaled before they are computed, which may change the last bits.
+// is that of the same simulation in units of one, to the last bit.
 #include <array>
 #include <cmath>
 #include <vector>
@@ -15,10 +14,8 @@ using namespace pw85_tests;
 
 namespace {
 
-/// Exponents of units of length in which all bits are the same, and of others. Volumes and their
-/// inverses must be numbers, so all are below 341.
-constexpr int exponents[] = {-240, -140, -125, -40, 40, 125, 140},
-              extreme_exponents[] = {-300, 240, 300};
+/// Exponents of units of length. Volumes and their inverses must be numbers, so all are below 341.
+constexpr int exponents[] = {-300, -240, -140, -125, -40, 40, 125, 140, 240, 300};
 
 struct System {
     Start start;
@@ -91,7 +88,7 @@ class Run {
     {
         double factor;
         expect(simulation_.compress(false, factor));
-        add(std::floor(0x1p32 * factor)); // in other units its last bits may differ
+        add(factor);
         expect(simulation_.volume_moves(5, 1e-3 / measure_));
     }
 
@@ -190,7 +187,6 @@ template <class Calls> void compare_units(System const &system, Calls const &cal
                 g_test_fail_printf("unit 2^%d: number %zu is %a instead of %a", exponent, k,
                                    found[k], expected[k]);
     }
-    for (int const exponent : extreme_exponents) numbers_in(std::ldexp(1.0, exponent));
 }
 
 PW85_TEST("/simulation_units/particles")
@@ -208,6 +204,7 @@ PW85_TEST("/simulation_units/chains")
     for (System const &system : {sheared_space(), sheared_plane()})
         compare_units(system, [](Run &run) {
             run.run_chains();
+            run.move_particles();
             run.run_chains();
         });
 }

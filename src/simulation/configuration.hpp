@@ -14,7 +14,7 @@
 #include <pw85/contact/forms.hpp>
 #include <pw85/distance/bounding_box.hpp>
 
-#include "../base/array.hpp"
+#include "../base/huge_pages.hpp"
 #include "../neighbors/periodicity.hpp"
 
 namespace pw85::detail::simulation {
@@ -179,6 +179,10 @@ struct Configuration {
         if (!centers.resize(n) || !semi_axes.resize(n) || !half_widths.resize(n) ||
             !quaternions.resize(n) || !q.resize(n))
             return false;
+        for (Array<Vector3> *vectors : {&centers, &semi_axes, &half_widths})
+            prefer_huge_pages(*vectors);
+        prefer_huge_pages(quaternions);
+        prefer_huge_pages(q);
         size_ = n;
         return true;
     }

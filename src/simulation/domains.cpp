@@ -53,6 +53,8 @@ bool Domains::assign(Configuration const &configuration,
 {
     std::size_t const n = configuration.size(), count = size();
     if (!numbers_.resize(n) || !members_.resize(n) || !begin_.resize(count + 2)) return false;
+    prefer_huge_pages(numbers_);
+    prefer_huge_pages(members_);
     for_all(n, [&](Range range) {
         for (std::size_t i = range.begin; i < range.end; ++i)
             numbers_[i] = number(label_of(configuration.centers[i]));

@@ -68,7 +68,9 @@ class FloatBoxes {
 
     [[nodiscard]] bool resize(std::size_t num_particles, std::size_t num_images) noexcept
     {
-        return boxes_.resize(num_particles) && translations_.resize(num_images);
+        if (!boxes_.resize(num_particles) || !translations_.resize(num_images)) return false;
+        prefer_huge_pages(boxes_);
+        return true;
     }
 
     /// Stores the boxes of all particles, and the translations of the rows. They hold until the

@@ -164,6 +164,7 @@ bool Neighborhood::store_extents(Configuration const &configuration, double reac
 {
     std::size_t const n = configuration.size();
     if (!extents_.resize(n)) return false;
+    prefer_huge_pages(extents_);
     return for_all(n, [&](Range range) {
                for (std::size_t i = range.begin; i < range.end; ++i) {
                    Vector3 half_widths = reach * configuration.half_widths[i];
@@ -183,6 +184,7 @@ bool Neighborhood::fill_rows(std::size_t n, pw85_pair_list const &list) noexcept
         list.num_pairs < pairs_per_share ? 1 : std::min(most_threads(), most_shares);
     Array<Places> next; // by share and particle
     if (!next.resize(num_shares * n) || !ends_.resize(n)) return false;
+    prefer_huge_pages(ends_);
     auto const for_shares = [&](auto const &visit) {
         for_tasks(num_shares, num_shares > 1, [&](std::size_t share) {
             std::size_t const end = list.num_pairs * (share + 1) / num_shares;
@@ -202,6 +204,7 @@ bool Neighborhood::fill_rows(std::size_t n, pw85_pair_list const &list) noexcept
     if (!number_images({of_shares, num_shares}, table)) return false;
     used_ = begin_rows(n, num_shares, next.data());
     if (!rows_.resize(used_ + used_ / words_per_spare)) return false;
+    prefer_huge_pages(rows_);
     for_shares([&](std::size_t share, Multiples const &image, std::int32_t i, std::int32_t j) {
         Places *const places = next.data() + share * n;
         if (is_same(image, no_image)) {

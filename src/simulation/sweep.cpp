@@ -83,9 +83,6 @@ int Sweeps::prepare_list() noexcept
 int Sweeps::find_loose(double room, bool &are_few) noexcept
 {
     Configuration const &all = model_.particles.copy();
-    num_loose_ = 0;
-    are_few = model_.list.holds_all(all, room);
-    if (are_few) return PW85_SUCCESS;
     if (!loose_.resize(model_.list.rows().room())) return PW85_ENOMEM;
     std::atomic<std::size_t> count{0};
     for_all(all.size(), [&](Range range) {

@@ -26,13 +26,30 @@ int least_mu2_of_list(pw85_system const &system, double scale, double &mu2) noex
     return status;
 }
 
+/// Copies centres, forms and cell in the unit of the longest semi-axis. pw85_contact_pairs() scales
+/// the pairs of other units, which may change the last bits. Returns false without memory.
+[[nodiscard]] bool copy_in_local_unit(Configuration const &all, Configuration &local) noexcept
+{
+    Unit const unit = unit_of(all.longest_semi_axis());
+    if (!local.resize(all.size())) return false;
+    local.cell = all.cell;
+    for (double &x : local.cell.vectors) x = unit.to_local(x);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        local.centers[i] = unit.to_local(all.centers[i]);
+        local.q[i] = unit.to_local(all.q[i]);
+    }
+    return true;
+}
+
 /// Computes the least μ² of all pairs, of which there is at least one. A list that is scaled by s
 /// has all pairs with μ <= s.
-int find_least_mu2(pw85_system const &system, double &mu2) noexcept
+int find_least_mu2(Configuration const &all, double &mu2) noexcept
 {
+    Configuration local;
+    if (!copy_in_local_unit(all, local)) return PW85_ENOMEM;
     for (double scale = 1.25;;
          scale = std::isfinite(mu2) ? (1.0 + 0x1p-50) * std::sqrt(mu2) : 2.0 * scale)
-        if (int const status = least_mu2_of_list(system, scale, mu2);
+        if (int const status = least_mu2_of_list(local.system(), scale, mu2);
             status != PW85_SUCCESS || mu2 <= scale * scale)
             return status;
 }
@@ -93,6 +110,7 @@ template <class AcceptEnergy> int VolumeMoves::change_cell(Change const &change,
 {
     outcome = Outcome::rejected;
     if (!old_centers_.resize(model_.particles.copy().size())) return PW85_ENOMEM;
+    prefer_huge_pages(old_centers_);
     apply(change);
     if (!model_.list.deform(model_.particles)) return revert(false);
     bool const list_is_new = !model_.list.holds_all(model_.particles.copy());
@@ -141,7 +159,7 @@ int VolumeMoves::compress(bool take, double &factor) noexcept
     factor = 0.0;
     if (all.size() < (is_repeated ? 1 : 2)) return PW85_SUCCESS;
     double mu2;
-    if (int const status = find_least_mu2(all.system(), mu2)) return status;
+    if (int const status = find_least_mu2(all, mu2)) return status;
     Outcome outcome = Outcome::rejected;
     for (double margin = 0x1p-52; outcome != Outcome::accepted; margin *= 4.0) {
         factor = std::min(1.0, (1.0 + margin) / std::sqrt(mu2));

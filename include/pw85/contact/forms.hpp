@@ -7,6 +7,7 @@
 #include <pw85/algebra/all_nan.hpp>
 #include <pw85/algebra/powers_of_two.hpp>
 #include <pw85/algebra/sine_cosine.hpp>
+#include <pw85/algebra/units.hpp>
 
 namespace pw85 {
 
@@ -107,14 +108,16 @@ template <class T> PW85_FUNCTION constexpr bool is_moderate(T const &x) noexcept
     return both_true(x > least, x * least < T(1));
 }
 
-/// The form of lengths and a quaternion of any magnitudes.
+/// The form of lengths and a quaternion of any magnitudes. The quaternion is multiplied by a power
+/// of two. So the form has the bits of that of moderate lengths in another unit.
 template <class T> PW85_RARE constexpr Form<T, 3>
 form_of_any_axes(Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion) noexcept
 {
     if (!is_oriented(semi_axes, quaternion))
         return all_nan<Form<T, 3>>(StatusCode::invalid_argument);
-    return checked_form(
-        form_of_factor(factor_of_axes(semi_axes, rotation_matrix(quaternion).entries)));
+    auto const scaled = unit_of(quaternion).to_local(quaternion);
+    return checked_form(form_of_factor(
+        factor_of_axes(semi_axes, rotation_matrix(scaled, T(dot(scaled, scaled))).entries)));
 }
 
 PW85_RARE_TIER_OF(form_of_any_axes, double)
