@@ -244,23 +244,21 @@ def check_static(results):
 # The analyser takes the lines of a loop again and again until its steps are used up. With a quarter of the steps that .clang-tidy allows
 # it reaches nearly all of the lines in a third of the time.
 FEWER_STEPS = """--config={InheritParentConfig: true, ExtraArgs: ["-Xclang", "-analyzer-config", "-Xclang", "max-nodes=25000"]}"""
-TOGETHER = 7  # sources that are analysed as one, at most
 
 
 def tidy(name, units, *options):
     """Analyses sources of the library with the arguments of the build by clang, two processes at a time, and returns whether nothing is
-    found. Most of what a source consists of are headers, so some sources are read as one file, behind each other: the analyser follows
-    no function of a file that is included."""
+    found. Most of what a source consists of are headers, so the sources of a folder are read as one file, behind each other: the
+    analyser follows no function of a file that is included."""
     database = BUILDS / "tidy" / name
     shutil.rmtree(database, ignore_errors=True)
     database.mkdir(parents=True)
     entries = []
-    for (folder, *arguments), sources in units:
-        for first in range(0, len(sources), TOGETHER):
-            group = database / f"group_{len(entries)}.cpp"
-            group.write_text("".join(f'#line 1 "{source}"\n{source.read_text()}' for source in sources[first : first + TOGETHER]))
-            words = [*arguments, "-iquote", str(folder), "-c", str(group)]
-            entries.append({"directory": str(folder_of("clang")), "arguments": words, "file": str(group)})
+    for (folder, *arguments), sources in sorted(units, key=lambda unit: -len(unit[1])):  # the longest first
+        group = database / f"group_{len(entries)}.cpp"
+        group.write_text("".join(f'#line 1 "{source}"\n{source.read_text()}' for source in sources))
+        words = [*arguments, "-iquote", str(folder), "-c", str(group)]
+        entries.append({"directory": str(folder_of("clang")), "arguments": words, "file": str(group)})
     (database / "compile_commands.json").write_text(json.dumps(entries))
     command = ["xargs", "-P2", "-n1", "clang-tidy", "--quiet", *options, "-p", str(database)]
     files = "\n".join(entry["file"] for entry in entries)

@@ -7,12 +7,12 @@ namespace pw85::detail::enclosing {
 namespace {
 
 /// Maximum number of rounds. Random clouds need about 10.
-constexpr int max_rounds = 200;
+constexpr int max_rounds_of_cloud = 200;
 /// Maximum number of successive rounds that together do not halve the gap. After these, rounding
 /// errors prevent progress.
 constexpr int max_idle_rounds = 12;
 /// The largest increase of the form, in units of its sensitivity to rounding.
-constexpr int max_enlargements = 12;
+constexpr int max_increase = 12;
 
 } // namespace
 
@@ -147,7 +147,7 @@ Status Search::run(double tolerance) noexcept
     // (1 + g)^(n/2) <= 1 + tolerance for twice this gap.
     double const target = tolerance / (1.0 + tolerance) / cloud_.n;
     double gap = 1.0, last = infinity<double>();
-    for (int round = 0, idle = 0; round < max_rounds && idle < max_idle_rounds; ++round) {
+    for (int round = 0, idle = 0; round < max_rounds_of_cloud && idle < max_idle_rounds; ++round) {
         double const inner = gap / 16.0 < 0.5 * target ? 0.5 * target : gap / 16.0;
         improve_weights(inner < 0.05 ? inner : 0.05);
         if (!update_frame()) return Status::not_positive_definite;
@@ -168,7 +168,7 @@ Status Search::certify(double gap, double tolerance) noexcept
 {
     double slack = 0.0, scale = 1.0 + gap;
     for (int k = 0; k < cloud_.n; ++k) center_[k] = frame_.center[k].high;
-    for (int trial = 0; trial < max_enlargements; ++trial) {
+    for (int trial = 0; trial < max_increase; ++trial) {
         Wide const factor = Wide(scale) * Wide(cloud_.n);
         for (int k = 0; k < at(cloud_.n, 0); ++k) form_[k] = (factor * covariance_[k]).high;
         if (!certificate_.prepare(cloud_, center_, form_)) return Status::not_positive_definite;

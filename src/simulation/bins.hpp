@@ -23,6 +23,10 @@
 
 namespace pw85::detail::simulation {
 
+/// The side of a bin over the longest semi-axis of all particles, in searches of chains and
+/// insertions.
+inline constexpr double bin_size = 1.0;
+
 class Bins {
   public:
     /// Divides the cell into parts not much smaller than `side`, but not into many more bins than

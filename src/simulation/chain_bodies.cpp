@@ -7,13 +7,6 @@
 
 namespace pw85::detail::simulation {
 
-namespace {
-
-/// The side of a bin over the longest semi-axis of all particles.
-constexpr double bin_size = 1.0;
-
-} // namespace
-
 int ChainBodies::prepare() noexcept
 {
     std::size_t const n = configuration_.size();

@@ -73,6 +73,7 @@ Label Domains::domain(std::uint32_t color, std::uint32_t place) const noexcept
     std::uint32_t part[3];
     for (int k = 2; k >= 0; --k) {
         std::uint32_t const step = is_divided(k) ? 2 : 1, count = parts_[k] / step;
+        // NOLINTNEXTLINE(clang-analyzer-core.DivideZero): a vector has parts
         part[k] = place % count * step + (is_divided(k) ? color & 1u : 0u);
         place /= count;
         if (is_divided(k)) color >>= 1;

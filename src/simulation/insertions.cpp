@@ -11,9 +11,6 @@ namespace pw85::detail::simulation {
 
 namespace {
 
-/// The side of a bin, over the longest semi-axis, as in the searches of chains.
-constexpr double bin_size = 1.0;
-
 /// No particle, among those whose pairs count.
 constexpr std::size_t none = SIZE_MAX;
 

@@ -22,7 +22,7 @@ constexpr double perpendicular = 0x1p-44;
 
 /// The part by which a bounding box is enlarged before it decides. It covers some ten rounding
 /// errors.
-constexpr double margin = 1.0 + 0x1p-40;
+constexpr double enlargement = 1.0 + 0x1p-40;
 
 /// Returns the direction scaled to a largest coordinate of one: no product overflows or vanishes.
 Vector3 scaled(Vector3 const &direction) noexcept
@@ -69,7 +69,7 @@ bool half_space_cuts(Vector3 const &normal, double offset, Particle const &parti
     double const rounding =
         0x1p-40 * (magnitude_of_dot(normal, particle.center) + std::abs(offset)) +
         std::numeric_limits<double>::min();
-    if (offset - along > margin * width + rounding) return false;
+    if (offset - along > enlargement * width + rounding) return false;
     Vector3 const outward = -normal;
     double const least = -offset;
     auto const answer =
@@ -88,7 +88,7 @@ template <int D> bool leaves_ball(double radius, Vector<double, D> const &center
         diagonal += q(d, d);
         ball(d, d) = radius * radius;
     }
-    if (margin * (magnitude(center) + std::sqrt(diagonal)) < radius) return false;
+    if (enlargement * (magnitude(center) + std::sqrt(diagonal)) < radius) return false;
     auto const answer = contains(center, ball, q);
     return answer.status != Status::success || !answer.contains;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The pair of the tutorial, by the headers and the libraries that were installed, from C++20:
-// headers.cpp has all headers.
+// headers.cpp has all headers once.
 #include <pw85.h>
 #include <pw85/contact/contact.hpp>
 #include <pw85/contact/forms.hpp>

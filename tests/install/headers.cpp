@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pair of the tutorial, by the headers alone.
+// The pair of the tutorial, by the headers alone. One way of building it has all headers: the
+// others compile less.
+#ifdef ALL_HEADERS
 #include <pw85/pw85.hpp>
+#else
+#include <pw85/contact/contact.hpp>
+#include <pw85/contact/forms.hpp>
+#endif
 
 #include <cstdio>
 

@@ -418,7 +418,7 @@ class Installation:
 
         flags = run("pkg-config", "--cflags", "--libs", "pw85-headers", **installed).split()
         command = os.environ.get("CXX", "c++").split()
-        run(*command, "-std=c++20", folder / "headers.cpp", "-o", folder / "consumer", *flags)
+        run(*command, "-std=c++20", "-DALL_HEADERS", folder / "headers.cpp", "-o", folder / "consumer", *flags)
         check_program(folder / "consumer")
         (folder / "pw85").symlink_to(self.source)
         without = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{package}=ON" for package in ("GSL", "Boost", "OpenMP", "Python3")]
