@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The functions that the library has in place of those of the C library: sine and cosine, and
-// powers of packs.
+// powers of packs; and two numbers with twice the digits side by side.
 #include <cmath>
 #include <limits>
 
 #include <glib.h>
+
+#include <pw85/algebra/two_doubled.hpp>
 
 #include "../src/simd/power.hpp"
 #include "cases.hpp"
@@ -145,6 +147,52 @@ PW85_TEST("/elementary/special_powers")
         }
     g_assert_true(std::isnan(power_of(std::numeric_limits<double>::quiet_NaN(), 0.3)));
     g_assert_true(std::isnan(power_of(-1.0, 0.3)));
+}
+
+/// A number of any sign and size, with the digits of a draw or with few digits.
+double number_of_size(Random &random, double least, double most)
+{
+    double const size =
+        std::ldexp(random.uniform(0.5, 1.0), static_cast<int>(random.uniform(least, most)));
+    double const sign = random.uniform(-1.0, 1.0) < 0.0 ? -1.0 : 1.0;
+    return sign * (random.uniform(0.0, 1.0) < 0.1 ? std::ldexp(1.0, std::ilogb(size)) : size);
+}
+
+bool are_same(double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); }
+
+using Digits = pw85::detail::Doubled<double>;
+using Both = pw85::detail::TwoLanes<Digits>;
+
+Digits digits_of(Random &random)
+{
+    double const high = number_of_size(random, -520.0, 520.0);
+    return pw85::detail::ordered_sum(high, high * random.uniform(-0x1p-53, 0x1p-53));
+}
+
+// Both lanes have the bits of single numbers.
+PW85_TEST("/elementary/two_numbers_with_twice_the_digits")
+{
+    Failures failures;
+    Random random(58);
+    for (int n = 0; n < draws(20000); ++n) {
+        Digits const x[] = {digits_of(random), digits_of(random)};
+        Digits const y[] = {digits_of(random), n % 7 == 0 ? x[1] : digits_of(random)};
+        Both const a(x[0], x[1]), b(y[0], y[1]);
+        Both const results[] = {a + b, a - b, a * b, a / b, maximum(a, b), minimum(a, b)};
+        for (int i = 0; i < 2; ++i) {
+            using pw85::detail::maximum, pw85::detail::minimum;
+            Digits const expected[] = {x[i] + y[i], x[i] - y[i],         x[i] * y[i],
+                                       x[i] / y[i], maximum(x[i], y[i]), minimum(x[i], y[i])};
+            for (int k = 0; k < 6; ++k) {
+                Digits const found = i == 0 ? first_of(results[k]) : second_of(results[k]);
+                double const numbers[] = {x[i].high, x[i].low, y[i].high, y[i].low,
+                                          static_cast<double>(k)};
+                failures.check(
+                    are_same(found.high, expected[k].high) && are_same(found.low, expected[k].low),
+                    "number", found.low, expected[k].low, [&] { return hex_text(numbers, 5); });
+            }
+        }
+    }
 }
 
 } // namespace

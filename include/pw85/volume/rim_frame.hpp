@@ -16,7 +16,7 @@
 #ifndef PW85_VOLUME_RIM_FRAME_HPP_INCLUDED
 #define PW85_VOLUME_RIM_FRAME_HPP_INCLUDED
 
-#include <pw85/algebra/two_lanes.hpp>
+#include <pw85/algebra/two_doubled.hpp>
 #include <pw85/volume/rim_axis.hpp>
 #include <pw85/volume/rim_points.hpp>
 

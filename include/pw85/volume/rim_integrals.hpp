@@ -9,7 +9,7 @@
 #ifndef PW85_VOLUME_RIM_INTEGRALS_HPP_INCLUDED
 #define PW85_VOLUME_RIM_INTEGRALS_HPP_INCLUDED
 
-#include <pw85/algebra/two_lanes.hpp>
+#include <pw85/algebra/two_doubled.hpp>
 #include <pw85/volume/elliptic_rule.hpp>
 #include <pw85/volume/rim_areas.hpp>
 #include <pw85/volume/rim_frame.hpp>

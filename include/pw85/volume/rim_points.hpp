@@ -6,7 +6,7 @@
 #ifndef PW85_VOLUME_RIM_POINTS_HPP_INCLUDED
 #define PW85_VOLUME_RIM_POINTS_HPP_INCLUDED
 
-#include <pw85/algebra/two_lanes.hpp>
+#include <pw85/algebra/two_doubled.hpp>
 #include <pw85/volume/pencil_roots.hpp>
 
 namespace pw85::detail {

@@ -6,7 +6,7 @@
 #ifndef PW85_VOLUME_RULE_LADDER_HPP_INCLUDED
 #define PW85_VOLUME_RULE_LADDER_HPP_INCLUDED
 
-#include <pw85/algebra/two_lanes.hpp>
+#include <pw85/algebra/two_doubled.hpp>
 #include <pw85/volume/elliptic_rule.hpp>
 
 namespace pw85::detail {
