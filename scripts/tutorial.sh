@@ -14,7 +14,7 @@ build=$PWD/build-install
 if [ -f "$build/build.ninja" ]; then
   meson setup --reconfigure "$build"
 else
-  meson setup "$build" --prefix="$prefix" --libdir=lib -Dtests=disabled -Dbench=disabled -Dpython=disabled
+  meson setup "$build" --prefix="$prefix" --libdir=lib -Dtests=disabled -Dbench=disabled -Dpython=disabled -Dprecompiled=true
 fi
 meson compile -C "$build"
 meson install -C "$build"

@@ -18,7 +18,7 @@ struct KeyedParticle {
     PlacedParticle particle;
 };
 
-KeyedParticle keyed_particle(Extent const &extent, Periodicity const &lattice, std::uint64_t key,
+KeyedParticle keyed_particle(BoxExtent const &extent, Periodicity const &lattice, std::uint64_t key,
                              std::size_t i) noexcept
 {
     LatticeVector vector;
@@ -29,7 +29,7 @@ KeyedParticle keyed_particle(Extent const &extent, Periodicity const &lattice, s
 }
 
 /// Computes the position of each particle on the curve.
-bool find_keys(Array<Extent> const &extents, Periodicity const &lattice, Box const &around,
+bool find_keys(Array<BoxExtent> const &extents, Periodicity const &lattice, Box const &around,
                Array<std::uint64_t> &keys) noexcept
 {
     if (!keys.resize(extents.size())) return false;
@@ -41,7 +41,7 @@ bool find_keys(Array<Extent> const &extents, Periodicity const &lattice, Box con
 }
 
 /// Sorts the particles into parts of the curve.
-bool sort_into_parts(Array<Extent> const &extents, Periodicity const &lattice, Box const &around,
+bool sort_into_parts(Array<BoxExtent> const &extents, Periodicity const &lattice, Box const &around,
                      Array<KeyedParticle> &particles, Partition &partition) noexcept
 {
     Array<std::uint64_t> keys;
@@ -72,7 +72,7 @@ bool store_part(KeyedParticle const *particles, std::size_t count, std::size_t b
 
 } // namespace
 
-bool build_tree(Array<Extent> const &extents, Periodicity const &lattice, Box const &around,
+bool build_tree(Array<BoxExtent> const &extents, Periodicity const &lattice, Box const &around,
                 Tree &tree, Array<PlacedParticle> &placed) noexcept
 {
     Array<KeyedParticle> particles;

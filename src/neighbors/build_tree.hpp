@@ -14,7 +14,7 @@ namespace pw85::detail::neighbors {
 
 /// The centre of a particle and the half-widths of its bounding box, which include half of the
 /// skin.
-struct Extent {
+struct BoxExtent {
     Vector<double, 3> center, half_widths;
 };
 
@@ -31,7 +31,7 @@ struct PlacedParticle {
 /// @param around the smallest box around the centres, after they are moved near the origin
 /// @param[out] placed which particle is at each place of the tree
 /// @return false if there is no memory
-[[nodiscard]] bool build_tree(Array<Extent> const &extents, Periodicity const &lattice,
+[[nodiscard]] bool build_tree(Array<BoxExtent> const &extents, Periodicity const &lattice,
                               Box const &around, Tree &tree,
                               Array<PlacedParticle> &placed) noexcept;
 

@@ -33,9 +33,9 @@ double Deformation::largest_gradient() const noexcept
     return largest;
 }
 
-Extent Deformation::taken_back(Extent const &now) const noexcept
+BoxExtent Deformation::taken_back(BoxExtent const &now) const noexcept
 {
-    Extent then = now;
+    BoxExtent then = now;
     for (int d = 0; d < 3; ++d) {
         then.half_widths[d] = half_width(d, now.half_widths);
         for (int e = 0; e < 3; ++e) then.center[d] += now.center[e] * gradient_[e][d];
@@ -65,7 +65,7 @@ void Deformation::add_error(double dual_bound, double const *now, double const *
     }
 }
 
-Box Deformation::shared_motions(Extent const &now, Extent const &then) const noexcept
+Box Deformation::shared_motions(BoxExtent const &now, BoxExtent const &then) const noexcept
 {
     double size = 0.0;
     for (int d = 0; d < 3; ++d) size += std::fabs(now.center[d]) + now.half_widths[d];

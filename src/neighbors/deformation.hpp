@@ -32,11 +32,11 @@ class Deformation {
     /// all others, if the intervals of all particles have a point in common for each d. This point
     /// is a motion that all particles share, and the list does not depend on it. Intervals have a
     /// common point if any two of them have one.
-    Box shared_motions(Extent const &now, Extent const &then) const noexcept;
+    Box shared_motions(BoxExtent const &now, BoxExtent const &then) const noexcept;
 
     /// Returns the box of a particle in the cell for which the list was made: the centre c'_i (I +
     /// K) and the half-widths g.
-    Extent taken_back(Extent const &now) const noexcept;
+    BoxExtent taken_back(BoxExtent const &now) const noexcept;
 
     /// Returns the largest |K_ed|.
     double largest_gradient() const noexcept;

@@ -45,7 +45,7 @@ struct Particles {
 
     /// Finds the centre of the box of particle i, and its half-widths, which are increased by
     /// `half_skin`.
-    Status measure(std::size_t i, double half_skin, Extent &extent) const noexcept
+    Status measure(std::size_t i, double half_skin, BoxExtent &extent) const noexcept
     {
         extent.center = c_api::load_vector<3>(system.centers + 3 * i);
         if (!is_finite(extent.center)) return Status::invalid_argument;
@@ -59,7 +59,7 @@ struct Particles {
 /// Finds the extent of a particle with half of the skin, and the lattice vector to subtract so that
 /// the particle is near the origin.
 Failure measure(Particles const &particles, Periodicity const &lattice, std::size_t i,
-                Extent &extent, LatticeVector &vector) noexcept
+                BoxExtent &extent, LatticeVector &vector) noexcept
 {
     Status status = particles.measure(i, 0.5 * particles.skin, extent);
     if (status == Status::success && !lattice.reduce(extent.center, vector))
@@ -82,7 +82,7 @@ int prepare(Particles const &particles, Periodicity &lattice) noexcept
 [[gnu::cold, gnu::noinline]] int refuse_particle(Particles const &particles,
                                                  Failure const &bad) noexcept
 {
-    Extent extent;
+    BoxExtent extent;
     if (bad.status != PW85_EINVAL || particles.measure(bad.index, 0.0, extent) != Status::success)
         return bad.status;
     return note_cause(bad.status, "centers", "must not be too far away from the cell for images",
@@ -119,7 +119,7 @@ struct pw85_neighbors {
     bool has_cell = false;
     double cell[9] = {};
     int periodic[3] = {1, 1, 1};
-    Array<Extent> extents;
+    Array<BoxExtent> extents;
     Array<IndexPair> pairs;
     Array<Multiples> images;
 };
@@ -164,7 +164,7 @@ class ListBuilder {
     {
         Measured all;
         for (std::size_t i = range.begin; i < range.end; ++i) {
-            Extent &extent = list_.extents[i];
+            BoxExtent &extent = list_.extents[i];
             LatticeVector vector;
             Failure const failure = measure(particles_, lattice_, i, extent, vector);
             Vector<double, 3> const point = lattice_.wrapped(extent.center);
@@ -290,7 +290,7 @@ SharedMotions shared_motions(pw85_neighbors const &list, Particles const &partic
 {
     SharedMotions shared;
     for (std::size_t i = range.begin; i < range.end; ++i) {
-        Extent now{};
+        BoxExtent now{};
         Status const status = particles.measure(i, 0.0, now);
         shared.add(
             {{i, static_cast<int>(status)}, deformation.shared_motions(now, list.extents[i])});
@@ -358,7 +358,7 @@ int pw85::detail::neighbors_check(pw85_system const &system, double scale, doubl
     Failure const first = for_blocks(system.num_particles, [&](Range range) {
         Failure failure{0, PW85_SUCCESS};
         for (std::size_t i = range.begin; i < range.end && failure.status == PW85_SUCCESS; ++i) {
-            Extent extent;
+            BoxExtent extent;
             LatticeVector vector;
             failure = measure(particles, lattice, i, extent, vector);
         }

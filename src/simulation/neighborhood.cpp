@@ -287,7 +287,7 @@ std::size_t Neighborhood::room() const noexcept
 int Neighborhood::recenter(std::size_t i, Configuration const &configuration, double reach,
                            double skin, std::span<std::int32_t const> near) noexcept
 {
-    neighbors::Extent box =
+    neighbors::BoxExtent box =
         deformation_.taken_back({configuration.centers[i], reach * configuration.half_widths[i]});
     enlarge(box.half_widths, skin, configuration.dimensions);
     std::size_t size = 0;
@@ -311,7 +311,7 @@ int Neighborhood::recenter(std::size_t i, Configuration const &configuration, do
 
 /// Lists the images that a fixed box meets, and finds the memory that their rows need. Returns a
 /// status, PW85_EINVAL if an image is not in the table.
-int Neighborhood::find_meetings(std::size_t i, neighbors::Extent const &box,
+int Neighborhood::find_meetings(std::size_t i, neighbors::BoxExtent const &box,
                                 std::span<std::int32_t const> near, std::size_t &size) noexcept
 {
     meetings_.clear();
@@ -330,10 +330,10 @@ int Neighborhood::find_meetings(std::size_t i, neighbors::Extent const &box,
 }
 
 /// Returns whether a fixed box meets the fixed box of an image of particle j, up to rounding.
-bool Neighborhood::meets(neighbors::Extent const &box, std::size_t j,
+bool Neighborhood::meets(neighbors::BoxExtent const &box, std::size_t j,
                          Multiples const &image) const noexcept
 {
-    neighbors::Extent const &other = extents_[j];
+    neighbors::BoxExtent const &other = extents_[j];
     bool meets = true;
     for (int d = 0; d < 3; ++d) {
         double apart = other.center[d] - box.center[d],

@@ -176,16 +176,17 @@ class Neighborhood {
     bool fill_rows(std::size_t n, pw85_pair_list const &list) noexcept;
     std::size_t begin_rows(std::size_t n, std::size_t num_shares, Places *next) noexcept;
     void put(std::size_t &place, Neighbor const &moved) noexcept;
-    int find_meetings(std::size_t i, neighbors::Extent const &box,
+    int find_meetings(std::size_t i, neighbors::BoxExtent const &box,
                       std::span<std::int32_t const> near, std::size_t &size) noexcept;
     Multiples nearest_image(Vector3 const &from, Vector3 const &to) const noexcept;
-    bool meets(neighbors::Extent const &box, std::size_t j, Multiples const &image) const noexcept;
+    bool meets(neighbors::BoxExtent const &box, std::size_t j,
+               Multiples const &image) const noexcept;
     std::int32_t number_of(Multiples const &image) const noexcept;
     bool has(std::size_t i, Neighbor const &image) const noexcept;
     void append(std::size_t i, Neighbor const &image) noexcept;
     bool store_extents(Configuration const &configuration, double reach, double skin) noexcept;
 
-    Array<neighbors::Extent> extents_;
+    Array<neighbors::BoxExtent> extents_;
     Array<RowEnds> ends_;
     Array<std::int32_t> rows_; ///< an index, or an index and the number of an image
     std::size_t used_ = 0;     ///< of rows_
