@@ -166,10 +166,11 @@ def rows_of_table(rng, number, runs):
     noise = rng.normal(size=(number, runs))
     for time in LADDER:
         slow = correlated(rng, time * number, (number, runs))[0]
-        yield "exponential", time, True, judged(averages_of(slow))
+        shown = averages_of(slow)
+        yield "exponential", time, True, judged(shown)
         for part in (0.5, 0.1):
             mixed = averages_of(np.sqrt(part) * slow + np.sqrt(1 - part) * noise)
-            yield f"{part:.0%} exponential, shown", time, True, judged(mixed, averages_of(slow))
+            yield f"{part:.0%} exponential, shown", time, True, judged(mixed, shown)
             yield f"{part:.0%} exponential, hidden", time, time <= LONGEST_HIDDEN, judged(mixed)
         for start in (20, 1, 0.3):
             relaxing = noise + start * np.exp(-np.arange(number) / (time * number))[:, None]
