@@ -456,7 +456,7 @@ def test_trajectory_in_gsd_that_is_short(run, folder):
 def test_growing_samples(run, folder, monkeypatch):
     """At a checkpoint, samples since the last one are added to files, and the file of the run does not grow with them. A run that was
     killed goes on with what they had at its checkpoint; they must be there, and as they were."""
-    arguments = [*NPT, "--every", "1", "--sweeps", "200", "--trajectory-every", "200", "--trajectory"]
+    arguments = [*NPT, "--every", "1", "--sweeps", "120", "--trajectory-every", "120", "--trajectory"]
     assert run("mc", *arguments, "whole.dump", "--out", "whole.csv").status == 0
     sizes, write = [], runs._write_durably
     monkeypatch.setattr(runs, "_write_durably", lambda path, content: (sizes.append(len(content)), write(path, content)))
@@ -464,7 +464,7 @@ def test_growing_samples(run, folder, monkeypatch):
     calls = itertools.count()
 
     def chain(*others):
-        if next(calls) == 151:  # the first one finds the length of chains
+        if next(calls) == 91:  # the first one finds the length of chains
             raise MemoryError
         return killed(*others)
 
@@ -472,15 +472,15 @@ def test_growing_samples(run, folder, monkeypatch):
         dying.setattr(pypw85.HardEllipsoids, "chain", chain)
         assert run("mc", *arguments, "run.dump", "--out", "run.csv", "--checkpoint", "0").status != 0
     row = 8 * (1 + len(pypw85._observables.Sample._fields))
-    assert os.path.getsize("run.csv.h5.samples") == 150 * row
-    # Blocking has a row for each doubling of the samples, the last one at the 128th.
-    assert sizes[136] == sizes[155]
+    assert os.path.getsize("run.csv.h5.samples") == 90 * row
+    # Blocking has a row for each doubling of the samples, the last one at the 64th.
+    assert sizes[71] == sizes[95]
     for name, more in (("run.csv.h5.samples", b"what was written behind the checkpoint"), ("run.csv", b"1,2,3")):
         with open(name, "ab") as file:
             file.write(more)
     content_of = pathlib.Path("run.csv.h5.samples").read_bytes()
     for bad, reason in (
-        (content_of[: 150 * row - 1], f"is shorter than at the checkpoint, {150 * row} bytes: bring back the samples of this run"),
+        (content_of[: 90 * row - 1], f"is shorter than at the checkpoint, {90 * row} bytes: bring back the samples of this run"),
         (b"x" + content_of[1:], "was changed after pw85 mc had written it: bring back a copy of it, or begin a new run"),
     ):
         pathlib.Path("run.csv.h5.samples").write_bytes(bad)
