@@ -19,8 +19,15 @@
 // is one function. Inlined, they would make the module of js/ a fifth longer.
 #if defined(__wasm__) || defined(PW85_SHORT_OPERATIONS)
 #define PW85_OPERATION [[gnu::noinline]] PW85_FUNCTION inline
+#define PW85_OPERAND Doubled<T> const &
+#elif defined(__clang__) && !defined(PW85_BUILDING) && !defined(__CUDACC__) && !defined(__CUDA__)
+// In programs that include the headers as well: Clang would inline the operations in rare code, GCC
+// does not. Registers pass the numbers.
+#define PW85_OPERATION [[gnu::noinline]] PW85_FUNCTION inline
+#define PW85_OPERAND Doubled<T> const
 #else
 #define PW85_OPERATION PW85_FUNCTION inline
+#define PW85_OPERAND Doubled<T> const &
 #endif
 
 namespace pw85::detail {
@@ -46,8 +53,7 @@ template <class T> PW85_FUNCTION inline Doubled<T> ordered_sum(T const &x, T con
     return {sum, T(y - (sum - x))};
 }
 
-template <class T>
-PW85_OPERATION Doubled<T> operator+(Doubled<T> const &x, Doubled<T> const &y) noexcept
+template <class T> PW85_OPERATION Doubled<T> operator+(PW85_OPERAND x, PW85_OPERAND y) noexcept
 {
     CompensatedSum<T> c{x.high, T(0)};
     add(c, y.high);
@@ -61,14 +67,12 @@ template <class T> PW85_FUNCTION inline Doubled<T> operator-(Doubled<T> x) noexc
     return x;
 }
 
-template <class T>
-PW85_OPERATION Doubled<T> operator-(Doubled<T> const &x, Doubled<T> const &y) noexcept
+template <class T> PW85_OPERATION Doubled<T> operator-(PW85_OPERAND x, PW85_OPERAND y) noexcept
 {
     return x + -y;
 }
 
-template <class T>
-PW85_OPERATION Doubled<T> operator*(Doubled<T> const &x, Doubled<T> const &y) noexcept
+template <class T> PW85_OPERATION Doubled<T> operator*(PW85_OPERAND x, PW85_OPERAND y) noexcept
 {
     Parts<T> const a = split(x.high), b = split(y.high);
     Doubled<T> const first = ordered_sum(T(a.high * b.high), T(a.high * b.low));
@@ -78,14 +82,13 @@ PW85_OPERATION Doubled<T> operator*(Doubled<T> const &x, Doubled<T> const &y) no
 }
 
 /// The quotient of the remainder is added to the first quotient and gives the missing digits.
-template <class T>
-PW85_OPERATION Doubled<T> operator/(Doubled<T> const &x, Doubled<T> const &y) noexcept
+template <class T> PW85_OPERATION Doubled<T> operator/(PW85_OPERAND x, PW85_OPERAND y) noexcept
 {
     T const first = x.high / y.high, second = (x - y * Doubled<T>(first)).high / y.high;
     return ordered_sum(first, second);
 }
 
-template <class T> PW85_OPERATION Doubled<T> sqrt(Doubled<T> const &x) noexcept
+template <class T> PW85_OPERATION Doubled<T> sqrt(PW85_OPERAND x) noexcept
 {
     T const root = square_root(x.high);
     if (!(root > T(0))) return Doubled<T>(root);
@@ -188,5 +191,6 @@ template <class T> struct std::numeric_limits<pw85::detail::Doubled<T>>
 };
 
 #undef PW85_OPERATION
+#undef PW85_OPERAND
 
 #endif
