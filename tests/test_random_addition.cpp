@@ -3,6 +3,7 @@
 // whether a voxel is covered (src/addition/inner_forms.hpp), in exact arithmetic.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <random>
 #include <string>
@@ -13,6 +14,7 @@
 #include <pw85/pw85.hpp>
 #include <pw85/simulation/random_addition.hpp>
 
+#include "../src/addition/divisions.hpp"
 #include "../src/addition/inner_forms.hpp"
 
 #include "cases.hpp"
@@ -435,6 +437,63 @@ PW85_TEST("/random_addition/continued")
     g_assert_true(addition.particles(few) == StatusCode::success);
     g_assert_true(RandomAddition().advance(1, 1, end) == StatusCode::invalid_argument);
     g_assert_cmpuint(RandomAddition().state().num_particles, ==, 0);
+}
+
+/// Limits on the way change neither the packing nor the number of attempts.
+PW85_TEST("/random_addition/in_pieces")
+{
+    for (Packed const &one : examples) {
+        Packed whole = one;
+        whole.fill(8);
+        Random random(6);
+        RandomAddition addition;
+        AdditionEnd end = AdditionEnd::none;
+        random_addition_create(one.dimensions, one.cell, one.semi_axes, 8, addition);
+        for (int call = 0; end != AdditionEnd::saturated && call < 100000; ++call) {
+            auto const [number, attempts, share] = addition.state();
+            bool const by_number = random() % 2 == 0;
+            double const more = uniform(random, 1, 5000) / share;
+            g_assert_true(addition.advance(by_number ? unlimited : attempts + more,
+                                           by_number ? number + 1 : any_number,
+                                           end) == StatusCode::success);
+        }
+        std::vector<Vector3> centers(addition.state().num_particles);
+        g_assert_true(addition.particles(centers) == StatusCode::success);
+        g_assert_cmpuint(centers.size(), ==, whole.centers.size());
+        g_assert_true(addition.state().attempts == whole.state.attempts);
+        for (std::size_t k = 0; k < centers.size(); ++k)
+            for (int i = 0; i < 3; ++i) g_assert_true(centers[k][i] == whole.centers[k][i]);
+    }
+}
+
+/// The limits of the contract are accepted, and what is beyond them is refused by its name.
+PW85_TEST("/random_addition/extremes")
+{
+    auto const requirement = [](double edge, double shortest) {
+        pw85::Cell const cell = {{{edge, 0, 0}, {0, edge, 0}, {0, 0, edge}}};
+        std::vector<Vector3> const axes = {{1, 1, 1}, {shortest, shortest, shortest}};
+        RandomAddition addition;
+        pw85_error error{};
+        bool const is_made =
+            random_addition_create(3, cell, axes, 1, addition) == StatusCode::success;
+        pw85_last_error(&error);
+        return std::string(is_made ? "" : error.requirement);
+    };
+    g_assert_cmpstr(requirement(0x1p250, 1).c_str(), ==, "");
+    g_assert_nonnull(std::strstr(requirement(0x1p280, 1).c_str(), "above 2²⁵⁰ times"));
+    g_assert_nonnull(std::strstr(requirement(1, 1).c_str(), "farther apart"));
+    g_assert_cmpstr(requirement(10, 0x1p-480).c_str(), ==, "");
+    g_assert_nonnull(std::strstr(requirement(10, 0x1p-481).c_str(), "at least 2⁻⁴⁸⁰ times"));
+}
+
+/// As many species as there can be get one voxel each.
+PW85_TEST("/random_addition/voxels_of_many_species")
+{
+    Divisions<3> many{{8192, 1, 8192}, 1}, few = many;
+    limit_voxels(many, 0x7fffffff);
+    g_assert_true(many.count() == 1);
+    limit_voxels(few, 1);
+    g_assert_true(few.count() == 8192.0 * 8192.0);
 }
 
 } // namespace

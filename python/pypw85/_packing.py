@@ -262,15 +262,18 @@ def too_thin(system: System) -> str:
     vectors = cell_reduce(np.vstack([system.cell[periodic], others]))
     vectors = vectors[np.linalg.norm(vectors, axis=1).argsort()[:count]]
     axes = np.sort(system.semi_axes[:, : system.dimensions], axis=1)
+    # Determinants have up to six factors: in this unit, a power of two, they neither overflow nor underflow
+    unit = float(np.exp2(np.frexp(axes.max(initial=1e-300))[1] - 1))
     for number, factor, what in ((1, 2.0, "length"), (2, 12**0.5, "area"), (3, 32**0.5, "volume")):
         for chosen in itertools.combinations(vectors, number):
-            room = float(np.sqrt(np.linalg.det(np.inner(chosen, chosen))))
-            least = factor * axes[:, :number].prod(axis=1)
+            edges = np.array(chosen) / unit
+            room = float(np.sqrt(np.linalg.det(edges @ edges.T)))
+            least = factor * (axes[:, :number] / unit).prod(axis=1)
             if (room < (1 - _ROUNDING) * least).any():
                 k = int(least.argmax())
                 return (f"the cell is too small or too thin: ellipsoid {system.ids[k]} overlaps its own image however it is turned, "
-                        f"because it repeats within the {what} {room:.6g}, and with the semi-axes {' '.join(f'{x:g}' for x in axes[k])} it needs "
-                        f"{least[k]:.6g} at least: give a thicker cell, or a smaller fraction of it")  # fmt: skip
+                        f"because it repeats within the {what} {room * unit**number:.6g}, and with the semi-axes {' '.join(f'{x:g}' for x in axes[k])} it needs "
+                        f"{least[k] * unit**number:.6g} at least: give a thicker cell, or a smaller fraction of it")  # fmt: skip
     return ""
 
 

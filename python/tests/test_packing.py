@@ -113,6 +113,14 @@ def test_thin_and_partly_periodic():
         assert ("within the length 1.9, and" in _packing.too_thin(system)) == periodic[2]
 
 
+def test_thin_in_any_unit():
+    """Six lengths are multiplied: 2⁻¹⁸⁰⁰ is 0, and 2¹⁸⁰⁰ is infinite."""
+    for unit in (2.0**-300, 1.0, 2.0**300):
+        for edge, is_thin in ((3.0, False), (1.9, True)):
+            system = pypw85.System.from_axes([[0, 0, 0]], [[unit] * 3], [[1, 0, 0, 0]], cell=edge * unit * np.eye(3))
+            assert bool(_packing.too_thin(system)) == is_thin
+
+
 def test_the_best_is_kept(monkeypatch):
     """Not the last: annealing starts with deep overlaps."""
     depths, push = [], _packing._Soft.push

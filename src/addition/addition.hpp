@@ -5,8 +5,9 @@
 /// 1. Attempts draw particles in the whole cell. Threads test many of them against the packing, and
 ///    then one thread tests those that are free against the ones added before, in their order. So
 ///    the result does not depend on the number of threads.
-/// 2. If few attempts succeed, voxels (voxels.hpp) are made, or halved. Attempts then draw in
-///    voxels. Those elsewhere would fail, so that an attempt in a fraction of all voxels counts as
+/// 2. Rounds of attempts end with a decision: if few of them succeeded, voxels (voxels.hpp) are
+///    made, or halved. A round that a limit interrupts is continued by the next call, so that the
+///    result does not depend on the limits of calls before. Attempts then draw in voxels. Those elsewhere would fail, so that an attempt in a fraction of all voxels counts as
 ///    the inverse of this fraction, which is the mean number of attempts for one that hits a voxel.
 #ifndef PW85_ADDITION_ADDITION_HPP_INCLUDED
 #define PW85_ADDITION_ADDITION_HPP_INCLUDED
@@ -15,7 +16,7 @@
 
 namespace pw85::detail::sequential_addition {
 
-/// The minimum number of attempts at once, and the ratio of successful attempts below which voxels
+/// The minimum number of attempts of a round, and the ratio of successful attempts below which voxels
 /// are divided. They change the time, but not the distribution of packings.
 constexpr std::size_t min_attempts = 4096;
 constexpr double first_few_accepted = 0.02;
@@ -49,36 +50,55 @@ template <int D> class Addition {
     }
 
     Packing<D> const &packing() const noexcept { return packing_; }
-    double attempts() const noexcept { return attempts_; }
+    double attempts() const noexcept
+    {
+        if (attempts_in_voxels_ == 0) return attempts_before_; // there may be no voxel
+        return attempts_before_ + static_cast<double>(attempts_in_voxels_) / share();
+    }
     double share() const noexcept { return voxels_.share(); }
     bool is_saturated() const noexcept { return voxels_.is_saturated(); }
 
-    /// Makes some attempts, and then divides voxels if few of them succeed. Returns false if there
-    /// is no memory.
+    /// Makes attempts of a round, and divides voxels if this was its end and few of them succeeded.
+    /// Returns false if there is no memory.
     [[nodiscard]] bool advance(Limits const &limits) noexcept
     {
-        std::size_t const before = packing_.size();
-        if (is_saturated() || before >= limits.particles) return true;
-        double const left = std::ceil((limits.attempts - attempts_) * share());
-        if (!(left >= 1)) return true;
+        if (is_saturated() || packing_.size() >= limits.particles || attempts() >= limits.attempts)
+            return true;
+        if (round_.left == 0) begin_round();
+        // From the last division on, so that the number does not depend on limits before
+        double const all = std::ceil((limits.attempts - attempts_before_) * share()),
+                     left = std::max(1.0, all - static_cast<double>(attempts_in_voxels_));
         auto const number =
-            static_cast<std::size_t>(std::min(left, static_cast<double>(attempts_at_once())));
-        if (!try_many(number, limits.particles)) return false;
-        bool const is_slow = static_cast<double>(packing_.size() - before) <
-                             few_accepted_ * static_cast<double>(number);
-        // Attempts without voxels take about as long as making the voxels.
-        bool const is_early = !voxels_.exist() && attempts_ < voxels_.total();
-        if (!is_slow || is_early || packing_.size() >= limits.particles) return true;
-        Division const division = voxels_.divide(packing_);
-        if (division == Division::too_many) few_accepted_ /= 2;
-        return division != Division::no_memory;
+            static_cast<std::size_t>(std::min(left, static_cast<double>(round_.left)));
+        return try_many(number, limits.particles) && (round_.left > 0 || end_round());
     }
 
   private:
-    std::size_t attempts_at_once() const noexcept
+    /// Attempts after which voxels may be divided.
+    struct Round {
+        std::size_t attempts, left, particles_before;
+    };
+
+    void begin_round() noexcept
     {
-        return std::max(
-            {min_attempts, packing_.size() / 4, std::min(voxels_.size(), max_voxels / 8)});
+        std::size_t const number =
+            std::max({min_attempts, packing_.size() / 4, std::min(voxels_.size(), max_voxels / 8)});
+        round_ = {number, number, packing_.size()};
+    }
+
+    /// Divides voxels if few attempts of the round succeeded. Returns false if there is no memory.
+    [[nodiscard]] bool end_round() noexcept
+    {
+        bool const is_slow = static_cast<double>(packing_.size() - round_.particles_before) <
+                             few_accepted_ * static_cast<double>(round_.attempts);
+        // Attempts without voxels take about as long as making the voxels.
+        bool const is_early = !voxels_.exist() && attempts() < voxels_.total();
+        if (!is_slow || is_early) return true;
+        double const made = attempts();
+        Division const division = voxels_.divide(packing_);
+        if (division == Division::too_many) few_accepted_ /= 2;
+        if (division == Division::done) attempts_before_ = made, attempts_in_voxels_ = 0;
+        return division != Division::no_memory;
     }
 
     Particle<D> drawn(std::uint64_t attempt) const noexcept
@@ -104,8 +124,9 @@ template <int D> class Addition {
             if (is_free_[k]) has_memory = add_if_free(drawn(next_ + k));
             k += has_memory; // an attempt without memory is made again
         }
-        next_ += has_memory ? number : k;
-        attempts_ += static_cast<double>(k) / share();
+        next_ += k;
+        attempts_in_voxels_ += k;
+        round_.left -= k;
         return has_memory;
     }
 
@@ -119,8 +140,9 @@ template <int D> class Addition {
     Packing<D> packing_;
     Voxels<D> voxels_;
     Array<bool> is_free_;
-    std::uint64_t seed_, next_ = 0;
-    double attempts_ = 0.0, few_accepted_ = first_few_accepted;
+    Round round_{};
+    std::uint64_t seed_, next_ = 0, attempts_in_voxels_ = 0; ///< since the last division
+    double attempts_before_ = 0.0, few_accepted_ = first_few_accepted;
 };
 
 } // namespace pw85::detail::sequential_addition

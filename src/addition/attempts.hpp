@@ -7,6 +7,7 @@
 #include <pw85/algebra/philox.hpp>
 #include <pw85/contact/forms.hpp>
 
+#include "divisions.hpp"
 #include "packing.hpp"
 
 namespace pw85::detail::sequential_addition {
@@ -31,19 +32,6 @@ template <int D> struct Voxel {
     std::uint64_t corner[std::size_t(D)];
     std::uint64_t angle;
     std::uint32_t species;
-};
-
-/// Into how many parts each vector of the cell and the angles are divided.
-template <int D> struct Divisions {
-    std::uint64_t places[std::size_t(D)], angles;
-
-    /// The number of parts of all positions and angles.
-    double count() const noexcept
-    {
-        double total = static_cast<double>(angles);
-        for (std::uint64_t const one : places) total *= static_cast<double>(one);
-        return total;
-    }
 };
 
 /// The orientation by three random numbers, of which ellipses need the first: an angle from 0 to π;

@@ -33,30 +33,37 @@ constexpr std::size_t max_number = 0x7fffffff;
 /// rounding takes from it, are normal numbers.
 constexpr double min_semi_axis = 0x1p-480;
 /// The maximum of coordinates of the vectors of the cell, in units of the longest semi-axis: the
-/// product of three of them is finite.
-constexpr double max_coordinate = 0x1p300;
+/// square of the area of a face, whose terms are products of four of them, is finite.
+constexpr double max_coordinate = 0x1p250;
 
-/// A power of two near the longest semi-axis, or NaN if a semi-axis is not finite and positive.
-template <int D> double unit_of(std::size_t num_kinds, double const *semi_axes) noexcept
+/// The longest semi-axis, or NaN if a semi-axis is not finite and positive.
+template <int D> double longest_of(std::size_t num_kinds, double const *semi_axes) noexcept
 {
     double longest = 0.0;
     for (std::size_t i = 0; i < 3 * num_kinds; ++i) {
         if (!detail::is_finite(semi_axes[i]) || !(semi_axes[i] > 0.0)) return quiet_nan<double>();
         if (i % 3 < D) longest = std::max(longest, semi_axes[i]);
     }
+    return longest;
+}
+
+/// A power of two near a length.
+inline double unit_near(double length) noexcept
+{
     int exponent;
-    std::frexp(longest, &exponent);
+    std::frexp(length, &exponent);
     return std::ldexp(1.0, std::min(exponent, 1023));
 }
 
-/// Stores the semi-axes of a species in a unit. Returns a status.
-template <int D> int load_species(double const *semi_axes, double unit, std::size_t row,
-                                  Species<D> &species) noexcept
+/// Stores the semi-axes of a species in a unit, in which the longest one of all is `longest`.
+/// Returns a status.
+template <int D> int load_species(double const *semi_axes, double unit, double longest,
+                                  std::size_t row, Species<D> &species) noexcept
 {
     for (int i = 0; i < 3; ++i)
         species.axes[i] = semi_axes[3 * row + static_cast<std::size_t>(i)] / unit;
     if (D == 2) species.axes[2] = species.inner();
-    if (species.inner() < min_semi_axis)
+    if (species.inner() < min_semi_axis * longest)
         return note_cause(PW85_EINVAL, "semi_axes",
                           "must be at least 2⁻⁴⁸⁰ times the longest semi-axis", row);
     if (radius_inside(species.outer(), species.inner()) > 0.0) return PW85_SUCCESS;
@@ -80,9 +87,10 @@ inline int check_flat(double const *rows) noexcept
 template <int D> int check_cell(Cell<D> const &cell, double longest) noexcept
 {
     for (int i = 0; i < D; ++i)
-        if (!(largest_coordinate(cell[i]) <= max_coordinate))
+        if (!(largest_coordinate(cell[i]) <= max_coordinate * longest))
             return note_cause(PW85_EINVAL, "cell",
-                              "must not be longer than 2³⁰⁰ times the longest semi-axis");
+                              "must have no coordinate above 2²⁵⁰ times the longest semi-axis", 0,
+                              static_cast<std::size_t>(3 * i));
     for (int i = 0; i < D; ++i)
         if (!(cell.height(i) >= 2 * longest * (1 + 1e-9)))
             return note_cause(PW85_EINVAL, "cell",
@@ -98,15 +106,15 @@ template <int D> int create(double const *rows, std::size_t num_kinds, double co
 {
     if (D == 2)
         if (int const status = check_flat(rows)) return status;
-    unit = unit_of<D>(num_kinds, semi_axes);
-    if (!(unit > 0.0)) return PW85_EINVAL;
+    double const length = longest_of<D>(num_kinds, semi_axes);
+    if (!(length > 0.0)) return PW85_EINVAL;
+    unit = unit_near(length);
+    double const longest = length / unit;
     Array<Species<D>> all_species;
     if (!all_species.resize(num_kinds)) return PW85_ENOMEM;
-    double longest = 0.0;
-    for (std::size_t k = 0; k < num_kinds; ++k) {
-        if (int const status = load_species(semi_axes, unit, k, all_species[k])) return status;
-        longest = std::max(longest, all_species[k].outer());
-    }
+    for (std::size_t k = 0; k < num_kinds; ++k)
+        if (int const status = load_species(semi_axes, unit, longest, k, all_species[k]))
+            return status;
     Cell<D> const cell(rows, unit);
     if (int const status = check_cell(cell, longest)) return status;
     made.reset(new (std::nothrow) Addition<D>(cell, std::move(all_species), seed));

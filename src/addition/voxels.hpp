@@ -5,7 +5,8 @@
 ///
 /// 1. divide() halves each voxel along all of its directions, and keeps the parts that no particle
 ///    covers (covering.hpp).
-/// 2. The packing is saturated without voxels, or if they are smaller than 2⁻³⁰ of a semi-axis.
+/// 2. The packing is saturated if no voxel is left, or after 30 halvings (max_halvings). Voxels are
+///    then shorter than 2⁻²⁹ of the shortest semi-axis, unless the first ones were limited in number.
 #ifndef PW85_ADDITION_VOXELS_HPP_INCLUDED
 #define PW85_ADDITION_VOXELS_HPP_INCLUDED
 
@@ -15,9 +16,8 @@
 
 namespace pw85::detail::sequential_addition {
 
-/// The maximum number of voxels that are divided, and of voxels that are made first.
+/// The maximum number of voxels that are divided.
 constexpr std::size_t max_voxels = 10'000'000;
-constexpr double max_first_voxels = 1e8;
 /// The maximum number of halvings of a voxel.
 constexpr int max_halvings = 30;
 
@@ -43,10 +43,7 @@ template <int D> class Voxels {
         // 14 s of a processor instead of 5 s.
         for (int i = 0; i < D; ++i) divisions_.places[i] = count_of(cell.edge(i) / (2 * smallest_));
         divisions_.angles = has_angles_ ? count_of(2 * longest) : 1;
-        while (total() > max_first_voxels) {
-            for (auto &one : divisions_.places) one = (one + 1) / 2;
-            divisions_.angles = (divisions_.angles + 1) / 2;
-        }
+        limit_voxels(divisions_, static_cast<double>(all_species.size()));
     }
 
     bool exist() const noexcept { return exist_; }
