@@ -38,8 +38,8 @@ typedef struct pw85_random_addition pw85_random_addition;
  * if it overlaps none of those that were added before, by the exact overlap test. It never moves
  * afterwards. The seed and the number of the attempt select the random numbers, as those of a
  * simulation. The same calls therefore give bitwise equal packings, with any number of threads, and
- * with lengths in any unit that is a power of two. An addition that is continued after a limit gives
- * the packing that it would give without this limit.
+ * with lengths in any unit that is a power of two. An addition that is continued after a limit
+ * gives the packing that it would give without this limit.
  *
  * In two dimensions the particles are ellipses in the plane of x and y, which rotate about z.
  *
@@ -68,9 +68,10 @@ PW85_API int pw85_random_addition_create(int dimensions, double const cell[9], s
  * dimensions, of angles, contains everything that may be free. Attempts are drawn inside the voxels
  * only; those outside would fail, and are counted by their mean number. A voxel is removed if one
  * particle overlaps everything that could be put there. The other voxels are divided again and
- * again. The packing is saturated if no voxel is left (Zhang, Phys. Rev. E 97, 043311, 2018). Voxels
- * that are left after 30 halvings count as covered, too. This end is reached for ellipses and balls.
- * Voxels of other ellipsoids contain positions only, so that attempts or particles must be limited.
+ * again. The packing is saturated if no voxel is left (Zhang, Phys. Rev. E 97, 043311, 2018).
+ * Voxels that are left after 30 halvings count as covered, too. Ellipses and balls reach this end.
+ * Voxels of other ellipsoids contain positions only, so that attempts or particles must be
+ * limited.
  *
  * The last call may exceed the number of attempts, because each attempt inside a voxel counts as
  * many, and never exceeds the number of particles.
@@ -92,7 +93,7 @@ PW85_API int pw85_random_addition_advance(pw85_random_addition *addition, double
  * @param[out] attempts [NaN on error] number of attempts, with those at positions that are covered
  *        for certain, which are counted by their mean number and not made
  * @param[out] free_share [NaN on error] fraction of all species, positions and orientations that
- *        may still be free: 1 before there are voxels, and then the fraction of voxels that are left
+ *        may still be free: 1 before there are voxels, then the fraction of them that is left
  * @return #PW85_SUCCESS, #PW85_EINVAL */
 PW85_API int pw85_random_addition_state(pw85_random_addition const *addition, size_t *num_particles,
                                         double *attempts, double *free_share);

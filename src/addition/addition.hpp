@@ -7,8 +7,10 @@
 ///    the result does not depend on the number of threads.
 /// 2. Rounds of attempts end with a decision: if few of them succeeded, voxels (voxels.hpp) are
 ///    made, or halved. A round that a limit interrupts is continued by the next call, so that the
-///    result does not depend on the limits of calls before. Attempts then draw in voxels. Those elsewhere would fail, so that an attempt in a fraction of all voxels counts as
-///    the inverse of this fraction, which is the mean number of attempts for one that hits a voxel.
+///    result does not depend on the limits of calls before.
+/// 3. If there are voxels, attempts draw in them. Those elsewhere would fail, so that an attempt in
+///    a fraction of all voxels counts as the inverse of this fraction, which is the mean number of
+///    attempts for one that hits a voxel.
 #ifndef PW85_ADDITION_ADDITION_HPP_INCLUDED
 #define PW85_ADDITION_ADDITION_HPP_INCLUDED
 
@@ -16,8 +18,8 @@
 
 namespace pw85::detail::sequential_addition {
 
-/// The minimum number of attempts of a round, and the ratio of successful attempts below which voxels
-/// are divided. They change the time, but not the distribution of packings.
+/// The minimum number of attempts of a round, and the ratio of successful attempts below which
+/// voxels are divided. They change the time, but not the distribution of packings.
 constexpr std::size_t min_attempts = 4096;
 constexpr double first_few_accepted = 0.02;
 

@@ -6,7 +6,8 @@
 /// 1. divide() halves each voxel along all of its directions, and keeps the parts that no particle
 ///    covers (covering.hpp).
 /// 2. The packing is saturated if no voxel is left, or after 30 halvings (max_halvings). Voxels are
-///    then shorter than 2⁻²⁹ of the shortest semi-axis, unless the first ones were limited in number.
+///    then shorter than 2⁻²⁹ of the shortest semi-axis, unless the number of the first ones was
+///    limited.
 #ifndef PW85_ADDITION_VOXELS_HPP_INCLUDED
 #define PW85_ADDITION_VOXELS_HPP_INCLUDED
 
