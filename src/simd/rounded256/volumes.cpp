@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lanes: volumes of common parts, with the bits of one pair.
-#define PW85_ROUNDED_PRODUCTS
 #define PW85_FOUR_LANES
 #include "../lanes/chunks.hpp"
 
