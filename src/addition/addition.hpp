@@ -17,6 +17,7 @@
 #include "voxels.hpp"
 
 namespace pw85::detail::sequential_addition {
+namespace {
 
 /// The minimum number of attempts of a round, and the ratio of successful attempts below which
 /// voxels are divided. They change the time, but not the distribution of packings.
@@ -147,6 +148,7 @@ template <int D> class Addition {
     double attempts_before_ = 0.0, few_accepted_ = first_few_accepted;
 };
 
+} // namespace
 } // namespace pw85::detail::sequential_addition
 
 #endif

@@ -11,6 +11,7 @@
 #include "packing.hpp"
 
 namespace pw85::detail::sequential_addition {
+namespace {
 
 /// A species of particles: its semi-axes. In two dimensions no decision uses the third.
 template <int D> struct Species {
@@ -75,6 +76,7 @@ template <int D> Particle<D> draw(Stream &random, Voxel<D> const &voxel,
     return one;
 }
 
+} // namespace
 } // namespace pw85::detail::sequential_addition
 
 #endif

@@ -7,6 +7,7 @@
 #include <pw85/algebra/vector.hpp>
 
 namespace pw85::detail::sequential_addition {
+namespace {
 
 /// A cell by its D vectors. Places are coordinates in units of these vectors.
 template <int D> class Cell {
@@ -49,6 +50,7 @@ template <int D> class Cell {
     double edges_ = 0.0;
 };
 
+} // namespace
 } // namespace pw85::detail::sequential_addition
 
 #endif

@@ -11,6 +11,7 @@
 #include "attempts.hpp"
 
 namespace pw85::detail::sequential_addition {
+namespace {
 
 /// The test for all voxels with the same divisions.
 template <int D> class Covering {
@@ -91,6 +92,7 @@ template <int D> class Covering {
     double reach_ = 0.0, error_;             ///< largest distance of a corner; error of positions
 };
 
+} // namespace
 } // namespace pw85::detail::sequential_addition
 
 #endif

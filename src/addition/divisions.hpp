@@ -8,6 +8,7 @@
 #include <cstdint>
 
 namespace pw85::detail::sequential_addition {
+namespace {
 
 /// The maximum number of voxels that are made first.
 constexpr double max_first_voxels = 1e8;
@@ -34,6 +35,7 @@ template <int D> void limit_voxels(Divisions<D> &divisions, double num_species) 
     }
 }
 
+} // namespace
 } // namespace pw85::detail::sequential_addition
 
 #endif

@@ -13,6 +13,7 @@
 #include <pw85/algebra/symmetric.hpp>
 
 namespace pw85::detail::sequential_addition {
+namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -116,6 +117,7 @@ inline double half_angle_range(std::uint64_t angles) noexcept
     return pi / 2 / static_cast<double>(angles);
 }
 
+} // namespace
 } // namespace pw85::detail::sequential_addition
 
 #endif

@@ -15,6 +15,7 @@
 #include "inner_forms.hpp"
 
 namespace pw85::detail::sequential_addition {
+namespace {
 
 template <int D> using Form = SymmetricMatrix<double, D>;
 
@@ -163,6 +164,7 @@ template <int D> class Packing {
     std::size_t size_ = 0;
 };
 
+} // namespace
 } // namespace pw85::detail::sequential_addition
 
 #endif

@@ -90,7 +90,7 @@ template <int D> int check_cell(Cell<D> const &cell, double longest) noexcept
         if (!(largest_coordinate(cell[i]) <= max_coordinate * longest))
             return note_cause(PW85_EINVAL, "cell",
                               "must have no coordinate above 2²⁵⁰ times the longest semi-axis", 0,
-                              static_cast<std::size_t>(3 * i));
+                              3 * static_cast<std::size_t>(i));
     for (int i = 0; i < D; ++i)
         if (!(cell.height(i) >= 2 * longest * (1 + 1e-9)))
             return note_cause(PW85_EINVAL, "cell",

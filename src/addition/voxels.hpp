@@ -16,6 +16,7 @@
 #include "covering.hpp"
 
 namespace pw85::detail::sequential_addition {
+namespace {
 
 /// The maximum number of voxels that are divided.
 constexpr std::size_t max_voxels = 10'000'000;
@@ -194,6 +195,7 @@ template <int D> class Voxels {
     bool are_balls_ = false, has_angles_ = false, exist_ = false;
 };
 
+} // namespace
 } // namespace pw85::detail::sequential_addition
 
 #endif
