@@ -517,8 +517,8 @@ PW85_TEST("/causes/random_addition")
                      "a particle"}(make(dimensions, wide, 1, ball));
     }
     wide[4] = 0x1p302;
-    Expected{create, "cell",
-             "must not be longer than 2³⁰⁰ times the longest semi-axis"}(make(3, wide, 1, ball));
+    Expected{create, "cell", "must have no coordinate above 2²⁵⁰ times the longest semi-axis", 0,
+             3}(make(3, wide, 1, ball));
     wide[4] = none;
     Expected{create, "cell", "must be finite", 0, 4}(make(3, wide, 1, ball));
     wide[4] = 2.00001;
