@@ -89,6 +89,13 @@ PW85_API int pw85_girth_particles(pw85_pair_list const *list, pw85_system const 
 """
 
 
+GIRTH_STRUCT = """template <class T> struct Girth {
+    T girth;
+    StatusCode status;
+};
+"""
+
+
 def template(name, title, *lines):
     """That of a function of which one section is given."""
     return "\n    ".join(["@declared", f"def {name}():", f'"""{title}', "-" * len(title), *lines, '"""\n']).replace("    def", "def", 1)
@@ -109,6 +116,11 @@ def make(tmp_path):
         text = header.read_text(encoding="utf-8")
         place = text.index("/** @}")
         header.write_text(text[:place] + added.lstrip() + text[place:], encoding="utf-8")
+    girth = "template <class T> PW85_FUNCTION inline Girth<T> girth(SymmetricMatrix<T, 3> const &q) noexcept"
+    cpp = tmp_path / "include/pw85/pw85.hpp"  # declares the template that C calls
+    first, last = cpp.read_text(encoding="utf-8").split("/// Computes the volume of an ellipsoid,", 1)
+    cpp.write_text(f"{first}/// The girth.\n///\n/// @param q form\n{girth};\n\n/// Computes the volume of an ellipsoid,{last}", encoding="utf-8")
+    (tmp_path / "include/pw85/bodies/girth.hpp").write_text(f"{GIRTH_STRUCT}{girth} {{ return {{}}; }}\n", encoding="utf-8")
     sums = tmp_path / "api/sums.hpp.in"
     text = sums.read_text(encoding="utf-8").replace("@function law_forces_pairs", "@function girth_particles\n@function law_forces_pairs")
     sums.write_text(text, encoding="utf-8")
