@@ -199,6 +199,7 @@ PW85_FUNCTION inline T initial_nu(Pair<T> const &pair, Evaluation<T> &at) noexce
         T column[max_dimension]{};
         for (int j = 0; j < n; ++j) column[j] = pair.q2[packed_index(n, i, j)];
         solve(n, at.factors, column, at.v);
+        // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): solve() wrote it
         sum = sum + at.v[i];
     }
     SupportRatio<T> reach;

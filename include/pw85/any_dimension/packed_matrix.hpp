@@ -145,6 +145,7 @@ template <class T, class N> PW85_FUNCTION inline bool
 is_definite_with_shift(N n, T const *a, T const &shift, T *memory) noexcept
 {
     for (int i = 0, k = 0; i < n; ++i)
+        // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): a has all entries
         for (int j = i; j < n; ++j, ++k) memory[k] = i == j ? T(a[k] - shift * a[k]) : a[k];
     return factorize(n, memory);
 }

@@ -71,6 +71,7 @@ template <class T, class N> PW85_FUNCTION inline bool
 evaluate_step(Pair<T, N> const &pair, T const &t, Evaluation<T, N> &at) noexcept
 {
     if (!solve_at(pair, t, at)) return false;
+    // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): solve_at() wrote b
     at.a = dot(pair.n, pair.r12, at.s) - t * at.b;
     if (!spares_first(t, at)) apply_first(pair, at);
     return true;
