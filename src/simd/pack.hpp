@@ -7,8 +7,8 @@
 /// A product has a type of its own. If something is added to it or subtracted from it, and the
 /// target has fused multiply-add, the product becomes part of that instruction. So the source
 /// decides what is fused, not the compiler, and a lane gives the same bits in any surrounding code.
-/// Units that use packs are compiled without contraction. With PW85_ROUNDED_PRODUCTS, which the
-/// folder of a source defines, packs fuse nothing: they give the bits of the functions for one pair.
+/// Units that use packs are compiled without contraction. With PW85_ROUNDED_PRODUCTS, which folders
+/// of sources define, packs fuse nothing: they give the bits of the functions for one pair.
 #ifndef PW85_SIMD_PACK_HPP_INCLUDED
 #define PW85_SIMD_PACK_HPP_INCLUDED
 
