@@ -21,7 +21,6 @@ sentences of C. Functions that the template does not have follow at the end.
 
 import ast
 import inspect
-import sys
 import textwrap
 from collections import namedtuple
 from dataclasses import dataclass

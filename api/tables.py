@@ -7,7 +7,6 @@ writes the rows of the table that tests/functions.cpp includes.
 """
 
 import re
-import sys
 from pathlib import Path
 
 from attributes import PACKED, run

@@ -119,7 +119,8 @@ def make(tmp_path):
     girth = "template <class T> PW85_FUNCTION inline Girth<T> girth(SymmetricMatrix<T, 3> const &q) noexcept"
     cpp = tmp_path / "include/pw85/pw85.hpp"  # declares the template that C calls
     first, last = cpp.read_text(encoding="utf-8").split("/// Computes the volume of an ellipsoid,", 1)
-    cpp.write_text(f"{first}/// The girth.\n///\n/// @param q form\n{girth};\n\n/// Computes the volume of an ellipsoid,{last}", encoding="utf-8")
+    declared = f"/// The girth.\n///\n/// @param q form\n{girth};\n\n"
+    cpp.write_text(f"{first}{declared}/// Computes the volume of an ellipsoid,{last}", encoding="utf-8")
     (tmp_path / "include/pw85/bodies/girth.hpp").write_text(f"{GIRTH_STRUCT}{girth} {{ return {{}}; }}\n", encoding="utf-8")
     sums = tmp_path / "api/sums.hpp.in"
     text = sums.read_text(encoding="utf-8").replace("@function law_forces_pairs", "@function girth_particles\n@function law_forces_pairs")

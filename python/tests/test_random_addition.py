@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Random sequential addition, against brute force and known fractions. tests/test_random_addition.cpp has the proofs of what voxels cover."""
+"""Random sequential addition, against brute force and known fractions. tests/test_random_addition.cpp tests what voxels cover."""
 
 import os
 import re

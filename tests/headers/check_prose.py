@@ -336,7 +336,7 @@ def complaints_of_program(folder):
     for name in EVERY:
         header = folder / f"include/{name}"
         text = header.read_text(encoding="utf-8")
-        header.write_text(re.sub(r"(@param\S* \S+ \[[^\]\n]*)\]", r"\1; unheard-of]", text, 1), encoding="utf-8")
+        header.write_text(re.sub(r"(@param\S* \S+ \[[^\]\n]*)\]", r"\1; unheard-of]", text, count=1), encoding="utf-8")
         done = subprocess.run([sys.executable, "-B", folder / "api/committed.py"], capture_output=True, text=True)
         if done.returncode != 1 or done.stdout or not re.fullmatch(rf"{name}:\d+: .*: unknown attribute: unheard-of\n", done.stderr):
             yield f"committed.py, {name}: {done.returncode}, {done.stderr or 'accepted'}"
