@@ -273,7 +273,8 @@ def too_thin(system: System) -> str:
                 k = int(least.argmax())
                 return (f"the cell is too small or too thin: ellipsoid {system.ids[k]} overlaps its own image however it is turned, "
                         f"because it repeats within the {what} {room * unit**number:.6g}, and with the semi-axes "
-                        f"{' '.join(f'{x:g}' for x in axes[k])} it needs {least[k] * unit**number:.6g} at least: give a thicker cell, or a smaller fraction of it")  # fmt: skip
+                        f"{' '.join(f'{x:g}' for x in axes[k])} it needs {least[k] * unit**number:.6g} at least: "
+                        "give a thicker cell, or a smaller fraction of it")  # fmt: skip
     return ""
 
 
