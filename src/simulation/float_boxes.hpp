@@ -66,7 +66,8 @@ class FloatBoxes {
         Float4 lower_, negative_upper_;
     };
 
-    [[nodiscard]] bool resize(std::size_t num_particles, std::size_t num_images) noexcept
+    [[nodiscard, gnu::always_inline]] bool resize(std::size_t num_particles,
+                                                  std::size_t num_images) noexcept
     {
         if (!boxes_.resize(num_particles) || !translations_.resize(num_images)) return false;
         prefer_huge_pages(boxes_);
