@@ -221,6 +221,14 @@ def test_old_report_stays_whole(run, folder):
     assert (folder / "a.csv").read_text() == "precious"
 
 
+def test_relax_refuses_a_thin_cell(run, folder):
+    pypw85.write("a.dump", pypw85.System.from_axes([[0, 0, 0]], [[1, 1, 1]], [[1, 0, 0, 0]], cell=np.diag([9, 9, 1.9])))
+    done = run("relax", "a.dump", "b.dump")
+    assert done.status == 2
+    assert "repeats within the length 1.9, and" in done.err and "leave such frames out (--frames)" in done.err
+    assert not (folder / "b.dump").exists()
+
+
 NAMES = [
     (["check", "a.dump", "--csv", "no/c.csv"], "no/c.csv: there is no folder no"),
     (["check", "a.dump", "--hdf5", "c.csv/a"], "Not a directory"),
