@@ -23,41 +23,12 @@ one that stands twice or in another order, or does not fit the parameter:
 """
 
 import re
-import sys
 from dataclasses import dataclass, replace
 
-
-class Refused(ValueError):
-    """What a program of this folder refuses in a header or a template, with file and line."""
-
-
-def run(main):
-    """Runs a program of this folder; what it refuses is its last word."""
-    try:
-        main(*sys.argv[1:])
-    except Refused as refused:
-        sys.exit(str(refused))
+from causes import LIMITS, PACKED, RANGES
+from refusals import Refused
 
 
-def line_of(file, text, position):
-    """File and line of a position in a text."""
-    return f"{file}:{text.count(chr(10), 0, position) + 1}"
-
-
-# The extent of packed symmetric matrices in n dimensions.
-PACKED = "n(n+1)/2"
-# Limits of values, with their names in src/base/last_error.hpp where a check of each number knows them.
-LIMITS = {
-    "> 0": "positive", ">= 0": "from_zero", "!= 0": "not_zero", "0..1": "unit_interval", "1..16": "", "<= 1": "at_most_one",
-    "lower <= upper": "below_next", "> 0 until t_max": "until_t_max", "finite square": "finite_square", "definite": "definite",
-    "rotation": "rotation", "index": "", "a periodic row": "", "independent rows": "", "needs cell": "", "near the cell": "",
-    "of as many particles": "", "or infinite": "may_be_infinite", "or NaN": "may_be_nan", "or far away": "",
-}  # fmt: skip
-# The types that they limit, if not double; how many numbers they need; and those of which one stands alone.
-TYPES_OF_LIMITS = {"1..16": "int", "> 0 until t_max": "pw85_motion", "index": "int32_t", "needs cell": "int32_t",
-                   "of as many particles": "pw85_neighbors"}  # fmt: skip
-SIZES_OF_LIMITS = {"definite": (3, 6, PACKED), "rotation": (9,), "a periodic row": (9,), "independent rows": (9,), "0..1": (1,)}
-RANGES = ("> 0", ">= 0", "!= 0", "0..1")
 NAMES = r"([\w.]+(?:, [\w.]+)*)"
 LISTS = ("without", "needs", "members", "each")
 # The attributes in their order, with what they say in a group; {extent} is the name of a number of rows.
@@ -74,7 +45,7 @@ FORMS = {
     "on_error": r"(NaN|null|-?\d+|{extent}) on error",
 }
 # What stands in a text by mistake.
-ASTRAY = re.compile(r"\[(?:as pw85|number of|n×|\d+×|length|optional|definite|members? )|\((?:n×\d|length[²³]?;|optional;)")
+ASTRAY = re.compile(r"^\[|\[(?:as pw85|number of|n×|\d+×|length|optional|definite|members? )|\((?:n×\d|length[²³]?;|optional;)")
 
 
 @dataclass
@@ -98,7 +69,7 @@ class Attributes:
         return replace(other, **own | {"words": self.words | other.words})
 
     def misfits(self, one, is_marked):
-        """What is wrong where these, the parameter's own, do not fit it. `is_marked` is for @param[out]."""
+        """What can be wrong where these, the parameter's own, do not fit it, and whether it is. `is_marked` is for @param[out]."""
         is_output, shape = one.is_output() or one.outer, "×".join(map(str, self.shape))
         limits, value = [word for word in LIMITS if word in self.words], self.on_error
         only = "NaN" if one.type == "double" else "null" if one.outer else ""  # other types have numbers
@@ -123,10 +94,10 @@ class Attributes:
             f"{', '.join(self.members)}: a member stands twice": len({*self.members}) < len(self.members),
         }
         for word in limits:
-            kind, sizes = TYPES_OF_LIMITS.get(word, "double"), SIZES_OF_LIMITS.get(word, (one.size,))
-            found[f"{word} limits {kind}, not {one.type}"] = one.type != kind and not word.startswith("or ")
+            kind, sizes = LIMITS[word].type or one.type, LIMITS[word].sizes or (one.size,)
+            found[f"{word} limits {kind}, not {one.type}"] = one.type != kind
             found[f"{word} needs {' or '.join(map(str, sizes))} numbers, not {one.size}"] = one.size not in sizes
-        return [text for text, is_wrong in found.items() if is_wrong]
+        return found
 
 
 def form_of(item, extents):

@@ -18,8 +18,10 @@ import re
 from itertools import groupby
 
 import layout
-from attributes import LIMITS, Refused, line_of
-from declarations import INCLUDE, ONE_ROW, SOURCE, c_functions, functions
+from causes import LIMITS
+from declarations import c_functions, functions
+from public_headers import INCLUDE, ONE_ROW, SOURCE
+from refusals import Refused, line_of
 from rows import TRUTHS, name_of_many
 
 HEADER, TEMPLATE = INCLUDE / "pw85_batch.h", SOURCE / "api/pw85_batch.h.in"
@@ -107,7 +109,7 @@ def statements():
     mark = MARK.search(text)
     if mark is None:
         raise Refused(f"{TEMPLATE.name}: no mark @rows")
-    known = {one.name: one for header in ONE_ROW for one in functions(header) if has_rows(one)}
+    known = {one.name: one for one in functions(*ONE_ROW) if has_rows(one)}
     without, said = re.findall(r"\w+", mark["without"]), [*SAID.finditer(text, *mark.span("said"))]
     names = [*without, *(one["name"] for one in said)]
     for name, start in zip(names, [*(mark.start() for _ in without), *(one.start() for one in said)]):

@@ -19,10 +19,11 @@ in include/pw85/batch/values.hpp. api/committed.py writes the headers or compare
 
 import re
 
-from attributes import Refused, line_of
+from declarations import c_functions, functions, sections
+from public_headers import SIMULATION
+from refusals import Refused, line_of
 from cpp import CLASSES, FOLDER, TEMPLATES, is_of_list, is_of_rows, kinds, name_in_cpp, structs
 from cpp_calls import Call
-from declarations import SIMULATION, c_functions, functions, sections
 from layout import arguments, cpp_header
 
 MARK = re.compile(

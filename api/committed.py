@@ -10,7 +10,6 @@ import sys
 
 import batch
 import classes
-import declarations
 import fortran
 import javascript
 import linked
@@ -21,8 +20,9 @@ import rare
 import rust
 import shims
 import symbols
-from attributes import run
-from declarations import SOURCE
+from declarations import functions
+from public_headers import EVERY_HEADER, SOURCE, replace
+from refusals import run
 
 PROGRAMS = (fortran, shims, objects, symbols, linked, classes, rare, r, octave, javascript, rust)
 
@@ -30,8 +30,8 @@ PROGRAMS = (fortran, shims, objects, symbols, linked, classes, rare, r, octave, 
 def files():
     """The texts of all of them by their paths, and the list of them for diffs and reviews."""
     header = batch.header()
-    declarations.replace({"pw85_batch.h": header})  # from which the others follow
-    for function in (one for name in declarations.EVERY_HEADER for one in declarations.functions(name)):
+    replace({"pw85_batch.h": header})  # from which the others follow
+    for function in functions(*EVERY_HEADER):
         _ = function.flattened, function.is_nan_on_error()  # also where no program needs all attributes
     made = {batch.HEADER: header} | {path: text for program in PROGRAMS for path, text in program.files().items()}
     marks = (f"{path.relative_to(SOURCE)} linguist-generated\n" for path in sorted(made))

@@ -5,8 +5,9 @@ import re
 from functools import cache
 from math import prod
 
-from attributes import Refused
-from declarations import CPP_HEADERS, INCLUDE, SOURCE, c_functions, functions, statuses
+from declarations import c_functions, functions
+from public_headers import CPP_HEADERS, INCLUDE, SOURCE, statuses
+from refusals import Refused
 from voice import limits_of
 
 FOLDER = INCLUDE / "pw85"
@@ -62,7 +63,7 @@ def name_in_cpp(function):
 def names_in_cpp():
     """The functions of C that C++ has, too, and their names there."""
     by_hand = [header for header in CPP_HEADERS if header not in [f"pw85/{name}.hpp" for name in TEMPLATES]]
-    known = {function.name for header in by_hand for function in functions(header)}
+    known = {function.name for function in functions(*by_hand)}
     templates = "".join(path.read_text(encoding="utf-8") for path in TEMPLATES.values())
     known |= set(re.findall(r"^(?:@function |static inline [\w:]+ )(\w+)", templates, re.MULTILINE))
     found = {name: (name_in_cpp(function), function) for name, function in c_functions().items()}

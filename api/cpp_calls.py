@@ -10,9 +10,8 @@ import re
 from collections import namedtuple
 from itertools import groupby
 
-from attributes import Refused
+from refusals import Refused
 from cpp import CLASSES, NUMBERS, SHORT_NAMES, STRUCTS, address, brief, described, in_cpp, row_type, structs
-from declarations import members_read, returned
 from layout import arguments, wrapped
 
 NAMES = {"system": "particles"}  # of parameters in C++
@@ -110,7 +109,7 @@ class Call:
         if one.type == "pw85_pair_list":
             self.checked.append(("list.pairs", "detail::optional(list.images)"))
         elif one.type == "pw85_system":
-            read = {member.name for member in members_read(self.function, one)}
+            read = {member.name for member in self.function.members_read(one)}
             first, second = ("centers", "q") if "centers" in read else ("q", "centers")
             other = f"{name}.{second}" if {"centers", "q"} <= read else f"detail::optional({name}.{second})"
             self.checked.append((f"{name}.{first}", other))
@@ -223,7 +222,7 @@ class Call:
         yield ""
         for (is_output, text), group in groupby(self.declared, lambda one: (one.is_output, self.text_of(one))):
             yield f"@param{'[out]' if is_output else ''} {','.join(one.name for one in group)} {text}"
-        yield f"@return {'the values, and ' if self.result else ''}{in_cpp(returned(self.function) or 'the status')}".strip()
+        yield f"@return {'the values, and ' if self.result else ''}{in_cpp(self.function.returned() or 'the status')}".strip()
 
     def text_of(self, declared):
         """What is said of a parameter of C++."""

@@ -3,7 +3,7 @@
 
 import re
 
-from attributes import Refused
+from refusals import Refused
 from layout import filled
 
 WIDTH = 116

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Valid arguments of the functions of one row, for the examples of the languages."""
 
-from declarations import entry_of
+from refusals import entry_of
 
 # By their names: in three dimensions, and those that are others in two.
 VALUES = {

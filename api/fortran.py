@@ -10,8 +10,11 @@ import re
 from collections import namedtuple
 from itertools import groupby
 
-from attributes import PACKED
-from declarations import CALLBACKS, HOST_HEADERS, SOURCE, STRUCTS, constants, entry_of, functions, version
+from causes import PACKED
+from declarations import functions
+from public_headers import HOST_HEADERS, SOURCE, constants, version
+from parameters import CALLBACKS, STRUCTS
+from refusals import entry_of
 from layout import WIDTH, insert, wrapped
 
 FORTRAN = SOURCE / "fortran"
@@ -92,7 +95,7 @@ def files():
     values = {f"PW85_VERSION_{part.upper()}": number for part, number in numbers.items()} | constants()
     made = {
         "constants": [constant(name, value) for name, value in values.items()],
-        "names": [f"  public :: {function.name.lower()}" for header in HOST_HEADERS for function in functions(header)],
+        "names": [f"  public :: {function.name.lower()}" for function in functions(*HOST_HEADERS)],
         "interfaces": [line for header in HOST_HEADERS for line in [*interfaces(header, template), ""]][:-1],
     }
     return {MODULE: insert(TEMPLATE, "  !@", made)}

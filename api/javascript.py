@@ -9,8 +9,8 @@ import json
 import re
 from functools import cache
 
-from attributes import run
-from declarations import SOURCE, version
+from public_headers import SOURCE, version
+from refusals import run
 from layout import insert, wrapped
 from rows import row_functions
 from voice import PlainVoice, with_named_statuses

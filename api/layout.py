@@ -4,7 +4,7 @@
 import re
 import textwrap
 
-from attributes import Refused, line_of
+from refusals import Refused, line_of
 
 WIDTH = 100  # of C, C++, Fortran and Rust
 

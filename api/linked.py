@@ -8,11 +8,12 @@ description names. Of an overlap the library does not give out the tier, which i
 
 import re
 
-from attributes import Refused
+from declarations import c_functions, functions
+from public_headers import INCLUDE, SOURCE
+from refusals import Refused
 import layout
 from cpp import structs
 from cpp_calls import Call
-from declarations import INCLUDE, SOURCE, c_functions, functions
 
 TEMPLATES = "pw85/pw85.hpp"
 NOT_GIVEN_OUT = {"Overlap": ("tier",)}

@@ -7,7 +7,9 @@ function of namespace pw85::detail of the same name, which is written by hand an
 references in the place of pointers to objects and structs that must not be null. Functions without status are written by hand.
 """
 
-from declarations import OBJECTS, SIMULATION, SOURCE, functions, members_read
+from declarations import functions
+from public_headers import SIMULATION, SOURCE
+from parameters import OBJECTS
 from layout import arguments, cpp_header
 from shims import FOLDER, HEAD, by_hand, described
 
@@ -64,7 +66,7 @@ def checked_arguments(function, places):
     for one in function.parameters:
         listed.append(one)
         if one.is_struct() and is_reference(one):
-            listed += [member for member in members_read(function, one) if member.pointer and member.name != "cell"]
+            listed += [member for member in function.members_read(one) if member.pointer and member.name != "cell"]
     is_read = [one for one in listed if (one.type == "double" and not one.is_output()) or (one.pointer and not one.nullable)]
     return [described(one, places) for one in is_read]
 

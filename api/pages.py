@@ -4,8 +4,9 @@
 import re
 from functools import cache
 
-from attributes import Refused
-from declarations import C_HEADERS, PARTS, c_functions, functions, sections
+from declarations import c_functions, functions, sections
+from public_headers import C_HEADERS, PARTS
+from refusals import Refused
 from python import package_names, python_names
 from rows import name_of_many
 
@@ -49,4 +50,4 @@ def with_twins(text):
 def unmentioned(text):
     """The functions of C to which a text does not refer, in the order of the headers."""
     mentioned = set(FUNCTION.findall(text))
-    return [function for header in PURPOSE_HEADERS for function in functions(header) if function.name not in mentioned]
+    return [function for function in functions(*PURPOSE_HEADERS) if function.name not in mentioned]

@@ -26,8 +26,8 @@ from collections import namedtuple
 from dataclasses import dataclass
 from pathlib import Path
 
-from attributes import Refused, run
-from declarations import SOURCE
+from public_headers import SOURCE
+from refusals import Refused, run
 from docstrings import INDENT, docstring
 from layout import in_one_line_or_each, insert
 from python_calls import objects_table, rows_table, stubs

@@ -7,8 +7,11 @@ rows, and returns its status and its outputs. Arrays are NumPy arrays of the rig
 fills. A struct is given by its members.
 """
 
-from attributes import PACKED
-from declarations import OBJECTS, SIMULATION, entry_of, functions, values_of_members
+from causes import PACKED
+from declarations import functions
+from public_headers import SIMULATION
+from parameters import OBJECTS
+from refusals import entry_of
 from rows import row_functions
 
 NUMBERS_OF_FORM = 6
@@ -87,7 +90,7 @@ def rows_table():
 
 def functions_of_objects():
     """Those with a status, except those of api/rows.py, and sizes of objects; of two for one row and for many the latter."""
-    found = [one for header in HEADERS_OF_OBJECTS for one in functions(header)]
+    found = functions(*HEADERS_OF_OBJECTS)
     found += [one for one in functions("pw85_batch.h") if one.name in OTHERS]
     names, of_rows = {one.name for one in found}, {row.function.name for row in row_functions()}
     kept = [one for one in found if one.name not in of_rows and f"{one.name}_batch" not in names]
@@ -125,7 +128,7 @@ class Body:
         return one.name if one.shape else f"&{one.name}"
 
     def struct(self, one):
-        values = values_of_members(self.function, one, self.argument)
+        values = self.function.values_of_members(one, self.argument)
         if one.type == "pw85_system":
             self.reads.append("auto *const periodic = in.numbers<int const>(3, false);")
             values.append("{periodic[0], periodic[1], periodic[2]}")

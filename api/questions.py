@@ -8,7 +8,7 @@ sources r/src/rows.c and octave/src/pw85_mex.c read the columns and call these f
 from dataclasses import dataclass
 from functools import cache
 
-from declarations import ONE_ROW
+from public_headers import ONE_ROW
 from layout import filled
 from rows import row_functions
 from voice import PlainVoice

@@ -8,7 +8,7 @@ frames with a row for each ellipsoid. r/src/rows.c reads their columns and calls
 import re
 import unicodedata
 
-from declarations import SOURCE, version
+from public_headers import SOURCE, version
 from layout import filled
 from questions import MOTION, c_source, questions
 from voice import with_named_statuses

@@ -8,7 +8,7 @@
 
 import re
 
-from declarations import INCLUDE, SOURCE
+from public_headers import INCLUDE, SOURCE
 from layout import cpp_header, wrapped
 
 LINE = re.compile(r"^PW85_(RARE_TIER|SHARED_BY_QUESTIONS)(?:_OF)?\((\w+)(?:, (.+))?\)$", re.MULTILINE)

@@ -10,8 +10,10 @@ from dataclasses import dataclass
 from functools import cache
 from math import prod
 
-from attributes import Refused
-from declarations import HOST_HEADERS, ONE_ROW, Function, Parameter, functions
+from declarations import Function, functions
+from public_headers import HOST_HEADERS, ONE_ROW
+from parameters import Parameter
+from refusals import Refused
 
 # Python has one number of what this building block of 1.0's programs gives: f, by a function of python/src/function.cpp.
 ONE_OF_MANY = {"pw85__residual": "f"}
@@ -148,7 +150,7 @@ def row_function(function, many):
 @cache
 def row_functions():
     """All of them, in the order of the headers."""
-    known = {function.name: function for header in HOST_HEADERS for function in functions(header)}
+    known = {function.name: function for function in functions(*HOST_HEADERS)}
     found, relatives = [], {name_of_many(name) for name in BY_HAND}
     for name, function in known.items():
         if name in {*BY_HAND, *relatives} or not function.parameters:

@@ -7,8 +7,9 @@ A function of one row takes arrays and returns a number, an array or a struct; o
 import re
 from functools import cache
 
-from attributes import Refused
-from declarations import ONE_ROW, SOURCE, c_functions, entry_of, functions, statuses, version
+from declarations import c_functions, functions
+from public_headers import ONE_ROW, SOURCE, statuses, version
+from refusals import Refused, entry_of
 from examples import example_value
 from layout import in_one_line_or_each as listing
 from layout import wrapped
@@ -234,7 +235,7 @@ def files():
     """The texts of all made files by their paths."""
     templates = {f"{crate}/Cargo.toml": FOLDER / crate / "Cargo.toml.in" for crate in ("pw85-sys", "pw85")}
     made = {path: template.read_text(encoding="utf-8").replace("@version@", version()) for path, template in templates.items()}
-    named = [line for header in (*HEADERS, "pw85_enclosing.h") for function in functions(header) for line in raw(function)]
+    named = [line for function in functions(*HEADERS, "pw85_enclosing.h") for line in raw(function)]
     head = f'{MARK}\nuse crate::{{c_char, c_int, pw85_motion}};\n\nextern "C" {{'
     made |= {"pw85-sys/src/functions.rs": "\n".join([head, *named, "}", ""]), "pw85/src/questions.rs": questions()}
     return {FOLDER / path: text for path, text in made.items()}

@@ -14,9 +14,11 @@ A function that a file of src/c_api/ defines by hand is not made.
 import re
 
 import batch
-from attributes import LIMITS, Refused
+from causes import LIMITS
+from declarations import c_functions, functions, sections
+from public_headers import ONE_ROW, SOURCE
+from refusals import Refused
 from cpp import homes, name_in_cpp
-from declarations import ONE_ROW, SOURCE, c_functions, functions, sections
 from layout import WIDTH, arguments
 
 FOLDER = SOURCE / "src/c_api"
@@ -115,7 +117,7 @@ def stored(one):
 
 def limits(one):
     """The limits of an input, as an expression; empty if it must be finite only."""
-    names = [name for word, name in LIMITS.items() if name and word in one.attributes.words]
+    names = [limit.name for word, limit in LIMITS.items() if limit.name and word in one.attributes.words]
     names += ["independent"] if re.fullmatch(r"s\d?", one.name) and one.length == 9 else []
     names += ["optional"] if one.nullable else []
     return " | ".join(f"limit::{name}" for name in names)

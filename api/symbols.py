@@ -7,7 +7,8 @@ A function that the list does not have gets the present version. api/committed.p
 
 import re
 
-from declarations import PARTS, SOURCE, functions, version
+from declarations import functions
+from public_headers import PARTS, SOURCE, version
 
 # The packages, without the major version, and the headers of their libraries. A hyphen is between two numbers.
 PACKAGES = {
@@ -24,7 +25,7 @@ def files():
         first = dict(re.findall(r"^ (\w+)@Base (\S+)$", path.read_text(encoding="utf-8") if path.exists() else "", re.MULTILINE))
         texts[path] = ""
         for library, headers in libraries.items():
-            names = sorted(function.name for header in headers for function in functions(header))
+            names = sorted(function.name for function in functions(*headers))
             texts[path] += f"{library}.so.{major} {package}{major} #MINVER#\n"
             texts[path] += "".join(f" {name}@Base {first.get(name, version())}\n" for name in names)
     return texts

@@ -9,8 +9,11 @@ writes the rows of the table that tests/functions.cpp includes.
 import re
 from pathlib import Path
 
-from attributes import PACKED, run
-from declarations import HOST_HEADERS, OBJECTS, entry_of, functions, values_of_members
+from causes import PACKED
+from declarations import functions
+from public_headers import HOST_HEADERS
+from parameters import OBJECTS
+from refusals import entry_of, run
 
 TYPES = {
     "double": "real",
@@ -57,7 +60,7 @@ def argument(one, names):
 
 def struct_of(function, struct, names):
     """The definition of a struct argument. Array members are filled with ones."""
-    values = values_of_members(function, struct, lambda one: argument(one, names))
+    values = function.values_of_members(struct, lambda one: argument(one, names))
     values += ["{1, 1, 1}"] if struct.type == "pw85_system" else []
     return f"{struct.type} const {struct.name}{{{', '.join(values)}}}; "
 
@@ -78,7 +81,7 @@ def lines(function):
 
 
 def main(output):
-    listed = [function for header in HOST_HEADERS for function in functions(header) if not function.is_of_simulations()]
+    listed = [function for function in functions(*HOST_HEADERS) if not function.is_of_simulations()]
     rows = [line for function in listed for line in lines(function)]
     Path(output).write_text("\n".join(rows) + "\n", encoding="utf-8")
 

@@ -4,25 +4,12 @@
 import re
 from itertools import groupby
 
-from causes import CAUSES, can_have, is_named
-from declarations import described, first_sentence, returned
+from causes import CAUSES, LIMITS
+from declarations import first_sentence
 
 # Clauses of C that mean nothing in Python.
 OF_C = re.compile(r", also on success|(?:^|; )may be the same array as \w+$")
-SAID = {"!= 0": "not zero", "> 0": "> 0", ">= 0": ">= 0", "or infinite": "may be infinite", "lower <= upper": "`lower` <= `upper`"}
-
 INFINITY = next(cause for cause in CAUSES if cause.key == "infinity")
-
-# What is wrong where a contract names a cause of an error (api/causes.py), of one parameter.
-WRONG = {
-    "not definite": "a form is not positive definite",
-    "range": "the square of `{name}` overflows or underflows",
-    "no rotation": "`{name}` is not orthonormal",
-    "concentric": "`{name}` is zero",
-    "lambda": "λ is not in [0, 1]",
-    "empty box": "`lower` is larger than `upper`",
-    "shrinks": "an ellipsoid shrinks to nothing before `t_max`",
-} | {key: f"`{{name}}` is {key}" for key in ("not positive", "negative", "zero")}
 
 
 def sentence(text):
@@ -46,7 +33,7 @@ def in_python(text):
 
 def limits_of(one):
     """What is said of the attributes that limit the values of a parameter."""
-    return [text for word, text in SAID.items() if word in one.attributes.words]
+    return [limit.said for word, limit in LIMITS.items() if limit.said and word in one.attributes.words]
 
 
 def with_named_statuses(text):
@@ -93,7 +80,7 @@ class Voice:
 
     def described(self, name):
         """What is said of a parameter in the words of Python, with its limits."""
-        one, is_inherited = described(self.row.function, name), bool(self.row.function.descriptions[name].attributes.like)
+        one, is_inherited = self.row.function.described(name), bool(self.row.function.descriptions[name].attributes.like)
         text = "; ".join(filter(None, [in_python(one.text.rstrip(".")), *limits_of(one)]))
         return sentence(self.said(text, is_inherited))
 
@@ -127,12 +114,12 @@ class Voice:
         if function.type != "int":
             return "For a single value: invalid input. Rows of arrays become NaN." if function.is_nan_on_error() else ""
         inputs = [one.parameter for one in self.row.inputs]
-        infinite = [f"`{one.name}` may be infinite" for one in inputs if not is_named(INFINITY, one)]
+        infinite = [f"`{one.name}` may be infinite" for one in inputs if not INFINITY.is_named(one)]
         wrong = [f"a number is not finite{f' ({infinite[0]})' if infinite else ''}"]
         for cause in CAUSES:
             for one in inputs:
-                if cause.key in WRONG and can_have(cause, one) and is_named(cause, one):
-                    wrong.append(WRONG[cause.key].format(name=self.arguments[one.name]))
+                if cause.wrong and cause.can_have(one) and cause.is_named(one):
+                    wrong.append(cause.wrong.format(name=self.arguments[one.name]))
         unique = list(dict.fromkeys(wrong))
         listed = f"{', '.join(unique[:-1])}{' or ' if unique[1:] else ''}{unique[-1]}"
         others = "" if self.row.is_truth() else " Rows of arrays become NaN."
@@ -140,7 +127,7 @@ class Voice:
 
     def convergence(self):
         """Where there is no convergence, by what the function returns or that to which it refers."""
-        match = re.search(r"#PW85_ECONVERGENCE(?: \((.*)\)| (as for \w+\(\)))?", returned(self.row.function))
+        match = re.search(r"#PW85_ECONVERGENCE(?: \((.*)\)| (as for \w+\(\)))?", self.row.function.returned())
         if match is None or not (match[1] or match[2]):
             return ""
         return f"``Status.ECONVERGENCE``: {self.said(match[1] or match[2])}. "

@@ -1,7 +1,8 @@
 """Directive ``pw85-cause-table``: what makes functions of the library fail, with which status, and which functions (api/causes.py)."""
 
-from causes import CAUSES, functions_with_status, has_cause
-from declarations import INCLUDE, PARTS
+from causes import CAUSES
+from declarations import functions_with_status
+from public_headers import INCLUDE, PARTS
 from docutils import nodes
 from docutils.parsers.rst import Directive
 from docutils.statemachine import StringList
@@ -13,7 +14,7 @@ def whom(cause):
     """The functions that a cause concerns, in words if they are many."""
     if cause.key in ("null", "NaN", "infinity", "not definite"):
         return WHOM.get(cause.key, "all")
-    found = [function.name for function in functions_with_status() if has_cause(function, cause)]
+    found = [function.name for function in functions_with_status() if cause.is_of(function)]
     return WHOM.get(cause.key) or ", ".join(f":c:func:`{name}`" for name in found)
 
 

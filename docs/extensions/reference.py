@@ -50,6 +50,7 @@ import textwrap
 
 import declarations
 import fortran
+import public_headers
 import octave
 import javascript
 import pages
@@ -84,9 +85,9 @@ class FromHeader(Directive):
         lines = [line for section in declarations.sections(header) if section.functions for line in self.lines(section)]
         return self.parsed(lines)
 
-    def depend_on(self, *headers):
-        for header in headers:
-            self.state.document.settings.record_dependencies.add(str(declarations.INCLUDE / header))
+    def depend_on(self, *names):
+        for header in names:
+            self.state.document.settings.record_dependencies.add(str(public_headers.INCLUDE / header))
 
     def parsed(self, lines):
         node = nodes.section()
@@ -108,7 +109,7 @@ class FunctionTable(FromHeader):
 class CppFunctions(FromHeader):
     def lines(self, section):
         yield from (section.title, "~" * len(section.title), "")
-        names = [function.name for header in declarations.CPP_HEADERS for function in declarations.functions(header)]
+        names = [function.name for function in declarations.functions(*public_headers.CPP_HEADERS)]
         for function in section.functions:
             signature = f"({', '.join(function.written)})" if names.count(function.name) > 1 else ""
             yield from (f".. doxygenfunction:: pw85::{function.name}{signature}", "   :project: cpp", "")
@@ -117,7 +118,7 @@ class CppFunctions(FromHeader):
 class CppValues(FromHeader):
     def run(self):
         lines = []
-        for name in declarations.values(self.arguments[0]):
+        for name in public_headers.values(self.arguments[0]):
             lines += [f".. doxygenstruct:: pw85::{name}", "   :project: cpp", "   :members:", "   :undoc-members:", ""]
         return self.parsed(lines)
 
@@ -215,7 +216,7 @@ class PythonFunctions(FromHeader):
     final_argument_whitespace = True
 
     def run(self):
-        self.depend_on(*declarations.C_HEADERS)
+        self.depend_on(*public_headers.C_HEADERS)
         return self.parsed([f".. autofunction:: pypw85.{name}" for name in pages.python_functions(self.arguments[0])])
 
 

@@ -12,8 +12,10 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "api"))
-from causes import CAUSES, can_have, functions_with_status, is_named
-from declarations import OBJECTS, ONE_ROW
+from causes import CAUSES
+from declarations import functions_with_status
+from public_headers import ONE_ROW
+from parameters import OBJECTS
 from statuses import status_codes
 
 STATUSES = {name: int(value) for name, _, value, _ in status_codes()}
@@ -279,9 +281,9 @@ def complaints(caller, function):
             yield f"{function.name}: {caller.status(function, {struct: None})} where {struct} is null"
     for cause in CAUSES:
         for p in parameters(function):
-            if not can_have(cause, p.declared):
+            if not cause.can_have(p.declared):
                 continue
-            expected = STATUSES[cause.status] if is_named(cause, p.declared) else 0
+            expected = STATUSES[cause.status] if cause.is_named(p.declared) else 0
             if cause.key == "concentric" and function.name in NO_MINIMUM:
                 expected = STATUSES["PW85_ECONVERGENCE"]
             if cause.key == "far" and function.name in OWN:  # of extents that are too large

@@ -10,7 +10,8 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "api"))
-from declarations import C_HEADERS, CPP_HEADERS, functions, referenced
+from declarations import functions, referenced
+from public_headers import CPP_HEADERS, C_HEADERS
 
 
 def documented(function):

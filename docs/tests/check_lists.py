@@ -5,7 +5,8 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "api"))
-from declarations import CPP_HEADERS, functions
+from declarations import functions
+from public_headers import CPP_HEADERS
 from pages import FUNCTION, PURPOSE_HEADERS, python_functions, unmentioned, with_twins
 from python import package_names
 from rows import BY_HAND

@@ -11,7 +11,8 @@ import tempfile
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "api"))
-from declarations import functions, values
+from declarations import functions
+from public_headers import values
 
 HEADERS = (
     *(f"pw85/{name}.hpp" for name in ("pw85", "batch", "enclosing", "systems", "simulation")),

@@ -20,7 +20,8 @@ from pathlib import Path
 from urllib.parse import unquote, urldefrag
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "api"))
-from declarations import C_HEADERS, functions
+from declarations import functions
+from public_headers import C_HEADERS
 
 KATEX = Path("/usr/share/javascript/katex/katex.js")
 TYPESET = """

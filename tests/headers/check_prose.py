@@ -104,13 +104,14 @@ def made(folder):
     import causes
     import committed
     import declarations
+    import public_headers
     import javascript
     import pages
     import python
     import tables
 
     files = {str(path.relative_to(folder)): text for path, text in committed.files().items()}
-    listed = [one for header in declarations.HOST_HEADERS for one in declarations.functions(header) if not one.is_of_simulations()]
+    listed = [one for one in declarations.functions(*public_headers.HOST_HEADERS) if not one.is_of_simulations()]
     files["table of the tests"] = "\n".join(line for function in listed for line in tables.lines(function))
     files["table of Python"] = python.rows_table()
     files["objects of Python"] = python.objects_table()
@@ -118,12 +119,12 @@ def made(folder):
     for name in ("_functions", "legacy"):
         files[f"{name}.py"] = python.module(folder / f"python/pypw85/{name}.in.py")
     files["modules of JavaScript"] = "\n".join(name for module in javascript.ASKED for name in javascript.exports(module))
-    for header in declarations.EVERY_HEADER:  # some attributes reach tests and pages alone
+    for header in public_headers.EVERY_HEADER:  # some attributes reach tests and pages alone
         parameters = [(one, own) for one in declarations.functions(header) for own in one.flattened]
         listed = [(one.name, own.name, vars(own.attributes) | {"words": sorted(own.attributes.words)}) for one, own in parameters]
         files[f"{header}: attributes"] = "\n".join(map(str, listed))
     for cause in causes.CAUSES:
-        files[f"cause: {cause.key}"] = "\n".join(one.name for one in causes.functions_with_status() if causes.has_cause(one, cause))
+        files[f"cause: {cause.key}"] = "\n".join(one.name for one in declarations.functions_with_status() if cause.is_of(one))
     files["functions of the pages"] = "\n".join(f"{name}: {place}" for name, place in pages.places_in_python().items())
     return {path: without_texts(path, text) for path, text in files.items()}
 
@@ -212,6 +213,7 @@ SPOILED = {
         ("@return [NaN on error]", "@return [nan on error]", "unknown attribute: nan on error"),
         (FORMS, "@param q1,q2 [length²; rotation]", "rotation needs 9 numbers, not 6"),
         (FORMS, "@param q1,q2 [length²; 1..16]", "1..16 limits int, not double"),
+        (FORMS, "@param q1,q2 [length²; near the cell]", "near the cell needs 3 numbers, not 6"),
         (FORMS, "@param q1,q2 [length²; > 0; != 0]", "> 0 and != 0 exclude each other"),
         ("lambda [0..1]", "lambda [definite]", "definite needs 3 or 6 or n(n+1)/2 numbers, not 1"),
         (OUT, "@param[out] out [members mu2, mu2]", "mu2, mu2: a member stands twice"),
@@ -230,7 +232,7 @@ SPOILED = {
         ("@name Volumes and", "@named Volumes and", "not understood: @named Volumes and"),
         ("@return #PW85_SUCCESS", "@return #PW85_SUCCES", "not understood: #PW85_SUCCES"),
         ("@return #PW85_SUCCESS", "@returns #PW85_SUCCESS", "not understood: @returns #PW85_SUCCESS"),
-        ("pw85_contact(double const r12[3]", "pw85_contact(float const r12[3]", "r12: of no type in TYPES of api/declarations.py"),
+        ("pw85_contact(double const r12[3]", "pw85_contact(float const r12[3]", "r12: of no type in TYPES of api/parameters.py"),
         ("pw85_contact(double const r12[3]", "pw85_contact(double const r12[2 + 1]", "of no type in TYPES"),
         ("pw85_is_reproducible(int *on)", "pw85_is_reproducible(char *on)", "on: TYPES of api/fortran.py has no entry char"),
         ("int *contains", "int64_t *contains", "pw85_contains(): parameters that languages cannot take as rows"),
@@ -245,6 +247,7 @@ SPOILED = {
         ("[num_pairs×2; index]", "[3×num_pairs; index]", "unknown attribute: 3×num_pairs"),
         ("[num_pairs×2; index]", "[num_pairs×2; indices]", "unknown attribute: indices"),
         ("[num_pairs; time; member time]", "[num_pairs; time; member tim]", "no struct of the template has the member tim"),
+        ("[num_pairs×2; index]", "[num_pairs×2; index", "attributes must stand between brackets"),
         ("/** [number of pairs] 0 is", "/** 0 is", "number of what?"),
         ("int32_t const *images;\n} pw85_pair_list", "int32_t const *pairs;\n} pw85_pair_list", "two members of one name"),
     ),
@@ -288,6 +291,7 @@ def complaints_of_spoiling(folder):
     sys.path.insert(0, str(folder / "api"))
     import classes
     import declarations
+    import public_headers
     import fortran
     import linked
     import rows
@@ -309,9 +313,9 @@ def complaints_of_spoiling(folder):
                 continue
             first, last = (text.count("\n", 0, place) + 1 for place in (text.rfind("/**", 0, begin), begin))
             lines = range(first, last + 1)
-            declarations.replace({header: text.replace(old, new, 1)})
+            public_headers.replace({header: text.replace(old, new, 1)})
             yield from complaint_of(lambda: make(header), new, said, rf"{header}:(?:{'|'.join(map(str, lines))}): ")
-        declarations.replace({header: text})
+        public_headers.replace({header: text})
 
 
 def complaints_of_templates(folder):
