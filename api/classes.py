@@ -20,17 +20,13 @@ in include/pw85/batch/values.hpp. api/committed.py writes the headers or compare
 import re
 
 from declarations import c_functions, functions, sections
-from public_headers import SIMULATION
-from refusals import Refused, line_of
+from public_headers import SYSTEMS
+from refusals import Refused, line_of, refuse
 from cpp import CLASSES, FOLDER, TEMPLATES, is_of_list, is_of_rows, kinds, name_in_cpp, structs
 from cpp_calls import Call
-from layout import arguments, cpp_header
+from layout import arguments, cpp_header, insert
 
-MARK = re.compile(
-    r"^(?P<indent> *)@(?P<kind>member|function) (?P<names>\w+(?:, \w+)*)(?: as (?P<own>\w+))?(?: without (?P<without>\w+))?"
-    r"(?: returns (?P<type>\w+))?\n(?P<said>(?: *\w+: .*\n)*)",
-    re.MULTILINE,
-)
+SAID = re.compile(r" (?P<names>\w+(?:, \w+)*)(?: as (?P<own>\w+))?(?: without (?P<without>\w+))?(?: returns (?P<type>\w+))?")
 # The mark @private at the end of a class: the object that it owns, and how that is destroyed.
 PRIVATE = """\
   private:
@@ -42,35 +38,67 @@ PRIVATE = """\
     }};
     std::unique_ptr<{0}, Destroy> object_;
 """
-MARK_OF_MANY = re.compile(r"^@(?P<kind>rows|pairs) (?P<header>\w+\.h)\n", re.MULTILINE)
-MARK_OF_OTHERS = re.compile(r"^(?P<indent> *)@others\n", re.MULTILINE)
 KINDS = {"rows": is_of_rows, "pairs": is_of_list}
 
 
-def definitions_of(match, prefix, path, made):
-    """The functions of a line; an empty line is between them and those of the next one. `made` are those of the lines before."""
-    is_member, texts = match["kind"] == "member", []
-    types = dict(line.strip().split(": ", 1) for line in match["said"].splitlines())
-    for name in match["names"].split(", "):
-        place = f"{line_of(path.name, match.string, match.start('kind'))}: @{match['kind']} {name}"
-        c_name, own = f"{prefix if is_member else 'pw85_'}{name}", match["own"] or name
-        if c_name not in c_functions():
-            raise Refused(f"{place}: no function {c_name}()")
-        if (own, match["without"]) in made:
-            raise Refused(f"{place}: {own}() is made twice")
-        for kind in (match["type"], *types.values()):
-            if kind and kind.split()[0] not in kinds():
-                raise Refused(f"{place}: no type {kind.split()[0]} in the headers of C++")
-        made.add((own, match["without"]))
-        call = Call(c_functions()[c_name], types, is_member, match["without"], match["type"])
-        outputs = call.function.outputs  # the only one can be the result itself
-        if match["type"] and outputs[1:] and (left := [one.name for one in outputs if not call.place(one).startswith("found.")]):
-            raise Refused(f"{place}: {match['type']} has no member {left[0]}")
+class Header:
+    """A header that is made of its template. `others` are the functions that no template calls."""
+
+    def __init__(self, path, others):
+        text = path.read_text(encoding="utf-8")
+        self.path, self.others, self.made = path, others, set()
+        self.owned = next((c_name for c_name, kind in CLASSES.items() if f"\nclass {kind} {{" in text), "pw85")
+
+    def text(self):
+        made = {"member": self.functions, "function": self.functions, "others": self.functions_of_others, "rows": functions_of_all,
+                "pairs": functions_of_all, "private": lambda match: PRIVATE.format(self.owned)}  # fmt: skip
+        return insert(self.path, "@", made)
+
+    def functions(self, match, listed=None):
+        """The functions of a line, or those listed; an empty line is between them and those of the next one."""
+        said, place = SAID.fullmatch(listed or match["said"]), line_of(self.path.name, match.string, match.start("name"))
+        refuse(place, {f"not understood: @{match['name']}{match['said']}": said is None})
+        types = dict(line.strip().split(": ", 1) for line in match["below"].splitlines())
+        mark, names = f"{place}: @{match['name']}", said["names"].split(", ")
+        texts = (self.function(f"{mark} {name}", match["indent"], name, said, types) for name in names)
+        return "\n".join(texts) + "\n" * bool(re.match(" *@(member|function|others)", match.string[match.end() :]))
+
+    def function(self, place, indent, name, said, types):
+        """A member of the class, which is indented, or a function."""
+        prefix, key = self.owned if indent else "pw85", (said["own"] or name, said["without"])
+        c_name = f"{prefix}_{name}"
+        refuse(place, {f"no function {c_name}()": c_name not in c_functions(), f"{key[0]}() is made twice": key in self.made})
+        named = [kind.split()[0] for kind in (said["type"], *types.values()) if kind]
+        refuse(place, {f"no type {kind} in the headers of C++": kind not in kinds() for kind in named})
+        self.made.add(key)
+        call = Call(c_functions()[c_name], types, bool(indent), said["without"], said["type"])
+        outputs = [one.name for one in call.function.outputs if not call.place(one).startswith("found.")]
+        if said["type"] and call.function.outputs[1:]:  # the only one can be the result itself
+            refuse(place, {f"{said['type']} has no member {one}": True for one in outputs})
         known = {None, *call.function.parameter_names(), *(one.name for one in call.declared)}
-        if unknown := {*types, match["without"]} - known:
-            raise Refused(f"{place}: no such parameter: {', '.join(sorted(unknown))}")
-        texts.append(call.text(own, match["indent"]))
-    return "\n".join(texts) + "\n" * bool(MARK.match(match.string, match.end()))
+        unknown = ", ".join(sorted({*types, said["without"]} - known))
+        refuse(place, {f"no such parameter: {unknown}": unknown})
+        return call.text(key[0], indent)
+
+    def functions_of_others(self, match):
+        """All functions on the object of the class, or outside of it on none, that no template calls."""
+        owner = self.owned if match["indent"] else ""
+        names = [one.name.removeprefix(f"{owner or 'pw85'}_") for one in self.others if owner_of(one) == owner]
+        return self.functions(match, f" {', '.join(names)}") if names else ""
+
+
+def owner_of(function):
+    """The type of the object on which a function works; empty if it works on none."""
+    return next((one.type for one in function.parameters if one.type in CLASSES), "")
+
+
+def functions_of_all(match):
+    """The functions of a kind, in the sections of a header of C."""
+    texts = []
+    for section in sections(match["said"].strip()):
+        listed = [call_of_all(one, match["name"]) for one in section.functions if KINDS[match["name"]](one)]
+        texts += [f"/// @name {section.title}\n/// @{{\n", *listed, "/// @}\n"] if listed else []
+    return "\n".join(texts)
 
 
 def call_of_all(function, kind):
@@ -83,53 +111,20 @@ def call_of_all(function, kind):
     return call.text(name_in_cpp(function), body=body)
 
 
-def definitions(match):
-    """The functions of a kind, in the sections of a header of C."""
-    texts = []
-    for section in sections(match["header"]):
-        listed = [function for function in section.functions if KINDS[match["kind"]](function)]
-        if listed:
-            texts += [f"/// @name {section.title}\n/// @{{\n", *(call_of_all(one, match["kind"]) for one in listed), "/// @}\n"]
-    return "\n".join(texts)
-
-
-def marks_of_others(match, owned, others):
-    """The line in the place of a mark @others; an empty one if there are none."""
-    kind, owner = ("member", owned) if match["indent"] else ("function", "")
-    names = [one.name.removeprefix(f"{owner or 'pw85'}_") for one in others if owner_of(one) == owner]
-    return f"{match['indent']}@{kind} {', '.join(names)}\n" if names else "\n"
-
-
-def owner_of(function):
-    """The type of the object on which a function works; empty if it works on none."""
-    return next((one.type for one in function.parameters if one.type in CLASSES), "")
-
-
-def header(name, path, others):
-    template = path.read_text(encoding="utf-8")
-    owned = next((c_name for c_name, kind in CLASSES.items() if f"\nclass {kind} {{" in template), "pw85")
-    template = MARK_OF_OTHERS.sub(lambda match: marks_of_others(match, owned, others), template)
-    listed = set()
-    made = MARK.sub(lambda match: definitions_of(match, f"{owned}_", path, listed), template)
-    made = MARK_OF_MANY.sub(definitions, made.replace("@private\n", PRIVATE.format(owned)))
-    if left := re.search(r"^ *@(?!\{|\}).*", made, re.MULTILINE):
-        raise Refused(f"{line_of(path.name, template, template.index(left[0]))}: not understood: {left[0].strip()}")
-    return cpp_header(FOLDER / f"{name}.hpp", made, path)
-
-
 def headers(others):
-    return {FOLDER / f"{name}.hpp": header(name, path, others) for name, path in TEMPLATES.items()}
+    made = ((FOLDER / f"{name}.hpp", path) for name, path in TEMPLATES.items())
+    return {header: cpp_header(header, Header(path, others).text(), path) for header, path in made}
 
 
 def uncalled(made):
     """The functions on systems and objects that no text calls. Comments, which may name functions, do not count."""
     called = set(re.findall(r"\bpw85_\w+", re.sub(r"//.*", "", "".join(made.values()))))
-    return [one for name in ("pw85_systems.h", *SIMULATION) for one in functions(name) if one.name not in called]
+    return [one for one in functions(*SYSTEMS) if one.name not in called]
 
 
 def files():
     """The texts of the headers by their paths."""
     made = headers(uncalled(headers([])))
-    if left := uncalled(made):
-        raise Refused(f"{left[0].place}: in no template of C++, api/*.hpp.in")
+    for left in uncalled(made):
+        raise Refused(f"{left.place}: in no template of C++, api/*.hpp.in")
     return made

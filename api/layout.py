@@ -4,7 +4,7 @@
 import re
 import textwrap
 
-from refusals import Refused, line_of
+from refusals import line_of, refuse
 
 WIDTH = 100  # of C, C++, Fortran and Rust
 
@@ -47,11 +47,17 @@ def cpp_header(path, text, template=None):
 
 
 def insert(template, mark, made):
-    """The text of a template, a path, with lines in the place of each line that has the mark and their name, indented as this is."""
+    """The text of a template, a path. A line with a mark and a name is replaced by what is made for the name: lines, indented as this is,
+    or the text that a function makes of the match. This has what is said behind the name, and the lines of words below."""
 
-    def lines(match):
-        if match[2] not in made:
-            raise Refused(f"{line_of(template.name, match.string, match.start())}: not understood: {mark.strip()} {match[2]}")
-        return "".join(f"{match[1]}{line}".rstrip() + "\n" for line in made[match[2]])
+    def text(match):
+        lines = made.get(match["name"])
+        is_known = callable(lines) or (lines is not None and not match["said"])
+        line = match[0].partition("\n")[0].strip()
+        refuse(line_of(template.name, match.string, match.start("name")), {f"not understood: {line}": not is_known})
+        if callable(lines):
+            return lines(match)
+        return "".join(f"{match['indent']}{line}".rstrip() + "\n" for line in lines) + match["below"]
 
-    return re.sub(rf"^( *){re.escape(mark)} (\w+)\n", lines, template.read_text(encoding="utf-8"), flags=re.MULTILINE)
+    form = rf"^(?P<indent> *){re.escape(mark)} ?(?P<name>\w+)(?P<said>.*)\n(?P<below>(?: *\w.*\n)*)"
+    return re.sub(form, text, template.read_text(encoding="utf-8"), flags=re.MULTILINE)

@@ -31,7 +31,7 @@ from refusals import Refused, run
 from docstrings import INDENT, docstring
 from layout import in_one_line_or_each, insert
 from python_calls import objects_table, rows_table, stubs
-from rows import row_functions
+from rows import row_functions, rows_by_hand
 from voice import Voice
 
 LINE = 120
@@ -150,7 +150,7 @@ def module(template):
 
 def made_lines():
     """Lines for each mark of a template."""
-    rows = sorted(row_functions(), key=lambda row: row.name)
+    rows = sorted((*row_functions(), *rows_by_hand()), key=lambda row: row.name)
     results = {row.name: tuple_of(["Floats" if one.shape else "Any" for one in row.outputs]) for row in rows}
     return {
         "functions": [f"{python_name(row)}," for row in row_functions() if not is_legacy(row)],

@@ -12,7 +12,7 @@ from declarations import functions
 from public_headers import SIMULATION
 from parameters import OBJECTS
 from refusals import entry_of
-from rows import row_functions
+from rows import row_functions, rows_by_hand
 
 NUMBERS_OF_FORM = 6
 SILENT_HEADERS = ("pw85_legacy.h", "pw85_zheng.h")  # of a library that keeps no record of refusals
@@ -84,7 +84,7 @@ def rows_table():
     return "".join(
         f'{{"{row.name}", "{row.signature()}",\n [](Inputs in, Outputs out) -> int {{ {body_of_row(row)} }},\n'
         f" {batch(row)}, {codes(row)}, {str(row.is_overlap()).lower()}}},\n"
-        for row in row_functions()
+        for row in (*row_functions(), *rows_by_hand())
     )
 
 

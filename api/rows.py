@@ -18,7 +18,7 @@ from refusals import Refused
 # Python has one number of what this building block of 1.0's programs gives: f, by a function of python/src/function.cpp.
 ONE_OF_MANY = {"pw85__residual": "f"}
 NUMBERS_OF_MOTION = 7  # in a pw85_motion
-# Python has these for matrices (python/pypw85/_conversions.py), and says there which row is wrong.
+# Python has these for matrices (python/pypw85/_conversions.py), which refuses all rows if one is bad.
 BY_HAND = ("pw85_from_moments", "pw85_from_moments_2d")
 # Other functions of one or many rows that languages have by hand: their parameters are not numbers and arrays of stated length alone.
 NOT_OF_ROWS = ("pw85_set_reproducible", "pw85_is_reproducible", "pw85_inertia", "pw85_inertia_batch", "pw85_overlap_any",
@@ -147,9 +147,15 @@ def row_function(function, many):
     return RowFunction(function, many, inputs, results(function))
 
 
+def rows_by_hand():
+    """Those for which Python has a function by hand."""
+    known = {function.name: function for function in functions(*ONE_ROW, "pw85_batch.h")}
+    return [row_function(known[name], known[name_of_many(name)]) for name in BY_HAND]
+
+
 @cache
 def row_functions():
-    """All of them, in the order of the headers."""
+    """All others, in the order of the headers."""
     known = {function.name: function for function in functions(*HOST_HEADERS)}
     found, relatives = [], {name_of_many(name) for name in BY_HAND}
     for name, function in known.items():

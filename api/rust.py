@@ -7,13 +7,13 @@ A function of one row takes arrays and returns a number, an array or a struct; o
 import re
 from functools import cache
 
-from declarations import c_functions, functions
+from declarations import functions
 from public_headers import ONE_ROW, SOURCE, statuses, version
 from refusals import Refused, entry_of
 from examples import example_value
 from layout import in_one_line_or_each as listing
 from layout import wrapped
-from rows import BY_HAND, TRUTHS, name_of_many, row_function, row_functions
+from rows import TRUTHS, row_function, row_functions, rows_by_hand
 from voice import PlainVoice, sentence
 
 FOLDER = SOURCE / "rust"
@@ -28,7 +28,7 @@ BY_HAND_IN_RUST = ("pw85_version", "pw85_set_reproducible", "pw85_is_reproducibl
 @cache
 def asked():
     """The functions of one row, and those of many rows that have no relative for one."""
-    listed = [*row_functions(), *(row_function(c_functions()[name], c_functions()[name_of_many(name)]) for name in BY_HAND)]
+    listed = (*row_functions(), *rows_by_hand())
     return [row for row in listed if row.function.header in HEADERS and not row.is_building_block() and not row.is_by_hand()]
 
 

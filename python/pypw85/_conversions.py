@@ -10,8 +10,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from . import _core
 from ._arrays import doubles, plain
+from ._documentation import FUNCTIONS
 from ._errors import named
+from ._explanations import explain_values
 from ._forms import packed
 from ._functions import ellipsoid, ellipsoid_quaternion
 from ._numbers import truth
@@ -333,26 +336,30 @@ def _check_matrices(function: str, matrices: Any) -> None:
         raise ValueError(f"{function}: the last dimensions must be 3×3 or 2×2, not the shape {matrices.shape}")
 
 
+FUNCTIONS["from_moments"] = FUNCTIONS["from_moments_2d"] = from_moments
+
+
 def _of_uniform_body(function: str, moments: Any) -> Floats:
+    """Forms of second moments; all are refused if one is, with what the library tells of the first."""
     _check_matrices(function, moments)
-    n = moments.shape[-1]
-    if isinstance(moments, np.ndarray):
-        with np.errstate(invalid="ignore"):
-            finite = np.isfinite(moments).all(axis=(-1, -2))
-            wrong = ~(finite & (np.linalg.eigvalsh(np.where(finite[..., None, None], moments, 0))[..., 0] > 0))
-        if wrong.any():
-            which = f" (row {np.argwhere(wrong)[0].tolist()})" if wrong.ndim else ""
-            cause = "must be positive definite: check that they are second moments, about the centre, of a body that is not flat"
-            if function == "from_inertia":
-                cause = ("must be those of a body, each smaller than the sum of the other two: check that they are a tensor of inertia, "
-                         "about the centre, of a body that is not flat")  # fmt: skip
-            raise ValueError(f"{function}: the moments{which} {cause}")
-    in_space = moments
-    if n == 2:
-        in_space = np.zeros((*moments.shape[:-2], 3, 3))
-        in_space[..., :2, :2] = moments
-    form: Floats = (n + 2) * packed(in_space)
-    return form if n == 3 else form[..., [0, 1, 3]]
+    name, rows = "from_moments", moments
+    if moments.shape[-1] == 2:
+        rows = np.zeros((*moments.shape[:-2], 3, 3))
+        rows[..., :2, :2] = moments
+        name = "from_moments_2d"
+    rows = packed(rows) if name == "from_moments" else packed(rows)[..., [0, 1, 3]]
+    with np.errstate(invalid="ignore"):
+        forms: Floats = getattr(_core, name)(rows)
+    if isinstance(forms, np.ndarray) and np.isnan(forms).any():
+        raise ValueError(f"{function}: {explain_values(name, (rows,))}: {_ADVICE[function]}")
+    return forms
+
+
+_ADVICE = {
+    "from_moments": "check that they are second moments, about the centre, of a body that is not flat",
+    "from_inertia": "they follow from the inertia: check that it is a tensor, about the centre, of a body that is not flat; in space, "
+                    "each principal moment is smaller than the sum of the two others",
+}  # fmt: skip
 
 
 # Keys of type_shapes of ellipsoids and spheres

@@ -155,11 +155,7 @@ def credible_ellipsoid(samples: ArrayLike, share: float, tolerance: float = 1e-6
     count, (m, n) = math.ceil(share * len(rows)), rows.shape
     if n < m and count <= n:
         raise ValueError(f"{name}: share must take at least {n + 1} of the {m} samples in {n} dimensions, not {count}, as {share:g} does")
-    if not np.isfinite(rows).all():
-        bad = int(np.flatnonzero(~np.isfinite(rows).all(axis=1))[0])
-        detail = f"row {bad}: samples must be finite, not {rows[bad].tolist()}"
-        raise PW85Error(Status.EINVAL, name, _core.strerror(Status.EINVAL), detail)
-    if m <= n:
+    if m <= n or not np.isfinite(rows).all():  # the library refuses them, or warns
         return _enclose(name, _core.enclosing_ellipsoid, tolerance, samples=rows)
     # In units of the extents, because coordinates may have different units. Powers of two change no digit.
     extents = rows.max(axis=0) / 2 - rows.min(axis=0) / 2
@@ -202,7 +198,7 @@ def _cause(tolerance: float, m: int, what: str, inputs: dict[str, Floats]) -> st
         return f"{what}: m {requirement}, not {m}"
     if argument == "points":
         argument = what
-    if argument == what and math.isnan(value) and np.isfinite(inputs[what]).all():  # all rows together are the cause
+    if argument == what and math.isnan(value) and not math.isnan(inputs[what][row, entry]):  # all rows together are the cause
         return f"{what} {requirement}"
     return describe((function, argument, requirement, row, entry, value), "row", tolerance=tolerance, **inputs)
 

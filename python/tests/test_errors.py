@@ -224,7 +224,7 @@ def causes():
 
 
 def is_form(argument, core):
-    return core == (6,) or (argument in ("q", "q1", "q2") and core == (3,))
+    return core == (6,) or (argument in ("q", "q1", "q2", "second_moments") and core == (3,))
 
 
 def good_row(argument, core):

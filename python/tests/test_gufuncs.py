@@ -14,7 +14,7 @@ import pypw85
 from pypw85 import _core, gufuncs
 
 sys.path.insert(0, os.path.join(os.environ["PYPW85_SOURCE"], "api"))
-from rows import row_functions
+from rows import row_functions, rows_by_hand
 
 # Functions of each kind, as one would write them by the manual: numbers and matrices, several results, those in one array in C,
 # truth values, motions, results of two extents, two dimensions, what is made by hand.
@@ -40,7 +40,7 @@ KNOWN = {
     "legacy_f1": "(),(3),(6),(6)->(),(),()",
     "legacy_f2_derivatives": "(),(3),(6),(6)->(3)",
 }
-SIGNATURES = {row.name: row.signature() for row in row_functions()}
+SIGNATURES = {row.name: row.signature() for row in (*row_functions(), *rows_by_hand())}
 HAS_UPPER_CORNER = {row.name for row in row_functions() if any(one.name == "upper" for one in row.inputs)}
 
 

@@ -48,10 +48,15 @@ def test_closed_forms():
 
 
 def test_moments_of_no_body():
-    for matrix in (np.diag([1, 1, -1]), np.diag([1, 1, 0]), np.diag([1, np.nan, 1])):
-        with pytest.raises(ValueError, match="from_moments: the moments must be positive definite: check that"):
-            pypw85.from_moments(matrix)
-    with pytest.raises(ValueError, match=r"from_inertia: the moments \(row \[1\]\) must be those of a body, each smaller than"):
+    """The cause and the row are those that the library tells."""
+    for entry, cause in ((-1, "be positive definite"), (0, "be positive definite"), (np.nan, "be finite"), (np.inf, "be finite")):
+        for n in (2, 3):
+            matrix = np.diag([1, entry, 1][:n])
+            with pytest.raises(ValueError, match=f"from_moments: second_moments must {cause}.*: check that"):
+                pypw85.from_moments(matrix)
+            with pytest.raises(ValueError, match=rf"from_moments: row \(1, 0\): second_moments must {cause}.*: check that"):
+                pypw85.from_moments([[np.eye(n)], [matrix]])
+    with pytest.raises(ValueError, match=r"from_inertia: row \(1,\): second_moments must be positive definite, .* smaller than"):
         pypw85.from_inertia([np.eye(3), np.diag([1, 2, 4])])  # 4 > 1 + 2
     with pytest.raises(ValueError, match="3×3 or 2×2, not the shape"):
         pypw85.from_inertia(np.eye(4))
