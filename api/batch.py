@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The header include/pw85_batch.h, made of its template api/pw85_batch.h.in and of the functions of one row in pw85.h,
-pw85_grains.h and pw85_shapes.h.
+"""The functions of many rows: the header include/pw85_batch.h, made of its template api/pw85_batch.h.in and of the functions of one row in
+pw85.h, pw85_grains.h and pw85_shapes.h, and the functions in src/c_api/. Those that have lanes are in the files *_lanes.cpp, and call the
+kernel of LANES. The others are in the files *_rows.cpp, and call the function of one row for each row, with an argument of
+src/rows/each_row.hpp for each parameter.
 
 At the mark @rows stand the functions of many rows for all functions of one row with an array among their inputs, except for those that
 the mark names. Their arrays have a row in the place of each number or array; what else is to be said of them stands in those headers.
@@ -17,12 +19,13 @@ are in the template as they are.
 import re
 from itertools import groupby
 
-import layout
 from causes import LIMITS
 from declarations import c_functions, functions
 from public_headers import INCLUDE, ONE_ROW, SOURCE
-from refusals import Refused, line_of
+from refusals import line_of, refuse
+from layout import WIDTH, arguments, insert, wrapped
 from rows import TRUTHS, name_of_many
+from shims import FILES, FOLDER, HEAD, questions
 
 HEADER, TEMPLATE = INCLUDE / "pw85_batch.h", SOURCE / "api/pw85_batch.h.in"
 MARK = re.compile(r"^@rows without (?P<without>.*)\n(?P<said>(?:(?:    )?\w.*\n)*)", re.MULTILINE)
@@ -31,6 +34,31 @@ PLURALS = {"normal": "normals", "offset": "offsets", "direction": "directions", 
 # What there is beside ellipsoids, by an input.
 BESIDE = {"offset": "{} and half-spaces", "lower": "{} and boxes", "vertex1": "{} and triangles", "end1": "{} and segments",
           "axis": "{} and cylinders", "r": "points and {}", "origin": "lines and {}"}  # fmt: skip
+
+# The kernels of functions of many rows that have lanes: the header of the question in src/simd/lanes/, the
+# arrays, whose members are the parameters that the rows do not have, and the rows, if they are not those of pairs.
+LANES = {
+    "contact": ("contact", "ContactArrays"),
+    "contact_2d": ("contact", "ContactArrays"),
+    "closest_approach": ("contact", "ApproachArray", "Directions{{directions, q1, q2}}"),
+    "overlap": ("overlap", "OverlapArray"),
+    "overlap_2d": ("overlap", "OverlapArray"),
+    "overlap_volume": ("volumes", "VolumeArray"),
+    "overlap_area_2d": ("two_dimensions", "AreaArray"),
+    "distance": ("distance", "DistanceArrays"),
+    "penetration": ("depth", "DepthArrays"),
+    "signed_distance": ("signed_distance", "SignedDistanceArrays"),
+    "closest_passage": ("passage", "PassageArrays"),
+    "grain_contact": ("grains", "GrainArrays"),
+    "distance_point": ("surface_distances", "SurfaceArrays", "PointRows{r, q}"),
+    "distance_cylinder": ("surface_distances", "SurfaceArrays", "CylinderRows{axis, radius, center, q}"),
+    "intersect_line": ("lines", "ChordArrays", "SetRows<Lines>{{origin, directions}, q}"),
+}
+SETS = {"segment": "SetRows<Segments>{{end1, end2}, q}", "triangle": "SetRows<Triangles>{{vertex1, vertex2, vertex3}, q}",
+        "box": "SetRows<Boxes>{{lower, upper}, q}"}  # fmt: skip
+LANES |= {f"contact_{name}": ("shapes", "SetContactArrays", rows) for name, rows in SETS.items()}
+LANES |= {f"overlap_{name}": ("shapes", "OverlapArray", rows) for name, rows in SETS.items()}
+SOURCES = "pw85.h, pw85_grains.h, pw85_shapes.h and api/pw85_batch.h.in"
 
 
 def has_rows(function):
@@ -64,9 +92,9 @@ class Statement:
         self.said, names = {}, [name for one in function.parameters for name in names_of(one)]
         for line in said["parameters"].splitlines() if said else ():
             name, _, text = line.strip().partition(": ")
-            if name not in names or name in self.said or not text.startswith("["):
-                place = line_of(TEMPLATE.name, said.string, said.string.index(line, said.start()))
-                raise Refused(f"{place}: {self.name}() has no parameter {name}, or it is described twice, or without brackets")
+            place = line_of(TEMPLATE.name, said.string, said.string.index(line, said.start()))
+            is_wrong = name not in names or name in self.said or not text.startswith("[")
+            refuse(place, {f"{self.name}() has no parameter {name}, or it is described twice, or without brackets": is_wrong})
             self.said[name] = text
 
     def arguments(self):
@@ -97,9 +125,9 @@ class Statement:
         for (tag, said), group in groupby(listed, lambda one: (one[1], one[3])):
             text.append(f"{tag} {','.join(name for _, _, name, _ in group)} {said}")
         text.append(f"@return as for {self.function.name}(), of the first bad {self.row}")
-        lines = [line for part in text for line in layout.wrapped(part, layout.WIDTH - 4) or [""]]
+        lines = [line for part in text for line in wrapped(part, WIDTH - 4) or [""]]
         comment = "\n".join(f" * {line}".rstrip() for line in lines)
-        head = layout.arguments(f"PW85_API int {self.name}(", ["size_t n", *(declared for declared, *_ in listed)], ");")
+        head = arguments(f"PW85_API int {self.name}(", ["size_t n", *(declared for declared, *_ in listed)], ");")
         return f"/**{comment[2:]} */\n{head}\n"
 
 
@@ -107,20 +135,75 @@ def statements():
     """Those of all functions, in the order of the headers."""
     text = TEMPLATE.read_text(encoding="utf-8")
     mark = MARK.search(text)
-    if mark is None:
-        raise Refused(f"{TEMPLATE.name}: no mark @rows")
+    refuse(TEMPLATE.name, {"no mark @rows": mark is None})
     known = {one.name: one for one in functions(*ONE_ROW) if has_rows(one)}
     without, said = re.findall(r"\w+", mark["without"]), [*SAID.finditer(text, *mark.span("said"))]
     names = [*without, *(one["name"] for one in said)]
     for name, start in zip(names, [*(mark.start() for _ in without), *(one.start() for one in said)]):
-        if name not in known or names.count(name) > 1:
-            raise Refused(f"{line_of(TEMPLATE.name, text, start)}: no function {name}() of one row, or it is named twice")
+        is_wrong = name not in known or names.count(name) > 1
+        refuse(line_of(TEMPLATE.name, text, start), {f"no function {name}() of one row, or it is named twice": is_wrong})
     return [Statement(known[name], dict(zip(names[len(without):], said)).get(name)) for name in known if name not in without]
 
 
 def header():
-    made = "\n".join(one.declaration() for one in statements())
-    text = MARK.sub(lambda match: made, TEMPLATE.read_text(encoding="utf-8"))
-    if left := re.search(r"^@.*", text, re.MULTILINE):
-        raise Refused(f"{TEMPLATE.name}: {left[0]}: not understood")
-    return text
+    """The text of the header."""
+    return insert(TEMPLATE, "@", {"rows": lambda match: "\n".join(one.declaration() for one in statements())})
+
+
+def row_argument(one, many):
+    """The argument of each_row() for a parameter of one row; `many` stand for it in the function of many rows."""
+    first, names = many[0], ", ".join(argument.name for argument in many)
+    if not first.pointer:
+        return f"SameNumber{{{names}}}"
+    if len(many) > 1:
+        return f"TwoNumbers{{{names}}}"
+    if first.type == "unsigned char":
+        return f"Bytes{{{names}}}"
+    if not one.pointer:
+        return f"Numbers{{{names}}}"
+    if first.nullable:
+        return f"OptionalRowsOf<{one.size}>{{{names}}}"
+    element = f"{first.type} const" if first.const else first.type
+    return f"RowsOf<{one.size}{'' if element == 'double const' else f', {element}'}>{{{names}}}"
+
+
+def kernel_of(function):
+    """The header of the question, the rows and the arrays of a function that has lanes."""
+    question, arrays, *rows = LANES[function.plain]
+    return question, (rows or [f"PairArrays<{function.dimension}>{{r12, q1, q2}}"])[0], arrays
+
+
+def of_many_rows(statement):
+    listed = statement.arguments()
+    if statement.function.plain in LANES:
+        _, rows, arrays = kernel_of(statement.function)
+        own = [one for _, many in listed for one in many]
+        others = ", ".join(one.name for one in own if one.name not in re.findall(r"\w+", rows))
+        names = [one.name for one in own if one.pointer and not one.nullable]
+        begin, passed = "    return compute_rows(", [rows, f"{arrays}{{{others}}}", *names]
+    else:
+        names = [many[0].name for _, many in listed]
+        begin, passed = "    return each_row(", [statement.function.name, *(row_argument(one, many) for one, many in listed)]
+    head = arguments(f"int {statement.name}(", c_functions()[statement.name].written, ")")
+    table = arguments("    static constexpr char const *names[] = {", [f'"{one}"' for one in [statement.name, *names]], "};")
+    return f"\n{head}\n{{\n{table}\n{arguments(begin, ['names', 'n', *passed], ');')}\n}}\n"
+
+
+def many_rows_file(title, listed):
+    has_lanes = listed[0].function.plain in LANES
+    questions = sorted({kernel_of(one.function)[0] for one in listed}) if has_lanes else []
+    own = ["rows/many_pairs", *(f"simd/lanes/{name}" for name in questions)] if has_lanes else ["rows/each_row"]
+    head = HEAD.format(what=f", many rows with{'' if has_lanes else 'out'} lanes: {title[0].lower()}{title[1:]}", sources=SOURCES,
+                       includes="\n".join(["#include <pw85_batch.h>\n", *(f'#include "../{name}.hpp"' for name in own)]),
+                       namespaces="using namespace pw85::detail::kernels;")  # fmt: skip
+    return head + "".join(map(of_many_rows, listed))
+
+
+def files():
+    """The texts of the files of src/c_api/ by their paths."""
+    listed = {}
+    for statement in statements():
+        question = questions()[statement.function.name]
+        name = f"{question}_{'lanes' if statement.function.plain in LANES else 'rows'}"
+        listed.setdefault(name, (FILES[question], []))[1].append(statement)
+    return {FOLDER / f"{name}.cpp": many_rows_file(*own) for name, own in listed.items()}

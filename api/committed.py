@@ -24,7 +24,7 @@ from declarations import functions
 from public_headers import EVERY_HEADER, SOURCE, replace
 from refusals import run
 
-PROGRAMS = (fortran, shims, objects, symbols, linked, classes, rare, r, octave, javascript, rust)
+PROGRAMS = (fortran, batch, shims, objects, symbols, linked, classes, rare, r, octave, javascript, rust)
 
 
 def files():

@@ -204,7 +204,8 @@ WRONG_VALUES = [
     (lambda: pypw85.from_lammps([1, 2, 3], [0, 0, 0, 0]), "from_lammps: quaternion_wxyz must not be zero"),
     (lambda: pypw85.from_rotation_vector([1, 2, 3], [np.nan, 0, 0]), "from_rotation_vector: quaternion_wxyz must be finite"),
     (lambda: pypw85.plot([0, 0, np.nan], Q, [0, 0, 0], Q), "plot: r12 must be finite"),
-    (lambda: pypw85.from_inertia(np.diag([1, 1, 5])), r"from_inertia: second_moments must be positive definite, not .*: they follow from the inertia: check that"),
+    (lambda: pypw85.from_inertia(np.diag([1, 1, 5])),
+     r"from_inertia: second_moments must be positive definite, not .*: they follow from the inertia: check that"),
     (lambda: pypw85.Law.table(0, 1, [1, 2], [1]), r"Law.table: u and d_u must be as many numbers, not have the shapes \(2,\) and \(1,\)"),
 ]  # fmt: skip
 WALLS = [

@@ -266,7 +266,7 @@ SPOILED_TEMPLATES = (
     ("periodic.hpp.in", "@others\n", "", "pw85_nearest_images(): in no template of C++"),
     ("lists.hpp.in", "@pairs pw85_systems.h", "@triples pw85_systems.h", "not understood"),
     ("linked.hpp.in", "//@ others", "//@ other", "not understood"),
-    ("pw85_batch.h.in", "@rows without", "@row without", "no mark @rows"),
+    ("pw85_batch.h.in", "@rows without", "@row without", "not understood: @row without"),
     ("pw85_batch.h.in", "\npw85_compare:", "\npw85_compares:", "no function pw85_compares() of one row"),
     ("pw85_batch.h.in", "without pw85_ellipsoid,", "without pw85_ellipsoids,", "no function pw85_ellipsoids() of one row"),
     ("pw85_batch.h.in", "    sign: [n] -1", "    signs: [n] -1", "pw85_compare_batch() has no parameter signs"),
@@ -289,6 +289,7 @@ def complaint_of(make, new, said, place):
 def complaints_of_spoiling(folder):
     """Whether each error of a header is found, with its line or that of the comment."""
     sys.path.insert(0, str(folder / "api"))
+    import batch
     import classes
     import declarations
     import public_headers
@@ -302,7 +303,8 @@ def complaints_of_spoiling(folder):
         for one in declarations.functions(header):
             one.flattened, one.is_nan_on_error()
         rows.row_functions.cache_clear()
-        return classes.files() if header == "pw85_systems.h" else (linked.files(), shims.files(), rows.row_functions(), fortran.files())
+        made = (linked, shims, batch, fortran) if header != "pw85_systems.h" else (classes,)
+        return rows.row_functions(), [program.files() for program in made]
 
     for header, listed in SPOILED.items():
         text = (folder / "include" / header).read_text(encoding="utf-8")
