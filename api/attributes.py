@@ -26,8 +26,7 @@ import re
 from dataclasses import dataclass, replace
 
 from causes import LIMITS, PACKED, RANGES
-from refusals import Refused
-
+from refusals import refuse
 
 NAMES = r"([\w.]+(?:, [\w.]+)*)"
 LISTS = ("without", "needs", "members", "each")
@@ -100,22 +99,15 @@ class Attributes:
         return found
 
 
-def form_of(item, extents):
-    """The place of an attribute in the order, its name, and what it says."""
-    for place, (name, form) in enumerate(FORMS.items()):
-        if match := re.fullmatch(form.replace("{extent}", "|".join(map(re.escape, extents))), item):
-            return place, name, match[match.lastindex or 0]
-    raise Refused(f"unknown attribute: {item or 'none between the brackets'}")
-
-
-def parsed(text, extents):
-    """The attributes between brackets; `text` is None where there are none."""
-    found, last = {}, (-1, "")
+def parsed(text, extents, place):
+    """The attributes between brackets; `text` is None where there are none. `extents` are names of numbers of rows."""
+    found, last, extent = {}, (-1, ""), "|".join(map(re.escape, [*extents, PACKED]))
     for item in [] if text is None else " ".join(text.split()).split("; "):
-        place, name, said = form_of(item, [*extents, PACKED])
-        if place <= last[0]:
-            raise Refused(f"{item} must not stand behind {last[1]}")
-        found[name], last = said, (place, item)
+        matches = ((k, name, re.fullmatch(form.replace("{extent}", extent), item)) for k, (name, form) in enumerate(FORMS.items()))
+        k, name, match = next((one for one in matches if one[2]), (len(FORMS), "", None))
+        refuse(place, {f"unknown attribute: {item or 'none between the brackets'}": match is None,
+                       f"{item} must not stand behind {last[1]}": k <= last[0]})  # fmt: skip
+        found[name], last = match[match.lastindex or 0], (k, item)
     words = frozenset(name for name, said in found.items() if name == said)
     values = {name: tuple(said.split(", ")) if name in LISTS else said for name, said in found.items() if name not in words}
     if "shape" in values:
@@ -123,9 +115,8 @@ def parsed(text, extents):
     return Attributes(words=words, **values)
 
 
-def text_behind(text):
+def text_behind(text, place):
     """The text behind the brackets; brackets that are open, or stand behind a word, are not read as attributes."""
     plain = " ".join(text.split())
-    if ASTRAY.search(plain):
-        raise Refused(f"attributes must stand between brackets behind the name: {plain}")
+    refuse(place, {f"attributes must stand between brackets behind the name: {plain}": ASTRAY.search(plain)})
     return plain

@@ -7,7 +7,7 @@ from math import prod
 
 from declarations import c_functions, functions
 from public_headers import CPP_HEADERS, INCLUDE, SOURCE, statuses
-from refusals import Refused
+from refusals import refuse
 from voice import limits_of
 
 FOLDER = INCLUDE / "pw85"
@@ -135,8 +135,7 @@ def described(function, one):
     if not one.rows:
         return text
     counts = next(other for other in function.flattened if other.name == one.rows)
-    if not counts.attributes.rows:
-        raise Refused(f"{counts.place}: number of what? C++ names the rows")
+    refuse(counts.place, {"number of what? C++ names the rows": not counts.attributes.rows})
     of_row = counts.attributes.rows.replace("vertices", "vertex").removesuffix("s")
     row = f"one for each {of_row}{', or empty' if one.nullable else ''}"
     return f"{row}{': ' if one.text else '; '}{text}" if text else row

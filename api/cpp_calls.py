@@ -10,7 +10,7 @@ import re
 from collections import namedtuple
 from itertools import groupby
 
-from refusals import Refused
+from refusals import refuse
 from cpp import CLASSES, NUMBERS, SHORT_NAMES, STRUCTS, address, brief, described, in_cpp, row_type, structs
 from layout import arguments, wrapped
 
@@ -69,8 +69,7 @@ class Call:
             return f"found.{name}"
         owners = (struct for struct, kind in self.types.items() if struct != one.name and name in structs().get(kind, ()))
         place = next((f"{struct}.{name}" for struct in owners), NAMES.get(one.name, one.name))
-        if one.attributes.members and "." not in place:
-            raise Refused(f"{one.place}: no struct of the template has the member {name}")
+        refuse(one.place, {f"no struct of the template has the member {name}": one.attributes.members and "." not in place})
         return place
 
     def declare(self, one, text):

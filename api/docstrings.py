@@ -3,7 +3,7 @@
 
 import re
 
-from refusals import Refused
+from refusals import refuse
 from layout import filled
 
 WIDTH = 116
@@ -12,13 +12,12 @@ SECTION = re.compile(r"^([A-Z][\w ]+)\n-{3,}\n", re.MULTILINE)
 ORDER = ("Parameters", "Returns", "Raises", "See Also", "Notes", "Examples")
 
 
-def parse(text):
+def parse(text, place):
     """The paragraphs at the head of a docstring as it is written, and the text of each section by its title."""
     head, *rest = SECTION.split(text)
     paragraphs = [paragraph.strip("\n") for paragraph in head.split("\n\n") if paragraph.strip()]
     sections = {title: lines.strip("\n") for title, lines in zip(rest[::2], rest[1::2])}
-    if sections.keys() - set(ORDER):
-        raise Refused(f"no such section: {', '.join(sections.keys() - set(ORDER))}")
+    refuse(place, {f"no such section: {title}": title not in ORDER for title in sections})
     return paragraphs, sections
 
 
@@ -40,7 +39,7 @@ def output_entry(name, shapes):
     return entry(f"{name} : {kind}, optional", "Where to put the results.")
 
 
-def in_place(made, given):
+def in_place(made, given, place):
     """The entries "q1, q2 : (..., 6) array_like" of a section, but for those that are given, by any of their names."""
     own = [one.rstrip("\n") for one in re.split(r"^(?=\S)", given, flags=re.MULTILINE) if one.strip()]
     named = {name: one for one in own for name in one.partition("\n")[0].partition(" : ")[0].split(", ")}
@@ -50,8 +49,7 @@ def in_place(made, given):
         left = ", ".join(name for name in names.split(", ") if name not in named)
         for name in names.split(", "):
             found[named.get(name) or f"{left}{mark}{rest}"] = None
-    if {*own} - found.keys():
-        raise Refused(f"no such parameter: {', '.join({*own} - found.keys())}")
+    refuse(place, {f"no such parameter: {one.partition(chr(10))[0]}": one not in found for one in own})
     return "\n".join(found)
 
 
@@ -65,7 +63,7 @@ def arguments_of(row, signature, voice, given):
     codes = " With ``dtype=np.uint8`` the result is 1, 0, or 255 for a bad row, for `bad_rows`."
     made.append(output_entry(signature.output.name, [one.shape for one in row.outputs]))
     made.append(entry("**kwargs", f"As for any ufunc.{codes if row.is_truth() else ''}"))
-    return in_place(made, given)
+    return in_place(made, given, row.function.place)
 
 
 def results_of(row, voice):
@@ -81,7 +79,7 @@ def results_of(row, voice):
 
 def docstring(row, signature, given, voice):
     """The text of a function of Python. `given` is what Python says of it otherwise or in addition."""
-    paragraphs, sections = parse(given)
+    paragraphs, sections = parse(given, row.function.place)
     raises = voice.raises() and entry("PW85Error", voice.raises())
     made = {
         "Returns": "\n".join(results_of(row, voice)),

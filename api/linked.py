@@ -10,7 +10,7 @@ import re
 
 from declarations import c_functions, functions
 from public_headers import INCLUDE, SOURCE
-from refusals import Refused
+from refusals import refuse
 import layout
 from cpp import structs
 from cpp_calls import Call
@@ -34,13 +34,12 @@ def is_relative(template, function):
     array takes several only if they are numbers. What constant expressions can call is not replaced."""
     name, outputs = result_of(template, 0).partition("<")[0], function.outputs
     for one in outputs if name in structs() else ():
-        if unknown := {member.partition(".")[0] for member in one.members()} - {*structs()[name]}:
-            raise Refused(f"{one.place}: {name} has no member {min(unknown)}")
+        unknown = sorted({member.partition(".")[0] for member in one.members()} - {*structs()[name]})
+        refuse(one.place, {f"{name} has no member {', '.join(unknown)}": unknown})
     fixed = {found for one in template.written for found in re.findall(r"<T, ([23])>", one)}
     if template.type.startswith("constexpr ") or fixed not in (set(), {str(function.dimension)}):
         return False
-    if name not in structs():
-        raise Refused(f"{template.place}: no struct {name} in the headers of C++")
+    refuse(template.place, {f"no struct {name} in the headers of C++": name not in structs()})
     needed = {*structs()[name]} - {"status", *NOT_GIVEN_OUT.get(name, ())}
     same = len(function.inputs) == len(template.written) and {name for one in outputs for name in one.members()} == needed
     return same and all(len(one.members()) in (1, one.length) for one in outputs)

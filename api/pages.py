@@ -6,7 +6,7 @@ from functools import cache
 
 from declarations import c_functions, functions, sections
 from public_headers import C_HEADERS, PARTS
-from refusals import Refused
+from refusals import refuse
 from python import package_names, python_names
 from rows import name_of_many
 
@@ -31,8 +31,7 @@ def places_in_python():
 def python_functions(title):
     """The functions of Python that a section of the C headers, or a header without sections, has."""
     found = [name for name, place in places_in_python().items() if place == title]
-    if not found:
-        raise Refused(f"no functions of Python in {title}")
+    refuse(title, {"no functions of Python": not found})
     return found
 
 

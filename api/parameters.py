@@ -13,7 +13,7 @@ from math import prod
 from attributes import Attributes, parsed, text_behind
 from causes import PACKED
 from public_headers import of_texts, text_of
-from refusals import Refused, line_of, refuse
+from refusals import line_of, refuse
 
 STRUCTS = ("pw85_pair_list", "pw85_system", "pw85_law")  # structs that are arguments
 OBJECTS = ("pw85_neighbors", "pw85_mesh", "pw85_hard_ellipsoids", "pw85_random_addition")  # what the library owns
@@ -31,10 +31,7 @@ Description = namedtuple("Description", "attributes text is_output place")
 
 def description(attributes, text, is_output, extents, place):
     """What a comment says in brackets and behind them."""
-    try:
-        return Description(parsed(attributes, extents), text_behind(text), is_output, place)
-    except Refused as error:
-        raise Refused(f"{place}: {error}") from None
+    return Description(parsed(attributes, extents, place), text_behind(text, place), is_output, place)
 
 
 @dataclass

@@ -27,7 +27,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from public_headers import SOURCE
-from refusals import Refused, run
+from refusals import refuse, run
 from docstrings import INDENT, docstring
 from layout import in_one_line_or_each, insert
 from python_calls import objects_table, rows_table, stubs
@@ -140,8 +140,7 @@ def module(template):
     lines = text.splitlines(keepends=True)
     for node in ast.parse(text).body:
         if [ast.unparse(one) for one in getattr(node, "decorator_list", [])] == ["declared"]:
-            if node.name not in rows:
-                raise Refused(f"{template.name}:{node.lineno}: no function of the headers is {node.name}() in Python")
+            refuse(f"{template.name}:{node.lineno}", {f"no function of the headers is {node.name}() in Python": node.name not in rows})
             parts += ["".join(lines[place : node.decorator_list[0].lineno - 1]), made(rows.pop(node.name), node)]
             place = node.end_lineno
     parts.append("".join(lines[place:]))

@@ -9,7 +9,7 @@ from functools import cache
 
 from declarations import functions
 from public_headers import ONE_ROW, SOURCE, statuses, version
-from refusals import Refused, entry_of
+from refusals import entry_of, refuse
 from examples import example_value
 from layout import in_one_line_or_each as listing
 from layout import wrapped
@@ -156,8 +156,7 @@ def passed(one):
 def single(row):
     """The function of one row."""
     name, inputs, outputs = names_in_rust()[row.function.name], row.function.inputs, row.function.outputs
-    if not outputs:
-        raise Refused(f"{row.function.place}: api/rust.py makes no functions of those that return a number")
+    refuse(row.function.place, {"api/rust.py makes no functions of those that return a number": not outputs})
     errors = sentence(re.sub(r"^For a single (row|value): | Rows of arrays become NaN\.$", "", voice(row).raises())).strip()
     given = [f"{'&' * (argument_type(one)[0] == '&')}{literal(row.function, one)}" for one in inputs]
     shown = [*listing(f"let found = pw85::{name}(", given, ")?;"), 'println!("{found:?}");']
