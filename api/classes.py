@@ -20,9 +20,9 @@ in include/pw85/batch/values.hpp. api/committed.py writes the headers or compare
 import re
 
 from declarations import c_functions, functions, sections
-from public_headers import SYSTEMS
+from public_headers import INCLUDE, SYSTEMS
 from refusals import Refused, line_of, refuse
-from cpp import CLASSES, FOLDER, TEMPLATES, is_of_list, is_of_rows, kinds, name_in_cpp, structs
+from cpp import CLASSES, TEMPLATES, is_of_list, is_of_rows, kinds, name_in_cpp, structs
 from cpp_calls import Call
 from layout import arguments, cpp_header, insert
 
@@ -112,8 +112,7 @@ def call_of_all(function, kind):
 
 
 def headers(others):
-    made = ((FOLDER / f"{name}.hpp", path) for name, path in TEMPLATES.items())
-    return {header: cpp_header(header, Header(path, others).text(), path) for header, path in made}
+    return {INCLUDE / name: cpp_header(INCLUDE / name, Header(path, others).text(), path) for name, path in TEMPLATES.items()}
 
 
 def uncalled(made):

@@ -12,9 +12,7 @@ from voice import limits_of
 
 FOLDER = INCLUDE / "pw85"
 # The headers that api/classes.py makes, of these templates.
-TEMPLATES = {name: SOURCE / f"api/{name.split('/')[1]}.hpp.in" for name in (
-    "batch/rows", "systems/lists", "systems/neighbors", "systems/meshes", "systems/sums", "systems/periodic",
-    "simulation/hard_ellipsoids", "simulation/random_addition")}  # fmt: skip
+TEMPLATES = {name: path for name in CPP_HEADERS if (path := SOURCE / f"api/{name.split('/')[-1]}.in").exists()}
 MANY = ("batch", "systems", "simulation", "history", "api")  # folders whose functions are not those of one row
 CLASSES = {"pw85_neighbors": "Neighbors", "pw85_mesh": "Mesh", "pw85_hard_ellipsoids": "HardEllipsoids",
            "pw85_random_addition": "RandomAddition"}  # fmt: skip
@@ -62,8 +60,7 @@ def name_in_cpp(function):
 @cache
 def names_in_cpp():
     """The functions of C that C++ has, too, and their names there."""
-    by_hand = [header for header in CPP_HEADERS if header not in [f"pw85/{name}.hpp" for name in TEMPLATES]]
-    known = {function.name for function in functions(*by_hand)}
+    known = {function.name for function in functions(*(name for name in CPP_HEADERS if name not in TEMPLATES))}
     templates = "".join(path.read_text(encoding="utf-8") for path in TEMPLATES.values())
     known |= set(re.findall(r"^(?:@function |static inline [\w:]+ )(\w+)", templates, re.MULTILINE))
     found = {name: (name_in_cpp(function), function) for name, function in c_functions().items()}

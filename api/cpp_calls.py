@@ -90,16 +90,15 @@ class Call:
 
     def object(self, one):
         kind = CLASSES[one.type]
-        if one.outer:
-            self.declare(one, f"{kind} &{one.name}")
-            self.first.append(f"{one.name} = {kind}();")
-            self.before.append(f"{one.type} *made = nullptr;")
-            self.after.append(f"{one.name} = {kind}(made);")
-            return "&made"
         if self.is_member:
             return "get()"
-        self.declare(one, f"{kind} const &{one.name}")
-        return f"{one.name}.get()"
+        self.declare(one, f"{kind} {'' if one.outer else 'const '}&{one.name}")
+        if not one.outer:
+            return f"{one.name}.get()"
+        self.first.append(f"{one.name} = {kind}();")
+        self.before.append(f"{one.type} *made = nullptr;")
+        self.after.append(f"{one.name} = {kind}(made);")
+        return "&made"
 
     def struct(self, one):
         name = NAMES.get(one.name, one.name)
@@ -107,11 +106,10 @@ class Call:
         self.before.append(f"{one.type} const {name}_in_c = detail::in_c({name});")
         if one.type == "pw85_pair_list":
             self.checked.append(("list.pairs", "detail::optional(list.images)"))
-        elif one.type == "pw85_system":
+        if one.type == "pw85_system":
             read = {member.name for member in self.function.members_read(one)}
-            first, second = ("centers", "q") if "centers" in read else ("q", "centers")
-            other = f"{name}.{second}" if {"centers", "q"} <= read else f"detail::optional({name}.{second})"
-            self.checked.append((f"{name}.{first}", other))
+            first, other = (f"{name}.{member}" for member in sorted(("centers", "q"), key=lambda member: member not in read))
+            self.checked.append((first, other if {"centers", "q"} <= read else f"detail::optional({other})"))
         return f"&{name}_in_c"
 
     def rows(self, one):

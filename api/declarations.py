@@ -84,11 +84,9 @@ class Function:
     def parameters(self):
         """The parameters of a function of C."""
         names = self.parameter_names()
-        for unknown in sorted(self.descriptions.keys() - set(names)):
-            raise Refused(f"{self.descriptions[unknown].place}: no such parameter: {unknown}")
         refuse(self.place, {f"two parameters of one name: {', '.join(names)}": len(set(names)) < len(names)})
-        listed = zip(self.written, names)
-        return with_counts(parameter(written, self.described(name), self.descriptions[name]) for written, name in listed)
+        described = ((self.described(name), self.descriptions[name]) for name in names)
+        return with_counts(parameter(written, *both) for written, both in zip(self.written, described))
 
     @property
     def inputs(self):
@@ -126,7 +124,7 @@ class Function:
     @cached_property
     def descriptions(self):
         """What the comment says of each parameter that it describes, by their names."""
-        found = {}
+        found, known = {}, self.parameter_names()
         for match in re.finditer(r"@param[^@]*", self.comment):
             place = f"{self.header}:{self.line + self.comment.count(chr(10), 0, match.start())}: {self.name}()"
             said = DESCRIPTION.fullmatch(match[0])
@@ -136,7 +134,7 @@ class Function:
             each = whole.attributes.each
             refuse(place, {f"{len(each)} members for {len(names)} outputs": len(each) not in (0, len(names))})
             for k, name in enumerate(names):
-                refuse(place, {f"{name} is described twice": name in found})
+                refuse(place, {f"{name} is described twice": name in found, f"no such parameter: {name}": name not in known})
                 members = each[k : k + 1] or whole.attributes.members
                 found[name] = whole._replace(attributes=replace(whole.attributes, members=members))
         return found

@@ -8,12 +8,12 @@ references in the place of pointers to objects and structs that must not be null
 """
 
 from declarations import functions
-from public_headers import SIMULATION, SOURCE
+from public_headers import SOURCE, SYSTEMS
 from parameters import OBJECTS
 from layout import arguments, cpp_header
 from shims import FOLDER, HEAD, by_hand, described
 
-NAMES = {header: "objects_" + header.removeprefix("pw85_").removesuffix(".h") for header in ("pw85_systems.h", *SIMULATION)}
+NAMES = {header: "objects_" + header.removeprefix("pw85_").removesuffix(".h") for header in SYSTEMS}
 INCLUDES = '#include "../base/checked_call.hpp"\n#include "../base/objects.hpp"'
 MARKS = {"NaN": "quiet_nan<double>()", "null": "nullptr"}
 HEADER = """\

@@ -9,14 +9,14 @@ fills. A struct is given by its members.
 
 from causes import PACKED
 from declarations import functions
-from public_headers import SIMULATION
+from public_headers import SYSTEMS
 from parameters import OBJECTS
 from refusals import entry_of
 from rows import row_functions, rows_by_hand
 
 NUMBERS_OF_FORM = 6
 SILENT_HEADERS = ("pw85_legacy.h", "pw85_zheng.h")  # of a library that keeps no record of refusals
-HEADERS_OF_OBJECTS = ("pw85_systems.h", *SIMULATION, "pw85_enclosing.h", "pw85_any_dimension.h")
+HEADERS_OF_OBJECTS = (*SYSTEMS, "pw85_enclosing.h", "pw85_any_dimension.h")
 # Functions of pw85_batch.h whose arrays are not rows of as many arguments.
 OTHERS = ("pw85_overlap_any", "pw85_contact_polytope_batch", "pw85_overlap_polytope_batch")
 SCALARS = {"size_t": "size", "int": "integer", "double": "real"}

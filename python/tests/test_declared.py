@@ -244,8 +244,8 @@ def test_one_of_two_parameters(make):
     assert lower + upper in text
 
 
-@pytest.mark.parametrize("title, line, complaint", [("Parameters", "radius : (...)", "no such parameter: radius"),
-                                                    ("Warning", "None.", "no such section: Warning")])  # fmt: skip
+@pytest.mark.parametrize("title, line, complaint", [("Parameters", "radius : (...)", "girth(): no such parameter: radius"),
+                                                    ("Warning", "None.", "girth(): no such section: Warning")])  # fmt: skip
 def test_what_is_not_declared(make, title, line, complaint):
     assert complaint in make("functions", template("girth", title, line), succeeds=False)
 
