@@ -22,8 +22,8 @@ from itertools import groupby
 from causes import LIMITS
 from declarations import c_functions, functions
 from public_headers import INCLUDE, ONE_ROW, SOURCE
-from refusals import line_of, refuse
 from layout import WIDTH, arguments, insert, wrapped
+from refusals import line_of, refuse
 from rows import TRUTHS, name_of_many
 from shims import FILES, FOLDER, HEAD, questions
 

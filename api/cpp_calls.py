@@ -10,9 +10,9 @@ import re
 from collections import namedtuple
 from itertools import groupby
 
-from refusals import refuse
 from cpp import CLASSES, NUMBERS, SHORT_NAMES, STRUCTS, address, brief, described, in_cpp, row_type, structs
 from layout import arguments, wrapped
+from refusals import refuse
 
 NAMES = {"system": "particles"}  # of parameters in C++
 FLAGS = ("contains", "is_free", "overlap", "take")  # integers of C that are truth values

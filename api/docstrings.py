@@ -3,8 +3,8 @@
 
 import re
 
-from refusals import refuse
 from layout import filled
+from refusals import refuse
 
 WIDTH = 116
 INDENT = " " * 4

@@ -13,9 +13,9 @@ from itertools import groupby
 from causes import PACKED
 from declarations import functions
 from public_headers import HOST_HEADERS, SOURCE, constants, version
+from layout import WIDTH, insert, wrapped
 from parameters import CALLBACKS, STRUCTS
 from refusals import entry_of
-from layout import WIDTH, insert, wrapped
 
 FORTRAN = SOURCE / "fortran"
 MODULE, TEMPLATE = FORTRAN / "pw85.f90", FORTRAN / "pw85.in.f90"

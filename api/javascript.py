@@ -10,8 +10,8 @@ import re
 from functools import cache
 
 from public_headers import SOURCE, version
-from refusals import run
 from layout import insert, wrapped
+from refusals import run
 from rows import row_functions
 from voice import PlainVoice, with_named_statuses
 

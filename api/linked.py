@@ -8,12 +8,12 @@ description names. Of an overlap the library does not give out the tier, which i
 
 import re
 
-from declarations import c_functions, functions
-from public_headers import INCLUDE, SOURCE
-from refusals import refuse
 import layout
 from cpp import structs
 from cpp_calls import Call
+from declarations import c_functions, functions
+from public_headers import INCLUDE, SOURCE
+from refusals import refuse
 
 TEMPLATES = "pw85/pw85.hpp"
 NOT_GIVEN_OUT = {"Overlap": ("tier",)}

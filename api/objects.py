@@ -9,8 +9,8 @@ references in the place of pointers to objects and structs that must not be null
 
 from declarations import functions
 from public_headers import SOURCE, SYSTEMS
-from parameters import OBJECTS
 from layout import arguments, cpp_header
+from parameters import OBJECTS
 from shims import FOLDER, HEAD, by_hand, described
 
 NAMES = {header: "objects_" + header.removeprefix("pw85_").removesuffix(".h") for header in SYSTEMS}

@@ -6,8 +6,8 @@ from functools import cache
 
 from declarations import c_functions, functions, sections
 from public_headers import C_HEADERS, PARTS
-from refusals import refuse
 from python import package_names, python_names
+from refusals import refuse
 from rows import name_of_many
 
 FUNCTION = re.compile(r":c:func:`(\w+)`")

@@ -26,11 +26,11 @@ from collections import namedtuple
 from dataclasses import dataclass
 from pathlib import Path
 
-from public_headers import SOURCE
-from refusals import refuse, run
 from docstrings import INDENT, docstring
+from public_headers import SOURCE
 from layout import in_one_line_or_each, insert
 from python_calls import objects_table, rows_table, stubs
+from refusals import refuse, run
 from rows import row_functions, rows_by_hand
 from voice import Voice
 

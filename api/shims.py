@@ -10,11 +10,11 @@ not made. api/batch.py makes the functions of many rows.
 import re
 
 from causes import LIMITS
+from cpp import homes, name_in_cpp
 from declarations import functions, sections
 from public_headers import ONE_ROW, SOURCE, of_texts
-from refusals import refuse
-from cpp import homes, name_in_cpp
 from layout import WIDTH, arguments
+from refusals import refuse
 
 FOLDER = SOURCE / "src/c_api"
 # The files with their titles. A file has few questions, so that programs with the static library get what they call.
