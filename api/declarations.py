@@ -108,7 +108,7 @@ class Function:
             words = one.attributes.words - ({"optional"} if one.name in said.needs else set())
             if "near the cell" in words:
                 words = words - ({"near the cell"} if "or far away" in said.words else set()) | said.words & {"or NaN"}
-            found.append(one.with_words(words))
+            found.append(replace(one, attributes=replace(one.attributes, words=words)))
         return [one for one in found if one.name not in said.without]
 
     def values_of_members(self, struct, value):

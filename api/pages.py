@@ -37,13 +37,8 @@ def python_functions(title):
 
 def with_twins(text):
     """A text that refers to functions; behind each one is its function for many rows if the text does not refer to that."""
-    mentioned = set(FUNCTION.findall(text))
-
-    def both(match):
-        twin = name_of_many(match[1])
-        return f"{match[0]}, :c:func:`{twin}`" if twin in c_functions().keys() - mentioned else match[0]
-
-    return FUNCTION.sub(both, text)
+    twins = c_functions().keys() - set(FUNCTION.findall(text))
+    return FUNCTION.sub(lambda match: f"{match[0]}, :c:func:`{twin}`" if (twin := name_of_many(match[1])) in twins else match[0], text)
 
 
 def unmentioned(text):

@@ -91,9 +91,6 @@ class Parameter:
         """The names of the members of a struct."""
         return {one.name for one in members(self.type)} if self.is_struct() else set()
 
-    def with_words(self, words):
-        return replace(self, attributes=replace(self.attributes, words=words))
-
 
 def parameter(written, said, own):
     """A parameter or member. Extents of another function's parameter count where they are as many numbers as the declaration says."""

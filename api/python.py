@@ -52,35 +52,31 @@ class Argument:
 Signature = namedtuple("Signature", "inputs output result")
 
 
-def python_name(row):
-    """The name of a function in its module, whether that is of legacy functions or not."""
-    name = row.name.removeprefix("legacy_")
-    return f"_{name}" if row.is_building_block() else name
-
-
 def is_legacy(row):
     return row.name.startswith("legacy_")
+
+
+def python_name(row):
+    """The name of a function in its module, whether that is of legacy functions or not."""
+    return "_" * row.is_building_block() + row.name.removeprefix("legacy_")
 
 
 def python_names():
     """The names in Python of C functions, those of many rows included."""
     rows = [row for row in row_functions() if not row.is_by_hand()]
-    names = {row: f"legacy.{python_name(row)}" if is_legacy(row) else python_name(row) for row in rows}
-    return {one.name: name for row, name in names.items() for one in (row.function, row.many) if one is not None}
+    return {one.name: "legacy." * is_legacy(row) + python_name(row) for row in rows for one in (row.function, row.many) if one}
 
 
 def signature_of(row, node):
     """The arguments that a definition in a template states, or those of C."""
-    stated = node.args.args if node else []
-    defaults = [None] * len(stated) + [ast.unparse(one) for one in (node.args.defaults if node else [])]
-    kinds = [ast.unparse(one.annotation) if one.annotation is not None else "" for one in stated]
-    listed = [Argument(one.arg, default, kind) for one, default, kind in zip(stated, defaults[-len(stated) :], kinds)]
-    count = len(row.inputs)
-    inputs, output = listed[:count] or [Argument(one.name.replace("lambda", "lambda_")) for one in row.inputs], Argument("out")
-    output = listed[count] if listed[count:] else output
+    stated, count = node.args.args, len(row.inputs)
+    defaults = [None] * (len(stated) - len(node.args.defaults)) + [ast.unparse(one) for one in node.args.defaults]
+    kinds = [ast.unparse(one.annotation) if one.annotation else "" for one in stated]
+    listed = [Argument(one.arg, default, kind) for one, default, kind in zip(stated, defaults, kinds)]
+    inputs = listed[:count] or [Argument(one.name.replace("lambda", "lambda_")) for one in row.inputs]
+    output = listed[count] if listed[count:] else Argument("out")
     kind = output.kind or ("Any" if output.name == "out" else "Floats | None")
-    result = ast.unparse(node.returns) if node and node.returns is not None else ""
-    return Signature(inputs, Argument(output.name, "None", kind), result)
+    return Signature(inputs, Argument(output.name, "None", kind), ast.unparse(node.returns) if node.returns else "")
 
 
 def definition(name, arguments, result, end):
@@ -122,10 +118,10 @@ def heads(row, signature):
     return "\n".join([*(f"@overload\n{overload}" for overload in overloads), last])
 
 
-def made(row, node=None):
-    """The whole text of a function, of which a template may have a definition."""
-    signature, text = signature_of(row, node), node and ast.get_docstring(node)
-    statements = [one for one in node.body[text is not None :] if not isinstance(one, ast.Pass)] if node else []
+def made(row, node):
+    """The whole text of a function, by its definition in a template."""
+    signature, text = signature_of(row, node), ast.get_docstring(node)
+    statements = [one for one in node.body[text is not None :] if not isinstance(one, ast.Pass)]
     arguments = [argument.name for argument in (*signature.inputs, signature.output)]
     body = "\n".join(map(ast.unparse, statements)) or f"return _core.call_{row.name}({', '.join([*arguments, 'kwargs'])})"
     voice = Voice(row, python_names(), dict(zip((one.name for one in row.inputs), arguments)), has_matrices=True)
@@ -144,7 +140,8 @@ def module(template):
             parts += ["".join(lines[place : node.decorator_list[0].lineno - 1]), made(rows.pop(node.name), node)]
             place = node.end_lineno
     parts.append("".join(lines[place:]))
-    return "".join([*parts, *(f"\n\n{made(row)}" for row in rows.values())])
+    nothing = ast.parse("def unstated(): pass").body[0]
+    return "".join([*parts, *(f"\n\n{made(row, nothing)}" for row in rows.values())])
 
 
 def made_lines():

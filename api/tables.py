@@ -58,16 +58,12 @@ def argument(one, names):
     return f"static_cast<{one.type}{' const' if one.const else ''} *{'*' if one.outer else ''}>({place}.pointer)"
 
 
-def struct_of(function, struct, names):
-    """The definition of a struct argument. Array members are filled with ones."""
-    values = function.values_of_members(struct, lambda one: argument(one, names))
-    values += ["{1, 1, 1}"] if struct.type == "pw85_system" else []
-    return f"{struct.type} const {struct.name}{{{', '.join(values)}}}; "
-
-
 def lines(function):
-    names = [one.name for one in function.flattened]
-    defined = "".join(struct_of(function, one, names) for one in function.parameters if one.is_struct())
+    names, defined = [one.name for one in function.flattened], ""
+    for struct in (one for one in function.parameters if one.is_struct()):  # whose array members are filled with ones
+        values = function.values_of_members(struct, lambda one: argument(one, names))
+        values += ["{1, 1, 1}"] * (struct.type == "pw85_system")
+        defined += f"{struct.type} const {struct.name}{{{', '.join(values)}}}; "
     call, result = f"{function.name}({', '.join(argument(one, names) for one in function.parameters)})", RESULTS.get(function.type, "other")
     called = {
         "status": f"return {{{call}, 0.0}};",

@@ -8,7 +8,7 @@ from causes import CAUSES, LIMITS
 from declarations import first_sentence
 
 # Clauses of C that mean nothing in Python.
-OF_C = re.compile(r", also on success|(?:^|; )may be the same array as \w+$")
+OF_C = re.compile(r", also on success|(?:(?:^|; )may be the same array as \w+)+$")
 INFINITY = next(cause for cause in CAUSES if cause.key == "infinity")
 
 
@@ -22,13 +22,6 @@ def sentence(text):
 def constant(match):
     name = match[1].removeprefix("PW85_")
     return f"``{name.lower()}``" if name == "LAMBDA_ATOL" else f"``Status.{name}``"
-
-
-def in_python(text):
-    """A sentence without the clauses that mean nothing in Python."""
-    while OF_C.search(text):
-        text = OF_C.sub("", text)
-    return text
 
 
 def limits_of(one):
@@ -70,8 +63,8 @@ class Voice:
         text = re.sub(r"\bunit of (\w+)\b(?!·)", self.unit, re.sub(r"\bfor n (?=[a-z])", "for many ", text))
         text = re.sub(r"#(PW85_\w+)", constant, re.sub(r"\blambda\b", "λ", text))
         if self.is_flat and is_inherited:
-            text = text.replace("forms of the ellipsoids", "forms (xx, xy, yy) of the ellipses").replace("ellipsoid", "ellipse")
-            text = text.replace("∂V/", "∂A/")
+            text = text.replace("forms of the ellipsoids", "forms (xx, xy, yy) of the ellipses")
+            text = text.replace("ellipsoid", "ellipse").replace("∂V/", "∂A/")
         if self.has_matrices:
             text = re.sub(r"\brow-major:? ", "", text)
         for name, own in self.arguments.items():
@@ -81,7 +74,7 @@ class Voice:
     def described(self, name):
         """What is said of a parameter in the words of Python, with its limits."""
         one, is_inherited = self.row.function.described(name), bool(self.row.function.descriptions[name].attributes.like)
-        text = "; ".join(filter(None, [in_python(one.text.rstrip(".")), *limits_of(one)]))
+        text = "; ".join(filter(None, [OF_C.sub("", one.text.rstrip(".")), *limits_of(one)]))
         return sentence(self.said(text, is_inherited))
 
     def grouped(self, operands):
@@ -95,7 +88,7 @@ class Voice:
 
     def paragraphs(self):
         text = re.split(r"@(?:param|return)", self.row.function.comment)[0]
-        return [self.said(in_python(" ".join(paragraph.split()))) for paragraph in re.split(r"\n\s*\n", text) if paragraph.strip()]
+        return [self.said(OF_C.sub("", " ".join(paragraph.split()))) for paragraph in re.split(r"\n\s*\n", text) if paragraph.strip()]
 
     def head(self):
         """The first sentence, or as much of it as a line has room for, and the others of the first paragraph."""
