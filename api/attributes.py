@@ -29,7 +29,9 @@ from causes import LIMITS, PACKED, RANGES
 from refusals import refuse
 
 NAMES = r"([\w.]+(?:, [\w.]+)*)"
-LISTS = ("without", "needs", "members", "each")
+# The parts of what some attributes say.
+PARTS = dict.fromkeys(("without", "needs", "members", "each"), lambda said: tuple(said.split(", ")))
+PARTS["shape"] = lambda said: tuple(int(part) if part.isdigit() else part for part in said.split("×"))
 # The attributes in their order, with what they say in a group; {extent} is the name of a number of rows.
 FORMS = {
     "like": r"as (pw85\w+)\(\)",
@@ -109,9 +111,7 @@ def parsed(text, extents, place):
                        f"{item} must not stand behind {last[1]}": k <= last[0]})  # fmt: skip
         found[name], last = match[match.lastindex or 0], (k, item)
     words = frozenset(name for name, said in found.items() if name == said)
-    values = {name: tuple(said.split(", ")) if name in LISTS else said for name, said in found.items() if name not in words}
-    if "shape" in values:
-        values["shape"] = tuple(int(part) if part.isdigit() else part for part in values["shape"].split("×"))
+    values = {name: PARTS.get(name, str)(said) for name, said in found.items() if name not in words}
     return Attributes(words=words, **values)
 
 

@@ -86,11 +86,11 @@ class Statement:
 
     def __init__(self, function, said=None):
         self.function, self.name = function, name_of_many(function.name)
-        self.rows = (said and said["rows"]) or rows_of(function)
+        said = said or SAID.match(f"{function.name}\n")  # nothing but the name
+        self.rows, self.results = said["rows"] or rows_of(function), said["results"]
         self.row = self.rows.split()[0].removesuffix("s")
-        self.results = said and said["results"]
         self.said, names = {}, [name for one in function.parameters for name in names_of(one)]
-        for line in said["parameters"].splitlines() if said else ():
+        for line in said["parameters"].splitlines():
             name, _, text = line.strip().partition(": ")
             place = line_of(TEMPLATE.name, said.string, said.string.index(line, said.start()))
             is_wrong = name not in names or name in self.said or not text.startswith("[")
@@ -152,19 +152,12 @@ def header():
 
 def row_argument(one, many):
     """The argument of each_row() for a parameter of one row; `many` stand for it in the function of many rows."""
-    first, names = many[0], ", ".join(argument.name for argument in many)
-    if not first.pointer:
-        return f"SameNumber{{{names}}}"
-    if len(many) > 1:
-        return f"TwoNumbers{{{names}}}"
-    if first.type == "unsigned char":
-        return f"Bytes{{{names}}}"
-    if not one.pointer:
-        return f"Numbers{{{names}}}"
-    if first.nullable:
-        return f"OptionalRowsOf<{one.size}>{{{names}}}"
-    element = f"{first.type} const" if first.const else first.type
-    return f"RowsOf<{one.size}{'' if element == 'double const' else f', {element}'}>{{{names}}}"
+    first, element = many[0], f"{many[0].type}{' const' * many[0].const}"
+    kinds = {"SameNumber": not first.pointer, "TwoNumbers": len(many) > 1, "Bytes": first.type == "unsigned char",
+             "Numbers": not one.pointer, f"OptionalRowsOf<{one.size}>": first.nullable,
+             f"RowsOf<{one.size}>": element == "double const", f"RowsOf<{one.size}, {element}>": True}  # fmt: skip
+    kind = next(kind for kind, is_of_kind in kinds.items() if is_of_kind)
+    return f"{kind}{{{', '.join(argument.name for argument in many)}}}"
 
 
 def kernel_of(function):

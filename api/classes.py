@@ -112,18 +112,15 @@ def call_of_all(function, kind):
 
 
 def headers(others):
-    return {INCLUDE / name: cpp_header(INCLUDE / name, Header(path, others).text(), path) for name, path in TEMPLATES.items()}
-
-
-def uncalled(made):
-    """The functions on systems and objects that no text calls. Comments, which may name functions, do not count."""
+    """The texts of the headers by their paths, and the functions on systems and objects that none calls. Comments may name functions."""
+    made = {INCLUDE / name: cpp_header(INCLUDE / name, Header(path, others).text(), path) for name, path in TEMPLATES.items()}
     called = set(re.findall(r"\bpw85_\w+", re.sub(r"//.*", "", "".join(made.values()))))
-    return [one for one in functions(*SYSTEMS) if one.name not in called]
+    return made, [one for one in functions(*SYSTEMS) if one.name not in called]
 
 
 def files():
     """The texts of the headers by their paths."""
-    made = headers(uncalled(headers([])))
-    for left in uncalled(made):
-        raise Refused(f"{left.place}: in no template of C++, api/*.hpp.in")
+    made, left = headers(headers([])[1])
+    for one in left:
+        raise Refused(f"{one.place}: in no template of C++, api/*.hpp.in")
     return made

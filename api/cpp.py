@@ -63,8 +63,8 @@ def names_in_cpp():
     known = {function.name for function in functions(*(name for name in CPP_HEADERS if name not in TEMPLATES))}
     templates = "".join(path.read_text(encoding="utf-8") for path in TEMPLATES.values())
     known |= set(re.findall(r"^(?:@function |static inline [\w:]+ )(\w+)", templates, re.MULTILINE))
-    found = {name: (name_in_cpp(function), function) for name, function in c_functions().items()}
-    return {name: own for name, (own, function) in found.items() if own in known or is_of_rows(function) or is_of_list(function)}
+    listed = (one for one in c_functions().values() if name_in_cpp(one) in known or is_of_rows(one) or is_of_list(one))
+    return {one.name: name_in_cpp(one) for one in listed}
 
 
 @cache

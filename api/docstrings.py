@@ -31,11 +31,11 @@ def rows_of(shape):
 
 def output_entry(name, shapes):
     """What is said of the array into which results of these shapes go."""
-    count, (*others, last) = len(shapes), map(rows_of, shapes)
-    if count == 1:
+    *others, last = map(rows_of, shapes)
+    if not others:
         return entry(f"{name} : {last} array, optional", f"Where to put the result{'' if name == 'out' else ', which is returned'}.")
-    arrays = f"tuple of {count} arrays"
-    kind = f"{arrays}, {', '.join(others)} and {last}" if any(shapes) else f"(..., {count}) array, or {arrays}"
+    arrays = f"tuple of {len(shapes)} arrays"
+    kind = f"{arrays}, {', '.join(others)} and {last}" if any(shapes) else f"(..., {len(shapes)}) array, or {arrays}"
     return entry(f"{name} : {kind}, optional", "Where to put the results.")
 
 

@@ -13,7 +13,6 @@ from layout import arguments, cpp_header
 from parameters import OBJECTS
 from shims import FOLDER, HEAD, by_hand, described
 
-NAMES = {header: "objects_" + header.removeprefix("pw85_").removesuffix(".h") for header in SYSTEMS}
 INCLUDES = '#include "../base/checked_call.hpp"\n#include "../base/objects.hpp"'
 MARKS = {"NaN": "quiet_nan<double>()", "null": "nullptr"}
 HEADER = """\
@@ -55,11 +54,6 @@ def marked(one, places):
         yield f"    mark({one.name}, {' * '.join(map(str, one.shape)) or 1}, {(MARKS | places).get(value, value)});"
 
 
-def places_of(structs):
-    """Where the members of structs are, null structs being empty."""
-    return {member: f"{one.name}_given.{member}" for one in structs for member in one.member_names()}
-
-
 def checked_arguments(function, places):
     """The arguments for the check, with the members of structs that must not be null. The functions check cells by themselves."""
     listed = []
@@ -74,7 +68,7 @@ def checked_arguments(function, places):
 def shim(function):
     passed = [f"*{one.name}" if is_reference(one) else one.name for one in function.parameters]
     structs = [one for one in function.parameters if one.is_struct() and is_reference(one)]
-    places = places_of(structs)
+    places = {member: f"{one.name}_given.{member}" for one in structs for member in one.member_names()}  # null structs being empty
     lines = [
         "",
         arguments(f"int {function.name}(", function.written, ")"),
@@ -91,11 +85,11 @@ def shim(function):
 def files():
     """The texts of the files by their paths."""
     hands = by_hand()
-    listed = {header: [one for one in functions(header) if is_of_object(one) and one.name not in hands] for header in NAMES}
-    made = {}
+    listed = {header: [one for one in functions(header) if is_of_object(one) and one.name not in hands] for header in SYSTEMS}
+    workers, path = "\n".join(worker(function) for own in listed.values() for function in own), SOURCE / "src/base/objects.hpp"
+    made = {path: cpp_header(path, HEADER.format(declarations=workers))}
     for header, own in listed.items():
         head = HEAD.format(what=f" of objects: the functions of {header}", sources=header, includes=INCLUDES,
                            namespaces="using namespace pw85::detail;")  # fmt: skip
-        made[FOLDER / f"{NAMES[header]}.cpp"] = head + "".join(map(shim, own))
-    workers, header = "\n".join(worker(function) for own in listed.values() for function in own), SOURCE / "src/base/objects.hpp"
-    return made | {header: cpp_header(header, HEADER.format(declarations=workers))}
+        made[FOLDER / f"objects_{header.removeprefix('pw85_').removesuffix('.h')}.cpp"] = head + "".join(map(shim, own))
+    return made

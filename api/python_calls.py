@@ -46,20 +46,17 @@ def body_of_row(row):
     """Statements that compute a row. Integers of C are numbers of Python, NaN on error."""
     if row.is_by_hand():
         return f"return {row.name}(in, out);"
-    first, outputs = "*out[0]", [f"&integer{k}" if one.is_integer() else f"out[{k}]" for k, one in enumerate(row.outputs)]
     integers = [k for k, one in enumerate(row.outputs) if one.is_integer()]
+    first, outputs = "*out[0]", [f"&integer{k}" if k in integers else f"out[{k}]" for k in range(len(row.outputs))]
     declared = "".join(f"int integer{k}; " for k in integers)
     stored = "".join(f"number(status, integer{k}, out[{k}]); " for k in integers)
     if row.is_split():
         first, outputs, stored = "row[0]", ["row"], "split(row, out); "
         declared = f"double row[{row.outputs[0].parameter.size}]; "
     if row.function.type == "int":
-        computed = f"int const status = {call_of_row(row, outputs)};"
-    elif row.function.outputs:
-        computed = f"{call_of_row(row, outputs)}; int const status = {status_of_row(row, first)};"
-    else:
-        computed = f"{first} = {call_of_row(row, [])}; int const status = {status_of_row(row, first)};"
-    return f"{declared}{computed} {stored}return status;"
+        return f"{declared}int const status = {call_of_row(row, outputs)}; {stored}return status;"
+    call = call_of_row(row, outputs) if row.function.outputs else f"{first} = {call_of_row(row, [])}"
+    return f"{declared}{call}; int const status = {status_of_row(row, first)}; {stored}return status;"
 
 
 def batch(row):

@@ -160,8 +160,7 @@ def homes_of(function):
 
 
 def one_row_file(title, listed):
-    names = DISPATCHED.findall((SOURCE / "src/simd/one_pair.hpp").read_text(encoding="utf-8"))
-    of_kernels = {f"pw85_{name}" for name in names}
+    of_kernels = {f"pw85_{name}" for name in DISPATCHED.findall((SOURCE / "src/simd/one_pair.hpp").read_text(encoding="utf-8"))}
     own = ["../base/c_arrays.hpp", "../base/floating_point_environment.hpp", "../base/last_error.hpp"]
     own += ["../simd/one_pair.hpp"] if any(one.name in of_kernels for one in listed) else []
     headers = sorted({home for one in listed if one.name not in of_kernels for home in homes_of(one)})
