@@ -64,6 +64,11 @@ class Attributes:
     on_error: str = ""
     words: frozenset = frozenset()
 
+    @property
+    def limits(self):
+        """The limits of values, in their order."""
+        return [limit for word, limit in LIMITS.items() if word in self.words]
+
     def merged(self, other):
         """These, and those of the parameter that this one is like."""
         own = {name: value for name, value in vars(self).items() if value}
@@ -72,7 +77,7 @@ class Attributes:
     def misfits(self, one, is_marked):
         """What can be wrong where these, the parameter's own, do not fit it, and whether it is. `is_marked` is for @param[out]."""
         is_output, shape = one.is_output() or one.outer, "×".join(map(str, self.shape))
-        limits, value = [word for word in LIMITS if word in self.words], self.on_error
+        limits, value = [limit.attribute for limit in self.limits], self.on_error
         only = "NaN" if one.type == "double" else "null" if one.outer else ""  # other types have numbers
         is_of_type = value == only if only else value not in ("NaN", "null")
         ranges = [word for word in RANGES if word in limits]
@@ -94,10 +99,10 @@ class Attributes:
             f"{' and '.join(ranges)} exclude each other": len(ranges) > 1,
             f"{', '.join(self.members)}: a member stands twice": len({*self.members}) < len(self.members),
         }
-        for word in limits:
-            kind, sizes = LIMITS[word].type or one.type, LIMITS[word].sizes or (one.size,)
-            found[f"{word} limits {kind}, not {one.type}"] = one.type != kind
-            found[f"{word} needs {' or '.join(map(str, sizes))} numbers, not {one.size}"] = one.size not in sizes
+        for limit in self.limits:
+            kind, sizes = limit.type or one.type, limit.sizes or (one.size,)
+            found[f"{limit.attribute} limits {kind}, not {one.type}"] = one.type != kind
+            found[f"{limit.attribute} needs {' or '.join(map(str, sizes))} numbers, not {one.size}"] = one.size not in sizes
         return found
 
 

@@ -19,10 +19,9 @@ are in the template as they are.
 import re
 from itertools import groupby
 
-from causes import LIMITS
 from declarations import c_functions, functions
-from public_headers import INCLUDE, ONE_ROW, SOURCE
 from layout import WIDTH, arguments, insert, wrapped
+from public_headers import INCLUDE, ONE_ROW, SOURCE
 from refusals import line_of, refuse
 from rows import TRUTHS, name_of_many
 from shims import FILES, FOLDER, HEAD, questions
@@ -107,7 +106,7 @@ class Statement:
         is_truth = one.is_output() and one.type == "int" and one.name in TRUTHS
         is_optional = one.is_output() and (one.nullable or len(one.members()) > 1)
         extents = "×".join(["n", *(map(str, one.shape) if len(names_of(one)) == 1 else ())])
-        limits = [limit for limit in LIMITS if limit in one.attributes.words]
+        limits = [limit.attribute for limit in one.attributes.limits]
         attributes = "; ".join(filter(None, [extents, one.attributes.unit, "optional" if is_optional else "", *limits]))
         said = self.said.get(name, f"[{attributes}] {f'1, 0, or 255 for a bad {self.row}' if is_truth else ''}")
         is_number = said.startswith(f"[as {self.function.name}()]")

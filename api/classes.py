@@ -22,8 +22,8 @@ import re
 from cpp import CLASSES, TEMPLATES, is_of_list, is_of_rows, kinds, name_in_cpp, structs
 from cpp_calls import Call
 from declarations import c_functions, functions, sections
-from public_headers import INCLUDE, SYSTEMS
 from layout import arguments, cpp_header, insert
+from public_headers import INCLUDE, SYSTEMS
 from refusals import Refused, line_of, refuse
 
 SAID = re.compile(r" (?P<names>\w+(?:, \w+)*)(?: as (?P<own>\w+))?(?: without (?P<without>\w+))?(?: returns (?P<type>\w+))?")

@@ -12,8 +12,8 @@ from collections import namedtuple
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from public_headers import C_HEADERS, PARTS, macros, of_texts, text_of
 from parameters import STRUCTS, Description, counts_of, description, members, parameter, with_counts
+from public_headers import C_HEADERS, PARTS, macros, of_texts, text_of
 from refusals import Refused, line_of, refuse
 
 SECTION = r"^(?:/\*\*| \*|///) @name (?P<title>[^\n]+)$"

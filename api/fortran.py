@@ -12,9 +12,9 @@ from itertools import groupby
 
 from causes import PACKED
 from declarations import functions
-from public_headers import HOST_HEADERS, SOURCE, constants, version
 from layout import WIDTH, insert, wrapped
 from parameters import CALLBACKS, STRUCTS
+from public_headers import HOST_HEADERS, SOURCE, constants, version
 from refusals import entry_of
 
 FORTRAN = SOURCE / "fortran"

@@ -9,8 +9,8 @@ import json
 import re
 from functools import cache
 
-from public_headers import SOURCE, version
 from layout import insert, wrapped
+from public_headers import SOURCE, version
 from refusals import run
 from rows import row_functions
 from voice import PlainVoice, with_named_statuses

@@ -8,9 +8,9 @@ references in the place of pointers to objects and structs that must not be null
 """
 
 from declarations import functions
-from public_headers import SOURCE, SYSTEMS
 from layout import arguments, cpp_header
 from parameters import OBJECTS
+from public_headers import SOURCE, SYSTEMS
 from shims import FOLDER, HEAD, by_hand, described
 
 INCLUDES = '#include "../base/checked_call.hpp"\n#include "../base/objects.hpp"'

@@ -10,8 +10,8 @@ arguments by the tables made here.
 import re
 
 from declarations import sections
-from public_headers import HOST_HEADERS, SOURCE, version
 from layout import filled
+from public_headers import HOST_HEADERS, SOURCE, version
 from questions import MOTION, c_source, questions
 from voice import with_named_statuses
 

@@ -27,8 +27,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from docstrings import INDENT, docstring
-from public_headers import SOURCE
 from layout import in_one_line_or_each, insert
+from public_headers import SOURCE
 from python_calls import objects_table, rows_table, stubs
 from refusals import refuse, run
 from rows import row_functions, rows_by_hand

@@ -9,8 +9,8 @@ fills. A struct is given by its members.
 
 from causes import PACKED
 from declarations import functions
-from public_headers import SYSTEMS
 from parameters import OBJECTS
+from public_headers import SYSTEMS
 from refusals import entry_of
 from rows import row_functions, rows_by_hand
 

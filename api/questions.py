@@ -8,8 +8,8 @@ sources r/src/rows.c and octave/src/pw85_mex.c read the columns and call these f
 from dataclasses import dataclass
 from functools import cache
 
-from public_headers import ONE_ROW
 from layout import filled
+from public_headers import ONE_ROW
 from rows import row_functions
 from voice import PlainVoice
 

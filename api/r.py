@@ -8,8 +8,8 @@ frames with a row for each ellipsoid. r/src/rows.c reads their columns and calls
 import re
 import unicodedata
 
-from public_headers import SOURCE, version
 from layout import filled
+from public_headers import SOURCE, version
 from questions import MOTION, c_source, questions
 from voice import with_named_statuses
 

@@ -8,8 +8,8 @@
 
 import re
 
-from public_headers import INCLUDE, SOURCE
 from layout import cpp_header, wrapped
+from public_headers import INCLUDE, SOURCE
 
 LINE = re.compile(r"^PW85_(RARE_TIER|SHARED_BY_QUESTIONS)(?:_OF)?\((\w+)(?:, (.+))?\)$", re.MULTILINE)
 TEMPLATE = r"template <((?:class|int) [^<>{}();]*)>\s(?:[^{}();]|\([^{}();]*\))*?\b%s\(((?:[^()]|\([^()]*\))*)\)\s*noexcept\s*{"

@@ -11,8 +11,8 @@ from functools import cache
 from math import prod
 
 from declarations import Function, functions
-from public_headers import HOST_HEADERS, ONE_ROW
 from parameters import Parameter
+from public_headers import HOST_HEADERS, ONE_ROW
 from refusals import Refused
 
 # Python has one number of what this building block of 1.0's programs gives: f, by a function of python/src/function.cpp.

@@ -9,9 +9,9 @@ from functools import cache
 
 from declarations import functions
 from examples import example_value
-from public_headers import ONE_ROW, SOURCE, statuses, version
 from layout import in_one_line_or_each as listing
 from layout import wrapped
+from public_headers import ONE_ROW, SOURCE, statuses, version
 from refusals import entry_of, refuse
 from rows import TRUTHS, row_function, row_functions, rows_by_hand
 from voice import PlainVoice, sentence

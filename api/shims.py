@@ -9,11 +9,10 @@ not made. api/batch.py makes the functions of many rows.
 
 import re
 
-from causes import LIMITS
 from cpp import homes, name_in_cpp
 from declarations import functions, sections
-from public_headers import ONE_ROW, SOURCE, of_texts
 from layout import WIDTH, arguments
+from public_headers import ONE_ROW, SOURCE, of_texts
 from refusals import refuse
 
 FOLDER = SOURCE / "src/c_api"
@@ -90,7 +89,7 @@ def stored(one):
 
 def limits(one):
     """The limits of an input, as an expression; empty if it must be finite only."""
-    names = [limit.name for word, limit in LIMITS.items() if limit.name and word in one.attributes.words]
+    names = [limit.name for limit in one.attributes.limits if limit.name]
     names += ["independent"] if re.fullmatch(r"s\d?", one.name) and one.length == 9 else []
     names += ["optional"] if one.nullable else []
     return " | ".join(f"limit::{name}" for name in names)

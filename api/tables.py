@@ -11,8 +11,8 @@ from pathlib import Path
 
 from causes import PACKED
 from declarations import functions
-from public_headers import HOST_HEADERS
 from parameters import OBJECTS
+from public_headers import HOST_HEADERS
 from refusals import entry_of, run
 
 TYPES = {

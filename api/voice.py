@@ -4,7 +4,7 @@
 import re
 from itertools import groupby
 
-from causes import CAUSES, LIMITS
+from causes import CAUSES
 from declarations import first_sentence
 
 # Clauses of C that mean nothing in Python.
@@ -26,7 +26,7 @@ def constant(match):
 
 def limits_of(one):
     """What is said of the attributes that limit the values of a parameter."""
-    return [limit.said for word, limit in LIMITS.items() if limit.said and word in one.attributes.words]
+    return [limit.said for limit in one.attributes.limits if limit.said]
 
 
 def with_named_statuses(text):

@@ -14,8 +14,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "api"))
 from causes import CAUSES
 from declarations import functions_with_status
-from public_headers import ONE_ROW
 from parameters import OBJECTS
+from public_headers import ONE_ROW
 from statuses import status_codes
 
 STATUSES = {name: int(value) for name, _, value, _ in status_codes()}
