@@ -104,6 +104,7 @@ _SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thi
                     r"[abdhrsl][xyz0-3]|[fv]?[rd](max|mid|int|min)|rad|len|dia|(?!chi)[a-z]?(xx|yy|zz|xy|xz|yz)|"
                     r"(?![cfv]\d)[a-z]{1,2}(0[0-2]|[123][0-3])|beta[123][1-3]|[ub](iso|eq|equiv|aniso)\w*|"
                     r"units?|spacing[xyz]?|resolution|res|magnification|calib(ration)?|pixel|voxel|vox|"
+                    r"ell\w*|(n|num|numberof)?(corners|faces|facets|edges|sides|verts|vertices)(count)?|"
                     r"power\d?|dilat(ion|ed)|inflat(ion|ed)|swell(ing)?|shrink(age)?|growth|zoom|enlargement|multiplier|binning|zstep|"
                     r"((dilat|inflat|swell|grow|shrink|expan|conv|correct|calib|unit)\w*|[ap]d?)?factor|qexp|conf(idence)?(level)?|"
                     r"n(std|sig)|super(ness|quad\w*)|squircle\w*|polydispersity|z?anisotropy|(um|nm|mm|microns?)perp\w*|hwhm\w*|hpbw\w*|"
@@ -131,7 +132,7 @@ _SOUND_EITHER = re.compile(r"(?!.*(semi|half|radi|diam)).*(scal|sigma|std|rms|ex
                            r"[xyz]?(len|dim)[xyz1-3]?")
 # Those of other things: stresses, velocities, contacts, positions, counts
 _OTHERS = re.compile(r"(bond|cluster|group|sample|batch|step|wave|track)\w*(length|size|width)|temperature\w*|charge\w*|mass\w*|density\w*|"
-                     r"(stress|strain|virial|pressure|force|torque|velocity)\w*|c?stress\[\d\]|number\w*|.*neighbou?rs?|"
+                     r"(stress|strain|virial|pressure|force|torque|velocity)\w*|c?stress\[\d\]|number(?!of(corners|fac|edges|sides|vert))\w*|.*neighbou?rs?|"
                      r"euler(number|characteristic)|rot\w*(energy|velocity|temperature|momentum)[xyz]?|"
                      r"orient(ational)?order(parameter)?(\[\d+\])?|psi[468]|erotate\w*|cavityradius|poisson('?s)?ratio|"
                      r"(phi|theta|psi|alpha|beta|gamma|angle|yaw|pitch|roll)(d?dot|rate|velocity)|deformationgradient.*")  # fmt: skip
@@ -215,15 +216,17 @@ class Taken(NamedTuple):
         yield from (*self.shape, *self.quaternion, *self.sphere, *(name for name, _ in self.exponents), *self.turn.columns)
 
 
-def meaning_of(taken: Taken, options: Options) -> Meaning:
-    """Meaning of columns whose names do not say what they are."""
+def meaning_of(taken: Taken, options: Options, has_convention: bool = False) -> Meaning:
+    """Meaning of columns of which neither names nor a convention say what they are."""
     are_silent = bool(taken.shape) and not taken.spheroid and all(len(plain_name(name)) < 3 for name in taken.shape)
     turn = taken.turn
     return Meaning(
         taken.lengths if are_silent and options.lengths is None else "",
         taken.order if taken.quaternion and options.quaternion is None and not _order_of_letters(taken.quaternion) else "",
         turn.units[0] if turn.units and options.angle is None else "",
-        turn.kind == "angle" and (turn.zero, turn.sense, options.angle_zero, options.angle_sense) == ("x", "xy", None, None),
+        turn.kind == "angle" and not has_convention and (options.angle_zero, options.angle_sense) == (None, None),
+        bool(taken.quaternion) or turn.kind == "euler",
+        len(taken.shape) == 1 and not options.shape_columns,
     )
 
 
@@ -426,6 +429,7 @@ def _check_unused(columns: Sequence[str], taken: Taken, known: Sequence[str], op
     has_all = len(taken.shape) > 1
     names_turns = options.quaternion_columns or options.angle_columns or options.polar or options.direction_columns
     says_sizes = options.shape_columns or (not taken.shape and (options.shape is not None or options.shapes))
+    exponents = {"m", "n"} if {"m", "n"} <= {*map(plain_name, columns)} else set[str]()  # of superquadrics, as in MFIX
     found: dict[str, tuple[bool, bool]] = {}  # names, and whether these are of lengths and of turns
     for name in columns:
         plain = plain_name(name)
@@ -433,7 +437,7 @@ def _check_unused(columns: Sequence[str], taken: Taken, known: Sequence[str], op
             continue
         if _turns.is_other_unit(name, taken.turn) or (has_all and not taken.spheroid and _matches(_DERIVED, name)):
             continue
-        is_size, is_turn = _matches(_SIZES, name), _sounds_like_turn(name)
+        is_size, is_turn = _matches(_SIZES, name) or plain in exponents, _sounds_like_turn(name)
         if (is_size and not says_sizes) or (is_turn and not names_turns):
             found[name] = is_size, is_turn
     if found:

@@ -204,7 +204,9 @@ def _of_bodies(columns: Sequence[str], options: Options, error: Error) -> Turn:
     if names := _first(columns, _DIRECTIONS):
         if base(names[0])[0].startswith("axis") and (angles := _bases(columns, _ABOUT_AXES)):
             raise error(_AXIS_AND_ANGLE.format(" ".join((*names, *angles.values())), for_option(names)))
-        return Turn("direction", names, largest=1.0 if base(names[0])[0].startswith("orient") else 0.0)
+        # Three numbered columns u or n may be displacements, exponents or counts, too.
+        is_unit = re.match(r"orient|[un]\W?\d", base(names[0])[0]) is not None
+        return Turn("direction", names, largest=1.0 if is_unit else 0.0)
     if found := _bases(columns, (*_OF_ELLIPSES, *_AXES)):
         names = tuple(found.values())
         raise error((_ONE_ANGLE if len(names) == 1 else _SEQUENCES).format(" ".join(names), for_option(names)))
