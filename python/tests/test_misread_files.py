@@ -130,6 +130,8 @@ REFUSED = {
     **{f"x,y,z,radius,{name}": ({}, "0,0,0,1,1", f"the column {name} could change")
        for name in ("corner1x", "end2y", "elongation", "gamma1", "shear_2", "focus_x", "r_inner", "r_out", "superball_p", "m_exp",
                     "spherocyl_L", "geom_type", "is_mirrored", "Number of corners", "n_vertices", "sides", "faces", "ell_maj")},
+    # Of SudoDEM's bodies that are not symmetric
+    "x,y,z,rx+,rx-,ry+,ry-,rz+,rz-,qw,qx,qy,qz": ({}, f"0,0,0,1,2,1,1,1,1,{UP}", r"the columns rx\+ rx- ry\+ ry- rz\+ rz- could change"),
     "x,y,z,a,b,c,m,n,qw,qx,qy,qz": ({}, f"0,0,0,2,1,1,4,4,{UP}", "the columns m n could change"),
     "x,y,z,a,b,c,U1,U2,U3": ({}, "0,0,0,2,1,1,.1,.2,.3", "has the length 0.374166 of U1 U2 U3, which may be angles or a direction"),
     "x,y,z,radius,label_class,type": ({}, "0,0,0,1,a,wall", "of the type wall are not ell"),
@@ -189,7 +191,10 @@ TABLES = {
         (("s.tif:top", "s.tif:top", "s.tif:base"), 4, "s.tif:top and s.tif:base"))},
     **{f"{name},x,y,z,radius\n7.1,0,0,0,1\n7.2,0,1.5,0,1": f"line 3: the column {name} has several values, 7.1 and 7.2" for name in
        ("seriesuid", "SeriesInstanceUID", "patient_id", "subject", "volume_id")},
-    "track_id,x,y,z,radius\n1,0,0,0,1\n2,9,0,0,1\n,5,0,0,1\n,7,0,0,1\n1,0,1.5,0,1": "line 6: the column track_id has 1 twice, as for one body",
+    "track_id,x,y,z,radius\n1,0,0,0,1\n2,9,0,0,1\n,5,0,0,1\n,7,0,0,1\n1,0,1.5,0,1": "line 6: the column track_id has 1 twice, as for one",
+    "label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation\n1,5,5,4,1,0\n2,9,5,4,1,0\n1,6.5,5,4,1,0":
+        "line 4: the column label has 1 twice, as for one body at two times, or bodies of two pictures",
+    "id,x,y,z,radius\n1,0,0,0,1\n2,9,0,0,1\n1,0,1.5,0,1\n2,9,1.5,0,1\n3,0,9,0,1": "line 4: the column id has most ids up to 2 times",
     "t,x,y,z,radius\n0,0,0,0,1\n0.5,0,1.5,0,1": "line 3: the column t has several values",
     **{f"{name},x,y,z,radius\n0,0,0,0,1\n5,0,1.5,0,1": "line 3: the column .* has several values, 0 and 5" for name in
        ("time_ms", "t_s", "Elapsed (s)", "elapsed_time", "timestamp_ns", "nstep", "load_step", "iter", "simulation", "config_id", "repeat",
@@ -378,6 +383,9 @@ PAIRS = {
     "opencv's comment": ("# angles clockwise, y down\nx,y,width,height,angle\n5,5,4,1,90\n5,6.5,4,1,90", {"convention": "opencv"}, 0.375),
     "a sense that is said": ("# y down\nx,y,a,b,angle_deg\n5,5,2,.5,90\n5,6.5,2,.5,90", {"angle_sense": "yx"}, 0.375),
     "brackets behind blanks": ("x [mm]  y [mm]  z [mm]  radius (mm)\n0 0 0 .5\n0 1.5 0 .5", {}, 1.5),
+    "quoted names": ('# "Particle Identifier" "Position.X" "Position.Y" "Position.Z" "Radius"\n1 0 0 0 .5\n2 0 1.5 0 .5', {}, 1.5),
+    "a label with words": ("Label,Ellipse.Center.X,Ellipse.Center.Y,Ellipse.Radius1,Ellipse.Radius2,Ellipse.Orientation\na-1,5,5,2,.5,90\n"
+                           "a-2,5,6.5,2,.5,90", {}, 0.375),
     "equal units in comments": ("# positions in um, diameters in um\nx,y,z,diameter\n0,0,0,1\n0,1.5,0,1", {}, 1.5),
     "regions of one slice": (" ,Label,X,Y,Major,Minor,Angle\n1,a.tif:0003-0005-0005:3,5,5,4,1,90\n2,a.tif:0003-0006-0005:3,5,6.5,4,1,90", {},
                              0.375),

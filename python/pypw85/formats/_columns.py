@@ -190,7 +190,8 @@ def _sounds_like_turn(name: str) -> bool:
 def _matches(pattern: re.Pattern[str], name: str) -> bool:
     """Returns whether a name matches a pattern of plain names, with or without what LAMMPS writes before computes, fixes and variables."""
     names = (name, name[2:]) if name[:2] in ("c_", "d_", "f_", "i_", "v_") else (name,)
-    return any(pattern.fullmatch(plain_name(one)) for one in names)
+    # A body that is not symmetric has lengths rx+ and rx-.
+    return any(pattern.fullmatch(plain_name(one).rstrip("+-")) for one in names)
 
 
 class Taken(NamedTuple):
@@ -233,7 +234,7 @@ def meaning_of(taken: Taken, options: Options, has_convention: bool = False) -> 
 def plain_name(name: str) -> str:
     """A name without its unit, capitals, blanks, dots, hyphens and underscores."""
     without_unit = _BRACKETS.sub("", UNIT_AT_END.sub("", name.lower()))
-    return re.sub(r"(?<=.)-|[\s_.:/]", "", without_unit)
+    return re.sub(r"(?<=.)-(?=.)|[\s_.:/]", "", without_unit)
 
 
 def take(columns: Sequence[str], options: Options, error: Error, lengths: str, order: str, known: Sequence[str],

@@ -26,8 +26,9 @@ _SERIES = re.compile(r"(slice|frame|image|picture|\w*step|timepoint|time|timesta
 _PICTURES = re.compile(r"(metadata)?(well|site|field|fieldofview|fov|tile|crop|position|movie|video|experiment|dataset|channel|series|"
                        r"section|(image|file)?path|epoch|tp|tindex|condition|animal|mouse|patient|subject|date|day)"
                        rf"{_END}")  # fmt: skip
-# Columns with the same value for one body at several times
+# Columns with the same value for one body at several times, and of tables of pictures those that number the bodies of each
 _TRACKS = re.compile(r"(track|trajectory|traj)(id|no|nr|num|number|index|idx|name)?")
+_LABELS = re.compile(r"labels?|object(number|id|label)")
 # Labels of ImageJ are TITLE:REGION:SLICE, of which the latter two may lack (Analyzer.getFileName, 1.53t). A region of a stack has the
 # name SLICE-Y-X (RoiManager.getLabel).
 _LABEL = re.compile(r"(?:[^:]*:)+(\d+)|[^:]*:(\d{4,})-\d{4,}-\d{4,}.*")
@@ -36,21 +37,21 @@ _LABEL = re.compile(r"(?:[^:]*:)+(\d+)|[^:]*:(\d{4,})-\d{4,}-\d{4,}.*")
 def columns_of_series(columns: Sequence[str], dimensions: int, options: Options, convention: Convention | None) -> list[str]:
     """Names columns of series, of ellipses also the third coordinate of their centres, and the labels of ImageJ."""
     third = "centerz" if convention is None or not convention.third else convention.third
-    words = [_SERIES, _TRACKS] + [_PICTURES] * (convention is not None and convention.first != "")
+    words = [_SERIES, _TRACKS] + [_PICTURES, _LABELS] * (convention is not None and convention.first != "")
     found = [name for name in columns if any(one.fullmatch(plain_name(name)) for one in words) or
-             (dimensions == 2 and plain_name(name).endswith(third)) or
-             (name == "Label" and convention is not None and convention.name == "imagej")]  # fmt: skip
+             (dimensions == 2 and plain_name(name).endswith(third))]  # fmt: skip
     return [name for name in found if name not in (options.ignore_columns or ())]
 
 
-def check_series(table: Table, names: Sequence[str], lines: Lines) -> None:
+def check_series(table: Table, names: Sequence[str], convention: Convention | None, lines: Lines) -> None:
     """Refuses rows of several pictures, planes or times, whose bodies would be taken as one system."""
     for name in names:
         rows = table[name].tolist()
-        if _TRACKS.fullmatch(plain_name(name)):
+        is_title = name == "Label" and convention is not None and convention.name == "imagej"
+        if not is_title and (_TRACKS.fullmatch(plain_name(name)) or _LABELS.fullmatch(plain_name(name))):
             _check_tracks(name, rows, table.line, lines)
             continue
-        if name == "Label" and len({*rows}) == len(rows):
+        if is_title and len({*rows}) == len(rows):
             rows = [*map(_picture_of, rows)]
         values = list(dict.fromkeys(rows))
         if len(values) > 1:
@@ -70,17 +71,18 @@ def _check_tracks(name: str, rows: list[str], line: int, lines: Lines) -> None:
     """Refuses a track that is there twice: its body at two times."""
     seen = set[str]()
     for k, row in enumerate(rows):
-        if row in seen and row.lower() not in ("", "nan", "none", "-1"):
+        if row in seen and row.isdecimal():
             lines.number = line + k
-            raise lines.error(f"the column {name} has {row} twice, as for one body at two times: write the rows of one time, or say that "
-                              f"all are bodies of one system (--ignore-columns {for_option([name])})")  # fmt: skip
+            raise lines.error(f"the column {name} has {row} twice, as for one body at two times, or bodies of two pictures: write the rows of one, "
+                              f"or say that all are bodies of one system (--ignore-columns {for_option([name])})")  # fmt: skip
         seen.add(row)
 
 
 def check_repeated(numbers: NDArray[np.int64], ids: str, line: int, lines: Lines) -> None:
-    """Refuses rows in which all particles occur equally often, as in several frames one behind the other."""
+    """Refuses rows of which most have an id that is there twice, as in several frames one behind the other."""
     _, first, counts = np.unique(numbers, return_index=True, return_counts=True)
-    if len(counts) > 1 and counts.min() == counts.max() > 1:
+    if (counts > 1).sum() > 1 and 2 * counts[counts > 1].sum() > len(numbers):
         lines.number = line + int(np.setdiff1d(np.arange(len(numbers)), first)[0])
-        raise lines.error(f"the column {ids} has each id {counts[0]} times, as for {counts[0]} frames or pictures: write the rows of one "
-                          f"of them, or say that all are bodies of one system (--ignore-columns {for_option([ids])})")  # fmt: skip
+        times = f"each id {counts[0]} times" if counts.min() == counts.max() else f"most ids up to {counts.max()} times"
+        raise lines.error(f"the column {ids} has {times}, as for {counts.max()} frames or pictures: write the rows of one of them, or say "
+                          f"that all are bodies of one system (--ignore-columns {for_option([ids])})")  # fmt: skip

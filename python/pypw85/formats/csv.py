@@ -45,6 +45,8 @@ _OF_ECSV = re.compile(r"\b(name|unit): ['\"]?([\w.]+)")
 _UNIT_WORD = re.compile(r"[(\[]?(mm|[uµμnk]?m|cm|Å|microns?|px|pix|pixels?|voxels?|deg(rees?)?|rad(ians?)?|[-1])[)\]]?")
 # Brackets of a unit that a blank separates from the name before it
 _UNIT_BEHIND = re.compile(r"(?<=\w)\s+([(\[][^\d)\]][^)\]]*[)\]])(?!\S)")
+# A word, which may have blanks in quotation marks
+_WORD = re.compile(r'"[^"]*"(?!\S)|\S+')
 # The line that YADE writes before spheres (export.textExt)
 _FORMAT_OF_YADE = re.compile(r"^#\s*format\s+(x_y_z_r\w*)$")
 # A word in quotation marks, and a number behind it
@@ -146,7 +148,7 @@ def _positions_in(columns: list[str], count: int) -> list[list[str]]:
 
 
 def _split(line: str, separator: str | None) -> list[str]:
-    words = (_UNIT_BEHIND.sub(r"\1", line) if separator is None else line).split(separator)
+    words = line.split(separator) if separator is not None else _WORD.findall(_UNIT_BEHIND.sub(r"\1", line))
     if separator is not None and '"' in line:
         with contextlib.suppress(csv.Error, StopIteration):
             words = next(csv.reader([line], delimiter=separator, skipinitialspace=True, strict=True))
@@ -185,7 +187,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         series = columns_of_series(columns, len(positions), options, convention)
         wanted = [name for name in (*positions, *offsets, *taken.columns, ids, types, *series) if name]
         table = lines.table(count, columns, [types, *series], separator, wanted, decimal_comma=separator != ",")
-        check_series(table, series, lines)
+        check_series(table, series, convention, lines)
         numbers = table.integers(ids) if ids else None
         if numbers is not None and not (np.diff(numbers) > 0).all():
             check_repeated(numbers, ids, table.line, lines)
