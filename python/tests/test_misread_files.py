@@ -129,7 +129,11 @@ REFUSED = {
     # Corners and ends of triangles and lines of LAMMPS, whose radius is that of the sphere around them
     **{f"x,y,z,radius,{name}": ({}, "0,0,0,1,1", f"the column {name} could change")
        for name in ("corner1x", "end2y", "elongation", "gamma1", "shear_2", "focus_x", "r_inner", "r_out", "superball_p", "m_exp",
-                    "spherocyl_L", "geom_type", "is_mirrored", "Number of corners", "n_vertices", "sides", "faces", "ell_maj")},
+                    "spherocyl_L", "geom_type", "is_mirrored", "Number of corners", "n_vertices", "sides", "faces", "ell_maj",
+                    "ev_1", "eval1", "cov11", "D_eq", "r_mean", "Rg", "Rf", "is_sphere", "mpp", "zingg_class", "sq_e1", "ori", "vec1_x",
+                    "rot00", "x_dir")},
+    # Of pixels, where aspect ratios of bodies are harmless
+    **{f"x,y,a,b,angle_deg,{name}": ({}, "0,0,2,1,30,3", f"the column {name} could change") for name in ("pixel_aspect_ratio", "z_aspect")},
     # Of SudoDEM's bodies that are not symmetric
     "x,y,z,rx+,rx-,ry+,ry-,rz+,rz-,qw,qx,qy,qz": ({}, f"0,0,0,1,2,1,1,1,1,{UP}", r"the columns rx\+ rx- ry\+ ry- rz\+ rz- could change"),
     "x,y,z,a,b,c,m,n,qw,qx,qy,qz": ({}, f"0,0,0,2,1,1,4,4,{UP}", "the columns m n could change"),
@@ -192,8 +196,9 @@ TABLES = {
     **{f"{name},x,y,z,radius\n7.1,0,0,0,1\n7.2,0,1.5,0,1": f"line 3: the column {name} has several values, 7.1 and 7.2" for name in
        ("seriesuid", "SeriesInstanceUID", "patient_id", "subject", "volume_id")},
     "track_id,x,y,z,radius\n1,0,0,0,1\n2,9,0,0,1\n,5,0,0,1\n,7,0,0,1\n1,0,1.5,0,1": "line 6: the column track_id has 1 twice, as for one",
+    "clump_id,x,y,z,radius\n0,0,0,0,1\n0,1,0,0,1\n1,9,0,0,1": "line 3: the column clump_id has 0 twice, as for one body .* of several spheres",
     "label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation\n1,5,5,4,1,0\n2,9,5,4,1,0\n1,6.5,5,4,1,0":
-        "line 4: the column label has 1 twice, as for one body at two times, or bodies of two pictures",
+        "line 4: the column label has 1 twice, as for one body at two times, in two pictures, or of several spheres",
     "id,x,y,z,radius\n1,0,0,0,1\n2,9,0,0,1\n1,0,1.5,0,1\n2,9,1.5,0,1\n3,0,9,0,1": "line 4: the column id has most ids up to 2 times",
     "t,x,y,z,radius\n0,0,0,0,1\n0.5,0,1.5,0,1": "line 3: the column t has several values",
     **{f"{name},x,y,z,radius\n0,0,0,0,1\n5,0,1.5,0,1": "line 3: the column .* has several values, 0 and 5" for name in

@@ -113,12 +113,14 @@ _SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thi
                     r"geom(etry)?type|"
                     r"x(dim|len|ext|rad)|(dim|len|ext|rad)x|[xyz](err|unc)|sm[abc]|(box|cell|lattice|domain)[xyzabc]|bboxw|boxw|obb\w|"
                     r"quantile|percentile|chi2\w*|h[wh]|coating|shell|inner|outer|mesh(file)?|(convex)?hull|stl(file)?|template|"
+                    r"(ev|eval|eigval|lam|sv)\d|cov\d\d|[rd](eq|equiv|mean|avg|ave|median|vir|vol|hyd)|rg|rf|is\w*sphere|morphology|habit|"
+                    r"mpp|ppi|flinn\w*|zingg\w*|corey\w*|csf|(sq|super)(e|eps|n|m|p)\d?|fillet|chamfer|"
                     r"polygon|polyhedron|(geometry|primitive|kind|template|mesh)(id|index|type|name|no|number)|sieve")
 _TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bearing|trend|plunge|strike|rake|tilt|inclin|"
                     r"(?<!mis)orient|rotat|quat|phi|theta|psi(?!lon)|direct|(?<!ab)normal|posang|rodrig|sequence).*|alpha|beta|gamma|"
                     r"dip|dipdir\w*|polar|zenith|colatitude|rod[xyz0-3]|rot|rot\w|rotvec\w*|rot.?\[\d\]|roll|pa|"
                     r"(is)?(mirror(ed)?|flip(ped)?|reflect(ed)?)[xyz]?|handedness|lefthanded|e(ig)?vec\w*|pca?[1-3]\w|v[1-3][xyz]|"
-                    r"(rot)?mat\d+|dcm\d+|r\[\d\]|rw|q(uat)?[wxyzijk0-4rs]?|qv\w*|[unde][xyz0-3]|dir[xyz]|ori[xyz0-4]|e[1-3][xyz]|"
+                    r"ori|(ev|vec)\d[xyz]|rv[xyz]|rot\d\d|[tuv]?[xyz]dir|(rot)?mat\d+|dcm\d+|r\[\d\]|rw|q(uat)?[wxyzijk0-4rs]?|qv\w*|[unde][xyz0-3]|dir[xyz]|ori[xyz0-4]|e[1-3][xyz]|"
                     r"axis\w*")  # fmt: skip
 # Names of whole lengths, and of half ones
 _SOUND_WHOLE = re.compile(r".*(diam|length|width|height|thick|breadth|feret|calliper|caliper|size).*|"
@@ -137,7 +139,7 @@ _OTHERS = re.compile(r"(bond|cluster|group|sample|batch|step|wave|track)\w*(leng
                      r"orient(ational)?order(parameter)?(\[\d+\])?|psi[468]|erotate\w*|cavityradius|poisson('?s)?ratio|"
                      r"(phi|theta|psi|alpha|beta|gamma|angle|yaw|pitch|roll)(d?dot|rate|velocity)|deformationgradient.*")  # fmt: skip
 # Measures of bodies whose lengths are all there
-_DERIVED = re.compile(r".*(aspect|ratio|elong|eccentr|ellipticity|flatten|flatness|oblate|prolate|round(?!ness\W?\d|ing)|circular|"
+_DERIVED = re.compile(r"(?!.*(pixel|voxel|zaspect|zratio|zanis)).*(aspect|ratio|elong|eccentr|ellipticity|flatten|flatness|oblate|prolate|round(?!ness\W?\d|ing)|circular|"
                       r"(?<!a)spheric|"
                       r"cylindric|triaxial|slender|feret|caliper|calliper|gyrat|equivalent|bounding|bbox|inscr).*|"
                       r"ecc|oval(ity|ness)?|ba|ca|cb|[abc](to|over)[abc]|perim\w*|(shape)?anisotropy|ar|(form|shape)factor|"

@@ -26,8 +26,9 @@ _SERIES = re.compile(r"(slice|frame|image|picture|\w*step|timepoint|time|timesta
 _PICTURES = re.compile(r"(metadata)?(well|site|field|fieldofview|fov|tile|crop|position|movie|video|experiment|dataset|channel|series|"
                        r"section|(image|file)?path|epoch|tp|tindex|condition|animal|mouse|patient|subject|date|day)"
                        rf"{_END}")  # fmt: skip
-# Columns with the same value for one body at several times, and of tables of pictures those that number the bodies of each
-_TRACKS = re.compile(r"(track|trajectory|traj)(id|no|nr|num|number|index|idx|name)?")
+# Columns with the same value for one body at several times or for the spheres of one body, and of tables of pictures those that number
+# the bodies of each
+_TRACKS = re.compile(rf"(track|trajectory|traj|clump|rigid(body)?|multisphere){_END}")
 _LABELS = re.compile(r"labels?|object(number|id|label)")
 # Labels of ImageJ are TITLE:REGION:SLICE, of which the latter two may lack (Analyzer.getFileName, 1.53t). A region of a stack has the
 # name SLICE-Y-X (RoiManager.getLabel).
@@ -73,8 +74,8 @@ def _check_tracks(name: str, rows: list[str], line: int, lines: Lines) -> None:
     for k, row in enumerate(rows):
         if row in seen and row.isdecimal():
             lines.number = line + k
-            raise lines.error(f"the column {name} has {row} twice, as for one body at two times, or bodies of two pictures: write the rows of one, "
-                              f"or say that all are bodies of one system (--ignore-columns {for_option([name])})")  # fmt: skip
+            raise lines.error(f"the column {name} has {row} twice, as for one body at two times, in two pictures, or of several spheres: write the rows "
+                              f"of one, or say that all are bodies of one system (--ignore-columns {for_option([name])})")  # fmt: skip
         seen.add(row)
 
 
