@@ -29,7 +29,7 @@ from ._errors import for_option
 from ._frames import Frame, Location, Options, said_dimensions
 from ._names import PRINTED, Rule, checked_names
 from ._series import check_repeated, check_series, columns_of_series
-from ._table import Lines, coded, write_rows
+from ._table import Lines, Table, coded, write_rows
 
 SUFFIXES = (".csv",)
 _NUMBER = re.compile(r"[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?")
@@ -188,6 +188,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         wanted = [name for name in (*positions, *offsets, *taken.columns, ids, types, *series) if name]
         table = lines.table(count, columns, [types, *series], separator, wanted, decimal_comma=separator != ",")
         check_series(table, series, convention, lines)
+        _check_mistake(table, [*positions, *taken.shape], lines)
         numbers = table.integers(ids) if ids else None
         if numbers is not None and not (np.diff(numbers) > 0).all():
             check_repeated(numbers, ids, table.line, lines)
@@ -465,6 +466,15 @@ def _check_units(comments: list[str], columns: list[str], positions: list[str], 
     silent = [name for name in (*positions, *taken.shape, *taken.sphere) if name not in dict(said)]
     if said and silent:
         taken.notes.append(f"{' '.join(silent)} without a unit are taken in that of {said[0][0]}")
+
+
+def _check_mistake(table: Table, names: list[str], lines: Lines) -> None:
+    """Refuses what MorphoLibJ 1.6.3 writes by mistake: y as z, and the second radius as the third (corrected in its commit d31b5d89)."""
+    if [*map(plain_name, names[2:4])] == ["ellicenterz", "elliradius1"]:
+        _, y, z, _, second, third = table.stack(names).T
+        if (y == z).all() and (second == third).all():
+            raise lines.error("all bodies have equal y and z, and equal second and third radii, as MorphoLibJ 1.6.3 writes by mistake for "
+                              "any bodies: measure with another version, or rename the columns if these numbers are right")  # fmt: skip
 
 
 def _units_row(comments: list[str], columns: list[str]) -> dict[str, str]:
