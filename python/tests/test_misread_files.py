@@ -199,6 +199,9 @@ TABLES = {
     "clump_id,x,y,z,radius\n0,0,0,0,1\n0,1,0,0,1\n1,9,0,0,1": "line 3: the column clump_id has 0 twice, as for one body .* of several spheres",
     "label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation\n1,5,5,4,1,0\n2,9,5,4,1,0\n1,6.5,5,4,1,0":
         "line 4: the column label has 1 twice, as for one body at two times, in two pictures, or of several spheres",
+    # Of scikit-image before 0.21 and after
+    "label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation\n1,5,5,4,4,-0.7853981633974483\n2,9,5,4,1,0.7853981633974483":
+        "line 3: particle 2 has the orientation 0.785398163, an eighth of a turn, .* before 0.21 changes: say --angle-sense yx if",
     # Of MorphoLibJ 1.6.3
     ",Label,Elli.Center.X,Elli.Center.Y,Elli.Center.Z,Elli.Radius1,Elli.Radius2,Elli.Radius3,Elli.Azim,Elli.Elev,Elli.Roll\n"
     "1,1,5,7.25,7.25,2,.5,.5,90,0,0\n2,2,5,9.5,9.5,2,.75,.75,90,0,0": "equal y and z, and .* as MorphoLibJ 1.6.3 writes by mistake",
@@ -371,6 +374,8 @@ PAIRS = {
     "MorphoLibJ in space": ("Label,Volume,MeanBreadth,Sphericity,Elli.Center.X,Elli.Center.Y,Elli.Center.Z,Elli.R1,Elli.R2,Elli.R3,"
                             "Elli.Azim,Elli.Elev,Elli.Roll,Elli.R1/R2,InscrBall.Radius\n1,3,1,1,5,5,5,2,.5,.5,90,0,0,4,.5\n"
                             "2,3,1,1,5,6.5,5,2,.5,.5,90,0,0,4,.5", {}, 0.375),
+    "an eighth of a turn": ("label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation\n1,5,5,4,1,0.7853981633974483\n"
+                            f"2,{5 + 1.5 * HALF!r},{5 + 1.5 * HALF!r},4,1,0.7853981633974483", {"angle_sense": "yx"}, 0.375),
     "MorphoLibJ 1.6.4": ("Label,Elli.Center.X,Elli.Center.Y,Elli.Center.Z,Elli.Radius1,Elli.Radius2,Elli.Radius3,Elli.Azim,Elli.Elev,"
                          "Elli.Roll\n1,5,5,5,2,.5,.5,90,0,0\n2,5,6.5,5,2,.5,.5,90,0,0", {}, 0.375),
     "photutils": ("label,xcentroid,ycentroid,semimajor_sigma,semiminor_sigma,orientation,eccentricity,elongation,ellipticity,fwhm,gini\n"

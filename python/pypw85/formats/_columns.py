@@ -475,6 +475,8 @@ def _turn(frame: Frame, turn: Turn, table: Table) -> None:
     if turn.kind == "direction" and turn.largest:
         _check_directions(frame, turn, table)
     if turn.kind == "angle":
+        if turn.is_reversed:
+            _check_eighths(frame, turn, table)
         frame.angles = turn.angles(table)
     elif turn.kind:
         for name in turn.columns:
@@ -489,6 +491,8 @@ def _turn(frame: Frame, turn: Turn, table: Table) -> None:
 
 # A whole turn in radians, and angles that a program writes, have so much room.
 _TURN = 6.2832
+# Of angles and lengths that an eighth of a turn and a circle have, with seven digits
+_ROUNDED = 1e-6
 # Directions with two digits have lengths of 1 up to so much.
 _UNIT = 0.02
 
@@ -501,6 +505,18 @@ def _check_directions(frame: Frame, turn: Turn, table: Table) -> None:
         names = ",".join(turn.columns)
         raise frame.error(f"has the length {lengths[wrong][0]:g} of {' '.join(turn.columns)}, which may be angles or a direction: say "
                           f"which (--direction-columns {names}, or --euler)", int(wrong.argmax()))  # fmt: skip
+
+
+def _check_eighths(frame: Frame, turn: Turn, table: Table) -> None:
+    """Refuses angles of exactly an eighth of a turn of ellipses that are not circles: scikit-image before 0.21 changes their sign (issue
+    6815 there), also in CellProfiler."""
+    assert frame.shapes is not None
+    is_eighth = np.abs(np.abs(turn.radians(table)[:, 0]) - np.pi / 4) < _ROUNDED
+    wrong = is_eighth & (np.abs(np.diff(frame.shapes)[:, 0]) > _ROUNDED * frame.shapes.max(axis=1))
+    if wrong.any():
+        name = turn.columns[0]
+        raise frame.error(f"has the {name} {table[name][wrong][0]:.9g}, an eighth of a turn, whose sign scikit-image before 0.21 changes: say "
+                          f"--angle-sense {turn.sense} if a later version was used, or change such signs first", int(wrong.argmax()))  # fmt: skip
 
 
 def _check_angles(frame: Frame, turn: Turn, table: Table) -> None:

@@ -83,7 +83,7 @@ _AXIS_AND_ANGLE = ("{0} may be an axis and the angle of a rotation about it, whi
 
 class Turn(NamedTuple):
     """Columns that say how particles are turned. `kind` is "", "angle", "euler", "polar" or "direction"; `units` are those of the columns,
-    and `signs` their factors; `zero`, `sense` and `largest` are those of `Convention`; of directions that may be angles by
+    and `signs` their factors; `zero`, `sense`, `largest` and `is_reversed` are those of `Convention`; of directions that may be angles by
     their names, `largest` is their length."""
 
     kind: str = ""
@@ -94,6 +94,7 @@ class Turn(NamedTuple):
     zero: str = "x"
     sense: str = "xy"
     largest: float = 0.0
+    is_reversed: bool = False
 
     @property
     def is_of_longest_axis(self) -> bool:
@@ -140,7 +141,8 @@ def by_convention(convention: Convention, names: Names, options: Options) -> Tur
     if convention.sequence:
         return Turn("euler", names, units, options.euler or convention.sequence, convention.signs, largest=largest)
     zero, sense = options.angle_zero or convention.zero, options.angle_sense or convention.sense
-    return Turn("angle", names, units, zero=zero, sense=sense, largest=largest)
+    return Turn("angle", names, units, zero=zero, sense=sense, largest=largest,
+                is_reversed=convention.is_reversed and not options.angle_sense)
 
 
 def find(columns: Sequence[str], options: Options, error: Error, is_flat: bool, has_quaternions: bool) -> Turn:
