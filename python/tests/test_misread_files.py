@@ -196,7 +196,8 @@ TABLES = {
     **{f"{name},x,y,z,radius\n7.1,0,0,0,1\n7.2,0,1.5,0,1": f"line 3: the column {name} has several values, 7.1 and 7.2" for name in
        ("seriesuid", "SeriesInstanceUID", "patient_id", "subject", "volume_id")},
     "track_id,x,y,z,radius\n1,0,0,0,1\n2,9,0,0,1\n,5,0,0,1\n,7,0,0,1\n1,0,1.5,0,1": "line 6: the column track_id has 1 twice, as for one",
-    "clump_id,x,y,z,radius\n0,0,0,0,1\n0,1,0,0,1\n1,9,0,0,1": "line 3: the column clump_id has 0 twice, as for one body .* of several spheres",
+    "clump_id,x,y,z,radius\n0,0,0,0,1\n0,1,0,0,1\n1,9,0,0,1":
+        "line 3: the column clump_id has 0 twice, as for one body .* of several spheres",
     "label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation\n1,5,5,4,1,0\n2,9,5,4,1,0\n1,6.5,5,4,1,0":
         "line 4: the column label has 1 twice, as for one body at two times, in two pictures, or of several spheres",
     # Of scikit-image before 0.21 and after
@@ -402,8 +403,8 @@ PAIRS = {
     "a label with words": ("Label,Ellipse.Center.X,Ellipse.Center.Y,Ellipse.Radius1,Ellipse.Radius2,Ellipse.Orientation\na-1,5,5,2,.5,90\n"
                            "a-2,5,6.5,2,.5,90", {}, 0.375),
     "equal units in comments": ("# positions in um, diameters in um\nx,y,z,diameter\n0,0,0,1\n0,1.5,0,1", {}, 1.5),
-    "regions of one slice": (" ,Label,X,Y,Major,Minor,Angle\n1,a.tif:0003-0005-0005:3,5,5,4,1,90\n2,a.tif:0003-0006-0005:3,5,6.5,4,1,90", {},
-                             0.375),
+    "regions of one slice": (" ,Label,X,Y,Major,Minor,Angle\n1,a.tif:0003-0005-0005:3,5,5,4,1,90\n"
+                             "2,a.tif:0003-0006-0005:3,5,6.5,4,1,90", {}, 0.375),
     "a comment of units": ("# x y z radius angle_deg\n# mm mm mm mm deg\n0 0 0 .5 1\n0 1.5 0 .5 1", {"ignore_columns": ["angle_deg"]}, 1.5),
     "a comment and an option": (f"# scalar last\nx,y,z,a,b,c,q0,q1,q2,q3\n0,0,0,2,.5,.5,0,0,{HALF!r},{HALF!r}\n"
                                 f"0,1.5,0,2,.5,.5,0,0,{HALF!r},{HALF!r}", {"quaternion": "xyzw"}, 0.375),
@@ -499,7 +500,8 @@ def test_harmless_columns(name, tmp_path):
                                      "L: left, R: right", "from Y. Smith", "angles counter-clockwise from x", "semi-axes, in degrees",
                                      "the data begin at y = 0, measured from y = 0", "aspect ratio 2", "w x y z", "sigma = 1",
                                      "mass in kg, lengths in mm, velocity in mm/s", "area in mm^2, lengths in um", "not periodic",
-                                     "image of 512 x 512 pixels", "spheres in a cylinder", "the periodic table", "lengths in units of sigma",
+                                     "image of 512 x 512 pixels", "spheres in a cylinder", "the periodic table",
+                                     "lengths in units of sigma",
                                      "angle of the long axis, not the short one", "positions and radii in um"])  # fmt: skip
 def test_harmless_comments(comment, tmp_path):
     assert len(read_text(tmp_path / "a.csv", f"# {comment}\nx,y,a,b,angle_deg\n0,0,2,1,30\n")) == 1

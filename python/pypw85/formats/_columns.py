@@ -120,7 +120,8 @@ _TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bear
                     r"(?<!mis)orient|rotat|quat|phi|theta|psi(?!lon)|direct|(?<!ab)normal|posang|rodrig|sequence).*|alpha|beta|gamma|"
                     r"dip|dipdir\w*|polar|zenith|colatitude|rod[xyz0-3]|rot|rot\w|rotvec\w*|rot.?\[\d\]|roll|pa|"
                     r"(is)?(mirror(ed)?|flip(ped)?|reflect(ed)?)[xyz]?|handedness|lefthanded|e(ig)?vec\w*|pca?[1-3]\w|v[1-3][xyz]|"
-                    r"ori|(ev|vec)\d[xyz]|rv[xyz]|rot\d\d|[tuv]?[xyz]dir|(rot)?mat\d+|dcm\d+|r\[\d\]|rw|q(uat)?[wxyzijk0-4rs]?|qv\w*|[unde][xyz0-3]|dir[xyz]|ori[xyz0-4]|e[1-3][xyz]|"
+                    r"ori|(ev|vec)\d[xyz]|rv[xyz]|rot\d\d|[tuv]?[xyz]dir|(rot)?mat\d+|dcm\d+|r\[\d\]|rw|q(uat)?[wxyzijk0-4rs]?|qv\w*|"
+                    r"[unde][xyz0-3]|dir[xyz]|ori[xyz0-4]|e[1-3][xyz]|"
                     r"axis\w*")  # fmt: skip
 # Names of whole lengths, and of half ones
 _SOUND_WHOLE = re.compile(r".*(diam|length|width|height|thick|breadth|feret|calliper|caliper|size).*|"
@@ -134,12 +135,14 @@ _SOUND_EITHER = re.compile(r"(?!.*(semi|half|radi|diam)).*(scal|sigma|std|rms|ex
                            r"[xyz]?(len|dim)[xyz1-3]?")
 # Those of other things: stresses, velocities, contacts, positions, counts
 _OTHERS = re.compile(r"(bond|cluster|group|sample|batch|step|wave|track)\w*(length|size|width)|temperature\w*|charge\w*|mass\w*|density\w*|"
-                     r"(stress|strain|virial|pressure|force|torque|velocity)\w*|c?stress\[\d\]|number(?!of(corners|fac|edges|sides|vert))\w*|.*neighbou?rs?|"
+                     r"(stress|strain|virial|pressure|force|torque|velocity)\w*|c?stress\[\d\]|"
+                     r"number(?!of(corners|fac|edges|sides|vert))\w*|.*neighbou?rs?|"
                      r"euler(number|characteristic)|rot\w*(energy|velocity|temperature|momentum)[xyz]?|"
                      r"orient(ational)?order(parameter)?(\[\d+\])?|psi[468]|erotate\w*|cavityradius|poisson('?s)?ratio|"
                      r"(phi|theta|psi|alpha|beta|gamma|angle|yaw|pitch|roll)(d?dot|rate|velocity)|deformationgradient.*")  # fmt: skip
 # Measures of bodies whose lengths are all there
-_DERIVED = re.compile(r"(?!.*(pixel|voxel|zaspect|zratio|zanis)).*(aspect|ratio|elong|eccentr|ellipticity|flatten|flatness|oblate|prolate|round(?!ness\W?\d|ing)|circular|"
+_DERIVED = re.compile(r"(?!.*(pixel|voxel|zaspect|zratio|zanis)).*(aspect|ratio|elong|eccentr|ellipticity|flatten|flatness|oblate|"
+                      r"prolate|round(?!ness\W?\d|ing)|circular|"
                       r"(?<!a)spheric|"
                       r"cylindric|triaxial|slender|feret|caliper|calliper|gyrat|equivalent|bounding|bbox|inscr).*|"
                       r"ecc|oval(ity|ness)?|ba|ca|cb|[abc](to|over)[abc]|perim\w*|(shape)?anisotropy|ar|(form|shape)factor|"
@@ -515,8 +518,9 @@ def _check_eighths(frame: Frame, turn: Turn, table: Table) -> None:
     wrong = is_eighth & (np.abs(np.diff(frame.shapes)[:, 0]) > _ROUNDED * frame.shapes.max(axis=1))
     if wrong.any():
         name = turn.columns[0]
-        raise frame.error(f"has the {name} {table[name][wrong][0]:.9g}, an eighth of a turn, whose sign scikit-image before 0.21 changes: say "
-                          f"--angle-sense {turn.sense} if a later version was used, or change such signs first", int(wrong.argmax()))  # fmt: skip
+        raise frame.error(f"has the {name} {table[name][wrong][0]:.9g}, an eighth of a turn, whose sign scikit-image before 0.21 changes: "
+                          f"say --angle-sense {turn.sense} if a later version was used, or change such signs first",
+                          int(wrong.argmax()))  # fmt: skip
 
 
 def _check_angles(frame: Frame, turn: Turn, table: Table) -> None:

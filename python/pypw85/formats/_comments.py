@@ -39,7 +39,7 @@ _CLAIMS: list[tuple[str, str, Callable[[Meaning], bool], str]] = [
     (r"diameter|\b(full|whole)[\s-]+(\w+[\s-]+)?(ax[ei]s|lengths?|widths?)", r"radi(us|i)|semi|half(?![\s-]*max)",
      lambda one: one.lengths == "radii", _SAY_LENGTHS),
     (r"\bradi(us|i)|\bsemi|\bhalf", r"diameter|full|whole", lambda one: one.lengths == "diameters", _SAY_LENGTHS),
-    # Ellipses of distributions: a width in a unit of sigma is none of a body, but "in units of sigma" is.
+    # Widths of distributions. "in units of sigma" is a unit of length in simulations.
     (r"\brms\b|\b(standard|std\.?)[\s-]*dev|\b(\d(\.\d+)?|one|two|three)[\s-]*(sigmas?\b|σ)|\bfwhm\b|\bhwhm\b|half[\s-]*max|\bvarianc|"
      r"\beigenval|\bconfidence|\b(ax[ei]s|lengths?|radii|[abc])\b.*\bsquared?\b", _NEVER,
      lambda one: one.lengths in ("radii", "diameters"), "say what the lengths are (--lengths), or convert them"),

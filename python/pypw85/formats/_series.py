@@ -30,7 +30,7 @@ _PICTURES = re.compile(r"(metadata)?(well|site|field|fieldofview|fov|tile|crop|p
 # the bodies of each
 _TRACKS = re.compile(rf"(track|trajectory|traj|clump|rigid(body)?|multisphere){_END}")
 _LABELS = re.compile(r"labels?|object(number|id|label)")
-# Labels of ImageJ are TITLE:REGION:SLICE, of which the latter two may lack (Analyzer.getFileName, 1.53t). A region of a stack has the
+# Labels of ImageJ are TITLE:REGION:SLICE; REGION and SLICE may lack (Analyzer.getFileName, 1.53t). A region of a stack has the
 # name SLICE-Y-X (RoiManager.getLabel).
 _LABEL = re.compile(r"(?:[^:]*:)+(\d+)|[^:]*:(\d{4,})-\d{4,}-\d{4,}.*")
 
@@ -74,8 +74,9 @@ def _check_tracks(name: str, rows: list[str], line: int, lines: Lines) -> None:
     for k, row in enumerate(rows):
         if row in seen and row.isdecimal():
             lines.number = line + k
-            raise lines.error(f"the column {name} has {row} twice, as for one body at two times, in two pictures, or of several spheres: write the rows "
-                              f"of one, or say that all are bodies of one system (--ignore-columns {for_option([name])})")  # fmt: skip
+            raise lines.error(f"the column {name} has {row} twice, as for one body at two times, in two pictures, or of several spheres: "
+                              "write the rows of one, or say that all are bodies of one system (--ignore-columns "
+                              f"{for_option([name])})")  # fmt: skip
         seen.add(row)
 
 
