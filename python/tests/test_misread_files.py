@@ -395,6 +395,7 @@ PAIRS = {
                               {"angle_columns": ["azimuth_deg"], "angle_zero": "y", "angle_sense": "yx"}, 0.375),
     "comments that agree": (f"# semi-axes a b c; quaternions x y z w\nx,y,z,a,b,c,qx,qy,qz,qw\n0,0,0,2,.5,.5,0,0,{HALF!r},{HALF!r}\n"
                             f"0,1.5,0,2,.5,.5,0,0,{HALF!r},{HALF!r}", {}, 0.375),
+    "pixels of a scan in micrometres": ("# 0.5 um per pixel, voxel size 0.5\nx_um,y_um,z_um,radius_um\n0,0,0,.5\n0,1.5,0,.5", {}, 1.5),
     # What a convention says is not asked again.
     "opencv's comment": ("# angles clockwise, y down\nx,y,width,height,angle\n5,5,4,1,90\n5,6.5,4,1,90", {"convention": "opencv"}, 0.375),
     "a sense that is said": ("# y down\nx,y,a,b,angle_deg\n5,5,2,.5,90\n5,6.5,2,.5,90", {"angle_sense": "yx"}, 0.375),
@@ -499,7 +500,8 @@ def test_harmless_columns(name, tmp_path):
 @pytest.mark.parametrize("comment", ["created by code v1.2", "Radii in mm", "scale bar 10 um", "20 ellipsoids",
                                      "L: left, R: right", "from Y. Smith", "angles counter-clockwise from x", "semi-axes, in degrees",
                                      "the data begin at y = 0, measured from y = 0", "aspect ratio 2", "w x y z", "sigma = 1",
-                                     "mass in kg, lengths in mm, velocity in mm/s", "area in mm^2, lengths in um", "not periodic",
+                                     "mass in kg, lengths in mm, velocity in mm/s", "area in mm^2, lengths in um", "not periodic", "rods, periodic = false", "box: none", "512 × 512 pixels",
+                                     "10^5 steps",
                                      "image of 512 x 512 pixels", "spheres in a cylinder", "the periodic table",
                                      "lengths in units of sigma",
                                      "angle of the long axis, not the short one", "positions and radii in um"])  # fmt: skip

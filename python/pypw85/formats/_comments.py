@@ -14,7 +14,8 @@ from ._errors import FileError
 class Meaning(NamedTuple):
     """Meanings that neither an option nor the name of a column says: "radii" or "diameters", the order of quaternions,
     the unit of angles, and whether angles of ellipses are counted from x towards y. Empty or false for what is said, or not there.
-    `is_turned` says that bodies have quaternions or Euler angles, `are_spheres` that one column is the size of spheres."""
+    `is_turned` says that bodies have quaternions or Euler angles, `are_spheres` that one column is the size of spheres, and `has_units`
+    that names of columns state a unit of length other than pixels."""
 
     lengths: str = ""
     order: str = ""
@@ -22,11 +23,13 @@ class Meaning(NamedTuple):
     is_from_x: bool = False
     is_turned: bool = False
     are_spheres: bool = False
+    has_units: bool = False
 
 
 _NUMBER = r"\W*[-+]?\.?\d"
 _LENGTH = r"([nuµμm\ufffd]m|microns?|px|pixels?|voxels?|slices?)"
 _NEVER = r"$."
+_OPPOSITE, _ROTATION = "(conjugated?|inverted|inverse|transposed?)", "(rotation|quaternion|orientation|matrix)s?"
 _SAY_LENGTHS = "say what the lengths are (--lengths)"
 _SAY_ANGLES = "say from where angles are counted (--angle-zero, and --angle-sense yx if they grow from y towards x)"
 _CONVERT = "convert the numbers, and remove it"
@@ -53,19 +56,20 @@ _CLAIMS: list[tuple[str, str, Callable[[Meaning], bool], str]] = [
      r"\b(top|upper)[\s-]*left|\bimage (coordinates?|frame|ax[ei]s)\b", _NEVER, lambda one: one.is_from_x, _SAY_ANGLES),
     (r"\b(angle|orientation)s?\b.*\b(minor|short(er|est)?)\b", r"\b(major|long(er|est)?)\b", lambda one: one.is_from_x, _CONVERT),
     # Rotations of axes instead of bodies
-    (r"\bpassive\b|\bconjugated?\b|\binverted?\b|\binverse\b|\btransposed?\b|\brotat\w+ (of |from )?(the )?(frame|axes|coordinate)|"
+    (rf"\bpassive\b|\b{_OPPOSITE}\b.*\b{_ROTATION}\b|\b{_ROTATION}\b.*\b{_OPPOSITE}\b|\brotat\w+ (of |from )?(the )?(frame|axes|coordinate)|"
      r"\b(lab(oratory)?|world|space|global|inertial)([\s-]*(fixed|frame|axes|system|coordinates))*[\s-]*(to|into|->|→|2)[\s-]*(the[\s-]*)?"
      r"(body|particle|local|moving|principal)", r"\bactive\b", lambda one: one.is_turned, _CONVERT),
     (r"\b(bounding|circumscri\w+|enclosing|equivalent|equal[\s-]volume)\b.*\b(spheres?|radi(us|i)|diameters?)\b", _NEVER,
      lambda one: one.are_spheres, "write lengths and orientations, or say that these are spheres (--shape-columns)"),
-    (r"(\b|_)(scal(e|ing)|(pixel|voxel)[\s_-]*(size|width|height|depth|pitch|dim\w*)|spacing|resolution|magnification|"
-     r"(add|axis)[\s_-]*offset|\w*factor|exponents?|power|z?[\s_-]*anisotropy|z[\s_-]*(step|interval|aspect|ratio)|"
+    (r"(\b|_)((pixel|voxel)[\s_-]*(size|width|height|depth|pitch|dim\w*)|spacing|resolution|magnification|"
+     rf"z[\s_-]*(step|interval))\w*{_NUMBER}|\b(pixel|voxel)s?\W*\d*\.\d|\bslices? of{_NUMBER}|"
+     rf"\d\s*{_LENGTH}\s*(/|\bper\b|=)\s*\d*\.?\d*\s*{_LENGTH}", _NEVER, lambda one: not one.has_units, _CONVERT),
+    (r"(\b|_)(scal(e|ing)|(add|axis)[\s_-]*offset|\w*factor|exponents?|power|z?[\s_-]*anisotropy|z[\s_-]*(aspect|ratio)|"
      rf"blockiness|dilat(ion|ed)|inflat(ion|ed)|roundness|n[\s_-]*sigma|confidence([\s_-]*level)?)\w*{_NUMBER}|"
-     rf"\b(pixel|voxel)s?\W*\d*\.\d|\d\s*{_LENGTH}\s*(/|\bper\b|=)\s*\d*\.?\d*\s*{_LENGTH}|\bslices? of{_NUMBER}|"
      r"\bsuper[\s-]?(quadric|ellips)", _NEVER, lambda one: True, _CONVERT),
     (r"\b(fractional|reduced|crystal|lattice|scaled|direct|cylindrical|spherical( polar)?) (coord|positions?)|"
      r"\b(log(10|arithm\w*)?|ln)\b\W*(of\W+)?(the\W+)?(radi|diam|ax[ei]s|length|size|scale)|"
-     r"(\b(multiplied|divided|scaled|shr[iu]nk|enlarged|eroded|grown) by|\btimes|\bin units of)\W*\d|×\s*\d|\b10\^|\d\s*\*\s*10", _NEVER,
+     r"(\b(multiplied|divided|scaled|shr[iu]nk|enlarged|eroded|grown) by|\btimes|\bin units of|(?<!\d)(?<!\d )×)\W*\d|\b10\^-?\d+ ?[nuµμm]?m\b", _NEVER,
      lambda one: True, _CONVERT),
     (r"\b(sphero[\s-]*cylinders?|cylinders?|capsules?|cuboids?|cubes?|polyhedra|multi[\s-]*spheres?|(rounded|rectangular) box(es)?)\b",
      r"ellips|spheroid|(?<!multi)(?<!multi[\s-])\bspheres?\b|\b(in|inside|within|into)\b", lambda one: True,

@@ -39,6 +39,8 @@ _KEYS = ("cell", "dimensions", "origin", "periodic", "step")
 _LIKE_KEYS = re.compile(rf"[#%](?:.*[\s,;('\"{{])?\s*{SAYS_CELL}|"
                         r"[#%].*?(?<!non)(?<!non-)(?<!not )(?<!no )(?<!a)(periodic|\bpbc)\b(?!\W*(no|none|false|f|0|table)\b)",
                         re.IGNORECASE)  # fmt: skip
+_NO_CELL = re.compile(r"\b(periodic\w*|pbc|((simulation|periodic) )?(box|cell)|boundar\w*)\W*(no|none|false|F F F|open|free)\b",
+                      re.IGNORECASE)  # fmt: skip
 # Names and units of columns in the header of ECSV (Astropy), on one line or on several
 _OF_ECSV = re.compile(r"\b(name|unit): ['\"]?([\w.]+)")
 # A comment that is a row of units
@@ -177,7 +179,8 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         offsets = offsets_of(convention, columns)
         taken = take(columns, options, lines.error, "radii", "wxyz", [*positions, *offsets, ids, types],
                      (dimensions or len(positions)) == 2, convention)  # fmt: skip
-        _comments.check(comments, meaning_of(taken, options, convention is not None), lines.error)
+        units = {*map(_plain_unit, map(_unit, (*positions, *taken.shape)))} - {"", "px"}
+        _comments.check(comments, meaning_of(taken, options, convention is not None)._replace(has_units=bool(units)), lines.error)
         _check_lengths(columns, positions, taken, (options.dimensions or dimensions) is not None, lines)
         _check_units(comments, columns, positions, taken, lines)
         step = lines.whole(keys.get("step", "0"), "step", -(2**63))
@@ -334,7 +337,7 @@ def _keys(lines: Lines, options: Options) -> tuple[dict[str, str], str, list[str
             raise lines.error(f"the comment '# {name}' is there twice: remove one")
         if name in _KEYS:
             keys[name] = value
-        elif options.cell is None and "cell" not in keys and _LIKE_KEYS.match(text.replace('"', "")):
+        elif options.cell is None and "cell" not in keys and _LIKE_KEYS.match(_NO_CELL.sub("", text.replace('"', ""))):
             raise lines.error(f"the comment '{text[:60]}' could say the cell, and is not read: write '# cell' and nine numbers, '# origin' "
                               "and three, '# periodic' and three of T and F, give the cell (--cell), or remove the comment")  # fmt: skip
         elif text.isdecimal():
