@@ -56,7 +56,8 @@ _CLAIMS: list[tuple[str, str, Callable[[Meaning], bool], str]] = [
      r"\b(top|upper)[\s-]*left|\bimage (coordinates?|frame|ax[ei]s)\b", _NEVER, lambda one: one.is_from_x, _SAY_ANGLES),
     (r"\b(angle|orientation)s?\b.*\b(minor|short(er|est)?)\b", r"\b(major|long(er|est)?)\b", lambda one: one.is_from_x, _CONVERT),
     # Rotations of axes instead of bodies
-    (rf"\bpassive\b|\b{_OPPOSITE}\b.*\b{_ROTATION}\b|\b{_ROTATION}\b.*\b{_OPPOSITE}\b|\brotat\w+ (of |from )?(the )?(frame|axes|coordinate)|"
+    (rf"\bpassive\b|\b{_OPPOSITE}\b.*\b{_ROTATION}\b|\b{_ROTATION}\b.*\b{_OPPOSITE}\b|"
+     r"\brotat\w+ (of |from )?(the )?(frame|axes|coordinate)|"
      r"\b(lab(oratory)?|world|space|global|inertial)([\s-]*(fixed|frame|axes|system|coordinates))*[\s-]*(to|into|->|→|2)[\s-]*(the[\s-]*)?"
      r"(body|particle|local|moving|principal)", r"\bactive\b", lambda one: one.is_turned, _CONVERT),
     (r"\b(bounding|circumscri\w+|enclosing|equivalent|equal[\s-]volume)\b.*\b(spheres?|radi(us|i)|diameters?)\b", _NEVER,
@@ -69,7 +70,8 @@ _CLAIMS: list[tuple[str, str, Callable[[Meaning], bool], str]] = [
      r"\bsuper[\s-]?(quadric|ellips)", _NEVER, lambda one: True, _CONVERT),
     (r"\b(fractional|reduced|crystal|lattice|scaled|direct|cylindrical|spherical( polar)?) (coord|positions?)|"
      r"\b(log(10|arithm\w*)?|ln)\b\W*(of\W+)?(the\W+)?(radi|diam|ax[ei]s|length|size|scale)|"
-     r"(\b(multiplied|divided|scaled|shr[iu]nk|enlarged|eroded|grown) by|\btimes|\bin units of|(?<!\d)(?<!\d )×)\W*\d|\b10\^-?\d+ ?[nuµμm]?m\b", _NEVER,
+     r"(\b(multiplied|divided|scaled|shr[iu]nk|enlarged|eroded|grown) by|\btimes|\bin units of|(?<!\d)(?<!\d )×)\W*\d|"
+     r"\b10\^-?\d+ ?[nuµμm]?m\b", _NEVER,
      lambda one: True, _CONVERT),
     (r"\b(sphero[\s-]*cylinders?|cylinders?|capsules?|cuboids?|cubes?|polyhedra|multi[\s-]*spheres?|(rounded|rectangular) box(es)?)\b",
      r"ellips|spheroid|(?<!multi)(?<!multi[\s-])\bspheres?\b|\b(in|inside|within|into)\b", lambda one: True,
