@@ -101,7 +101,8 @@ REFUSED = {
                     "quantile", "chi2_95", "inner", "mesh_file", "hull", "template_id", "geometry_id", "sieve", "shear_xy")},
     # Directions from north, and units of angles other than degrees and radians
     **{f"x,y,a,b,{name}": ({"angle_columns": [name]}, "0,0,2,1,30", f"{name} may be counted from the axis x or from y")
-       for name in ("azimuth_deg", "bearing_deg", "strike_deg", "PA_deg", "dip_direction_deg", "az_deg")},
+       for name in ("azimuth_deg", "bearing_deg", "strike_deg", "PA_deg", "dip_direction_deg", "az_deg", "ell_pa_deg", "eor_deg",
+                    "dir_deg", "theta_J2000_deg", "tilt_deg", "rake_deg")},
     **{f"x,y,a,b,{name}": ({"angle_columns": [name]}, "0,0,2,1,30", "has another unit than degrees and radians by its name")
        for name in ("angle_mrad", "angle (mrad)", "angle_grad", "angle [gon]", "angle_cdeg", "angle [pi rad]", "angle_tenths_deg",
                     "angle (turns)")},
@@ -117,9 +118,10 @@ REFUSED = {
     **{f"x,y,z,{names}": ({"shape_columns": names.split(","), "lengths": "radii"}, "0,0,0,1,1,2", "is not a sphere, and lacks")
        for names in ("U1,U2,U3", "n0,n1,n2", "axis_1,axis_2,axis_3")},
     **{f"x,y,z,{names}": ({"shape_columns": names.split(",")}, "0,0,0,1,1,2", "may be whole axes or semi-axes")
-       for names in ("fwhm_x,fwhm_y,fwhm_z", "err_x,err_y,err_z", "xlen,ylen,zlen", "obb_x,obb_y,obb_z", "bmaj,bmid,bmin", "d10,d50,d90")},
+       for names in ("ell_a,ell_b,ell_c", "sv1,sv2,sv3", "D_mean,D_mean,D_mean",
+                     "fwhm_x,fwhm_y,fwhm_z", "err_x,err_y,err_z", "xlen,ylen,zlen", "obb_x,obb_y,obb_z", "bmaj,bmid,bmin", "d10,d50,d90")},
     **{f"x,y,z,{names}": ({"shape_columns": names.split(",")}, "0,0,0,1,1,2", "means a quantity other than a length")
-       for names in ("lna,lnb,lnc", "asq,bsq,csq", "curv1,curv2,curv3", "hwhm_x,hwhm_y,hwhm_z")},
+       for names in ("ev1,ev2,ev3", "lam1,lam2,lam3", "lna,lnb,lnc", "asq,bsq,csq", "curv1,curv2,curv3", "hwhm_x,hwhm_y,hwhm_z")},
     **{f"x,y,z,{name}": ({"shape_columns": [name]}, "0,0,0,1", "means a quantity other than a length")
        for name in ("radius_of_gyration", "Rg", "radius_of_curvature", "radius_ratio", "perimeter", "surface", "mass", "n_voxels")},
     **{f"id,x,y,z,radius,{option}": ({option: columns}, "1,0,0,0,1,1", f"the column {columns[0]} is a position, an id, a type")

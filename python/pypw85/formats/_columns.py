@@ -126,12 +126,12 @@ _TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bear
 # Names of whole lengths, and of half ones
 _SOUND_WHOLE = re.compile(r".*(diam|length|width|height|thick|breadth|feret|calliper|caliper|size).*|"
                           r"(?!aspherical)\w*shape(\[[1-3]\]|[1-3])|[fv]?[dl](max|mid|int|min|[xyz]|\d)|[lwh]|full[xyz]|"
-                          r"(long|mid|short)d|d[1-9]0|2\W?[abcr]")
+                          r"(long|mid|short)d|d[1-9]0|2\W?[abcr]|[dl](eq|equiv|mean|avg|ave|median|vol)")
 _SOUND_HALF = re.compile(r".*(radi(us|i)|semi|half).*|[fv]?r(max|mid|int|min|[xyz]|\d)|r")
 # Names of lengths that say neither
 _SOUND_EITHER = re.compile(r"(?!.*(semi|half|radi|diam)).*(scal|sigma|std|rms|ext|fwhm|hpbw|iqr|unc|err|dev|spread|reach|range|singular|"
                            r"dimension|span|ax[ei]s|principal|eigen|major|minor|"
-                           r"intermediate).*|maj|min|m[ai]|long|short|[bs](maj|mid|min)|(maj|med|min)r|(bbox|obb|sig|sd|dim|[sw])[xyz]|"
+                           r"intermediate).*|maj|min|m[ai]|ell?(maj|mid|min|[abc])|sv\d|long|short|[bs](maj|mid|min)|(maj|med|min)r|(bbox|obb|sig|sd|dim|[sw])[xyz]|"
                            r"[xyz]?(len|dim)[xyz1-3]?")
 # Those of other things: stresses, velocities, contacts, positions, counts
 _OTHERS = re.compile(r"(bond|cluster|group|sample|batch|step|wave|track)\w*(length|size|width)|temperature\w*|charge\w*|mass\w*|density\w*|"
@@ -178,7 +178,7 @@ _QUANTITIES = re.compile(r".*(gyrat\w*|ofcurvature|ratio(?!n)|perimeter|circumfe
                          r"half(fwhm|width\w*half)\w*)|hwhm\w*|rg\w?|n|"
                          r"(?!.*(radi(us|i)|diam|length|ax[ei]s|width)).*(eigenval|variance|covar|precision|volume|area|moment|inertia|"
                          r"curvature|aspect|ratio(?!n)|elong|eccentr|tensor|matrix).*|semivar\w*|(log|ln)[abcr]|[abcr]sq|curv\w*|kappa\d|"
-                         r"(var|cov|eig|lambda|i)\W?[xyz0-3]|"
+                         r"(var|cov|ev|eval|eig(val)?|lam(bda)?|i)\W?[xyz0-3]|"
                          r"[a-z]{0,5}(xx|yy|zz|xy|xz|yz)|[a-z]{1,3}(11|22|33|00)")  # fmt: skip
 
 

@@ -63,7 +63,8 @@ _ONE_ANGLE = ("{0} may be the angle of ellipses in a plane, or a rotation in spa
 # Names of angles of ellipses that programs count from y: orientations in pictures, directions from north
 _FROM_NORTH = re.compile(r".*(bearing|heading|strike|trend|course|north|dipdir).*")
 _FROM_EITHER = re.compile(rf"orientation|direction|{_FROM_NORTH.pattern}|.*(azim|posang|positionangle|vertical|fromy|toy|(?<!c)cw|"
-                          r"(?<!counter)clockwise).*|angley|az|b?pa")  # fmt: skip
+                          r"(?<!counter)clockwise).*|angley|az|.*pa|eor|dir|aspect|"
+                          r".*(sky|j2000|b1950|icrs|fk5|world)|tilt|inc|inclination|rake|dip")  # fmt: skip
 # Names of functions of angles, of their errors, and of angles of other axes or between bodies
 _OTHER_ANGLES = re.compile(r"(half|\d(?!d)|neg|minus|delta|err|std).*|.*minor.*|.*(std|err(or)?|var(iance)?|misorient\w*)|"
                            r"a?(cos|sin|tan)2?(theta|phi|psi|angle|alpha|beta|orientation)?")  # fmt: skip
