@@ -222,7 +222,7 @@ class Taken(NamedTuple):
         yield from (*self.shape, *self.quaternion, *self.sphere, *(name for name, _ in self.exponents), *self.turn.columns)
 
 
-def meaning_of(taken: Taken, options: Options, has_convention: bool = False) -> Meaning:
+def meaning_of(taken: Taken, options: Options, has_convention: bool = False, has_units: bool = False) -> Meaning:
     """Meaning of columns of which neither names nor a convention say what they are."""
     are_silent = bool(taken.shape) and not taken.spheroid and all(len(plain_name(name)) < 3 for name in taken.shape)
     turn = taken.turn
@@ -233,6 +233,7 @@ def meaning_of(taken: Taken, options: Options, has_convention: bool = False) -> 
         turn.kind == "angle" and not has_convention and (options.angle_zero, options.angle_sense) == (None, None),
         bool(taken.quaternion) or turn.kind == "euler",
         len(taken.shape) == 1 and not options.shape_columns,
+        has_units,
     )
 
 

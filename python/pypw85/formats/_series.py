@@ -80,8 +80,10 @@ def _check_tracks(name: str, rows: list[str], line: int, lines: Lines) -> None:
         seen.add(row)
 
 
-def check_repeated(numbers: NDArray[np.int64], ids: str, line: int, lines: Lines) -> None:
+def check_repeated(numbers: NDArray[np.int64] | None, ids: str, line: int, lines: Lines) -> None:
     """Refuses rows of which most have an id that is there twice, as in several frames one behind the other."""
+    if numbers is None or (np.diff(numbers) > 0).all():
+        return
     _, first, counts = np.unique(numbers, return_index=True, return_counts=True)
     if (counts > 1).sum() > 1 and 2 * counts[counts > 1].sum() > len(numbers):
         lines.number = line + int(np.setdiff1d(np.arange(len(numbers)), first)[0])

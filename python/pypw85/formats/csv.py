@@ -167,20 +167,15 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         separator, positions, columns = _names(lines, line, options)
         columns = _with_names_of_rows(lines, separator, _without_empty_end(lines, separator, columns))
         convention = convention_of(columns, options, lines.error)
-        if convention is not None:
-            positions = list(centers_of(convention, columns))
-            _skip_heads(lines, separator, columns, positions, convention)
-        elif positions:
-            positions = _one_position(columns, len(positions), options, lines)
-        _check_positions(columns, positions, lines)
+        positions = _positions_of(convention, columns, separator, len(positions), options, lines)
         dimensions = _dimensions(keys, lines)
         _check_third(columns, positions, options, lines, convention)
         ids, types, notes = _ids_and_types(lines, separator, columns, options)
         offsets = offsets_of(convention, columns)
         taken = take(columns, options, lines.error, "radii", "wxyz", [*positions, *offsets, ids, types],
                      (dimensions or len(positions)) == 2, convention)  # fmt: skip
-        units = {*map(_plain_unit, map(_unit, (*positions, *taken.shape)))} - {"", "px"}
-        _comments.check(comments, meaning_of(taken, options, convention is not None)._replace(has_units=bool(units)), lines.error)
+        has_units = bool({*map(_plain_unit, map(_unit, (*positions, *taken.shape)))} - {"", "px"})
+        _comments.check(comments, meaning_of(taken, options, convention is not None, has_units), lines.error)
         _check_lengths(columns, positions, taken, (options.dimensions or dimensions) is not None, lines)
         _check_units(comments, columns, positions, taken, lines)
         step = lines.whole(keys.get("step", "0"), "step", -(2**63))
@@ -193,8 +188,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         check_series(table, series, convention, lines)
         _check_mistake(table, [*positions, *taken.shape], lines)
         numbers = table.integers(ids) if ids else None
-        if numbers is not None and not (np.diff(numbers) > 0).all():
-            check_repeated(numbers, ids, table.line, lines)
+        check_repeated(numbers, ids, table.line, lines)
     frame = Frame(
         path, location, table.stack(positions) + table.stack(offsets) if offsets else table.stack(positions),
         types=table[types] if types else None, ids=numbers,
@@ -207,6 +201,18 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
     frame.source = ", ".join(filter(None, [*said, frame.source]))
     frame.refuse_other_bodies(options)
     return frame.system(options)
+
+
+def _positions_of(convention: Convention | None, columns: list[str], separator: str | None, count: int, options: Options,
+                  lines: Lines) -> list[str]:  # fmt: skip
+    """The columns of positions: those of a convention, or those that are known by their names. Skips what a program writes beneath."""
+    if convention is not None:
+        positions = list(centers_of(convention, columns))
+        _skip_heads(lines, separator, columns, positions, convention)
+    else:
+        positions = _one_position(columns, count, options, lines) if count else []
+    _check_positions(columns, positions, lines)
+    return positions
 
 
 def _dimensions(keys: dict[str, str], lines: Lines) -> int | None:
