@@ -36,9 +36,11 @@ _NUMBER = re.compile(r"[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?")
 _POSITION, _SHAPE, _QUATERNION = ["x", "y", "z"], ["a", "b", "c"], ["qw", "qx", "qy", "qz"]
 _KEYS = ("cell", "dimensions", "origin", "periodic", "step")
 # Comments that say the cell in another way, or that there is one
-_LIKE_KEYS = re.compile(rf"[#%](?:.*[\s,;('\"{{])?\s*{SAYS_CELL}|"
+_LIKE_KEYS = re.compile(rf"[#%](?:.*[\s,;('\"{{])?{SAYS_CELL}|"
                         r"[#%].*?(?<!non)(?<!non-)(?<!not )(?<!no )(?<!a)(periodic|\bpbc)\b(?!\W*(no|none|false|f|0|table)\b)",
                         re.IGNORECASE)  # fmt: skip
+# The search for a cell takes the square of the length in time, so it ends after so many characters.
+_SENTENCE = 1000
 _NO_CELL = re.compile(r"\b(periodic\w*|pbc|((simulation|periodic) )?(box|cell)|boundar\w*)\W*(no|none|false|F F F|open|free)\b",
                       re.IGNORECASE)  # fmt: skip
 # Names and units of columns in the header of ECSV (Astropy), on one line or on several
@@ -343,7 +345,7 @@ def _keys(lines: Lines, options: Options) -> tuple[dict[str, str], str, list[str
             raise lines.error(f"the comment '# {name}' is there twice: remove one")
         if name in _KEYS:
             keys[name] = value
-        elif options.cell is None and "cell" not in keys and _LIKE_KEYS.match(_NO_CELL.sub("", text.replace('"', ""))):
+        elif options.cell is None and "cell" not in keys and _LIKE_KEYS.match(_NO_CELL.sub("", text[:_SENTENCE].replace('"', ""))):
             raise lines.error(f"the comment '{text[:60]}' could say the cell, and is not read: write '# cell' and nine numbers, '# origin' "
                               "and three, '# periodic' and three of T and F, give the cell (--cell), or remove the comment")  # fmt: skip
         elif text.isdecimal():
