@@ -101,7 +101,8 @@ REFUSED = {
                     "quantile", "chi2_95", "inner", "mesh_file", "hull", "template_id", "geometry_id", "sieve", "shear_xy")},
     # Directions from north, and units of angles other than degrees and radians
     **{f"x,y,a,b,{name}": ({"angle_columns": [name]}, "0,0,2,1,30", f"{name} may be counted from the axis x or from y")
-       for name in ("azimuth_deg", "bearing_deg", "strike_deg", "PA_deg", "dip_direction_deg", "az_deg")},
+       for name in ("azimuth_deg", "bearing_deg", "strike_deg", "PA_deg", "dip_direction_deg", "az_deg", "ell_pa_deg", "eor_deg",
+                    "dir_deg", "theta_J2000_deg", "tilt_deg", "rake_deg")},
     **{f"x,y,a,b,{name}": ({"angle_columns": [name]}, "0,0,2,1,30", "has another unit than degrees and radians by its name")
        for name in ("angle_mrad", "angle (mrad)", "angle_grad", "angle [gon]", "angle_cdeg", "angle [pi rad]", "angle_tenths_deg",
                     "angle (turns)")},
@@ -117,9 +118,10 @@ REFUSED = {
     **{f"x,y,z,{names}": ({"shape_columns": names.split(","), "lengths": "radii"}, "0,0,0,1,1,2", "is not a sphere, and lacks")
        for names in ("U1,U2,U3", "n0,n1,n2", "axis_1,axis_2,axis_3")},
     **{f"x,y,z,{names}": ({"shape_columns": names.split(",")}, "0,0,0,1,1,2", "may be whole axes or semi-axes")
-       for names in ("fwhm_x,fwhm_y,fwhm_z", "err_x,err_y,err_z", "xlen,ylen,zlen", "obb_x,obb_y,obb_z", "bmaj,bmid,bmin", "d10,d50,d90")},
+       for names in ("ell_a,ell_b,ell_c", "sv1,sv2,sv3", "D_mean,D_mean,D_mean",
+                     "fwhm_x,fwhm_y,fwhm_z", "err_x,err_y,err_z", "xlen,ylen,zlen", "obb_x,obb_y,obb_z", "bmaj,bmid,bmin", "d10,d50,d90")},
     **{f"x,y,z,{names}": ({"shape_columns": names.split(",")}, "0,0,0,1,1,2", "means a quantity other than a length")
-       for names in ("lna,lnb,lnc", "asq,bsq,csq", "curv1,curv2,curv3", "hwhm_x,hwhm_y,hwhm_z")},
+       for names in ("ev1,ev2,ev3", "lam1,lam2,lam3", "lna,lnb,lnc", "asq,bsq,csq", "curv1,curv2,curv3", "hwhm_x,hwhm_y,hwhm_z")},
     **{f"x,y,z,{name}": ({"shape_columns": [name]}, "0,0,0,1", "means a quantity other than a length")
        for name in ("radius_of_gyration", "Rg", "radius_of_curvature", "radius_ratio", "perimeter", "surface", "mass", "n_voxels")},
     **{f"id,x,y,z,radius,{option}": ({option: columns}, "1,0,0,0,1,1", f"the column {columns[0]} is a position, an id, a type")
@@ -129,7 +131,16 @@ REFUSED = {
     # Corners and ends of triangles and lines of LAMMPS, whose radius is that of the sphere around them
     **{f"x,y,z,radius,{name}": ({}, "0,0,0,1,1", f"the column {name} could change")
        for name in ("corner1x", "end2y", "elongation", "gamma1", "shear_2", "focus_x", "r_inner", "r_out", "superball_p", "m_exp",
-                    "spherocyl_L", "geom_type", "is_mirrored")},
+                    "spherocyl_L", "geom_type", "is_mirrored", "Number of corners", "n_vertices", "sides", "faces", "ell_maj",
+                    "ev_1", "eval1", "cov11", "D_eq", "r_mean", "Rg", "Rf", "is_sphere", "mpp", "zingg_class", "sq_e1", "ori", "vec1_x",
+                    "rot00", "x_dir")},
+    # Of pixels, where aspect ratios of bodies are harmless
+    **{f"x,y,a,b,angle_deg,{name}": ({}, "0,0,2,1,30,3", f"the column {name} could change") for name in ("pixel_aspect_ratio", "z_aspect")},
+    # Of SudoDEM's bodies that are not symmetric
+    "x,y,z,rx+,rx-,ry+,ry-,rz+,rz-,qw,qx,qy,qz": ({}, f"0,0,0,1,2,1,1,1,1,{UP}", r"the columns rx\+ rx- ry\+ ry- rz\+ rz- could change"),
+    "x,y,z,a,b,c,m,n,qw,qx,qy,qz": ({}, f"0,0,0,2,1,1,4,4,{UP}", "the columns m n could change"),
+    "x,y,z,a,b,c,U1,U2,U3": ({}, "0,0,0,2,1,1,.1,.2,.3", "has the length 0.374166 of U1 U2 U3, which may be angles or a direction"),
+    "x,y,z,radius,label_class,type": ({}, "0,0,0,1,a,wall", "of the type wall are not ell"),
     # What rounds a body, and other turns beside quaternions
     **{f"x,y,z,a,b,c,qw,qx,qy,qz,{name}": ({}, f"0,0,0,2,1,1,{UP},7", f"the column {name} could change")
        for name in ("rounding", "rounding_radius", "rod_x", "polar", "zenith_deg")},
@@ -172,11 +183,32 @@ def test_columns(header, tmp_path):
 
 # Tables, and the sentence that refuses them
 TABLES = {
-    " ,Label,X,Y,Major,Minor,Angle\n1,a.tif:1,5,5,4,1,90\n2,a.tif:2,5,5,4,1,90\n3,b.tif,5,5,4,1,90":
+    " ,Label,X,Y,Major,Minor,Angle\n1,a.tif:0005-0005,5,5,4,1,90\n2,a.tif:0005-0009,5,5,4,1,90\n3,b.tif,5,5,4,1,90":
         "line 4: the column Label has several values, a.tif and b.tif",
     **{f"{name},label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation\nA1,1,5,5,4,1,0\nA2,1,6.5,5,4,1,0":
            f"line 3: the column {name} has several values, A1 and A2" for name in ("well", "FOV", "Metadata_Well", "image_path")},
     "frame_id,x,y,z,radius\n0,0,0,0,1\n1,0,1.5,0,1": "line 3: the column frame_id has several values, 0 and 1",
+    # Slices of a stack of ImageJ: TITLE:SLICE, a region SLICE-Y-X, TITLE:REGION:SLICE, and a label of a slice in several rows
+    **{" ,Label,X,Y,Major,Minor,Angle\n" + "".join(f"{k},{label},5,5,4,1,90\n" for k, label in enumerate(labels)):
+           f"line {line}: the column Label has several values, {values}" for labels, line, values in (
+        (("s.tif:1", "s.tif:2"), 3, "s.tif:1 and s.tif:2"),
+        (("s.tif:0001-0005-0005", "s.tif:0002-0005-0005"), 3, "s.tif:0001 and s.tif:0002"),
+        (("s.tif:0005-0005:7", "s.tif:0005-0009:7", "s.tif:0005-0005:8"), 4, "s.tif:7 and s.tif:8"),
+        (("s.tif:top", "s.tif:top", "s.tif:base"), 4, "s.tif:top and s.tif:base"))},
+    **{f"{name},x,y,z,radius\n7.1,0,0,0,1\n7.2,0,1.5,0,1": f"line 3: the column {name} has several values, 7.1 and 7.2" for name in
+       ("seriesuid", "SeriesInstanceUID", "patient_id", "subject", "volume_id")},
+    "track_id,x,y,z,radius\n1,0,0,0,1\n2,9,0,0,1\n,5,0,0,1\n,7,0,0,1\n1,0,1.5,0,1": "line 6: the column track_id has 1 twice, as for one",
+    "clump_id,x,y,z,radius\n0,0,0,0,1\n0,1,0,0,1\n1,9,0,0,1":
+        "line 3: the column clump_id has 0 twice, as for one body .* of several spheres",
+    "label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation\n1,5,5,4,1,0\n2,9,5,4,1,0\n1,6.5,5,4,1,0":
+        "line 4: the column label has 1 twice, as for one body at two times, in two pictures, or of several spheres",
+    # Of scikit-image before 0.21 and after
+    "label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation\n1,5,5,4,4,-0.7853981633974483\n2,9,5,4,1,0.7853981633974483":
+        "line 3: particle 2 has the orientation 0.785398163, an eighth of a turn, .* before 0.21 changes: say --angle-sense yx if",
+    # Of MorphoLibJ 1.6.3
+    ",Label,Elli.Center.X,Elli.Center.Y,Elli.Center.Z,Elli.Radius1,Elli.Radius2,Elli.Radius3,Elli.Azim,Elli.Elev,Elli.Roll\n"
+    "1,1,5,7.25,7.25,2,.5,.5,90,0,0\n2,2,5,9.5,9.5,2,.75,.75,90,0,0": "equal y and z, and .* as MorphoLibJ 1.6.3 writes by mistake",
+    "id,x,y,z,radius\n1,0,0,0,1\n2,9,0,0,1\n1,0,1.5,0,1\n2,9,1.5,0,1\n3,0,9,0,1": "line 4: the column id has most ids up to 2 times",
     "t,x,y,z,radius\n0,0,0,0,1\n0.5,0,1.5,0,1": "line 3: the column t has several values",
     **{f"{name},x,y,z,radius\n0,0,0,0,1\n5,0,1.5,0,1": "line 3: the column .* has several values, 0 and 5" for name in
        ("time_ms", "t_s", "Elapsed (s)", "elapsed_time", "timestamp_ns", "nstep", "load_step", "iter", "simulation", "config_id", "repeat",
@@ -198,7 +230,8 @@ TABLES = {
     "id,x,y,z,radius\n1,0,0,0,1\nP-2,0,9,0,1": "line 3: column 1 .id. must be a number, not 'P-2'",
     "# periodic: xyz\nx,y,z,radius\n0,0,0,1": "could say the cell",
     **{f"# {comment}\nx,y,z,radius\n0,0,0,1": "could say the cell" for comment in
-       ("Lx Ly Lz = 9 9 9", "L = 9", "domain size: 9 9 9", "bounds: 0 9 0 9 0 9", "xlo xhi 0 9", "extent 9 9 9")},
+       ("N=2, Lx=9 Ly=9 Lz=9", "2 spheres in box 9 9 9", '{"box": [9, 9, 9]}', "PBC in x, y, z", "with periodic boundaries",
+        "Lx Ly Lz = 9 9 9", "L = 9", "domain size: 9 9 9", "bounds: 0 9 0 9 0 9", "xlo xhi 0 9", "extent 9 9 9")},
     "# step 1\n# step 2\nx,y,z,radius\n0,0,0,1": "line 2: the comment '# step' is there twice",
     # Crystal orientations of EDAX are not angles of ellipses.
     "# COLUMN_HEADERS: phi1, PHI, phi2, x, y, a, b\n# GRID: SqrGrid\n 1 1 1 0 0 2 1": "the columns phi1 PHI phi2 could change",
@@ -232,6 +265,28 @@ TABLES = {
     "# radius_scale = 0.5\nx,y,z,radius\n0,0,0,1": "convert the numbers, and remove it",
     "# pixel size: 0.2 um\nx,y,z,radius\n0,0,0,1": "convert the numbers, and remove it",
     "# superquadrics with blockiness 8\nx,y,z,radius\n0,0,0,1": "convert the numbers, and remove it",
+    **{f"# {comment}\nx,y,z,radius\n0,0,0,1": "convert the numbers, and remove it" for comment in
+       ("voxel: 0.2 0.2 1.0", "pixel width 0.5", "1 px = 0.25 um", "0.25 um/px", "z-step 2 um", "z in slices of 0.5 um", "anisotropy 3",
+        "fractional coordinates", "log10 of the radius", "lengths multiplied by 1000", "in units of 1e-6 m", "shrunk by 5 %")},
+    **{f"# {comment}\nx,y,a,b,angle_deg\n0,0,2,1,30": "--lengths., or convert them" for comment in
+       ("a, b: 1-sigma", "a and b are standard deviations", "RMS along the axes", "a, b: FWHM", "half-maximum widths",
+        "95 % confidence ellipses", "eigenvalues of the covariance", "a and b are squared")},
+    **{f"# {comment}\nx,y,a,b,angle_deg\n0,0,2,1,30": "say from where angles are counted .--angle-zero" for comment in
+       ("y axis points down", "origin: top left", "image coordinates", "counterclockwise, y down", "position angle, east of north",
+        "angle from the vertical")},
+    "# angle of the minor axis\nx,y,a,b,angle_deg\n0,0,2,1,30": "convert the numbers, and remove it",
+    **{f"# {comment}\nx,y,z,a,b,c,qw,qx,qy,qz\n0,0,0,2,1,1,{UP}": "convert the numbers, and remove it" for comment in
+       ("passive rotations", "from the lab frame to the body frame", "world-to-body", "conjugate quaternions", "the inverse rotation",
+        "rotation of the frame")},
+    "# radius of the bounding sphere\nx,y,z,radius\n0,0,0,1": "or say that these are spheres .--shape-columns",
+    **{f"# {comment}\nx,y,z,length,diameter,nx,ny,nz\n0,0,0,4,1,0,1,0": "ellipsoids alone are read" for comment in
+       ("spherocylinders", "a pile of cubes", "capsules", "multi-spheres", "rounded boxes")},
+    # Units in comments, in a row with other quantities than lengths, and in brackets behind a blank
+    **{f"# {comment}\nx,y,z,radius\n0,0,0,1": "comments state several units of length" for comment in
+       ("positions in mm, radii in um", "x, y, z [m], radius [mm]", "Positions in Mpc / h, Radii in kpc / h", "radius: um, x: px")},
+    "# radius in um\nx_mm,y_mm,z_mm,radius\n0,0,0,1": "comments state several units of length, mm and um: convert",
+    "# mm mm mm um kg\nx,y,z,radius,mass\n0,0,0,1,1": "the columns z and radius have different units",
+    "# x [mm] y [mm] z [mm] radius [um]\n0 0 0 1": "the columns z.mm. and radius.um. have different units",
 }
 
 
@@ -322,6 +377,10 @@ PAIRS = {
     "MorphoLibJ in space": ("Label,Volume,MeanBreadth,Sphericity,Elli.Center.X,Elli.Center.Y,Elli.Center.Z,Elli.R1,Elli.R2,Elli.R3,"
                             "Elli.Azim,Elli.Elev,Elli.Roll,Elli.R1/R2,InscrBall.Radius\n1,3,1,1,5,5,5,2,.5,.5,90,0,0,4,.5\n"
                             "2,3,1,1,5,6.5,5,2,.5,.5,90,0,0,4,.5", {}, 0.375),
+    "an eighth of a turn": ("label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation\n1,5,5,4,1,0.7853981633974483\n"
+                            f"2,{5 + 1.5 * HALF!r},{5 + 1.5 * HALF!r},4,1,0.7853981633974483", {"angle_sense": "yx"}, 0.375),
+    "MorphoLibJ 1.6.4": ("Label,Elli.Center.X,Elli.Center.Y,Elli.Center.Z,Elli.Radius1,Elli.Radius2,Elli.Radius3,Elli.Azim,Elli.Elev,"
+                         "Elli.Roll\n1,5,5,5,2,.5,.5,90,0,0\n2,5,6.5,5,2,.5,.5,90,0,0", {}, 0.375),
     "photutils": ("label,xcentroid,ycentroid,semimajor_sigma,semiminor_sigma,orientation,eccentricity,elongation,ellipticity,fwhm,gini\n"
                   "1,5,5,1,.25,90,.9,4,.75,2,.5\n2,5,6.5,1,.25,90,.9,4,.75,2,.5", {}, 0.375),
     # Orders that names say, or the user by naming columns in another order than in the file
@@ -338,6 +397,17 @@ PAIRS = {
                               {"angle_columns": ["azimuth_deg"], "angle_zero": "y", "angle_sense": "yx"}, 0.375),
     "comments that agree": (f"# semi-axes a b c; quaternions x y z w\nx,y,z,a,b,c,qx,qy,qz,qw\n0,0,0,2,.5,.5,0,0,{HALF!r},{HALF!r}\n"
                             f"0,1.5,0,2,.5,.5,0,0,{HALF!r},{HALF!r}", {}, 0.375),
+    "pixels of a scan in micrometres": ("# 0.5 um per pixel, voxel size 0.5\nx_um,y_um,z_um,radius_um\n0,0,0,.5\n0,1.5,0,.5", {}, 1.5),
+    # What a convention says is not asked again.
+    "opencv's comment": ("# angles clockwise, y down\nx,y,width,height,angle\n5,5,4,1,90\n5,6.5,4,1,90", {"convention": "opencv"}, 0.375),
+    "a sense that is said": ("# y down\nx,y,a,b,angle_deg\n5,5,2,.5,90\n5,6.5,2,.5,90", {"angle_sense": "yx"}, 0.375),
+    "brackets behind blanks": ("x [mm]  y [mm]  z [mm]  radius (mm)\n0 0 0 .5\n0 1.5 0 .5", {}, 1.5),
+    "quoted names": ('# "Particle Identifier" "Position.X" "Position.Y" "Position.Z" "Radius"\n1 0 0 0 .5\n2 0 1.5 0 .5', {}, 1.5),
+    "a label with words": ("Label,Ellipse.Center.X,Ellipse.Center.Y,Ellipse.Radius1,Ellipse.Radius2,Ellipse.Orientation\na-1,5,5,2,.5,90\n"
+                           "a-2,5,6.5,2,.5,90", {}, 0.375),
+    "equal units in comments": ("# positions in um, diameters in um\nx,y,z,diameter\n0,0,0,1\n0,1.5,0,1", {}, 1.5),
+    "regions of one slice": (" ,Label,X,Y,Major,Minor,Angle\n1,a.tif:0003-0005-0005:3,5,5,4,1,90\n"
+                             "2,a.tif:0003-0006-0005:3,5,6.5,4,1,90", {}, 0.375),
     "a comment of units": ("# x y z radius angle_deg\n# mm mm mm mm deg\n0 0 0 .5 1\n0 1.5 0 .5 1", {"ignore_columns": ["angle_deg"]}, 1.5),
     "a comment and an option": (f"# scalar last\nx,y,z,a,b,c,q0,q1,q2,q3\n0,0,0,2,.5,.5,0,0,{HALF!r},{HALF!r}\n"
                                 f"0,1.5,0,2,.5,.5,0,0,{HALF!r},{HALF!r}", {"quaternion": "xyzw"}, 0.375),
@@ -431,7 +501,13 @@ def test_harmless_columns(name, tmp_path):
 
 @pytest.mark.parametrize("comment", ["created by code v1.2", "Radii in mm", "scale bar 10 um", "20 ellipsoids",
                                      "L: left, R: right", "from Y. Smith", "angles counter-clockwise from x", "semi-axes, in degrees",
-                                     "the data begin at y = 0, measured from y = 0", "aspect ratio 2", "w x y z"])  # fmt: skip
+                                     "the data begin at y = 0, measured from y = 0", "aspect ratio 2", "w x y z", "sigma = 1",
+                                     "mass in kg, lengths in mm, velocity in mm/s", "area in mm^2, lengths in um", "not periodic",
+                                     "rods, periodic = false", "box: none", "512 × 512 pixels",
+                                     "10^5 steps",
+                                     "image of 512 x 512 pixels", "spheres in a cylinder", "the periodic table",
+                                     "lengths in units of sigma",
+                                     "angle of the long axis, not the short one", "positions and radii in um"])  # fmt: skip
 def test_harmless_comments(comment, tmp_path):
     assert len(read_text(tmp_path / "a.csv", f"# {comment}\nx,y,a,b,angle_deg\n0,0,2,1,30\n")) == 1
 

@@ -104,6 +104,7 @@ _SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thi
                     r"[abdhrsl][xyz0-3]|[fv]?[rd](max|mid|int|min)|rad|len|dia|(?!chi)[a-z]?(xx|yy|zz|xy|xz|yz)|"
                     r"(?![cfv]\d)[a-z]{1,2}(0[0-2]|[123][0-3])|beta[123][1-3]|[ub](iso|eq|equiv|aniso)\w*|"
                     r"units?|spacing[xyz]?|resolution|res|magnification|calib(ration)?|pixel|voxel|vox|"
+                    r"ell\w*|(n|num|numberof)?(corners|faces|facets|edges|sides|verts|vertices)(count)?|"
                     r"power\d?|dilat(ion|ed)|inflat(ion|ed)|swell(ing)?|shrink(age)?|growth|zoom|enlargement|multiplier|binning|zstep|"
                     r"((dilat|inflat|swell|grow|shrink|expan|conv|correct|calib|unit)\w*|[ap]d?)?factor|qexp|conf(idence)?(level)?|"
                     r"n(std|sig)|super(ness|quad\w*)|squircle\w*|polydispersity|z?anisotropy|(um|nm|mm|microns?)perp\w*|hwhm\w*|hpbw\w*|"
@@ -112,31 +113,36 @@ _SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thi
                     r"geom(etry)?type|"
                     r"x(dim|len|ext|rad)|(dim|len|ext|rad)x|[xyz](err|unc)|sm[abc]|(box|cell|lattice|domain)[xyzabc]|bboxw|boxw|obb\w|"
                     r"quantile|percentile|chi2\w*|h[wh]|coating|shell|inner|outer|mesh(file)?|(convex)?hull|stl(file)?|template|"
+                    r"(ev|eval|eigval|lam|sv)\d|cov\d\d|[rd](eq|equiv|mean|avg|ave|median|vir|vol|hyd)|rg|rf|is\w*sphere|morphology|habit|"
+                    r"mpp|ppi|flinn\w*|zingg\w*|corey\w*|csf|(sq|super)(e|eps|n|m|p)\d?|fillet|chamfer|"
                     r"polygon|polyhedron|(geometry|primitive|kind|template|mesh)(id|index|type|name|no|number)|sieve")
 _TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bearing|trend|plunge|strike|rake|tilt|inclin|"
                     r"(?<!mis)orient|rotat|quat|phi|theta|psi(?!lon)|direct|(?<!ab)normal|posang|rodrig|sequence).*|alpha|beta|gamma|"
                     r"dip|dipdir\w*|polar|zenith|colatitude|rod[xyz0-3]|rot|rot\w|rotvec\w*|rot.?\[\d\]|roll|pa|"
                     r"(is)?(mirror(ed)?|flip(ped)?|reflect(ed)?)[xyz]?|handedness|lefthanded|e(ig)?vec\w*|pca?[1-3]\w|v[1-3][xyz]|"
-                    r"(rot)?mat\d+|dcm\d+|r\[\d\]|rw|q(uat)?[wxyzijk0-4rs]?|qv\w*|[unde][xyz0-3]|dir[xyz]|ori[xyz0-4]|e[1-3][xyz]|"
+                    r"ori|(ev|vec)\d[xyz]|rv[xyz]|rot\d\d|[tuv]?[xyz]dir|(rot)?mat\d+|dcm\d+|r\[\d\]|rw|q(uat)?[wxyzijk0-4rs]?|qv\w*|"
+                    r"[unde][xyz0-3]|dir[xyz]|ori[xyz0-4]|e[1-3][xyz]|"
                     r"axis\w*")  # fmt: skip
 # Names of whole lengths, and of half ones
 _SOUND_WHOLE = re.compile(r".*(diam|length|width|height|thick|breadth|feret|calliper|caliper|size).*|"
                           r"(?!aspherical)\w*shape(\[[1-3]\]|[1-3])|[fv]?[dl](max|mid|int|min|[xyz]|\d)|[lwh]|full[xyz]|"
-                          r"(long|mid|short)d|d[1-9]0|2\W?[abcr]")
+                          r"(long|mid|short)d|d[1-9]0|2\W?[abcr]|[dl](eq|equiv|mean|avg|ave|median|vol)")
 _SOUND_HALF = re.compile(r".*(radi(us|i)|semi|half).*|[fv]?r(max|mid|int|min|[xyz]|\d)|r")
 # Names of lengths that say neither
 _SOUND_EITHER = re.compile(r"(?!.*(semi|half|radi|diam)).*(scal|sigma|std|rms|ext|fwhm|hpbw|iqr|unc|err|dev|spread|reach|range|singular|"
                            r"dimension|span|ax[ei]s|principal|eigen|major|minor|"
-                           r"intermediate).*|maj|min|m[ai]|long|short|[bs](maj|mid|min)|(maj|med|min)r|(bbox|obb|sig|sd|dim|[sw])[xyz]|"
+                           r"intermediate).*|maj|min|m[ai]|ell?(maj|mid|min|[abc])|sv\d|long|short|[bs](maj|mid|min)|(maj|med|min)r|(bbox|obb|sig|sd|dim|[sw])[xyz]|"
                            r"[xyz]?(len|dim)[xyz1-3]?")
 # Those of other things: stresses, velocities, contacts, positions, counts
 _OTHERS = re.compile(r"(bond|cluster|group|sample|batch|step|wave|track)\w*(length|size|width)|temperature\w*|charge\w*|mass\w*|density\w*|"
-                     r"(stress|strain|virial|pressure|force|torque|velocity)\w*|c?stress\[\d\]|number\w*|.*neighbou?rs?|"
+                     r"(stress|strain|virial|pressure|force|torque|velocity)\w*|c?stress\[\d\]|"
+                     r"number(?!of(corners|fac|edges|sides|vert))\w*|.*neighbou?rs?|"
                      r"euler(number|characteristic)|rot\w*(energy|velocity|temperature|momentum)[xyz]?|"
                      r"orient(ational)?order(parameter)?(\[\d+\])?|psi[468]|erotate\w*|cavityradius|poisson('?s)?ratio|"
                      r"(phi|theta|psi|alpha|beta|gamma|angle|yaw|pitch|roll)(d?dot|rate|velocity)|deformationgradient.*")  # fmt: skip
 # Measures of bodies whose lengths are all there
-_DERIVED = re.compile(r".*(aspect|ratio|elong|eccentr|ellipticity|flatten|flatness|oblate|prolate|round(?!ness\W?\d|ing)|circular|"
+_DERIVED = re.compile(r"(?!.*(pixel|voxel|zaspect|zratio|zanis)).*(aspect|ratio|elong|eccentr|ellipticity|flatten|flatness|oblate|"
+                      r"prolate|round(?!ness\W?\d|ing)|circular|"
                       r"(?<!a)spheric|"
                       r"cylindric|triaxial|slender|feret|caliper|calliper|gyrat|equivalent|bounding|bbox|inscr).*|"
                       r"ecc|oval(ity|ness)?|ba|ca|cb|[abc](to|over)[abc]|perim\w*|(shape)?anisotropy|ar|(form|shape)factor|"
@@ -172,7 +178,7 @@ _QUANTITIES = re.compile(r".*(gyrat\w*|ofcurvature|ratio(?!n)|perimeter|circumfe
                          r"half(fwhm|width\w*half)\w*)|hwhm\w*|rg\w?|n|"
                          r"(?!.*(radi(us|i)|diam|length|ax[ei]s|width)).*(eigenval|variance|covar|precision|volume|area|moment|inertia|"
                          r"curvature|aspect|ratio(?!n)|elong|eccentr|tensor|matrix).*|semivar\w*|(log|ln)[abcr]|[abcr]sq|curv\w*|kappa\d|"
-                         r"(var|cov|eig|lambda|i)\W?[xyz0-3]|"
+                         r"(var|cov|ev|eval|eig(val)?|lam(bda)?|i)\W?[xyz0-3]|"
                          r"[a-z]{0,5}(xx|yy|zz|xy|xz|yz)|[a-z]{1,3}(11|22|33|00)")  # fmt: skip
 
 
@@ -189,7 +195,8 @@ def _sounds_like_turn(name: str) -> bool:
 def _matches(pattern: re.Pattern[str], name: str) -> bool:
     """Returns whether a name matches a pattern of plain names, with or without what LAMMPS writes before computes, fixes and variables."""
     names = (name, name[2:]) if name[:2] in ("c_", "d_", "f_", "i_", "v_") else (name,)
-    return any(pattern.fullmatch(plain_name(one)) for one in names)
+    # A body that is not symmetric has lengths rx+ and rx-.
+    return any(pattern.fullmatch(plain_name(one).rstrip("+-")) for one in names)
 
 
 class Taken(NamedTuple):
@@ -215,22 +222,25 @@ class Taken(NamedTuple):
         yield from (*self.shape, *self.quaternion, *self.sphere, *(name for name, _ in self.exponents), *self.turn.columns)
 
 
-def meaning_of(taken: Taken, options: Options) -> Meaning:
-    """Meaning of columns whose names do not say what they are."""
+def meaning_of(taken: Taken, options: Options, has_convention: bool = False, has_units: bool = False) -> Meaning:
+    """Meaning of columns of which neither names nor a convention say what they are."""
     are_silent = bool(taken.shape) and not taken.spheroid and all(len(plain_name(name)) < 3 for name in taken.shape)
     turn = taken.turn
     return Meaning(
         taken.lengths if are_silent and options.lengths is None else "",
         taken.order if taken.quaternion and options.quaternion is None and not _order_of_letters(taken.quaternion) else "",
         turn.units[0] if turn.units and options.angle is None else "",
-        turn.kind == "angle" and (turn.zero, turn.sense, options.angle_zero, options.angle_sense) == ("x", "xy", None, None),
+        turn.kind == "angle" and not has_convention and (options.angle_zero, options.angle_sense) == (None, None),
+        bool(taken.quaternion) or turn.kind == "euler",
+        len(taken.shape) == 1 and not options.shape_columns,
+        has_units,
     )
 
 
 def plain_name(name: str) -> str:
     """A name without its unit, capitals, blanks, dots, hyphens and underscores."""
     without_unit = _BRACKETS.sub("", UNIT_AT_END.sub("", name.lower()))
-    return re.sub(r"(?<=.)-|[\s_.:/]", "", without_unit)
+    return re.sub(r"(?<=.)-(?=.)|[\s_.:/]", "", without_unit)
 
 
 def take(columns: Sequence[str], options: Options, error: Error, lengths: str, order: str, known: Sequence[str],
@@ -426,6 +436,7 @@ def _check_unused(columns: Sequence[str], taken: Taken, known: Sequence[str], op
     has_all = len(taken.shape) > 1
     names_turns = options.quaternion_columns or options.angle_columns or options.polar or options.direction_columns
     says_sizes = options.shape_columns or (not taken.shape and (options.shape is not None or options.shapes))
+    exponents = {"m", "n"} if {"m", "n"} <= {*map(plain_name, columns)} else set[str]()  # of superquadrics, as in MFIX
     found: dict[str, tuple[bool, bool]] = {}  # names, and whether these are of lengths and of turns
     for name in columns:
         plain = plain_name(name)
@@ -433,7 +444,7 @@ def _check_unused(columns: Sequence[str], taken: Taken, known: Sequence[str], op
             continue
         if _turns.is_other_unit(name, taken.turn) or (has_all and not taken.spheroid and _matches(_DERIVED, name)):
             continue
-        is_size, is_turn = _matches(_SIZES, name), _sounds_like_turn(name)
+        is_size, is_turn = _matches(_SIZES, name) or plain in exponents, _sounds_like_turn(name)
         if (is_size and not says_sizes) or (is_turn and not names_turns):
             found[name] = is_size, is_turn
     if found:
@@ -468,6 +479,8 @@ def _turn(frame: Frame, turn: Turn, table: Table) -> None:
     if turn.kind == "direction" and turn.largest:
         _check_directions(frame, turn, table)
     if turn.kind == "angle":
+        if turn.is_reversed:
+            _check_eighths(frame, turn, table)
         frame.angles = turn.angles(table)
     elif turn.kind:
         for name in turn.columns:
@@ -482,6 +495,8 @@ def _turn(frame: Frame, turn: Turn, table: Table) -> None:
 
 # A whole turn in radians, and angles that a program writes, have so much room.
 _TURN = 6.2832
+# Of angles and lengths that an eighth of a turn and a circle have, with seven digits
+_ROUNDED = 1e-6
 # Directions with two digits have lengths of 1 up to so much.
 _UNIT = 0.02
 
@@ -494,6 +509,19 @@ def _check_directions(frame: Frame, turn: Turn, table: Table) -> None:
         names = ",".join(turn.columns)
         raise frame.error(f"has the length {lengths[wrong][0]:g} of {' '.join(turn.columns)}, which may be angles or a direction: say "
                           f"which (--direction-columns {names}, or --euler)", int(wrong.argmax()))  # fmt: skip
+
+
+def _check_eighths(frame: Frame, turn: Turn, table: Table) -> None:
+    """Refuses angles of exactly an eighth of a turn of ellipses that are not circles: scikit-image before 0.21 changes their sign (issue
+    6815 there), also in CellProfiler."""
+    assert frame.shapes is not None
+    is_eighth = np.abs(np.abs(turn.radians(table)[:, 0]) - np.pi / 4) < _ROUNDED
+    wrong = is_eighth & (np.abs(np.diff(frame.shapes)[:, 0]) > _ROUNDED * frame.shapes.max(axis=1))
+    if wrong.any():
+        name = turn.columns[0]
+        raise frame.error(f"has the {name} {table[name][wrong][0]:.9g}, an eighth of a turn, whose sign scikit-image before 0.21 changes: "
+                          f"say --angle-sense {turn.sense} if a later version was used, or change such signs first",
+                          int(wrong.argmax()))  # fmt: skip
 
 
 def _check_angles(frame: Frame, turn: Turn, table: Table) -> None:

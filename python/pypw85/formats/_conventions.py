@@ -25,6 +25,7 @@ class Convention(NamedTuple):
     same body. `rows` are the columns of a file without names. No angle of the program is larger than `largest`, unless that is 0. `run` is
     the program of Debian 12 that wrote the table which the tests read, empty where none was run.
 
+    If `is_reversed`, versions of the program have the other sign for angles of exactly an eighth of a turn.
     Of ellipses, `offsets` are two columns that are added to the centres, and `third` is the coordinate of their plane. Beneath the names
     there are up to `heads` lines of other names and of units.
     """
@@ -49,6 +50,7 @@ class Convention(NamedTuple):
     offsets: Names = ()
     third: str = ""
     heads: int = 0
+    is_reversed: bool = False
 
     def find(self, plain: Collection[str]) -> tuple[Names, Names, Names] | None:
         """The names of centres, lengths and angles; None if not all are there."""
@@ -127,7 +129,7 @@ CONVENTIONS: list[Convention] = [
         (("axismajorlength", "axisminorlength"), ("majoraxislength", "minoraxislength")), "diameters", (("orientation",),),
         unit="radians", zero="y", sense="yx", first="0",
         marks=(("centroid0", "axismajorlength", "orientation"), ("centroid0", "majoraxislength", "orientation")),
-        harmless=_SKIMAGE, largest=_QUARTER, run="scikit-image 0.19.3",
+        harmless=_SKIMAGE, largest=_QUARTER, run="scikit-image 0.19.3", is_reversed=True,
     ),
     Convention(
         "matlab", "MATLAB and Octave's package image, regionprops",
@@ -187,7 +189,7 @@ CONVENTIONS: list[Convention] = [
         "cellprofiler", "CellProfiler 4, MeasureObjectSizeShape",
         (("areashapecenterx", "areashapecentery"), ("locationcenterx", "locationcentery")),
         (("areashapemajoraxislength", "areashapeminoraxislength"),), "diameters", (("areashapeorientation",),), zero="y", sense="yx",
-        first="0", harmless=r"areashape\w*",
+        first="0", harmless=r"areashape\w*", is_reversed=True,
     ),
     Convention(
         "dream3d", "DREAM.3D 6.5, Write Feature Data as CSV File", (("centroids0", "centroids1", "centroids2"),),

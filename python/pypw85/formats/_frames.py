@@ -38,7 +38,8 @@ _FIXED = {
 ALL_TYPES = "*"
 # Types that are not ellipsoids
 _OTHER_BODIES = set("box cuboid cube cylinder capsule spherocylinder cone mesh polyhedron superquadric superellipsoid tetrahedron "
-                    "octahedron icosahedron dodecahedron prism pyramid torus clump multisphere".split())  # fmt: skip
+                    "octahedron icosahedron dodecahedron prism pyramid torus clump multisphere wall plane "
+                    "facet triangle".split())  # fmt: skip
 # Lengths of spheroids across their axes agree so far if they are written with six digits.
 _SAME = 1e-6
 # Whole numbers up to here are exact as float64, which tables of text are read as.

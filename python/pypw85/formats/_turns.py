@@ -63,7 +63,8 @@ _ONE_ANGLE = ("{0} may be the angle of ellipses in a plane, or a rotation in spa
 # Names of angles of ellipses that programs count from y: orientations in pictures, directions from north
 _FROM_NORTH = re.compile(r".*(bearing|heading|strike|trend|course|north|dipdir).*")
 _FROM_EITHER = re.compile(rf"orientation|direction|{_FROM_NORTH.pattern}|.*(azim|posang|positionangle|vertical|fromy|toy|(?<!c)cw|"
-                          r"(?<!counter)clockwise).*|angley|az|b?pa")  # fmt: skip
+                          r"(?<!counter)clockwise).*|angley|az|.*pa|eor|dir|aspect|"
+                          r".*(sky|j2000|b1950|icrs|fk5|world)|tilt|inc|inclination|rake|dip")  # fmt: skip
 # Names of functions of angles, of their errors, and of angles of other axes or between bodies
 _OTHER_ANGLES = re.compile(r"(half|\d(?!d)|neg|minus|delta|err|std).*|.*minor.*|.*(std|err(or)?|var(iance)?|misorient\w*)|"
                            r"a?(cos|sin|tan)2?(theta|phi|psi|angle|alpha|beta|orientation)?")  # fmt: skip
@@ -83,7 +84,7 @@ _AXIS_AND_ANGLE = ("{0} may be an axis and the angle of a rotation about it, whi
 
 class Turn(NamedTuple):
     """Columns that say how particles are turned. `kind` is "", "angle", "euler", "polar" or "direction"; `units` are those of the columns,
-    and `signs` their factors; `zero`, `sense` and `largest` are those of `Convention`; of directions that may be angles by
+    and `signs` their factors; `zero`, `sense`, `largest` and `is_reversed` are those of `Convention`; of directions that may be angles by
     their names, `largest` is their length."""
 
     kind: str = ""
@@ -94,6 +95,7 @@ class Turn(NamedTuple):
     zero: str = "x"
     sense: str = "xy"
     largest: float = 0.0
+    is_reversed: bool = False
 
     @property
     def is_of_longest_axis(self) -> bool:
@@ -140,7 +142,8 @@ def by_convention(convention: Convention, names: Names, options: Options) -> Tur
     if convention.sequence:
         return Turn("euler", names, units, options.euler or convention.sequence, convention.signs, largest=largest)
     zero, sense = options.angle_zero or convention.zero, options.angle_sense or convention.sense
-    return Turn("angle", names, units, zero=zero, sense=sense, largest=largest)
+    return Turn("angle", names, units, zero=zero, sense=sense, largest=largest,
+                is_reversed=convention.is_reversed and not options.angle_sense)
 
 
 def find(columns: Sequence[str], options: Options, error: Error, is_flat: bool, has_quaternions: bool) -> Turn:
@@ -204,7 +207,9 @@ def _of_bodies(columns: Sequence[str], options: Options, error: Error) -> Turn:
     if names := _first(columns, _DIRECTIONS):
         if base(names[0])[0].startswith("axis") and (angles := _bases(columns, _ABOUT_AXES)):
             raise error(_AXIS_AND_ANGLE.format(" ".join((*names, *angles.values())), for_option(names)))
-        return Turn("direction", names, largest=1.0 if base(names[0])[0].startswith("orient") else 0.0)
+        # Three numbered columns u or n may be displacements, exponents or counts, too.
+        is_unit = re.match(r"orient|[un]\W?\d", base(names[0])[0]) is not None
+        return Turn("direction", names, largest=1.0 if is_unit else 0.0)
     if found := _bases(columns, (*_OF_ELLIPSES, *_AXES)):
         names = tuple(found.values())
         raise error((_ONE_ANGLE if len(names) == 1 else _SEQUENCES).format(" ".join(names), for_option(names)))

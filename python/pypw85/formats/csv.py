@@ -18,7 +18,6 @@ from typing import IO
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
 from .._system import System
 from .._typing import Floats
@@ -29,18 +28,29 @@ from ._conventions import CONVENTIONS, Convention, named, possible, recognised
 from ._errors import for_option
 from ._frames import Frame, Location, Options, said_dimensions
 from ._names import PRINTED, Rule, checked_names
+from ._series import check_repeated, check_series, columns_of_series
 from ._table import Lines, Table, coded, write_rows
 
 SUFFIXES = (".csv",)
 _NUMBER = re.compile(r"[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?")
 _POSITION, _SHAPE, _QUATERNION = ["x", "y", "z"], ["a", "b", "c"], ["qw", "qx", "qy", "qz"]
 _KEYS = ("cell", "dimensions", "origin", "periodic", "step")
-# Comments that say the cell in another way
-_LIKE_KEYS = re.compile(rf"[#%]\s*{SAYS_CELL}", re.IGNORECASE)
+# Comments that say the cell in another way, or that there is one
+_LIKE_KEYS = re.compile(rf"[#%](?:.*[\s,;('\"{{])?{SAYS_CELL}|"
+                        r"[#%].*?(?<!non)(?<!non-)(?<!not )(?<!no )(?<!a)(periodic|\bpbc)\b(?!\W*(no|none|false|f|0|table)\b)",
+                        re.IGNORECASE)  # fmt: skip
+# The search for a cell takes the square of the length in time, so it ends after so many characters.
+_SENTENCE = 1000
+_NO_CELL = re.compile(r"\b(periodic\w*|pbc|((simulation|periodic) )?(box|cell)|boundar\w*)\W*(no|none|false|F F F|open|free)\b",
+                      re.IGNORECASE)  # fmt: skip
 # Names and units of columns in the header of ECSV (Astropy), on one line or on several
 _OF_ECSV = re.compile(r"\b(name|unit): ['\"]?([\w.]+)")
 # A comment that is a row of units
 _UNIT_WORD = re.compile(r"[(\[]?(mm|[uµμnk]?m|cm|Å|microns?|px|pix|pixels?|voxels?|deg(rees?)?|rad(ians?)?|[-1])[)\]]?")
+# Brackets of a unit that a blank separates from the name before it
+_UNIT_BEHIND = re.compile(r"(?<=\w)\s+([(\[][^\d)\]][^)\]]*[)\]])(?!\S)")
+# A word, which may have blanks in quotation marks
+_WORD = re.compile(r'"[^"]*"(?!\S)|\S+')
 # The line that YADE writes before spheres (export.textExt)
 _FORMAT_OF_YADE = re.compile(r"^#\s*format\s+(x_y_z_r\w*)$")
 # A word in quotation marks, and a number behind it
@@ -60,6 +70,7 @@ _UNIT = re.compile(r"[(\[]\s*((?:[^\W\d]|\ufffd)[^)\]]*)[)\]]\s*$")
 # In texts in Latin-1, µ is a character that is not read (�).
 _SAME_UNITS = dict.fromkeys(("µm", "μm", "\ufffdm", "micron", "microns"), "um")
 _SAME_UNITS |= dict.fromkeys(("pix", "pixel", "pixels", "voxel", "voxels"), "px")
+_SAME_UNITS |= dict.fromkeys(("meter", "meters", "metre", "metres"), "m") | dict.fromkeys(("angstrom", "angstroms"), "å")
 _SEPARATORS = (",", ";", "\t", "|", None)
 # Names as `plain_name` makes them: first what is written, then those of spreadsheets, ParaView and DREAM.3D
 _POSITIONS = [
@@ -78,16 +89,6 @@ _POSITIONS = [
 _OF_CENTERS = re.compile(r"(cent|barycent|pos|loc).*|[xyz](c|pos|cent).*|c[xyz]")
 # The sides of boxes, as `plain_name` makes their names
 _SIDES = (["width", "height"], ["w", "h"])
-# Columns that number pictures, planes or times, of which a table should have one
-_SERIES = re.compile(r"(slice|frame|image|picture|\w*step|timepoint|time|timestamp|snapshot|iter(ation)?|cycle|plane|zplane|layer|scan|"
-                     r"(source)?file|sample|stack|replica|replicate|rep|repeat|realization|realisation|run|trial|specimen|scene|"
-                     r"increment|sim(ulation)?|config(uration)?|experiment|dump|movie|batch)"
-                     r"(s|id|no|nr|num|number|index|idx|name)?|t[munµ]?s?|date(time)?|"
-                     r"((elapsed|sim|epoch)?time(stamp)?|elapsed)([munµ]?s|sec(onds?)?|min(utes?)?|h)?")
-# The same in tables of programs that measure pictures
-_PICTURES = re.compile(r"(metadata)?(well|site|field|fieldofview|fov|tile|crop|position|movie|video|experiment|dataset|channel|series|"
-                       r"section|(image|file)?path|epoch|tp|tindex|condition|animal|mouse|patient|subject|date|day)"
-                       r"(s|id|no|nr|num|number|index|idx|name)?")  # fmt: skip
 _IDS = ("id", "ids", "particleid", "featureid", "index", "number")
 _TYPES = ("type", "types", "species", "phase", "phases", "particletype", "bodytype", "objecttype", "graintype", "body", "object", "class")
 
@@ -151,7 +152,7 @@ def _positions_in(columns: list[str], count: int) -> list[list[str]]:
 
 
 def _split(line: str, separator: str | None) -> list[str]:
-    words = line.split(separator)
+    words = line.split(separator) if separator is not None else _WORD.findall(_UNIT_BEHIND.sub(r"\1", line))
     if separator is not None and '"' in line:
         with contextlib.suppress(csv.Error, StopIteration):
             words = next(csv.reader([line], delimiter=separator, skipinitialspace=True, strict=True))
@@ -168,31 +169,28 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         separator, positions, columns = _names(lines, line, options)
         columns = _with_names_of_rows(lines, separator, _without_empty_end(lines, separator, columns))
         convention = convention_of(columns, options, lines.error)
-        if convention is not None:
-            positions = list(centers_of(convention, columns))
-            _skip_heads(lines, separator, columns, positions, convention)
-        elif positions:
-            positions = _one_position(columns, len(positions), options, lines)
-        _check_positions(columns, positions, lines)
+        positions = _positions_of(convention, columns, separator, len(positions), options, lines)
         dimensions = _dimensions(keys, lines)
         _check_third(columns, positions, options, lines, convention)
         ids, types, notes = _ids_and_types(lines, separator, columns, options)
         offsets = offsets_of(convention, columns)
         taken = take(columns, options, lines.error, "radii", "wxyz", [*positions, *offsets, ids, types],
                      (dimensions or len(positions)) == 2, convention)  # fmt: skip
-        _comments.check(comments, meaning_of(taken, options), lines.error)
-        _check_lengths(columns, positions, taken, (options.dimensions or dimensions) is not None, _units_row(comments, columns), lines)
+        has_units = bool({*map(_plain_unit, map(_unit, (*positions, *taken.shape)))} - {"", "px"})
+        _comments.check(comments, meaning_of(taken, options, convention is not None, has_units), lines.error)
+        _check_lengths(columns, positions, taken, (options.dimensions or dimensions) is not None, lines)
+        _check_units(comments, columns, positions, taken, lines)
         step = lines.whole(keys.get("step", "0"), "step", -(2**63))
         cell, origin, periodic = _box(keys, lines)
         count = _count(keys, lines, separator)
         _check_units_row(lines, separator, [columns.index(name) for name in positions])
-        series = _series(columns, len(positions), options, convention)
+        series = columns_of_series(columns, len(positions), options, convention)
         wanted = [name for name in (*positions, *offsets, *taken.columns, ids, types, *series) if name]
         table = lines.table(count, columns, [types, *series], separator, wanted, decimal_comma=separator != ",")
-        _check_series(table, series, lines)
+        check_series(table, series, convention, lines)
+        _check_mistake(table, [*positions, *taken.shape], lines)
         numbers = table.integers(ids) if ids else None
-        if numbers is not None and not (np.diff(numbers) > 0).all():
-            _check_repeated(numbers, ids, table.line, lines)
+        check_repeated(numbers, ids, table.line, lines)
     frame = Frame(
         path, location, table.stack(positions) + table.stack(offsets) if offsets else table.stack(positions),
         types=table[types] if types else None, ids=numbers,
@@ -205,6 +203,18 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
     frame.source = ", ".join(filter(None, [*said, frame.source]))
     frame.refuse_other_bodies(options)
     return frame.system(options)
+
+
+def _positions_of(convention: Convention | None, columns: list[str], separator: str | None, count: int, options: Options,
+                  lines: Lines) -> list[str]:  # fmt: skip
+    """The columns of positions: those of a convention, or those that are known by their names. Skips what a program writes beneath."""
+    if convention is not None:
+        positions = list(centers_of(convention, columns))
+        _skip_heads(lines, separator, columns, positions, convention)
+    else:
+        positions = _one_position(columns, count, options, lines) if count else []
+    _check_positions(columns, positions, lines)
+    return positions
 
 
 def _dimensions(keys: dict[str, str], lines: Lines) -> int | None:
@@ -300,38 +310,6 @@ def _check_units_row(lines: Lines, separator: str | None, places: list[int]) -> 
     lines.back(place)
 
 
-def _series(columns: list[str], dimensions: int, options: Options, convention: Convention | None) -> list[str]:
-    """Columns of which a table of one system has one value: those of `_SERIES`, of ellipses the third coordinate of their centres, and of
-    ImageJ the labels, which begin with the name of the picture."""
-    third = "centerz" if convention is None or not convention.third else convention.third
-    found = [name for name in columns if _SERIES.fullmatch(plain_name(name)) or (dimensions == 2 and plain_name(name).endswith(third))]
-    if convention is not None and convention.first:
-        found += [name for name in columns if _PICTURES.fullmatch(plain_name(name)) or (name == "Label" and convention.name == "imagej")]
-    return [name for name in found if name not in (options.ignore_columns or ())]
-
-
-def _check_series(table: Table, series: list[str], lines: Lines) -> None:
-    """Refuses rows of several pictures, planes or times, whose bodies would be taken as one system."""
-    for name in series:
-        rows = table[name].tolist()
-        if name == "Label":
-            rows = ["" if row.isdecimal() else row.partition(":")[0] for row in rows]
-        values = list(dict.fromkeys(rows))
-        if len(values) > 1:
-            lines.number = table.line + rows.index(values[1])
-            raise lines.error(f"the column {name} has several values, {values[0]} and {values[1]}: write the rows of one of them, or say "
-                              f"that all are bodies of one system (--ignore-columns {for_option([name])})")  # fmt: skip
-
-
-def _check_repeated(numbers: NDArray[np.int64], ids: str, line: int, lines: Lines) -> None:
-    """Refuses rows in which all particles occur equally often, as in several frames one behind the other."""
-    _, first, counts = np.unique(numbers, return_index=True, return_counts=True)
-    if len(counts) > 1 and counts.min() == counts.max() > 1:
-        lines.number = line + int(np.setdiff1d(np.arange(len(numbers)), first)[0])
-        raise lines.error(f"the column {ids} has each id {counts[0]} times, as for {counts[0]} frames or pictures: write the rows of one "
-                          f"of them, or say that all are bodies of one system (--ignore-columns {for_option([ids])})")  # fmt: skip
-
-
 def _box(keys: dict[str, str], lines: Lines) -> tuple[Floats | None, list[float], list[bool]]:
     """The cell, its corner, and the directions along which it repeats."""
     cell = _cell(lines, keys["cell"]) if "cell" in keys else None
@@ -367,10 +345,9 @@ def _keys(lines: Lines, options: Options) -> tuple[dict[str, str], str, list[str
             raise lines.error(f"the comment '# {name}' is there twice: remove one")
         if name in _KEYS:
             keys[name] = value
-        elif options.cell is None and (found := _LIKE_KEYS.match(text)):
+        elif options.cell is None and "cell" not in keys and _LIKE_KEYS.match(_NO_CELL.sub("", text[:_SENTENCE].replace('"', ""))):
             raise lines.error(f"the comment '{text[:60]}' could say the cell, and is not read: write '# cell' and nine numbers, '# origin' "
-                              f"and three, '# periodic' and three of T and F, give the cell (--cell), or put another word before "
-                              f"{found[1]}")  # fmt: skip
+                              "and three, '# periodic' and three of T and F, give the cell (--cell), or remove the comment")  # fmt: skip
         elif text.isdecimal():
             keys["rows"] = text
         elif text:
@@ -468,10 +445,9 @@ def _check_third(columns: list[str], positions: list[str], options: Options, lin
                                   f"(--ignore-columns {for_option([name])})")  # fmt: skip
 
 
-def _check_lengths(columns: list[str], positions: list[str], taken: Taken, says_dimensions: bool, units_row: dict[str, str],
-                   lines: Lines) -> None:  # fmt: skip
-    """Refuses a coordinate that is there twice, as in pixels and in a length; three lengths beside two coordinates; what may be the corner
-    and the sides of a box; and several units of length, where names or a row of units say them."""
+def _check_lengths(columns: list[str], positions: list[str], taken: Taken, says_dimensions: bool, lines: Lines) -> None:
+    """Refuses a coordinate that is there twice, as in pixels and in a length; three lengths beside two coordinates; and what may be the
+    corner and the sides of a box."""
     for name in positions:
         same = [one for one in columns if plain_name(one) == plain_name(name)]
         if len(set(same)) > 1:
@@ -482,22 +458,46 @@ def _check_lengths(columns: list[str], positions: list[str], taken: Taken, says_
     if [*map(plain_name, positions)] == ["x", "y"] and [*map(plain_name, taken.shape)] in _SIDES and not taken.turn.kind:
         raise lines.error(f"{' '.join(positions)} beside {' '.join(taken.shape)} may be the corner of a box, as ImageJ lists regions, and "
                           "not the centre: write the centres to columns center_x and center_y")  # fmt: skip
+
+
+def _check_units(comments: list[str], columns: list[str], positions: list[str], taken: Taken, lines: Lines) -> None:
+    """Refuses several units of length, which names, a row of units or comments say."""
+    units_row = _units_row(comments, columns)
     said = [(name, unit) for name in (*positions, *taken.shape, *taken.sphere) if (unit := _unit(name) or units_row.get(name))]
     for name, unit in zip(taken.turn.columns, taken.turn.units):
         if (row := units_row.get(name, "-")).isalpha() and row[:3] != unit[:3]:
             raise lines.error(f"the angle {name} is taken in {unit}, and a comment says {row}: correct one of both")
-    units = {_SAME_UNITS.get(unit.lower(), unit): name for name, unit in said}
+    units = {_plain_unit(unit): name for name, unit in said}
     if len(units) > 1:
         raise lines.error(f"the columns {' and '.join(units.values())} have different units: convert them to one, and rename them")
+    others = _comments.units_of(one for one in comments if not _OF_ECSV.search(one) and not _NUMBERED.match(one))
+    if len(stated := {*units, *map(_plain_unit, others)}) > 1:
+        raise lines.error(f"comments state several units of length, {' and '.join(sorted(stated))}: convert the numbers to one, and remove "
+                          "the others")  # fmt: skip
     silent = [name for name in (*positions, *taken.shape, *taken.sphere) if name not in dict(said)]
     if said and silent:
         taken.notes.append(f"{' '.join(silent)} without a unit are taken in that of {said[0][0]}")
 
 
+def _check_mistake(table: Table, names: list[str], lines: Lines) -> None:
+    """Refuses what MorphoLibJ 1.6.3 writes by mistake: y as z, and the second radius as the third (corrected in its commit d31b5d89)."""
+    if [*map(plain_name, names[2:4])] == ["ellicenterz", "elliradius1"]:
+        _, y, z, _, second, third = table.stack(names).T
+        if (y == z).all() and (second == third).all():
+            raise lines.error("all bodies have equal y and z, and equal second and third radii, as MorphoLibJ 1.6.3 writes by mistake for "
+                              "any bodies: measure with another version, or rename the columns if these numbers are right")  # fmt: skip
+
+
 def _units_row(comments: list[str], columns: list[str]) -> dict[str, str]:
     """The units of columns that a comment says."""
-    rows = [words for comment in comments for words in _rows_of(comment.lstrip("#% ")) if all(map(_UNIT_WORD.fullmatch, words))]
-    return next((dict(zip(columns, [word.strip("()[]") for word in words])) for words in rows if len(words) == len(columns)), {})
+    rows = [[*zip(columns, words)] for comment in comments for words in _rows_of(comment.lstrip("#% ")) if len(words) == len(columns)]
+    found = [{name: word.strip("()[]") for name, word in row if _UNIT_WORD.fullmatch(word)} for row in rows]
+    return next((one for one in found if 2 * len(one) > len(columns)), {})
+
+
+def _plain_unit(unit: str) -> str:
+    """One spelling of units that have several."""
+    return _SAME_UNITS.get(unit.lower(), unit if unit[:1] == "M" else unit.lower())
 
 
 def _unit(name: str) -> str:
