@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .._ply import Header, read_header, rows_of
+from .._ply import Header, check_end, read_header, rows_of
 from .._typing import Floats
 from ._errors import FileError
 from ._frames import Options
@@ -29,6 +29,7 @@ def read_ply(path: os.PathLike[str], options: Options) -> Gaussians:
         content = file.read()
     try:
         header = read_header(content)
+        check_end(content, header)
         vertex = header.element("vertex")
         names = [] if vertex is None else [one.name for one in vertex.properties]
         if "packed_scale" in names:
