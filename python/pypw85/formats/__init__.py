@@ -257,7 +257,8 @@ def no_frames(path: Path, format: str, chosen: slice) -> FileError:
     is_one = chosen.step is None and chosen.start is not None and chosen.stop == (None if chosen.start == -1 else chosen.start + 1)
     wanted = f"is no frame {chosen.start}" if is_one else f"are no frames {':'.join(ends).rstrip(':')}"
     count = sum(1 for _ in locate(path, format))
-    return FileError(path, f"there {wanted}: the file has " + ("one frame, 0" if count == 1 else f"{count} frames, 0 to {count - 1}"))
+    has = "no frames" if not count else "one frame, 0" if count == 1 else f"{count} frames, 0 to {count - 1}"
+    return FileError(path, f"there {wanted}: the file has {has}")
 
 
 def load(path: Path, format: str, location: Location, options: Options) -> System:
