@@ -77,8 +77,10 @@ def _reader(name: str) -> Callable[[str], Any]:
 
 
 def _check_vertices(name: str, count: int, blocks: list[NDArray[np.int64]]) -> None:
-    """Refuses faces with an index that is out of range, in any corner."""
+    """Refuses faces with too few vertices, or with an index that is out of range, in any corner."""
     for polygons in blocks:
+        if len(polygons) and polygons.shape[1] < 3:
+            raise ValueError(f"{name}: a face must have three or more vertices, not {polygons.shape[1]}: correct it")
         wrong = ((polygons < 0) | (polygons >= count)).any(axis=1)
         if wrong.any():
             face = polygons[wrong.argmax()].tolist()
@@ -89,7 +91,7 @@ def triangles_of(points: Floats, polygons: NDArray[np.int64]) -> NDArray[np.int6
     """Triangles (m, 3) of polygons (n, k) in their order: fans of convex ones; others are cut along diagonals inside of them."""
     count, sides = polygons.shape
     if sides == 3 or not count:
-        return polygons
+        return polygons if count else np.empty((0, 3), np.int64)
     corners = points[polygons]
     edges = np.roll(corners, -1, axis=1) - corners
     normals = np.cross(corners - corners[:, :1], edges).sum(axis=1)

@@ -12,6 +12,7 @@ _OF_ABAQUS = re.compile(rb"^(\*instance)\b[^\n]*\n(?:\*\*[^\n]*\n)*[ \t]*[-+.\d]
                         rb"include))\b|^(\*node)\b[^\n]*\b(?:system|input)\s*=", re.IGNORECASE | re.MULTILINE)  # fmt: skip
 _OF_NASTRAN = re.compile(rb"^(grid)\*?\s*,[^,\n]*,\s*[1-9]|^(grid) {4}.{8} {0,7}[1-9]|^(grid\*) {3}.{16} {0,15}[1-9]|"
                          rb"^(grdset|include)\b", re.IGNORECASE | re.MULTILINE)  # fmt: skip
+_END_OF_NASTRAN = re.compile(rb"^[ \t]*ENDDATA", re.MULTILINE)
 _PATTERNS = {".inp": _OF_ABAQUS, ".bdf": _OF_NASTRAN, ".fem": _OF_NASTRAN, ".nas": _OF_NASTRAN}
 
 
@@ -21,6 +22,8 @@ def refuse_placed_nodes(path: str, ending: str) -> None:
         return
     with open(path, "rb") as file:
         content = file.read()
+    if _PATTERNS[ending] is _OF_NASTRAN and not _END_OF_NASTRAN.search(content):  # for which meshio looks without end
+        raise ValueError("the file ends without ENDDATA: it is truncated; write it again")
     if found := _PATTERNS[ending].search(content):
         word = next(filter(None, found.groups())).decode("latin-1")
         line = content.count(b"\n", 0, found.start()) + 1

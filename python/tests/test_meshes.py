@@ -312,6 +312,7 @@ BAD_MESHES = {
               (PLY.replace("int vertex_index", "int vertex_index\nproperty uchar red") + 8 * "0 0 0\n" + 6 * "3 0 1 2\n",
                "a row has fewer numbers than the header says"),
               (PLY.replace("element edge", "element tristrips"), "the element tristrips has triangles in strips"),
+              (PLY.replace("face 6", "face 1") + 8 * "0 0 0\n" + "0\n", "a face must have three or more vertices, not 0"),
               (PLY + 8 * "0 0 0\n" + 9 * "3 0 1 2\n", "17 rows instead of 14 follow the header"),
               (PLY.replace("face 6", "face -6"), "line 8: an element must have a name and a number")],
     "a.off": [("4OFF\n0 0 0\n", "line 1: the file must begin with OFF, .*'4OFF': four coordinates"), ("OFF BINARY\n", "binary files"),
@@ -324,6 +325,7 @@ BAD_MESHES = {
               ("OFF\n1 1 0\n0 0 0\n3 0 0 0\n3 0 0 0\n", "line 5: the file goes on behind its 1 vertices and 1 faces")],
     "a.foo": [("", "files of the kind '.foo' are not read: convert it to STL, OBJ, PLY or OFF")],
     "a.node": [("1 3 0 0\n1 0 0 0\n", "files of the kind '.node' are not read")],
+    "a.bdf": [("CEND\nBEGIN BULK\nCOR", "the file ends without ENDDATA: it is truncated")],
     "a.vtk": [("nonsense", "a.vtk")],
 }  # fmt: skip
 
