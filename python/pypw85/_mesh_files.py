@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from ._lost_cells import refuse_lost_cells
 from ._off import read_off
 from ._placed_nodes import refuse_placed_nodes
 from ._ply import Element, Header, Property, check_end, end_of, read_header, rows_of
@@ -22,9 +23,8 @@ from ._typing import Floats
 Path = str | os.PathLike[str]
 _HEADER_OF_STL = 84
 _TRIANGLE_OF_STL = 50
-# Cells that are read, and others of surfaces, by their names in meshio: curved ones, and those of VTK
+# Cells that are read, by their names in meshio
 _FACES = ("triangle", "quad", "polygon")
-_OTHER_FACES = re.compile(r"(triangle|quad|polygon)\d+|pixel|triangle_strip|VTK_LAGRANGE_(TRIANGLE|QUADRILATERAL)")
 # TetGen's files have tetrahedra, and meshio's reader of files without any does not end.
 _WITHOUT_FACES = (".node", ".ele")
 
@@ -53,8 +53,9 @@ def read_triangles(path: Path) -> tuple[Floats, NDArray[np.int64]]:
     points = np.asarray(content.points, dtype=np.float64)
     if points.ndim == 2 and points.shape[1] == 2:
         points = np.pad(points, ((0, 0), (0, 1)))
-    if others := sorted({block.type for block in content.cells if _OTHER_FACES.fullmatch(block.type)}):
-        raise ValueError(f"{name}: the cells {' '.join(others)} are faces that are not read: write triangles, quadrilaterals or polygons")
+    if points.ndim != 2 or points.shape[1] != 3:
+        raise ValueError(f"{name}: points must have three coordinates, and the array of them has the shape {points.shape}: correct it")
+    refuse_lost_cells(name, os.path.splitext(name)[1].lower(), content.cells)
     blocks = [np.asarray(block.data, dtype=np.int64) for block in content.cells if block.type in _FACES]
     _check_vertices(name, len(points), blocks)
     if not blocks:

@@ -326,7 +326,8 @@ BAD_MESHES = {
     "a.foo": [("", "files of the kind '.foo' are not read: convert it to STL, OBJ, PLY or OFF")],
     "a.node": [("1 3 0 0\n1 0 0 0\n", "files of the kind '.node' are not read")],
     "a.bdf": [("CEND\nBEGIN BULK\nCOR", "the file ends without ENDDATA: it is truncated")],
-    "a.vtk": [("nonsense", "a.vtk")],
+    "a.vtk": [("nonsense", "a.vtk"), ("# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_GRID\nDIMENSIONS 2 2 1",
+                                      r"points must have three coordinates, and the array of them has the shape \(\)")],
 }  # fmt: skip
 
 
@@ -367,6 +368,46 @@ def test_curved_faces(kind, sides, tmp_path):
     meshio.write(tmp_path / "a.vtu", meshio.Mesh(np.array(CUBE, float), cells))
     with pytest.raises(ValueError, match=f"a.vtu: the cells {kind} are faces that are not read: write triangles, quad"):
         pypw85.Mesh.read(tmp_path / "a.vtu")
+
+
+def vtu(*pieces):
+    """A file of VTK with pieces, each of which has the points of CUBE; the types of VTK are 5 for triangles and 6 for strips."""
+    arrays = '<DataArray type="{}" Name="{}" NumberOfComponents="{}" format="ascii">{}</DataArray>'.format
+    text = ""
+    for cells, kinds in pieces:
+        ends = " ".join(map(str, np.cumsum([len(cell) for cell in cells])))
+        columns = [arrays("Int64", "connectivity", 1, " ".join(str(k) for cell in cells for k in cell)), arrays("Int64", "offsets", 1, ends),
+                   arrays("UInt8", "types", 1, " ".join(map(str, kinds)))]  # fmt: skip
+        text += (f'<Piece NumberOfPoints="8" NumberOfCells="{len(cells)}"><Points>'
+                 f'{arrays("Float64", "Points", 3, " ".join(map(str, CUBE.ravel())))}</Points><Cells>{"".join(columns)}</Cells></Piece>')  # fmt: skip
+    return f'<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian"><UnstructuredGrid>{text}</UnstructuredGrid></VTKFile>'
+
+
+def test_lost_cells_of_vtk(tmp_path):
+    """meshio leaves out strips, and pieces but one."""
+    pytest.importorskip("meshio")
+    one, other = [0, 1, 2], [4, 5, 6]
+    (tmp_path / "a.vtu").write_text(vtu(([one, other], [5, 5])))
+    assert len(pypw85.Mesh.read(tmp_path / "a.vtu")) == 2
+    for pieces in ([([one], [5]), ([other], [5])], [([[0, 1, 2, 3], other], [6, 5])]):
+        (tmp_path / "a.vtu").write_text(vtu(*pieces))
+        with pytest.raises(ValueError, match="a.vtu: 1 of 2 cells are in strips or in other pieces, which are not read: write one"):
+            pypw85.Mesh.read(tmp_path / "a.vtu")
+
+
+ZONE = "ZONE NODES=3, ELEMENTS=1, DATAPACKING=POINT, ZONETYPE=FETRIANGLE\n0 0 0\n1 0 0\n1 1 0\n1 2 3\n"
+SINGLE = "*Part, name=A\n*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 1, 1, 0\n*ELEMENT, TYPE=S3\n1, 1, 2, 3\n*End Part\n"
+
+
+@pytest.mark.parametrize("name, head, part, parts", [("a.tec", 'VARIABLES = "X" "Y" "Z"\n', ZONE, "zones"), ("a.inp", "", SINGLE, "parts")])
+def test_several_parts(name, head, part, parts, tmp_path):
+    """Of Tecplot the others are lost, and of Abaqus the nodes of one number are mixed."""
+    pytest.importorskip("meshio")
+    (tmp_path / name).write_text(head + part)
+    assert area(pypw85.Mesh.read(tmp_path / name)) == 0.5
+    (tmp_path / name).write_text(head + 2 * part)
+    with pytest.raises(ValueError, match=f"{name} has 2 {parts}, and only one is read: write the triangles of all in one"):
+        pypw85.Mesh.read(tmp_path / name)
 
 
 PART = "*PART, NAME=A\n*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 1, 1, 0\n*ELEMENT, TYPE=S3\n1, 1, 2, 3\n*END PART\n"
