@@ -37,8 +37,6 @@ def read_triangles(path: Path) -> tuple[Floats, NDArray[np.int64]]:
     ValueError
         The file does not have the format of its name, or has no triangles; with its name, and the line where there are lines.
     """
-    import meshio
-
     name = os.fspath(path)
     os.stat(name)  # meshio has errors of its own for files that are not there
     said = io.StringIO()  # meshio prints some of its errors, and ends the program

@@ -34,7 +34,8 @@ def read_off(path: str) -> Any:
             raise ValueError(f"the file ends after {len(points)} of {vertices} vertices and {len(polygons)} of {faces} faces: it is "
                              "truncated; write it again")  # fmt: skip
         if (more := next(rows, None)) is not None:
-            raise ValueError(f"line {more[0]}: the file goes on behind its {vertices} vertices and {faces} faces: correct these numbers")
+            raise ValueError(f"line {more[0]}: there are more rows than those of {vertices} vertices and {faces} faces: correct these "
+                             "numbers")  # fmt: skip
     cells = [(_KINDS.get(sides, "polygon"), np.array(list(same))) for sides, same in itertools.groupby(polygons, len)]
     return meshio.Mesh(np.array(points).reshape(-1, 3), cells)
 

@@ -8,8 +8,9 @@ import re
 # Abaqus (Keywords Guide): instances of parts with a translation or a rotation, systems of coordinates, nodes that are generated, and
 # other files. Nastran (Quick Reference Guide): points whose third field names a system of coordinates, in its three forms, defaults of
 # such fields, and other files.
-_OF_ABAQUS = re.compile(rb"^(\*instance)\b[^\n]*\n(?:\*\*[^\n]*\n)*[ \t]*[-+.\d]|^(\*(?:system|transform|ngen|nfill|ncopy|nmap|elgen|elcopy|"
-                        rb"include))\b|^(\*node)\b[^\n]*\b(?:system|input)\s*=", re.IGNORECASE | re.MULTILINE)  # fmt: skip
+_OF_ABAQUS = re.compile(rb"^(\*instance)\b[^\n]*\n(?:\*\*[^\n]*\n)*[ \t]*[-+.\d]|"
+                        rb"^(\*(?:system|transform|ngen|nfill|ncopy|nmap|elgen|elcopy|include))\b|"
+                        rb"^(\*node)\b[^\n]*\b(?:system|input)\s*=", re.IGNORECASE | re.MULTILINE)  # fmt: skip
 _OF_NASTRAN = re.compile(rb"^(grid)\*?\s*,[^,\n]*,\s*[1-9]|^(grid) {4}.{8} {0,7}[1-9]|^(grid\*) {3}.{16} {0,15}[1-9]|"
                          rb"^(grdset|include)\b", re.IGNORECASE | re.MULTILINE)  # fmt: skip
 _END_OF_NASTRAN = re.compile(rb"^[ \t]*ENDDATA", re.MULTILINE)

@@ -322,7 +322,7 @@ BAD_MESHES = {
               ("OFF\n1 1 0\n0 0 0\n3 0 0\n", "line 4: a face must begin with the number of its vertices, three or more"),
               ("OFF\n1 1 0\n0 0 0\n2 0 0\n", "line 4: a face must begin with"), ("OFF\n1 1 0\n0 0 0\n3 0 0 1\n", "indices of the 1 vert"),
               ("OFF\n99999999 1 0\n0 0 0\n", "the file ends after 1 of 99999999 vertices and 0 of 1 faces"),
-              ("OFF\n1 1 0\n0 0 0\n3 0 0 0\n3 0 0 0\n", "line 5: the file goes on behind its 1 vertices and 1 faces")],
+              ("OFF\n1 1 0\n0 0 0\n3 0 0 0\n3 0 0 0\n", "line 5: there are more rows than those of 1 vertices and 1")],
     "a.foo": [("", "files of the kind '.foo' are not read: convert it to STL, OBJ, PLY or OFF")],
     "a.node": [("1 3 0 0\n1 0 0 0\n", "files of the kind '.node' are not read")],
     "a.bdf": [("CEND\nBEGIN BULK\nCOR", "the file ends without ENDDATA: it is truncated")],
@@ -376,11 +376,12 @@ def vtu(*pieces):
     text = ""
     for cells, kinds in pieces:
         ends = " ".join(map(str, np.cumsum([len(cell) for cell in cells])))
-        columns = [arrays("Int64", "connectivity", 1, " ".join(str(k) for cell in cells for k in cell)), arrays("Int64", "offsets", 1, ends),
-                   arrays("UInt8", "types", 1, " ".join(map(str, kinds)))]  # fmt: skip
-        text += (f'<Piece NumberOfPoints="8" NumberOfCells="{len(cells)}"><Points>'
-                 f'{arrays("Float64", "Points", 3, " ".join(map(str, CUBE.ravel())))}</Points><Cells>{"".join(columns)}</Cells></Piece>')  # fmt: skip
-    return f'<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian"><UnstructuredGrid>{text}</UnstructuredGrid></VTKFile>'
+        columns = arrays("Int64", "connectivity", 1, " ".join(str(k) for cell in cells for k in cell))
+        columns += arrays("Int64", "offsets", 1, ends) + arrays("UInt8", "types", 1, " ".join(map(str, kinds)))
+        points = arrays("Float64", "Points", 3, " ".join(map(str, CUBE.ravel())))
+        text += f'<Piece NumberOfPoints="8" NumberOfCells="{len(cells)}"><Points>{points}</Points><Cells>{columns}</Cells></Piece>'
+    head = '<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian">'
+    return f"{head}<UnstructuredGrid>{text}</UnstructuredGrid></VTKFile>"
 
 
 def test_lost_cells_of_vtk(tmp_path):
@@ -418,7 +419,8 @@ PLACED = {
     PART + "*Instance, name=B, part=A\n** moved\n 0., 0., 5.\n*END INSTANCE\n": r"line 9: \*Instance",
     "*SYSTEM\n0, 0, 5\n" + PART: r"line 1: \*SYSTEM", PART.replace("*NODE", "*NODE, SYSTEM=C"): r"line 2: \*NODE",
     PART + "*INCLUDE, INPUT=b.inp\n": r"line 9: \*INCLUDE",
-    DECK.format("GRID,1,,0.,0.,0."): "", DECK.format("GRID,1,0,0.,0.,0."): "", DECK.format("GRID    1               0.      0.      0."): "",
+    DECK.format("GRID,1,,0.,0.,0."): "", DECK.format("GRID,1,0,0.,0.,0."): "",
+    DECK.format("GRID    1               0.      0.      0."): "",
     DECK.format("GRID,1,7,0.,0.,0."): "line 2: GRID", DECK.format("GRID    1              70.      0.      0."): "line 2: GRID",
     DECK.format("GRID*   1               7               0.              0.\n*       0."): r"line 2: GRID\*",
     DECK.format("GRDSET,,7\nGRID,1,,0.,0.,0."): "line 2: GRDSET",

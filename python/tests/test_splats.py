@@ -122,6 +122,25 @@ def test_unknown_properties(name, tmp_path):
         pypw85.read(ply(tmp_path / "a.ply", PAIR, [*PROPERTIES, name]))
 
 
+@pytest.mark.parametrize("comment, reason", [
+    ("scales are linear", "the comment 'scales are linear' says that scales are lengths, .*--scales linear or"),
+    ("activated scales", "says that scales are lengths"), ("quaternion order: x y z w", "could mean that .*: write w first, or remove it"),
+    ("scale_factor 2.5", "the comment 'scale_factor 2.5' could mean"), ("Vertical Axis: z", ""), ("made by SuperSplat 2.0", ""),
+    ("rotations w x y z", ""),
+])  # fmt: skip
+def test_comments_of_splats(comment, reason, tmp_path):
+    names = ["x", "y", "z", "scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2", "rot_3"]
+    header = f"ply\nformat ascii 1.0\ncomment {comment}\nelement vertex 1\n" + "".join(f"property float {name}\n" for name in names)
+    (tmp_path / "a.ply").write_text(f"{header}end_header\n0 0 0 -1 -2 -3 1 0 0 0\n")
+    if not reason:
+        assert len(pypw85.read(tmp_path / "a.ply")) == 1
+        return
+    with pytest.raises(pypw85.FileError, match=reason):
+        pypw85.read(tmp_path / "a.ply")
+    if "scales" in comment:
+        assert len(pypw85.read(tmp_path / "a.ply", scales="log")) == 1
+
+
 @pytest.mark.parametrize("order", ["", "<", ">"])
 def test_more_splats_than_the_header_says(order, tmp_path):
     names = ["x", "y", "z", "scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2", "rot_3"]

@@ -113,7 +113,8 @@ _OTHERS = [
     (rb".{8}DUMP(?:CUSTOM|ATOM)|LammpS RestartT", "it is a binary file of LAMMPS: write a dump or a data file as text"),
     (rb"Number of particles *=", "files of AtomEye (.cfg) are not read: write a dump of LAMMPS or extended XYZ"),
     (rb"CDF[\x01\x02\x05]", "files of NetCDF are not read: write a dump of LAMMPS, GSD or extended XYZ"),
-    (rb"(?:HEADER|CRYST1|REMARK|MODEL |ATOM  |HETATM|ANISOU|COMPND|AUTHOR)[ \d].*\n|TITLE {5}\S|(?:#[^\n]*\n|\s)*data_", "files of PDB, CIF and STAR are not read, nor "
+    (rb"(?:HEADER|CRYST1|REMARK|MODEL |ATOM  |HETATM|ANISOU|COMPND|AUTHOR)[ \d].*\n|TITLE {5}\S|"
+     rb"(?:#[^\n]*\n|\s)*data_", "files of PDB, CIF and STAR are not read, nor "
      "displacement ellipsoids in them: write a table of centres, semi-axes and quaternions"),
     (rb"- of Ulm|SQLite format 3\0", "files of ASE (.traj, .db) are not read: write extended XYZ (ase convert INPUT OUTPUT.extxyz)"),
     (rb"T\0\0\0CORD|\0\0\x07[\xcb\xc9]", "trajectories of DCD, XTC and TRR have no shapes of particles: write a dump of LAMMPS, GSD or "

@@ -605,7 +605,7 @@ def _first(table: list[tuple[str, list[Names], str]], plain: dict[str, str]) -> 
             for name in plain:
                 stem = name.removesuffix(end[0])
                 names = tuple(stem + one for one in end)
-                is_part = _turns.goes_on(names, plain.keys()) and not _OF_SEVEN.fullmatch(stem)
+                is_part = _turns.is_continued(names, plain.keys()) and not _OF_SEVEN.fullmatch(stem)
                 if names[0] == name and re.fullmatch(stems, stem) and set(names) <= plain.keys() and not is_part:
                     return tuple(plain[one] for one in names), meaning
     return (), _ASK
