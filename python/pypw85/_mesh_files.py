@@ -9,17 +9,24 @@ import os
 import re
 import tempfile
 from typing import Any
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ._ply import Element, Header, Property, end_of, read_header, rows_of
+from ._lost_cells import refuse_lost_cells
+from ._off import read_off
+from ._placed_nodes import refuse_placed_nodes
+from ._ply import Element, Header, Property, check_end, end_of, read_header, rows_of
 from ._typing import Floats
 
 Path = str | os.PathLike[str]
 _HEADER_OF_STL = 84
 _TRIANGLE_OF_STL = 50
+# Cells that are read, by their names in meshio
+_FACES = ("triangle", "quad", "polygon")
+# TetGen's files have tetrahedra, and meshio's reader of files without any does not end.
+_WITHOUT_FACES = (".node", ".ele")
 
 
 def read_triangles(path: Path) -> tuple[Floats, NDArray[np.int64]]:
@@ -30,14 +37,12 @@ def read_triangles(path: Path) -> tuple[Floats, NDArray[np.int64]]:
     ValueError
         The file does not have the format of its name, or has no triangles; with its name, and the line where there are lines.
     """
-    import meshio
-
     name = os.fspath(path)
     os.stat(name)  # meshio has errors of its own for files that are not there
     said = io.StringIO()  # meshio prints some of its errors, and ends the program
     try:
         with contextlib.redirect_stderr(said), contextlib.redirect_stdout(said):
-            content = _READERS.get(os.path.splitext(name)[1].lower(), meshio.read)(name)
+            content = _reader(name)(name)
     except (FileNotFoundError, PermissionError, IsADirectoryError):
         raise
     except (Exception, SystemExit) as error:
@@ -46,7 +51,10 @@ def read_triangles(path: Path) -> tuple[Floats, NDArray[np.int64]]:
     points = np.asarray(content.points, dtype=np.float64)
     if points.ndim == 2 and points.shape[1] == 2:
         points = np.pad(points, ((0, 0), (0, 1)))
-    blocks = [np.asarray(block.data, dtype=np.int64) for block in content.cells if block.type in ("triangle", "quad", "polygon")]
+    if points.ndim != 2 or points.shape[1] != 3:
+        raise ValueError(f"{name}: points must have three coordinates, and the array of them has the shape {points.shape}: correct it")
+    refuse_lost_cells(name, os.path.splitext(name)[1].lower(), content.cells)
+    blocks = [np.asarray(block.data, dtype=np.int64) for block in content.cells if block.type in _FACES]
     _check_vertices(name, len(points), blocks)
     if not blocks:
         kinds = sorted({block.type for block in content.cells})
@@ -54,9 +62,24 @@ def read_triangles(path: Path) -> tuple[Floats, NDArray[np.int64]]:
     return points, np.concatenate([triangles_of(points, block) for block in blocks])
 
 
+def _reader(name: str) -> Callable[[str], Any]:
+    """The function that reads a file by the end of its name."""
+    import meshio
+
+    ending = os.path.splitext(name)[1].lower()
+    if ending in _READERS:
+        return _READERS[ending]
+    if ending in _WITHOUT_FACES or ending not in meshio.extension_to_filetypes:
+        raise ValueError(f"files of the kind '{ending}' are not read: convert it to STL, OBJ, PLY or OFF")
+    refuse_placed_nodes(name, ending)
+    return meshio.read  # type: ignore[no-any-return]
+
+
 def _check_vertices(name: str, count: int, blocks: list[NDArray[np.int64]]) -> None:
-    """Refuses faces with an index that is out of range, in any corner."""
+    """Refuses faces with too few vertices, or with an index that is out of range, in any corner."""
     for polygons in blocks:
+        if len(polygons) and polygons.shape[1] < 3:
+            raise ValueError(f"{name}: a face must have three or more vertices, not {polygons.shape[1]}: correct it")
         wrong = ((polygons < 0) | (polygons >= count)).any(axis=1)
         if wrong.any():
             face = polygons[wrong.argmax()].tolist()
@@ -67,7 +90,7 @@ def triangles_of(points: Floats, polygons: NDArray[np.int64]) -> NDArray[np.int6
     """Triangles (m, 3) of polygons (n, k) in their order: fans of convex ones; others are cut along diagonals inside of them."""
     count, sides = polygons.shape
     if sides == 3 or not count:
-        return polygons
+        return polygons if count else np.empty((0, 3), np.int64)
     corners = points[polygons]
     edges = np.roll(corners, -1, axis=1) - corners
     normals = np.cross(corners - corners[:, :1], edges).sum(axis=1)
@@ -147,7 +170,7 @@ def _plain_obj(file: io.TextIOWrapper) -> Iterator[str]:
 
 def _face(words: list[str], vertices: int, number: int) -> list[int]:
     """The vertices of a face, counted from 1. Negative numbers count from the last vertex before it."""
-    indices = [int(word.split("/")[0]) if re.fullmatch(r"-?\d+(/-?\d*){0,2}", word) else 0 for word in words]
+    indices = [int(word.split("/")[0]) if re.fullmatch(r"-?\d{1,9}(/-?\d*){0,2}", word) else 0 for word in words]
     indices = [vertices + 1 + index if index < 0 else index for index in indices]
     if len(indices) < 3 or min(indices) < 1:
         raise ValueError(f"line {number}: a face must have three or more numbers of vertices, not '{' '.join(words)[:80]}'")
@@ -209,6 +232,7 @@ def _ply(path: str) -> Any:
     with open(path, "rb") as file:
         content = file.read()
     header = read_header(content)
+    check_end(content, header)
     data, elements = _vertices_and_faces(content, header)
     faces = elements[-1]
     if missing := {"x", "y", "z"} - {one.name for one in elements[0].properties}:
@@ -231,6 +255,8 @@ def _vertices_and_faces(content: bytes, header: Header) -> tuple[bytes, list[Ele
     wanted = [one for name in ("vertex", "face") if (one := header.element(name)) is not None]
     if not wanted or wanted[0].name == "face":
         raise ValueError(f"the file must have an element 'vertex', not only {' '.join(one.name for one in header.elements)[:200]}: add it")
+    if header.element("tristrips") is not None:
+        raise ValueError("the element tristrips has triangles in strips, which are not read: write faces")
     if header.elements[: len(wanted)] == wanted:
         return content[header.size :], wanted
     places, place = {}, header.size
@@ -296,4 +322,4 @@ def _plain_ply(order: str, elements: list[Element]) -> Iterator[str]:
             yield f"property {f'list {_NAMES[one.length]} ' if one.length else ''}{_NAMES[one.kind]} {name}"
 
 
-_READERS = {".obj": _obj, ".stl": _stl, ".ply": _ply}
+_READERS = {".obj": _obj, ".stl": _stl, ".ply": _ply, ".off": read_off}

@@ -93,9 +93,10 @@ class Mesh:
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Mesh:
-        """The triangles of a file, by meshio: STL, OBJ, PLY and more.
+        """The triangles of a file: STL, OBJ, PLY, OFF, and by meshio more.
 
-        Polygons are divided into triangles, along diagonals that lie inside them if they are flat.
+        Polygons are divided into triangles, along diagonals that lie inside them if they are flat. A file is refused if faces of it would
+        be left out, or if nodes are placed in a way that is not read. Cells that fill space are left out.
 
         Parameters
         ----------

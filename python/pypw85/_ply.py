@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._typing import Floats
+from ._words import counted
 
 Buffer = bytes | memoryview
 _END = re.compile(rb"^end_header[ \t\r]*\n", re.MULTILINE)
@@ -118,6 +119,19 @@ def _end_of_lines(content: Buffer, count: int, start: int) -> int:
         count -= bool(text[place:end].strip())
         place = end
     return start + place
+
+
+def check_end(content: Buffer, header: Header) -> None:
+    """Refuses more rows than the header says, in text and in files without lists."""
+    total = sum(element.number for element in header.elements)
+    if not header.order:
+        rest = bytes(content[header.size :])
+        if rest.count(b"\n") > total - 1 and (there := sum(1 for line in rest.splitlines() if line.strip())) > total:
+            raise ValueError(f"{counted(there, 'row')} instead of {total} follow the header: correct its numbers")
+    elif not any(element.has_lists for element in header.elements):
+        end = header.size + sum(element.number * element.row(header.order).itemsize for element in header.elements)
+        if bytes(content[end:]).strip():
+            raise ValueError(f"{counted(len(content) - end, 'byte')} follow the {total} rows that the header says: correct its numbers")
 
 
 def rows_of(content: Buffer, header: Header, name: str) -> dict[str, NDArray[Any]]:

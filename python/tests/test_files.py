@@ -664,6 +664,7 @@ def test_quaternions_of_single_precision_stay_as_they_are(rng):
     (lambda s: s.centers.__setitem__((2, 1), 1e200), "has a position beyond"),
     (lambda s: s.semi_axes.__setitem__((2, 1), -1), "has a length that is not positive"),
     (lambda s: s.quaternions.__setitem__(2, np.nan), "has a quaternion that is zero or not a number"),
+    (lambda s: s.quaternions.__setitem__((2, 1), np.inf), "has a quaternion that is zero or not a number"),
     (lambda s: s.ids.__setitem__(2, 2**60), "has an id beyond"),
     (lambda s: setattr(s, "step", 2**63), "more than 64 bits"),
 ])  # fmt: skip

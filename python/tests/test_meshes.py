@@ -296,6 +296,7 @@ BAD_MESHES = {
     "a.obj": [("v 0 0 0\nv 1,5 0 0\n", "line 2: a vertex must have three numbers with decimal points, not '1,5 0 0'"),
               ("v 0 0\n", "line 1: a vertex must have three numbers"),
               ("v 0 0 0\nf 1 2\n", "line 2: a face must have three"), ("v 0 0 0\nf 1 2 0\n", "line 2: a face"),
+              ("v 0 0 0\nf 1 2 99999999999999999999\n", "line 2: a face must have"),
               ("v 0 0 0\nf 1 2 3\n", r"the face \[0, 1, 2\] must have indices of the 1 vertices"),
               ("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3 4\n", r"the face \[0, 1, 2, 3\] must have indices of the 3 vertices"),
               ("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 -4\n", "line 4"),
@@ -310,9 +311,23 @@ BAD_MESHES = {
               (PLY.replace("uchar int", "uchar whole"), "line 9: a property must have a type"),
               (PLY.replace("int vertex_index", "int vertex_index\nproperty uchar red") + 8 * "0 0 0\n" + 6 * "3 0 1 2\n",
                "a row has fewer numbers than the header says"),
+              (PLY.replace("element edge", "element tristrips"), "the element tristrips has triangles in strips"),
+              (PLY.replace("face 6", "face 1") + 8 * "0 0 0\n" + "0\n", "a face must have three or more vertices, not 0"),
+              (PLY + 8 * "0 0 0\n" + 9 * "3 0 1 2\n", "17 rows instead of 14 follow the header"),
               (PLY.replace("face 6", "face -6"), "line 8: an element must have a name and a number")],
-    "a.foo": [("", "foo")],
-    "a.vtk": [("nonsense", "a.vtk")],
+    "a.off": [("4OFF\n0 0 0\n", "line 1: the file must begin with OFF, .*'4OFF': four coordinates"), ("OFF BINARY\n", "binary files"),
+              ("OFF\n\n1 2 3 4\n", "line 3: the numbers of vertices, faces and edges must be here"), ("", "line 1: the file must begin"),
+              ("OFF\n1 0 0\n0 0\n", "line 3: a vertex must begin with three numbers"),
+              ("OFF\n1 0 0\n0 0 1,5\n", "line 3: a vertex must begin with three numbers"),
+              ("OFF\n1 1 0\n0 0 0\n3 0 0\n", "line 4: a face must begin with the number of its vertices, three or more"),
+              ("OFF\n1 1 0\n0 0 0\n2 0 0\n", "line 4: a face must begin with"), ("OFF\n1 1 0\n0 0 0\n3 0 0 1\n", "indices of the 1 vert"),
+              ("OFF\n99999999 1 0\n0 0 0\n", "the file ends after 1 of 99999999 vertices and 0 of 1 faces"),
+              ("OFF\n1 1 0\n0 0 0\n3 0 0 0\n3 0 0 0\n", "line 5: there are more rows than those of 1 vertices and 1")],
+    "a.foo": [("", "files of the kind '.foo' are not read: convert it to STL, OBJ, PLY or OFF")],
+    "a.node": [("1 3 0 0\n1 0 0 0\n", "files of the kind '.node' are not read")],
+    "a.bdf": [("CEND\nBEGIN BULK\nCOR", "the file ends without ENDDATA: it is truncated")],
+    "a.vtk": [("nonsense", "a.vtk"), ("# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_GRID\nDIMENSIONS 2 2 1",
+                                      r"points must have three coordinates, and the array of them has the shape \(\)")],
 }  # fmt: skip
 
 
@@ -327,6 +342,102 @@ def test_broken_meshes(name, tmp_path):
         assert str(raised.value).startswith(f"{path}: ") and "\n" not in str(raised.value)
     with pytest.raises(FileNotFoundError):
         pypw85.Mesh.read(tmp_path / f"missing-{name}")
+
+
+@pytest.mark.parametrize("head", ["OFF", "# made by hand\nOFF 8 6 12", "COFF\n\n8 6 12", "NOFF\n8 6"])
+@pytest.mark.parametrize("is_cut", [False, True])
+def test_off(head, is_cut, tmp_path):
+    """Squares, or triangles beside squares, in Geomview's Object File Format. Colours and normals stand behind what is read."""
+    pytest.importorskip("meshio")
+    faces = [face for one in FACES for face in ([one[:3], [one[0], *one[2:]]] if is_cut and one[0] else [one])]
+    head = (head if "8 6" in head else f"{head}\n8 6 0").replace("8 6", f"8 {len(faces)}")
+    end = {"C": " 255 0 0 255", "N": " 0 0 1"}.get(head[0], "")
+    rows = [f"{' '.join(map(str, corner))}{end}" for corner in CUBE]
+    rows += [f"{len(face)} {' '.join(map(str, face))} # a face" if k else f"{len(face)} {' '.join(map(str, face))} 255 0 0"
+             for k, face in enumerate(faces)]  # fmt: skip
+    (tmp_path / "a.off").write_text("\n".join([head, *rows]) + "\n")
+    mesh = pypw85.Mesh.read(tmp_path / "a.off")
+    assert (len(mesh), area(mesh)) == (12, 24)
+
+
+@pytest.mark.parametrize("kind, sides", [("triangle6", 6), ("quad8", 8)])
+def test_curved_faces(kind, sides, tmp_path):
+    """Beside triangles, they were left out."""
+    meshio = pytest.importorskip("meshio")
+    cells = [("triangle", np.array([[0, 1, 2]])), (kind, np.arange(sides)[None])]
+    meshio.write(tmp_path / "a.vtu", meshio.Mesh(np.array(CUBE, float), cells))
+    with pytest.raises(ValueError, match=f"a.vtu: the cells {kind} are faces that are not read: write triangles, quad"):
+        pypw85.Mesh.read(tmp_path / "a.vtu")
+
+
+def vtu(*pieces):
+    """A file of VTK with pieces, each of which has the points of CUBE; the types of VTK are 5 for triangles and 6 for strips."""
+    arrays = '<DataArray type="{}" Name="{}" NumberOfComponents="{}" format="ascii">{}</DataArray>'.format
+    text = ""
+    for cells, kinds in pieces:
+        ends = " ".join(map(str, np.cumsum([len(cell) for cell in cells])))
+        columns = arrays("Int64", "connectivity", 1, " ".join(str(k) for cell in cells for k in cell))
+        columns += arrays("Int64", "offsets", 1, ends) + arrays("UInt8", "types", 1, " ".join(map(str, kinds)))
+        points = arrays("Float64", "Points", 3, " ".join(map(str, CUBE.ravel())))
+        text += f'<Piece NumberOfPoints="8" NumberOfCells="{len(cells)}"><Points>{points}</Points><Cells>{columns}</Cells></Piece>'
+    head = '<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian">'
+    return f"{head}<UnstructuredGrid>{text}</UnstructuredGrid></VTKFile>"
+
+
+def test_lost_cells_of_vtk(tmp_path):
+    """meshio leaves out strips, and pieces but one."""
+    pytest.importorskip("meshio")
+    one, other = [0, 1, 2], [4, 5, 6]
+    (tmp_path / "a.vtu").write_text(vtu(([one, other], [5, 5])))
+    assert len(pypw85.Mesh.read(tmp_path / "a.vtu")) == 2
+    for pieces in ([([one], [5]), ([other], [5])], [([[0, 1, 2, 3], other], [6, 5])]):
+        (tmp_path / "a.vtu").write_text(vtu(*pieces))
+        with pytest.raises(ValueError, match="a.vtu: 1 of 2 cells are in strips or in other pieces, which are not read: write one"):
+            pypw85.Mesh.read(tmp_path / "a.vtu")
+
+
+ZONE = "ZONE NODES=3, ELEMENTS=1, DATAPACKING=POINT, ZONETYPE=FETRIANGLE\n0 0 0\n1 0 0\n1 1 0\n1 2 3\n"
+SINGLE = "*Part, name=A\n*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 1, 1, 0\n*ELEMENT, TYPE=S3\n1, 1, 2, 3\n*End Part\n"
+
+
+@pytest.mark.parametrize("name, head, part, parts", [("a.tec", 'VARIABLES = "X" "Y" "Z"\n', ZONE, "zones"), ("a.inp", "", SINGLE, "parts")])
+def test_several_parts(name, head, part, parts, tmp_path):
+    """Of Tecplot the others are lost, and of Abaqus the nodes of one number are mixed."""
+    pytest.importorskip("meshio")
+    (tmp_path / name).write_text(head + part)
+    assert area(pypw85.Mesh.read(tmp_path / name)) == 0.5
+    (tmp_path / name).write_text(head + 2 * part)
+    with pytest.raises(ValueError, match=f"{name} has 2 {parts}, and only one is read: write the triangles of all in one"):
+        pypw85.Mesh.read(tmp_path / name)
+
+
+PART = "*PART, NAME=A\n*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 1, 1, 0\n*ELEMENT, TYPE=S3\n1, 1, 2, 3\n*END PART\n"
+DECK = "BEGIN BULK\n{}\nGRID,2,,1.,0.,0.\nGRID,3,,1.,1.,0.\nCTRIA3,1,1,1,2,3\nENDDATA\n"
+# What finite elements read of a file, and the word that moves nodes, empty if there is none
+PLACED = {
+    PART: "", PART + "*INSTANCE, NAME=B, PART=A\n*END INSTANCE\n": "", PART.replace("*NODE", "*NODE, NSET=B"): "",
+    PART + "*Instance, name=B, part=A\n** moved\n 0., 0., 5.\n*END INSTANCE\n": r"line 9: \*Instance",
+    "*SYSTEM\n0, 0, 5\n" + PART: r"line 1: \*SYSTEM", PART.replace("*NODE", "*NODE, SYSTEM=C"): r"line 2: \*NODE",
+    PART + "*INCLUDE, INPUT=b.inp\n": r"line 9: \*INCLUDE",
+    DECK.format("GRID,1,,0.,0.,0."): "", DECK.format("GRID,1,0,0.,0.,0."): "",
+    DECK.format("GRID    1               0.      0.      0."): "",
+    DECK.format("GRID,1,7,0.,0.,0."): "line 2: GRID", DECK.format("GRID    1              70.      0.      0."): "line 2: GRID",
+    DECK.format("GRID*   1               7               0.              0.\n*       0."): r"line 2: GRID\*",
+    DECK.format("GRDSET,,7\nGRID,1,,0.,0.,0."): "line 2: GRDSET",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("text", PLACED)
+def test_placed_nodes(text, tmp_path):
+    """Of Abaqus and Nastran: meshio does not read what moves nodes."""
+    pytest.importorskip("meshio")
+    path = tmp_path / ("a.bdf" if "BULK" in text else "a.inp")
+    path.write_text(text)
+    if not PLACED[text]:
+        assert len(pypw85.Mesh.read(path)) == 1
+        return
+    with pytest.raises(ValueError, match=f"{PLACED[text]} places or adds nodes in a way that is not read: write the triangles alone"):
+        pypw85.Mesh.read(path)
 
 
 def test_order_of_memory():

@@ -583,6 +583,25 @@ def test_units_of_extended_xyz(tmp_path):
         read_text(tmp_path / "a.xyz", text.format("length_unit=nm radius_unit=um"))
 
 
+def test_dimensions_of_extended_xyz(tmp_path):
+    text = "1\n{}=2 Properties=species:S:1:pos:R:3:radius:R:1\nA 0 0 0 1\n"
+    for name in ("dimension", "ndim", "Dim"):
+        with pytest.raises(pypw85.FileError, match=f"line 2: the key {name} could be the number of dimensions, and is not used: write"):
+            read_text(tmp_path / "a.xyz", text.format(name))
+        assert read(tmp_path / "a.xyz", dimensions=2).dimensions == 2
+        assert read_text(tmp_path / "a.xyz", text.replace("=2", "=3").format(name)).dimensions == 3
+
+
+def test_three_components_of_more(tmp_path):
+    """The first three of six elements of a matrix are neither a direction nor lengths, and four of nine no quaternion."""
+    text = "1\nProperties=species:S:1:pos:R:3:{}:R:{}:{}:R:{}\nA 0 0 0 2 .5 .5 0 1 0 7 7 7\n"
+    with pytest.raises(pypw85.FileError, match="particle 1 is not a sphere, and lacks an orientation"):
+        read_text(tmp_path / "a.xyz", text.format("semiaxes", 3, "u", 6))
+    with pytest.raises(pypw85.FileError, match=r"the columns diameters\[1\] .* could change the shapes"):
+        read_text(tmp_path / "a.xyz", text.format("diameters", 6, "v", 3))
+    assert read_text(tmp_path / "a.xyz", text.replace(" 7 7 7", "").format("semiaxes", 3, "u", 3)).semi_axes.tolist() == [[0.5, 0.5, 2]]
+
+
 def test_words_of_extended_xyz(tmp_path):
     text = "1\nProperties=species:S:1:pos:R:3:radius:R:1:{}:S:1\nA 0 0 0 1 cube\n"
     assert read_text(tmp_path / "a.xyz", text.format("group")).source == "lengths radius as radii, columns that are not used: group"
@@ -679,6 +698,29 @@ def test_local_dumps(tmp_path):
     box = "ITEM: BOX BOUNDS pp pp pp\n" + 3 * "-9 9\n"
     with pytest.raises(pypw85.FileError, match="this is a dump of pairs .dump local., which have no positions: dump atoms"):
         read_text(tmp_path / "a.dump", f"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ENTRIES\n1\n{box}ITEM: ENTRIES index c_1[1]\n1 2\n")
+    with pytest.raises(pypw85.FileError, match="this is a dump of the cells of a grid .dump grid., not of particles: dump atoms"):
+        read_text(tmp_path / "a.dump", f"ITEM: TIMESTEP\n0\n{box}ITEM: DIMENSION\n3\nITEM: GRID SIZE nx ny nz\n1 1 1\nITEM: GRID CELLS "
+                  "f_1:g:d\n2\n")  # fmt: skip
+
+
+def test_exchanged_bounds(tmp_path):
+    """LAMMPS: Box bounds are invalid."""
+    sentence = "the lower bound of the box along y, 9, is above the upper one, -9: correct them"
+    text = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n-9 9\n9 -9\n-9 9\nITEM: ATOMS x y z radius\n0 0 0 1\n"
+    with pytest.raises(pypw85.FileError, match=f"line 8: {sentence}"):
+        read_text(tmp_path / "a.dump", text)
+    bounds = "-9 9 xlo xhi\n9 -9 ylo yhi\n-9 9 zlo zhi\n"
+    with pytest.raises(pypw85.FileError, match=sentence):
+        read_text(tmp_path / "a.data", f"of a test\n\n1 atoms\n{bounds}\nAtoms # sphere\n\n1 1 1 1 0 0 0\n")
+
+
+def test_missing_section_of_ellipsoids(tmp_path):
+    """LAMMPS: Needed bonus data not in data file. An option that gives shapes is not for such a file."""
+    bounds = "-9 9 xlo xhi\n-9 9 ylo yhi\n-9 9 zlo zhi\n"
+    text = f"of a test\n\n1 atoms\n{{}} ellipsoids\n{bounds}\nAtoms # ellipsoid\n\n1 1 {{}} 1 0 0 0\n"
+    with pytest.raises(pypw85.FileError, match="the header says that there are 1 ellipsoids, and there is no section Ellipsoids"):
+        read_text(tmp_path / "a.data", text.format(1, 1), shape=(1, 1, 1))
+    assert len(read_text(tmp_path / "a.data", text.format(0, 0), shape=(1, 1, 1))) == 1
 
 
 def test_lengths_of_ellipses_as_options(run, tmp_path):
@@ -735,9 +777,8 @@ def test_shapes_that_an_option_names(tmp_path):
 def gsd_file(path, **chunks):
     mode = "w" if hasattr(gsd.hoomd, "Frame") else "wb"  # before gsd 2.8
     with gsd.fl.open(str(path), mode, application="test", schema="hoomd", schema_version=(1, 4)) as file:
-        file.write_chunk("configuration/box", np.array([9, 9, 9, 0, 0, 0], np.float32))
-        file.write_chunk("particles/N", np.array([1], np.uint32))
-        for name, values in chunks.items():
+        box, count = np.array([9, 9, 9, 0, 0, 0], np.float32), np.array([1], np.uint32)
+        for name, values in {"configuration/box": box, "particles/N": count, **chunks}.items():
             file.write_chunk(name, np.atleast_1d(values))
         file.end_frame()
 
@@ -778,6 +819,28 @@ def test_polyhedra_of_gsd(tmp_path):
     assert read(tmp_path / "a.gsd", frame=1, points=["B"]).semi_axes.tolist() == [[2, 0.5, 0.5]]
     with pytest.raises(pypw85.FileError, match="the type 1 is not an ellipsoid: .*: only ellipsoids and spheres can be checked$"):
         read(tmp_path / "a.gsd", frame=2)
+
+
+@pytest.mark.parametrize("kind", ["convex_polyhedron", "simple_polygon"])
+def test_other_states_of_gsd(kind, tmp_path):
+    """Of HOOMD-blue 2. An option that gives shapes is for particles without one."""
+    gsd_file(tmp_path / "a.gsd", **{f"state/hpmc/{kind}/N": np.uint32(4), "state/hpmc/integrate/d": np.float64(0.1)})
+    with pytest.raises(pypw85.FileError, match=rf"the particles are of the kind {kind} .state/hpmc., and only ellipsoids and spheres"):
+        read(tmp_path / "a.gsd", shape=(1, 1, 1))
+
+
+@pytest.mark.parametrize("bodies, is_said", [([0, 0], True), ([-1, -1], False), ([0, 1], False)])
+def test_rigid_bodies_of_gsd(bodies, is_said, tmp_path):
+    gsd_file(tmp_path / "a.gsd", **{"particles/N": np.array([2], np.uint32), "particles/position": np.eye(3, dtype=np.float32)[:2],
+                                    "particles/body": np.array(bodies, np.int32), "state/hpmc/sphere/radius": np.float32(2)})  # fmt: skip
+    assert any("are parts of one rigid body" in note for note in read(tmp_path / "a.gsd").notes) == is_said
+
+
+def test_gsd_without_frames(tmp_path):
+    mode = "w" if hasattr(gsd.hoomd, "Frame") else "wb"
+    gsd.fl.open(str(tmp_path / "a.gsd"), mode, application="test", schema="hoomd", schema_version=(1, 4)).close()
+    with pytest.raises(pypw85.FileError, match="there is no frame 0: the file has no frames"):
+        read(tmp_path / "a.gsd")
 
 
 def test_edges_of_a_plane_in_h5md(tmp_path):

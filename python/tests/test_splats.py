@@ -122,6 +122,40 @@ def test_unknown_properties(name, tmp_path):
         pypw85.read(ply(tmp_path / "a.ply", PAIR, [*PROPERTIES, name]))
 
 
+@pytest.mark.parametrize("comment, reason", [
+    ("scales are linear", "the comment 'scales are linear' says that scales are lengths, .*--scales linear or"),
+    ("activated scales", "says that scales are lengths"), ("quaternion order: x y z w", "could mean that .*: write w first, or remove it"),
+    ("scale_factor 2.5", "the comment 'scale_factor 2.5' could mean"), ("Vertical Axis: z", ""), ("made by SuperSplat 2.0", ""),
+    ("rotations w x y z", ""),
+])  # fmt: skip
+def test_comments_of_splats(comment, reason, tmp_path):
+    names = ["x", "y", "z", "scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2", "rot_3"]
+    header = f"ply\nformat ascii 1.0\ncomment {comment}\nelement vertex 1\n" + "".join(f"property float {name}\n" for name in names)
+    (tmp_path / "a.ply").write_text(f"{header}end_header\n0 0 0 -1 -2 -3 1 0 0 0\n")
+    if not reason:
+        assert len(pypw85.read(tmp_path / "a.ply")) == 1
+        return
+    with pytest.raises(pypw85.FileError, match=reason):
+        pypw85.read(tmp_path / "a.ply")
+    if "scales" in comment:
+        assert len(pypw85.read(tmp_path / "a.ply", scales="log")) == 1
+
+
+@pytest.mark.parametrize("order", ["", "<", ">"])
+def test_more_splats_than_the_header_says(order, tmp_path):
+    names = ["x", "y", "z", "scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2", "rot_3"]
+    kind = {"": "ascii", "<": "binary_little_endian", ">": "binary_big_endian"}[order]
+    header = f"ply\nformat {kind} 1.0\nelement vertex 1\n" + "".join(f"property float {name}\n" for name in names) + "end_header\n"
+    row = [0, 0, 0, -1, -2, -3, 1, 0, 0, 0]
+    rows = [np.array(count * row, f"{order or '<'}f4").tobytes() if order else count * f"{' '.join(map(str, row))}\n".encode()
+            for count in (1, 2)]  # fmt: skip
+    (tmp_path / "a.ply").write_bytes(header.encode() + rows[0] + b"\n")
+    assert len(pypw85.read(tmp_path / "a.ply")) == 1
+    (tmp_path / "a.ply").write_bytes(header.encode() + rows[1])
+    with pytest.raises(pypw85.FileError, match="40 bytes follow the 1 rows" if order else "2 rows instead of 1 follow the header"):
+        pypw85.read(tmp_path / "a.ply")
+
+
 def test_harmless_properties(tmp_path):
     names = [*PROPERTIES, "red", "diffuse_green", "f_dc_2", "f_rest_0", "segment", "object_id", "label", "confidence"]
     assert len(read(ply(tmp_path / "a.ply", PAIR, names))) == 2

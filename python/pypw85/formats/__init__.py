@@ -113,8 +113,15 @@ _OTHERS = [
     (rb".{8}DUMP(?:CUSTOM|ATOM)|LammpS RestartT", "it is a binary file of LAMMPS: write a dump or a data file as text"),
     (rb"Number of particles *=", "files of AtomEye (.cfg) are not read: write a dump of LAMMPS or extended XYZ"),
     (rb"CDF[\x01\x02\x05]", "files of NetCDF are not read: write a dump of LAMMPS, GSD or extended XYZ"),
-    (rb"(?:HEADER|CRYST1|REMARK|MODEL |ATOM  |HETATM)[ \d].*\n|(?:#[^\n]*\n|\s)*data_", "files of PDB, CIF and STAR are not read, nor "
+    (rb"(?:HEADER|CRYST1|REMARK|MODEL |ATOM  |HETATM|ANISOU|COMPND|AUTHOR)[ \d].*\n|TITLE {5}\S|"
+     rb"(?:#[^\n]*\n|\s)*data_", "files of PDB, CIF and STAR are not read, nor "
      "displacement ellipsoids in them: write a table of centres, semi-axes and quaternions"),
+    (rb"- of Ulm|SQLite format 3\0", "files of ASE (.traj, .db) are not read: write extended XYZ (ase convert INPUT OUTPUT.extxyz)"),
+    (rb"T\0\0\0CORD|\0\0\x07[\xcb\xc9]", "trajectories of DCD, XTC and TRR have no shapes of particles: write a dump of LAMMPS, GSD or "
+                                          "extended XYZ"),
+    (rb"boxMatrix\s|//date", "files of injavis (.pos) are not read: write GSD or extended XYZ"),
+    (rb"(?://[^\n]*\n|\s)*(?:#(?:include|version|declare)\b|(?:camera|sphere|light_source)\s*\{)", "scenes of POV-Ray are not read: "
+     "write a table of centres, semi-axes and quaternions"),
     (rb"SIMPLE  =", "files of FITS are not read: save the table as text"),
     (rb"\x89PNG|II\*\0|MM\0\*", "pictures are not read: write their labels with numpy.save (.npy)"),
     (rb"PK\x03\x04.{26}[^/]{1,80}\.npy", "archives of NumPy (.npz) are not read: write one array with numpy.save (.npy)"),
@@ -257,7 +264,8 @@ def no_frames(path: Path, format: str, chosen: slice) -> FileError:
     is_one = chosen.step is None and chosen.start is not None and chosen.stop == (None if chosen.start == -1 else chosen.start + 1)
     wanted = f"is no frame {chosen.start}" if is_one else f"are no frames {':'.join(ends).rstrip(':')}"
     count = sum(1 for _ in locate(path, format))
-    return FileError(path, f"there {wanted}: the file has " + ("one frame, 0" if count == 1 else f"{count} frames, 0 to {count - 1}"))
+    has = "no frames" if not count else "one frame, 0" if count == 1 else f"{count} frames, 0 to {count - 1}"
+    return FileError(path, f"there {wanted}: the file has {has}")
 
 
 def load(path: Path, format: str, location: Location, options: Options) -> System:

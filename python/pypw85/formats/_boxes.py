@@ -4,12 +4,13 @@
 from __future__ import annotations
 
 from typing import Any
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
 from .._system import System
 from .._typing import Floats
+from ._errors import FileError
 from ._names import numbers_if_all_are, type_names
 
 # A box around a system is wider by this fraction of it: no images overlap where single precision rounds it.
@@ -51,6 +52,13 @@ def box(system: System) -> tuple[Floats, Floats]:
     if system.cell[np.triu_indices(3, 1)].any() or (np.diag(system.cell) <= 0).any():
         raise ValueError("the cell is not lower triangular with a positive diagonal, as this format needs: rotate the system")
     return system.cell, system.origin
+
+
+def check_bounds(low: Floats, high: Floats, error: Callable[[str], FileError]) -> None:
+    """Refuses a box of LAMMPS whose bounds are exchanged (LAMMPS: Box bounds are invalid)."""
+    if (low > high).any():
+        axis = int((low > high).argmax())
+        raise error(f"the lower bound of the box along {'xyz'[axis]}, {low[axis]:g}, is above the upper one, {high[axis]:g}: correct them")
 
 
 def bounds(system: System) -> tuple[Floats, Floats, Floats]:

@@ -27,6 +27,8 @@ Error = Callable[[str], FileError]
 
 _XYZ, _INDEX, _FROM_1, _FROM_0 = ("x", "y", "z"), ("[1]", "[2]", "[3]"), ("1", "2", "3"), ("0", "1", "2")
 _INDEX_0 = ("[0]", "[1]", "[2]")
+# Properties of three lengths and a quaternion
+_OF_SEVEN = re.compile(r"c\w*shape\w*")
 _ASK = ""  # Two programs mean different things.
 # Stems of names of lengths, their ends, and what they are
 _LENGTHS: list[tuple[str, list[Names], str]] = [
@@ -65,7 +67,7 @@ _QUATERNIONS: list[tuple[str, list[Names], str]] = [
     ("quat|quats|quaternion|quaternions|orientation|orient|rotation|q", [("[0]", "[1]", "[2]", "[3]")], _ASK),
     (r"c\w*orient\w*", [_QUADRUPLE], _ASK),
     (r"cq|c\w*quat\w*", [_QUADRUPLE], "wxyz"),
-    (r"c\w*shape\w*", [("[4]", "[5]", "[6]", "[7]")], "wxyz"),
+    (_OF_SEVEN.pattern, [("[4]", "[5]", "[6]", "[7]")], "wxyz"),
 ]
 _SPHERES = {"radius": "radii", "radii": "radii", "r": "radii", "diameter": "diameters", "diameters": "diameters", "d": "diameters"}
 # Those that may be the size of particles whose lengths are 0
@@ -569,7 +571,7 @@ def _shape(columns: Sequence[str], plain: dict[str, str], options: Options, erro
     if found and plain_name(found[0]) == "shapex" and meaning == "diameters" and not is_of_lammps:
         meaning = _ASK  # in tables: of LAMMPS or of LIGGGHTS
     stem = plain_name(found[0])[:-3] if found else ""
-    if re.fullmatch(r"c\w*shape\w*", stem) and f"{stem}[4]" in plain:
+    if _OF_SEVEN.fullmatch(stem) and f"{stem}[4]" in plain:
         meaning = _ASK
     if meaning == _ASK and found and options.lengths is None:
         programs = possible(plain) if options.convention is None else []
@@ -630,8 +632,10 @@ def _first(table: list[tuple[str, list[Names], str]], plain: dict[str, str]) -> 
         for end in ends:
             for name in plain:
                 stem = name.removesuffix(end[0])
-                if stem + end[0] == name and re.fullmatch(stems, stem) and {stem + one for one in end} <= plain.keys():
-                    return tuple(plain[stem + one] for one in end), meaning
+                names = tuple(stem + one for one in end)
+                is_part = _turns.is_continued(names, plain.keys()) and not _OF_SEVEN.fullmatch(stem)
+                if names[0] == name and re.fullmatch(stems, stem) and set(names) <= plain.keys() and not is_part:
+                    return tuple(plain[one] for one in names), meaning
     return (), _ASK
 
 

@@ -481,7 +481,8 @@ class Frame:
             self.quaternions = np.tile([1.0, 0, 0, 0] if self.order == "wxyz" else [0.0, 0, 0, 1], (len(self.shapes), 1))
         with np.errstate(over="ignore"):
             norms = np.linalg.norm(self.quaternions, axis=1)
-        self._first(has_shape & ~(norms > 0), "has a quaternion that is zero or not a number: 1 0 0 0 means no rotation")
+        is_finite = (norms > 0) & (norms < np.inf)
+        self._first(has_shape & ~is_finite, "has a quaternion that is zero or not a number: 1 0 0 0 means no rotation")
         self._first(has_shape & ~(np.abs(norms - 1) <= self.tolerance),
                     "has a quaternion whose length is not 1: normalise it, or check that these are its columns")  # fmt: skip
 

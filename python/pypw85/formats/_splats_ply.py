@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .._ply import Header, read_header, rows_of
+from .._ply import Header, check_end, read_header, rows_of
 from .._typing import Floats
+from . import _comments
 from ._errors import FileError
 from ._frames import Options
 from ._gaussians import Gaussians
@@ -20,6 +21,7 @@ _POSITION, _ROTATION = ["x", "y", "z"], [f"rot_{k}" for k in range(4)]
 # Properties that do not change shapes: colours, normals, labels.
 _HARMLESS = re.compile(r"n[xyz]|f_dc_\d+|f_rest_\d+|opacity|(?:diffuse_)?(?:red|green|blue|alpha)|[rgba]|confidence|segment|semantic|"
                        r"(?:\w+_)?(?:label|id|class)|mask|state|lod|lod_level")  # fmt: skip
+_LINEAR = re.compile(r"\bscales?\b.*\b(linear|activated|lengths?|not log)|\b(linear|activated)\b.*\bscal", re.IGNORECASE)
 _CHUNK = 256
 _PACKED = ["packed_position", "packed_rotation", "packed_scale"]
 
@@ -29,11 +31,13 @@ def read_ply(path: os.PathLike[str], options: Options) -> Gaussians:
         content = file.read()
     try:
         header = read_header(content)
+        check_end(content, header)
         vertex = header.element("vertex")
         names = [] if vertex is None else [one.name for one in vertex.properties]
         if "packed_scale" in names:
             return _uncompressed(path, content, header, options)
         _check_properties(path, names)
+        _check_comments(path, content[: header.size], options)
         _refuse_packed(path, {} if vertex is None else {one.name: one.kind for one in vertex.properties})
         return _plain(path, rows_of(content, header, "vertex"), options)
     except ValueError as error:
@@ -46,6 +50,18 @@ def _check_properties(path: os.PathLike[str], names: list[str]) -> None:
         raise FileError(path, f"there is no property {missing[0]} of splats, but {' '.join(names)[:200]}: write splats with x y z, scale_0 "
                         "scale_1 scale_2 (two for discs) and rot_0 rot_1 rot_2 rot_3", 0)  # fmt: skip
     _refuse_unknown(path, names, {*_POSITION, *_ROTATION, "scale_0", "scale_1", "scale_2", "filter_3D"})
+
+
+def _check_comments(path: os.PathLike[str], start: bytes, options: Options) -> None:
+    """Refuses comments that contradict what is taken: the order of quaternions, and scales that are logarithms."""
+    texts = [line.decode("latin-1") for line in re.findall(rb"^(?:comment|obj_info)[ \t]+([^\r\n]*)", start, re.MULTILINE)]
+    for text in texts:
+        if options.scales is None and _LINEAR.search(text):
+            raise FileError(path, f"the comment '{text[:80]}' says that scales are lengths, and they are logarithms in other files: say "
+                            "which (--scales linear or --scales log)", 0)  # fmt: skip
+    cure = "say the order (--quaternion)", "write w first, or remove it"  # of splats, no option says it
+    meaning = _comments.Meaning(order="wxyz")
+    _comments.check(texts, meaning, lambda reason: FileError(path, f"the comment {reason.replace(*cure)}", 0))
 
 
 def _refuse_packed(path: os.PathLike[str], kinds: dict[str, str]) -> None:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from typing import NamedTuple
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 
 import numpy as np
 
@@ -254,7 +254,14 @@ def _triple(columns: Sequence[str]) -> Names:
 
 def _first(columns: Iterable[str], wanted: list[Names]) -> Names:
     found = {base(name)[0]: name for name in reversed(list(columns))}
-    return next((tuple(found[name] for name in names) for names in wanted if set(names) <= found.keys()), ())
+    there = (names for names in wanted if set(names) <= found.keys() and not is_continued(names, found))
+    return next((tuple(found[name] for name in names) for names in there), ())
+
+
+def is_continued(names: Names, there: Collection[str]) -> bool:
+    """Returns whether NAME[1] and so on are only the first components of a property, such as three of the six of a matrix."""
+    last = f"[{len(names)}]"
+    return names[-1].endswith(last) and f"{names[-1].removesuffix(last)}[{len(names) + 1}]" in there
 
 
 def _bases(columns: Sequence[str], wanted: Sequence[str]) -> dict[str, str]:

@@ -141,6 +141,8 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         names = chunks.strings("particles/types", ["A"])
         shapes, of_state = chunks.strings("particles/type_shapes", []), _shapes_of_state(chunks)
         diameters = ", particles/diameter is not used" if chunks.get("particles/diameter", None) is not None else ""
+        _refuse_other_states(path, file)
+        body = chunks.rows("particles/body", -1, "iu").astype(np.int32)
         dimensions = int(chunks.get("configuration/dimensions", [3])[0])
         cell, origin, periodic = _cell(chunks.get("configuration/box", [1, 1, 1, 0, 0, 0]), dimensions)
         frame = Frame(
@@ -151,6 +153,8 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
             source=f"lengths of {'type_shapes' if any(map(_says, shapes)) or not of_state else 'state/hpmc'} as radii, quaternions "
                    f"orientation as w x y z{diameters}",
         )  # fmt: skip
+    if np.unique(body[body >= 0], return_counts=True)[1].max(initial=0) > 1:
+        frame.notes.append("some particles are parts of one rigid body (particles/body), and overlaps within a body are counted, too")
     check_lengths_of_names(names, frame.error)
     wrong = ~((typeid >= 0) & (typeid < len(names)))
     if wrong.any():
@@ -175,6 +179,13 @@ def _cell(lengths_and_tilts: Any, dimensions: int) -> tuple[Floats, Floats, Sequ
 def _says(shape: str) -> bool:
     """Returns whether a type has a shape."""
     return shape.strip() not in ("", "{}")
+
+
+def _refuse_other_states(path: os.PathLike[str], file: Any) -> None:
+    """Refuses the state of an integrator of HOOMD-blue 2 (gsd, HOOMD schema, State data) for shapes other than spheres and ellipsoids."""
+    kinds = {name.split("/")[2] for name in file.find_matching_chunk_names("state/hpmc/") if name.count("/") > 2}
+    if others := sorted(kinds - {"ellipsoid", "integrate", "sphere"}):
+        raise FileError(path, f"the particles are of the kind {others[0]} (state/hpmc), and only ellipsoids and spheres can be checked")
 
 
 def _shapes_of_state(chunks: _Chunks) -> list[str]:

@@ -12,7 +12,7 @@ import numpy as np
 
 from .._system import System
 from .._typing import Floats
-from ._boxes import bounds, lost_periodicity, numbered_types
+from ._boxes import bounds, check_bounds, lost_periodicity, numbered_types
 from ._columns import describe
 from ._errors import FileError
 from ._frames import Frame, Location, Options, lost_dimensions
@@ -63,6 +63,9 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
     atoms = tables.get("Atoms")
     if atoms is None:
         raise FileError(path, "there is no section Atoms: the file is truncated, or not a data file of LAMMPS", 0)
+    if (count := header.counts.get("ellipsoids", 0)) and "Ellipsoids" not in tables:  # LAMMPS: Needed bonus data not in data file
+        raise FileError(path, f"the header says that there are {count} ellipsoids, and there is no section Ellipsoids, which LAMMPS "
+                        "refuses: the file is truncated; write it again", 0)  # fmt: skip
     frame = Frame(
         path, location, atoms.stack(["x", "y", "z"]), lengths="diameters", tolerance=np.inf,
         types=_types(path, atoms, tables.get(_LABELS)), ids=atoms.integers("id"),
@@ -118,6 +121,7 @@ def _header(lines: Lines) -> tuple[_Header, str | None]:
         raise lines.error("the header gives the box twice, by its bounds and by avec, bvec and cvec, which LAMMPS refuses: remove one")
     if is_general:
         return _Header(counts, vectors, origin), line
+    check_bounds(corners[:, 0], corners[:, 1], lines.error)
     return _Header(counts, np.diag(corners[:, 1] - corners[:, 0]) + tilts, corners[:, 0]), line
 
 

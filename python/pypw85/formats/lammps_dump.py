@@ -12,7 +12,7 @@ import numpy as np
 
 from .._system import System
 from .._typing import Floats
-from ._boxes import bounds, numbered_types
+from ._boxes import bounds, check_bounds, numbered_types
 from ._columns import UNIT_AT_END, Taken, fill, take
 from ._errors import for_option
 from ._frames import Frame, Location, Options, lost_dimensions
@@ -132,7 +132,7 @@ def _header(lines: Lines) -> _Header | None:
         line = lines.next()
     if line is None:
         return None
-    while not re.match("ITEM: (ATOMS|ENTRIES)", line):
+    while not re.match("ITEM: (ATOMS|ENTRIES|GRID CELLS)", line):
         if line.startswith("ITEM: TIMESTEP"):
             step = lines.whole(lines.expect("a time step"), "the time step", -(2**63))
         elif line.startswith("ITEM: NUMBER OF ATOMS"):
@@ -146,6 +146,8 @@ def _header(lines: Lines) -> _Header | None:
         line = lines.expect("'ITEM: ATOMS'")
     if line.startswith("ITEM: ENTRIES"):
         raise lines.error("this is a dump of pairs (dump local), which have no positions: dump atoms")
+    if line.startswith("ITEM: GRID CELLS"):
+        raise lines.error("this is a dump of the cells of a grid (dump grid), not of particles: dump atoms")
     if count < 0 or box is None:
         raise lines.error("the number of particles or the box is missing before 'ITEM: ATOMS'")
     return _Header(step, count, *box, _once_type(line.split()[2:]))
@@ -168,6 +170,7 @@ def _box(words: list[str], lines: Lines) -> tuple[Floats, Floats, list[bool]]:
     xy, xz, yz = map(float, rows[:, 2] if columns == 3 else np.zeros(3))
     low = rows[:, 0] - [min(0.0, xy, xz, xy + xz), min(0.0, yz), 0.0]
     high = rows[:, 1] - [max(0.0, xy, xz, xy + xz), max(0.0, yz), 0.0]
+    check_bounds(low, high, lines.error)
     cell = np.diag(high - low)
     cell[1, 0], cell[2, 0], cell[2, 1] = xy, xz, yz
     return cell, low, periodic

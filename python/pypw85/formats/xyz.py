@@ -37,6 +37,7 @@ _KEYS = ("Properties", "Lattice", "Origin", "pbc", "Dimensions", "Timestep")
 # Names of keys of others for what the keys above hold
 _OF_CELLS = re.compile(r"(?!.*(?:energy|volume)$)(?:lattice|origin|pbc|dimensions|((unit|simulation|virtual)?_?(cell|box))\w*|"
                        r"boundar(y|ies)|periodic\w*|virtual_lattice)", re.IGNORECASE)  # fmt: skip
+_OF_DIMENSIONS = re.compile(r"dimension|n?dims?", re.IGNORECASE)
 _HAS_KEYS = re.compile(r"\b(?:properties|lattice|pbc|cell|box)=", re.IGNORECASE)
 _COMMENT_ON_CELL = re.compile(rf"[#%]?\s*{SAYS_CELL}", re.IGNORECASE)
 # Numbers alone in the second line, as many as a cell has
@@ -171,7 +172,10 @@ def _check_names(keys: dict[str, str], table: Table, lines: Lines) -> None:
 
 def _check_keys(keys: dict[str, str], options: Options, lines: Lines) -> None:
     """Refuses keys that extended XYZ has by another name: for a cell, and for the properties."""
-    for name in keys:
+    for name, value in keys.items():
+        if _OF_DIMENSIONS.fullmatch(name) and value != "3" and options.dimensions is None:
+            raise lines.error(f"the key {name} could be the number of dimensions, and is not used: write Dimensions=2 or 3, or say it "
+                              "(--dimensions)")  # fmt: skip
         if name != "Properties" and name.lower() == "properties":
             raise lines.error(f"the key {name} is spelled Properties in extended XYZ, and is not read: rename it")
         if name not in _KEYS and _OF_CELLS.fullmatch(name) and options.cell is None:
