@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Whether a convex set overlaps an ellipsoid with its centre at 0, decided in integers
-/// (integer_shapes.hpp). overlap_shapes.hpp calls these functions. A set that only touches the ellipsoid does not overlap
-/// it: the ellipsoid counts without its surface.
+/// (integer_shapes.hpp). overlap_shapes.hpp calls these functions. A set that only touches the
+/// ellipsoid does not overlap it: the ellipsoid counts without its surface.
 ///
 /// 1. A point x overlaps if xᵀ adj(Q) x < det Q.
 /// 2. The nearest point of the line through a and b is between them if a·f < 0 < b·f with e = b - a
