@@ -19,8 +19,6 @@
 namespace pw85_tests {
 namespace {
 
-using Vector3 = pw85::Vector<double, 3>;
-using Form3 = pw85::SymmetricMatrix<double, 3>;
 using Indices = std::array<std::int32_t, 3>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity(),

@@ -11,9 +11,6 @@
 
 namespace pw85_tests {
 
-using Form3 = pw85::SymmetricMatrix<double, 3>;
-using Vector3 = pw85::Vector<double, 3>;
-
 /// f on the grid of spheroids × spheroids × directions × lambdas.
 struct SpheroidGrid {
     std::vector<double> radii, lambdas;

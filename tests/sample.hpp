@@ -12,6 +12,9 @@
 
 namespace pw85_tests {
 
+using Vector3 = pw85::Vector<double, 3>;
+using Form3 = pw85::SymmetricMatrix<double, 3>;
+
 template <class T, int D> struct Sample {
     pw85::Vector<T, D> r12;
     pw85::SymmetricMatrix<T, D> q1, q2;

@@ -18,9 +18,6 @@
 
 namespace pw85_tests {
 
-using Vector3 = pw85::Vector<double, 3>;
-using Form3 = pw85::SymmetricMatrix<double, 3>;
-
 /// A segment, a triangle or a box (by its corners), and an ellipsoid.
 template <std::size_t N, class T = double> struct Case {
     pw85::Vector<T, 3> points[N];

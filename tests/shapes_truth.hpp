@@ -11,9 +11,6 @@
 
 namespace pw85_tests {
 
-using WideVector = pw85::Vector<Wide, 3>;
-using WideForm = pw85::SymmetricMatrix<Wide, 3>;
-
 inline WideForm inverse(WideForm const &q)
 {
     auto const adjugate = pw85::detail::adjugate(q);

@@ -30,7 +30,6 @@ using namespace pw85_tests;
 namespace {
 
 using Widest = Multiprecision<100>;
-using Form3 = pw85::SymmetricMatrix<double, 3>;
 using Form2 = pw85::SymmetricMatrix<double, 2>;
 using Matrix = pw85::SymmetricMatrix<Widest, 3>;
 

@@ -109,7 +109,7 @@ template <class T, int D> void test_random()
             : n % 2 == 0
                 ? convert<T>(crossed_pair<D>(random, aspect))
                 : convert<T>(random_pair<D>(random, {.aspect = aspect, .size_ratio = 10.0}));
-        if (!pw85::detail::passes_fast_checks(pw85::detail::pair_of(s.r12, s.q1, s.q2))) continue;
+        if (!pw85::detail::passes_fast_checks(s.r12, s.q1, s.q2)) continue;
         double const lambda =
             pw85::contact(convert<double>(s.r12), convert<double>(s.q1), convert<double>(s.q2))
                 .lambda;

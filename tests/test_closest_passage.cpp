@@ -23,7 +23,6 @@ using namespace pw85_tests;
 
 namespace {
 
-using Vector3 = pw85::Vector<double, 3>;
 double const infinity = std::numeric_limits<double>::infinity();
 
 /// A pair on its way.

@@ -22,8 +22,6 @@ using namespace pw85_tests;
 
 namespace {
 
-using Form3 = pw85::SymmetricMatrix<double, 3>;
-
 /// 1 or 0 by the headers, or -1 - status.
 template <class T, int D> int contains(Sample<T, D> const &s)
 {

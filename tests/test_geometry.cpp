@@ -19,9 +19,6 @@ namespace {
 
 constexpr double u = 0x1p-53;
 
-using Vector3 = pw85::Vector<double, 3>;
-using Form3 = pw85::SymmetricMatrix<double, 3>;
-using WideForm = pw85::SymmetricMatrix<Wide, 3>;
 using WideSample = Sample<Wide, 3>;
 
 Wide contact_value(WideSample const &p) { return pw85::contact(p.r12, p.q1, p.q2).mu2; }

@@ -26,9 +26,6 @@ using namespace pw85_tests;
 namespace {
 
 using Pair = Sample<double, 3>;
-using Vector3 = pw85::Vector<double, 3>;
-using Form3 = pw85::SymmetricMatrix<double, 3>;
-using WideVector = pw85::Vector<Wide, 3>;
 
 struct Contact {
     Vector3 normal;

@@ -27,11 +27,6 @@ using namespace pw85_tests;
 
 namespace {
 
-using Vector3 = pw85::Vector<double, 3>;
-using Form3 = pw85::SymmetricMatrix<double, 3>;
-using WideVector = pw85::Vector<Wide, 3>;
-using WideForm = pw85::SymmetricMatrix<Wide, 3>;
-
 /// The bound of principal_curvatures.hpp on relative errors: 2^13 u for double.
 template <class T> double const accuracy = std::ldexp(1.0, 5 + std::numeric_limits<T>::digits / 6 -
                                                                std::numeric_limits<T>::digits);

@@ -22,10 +22,6 @@ using namespace pw85_tests;
 
 namespace {
 
-using Vector3 = pw85::Vector<double, 3>;
-using Form3 = pw85::SymmetricMatrix<double, 3>;
-using WideForm = pw85::SymmetricMatrix<Wide, 3>;
-
 double const u = 0x1p-53;
 std::size_t const num_points = 40000;
 

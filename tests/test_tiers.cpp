@@ -262,7 +262,7 @@ template <class T, int D> void test_alone()
         bool const overlap = true_mu2(s) < 1;
         T const tangent = scaled.units.mu().to_local(T(1), 2);
         comparison.count(pw85::detail::decide_by_certified_value(scaled.pair, tangent), overlap, s);
-        if (!pw85::detail::passes_fast_checks(pw85::detail::pair_of(s.r12, s.q1, s.q2))) continue;
+        if (!pw85::detail::passes_fast_checks(s.r12, s.q1, s.q2)) continue;
         T const guess = pw85::detail::initial_guess(to_pair(s));
         auto const quartic = coefficients(s);
         points.count(pw85::detail::decide_by_points(quartic, guess), overlap, s);

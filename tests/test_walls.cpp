@@ -22,11 +22,6 @@ namespace {
 
 constexpr double u = 0x1p-53;
 
-using Vector3 = pw85::Vector<double, 3>;
-using Form3 = pw85::SymmetricMatrix<double, 3>;
-using WideVector = pw85::Vector<Wide, 3>;
-using WideForm = pw85::SymmetricMatrix<Wide, 3>;
-
 std::string text(Vector3 const &x, Form3 const &q)
 {
     return "x = " + hex_text(x.coordinates, 3) + ", q = " + hex_text(q.entries, 6);

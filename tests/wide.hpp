@@ -9,6 +9,9 @@
 
 namespace pw85_tests {
 
+using WideVector = pw85::Vector<Wide, 3>;
+using WideForm = pw85::SymmetricMatrix<Wide, 3>;
+
 /// The contact function of a pair exactly as given, and its condition number.
 template <class T> struct Truth {
     T mu2, lambda, cond;

@@ -110,6 +110,16 @@ def nd_contact_geometry(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, lambda_: A
     return NdContactGeometry(*map(rows.shaped, outputs))
 
 
+def _flags(name: str, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
+    """Answers a question that is true or false."""
+    if (found := _core.nd_one_pair(name, r12, q1, q2)) is not None:
+        return found
+    rows = _Rows(name, r12, q1, q2)
+    flags = np.empty(rows.count, dtype=np.uint8)
+    rows.check(getattr(_core, f"{name}_batch")(rows.n, *rows.arrays, flags))
+    return rows.shaped(flags.astype(bool))
+
+
 def nd_overlap(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     """Decides whether two ellipsoids in n dimensions overlap, 1 <= n <= 16.
 
@@ -135,12 +145,7 @@ def nd_overlap(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     >>> pypw85.nd_overlap([[2, 0, 0, 0, 0], [1.9, 0, 0, 0, 0]], np.eye(5), np.eye(5))
     array([False,  True])
     """
-    if (found := _core.nd_one_pair("nd_overlap", r12, q1, q2)) is not None:
-        return found
-    rows = _Rows("nd_overlap", r12, q1, q2)
-    overlap = np.empty(rows.count, dtype=np.uint8)
-    rows.check(_core.nd_overlap_batch(rows.n, *rows.arrays, overlap))
-    return rows.shaped(overlap.astype(bool))
+    return _flags("nd_overlap", r12, q1, q2)
 
 
 def nd_compare(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, mu2: ArrayLike) -> Any:
@@ -202,12 +207,7 @@ def nd_contains(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     >>> pypw85.nd_contains([[1, 0, 0, 0], [1.25, 0, 0, 0]], 4 * np.eye(4), np.eye(4))
     array([ True, False])
     """
-    if (found := _core.nd_one_pair("nd_contains", r12, q1, q2)) is not None:
-        return found
-    rows = _Rows("nd_contains", r12, q1, q2)
-    contains = np.empty(rows.count, dtype=np.uint8)
-    rows.check(_core.nd_contains_batch(rows.n, *rows.arrays, contains))
-    return rows.shaped(contains.astype(bool))
+    return _flags("nd_contains", r12, q1, q2)
 
 
 def nd_containment(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> tuple[Any, Any]:

@@ -20,9 +20,6 @@ namespace {
 
 constexpr double u = 0x1p-53;
 
-using Vector3 = pw85::Vector<double, 3>;
-using Form3 = pw85::SymmetricMatrix<double, 3>;
-
 /// Everything that the functions give back; `vectors` are point, normal, d_r12, d_rot1, d_rot2.
 struct Result {
     std::vector<double> mu2, lambda;

@@ -22,8 +22,6 @@ using namespace pw85_tests;
 
 namespace {
 
-using Vector3 = pw85::Vector<double, 3>;
-using Form3 = pw85::SymmetricMatrix<double, 3>;
 using Matrix3 = std::array<Vector3, 3>;
 
 /// A system with its neighbours, and soft contacts: U = (1 - μ²)² for each pair that overlaps.

@@ -22,8 +22,6 @@ namespace {
 
 constexpr double u = 0x1p-53;
 
-using Vector3 = pw85::Vector<double, 3>;
-using Form3 = pw85::SymmetricMatrix<double, 3>;
 using Multiples = std::array<int, 3>;
 
 constexpr Form3 unit_sphere{1.0, 0.0, 0.0, 1.0, 0.0, 1.0};

@@ -26,8 +26,6 @@ using namespace pw85_tests;
 namespace {
 
 using Wide = long double;
-using Vector3 = pw85::Vector<double, 3>;
-using Form3 = pw85::SymmetricMatrix<double, 3>;
 using pw85::Status;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(),

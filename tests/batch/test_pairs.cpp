@@ -22,8 +22,6 @@ namespace {
 
 constexpr double u = 0x1p-53;
 
-using Vector3 = pw85::Vector<double, 3>;
-using Form3 = pw85::SymmetricMatrix<double, 3>;
 using Wide3 = pw85::Vector<long double, 3>;
 
 /// Particles and a list of pairs of them.

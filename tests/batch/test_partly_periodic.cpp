@@ -21,8 +21,6 @@ using namespace pw85_tests;
 
 namespace {
 
-using Vector3 = pw85::Vector<double, 3>;
-using Form3 = pw85::SymmetricMatrix<double, 3>;
 using Periodic = std::array<int, 3>;
 using pw85::Status;
 

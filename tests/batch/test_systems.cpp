@@ -22,9 +22,7 @@ namespace {
 
 constexpr double u = 0x1p-53;
 
-using Vector3 = pw85::Vector<double, 3>;
 using Vector4 = pw85::Vector<double, 4>;
-using Form3 = pw85::SymmetricMatrix<double, 3>;
 
 /// Columns of a vector of pairs.
 struct Columns {

@@ -157,6 +157,12 @@ PW85_FUNCTION constexpr bool both_true(bool x, bool y) noexcept
     return (static_cast<unsigned>(x) & static_cast<unsigned>(y)) != 0;
 }
 
+/// x == y for masks.
+template <class Mask> PW85_FUNCTION inline Mask are_equal(Mask const &x, Mask const &y) noexcept
+{
+    return (x && y) || !(x || y);
+}
+
 /// The larger of two numbers. It is the first one if either is NaN.
 template <class T> PW85_FUNCTION constexpr T maximum(T const &x, T const &y) noexcept
 {
@@ -179,6 +185,14 @@ template <class T> PW85_FUNCTION inline T square_root(T const &x) noexcept
 {
     using elementary::sqrt;
     return sqrt(x);
+}
+
+/// x/y, or another number where y is not positive.
+template <class T>
+PW85_FUNCTION inline T positive_quotient(T const &x, T const &y, T const &otherwise) noexcept
+{
+    auto const is_positive = y > T(0);
+    return select(is_positive, T(x / select(is_positive, y, T(1))), otherwise);
 }
 
 /// A quotient and a root that only guide an iteration, and must not bound or return a result. Packs

@@ -14,7 +14,7 @@
 #define PW85_ANY_DIMENSION_DISTANCE_HPP_INCLUDED
 
 #include <pw85/any_dimension/overlap.hpp>
-#include <pw85/distance/normal_search.hpp>
+#include <pw85/distance/nested_search.hpp>
 
 namespace pw85 {
 

@@ -54,6 +54,22 @@ in_units(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatr
             units};
 }
 
+/// Scales a valid pair that is apart to bring its numbers into range.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Scaled<DistancePair<T, D>>
+scale_distance(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+               SymmetricMatrix<T, D> const &q2) noexcept
+{
+    return in_units(r12, q1, q2, {unit_of(r12), unit_of(q1), unit_of(q2), false, {}});
+}
+
+/// Converts a pair to the type F.
+template <class F, class T, int D>
+PW85_FUNCTION constexpr DistancePair<F, D> finer(DistancePair<T, D> const &pair) noexcept
+{
+    return {converted<F>(pair.r12), converted<F>(pair.q1), converted<F>(pair.q2), F(pair.scale1),
+            F(pair.scale2)};
+}
+
 /// A pair is not scaled if the magnitudes of r12 and of the diagonals are between this limit and
 /// its inverse. The largest numbers in the solver are of degree 25 in M and 10 in r12
 /// (halley_step() on the rational form). For ordinary aspect ratios they are in the range of
@@ -165,11 +181,17 @@ PW85_FUNCTION inline bool is_valid(T const &lambda, Pair<T, D> const &pair) noex
 /// result is true for almost all such pairs. The function is always inlined to keep the pair in
 /// registers.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
+passes_fast_checks(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                   SymmetricMatrix<T, D> const &q2) noexcept
+{
+    return is_in_range(sum_of_magnitudes(r12), largest_diagonal(q1), largest_diagonal(q2)) &&
+           is_clearly_definite(q1) && is_clearly_definite(q2);
+}
+
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 passes_fast_checks(Pair<T, D> const &pair) noexcept
 {
-    return is_in_range(sum_of_magnitudes(pair.r12), largest_diagonal(pair.q1),
-                       largest_diagonal(pair.q2)) &&
-           is_clearly_definite(pair.q1) && is_clearly_definite(pair.q2);
+    return passes_fast_checks(pair.r12, pair.q1, pair.q2);
 }
 
 /// Tests one pair in this way, from both forms side by side and their adjugates.

@@ -12,7 +12,7 @@
 
 #include <pw85/algebra/all_nan.hpp>
 #include <pw85/algebra/doubled.hpp>
-#include <pw85/distance/normal_search.hpp>
+#include <pw85/distance/nested_search.hpp>
 #include <pw85/distance/support.hpp>
 #include <pw85/overlap/overlap.hpp>
 
@@ -31,14 +31,6 @@ template <class T, int D> struct Distance {
 } // namespace pw85
 
 namespace pw85::detail {
-
-/// Scales a valid pair that is apart to bring its numbers into range.
-template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Scaled<DistancePair<T, D>>
-scale_distance(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-               SymmetricMatrix<T, D> const &q2) noexcept
-{
-    return in_units(r12, q1, q2, {unit_of(r12), unit_of(q1), unit_of(q2), false, {}});
-}
 
 /// Returns a distance in the units of the caller.
 template <class T, int D>
@@ -209,7 +201,7 @@ find_slab(DistancePair<T, D> const &pair, bool apart) noexcept
     // scales, which is below rounding.
     if (maximum(pair.scale1, pair.scale2) <= T(0.125) * unit_roundoff<T>())
         return found_slab(pair, pair.r12);
-    auto const search = start_search(pair, initial_multipliers(pair));
+    auto const search = start_search(pair);
     if (!apart && !seems_apart(pair, search)) return {{}, false, false, false};
     LastStep<T, D> const last = find_normal(pair, search);
     if (!last.found) return {{}, false, false, true};
@@ -242,14 +234,6 @@ step_slab(DistancePair<T, D> const &pair, Slab<T, D> const &slab) noexcept
 {
     auto const x = multipliers(slab);
     return found_slab(pair, take_last_step(pair, factorize_normal(pair, x), x).u);
-}
-
-/// Converts a pair to the type F.
-template <class F, class T, int D>
-PW85_FUNCTION constexpr DistancePair<F, D> finer(DistancePair<T, D> const &pair) noexcept
-{
-    return {converted<F>(pair.r12), converted<F>(pair.q1), converted<F>(pair.q2), F(pair.scale1),
-            F(pair.scale2)};
 }
 
 template <class T, class F, int D>
@@ -382,7 +366,7 @@ PW85_FUNCTION inline Distance<T, D> distance(Vector<T, D> const &r12,
 {
     using namespace detail;
     DistancePair<T, D> const pair{r12, q1, q2, T(1), T(1)};
-    bool const ordinary = passes_fast_checks(pair_of(r12, q1, q2));
+    bool const ordinary = passes_fast_checks(r12, q1, q2);
     auto const found = ordinary ? find_slab(pair, false) : FoundSlab<T, D>{{}, false, false, false};
     if (found.accurate && is_wide(pair, found.slab))
         return with_point2(r12, distance_across(found.slab));

@@ -67,6 +67,23 @@ PW85_FUNCTION inline bool exceeds_bounding_box(Pair<T, D> const &pair) noexcept
     return exceeded;
 }
 
+/// Tests whether each ellipsoid certainly exceeds the bounding box of the other one. Then neither
+/// is inside the other one. The pair must be in the range in which exceeds() holds.
+template <class T, int D> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
+exceed_each_other(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                  SymmetricMatrix<T, D> const &q2) noexcept
+{
+    T distance = absolute(r12[0]);
+    auto first = exceeds(q2(0, 0), q1(0, 0), distance),
+         second = exceeds(q1(0, 0), q2(0, 0), distance);
+    for (int i = 1; i < D; ++i) {
+        distance = absolute(r12[i]);
+        first = first || exceeds(q2(i, i), q1(i, i), distance);
+        second = second || exceeds(q1(i, i), q2(i, i), distance);
+    }
+    return first && second;
+}
+
 /// Bounds on the errors of nᵀQn and of n·r, in units of u times the sum of the magnitudes of their
 /// terms.
 inline constexpr int nested_form_margin = 8, nested_product_margin = 6;

@@ -44,8 +44,7 @@ template <class T, int D> PW85_FUNCTION inline bool
 exceeds_one_clearly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                     SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
 {
-    if (!(lambda > T(0) && lambda < T(1)) || !passes_fast_checks(pair_of(r12, q1, q2)))
-        return false;
+    if (!(lambda > T(0) && lambda < T(1)) || !passes_fast_checks(r12, q1, q2)) return false;
     T const t = lambda / T(T(1) - lambda);
     if (!(t * unscaled_limit<T>() > T(1) && t < unscaled_limit<T>())) return false;
     auto e = evaluate_quartic(Pair<T, D>{r12, q1, q2, T(1)}, t);

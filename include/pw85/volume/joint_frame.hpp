@@ -24,6 +24,10 @@ PW85_FUNCTION inline Doubled<T> times_power_of_two(Doubled<T> const &x, int expo
     return {times_power_of_two(x.high, exponent), times_power_of_two(x.low, exponent)};
 }
 
+/// The type with the digits of a result: integrals from wider vertices are sums of positive parts,
+/// which need no more.
+template <class T> using ResultOf = decltype(rounded(T()));
+
 /// A square matrix by its columns.
 template <class T, int D> struct MatrixColumns {
     Vector<T, D> vectors[std::size_t(D)];
@@ -140,14 +144,6 @@ template <class T> PW85_FUNCTION constexpr T longest_axis() noexcept
 {
     constexpr int exponent = std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8;
     return T(1) / negative_power_of_two<T>(exponent < 128 ? exponent : 128);
-}
-
-/// The thinnest ellipsoid in units of the ball that the sections resolve: its two surfaces are told
-/// apart to eight digits or so. In space, two ellipsoids of aspect ratio 10⁶ can be so different,
-/// if one is a disc across the other.
-template <class T> PW85_FUNCTION constexpr T thinnest_axis() noexcept
-{
-    return negative_power_of_two<T>(2 * mantissa_digits<T>() / 5);
 }
 
 /// The product of the pivots of the Cholesky factor: the volume in units of that of the unit ball.

@@ -133,11 +133,11 @@ common_part_derivatives(Vector<double, 2> const &r12, SymmetricMatrix<double, 2>
     auto const [overlaps, tier, status] = call_overlap(r12, q1, q2);
     if (status != StatusCode::success || !overlaps)
         return derivatives_of_decided_part(r12, q1, q2, {CommonPart::nothing, status});
-    if (passes_fast_checks(pair_of(r12, q1, q2))) {
+    if (passes_fast_checks(r12, q1, q2)) {
         auto const fast = chord_derivatives(r12, q1, q2);
         if (fast.certain) return {fast.r12, fast.q1, fast.q2, status};
     }
-    return derivatives_of_decided_part(r12, q1, q2, decide_containment_of(r12, q1, q2));
+    return derivatives_of_decided_part(r12, q1, q2, decide_containment_of(r12, q1, q2, tier));
 }
 
 } // namespace pw85::detail

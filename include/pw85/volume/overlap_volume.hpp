@@ -5,7 +5,7 @@
 ///
 /// Whether there is a common part, and whether it is a whole ellipsoid, is decided without rounding
 /// errors (overlap/). Otherwise the pair is taken to its joint frame (joint_frame.hpp). A volume is
-/// a sum of integrals along the rim (volume_terms.hpp), which converge geometrically
+/// a sum of integrals along the rim (common_volume.hpp), which converge geometrically
 /// (elliptic_rule.hpp). An area is in closed form: by chords (chord_area.hpp), or, where these
 /// have no margin, by the crossings of a circle and an ellipse (section.hpp).
 #ifndef PW85_VOLUME_OVERLAP_VOLUME_HPP_INCLUDED
@@ -14,9 +14,9 @@
 #include <pw85/overlap/containment.hpp>
 #include <pw85/overlap/overlap.hpp>
 #include <pw85/volume/chord_area.hpp>
+#include <pw85/volume/common_volume.hpp>
 #include <pw85/volume/section.hpp>
 #include <pw85/volume/volume.hpp>
-#include <pw85/volume/volume_terms.hpp>
 
 namespace pw85::detail {
 
@@ -29,29 +29,14 @@ struct CommonPartDecision {
     StatusCode status;
 };
 
-/// Tests whether each ellipsoid certainly exceeds the bounding box of the other one. Then neither
-/// is inside the other one. The pair must be in the range in which exceeds() holds.
-template <class T, int D> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
-exceed_each_other(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                  SymmetricMatrix<T, D> const &q2) noexcept
-{
-    T distance = absolute(r12[0]);
-    auto first = exceeds(q2(0, 0), q1(0, 0), distance),
-         second = exceeds(q1(0, 0), q2(0, 0), distance);
-    for (int i = 1; i < D; ++i) {
-        distance = absolute(r12[i]);
-        first = first || exceeds(q2(i, i), q1(i, i), distance);
-        second = second || exceeds(q1(i, i), q2(i, i), distance);
-    }
-    return first && second;
-}
-
-/// For a pair that overlaps.
+/// For a pair that overlaps by a test of this tier. The first tier takes only pairs that pass the
+/// fast checks.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline CommonPartDecision
 decide_containment_of(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                      SymmetricMatrix<T, D> const &q2) noexcept
+                      SymmetricMatrix<T, D> const &q2, OverlapTier tier) noexcept
 {
-    if (passes_fast_checks(pair_of(r12, q1, q2)) && exceed_each_other(r12, q1, q2))
+    if ((tier == OverlapTier::quartic || passes_fast_checks(r12, q1, q2)) &&
+        exceed_each_other(r12, q1, q2))
         return {CommonPart::part, StatusCode::success};
     auto const second = call_contains(r12, q1, q2);
     if (second.status != StatusCode::success) return {CommonPart::nothing, second.status};
@@ -66,42 +51,14 @@ decide_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
 {
     auto const [overlaps, tier, status] = call_overlap(r12, q1, q2);
     if (status != StatusCode::success || !overlaps) return {CommonPart::nothing, status};
-    return decide_containment_of(r12, q1, q2);
+    return decide_containment_of(r12, q1, q2, tier);
 }
 
-/// A number, and whether its digits are enough.
-template <class T> struct CheckedMeasure {
-    T measure;
-    bool is_accurate;
-};
-
-/// The common part from 3V over 2π.
-template <class T> PW85_FUNCTION inline T part_of_sum(T const &sum) noexcept
-{
-    T const third = maximum(T(sum / T(3)), T(0));
-    return T(T(T(2) * circle_constant<T>()) * third);
-}
-
-/// The measure of the common part in the joint frame; NaN if the integral has not converged. It is
-/// not inlined: its memory and that of the exact decisions are not needed at the same time.
+/// The area of the common part in the joint frame. It is not inlined, as for a volume.
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline CheckedMeasure<ResultOf<T>>
 common_measure(JointFrame<T, 2> const &frame) noexcept
 {
     return {area_inside(plane_border(frame)), true};
-}
-
-template <class T> [[gnu::noinline]] PW85_FUNCTION inline CheckedMeasure<ResultOf<T>>
-common_measure(JointFrame<T, 3> const &frame) noexcept
-{
-    using Result = ResultOf<T>;
-    auto const integration = rim_integration(frame);
-    if constexpr (std::is_floating_point_v<T>)
-        if (!are_integrals_accurate(frame, integration)) return {quiet_nan<Result>(), false};
-    Result const sum =
-        rounded(std::is_same_v<T, Result> ? sum_of_terms(frame, integration)
-                                          : resolved_sum_of_terms(frame, integration));
-    if (!(absolute(sum) < infinity<Result>())) return {quiet_nan<Result>(), true};
-    return {part_of_sum(sum), true};
 }
 
 /// The largest displacement of surfaces by rounded forms (displacement_of()) that the bound covers.
@@ -116,12 +73,20 @@ template <class T, int D> PW85_FUNCTION inline T largest_displacement() noexcept
     return T(1) / negative_power_of_two<T>((mantissa_digits<T>() - 5) / (D == 3 ? 2 : 3));
 }
 
+/// The thinnest ellipsoid in units of the ball that the sections resolve: its two surfaces are told
+/// apart to eight digits or so. In space, two ellipsoids of aspect ratio 10⁶ can be so different,
+/// if one is a disc across the other.
+template <class T> PW85_FUNCTION constexpr T thinnest_axis() noexcept
+{
+    return negative_power_of_two<T>(2 * mantissa_digits<T>() / 5);
+}
+
 inline constexpr double largest_number_of_frame = 16.0;
 
 /// Tests if the digits of the result are enough for the frame and, in the plane, for crossings. The
 /// numbers of the joint frame err by a few u of the largest one, or of that times l10/l11 of the
 /// Cholesky factor. They move the border by as much, and so does an error of F, whatever its
-/// extrema (section.hpp). In space rim_frame.hpp and volume_terms.hpp decide this.
+/// extrema (section.hpp). In space rim_frame.hpp and common_volume.hpp decide it.
 template <class T, int D>
 PW85_FUNCTION inline bool is_frame_accurate(JointFrame<T, D> const &frame) noexcept
 {
@@ -238,11 +203,11 @@ PW85_FUNCTION inline Area<T> overlap_area(Vector<T, 2> const &r12, SymmetricMatr
     CommonPartDecision decision{CommonPart::nothing, decided};
     if (overlaps) {
         if constexpr (std::is_same_v<T, double>)
-            if (passes_fast_checks(pair_of(r12, q1, q2))) {
+            if (passes_fast_checks(r12, q1, q2)) {
                 auto const fast = chord_area(r12, q1, q2);
                 if (fast.certain) return {fast.area, decided};
             }
-        decision = decide_containment_of(r12, q1, q2);
+        decision = decide_containment_of(r12, q1, q2, tier);
     }
     auto const [area, status] = measure_decided_part(r12, q1, q2, decision);
     return {area, status};

@@ -70,20 +70,33 @@ template <class T> PW85_FUNCTION inline T middle_of_common_part(RimFrame<T> cons
     return T(T(0.5) * T(top + bottom));
 }
 
-/// The change of moments as a fraction: of the areas, and of the area vector by its components
-/// times the lengths of their vectors. `units` has the units of these five numbers.
-template <class T>
-[[gnu::always_inline]] PW85_FUNCTION inline T change_of_moments(RimSums<T, rim_moments> const &x,
-                                                                RimSums<T, rim_moments> const &y,
-                                                                T const (&units)[5]) noexcept
+/// The integrands of the moments, with the orientation of the ball. X is relative to the middle of
+/// the common part of the axis.
+template <class T> struct MomentIntegrands {
+    RimIntegration<T> const &integration;
+    TwoLanes<T> sign, middle;
+};
+
+template <class T> PW85_FUNCTION inline void add_integrands(MomentIntegrands<T> const &integrands,
+                                                            RimDirection<T> const &pair,
+                                                            bool has_image,
+                                                            RimSums<T, rim_moments> &sums) noexcept
 {
-    auto const of = [&](int i) { return T(units[i] * absolute(T(x.numbers[i] - y.numbers[i]))); };
-    return fraction_of_areas({x.numbers[0], T(units[1] * x.numbers[1])}, {of(0), of(1)},
-                             T(T(of(2) + of(3)) + of(4)));
+    using Two = TwoLanes<T>;
+    auto const &integration = integrands.integration;
+    Two const sign = integrands.sign, middle = integrands.middle;
+    integration.for_each(
+        pair, has_image,
+        [&](MovingHalfPlane<Two> const &plane, RimPoint<Two> const(&points)[2], Two const &speed) {
+            sums.numbers[0] = sums.numbers[0] + integration.template area<0>(plane, points, speed);
+            sums.numbers[1] = sums.numbers[1] + integration.template area<1>(plane, points, speed);
+            add_moments(sums.numbers, plane, points[0], points[0].z - middle, speed, sign);
+            if (integration.has_two_rims())
+                add_moments(sums.numbers, plane, points[1], points[1].z - middle, speed, -sign);
+        });
 }
 
-/// The integrals over 2π, with the orientation of the ball. X is relative to the middle of the
-/// common part of the axis.
+/// The integrals over 2π.
 template <class T> PW85_FUNCTION inline RimMeans<T, rim_moments>
 moments_of(RimIntegration<T> const &integration, T const &scale, T const &shortest) noexcept
 {
@@ -92,30 +105,12 @@ moments_of(RimIntegration<T> const &integration, T const &scale, T const &shorte
         return {
             {{integration.area_without_rim(0, T(1)), integration.area_without_rim(1, shortest)}, 0},
             true};
-    bool const above = rim.ends.ball_above, two = above == rim.ends.ball_below;
     using Two = TwoLanes<T>;
-    Two const sign = above ? Two(1) : Two(-1), middle(middle_of_common_part(rim));
-    auto const add = [&](RimDirection<T> const &pair, bool has_image,
-                         RimSums<T, rim_moments> &sums) {
-        integration.for_each(
-            pair, has_image,
-            [&](MovingHalfPlane<Two> const &plane, RimPoint<Two> const(&points)[2],
-                Two const &speed) {
-                sums.numbers[0] =
-                    sums.numbers[0] + integration.template area<0>(plane, points, speed);
-                sums.numbers[1] =
-                    sums.numbers[1] + integration.template area<1>(plane, points, speed);
-                add_moments(sums.numbers, plane, points[0], points[0].z - middle, speed, sign);
-                if (two)
-                    add_moments(sums.numbers, plane, points[1], points[1].z - middle, speed, -sign);
-            });
-    };
+    MomentIntegrands<T> const integrands{integration, rim.ends.ball_above ? Two(1) : Two(-1),
+                                         Two(middle_of_common_part(rim))};
     T const ray0 = magnitude(rim.rays[0]), ray1 = magnitude(rim.rays[1]);
     T const units[5] = {T(1), scale, ray0, ray1, T(ray0 * ray1)};
-    auto const change = [&](RimSums<T, rim_moments> const &x, RimSums<T, rim_moments> const &y) {
-        return change_of_moments(x, y, units);
-    };
-    auto moments = mean_over_half_planes<T, rim_moments>(elliptic_rule(rim), add, change);
+    auto moments = mean_over_half_planes<rim_moments>(elliptic_rule(rim), integrands, units);
     for (int body = 0; body < 2; ++body)
         moments.means.numbers[body] =
             moments.means.numbers[body] + integration.whole(body, body == 0 ? T(1) : shortest);

@@ -122,14 +122,6 @@ ascend(typename ScalarTraits<T>::Mask const &active, PoleInterval<T> const &f, T
     });
 }
 
-/// x/y, or another number where y is not positive.
-template <class T>
-PW85_FUNCTION inline T positive_quotient(T const &x, T const &y, T const &otherwise) noexcept
-{
-    auto const is_positive = y > T(0);
-    return select(is_positive, T(x / select(is_positive, y, T(1))), otherwise);
-}
-
 /// Below this distance from the lower pole, h is positive in the lower half: there t w/ε of the
 /// lower pole is at least p w/ε, less w if t < p, and the other factors of h are at their bounds.
 template <class T> PW85_FUNCTION inline T start_of_ascent(PoleInterval<T> const &f) noexcept
@@ -200,6 +192,28 @@ PW85_FUNCTION inline PoleRoot<T> highest_root(PoleInterval<T> const &f, bool upp
     }
     if (!ascend(true, f, epsilon) && !(f.lower > T(0))) return {f.gap, T(0), Place::lower};
     return {T(f.gap - epsilon), epsilon, Place::between};
+}
+
+/// The roots that are nearest to the middle pole, on its two sides, and whether the middle pole
+/// counts as a root of the first side if its term is zero.
+template <class T> struct MiddleRoots {
+    PoleRoot<T> roots[2];
+    bool counts;
+};
+
+/// Tests whether the upper pole counts as a root if its term is zero.
+template <class T> PW85_FUNCTION inline bool upper_pole_counts(PoleInterval<T> const &f) noexcept
+{
+    return f.gap > T(0) && value_at_upper(f) >= T(0);
+}
+
+/// The roots for the intervals on the two sides of the middle pole, their upper pole.
+template <class T>
+PW85_FUNCTION inline MiddleRoots<T> middle_roots(PoleInterval<T> const (&f)[2]) noexcept
+{
+    bool const counts = upper_pole_counts(f[0]),
+               other_counts = f[0].gap == T(0) ? upper_pole_counts(f[1]) : !counts;
+    return {{highest_root(f[0], counts), highest_root(f[1], other_counts)}, counts};
 }
 
 /// The root of h that is nearest to the lower pole, if h is convex there. The lower pole counts as

@@ -125,19 +125,6 @@ template <class Mask> struct AreaRule {
     PW85_MEMBER Mask has_two_rims() const noexcept { return are_equal(above, below); }
 };
 
-/// The largest volume of a body, in units of the ball, for which a part may be the rest of caps. An
-/// error of u of the surface changes the volume by u times this, and the bound has 64 u.
-inline constexpr double largest_volume_of_rest = 8.0;
-
-template <class Mask>
-PW85_FUNCTION inline AreaRule<Mask> area_rule(AxisEnds<Mask> const &ends, int body) noexcept
-{
-    auto const [ball_above, ball_below] = ends;
-    auto const none = ball_above && !ball_above;
-    if (body == 0) return {ball_above, ball_below, !ball_above, none};
-    return {!ball_above, !ball_below, ball_above, none};
-}
-
 /// The area of the part of a body at one or two points, or of the rest of the surface with the
 /// opposite sign.
 template <bool is_ball, class T>

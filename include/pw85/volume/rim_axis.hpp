@@ -257,14 +257,6 @@ template <class T> PW85_FUNCTION inline void turn_back(Vector<T, 3> &x, int zero
     x[other] = turn.cosine * b - turn.sine * a;
 }
 
-/// Tests whether the middle pole counts as a root of an interval if its term is zero.
-template <class T>
-PW85_FUNCTION inline bool counts_as_root(Pencil<T> const &p, PoleAxes<T> const &axes) noexcept
-{
-    auto const interval = pole_interval(p, axes);
-    return interval.gap > T(0) && value_at_upper(interval) >= T(0);
-}
-
 /// Makes two vertices orthogonal with respect to B.
 template <class T> PW85_FUNCTION inline void make_orthogonal(Vertex<T> (&v)[2]) noexcept
 {
@@ -303,9 +295,9 @@ template <class T> PW85_FUNCTION inline RimAxis<T> rim_axis(JointFrame<T, 3> con
     if (first) turn1 = make_zero(p, 0, 1);
     if (second) turn2 = make_zero(p, 2, 1);
     PoleAxes<T> const axes[2] = {{0, 1, 2, T(1)}, {2, 1, 0, T(-1)}};
-    bool const counts = counts_as_root(p, axes[0]);
-    Vertex<T> v[2] = {vertex_between(p, axes[0], counts),
-                      vertex_between(p, axes[1], first ? counts_as_root(p, axes[1]) : !counts)};
+    auto const [roots, counts] =
+        middle_roots<T>({pole_interval(p, axes[0]), pole_interval(p, axes[1])});
+    Vertex<T> v[2] = {vertex_of(p, axes[0], roots[0]), vertex_of(p, axes[1], roots[1])};
     bool touches_at_end = false;
     if constexpr (!std::is_floating_point_v<T>) { // other rims are computed by more digits
         if (!first) replace_touching_vertex(p, axes[0], v[0]);

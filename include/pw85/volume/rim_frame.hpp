@@ -232,28 +232,6 @@ template <class T> PW85_FUNCTION inline RimFrame<T> rim_frame(JointFrame<T, 3> c
     return rim;
 }
 
-/// The numbers of a body as those of another type.
-template <class Y, class T, class Function> PW85_FUNCTION inline BodyOnAxis<Y>
-converted_by(Function const &convert, BodyOnAxis<T> const &x) noexcept
-{
-    BodyOnAxis<Y> y{};
-    y.stretch = convert(x.stretch);
-    y.start = convert(x.start);
-    y.high = convert(x.high);
-    y.low = convert(x.low);
-    y.half_chord = convert(x.half_chord);
-    y.turn = convert(x.turn);
-    y.above = convert(x.above);
-    y.below = convert(x.below);
-    for (int i = 0; i < 2; ++i) {
-        y.along[i] = convert(x.along[i]);
-        y.across[i] = convert(x.across[i]);
-        y.twists[i] = convert(x.twists[i]);
-        for (int j = 0; j < 2; ++j) y.products[i][j] = convert(x.products[i][j]);
-    }
-    return y;
-}
-
 /// Rounds the numbers of a rim.
 template <class T, class Fine>
 PW85_FUNCTION inline void round_to(RimFrame<T> &y, RimFrame<Fine> const &x) noexcept

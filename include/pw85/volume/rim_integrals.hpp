@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The integrands along the rim in a pair of opposite half-planes: the areas of both bodies' parts
-/// (rim_areas.hpp) and X × dX. volume_terms.hpp and overlap_volume_derivatives.hpp sum them over
-/// half-planes (elliptic_rule.hpp, rule_ladder.hpp).
+/// Integrals along the rim: its points in a pair of opposite half-planes (rim_points.hpp), the
+/// integrands there, which are the areas of both bodies' parts (rim_areas.hpp) and X × dX, and
+/// their sum, which is the volume of the common part. common_volume.hpp and
+/// overlap_volume_derivatives.hpp use this file.
 ///
 /// The pair is in its joint frame. P1 and P2 are the parts of the surfaces of the ball and of the
 /// other body that bound the common part.
 #ifndef PW85_VOLUME_RIM_INTEGRALS_HPP_INCLUDED
 #define PW85_VOLUME_RIM_INTEGRALS_HPP_INCLUDED
 
-#include <pw85/algebra/two_doubled.hpp>
-#include <pw85/volume/elliptic_rule.hpp>
 #include <pw85/volume/rim_areas.hpp>
 #include <pw85/volume/rim_frame.hpp>
+#include <pw85/volume/rule_ladder.hpp>
 
 namespace pw85::detail {
 
@@ -25,6 +25,43 @@ swept(MovingHalfPlane<T> const &plane, RimPoint<T> const &p, T const &z, T const
             radial * plane.weights[1] + around * plane.derivatives[1], T(T(p.rho * p.rho) * speed)};
 }
 
+/// The roots of αZ² - TZ + γ = 0, each as a ratio, the larger one first, without cancellation.
+/// Where rounding errors leave no solution, both are where the rim would just touch itself.
+template <class T> struct RimRoots {
+    T numerators[2], denominators[2];
+};
+
+/// `excess` is T less `least` of the rim.
+template <class T>
+PW85_FUNCTION inline RimRoots<T> rim_roots(RimEquation<T> const &rim, T const &excess) noexcept
+{
+    T const two_alpha = T(T(2) * rim.alpha), two_gamma = T(T(2) * rim.gamma);
+    auto const two = rim.least > T(0), is_positive = excess > T(0);
+    T const above = maximum(excess, T(0));
+    T const root = square_root(select(two, T(above * T(above + T(2) * rim.least)),
+                                      T(excess * excess - two_alpha * two_gamma)));
+    T const sum = above + rim.least + root;
+    return {{select(two || is_positive, sum, T(-two_gamma)), select(two, two_gamma, T(0))},
+            {select(two || is_positive, two_alpha, T(root - excess)), select(two, sum, T(1))}};
+}
+
+/// A root Z as q = min(√Z, 1/√Z), with the square of q.
+template <class T> struct RimRoot {
+    T q, square;
+    RowMask<T> up; ///< Z >= 1
+};
+
+template <class T>
+PW85_FUNCTION inline RimRoot<T> rim_root(RimRoots<T> const &roots, int k) noexcept
+{
+    T const numerator = roots.numerators[k], denominator = roots.denominators[k];
+    auto const up = numerator >= denominator;
+    T const larger = select(up, numerator, denominator),
+            smaller = select(up, denominator, numerator);
+    T const square = positive_quotient(smaller, larger, T(1));
+    return {square_root(square), square, up};
+}
+
 /// A root for both half-planes of a pair.
 template <class T>
 PW85_FUNCTION inline RimRoot<TwoLanes<T>> in_lanes(RimRoot<T> const &root) noexcept
@@ -32,11 +69,31 @@ PW85_FUNCTION inline RimRoot<TwoLanes<T>> in_lanes(RimRoot<T> const &root) noexc
     return {TwoLanes<T>(root.q), TwoLanes<T>(root.square), root.up};
 }
 
-/// The numbers of a body for the two half-planes of a pair.
-template <class T>
-PW85_FUNCTION inline BodyOnAxis<TwoLanes<T>> side_by_side(BodyOnAxis<T> const &body) noexcept
+/// The point at a root, with half of the derivative of ln Z.
+///
+/// In half-planes X = z ℓ + ρ f(ψ) with z = h (1 - q²)/d and ρ = 2hq/d, d = 1 + q² + tilt q, where
+/// q² = Z or 1/Z is the smaller root of αZ² - TZ + γ = 0. As d(ln Z)/dψ = ±T'/√E, the derivatives
+/// with respect to the parameter of the rule are free of √E (EllipticRule::pace).
+template <class T> PW85_FUNCTION inline RimPoint<T> rim_point(RimRoot<T> const &root,
+                                                              T const &half_log_derivative,
+                                                              MovingHalfPlane<T> const &plane,
+                                                              T const &half_chord) noexcept
 {
-    return converted_by<TwoLanes<T>>([](T const &x) { return TwoLanes<T>(x); }, body);
+    T const q = root.q,
+            // d = (1 - q)² + (2 + tilt) q does not cancel where the rim nearly touches itself
+        rest = T(T(1) - q);
+    T const scale = T(1) / T(rest * rest + plane.lift * q),
+            rho = T(T(T(2) * q) * T(half_chord * scale));
+    T const speed = select(root.up, half_log_derivative, T(-half_log_derivative));
+    T const drho =
+        T(-rho) * T(T(T(rest * T(T(1) + q)) * speed + q * plane.tilt_derivative) * scale);
+    // h - |z| = ρ (q + tilt/2): near an end of the axis all terms of the integrands are small, and
+    // so are their errors
+    T const ratio = T(T(0.5) * plane.lift) - rest, gap = T(rho * ratio);
+    T const change = drho * ratio + rho * T(T(T(0.5) * plane.tilt_derivative) - q * speed),
+            z = half_chord - gap;
+    return {
+        select(root.up, z, T(-z)), rho, select(root.up, T(-change), change), drho, gap, root.up};
 }
 
 /// Data of all integrands: the rim, the common part of its axis, and both bodies for the two
@@ -172,6 +229,19 @@ template <class T> struct RimIntegration {
     }
 };
 
+/// The largest volume of a body, in units of the ball, for which a part may be the rest of caps. An
+/// error of u of the surface changes the volume by u times this, and the bound has 64 u.
+inline constexpr double largest_volume_of_rest = 8.0;
+
+template <class Mask>
+PW85_FUNCTION inline AreaRule<Mask> area_rule(AxisEnds<Mask> const &ends, int body) noexcept
+{
+    auto const [ball_above, ball_below] = ends;
+    auto const none = are_equal(ball_above, !ball_above);
+    if (body == 0) return {ball_above, ball_below, !ball_above, none};
+    return {!ball_above, !ball_below, ball_above, none};
+}
+
 template <class T> PW85_FUNCTION inline RimIntegration<T>
 rim_integration(JointFrame<T, 3> const &frame, RimFrame<T> const &rim) noexcept
 {
@@ -192,6 +262,82 @@ template <class T>
 PW85_FUNCTION inline RimIntegration<T> rim_integration(JointFrame<T, 3> const &frame) noexcept
 {
     return rim_integration(frame, accurate_rim_frame(frame));
+}
+
+/// 3V over 2π as the sum of A1, D A2 and c·N2, in this order.
+///
+/// The cone over P1 has the volume A1/3, and the cone over P2 has D A2/3 with the determinant D of
+/// the metric. As 3V = ∮ x·n dA, 3V = A1 + D A2 + c·∫ n dA over P2. By Stokes' theorem ∫ n dA = ½ ∮
+/// x × dx, and P1 has the opposite orientation.
+///
+/// If a point X of the rim is off by δ, this V is the volume of a body that differs by a sliver of
+/// width and thickness of the order δ. So V errs by a term of the order δ² only.
+template <class T> struct VolumeTerms {
+    T terms[3];
+    bool converged;
+};
+
+/// The integrands of the terms.
+template <class T> struct VolumeIntegrands {
+    using Two = TwoLanes<T>;
+
+    RimIntegration<T> const &integration;
+    T scale, sign; ///< D over the radius of the metric, and ½ with the sign of the flux
+    Vector<Two, 3> flux;
+};
+
+/// Adds the integrands at both half-planes of a pair, and at those of its mirror image. The
+/// function is not a member: Clang gives the symbol of a lambda in a member to the whole program.
+template <class T> PW85_FUNCTION inline void add_integrands(VolumeIntegrands<T> const &integrands,
+                                                            RimDirection<T> const &pair,
+                                                            bool has_image,
+                                                            RimSums<T, 3> &sums) noexcept
+{
+    using Two = TwoLanes<T>;
+    auto const &integration = integrands.integration;
+    integration.for_each(
+        pair, has_image,
+        [&](MovingHalfPlane<Two> const &plane, RimPoint<Two> const(&points)[2], Two const &speed) {
+            sums.numbers[0] = sums.numbers[0] + integration.template area<0>(plane, points, speed);
+            sums.numbers[1] = sums.numbers[1] +
+                              integrands.scale * integration.template area<1>(plane, points, speed);
+            Two flow = dot(integrands.flux, swept(plane, points[0], points[0].z, speed));
+            if (integration.has_two_rims())
+                flow = flow - dot(integrands.flux, swept(plane, points[1], points[1].z, speed));
+            sums.numbers[2] = sums.numbers[2] + integrands.sign * sum_of_lanes(flow);
+        });
+}
+
+template <class T> PW85_FUNCTION inline VolumeIntegrands<T>
+volume_integrands(Vector<T, 3> const &axes, Vector<T, 3> center,
+                  RimIntegration<T> const &integration) noexcept
+{
+    using Two = TwoLanes<T>;
+    auto const &rim = integration.rim;
+    for (int i = 0; i < 3; ++i) center[i] = axes[i] * center[i];
+    return {integration,
+            T(axes[0] * axes[1]),
+            select(rim.ends.ball_above, T(-0.5), T(0.5)),
+            {Two(dot(center, cross(rim.direction, rim.rays[0]))),
+             Two(dot(center, cross(rim.direction, rim.rays[1]))),
+             Two(dot(center, cross(rim.rays[0], rim.rays[1])))}};
+}
+
+template <class T> PW85_FUNCTION inline VolumeTerms<T>
+volume_terms(JointFrame<T, 3> const &frame, RimIntegration<T> const &integration) noexcept
+{
+    auto const &rim = integration.rim;
+    auto const integrands = volume_integrands(frame.axes, frame.center, integration);
+    if (integration.has_no_rim())
+        return {{integration.area_without_rim(0, T(1)),
+                 integrands.scale * integration.area_without_rim(1, frame.axes[2]), T(0)},
+                true};
+    T const units[3] = {T(1), T(1), T(1)};
+    auto const [means, converged] = mean_over_half_planes<3>(elliptic_rule(rim), integrands, units);
+    return {{means.numbers[0] + integration.whole(0, T(1)),
+             means.numbers[1] + integrands.scale * integration.whole(1, frame.axes[2]),
+             means.numbers[2]},
+            converged};
 }
 
 } // namespace pw85::detail

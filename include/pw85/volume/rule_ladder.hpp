@@ -2,7 +2,7 @@
 /// @file
 /// Means over half-planes by trapezoidal rules in the parameter of elliptic_rule.hpp: the nodes, a
 /// ladder of rules, each with the nodes of the one before, and the rule at which it ends.
-/// volume_terms.hpp and overlap_volume_derivatives.hpp call mean_over_half_planes().
+/// rim_integrals.hpp and overlap_volume_derivatives.hpp call mean_over_half_planes().
 #ifndef PW85_VOLUME_RULE_LADDER_HPP_INCLUDED
 #define PW85_VOLUME_RULE_LADDER_HPP_INCLUDED
 
@@ -104,11 +104,35 @@ template <class T> struct RuleNodes {
     }
 };
 
-/// A ladder of trapezoidal rules. function(direction, has_image, sums) adds a pair of half-planes,
-/// and its mirror image if it has one.
-template <class T, int N, class Function> struct RuleLadder {
+/// Adds the nodes at odd multiples of 2π/2^k from a start on. Two nodes are computed side by side.
+/// add_integrands(integrands, direction, has_image, sums) adds a pair of half-planes, and its
+/// mirror image if it has one. The function is not a member: the symbols of lambdas in members
+/// belong to the whole program.
+template <class T, int N, class Integrands>
+PW85_FUNCTION inline void add_nodes(EllipticRule<T> const &rule, Integrands const &integrands,
+                                    RuleNodes<T> const &nodes, int start, int k,
+                                    RimSums<T, N> &sums) noexcept
+{
+    using Two = TwoLanes<T>;
+    bool const has_image = nodes.have_images(start, k);
+    auto const add = [&](RimDirection<T> const &direction) {
+        add_integrands(integrands, direction, has_image, sums);
+    };
+    nodes.visit(
+        start, k, [&](UnitVector2<T> const &theta) { add(rim_direction(rule, theta)); },
+        [&](UnitVector2<T> const &theta, UnitVector2<T> const &next) {
+            auto const both = rim_direction(
+                rule, UnitVector2<Two>{{theta.cosine, next.cosine}, {theta.sine, next.sine}});
+            add(lane_of<T>([](Two const &x) { return first_of(x); }, both));
+            add(lane_of<T>([](Two const &x) { return second_of(x); }, both));
+        });
+    sums.pairs += nodes.count(start, k) << (has_image ? 1 : 0);
+}
+
+/// A ladder of trapezoidal rules.
+template <class T, int N, class Integrands> struct RuleLadder {
     EllipticRule<T> const &rule;
-    Function const &function;
+    Integrands const &integrands;
     int level = -1, starts = 1;
     RimSums<T, N> coarse{{}, 0}, added{{}, 0}; ///< coarse: of every other node
     RuleNodes<T> nodes{};
@@ -120,37 +144,15 @@ template <class T, int N, class Function> struct RuleLadder {
         for (int i = 0; i < N; ++i) coarse.numbers[i] = coarse.numbers[i] + added.numbers[i];
         coarse.pairs += added.pairs;
         added = {{}, 0};
-        for (int i = 0; i < starts; ++i) add_nodes(i, level, added);
+        for (int i = 0; i < starts; ++i) add_nodes(rule, integrands, nodes, i, level, added);
     }
 
     /// Adds twice as many nodes as there are. To be called once.
     PW85_MEMBER void triple() noexcept
     {
-        for (int k = 0; k < level; ++k) add_nodes(starts, k, coarse);
-        add_nodes(starts, level, added);
+        for (int k = 0; k < level; ++k) add_nodes(rule, integrands, nodes, starts, k, coarse);
+        add_nodes(rule, integrands, nodes, starts, level, added);
         ++starts;
-    }
-
-    /// Adds the nodes at odd multiples of 2π/2^k from a start on. Two nodes are computed side by
-    /// side.
-    PW85_MEMBER void add_nodes(int start, int k, RimSums<T, N> &sums) const noexcept
-    {
-        using Two = TwoLanes<T>;
-        bool const has_image = nodes.have_images(start, k);
-        nodes.visit(
-            start, k,
-            [&](UnitVector2<T> const &theta) {
-                function(rim_direction(rule, theta), has_image, sums);
-            },
-            [&](UnitVector2<T> const &theta, UnitVector2<T> const &next) {
-                auto const both = rim_direction(
-                    rule, UnitVector2<Two>{{theta.cosine, next.cosine}, {theta.sine, next.sine}});
-                function(lane_of<T>([](Two const &x) { return first_of(x); }, both), has_image,
-                         sums);
-                function(lane_of<T>([](Two const &x) { return second_of(x); }, both), has_image,
-                         sums);
-            });
-        sums.pairs += nodes.count(start, k) << (has_image ? 1 : 0);
     }
 };
 
@@ -191,22 +193,62 @@ PW85_FUNCTION inline typename ScalarTraits<T>::Mask is_better_by_three(T const &
     return expected > enough && T(expected * distance) <= enough;
 }
 
-/// Means over half-planes by the trapezoidal rule. change(mean, coarse) is how far two means are
-/// apart, as a fraction of what has to be known; roundings count as 0. An error of u/4 is enough.
-/// Beginning with 8 nodes, of which 4 tell how fast the means converge, the next rule has 16 or 24:
-/// 24 where the distance of the rule with 8 nodes is expected between ε and ε^(2/3), with ε = √u/2.
-template <class T, int N, class Function, class Change>
+/// The fraction of a scale by which numbers differ; 0 if this is below `floor`, which is what
+/// rounding errors may do.
+template <class T>
+PW85_FUNCTION inline T fraction_of(T const &difference, T const &scale, T const &floor) noexcept
+{
+    return select(difference <= floor, T(0), T(difference / scale));
+}
+
+/// A change of 3V by this much, with the ball as unit, is below rounding: V changes by less than 22
+/// u, which is below 6 u v.
+template <class T> PW85_FUNCTION constexpr T rim_integral_floor() noexcept
+{
+    return T(T(64) * negative_power_of_two<T>(result_digits<T>()));
+}
+
+/// The change of all terms by a rule, as a fraction of both areas: the error of V may be one, as
+/// the sensitivity is above half of their sum. Where one area is less than a 64th of both, its
+/// change counts as a fraction of 64 times itself. It converges at a rate of its own, which the
+/// changes of the other terms do not show: A1 of the end of a huge disc in a ball is 10⁻⁹ of D A2.
+template <class T> PW85_FUNCTION inline T
+fraction_of_areas(T const (&areas)[2], T const (&changes)[2], T const &rest) noexcept
+{
+    T const floor = rim_integral_floor<T>(), a = absolute(areas[0]), b = absolute(areas[1]);
+    T const all = fraction_of(T(T(changes[0] + changes[1]) + rest), T(a + b), floor);
+    return maximum(all, maximum(fraction_of(changes[0], T(T(64) * a), floor),
+                                fraction_of(changes[1], T(T(64) * b), floor)));
+}
+
+/// The change of means by a rule, as a fraction of what has to be known: of the areas, which are
+/// the first two numbers, and of the area vector by the other ones that have a unit.
+template <class T, int N, std::size_t K> [[gnu::always_inline]] PW85_FUNCTION inline T
+change_of_means(RimSums<T, N> const &x, RimSums<T, N> const &y, T const (&units)[K]) noexcept
+{
+    auto const of = [&](int i) { return T(units[i] * absolute(T(x.numbers[i] - y.numbers[i]))); };
+    T rest = of(2);
+    for (int i = 3; i < int(K); ++i) rest = T(rest + of(i));
+    return fraction_of_areas({x.numbers[0], T(units[1] * x.numbers[1])}, {of(0), of(1)}, rest);
+}
+
+/// Means over half-planes by the trapezoidal rule, of numbers in these units. An error of u/4 is
+/// enough. Beginning with 8 nodes, of which 4 tell how fast the means converge, the next rule has
+/// 16 or 24: 24 where the distance of the rule with 8 nodes is expected between ε and ε^(2/3), with
+/// ε = √u/2.
+template <int N, class T, std::size_t K, class Integrands>
 PW85_FUNCTION inline RimMeans<T, N> mean_over_half_planes(EllipticRule<T> const &rule,
-                                                          Function const &function,
-                                                          Change const &change) noexcept
+                                                          Integrands const &integrands,
+                                                          T const (&units)[K]) noexcept
 {
     T const enough = enough_of_rule<T>();
-    RuleLadder<T, N, Function> ladder{rule, function};
+    RuleLadder<T, N, Integrands> ladder{rule, integrands};
     while (ladder.level < 2) ladder.refine();
     T previous = T(0);
     for (bool by_three = false;;) {
         auto const mean = mean_of(ladder.coarse, ladder.added);
-        T const distance = change(mean, mean_of(ladder.coarse, RimSums<T, N>{{}, 0}));
+        T const distance =
+            change_of_means(mean, mean_of(ladder.coarse, RimSums<T, N>{{}, 0}), units);
         bool const has_converged =
             ladder.level > 2 && error_of_rule(distance, previous, by_three) <= T(enough * enough);
         if (has_converged || ladder.level == finest_rule) return {mean, has_converged};

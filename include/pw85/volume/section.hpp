@@ -57,10 +57,6 @@ PW85_FUNCTION inline PlaneBorder<T> plane_border(JointFrame<T, 2> const &frame) 
     return border;
 }
 
-/// The type with the digits of a result: integrals from wider vertices are sums of positive parts,
-/// which need no more.
-template <class T> using ResultOf = decltype(rounded(T()));
-
 /// An arc of the border in the metric of its body, where it is one of a circle: half of the length
 /// of its chord, the outward normal of the chord, and the cosine of half of the angle of the arc. A
 /// whole body has a chord of length 0 and the cosine -1.

@@ -105,7 +105,7 @@ template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk con
     std::size_t const packs = (count + lanes - 1) / lanes;
     for (std::size_t k = 0; k < packs; ++k) {
         pairs[k] = load_consecutive(rows, begin + k * lanes, count - k * lanes);
-        searches[k] = start_search(with_units(pairs[k]), initial_multipliers(with_units(pairs[k])));
+        searches[k] = start_search(with_units(pairs[k]));
     }
     run(searches, packs, max_normal_steps,
         [&](std::size_t k) { take_step(searches[k], with_units(pairs[k])); });

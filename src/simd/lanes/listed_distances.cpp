@@ -25,7 +25,7 @@ struct ListedPacks {
     auto &searches = all.searches;
     for (std::size_t k = 0; k < packs; ++k) {
         pairs[k] = load_listed(rows, indices + k * lanes);
-        searches[k] = start_search(with_units(pairs[k]), initial_multipliers(with_units(pairs[k])));
+        searches[k] = start_search(with_units(pairs[k]));
     }
     run(searches, packs, max_normal_steps,
         [&](std::size_t k) { take_step(searches[k], with_units(pairs[k])); });
