@@ -41,7 +41,8 @@ NOT_SOURCES = ["--no-suite=sources", "--no-suite=docs"]
 # examples take a minute.
 QUICK = ["--suite", "quick", "--suite", "portable", *NOT_SOURCES]
 WITH_LIBRARIES = {
-    "aarch64-linux-gnu": ([*QUICK, "--suite", "kernels", "--no-suite", "targets", "--no-suite", "examples"], {"QEMU_CPU": "cortex-a72"}),
+    "aarch64-linux-gnu": ([*QUICK, "--suite", "kernels", "--suite", "thorough", "--no-suite", "targets", "--no-suite", "examples"],
+                          {"QEMU_CPU": "cortex-a72"}),
     "i686-linux-gnu": (QUICK, {}),
 }
 NOT_IN_CI = ["powerpc64le-linux-gnu", "riscv64-linux-gnu"]  # half a minute each, and ARM and z/Architecture find the same errors
@@ -209,7 +210,7 @@ def check_platforms(results):
             if machine.stem in WITH_LIBRARIES and check_with_libraries(results, machine.stem):
                 continue
             if build_for(results, machine):
-                test(results, folder_of(machine.stem), ["--suite", "portable"], **environment)
+                test(results, folder_of(machine.stem), ["--suite", "portable", "--suite", "thorough"], **environment)
                 if "mingw" in machine.stem:
                     check_package_of_windows(results, machine.stem, environment)
 
