@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Builds pw85, with the Fortran module if there is a compiler for it, installs it into ./install, builds the C tutorial (examples/c)
 # with the installed library, and runs it. On Debian and Ubuntu it first installs the missing packages that it needs, by apt-get as
-# root or through sudo. It can be run again at any time, and then finds compilers that were installed in the meantime.
+# root or through sudo. It can be run again at any time, and then finds compilers that were installed in the meantime. The words of
+# PW85_SETUP_OPTIONS are passed to `meson setup`.
 set -eu
 cd "$(dirname "$0")/.."
 . scripts/packages.sh
@@ -14,7 +15,9 @@ build=$PWD/build-install
 if [ -f "$build/build.ninja" ]; then
   meson setup --reconfigure "$build"
 else
-  meson setup "$build" --prefix="$prefix" --libdir=lib -Dtests=disabled -Dbench=disabled -Dpython=disabled -Dprecompiled=true
+  # shellcheck disable=SC2086 # a list of words
+  meson setup "$build" --prefix="$prefix" --libdir=lib -Dtests=disabled -Dbench=disabled -Dpython=disabled -Dprecompiled=true \
+    ${PW85_SETUP_OPTIONS-}
 fi
 meson compile -C "$build"
 meson install -C "$build"

@@ -6,7 +6,7 @@
 - marks: no page shows a mark with which docs/doxygen_filter.py keeps words from becoming links;
 - listings: no line of code is longer than what a page shows without scrolling (what programs print may be);
 - contrast: the colours of code are far enough from what is behind them;
-- browser: what browser.py says (skipped without Chromium and Selenium). Screenshots are put next to HTML.
+- browser: what browser.py says (skipped without Chromium and Selenium). Screenshots, if it takes any, are put next to HTML.
 """
 
 import importlib.util
