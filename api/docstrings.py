@@ -30,17 +30,17 @@ def rows_of(shape):
 
 
 def output_entry(name, shapes):
-    """What is said of the array into which results of these shapes go."""
+    """The entry of the output arrays for results of these shapes."""
     *others, last = map(rows_of, shapes)
     if not others:
-        return entry(f"{name} : {last} array, optional", f"Where to put the result{'' if name == 'out' else ', which is returned'}.")
+        return entry(f"{name} : {last} array, optional", f"Output array{'' if name == 'out' else ', which is also returned'}.")
     arrays = f"tuple of {len(shapes)} arrays"
     kind = f"{arrays}, {', '.join(others)} and {last}" if any(shapes) else f"(..., {len(shapes)}) array, or {arrays}"
-    return entry(f"{name} : {kind}, optional", "Where to put the results.")
+    return entry(f"{name} : {kind}, optional", "Output arrays.")
 
 
 def in_place(made, given, place):
-    """The entries "q1, q2 : (..., 6) array_like" of a section, but for those that are given, by any of their names."""
+    """The entries "q1, q2 : (..., 6) array_like" of a section; given entries replace generated ones of the same names."""
     own = [one.rstrip("\n") for one in re.split(r"^(?=\S)", given, flags=re.MULTILINE) if one.strip()]
     named = {name: one for one in own for name in one.partition("\n")[0].partition(" : ")[0].split(", ")}
     found = {}  # in order
@@ -60,16 +60,16 @@ def arguments_of(row, signature, voice, given):
     for text, group in voice.grouped(row.inputs):
         names = ", ".join(voice.arguments[one.name] for one in group)
         made.append(entry(f"{names} : {rows_of(group[0].shape)} array_like{', optional' * (group[0].name in optional)}", text))
-    codes = " With ``dtype=np.uint8`` the result is 1, 0, or 255 for a bad row, for `bad_rows`."
+    codes = " With ``dtype=np.uint8`` the result is 1, 0, or 255 for an invalid row (see `bad_rows`)."
     made.append(output_entry(signature.output.name, [one.shape for one in row.outputs]))
-    made.append(entry("**kwargs", f"As for any ufunc.{codes if row.is_truth() else ''}"))
+    made.append(entry("**kwargs", f"Other keyword arguments of ufuncs.{codes if row.is_truth() else ''}"))
     return in_place(made, given, row.function.place)
 
 
 def results_of(row, voice):
     """The section of results."""
     if row.is_truth():
-        yield entry("(...) array of bool, or bool", f"A bad row {'counts as an overlap' if row.is_overlap() else 'is not inside'}.")
+        yield entry("(...) array of bool, or bool", f"{'True' if row.is_overlap() else 'False'} for an invalid row of an array.")
         return
     for text, group in voice.grouped(row.outputs):
         names, plural = ", ".join(one.name.replace("lambda", "lambda_") for one in group), "s" if len(group) > 1 else ""
@@ -78,7 +78,7 @@ def results_of(row, voice):
 
 
 def docstring(row, signature, given, voice):
-    """The text of a function of Python. `given` is what Python says of it otherwise or in addition."""
+    """The docstring of a Python function. The sections of `given` replace or complete those from the C header."""
     paragraphs, sections = parse(given, row.function.place)
     raises = voice.raises() and entry("PW85Error", voice.raises())
     made = {

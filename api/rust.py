@@ -157,7 +157,7 @@ def single(row):
     """The function of one row."""
     name, inputs, outputs = names_in_rust()[row.function.name], row.function.inputs, row.function.outputs
     refuse(row.function.place, {"api/rust.py makes no functions of those that return a number": not outputs})
-    errors = sentence(re.sub(r"^For a single (row|value): | Rows of arrays become NaN\.$", "", voice(row).raises())).strip()
+    errors = sentence(re.sub(r"^For a single (row|value): | In arrays, invalid rows become NaN\.$", "", voice(row).raises())).strip()
     given = [f"{'&' * (argument_type(one)[0] == '&')}{literal(row.function, one)}" for one in inputs]
     shown = [*listing(f"let found = pw85::{name}(", given, ")?;"), 'println!("{found:?}");']
     yield from [*comment([*told(row, inputs), "# Errors", errors], example=shown), "#[inline]"]

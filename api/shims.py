@@ -28,7 +28,7 @@ FILES = {
     "witness": "Witnesses",
     "contains": "Containment, yes or no",
     "containment": "Factors of containment",
-    "volumes": "Volumes and common parts",
+    "volumes": "Volumes and intersections",
     "two_dimensions": "Two dimensions",
     "distance": "Distance",
     "gap_inside": "Gaps of contained ellipsoids",

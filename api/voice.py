@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the comments of the C headers say, in the words of Python: other names, no pointers, whole sentences."""
+"""Translates the comments of the C headers for Python docstrings: Python names, no pointers, whole sentences."""
 
 import re
 from itertools import groupby
@@ -105,7 +105,7 @@ class Voice:
         """Which rows are refused; nothing where none is."""
         function = self.row.function
         if function.type != "int":
-            return "For a single value: invalid input. Rows of arrays become NaN." if function.is_nan_on_error() else ""
+            return "For a single value: invalid input. In arrays, invalid rows become NaN." if function.is_nan_on_error() else ""
         inputs = [one.parameter for one in self.row.inputs]
         infinite = [f"`{one.name}` may be infinite" for one in inputs if not INFINITY.is_named(one)]
         wrong = [f"a number is not finite{f' ({infinite[0]})' if infinite else ''}"]
@@ -115,7 +115,7 @@ class Voice:
                     wrong.append(cause.wrong.format(name=self.arguments[one.name]))
         unique = list(dict.fromkeys(wrong))
         listed = f"{', '.join(unique[:-1])}{' or ' if unique[1:] else ''}{unique[-1]}"
-        others = "" if self.row.is_truth() else " Rows of arrays become NaN."
+        others = "" if self.row.is_truth() else " In arrays, invalid rows become NaN."
         return f"For a single row: {listed}. {self.convergence()}".rstrip() + others
 
     def convergence(self):
@@ -127,7 +127,7 @@ class Voice:
 
 
 class PlainVoice(Voice):
-    """In the words of a language that has the functions by names of its own, or not at all."""
+    """For a language that has only some of the functions, or has other names for them."""
 
     def reference(self, match, is_inherited):
         name = self.names.get(self.meant(match[1], is_inherited))

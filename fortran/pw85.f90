@@ -484,7 +484,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_factored
 
-    !> Computes the condition number of the contact function, entry by entry.
+    !> Computes the entrywise condition number of the contact function.
     function pw85_condition(r12, q1, q2, lambda, cond) result(status) bind(C, name='pw85_condition')
       import
       real(c_double), intent(in) :: r12(3), q1(6), q2(6)
@@ -513,8 +513,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_geometry
 
-    !> Computes the contact point and the normal, as pw85_contact_geometry() does, for ellipsoids
-    !> that are given by factors of their forms. Row k in C is s1(:, k), s2(:, k).
+    !> Computes the contact point and the normal of ellipsoids that are given by factors of their
+    !> forms. Row k in C is s1(:, k), s2(:, k).
     function pw85_contact_geometry_factored(r12, s1, s2, lambda, point, normal) result(status) &
       bind(C, name='pw85_contact_geometry_factored')
       import
@@ -574,8 +574,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap
 
-    !> Tests whether two ellipsoids, given by factors of their forms, overlap. Row k in C is s1(:,
-    !> k), s2(:, k).
+    !> Tests whether two ellipsoids that are given by factors of their forms overlap, Q1 = S1 S1ᵀ
+    !> and Q2 = S2 S2ᵀ. Row k in C is s1(:, k), s2(:, k).
     function pw85_overlap_factored(r12, s1, s2, overlap) result(status) bind(C, &
       name='pw85_overlap_factored')
       import
@@ -2287,9 +2287,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_box_batch_2d
 
-    !> Computes for n pairs the results of pw85_contact(), pw85_contact_geometry(),
-    !> pw85_contact_gradient() and pw85_contact_torque(), from which the forces and torques of an
-    !> energy U(μ²) follow.
+    !> Computes pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and
+    !> pw85_contact_torque() for n pairs in one call.
     function pw85_contact_derivatives_batch(n, r12, q1, q2, mu2, lambda, point, normal, d_r12, &
       d_rot1, d_rot2) result(status) bind(C, name='pw85_contact_derivatives_batch')
       import
@@ -2331,7 +2330,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_any
 
-    !> Computes the smallest boxes, with sides along the axes, around n ellipsoids.
+    !> Computes the bounding boxes of n ellipsoids, with sides along the coordinate axes.
     function pw85_bounding_boxes(n, q, half_widths) result(status) bind(C, &
       name='pw85_bounding_boxes')
       import
@@ -2387,8 +2386,7 @@ module pw85
   ! pw85_systems.h
   interface
 
-    !> Tests whether an ellipsoid overlaps any of n particles of a system, which are given by their
-    !> indices.
+    !> Tests whether an ellipsoid overlaps any of n listed particles of a system.
     function pw85_overlap_any_indices(center, q1, system, n, indices, images, any) result(status) &
       bind(C, name='pw85_overlap_any_indices')
       import
@@ -2444,8 +2442,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_derivatives_pairs
 
-    !> Computes the sums of the forces, torques and virial of an energy U(μ²) of pairs. Row k in C
-    !> is virial(:, k).
+    !> Computes the forces, torques and virial of a pair energy U(μ²) by summing over the pairs. Row
+    !> k in C is virial(:, k).
     function pw85_contact_forces_pairs(list, system, d_u, d_r12, d_rot1, d_rot2, forces, torques, &
       virial) result(status) bind(C, name='pw85_contact_forces_pairs')
       import
@@ -2459,8 +2457,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_forces_pairs
 
-    !> Computes the sums of the energies, forces, torques and virial of the pairs of a list. Row k
-    !> in C is virial(:, k).
+    !> Computes the total energy, the forces, the torques and the virial of the pairs of a list. Row
+    !> k in C is virial(:, k).
     function pw85_law_forces_pairs(list, system, law, energy, forces, torques, virial) &
       result(status) bind(C, name='pw85_law_forces_pairs')
       import
@@ -2487,7 +2485,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_first_contact_pairs
 
-    !> Computes a reduced cell of the same lattice. Row k in C is cell(:, k), reduced(:, k).
+    !> Computes a reduced cell of a lattice. Row k in C is cell(:, k), reduced(:, k).
     function pw85_cell_reduce(cell, reduced) result(status) bind(C, name='pw85_cell_reduce')
       import
       real(c_double), intent(in) :: cell(3, 3)
@@ -2517,8 +2515,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_nearest_image_limit
 
-    !> Makes a list of the pairs (i, j, image) whose bounding boxes are no farther apart than `skin`
-    !> along any axis, for ellipsoids scaled by `scale`.
+    !> Makes a neighbour list.
     function pw85_neighbors_create(system, scale, skin, list) result(status) bind(C, &
       name='pw85_neighbors_create')
       import
@@ -2528,7 +2525,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_neighbors_create
 
-    !> Finds the particle that prevents pw85_neighbors_create() from making a list.
+    !> Finds the invalid particle after pw85_neighbors_create() has failed.
     function pw85_neighbors_check(system, scale, skin, particle) result(status) bind(C, &
       name='pw85_neighbors_check')
       import
@@ -2539,7 +2536,7 @@ module pw85
     end function pw85_neighbors_check
 
     !> Tests whether a list still contains all pairs whose boxes intersect (without skin), after
-    !> particles have moved and rotated and the cell has changed.
+    !> particles have moved or rotated, or the cell has changed.
     function pw85_neighbors_holds(list, system, holds) result(status) bind(C, &
       name='pw85_neighbors_holds')
       import
@@ -2549,7 +2546,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_neighbors_holds
 
-    !> Returns the pairs of a list, with their images if it has a cell.
+    !> Returns the pairs of a list and, if it has a cell, their images.
     function pw85_neighbors_list(list) result(value) bind(C, name='pw85_neighbors_list')
       import
       type(c_ptr), value :: list
@@ -2912,8 +2909,8 @@ module pw85
   ! pw85_simulation_insertions.h
   interface
 
-    !> Tests whether a particle would be free of overlaps at another position, and moves it there on
-    !> request.
+    !> Tests whether a particle would have no overlaps at another position, and on request moves it
+    !> there.
     function pw85_hard_ellipsoids_try(simulation, particle, center, quaternion, take, is_free) &
       result(status) bind(C, name='pw85_hard_ellipsoids_try')
       import
@@ -2925,7 +2922,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_try
 
-    !> Tests whether a new particle would be free of overlaps, and on request inserts it as the last
+    !> Tests whether a new particle would have no overlaps, and on request inserts it as the last
     !> particle.
     function pw85_hard_ellipsoids_insert(simulation, center, quaternion, semi_axes, take, is_free) &
       result(status) bind(C, name='pw85_hard_ellipsoids_insert')
@@ -2946,8 +2943,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_remove
 
-    !> Computes the mean of e^(-βU) of a particle that is inserted at random positions (Widom's test
-    !> particle).
+    !> Computes the mean of e^(-βU) over trial insertions of a particle at random positions (Widom's
+    !> method).
     function pw85_hard_ellipsoids_insertion_weight(simulation, num_trials, semi_axes, weight) &
       result(status) bind(C, name='pw85_hard_ellipsoids_insertion_weight')
       import
@@ -3015,8 +3012,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_check
 
-    !> Finds by which factor cell and centres can be compressed until particles touch, and on
-    !> request compresses them.
+    !> Computes the factor by which the cell and the centres can be compressed until particles
+    !> touch, and on request compresses them.
     function pw85_hard_ellipsoids_compress(simulation, take, factor) result(status) bind(C, &
       name='pw85_hard_ellipsoids_compress')
       import

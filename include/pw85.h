@@ -2,6 +2,8 @@
 /** @file pw85.h
  * @brief The contact function of Perram and Wertheim for two ellipsoids: one pair, in C.
  *
+ * For an example, see examples/c/pair.c.
+ *
  * This header includes pw85_shapes.h (an ellipsoid and a wall, a point, a line or another shape)
  * and pw85_grains.h (curvatures and contacts of grains). Other headers are for arrays of pairs
  * (pw85_batch.h), systems of particles (pw85_systems.h) and Monte Carlo simulations
@@ -33,16 +35,16 @@
  *   must be positive definite. An `index` is at least 0 and below the number of particles or
  *   vertices. `as pw85_contact()` means that pw85_contact() describes the parameter of this name.
  *   `member` names the member of the C++ result that receives an output.
- * - A function whose name ends in `_2d` does for ellipses what the function without `_2d` does for
- *   ellipsoids. It has the same statuses. Everything that its contract does not mention is as for
- *   ellipsoids.
+ * - A function whose name ends in `_2d` is the two-dimensional version, for ellipses. Its contract
+ *   states only the differences from the function for ellipsoids. The statuses are the same.
  * - A function that returns `int` returns a status, which is zero for success. If the status is not
  *   zero, all outputs are NaN, except those whose brackets state another value, such as "-1 on
  *   error". The function does not write an output whose pointer is null.
- * - #PW85_EINVAL has three causes, in every function: a pointer that is not optional is null; a
- *   number is NaN or infinite, and its brackets do not allow that; an argument is not what its
- *   brackets state. #PW85_ENOTPD means that a form is not positive definite. pw85_last_error()
- *   returns the argument, the row and the cause. The chapter on errors has a table of all causes.
+ * - Every function returns #PW85_EINVAL in three cases: a pointer that is not optional is null; a
+ *   number is NaN or infinite, and its brackets do not allow that; an argument violates another
+ *   condition in its brackets. #PW85_ENOTPD means that a form is not positive definite.
+ *   pw85_last_error() returns the argument, the row and the cause. The chapter on errors has a
+ *   table of all causes.
  * - In bounds on errors, u = 2⁻⁵³ is the unit roundoff of double.
  * - No function prints anything or ends the process. The functions for neighbour lists, meshes,
  *   simulations, enclosing ellipsoids, n dimensions and GPUs can allocate memory, and so can
@@ -52,17 +54,17 @@
  *   may use a simulation. The library keeps two pieces of state: the mode that
  *   pw85_set_reproducible() sets, for the whole process, and the error that pw85_last_error()
  *   returns, for each thread.
- * - A function needs at most 16 KiB of stack, or 24 KiB if it works on a mesh. The first call also
- *   needs the stack of the dynamic linker for lazy binding. The threads that a batch starts have
- *   their own stacks, whose size OMP_STACKSIZE sets.
+ * - A function needs at most 16 KiB of stack, or 24 KiB if it works on a mesh. If the dynamic
+ *   linker binds symbols lazily, the first call needs more. The threads that a batch function
+ *   starts have their own stacks, whose size OMP_STACKSIZE sets.
  * - Functions compute in the default floating-point environment. The rounding mode, status flags
  *   and traps of the caller do not change the results, and the functions restore them.
  * - If semi-axes and distances are from 1e-150 to 1e150, no intermediate result overflows or
  *   underflows. A result beyond the range of double is infinity or zero.
- * - A form is positive definite if its leading principal minors are positive. The test has no
- *   rounding errors: all functions and instruction sets give the same answer for the same doubles.
- *   The test has two limits. The determinant must exceed 2⁻²¹² times the product of the diagonal
- *   entries. Semi-axes may differ by a factor of at most about 1e38.
+ * - A form is positive definite if its leading principal minors are positive. This test is exact:
+ *   all functions and instruction sets give the same result for the same doubles. There are two
+ *   limits: the determinant must exceed 2⁻²¹² times the product of the diagonal entries, and
+ *   semi-axes may differ by a factor of at most about 1e38.
  */
 #ifndef PW85_H_INCLUDED
 #define PW85_H_INCLUDED
@@ -83,15 +85,15 @@
 /** Number of stored entries of a symmetric matrix. */
 #define PW85_SYM 6
 
-/** Absolute tolerance on λ of Brent's method in pw85_contact_function(), for ellipsoids that are
- * scaled to similar size. */
+/** Absolute tolerance on λ in Brent's method in pw85_contact_function(), which first scales the
+ * ellipsoids to similar size. */
 #define PW85_LAMBDA_ATOL 1e-6
 
 /** Maximum number of iterations of Brent's method in pw85_contact_function(). */
 #define PW85_MAX_ITER 25
 
-/** Maximum number of iterations of Halley's method, which refines the result of Brent's method in
- * pw85_contact_function(). */
+/** Maximum number of iterations of Halley's method in pw85_contact_function(), which refines the
+ * result of Brent's method. */
 #define PW85_NR_ITER 3
 
 #ifdef __cplusplus
@@ -121,20 +123,20 @@ PW85_API char const *pw85_strerror(int status);
 
 /** Switches the reproducible mode on or off, for all threads of the process.
  *
- * In this mode all functions give the same bits on every processor and with every number of
- * threads. Processors are x86-64 with any instruction set, 32-bit x86 with SSE2, 64-bit ARM and
- * z/Architecture, of either byte order. The functions use no fused multiply-add instruction, and
- * SIMD registers of at most two doubles. Therefore functions for many pairs are slower.
- * pw85_contact_function() returns the numbers of pw85_contact(), because the bits of Brent's method
+ * In this mode the results of all functions are bitwise equal on every processor and with every
+ * number of threads. This holds for x86-64 with any instruction set, 32-bit x86 with SSE2, 64-bit
+ * ARM and z/Architecture, with either byte order. The functions then use no fused multiply-add
+ * instructions, and SIMD registers of at most two doubles, so batch functions are slower.
+ * pw85_contact_function() returns the results of pw85_contact(), because the bits of Brent's method
  * depend on how GSL or Boost was compiled.
  *
  * The mode does not apply to the functions of pw85_gpu.h and pw85_zheng.h, nor to the templates of
  * the C++ headers.
  *
  * To start a process in this mode, set the environment variable PW85_REPRODUCIBLE to 1. The library
- * reads it at the first call of a function; every value except 0 and the empty one switches the
- * mode on. If the mode changes during a call in another thread, that call may compute some of its
- * pairs in either mode.
+ * reads it at the first call of a function. Any value except 0 and the empty string switches the
+ * mode on. If the mode changes while another thread is in a call, that call may compute some of its
+ * pairs in one mode and some in the other.
  *
  * @param on 1 or 0
  * @return #PW85_SUCCESS or #PW85_EINVAL */
@@ -254,11 +256,11 @@ PW85_API int pw85_contact_rounded(double const r12[3], double const q1[6], doubl
 PW85_API int pw85_contact_factored(double const r12[3], double const s1[9], double const s2[9],
                                    double out[2]);
 
-/** Computes the condition number of the contact function, entry by entry.
+/** Computes the entrywise condition number of the contact function.
  *
  * If each entry of r12, q1 and q2 changes by at most a fraction ε of itself, μ² changes by at most
- * a fraction ε cond, to first order in ε. If the data are known to d digits, μ² is known to d -
- * log10(cond) digits. The condition number is of the order of one for ordinary pairs, and of the
+ * a fraction ε cond, to first order in ε. If the data are accurate to d digits, μ² is accurate to d
+ * - log10(cond) digits. The condition number is of the order of one for typical pairs, and of the
  * order of the squared aspect ratio for slender ones. It is [λ(1-λ) Σ |n_i| ((1-λ) |q1_ij| + λ
  * |q2_ij|) |n_j| + 2 λ(1-λ) Σ |r12_i n_i|]/μ² with n = [(1-λ) q1 + λ q2]⁻¹ r12, summed over i and
  * j.
@@ -272,10 +274,10 @@ PW85_API int pw85_condition(double const r12[3], double const q1[6], double cons
 
 /** Computes the contact function of two ellipsoids as pw85 1.0 did, by Brent's method.
  *
- * pw85_contact() is several times faster, with the same bound on the error. Brent's method
- * maximises f, for ellipsoids that are scaled to similar size: #PW85_LAMBDA_ATOL has the same
- * meaning for ellipsoids of all sizes. Halley's method then refines the result (in pw85 1.0,
- * Newton's method).
+ * Use pw85_contact() instead: it is several times faster, with the same error bound. This function
+ * scales the ellipsoids to similar size, so that #PW85_LAMBDA_ATOL has the same meaning for all
+ * sizes. Brent's method then maximises f, and Halley's method (in pw85 1.0, Newton's method)
+ * refines the result.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] out [as pw85_contact()]
@@ -296,8 +298,8 @@ PW85_API int pw85_contact_function(double const r12[3], double const q1[6], doub
 PW85_API int pw85_contact_geometry(double const r12[3], double const q1[6], double const q2[6],
                                    double lambda, double point[3], double normal[3]);
 
-/** Computes the contact point and the normal, as pw85_contact_geometry() does, for ellipsoids that
- * are given by factors of their forms.
+/** Computes the contact point and the normal of ellipsoids that are given by factors of their
+ * forms; see pw85_contact_geometry().
  *
  * Errors are below 4 u C for the given λ, with u = 2⁻⁵³. C is the largest change of the result, to
  * first order, if each entry of s1 and s2 changes by the largest magnitude in its column, and each
@@ -382,8 +384,8 @@ PW85_API int pw85_contact_hessian(double const r12[3], double const q1[6], doubl
 PW85_API int pw85_overlap(double const r12[3], double const q1[6], double const q2[6],
                           int *overlap);
 
-/** Tests whether two ellipsoids, given by factors of their forms, overlap: Q1 = S1 S1ᵀ and Q2 = S2
- * S2ᵀ.
+/** Tests whether two ellipsoids that are given by factors of their forms overlap, Q1 = S1 S1ᵀ and
+ * Q2 = S2 S2ᵀ.
  *
  * The answer is exact for the unrounded products S Sᵀ of the given factors. pw85_overlap() may give
  * another answer, because its forms are rounded. Separating planes and common points, with bounds
@@ -395,8 +397,8 @@ PW85_API int pw85_overlap(double const r12[3], double const q1[6], double const 
  * @param s1,s2 [as pw85_contact_factored()]
  * @param[out] overlap [-1 on error] 1 or 0
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD (a factor is singular, or nearly),
- *        #PW85_ECONVERGENCE (the ellipsoids nearly touch, so that only integers can decide, and the
- *        numbers do not meet the condition above) */
+ *        #PW85_ECONVERGENCE (the ellipsoids nearly touch, so that only integer arithmetic can
+ *        decide, and the numbers do not meet the condition above) */
 PW85_API int pw85_overlap_factored(double const r12[3], double const s1[9], double const s2[9],
                                    int *overlap);
 
@@ -415,12 +417,12 @@ PW85_API int pw85_compare(double const r12[3], double const q1[6], double const 
 /** Tests whether two ellipsoids overlap, as pw85_overlap() does, and returns a number or a point
  * that proves the answer.
  *
- * If the ellipsoids are apart, the proof is a double λ with f(λ) > 1. The function finds such a λ
- * if any double has this property. If the ellipsoids overlap, the proof is a point inside both. The
- * function searches for this point near the contact point of the ellipsoids scaled by μ. The search
- * may fail if 1 - μ² is below 1e-13. For tangent ellipsoids there is no proof: `lambda` and `point`
- * are then NaN, also on success. A proof holds exactly for the numbers given, and a program can
- * check it in rational arithmetic.
+ * If the ellipsoids are apart, the proof is a double λ with f(λ) > 1. The function finds such a
+ * double if there is one. If the ellipsoids overlap, the proof is a point inside both. The function
+ * searches for this point near the contact point of the ellipsoids scaled by μ; the search may fail
+ * if 1 - μ² is below 1e-13. For tangent ellipsoids there is no proof: `lambda` and `point` are then
+ * NaN, also on success. A proof is exact for the given doubles, and a program can verify it in
+ * rational arithmetic.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] overlap [-1 on error] 1 or 0
@@ -434,8 +436,8 @@ PW85_API int pw85_compare(double const r12[3], double const q1[6], double const 
 PW85_API int pw85_overlap_witness(double const r12[3], double const q1[6], double const q2[6],
                                   int *overlap, double *lambda, double point[3]);
 
-/** Tests whether ellipsoid 2 is inside ellipsoid 1. An ellipsoid 2 that touches the surface from
- * inside counts as inside.
+/** Tests whether ellipsoid 2 is inside ellipsoid 1. Ellipsoid 2 may touch the surface of ellipsoid
+ * 1 from inside.
  *
  * The answer is exact for the numbers given. Every ellipsoid contains itself.
  *
@@ -482,7 +484,7 @@ PW85_API int pw85_closest_approach(double const direction[3], double const q1[6]
                                    double const q2[6], double *distance);
 
 /** @}
- * @name Volumes and common parts
+ * @name Volumes and intersections
  * @{ */
 
 /** Computes the volume of an ellipsoid, (4/3)π √det q.
@@ -676,10 +678,10 @@ PW85_API int pw85_closest_approach_2d(double const direction[2], double const q1
  * Σ|n_i q1_ij n_j|/(2α) + Σ|n_i q2_ij n_j|/(2β), summed over all i and j, with n, α and β at the
  * closest points. Rounding the data entry by entry can change the distance by u Σ.
  *
- * A program can check the result by two bounds. For any unit vector n, n·r12 - α - β is a lower
- * bound of the distance; `distance` is this bound for the normal of pw85_distance_derivatives().
- * The distance between any two points of the two ellipsoids is an upper bound, such as |point2 -
- * point1|.
+ * A program can verify the result by a lower and an upper bound. For any unit vector n, n·r12 - α -
+ * β is a lower bound of the distance; `distance` is this bound for the normal of
+ * pw85_distance_derivatives(). The distance between any point of ellipsoid 1 and any point of
+ * ellipsoid 2 is an upper bound, such as |point2 - point1|.
  *
  * Let ε = 2¹⁸ u (|r12| + |point1| + |r12 - point2|). The vector point2 - point1 differs from
  * `distance` times n by less than ε, and the length of this vector differs from `distance` by at
@@ -724,8 +726,8 @@ PW85_API int pw85_distance_derivatives(double const r12[3], double const q1[6], 
  * with u = 2⁻⁵³ and Σ as for pw85_distance(). No other direction has a value that is smaller by
  * more than 32 u Σ, where Σ is the larger one of the two directions.
  *
- * For more than nine of ten random pairs a quick certificate proves the minimum, and the time is 3
- * to 8 times that of pw85_contact(). For the other pairs the time is 10 to 60 times that of
+ * For more than 90 % of random pairs a simple sufficient condition proves the minimum, and the time
+ * is 3 to 8 times that of pw85_contact(). For the other pairs the time is 10 to 60 times that of
  * pw85_contact(), and about 1000 times if the minimum is not isolated.
  *
  * @param r12,q1,q2 [as pw85_contact()]
@@ -856,8 +858,8 @@ PW85_API int pw85_gap_inside_2d(double const r12[2], double const q1[3], double 
  * that are proved free of contact, and ends at a time at which μ² = 1 up to rounding. A finite
  * result does not depend on t_max, not even in its last bit.
  *
- * Let S be the sensitivity of μ² to the given numbers: relative errors ε of the given numbers
- * change μ² by at most ε S, to first order. At time t
+ * Let S be the sensitivity of μ² to the input: relative errors ε of the input data change μ² by at
+ * most ε S, to first order. At time t
  *
  *     S = cond + Σ_i |∂μ²/∂r_i| (|r12_i| + t |v1_i| + t |v2_i|)
  *             + Σ_k (1 + t |ω_k| + t |g_k|) max|Q_k| Σ_ij |∂μ²/∂Q_k,ij|
@@ -947,8 +949,8 @@ PW85_API int pw85_free_path(double const r12[3], double const q1[6], double cons
 /** @}
  * @name Building blocks
  *
- * These functions are public for tests and studies. Names with two underscores may change between
- * minor versions.
+ * These functions are public for tests and experiments. Functions with two underscores in their
+ * names may change between minor versions.
  * @{ */
 
 /** Computes the Cholesky factorisation A = L Lᵀ.

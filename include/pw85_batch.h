@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /** @file pw85_batch.h
- * @brief Many rows: the functions of pw85.h for arrays.
+ * @brief Batch functions: the functions of pw85.h for arrays of pairs or ellipsoids.
  *
- * The conventions are those of pw85.h. Everything that a contract here does not mention is as for
- * the function of one row. This header is generated from pw85.h: see CONTRIBUTING.md.
+ * The conventions are those of pw85.h. The contract of a batch function states only the differences
+ * from the function for one pair or ellipsoid. This header is generated from pw85.h: see
+ * CONTRIBUTING.md.
  */
 #ifndef PW85_BATCH_H_INCLUDED
 #define PW85_BATCH_H_INCLUDED
@@ -16,23 +17,24 @@ extern "C" {
 
 /** @name Many pairs
  *
- * Arrays are contiguous, and row i belongs to pair i. There may be 0 rows; pointers may then be
- * null. A pair is bad if a number is NaN or infinite, or a form is not positive definite. The
- * results of a bad pair are NaN, or 255 for overlaps. The function still computes the other pairs,
- * and returns the status of the first bad pair. If the call as a whole is wrong (a null pointer, a
- * size that overflows, an index out of range), the function returns #PW85_EINVAL before it writes
- * anything.
+ * Arrays are contiguous, and row i belongs to pair i. The number of rows may be 0; pointers may
+ * then be null. A pair is bad if the function for one pair would return an error, for example
+ * because a number is NaN or a form is not positive definite. The results of a bad pair are NaN, or
+ * 255 for overlaps. The function still computes the other pairs, and returns the status of the
+ * first bad pair. If the call as a whole is invalid (a null pointer, a size that overflows, an
+ * index out of range), the function returns #PW85_EINVAL and writes nothing.
  *
  * The result for a pair depends only on the pair and the instruction set, not on its position, the
- * number of pairs or the number of threads. The library uses the newest instruction set for which
- * it was compiled and which the processor has. The environment variable PW85_TARGET selects an
- * older one: baseline, avx2 or avx512 on x86-64; baseline, neon, sve256 or sve512 on 64-bit ARM.
- * The library reads it once. pw85_set_reproducible() makes the result independent of the
- * instruction set.
+ * number of pairs or the number of threads. The library uses the newest instruction set that the
+ * processor supports and for which the library was compiled. The environment variable PW85_TARGET
+ * selects an older one: baseline, avx2 or avx512 on x86-64; baseline, neon, sve256 or sve512 on
+ * 64-bit ARM. The library reads it once. pw85_set_reproducible() makes the result independent of
+ * the instruction set.
  *
- * With OpenMP, threads share the pairs; OMP_NUM_THREADS or omp_set_num_threads() sets their number.
- * The threads of GNU OpenMP do not survive fork(). If a process calls these functions with several
- * threads and then forks, the child must set one thread before it calls them.
+ * If the library was built with OpenMP, these functions run in several threads; OMP_NUM_THREADS or
+ * omp_set_num_threads() sets their number. The threads of GNU OpenMP do not survive fork(): if a
+ * process calls these functions with several threads and then forks, the child must set the number
+ * of threads to one before it calls them.
  * @{ */
 
 /** Computes pw85_ellipsoid_quaternion() for n ellipsoids, with bitwise equal results.
@@ -1052,9 +1054,9 @@ PW85_API int pw85_overlap_segment_batch_2d(size_t n, double const *end1, double 
 PW85_API int pw85_overlap_box_batch_2d(size_t n, double const *lower, double const *upper,
                                        double const *q, unsigned char *overlap);
 
-/** Computes for n pairs the results of pw85_contact(), pw85_contact_geometry(),
- * pw85_contact_gradient() and pw85_contact_torque(), from which the forces and torques of an energy
- * U(μ²) follow. A pair with r12 = 0 is valid: its derivatives are zero, its point and normal NaN.
+/** Computes pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and
+ * pw85_contact_torque() for n pairs in one call. The forces and torques of an energy U(μ²) follow
+ * from the results. If r12 = 0, the derivatives are zero, and the point and the normal are NaN.
  *
  * @param n [number of pairs]
  * @param r12 [n×3; length]
@@ -1105,12 +1107,12 @@ PW85_API int pw85_overlap_polytope_batch(size_t num_ellipsoids, double const *ce
 
 /** Tests whether an ellipsoid overlaps any of n others.
  *
- * The function tests the others one after the other, as pw85_overlap() does, and stops at the first
- * that overlaps or is bad. It runs in the calling thread, and uses SIMD.
+ * The function tests the other ellipsoids in order, as pw85_overlap() does, and stops at the first
+ * one that overlaps or is bad. It runs in the calling thread, and uses SIMD.
  *
  * @param q1 [length²; definite] form of the ellipsoid
  * @param n [number of others] 0 is allowed
- * @param r12 [n×3; length] centres of the others relative to that of the ellipsoid
+ * @param r12 [n×3; length] centres of the others, relative to the centre of the ellipsoid
  * @param q2 [n×6; length²; definite]
  * @param[out] any [-1 on error] 1 or 0
  * @return #PW85_SUCCESS, #PW85_EINVAL, or the status of the first bad pair if no pair before it
@@ -1121,10 +1123,10 @@ PW85_API int pw85_overlap_any(double const q1[6], size_t n, double const *r12, d
 /** @}
  * @name Many forms
  *
- * Rows, bad rows and threads are as for many pairs. Bad rows are marked with NaN.
+ * Rows and threads are as for many pairs. The results of a bad row are NaN.
  * @{ */
 
-/** Computes the smallest boxes, with sides along the axes, around n ellipsoids.
+/** Computes the bounding boxes of n ellipsoids, with sides along the coordinate axes.
  *
  * @param n [number of ellipsoids]
  * @param q [n×6; length²; definite]

@@ -32,7 +32,7 @@ PW85_API int pw85_gpu_count(int *count);
  * unchanged. A call allocates 4 bytes per pair, at most 32 MiB, from the memory pool of the stream,
  * and frees them in the order of the stream.
  *
- * The status only says whether the work was queued. As on the host, the results of a bad pair are
+ * The status states only whether the work was queued. As on the host, the results of a bad pair are
  * NaN, or 255 for overlaps; a pair with an index out of range is also bad. Answers about overlap
  * are the same as on the host: the stream sends bad pairs, and the few pairs that the arithmetic of
  * the device cannot decide, to the host. There pw85_overlap_batch() decides these pairs in a thread

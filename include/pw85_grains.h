@@ -15,7 +15,7 @@ extern "C" {
 /** @name Curvature and contact of grains
  *
  * Hertz's theory of two elastic bodies in contact needs the curvatures of both surfaces. The
- * chapter on curvature derives the formulas, and says which of these numbers are continuous.
+ * chapter on curvature derives the formulas, and states which of these numbers are continuous.
  * @{ */
 
 /** Computes the principal curvatures of the surface of an ellipsoid, and their directions, at the

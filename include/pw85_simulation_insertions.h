@@ -12,16 +12,16 @@
 extern "C" {
 #endif
 
-/** @name Places, insertions and removals of particles
+/** @name Insertions, removals and tests of positions
  * @{ */
 
-/** Tests whether a particle would be free of overlaps at another position, and moves it there on
- * request.
+/** Tests whether a particle would have no overlaps at another position, and on request moves it
+ * there.
  *
- * The test is exact. It includes all images, also those of the particle itself. A position at which
- * a wall cuts the particle, or which a potential forbids, is not free. Counts and random numbers do
- * not change. For a position near the present one, the call takes about as long as a trial of a
- * sweep. For any other position, the function makes a new list of all neighbours.
+ * The test is exact. It includes all images, also those of the particle itself. A position is not
+ * free either if a wall cuts the particle there, or if the potential is infinite there. Counts and
+ * random numbers do not change. For a position near the present one, the call takes about as long
+ * as a trial of a sweep. For any other position, the function makes a new neighbour list.
  *
  * @param simulation a simulation
  * @param particle index, from 0
@@ -39,7 +39,7 @@ PW85_API int pw85_hard_ellipsoids_try(pw85_hard_ellipsoids *simulation, size_t p
                                       double const center[3], double const quaternion[4], int take,
                                       int *is_free);
 
-/** Tests whether a new particle would be free of overlaps, and on request inserts it as the last
+/** Tests whether a new particle would have no overlaps, and on request inserts it as the last
  * particle.
  *
  * The test is exact. It includes walls and the images of the particle itself. A position that the
@@ -74,9 +74,8 @@ PW85_API int pw85_hard_ellipsoids_insert(pw85_hard_ellipsoids *simulation, doubl
  *        potential of a restored simulation is not set, because the energy would change */
 PW85_API int pw85_hard_ellipsoids_remove(pw85_hard_ellipsoids *simulation, size_t particle);
 
-/** Computes the mean of e^(-βU) of a particle that is inserted at random positions (Widom's test
- * particle). A position that is not free counts as 0. The particles of the simulation do not
- * change.
+/** Computes the mean of e^(-βU) over trial insertions of a particle at random positions (Widom's
+ * method). A position that is not free counts as 0. The particles of the simulation do not change.
  *
  * U is the energy of the particle in fields and potential. With a law, U includes the energies of
  * the pairs with all other particles and with its own images. Positions are uniform in the cell,

@@ -68,8 +68,8 @@ PW85_API int pw85_hard_ellipsoids_neighbors(pw85_hard_ellipsoids *simulation, si
  * @return #PW85_SUCCESS if there is no overlap, #PW85_EOVERLAP, #PW85_EINVAL, #PW85_ENOMEM */
 PW85_API int pw85_hard_ellipsoids_check(pw85_hard_ellipsoids const *simulation, int32_t pair[2]);
 
-/** Finds by which factor cell and centres can be compressed until particles touch, and on request
- * compresses them. Particles keep their sizes.
+/** Computes the factor by which the cell and the centres can be compressed until particles touch,
+ * and on request compresses them. The sizes of the particles do not change.
  *
  * The factor is the same in all directions, in two dimensions in the directions of the plane. It is
  * 1/μ for the least μ of all pairs, enlarged by no more than rounding errors require: the exact

@@ -33,7 +33,7 @@ typedef struct pw85_hard_ellipsoids pw85_hard_ellipsoids;
  * @param seed selects the random numbers
  * @param[out] pair [optional; -1 on error] the first two particles that overlap; twice the same
  *        index if a particle overlaps its own image; -1 if no particles overlap
- * @param[out] simulation [null on error] to be destroyed by pw85_hard_ellipsoids_destroy()
+ * @param[out] simulation [null on error] the simulation; free it by pw85_hard_ellipsoids_destroy()
  * @return #PW85_SUCCESS; #PW85_EOVERLAP if particles overlap; #PW85_EINVAL and #PW85_ENOTPD as for
  *        pw85_neighbors_create(); #PW85_ENOMEM, also if particles are so long that a neighbour list
  *        has more than 2¹⁵ images of the cell, or 2¹³ pairs per particle */
@@ -79,25 +79,25 @@ PW85_API void pw85_hard_ellipsoids_destroy(pw85_hard_ellipsoids *simulation);
 
 /** Returns the particles and the cell: pointers to the arrays of the simulation.
  *
- * The pointers are valid until the simulation is destroyed. The arrays show the present state until
- * particles are inserted or removed. Centres are not wrapped into the cell.
+ * The pointers are valid until the simulation is destroyed. The arrays contain the present state,
+ * until particles are inserted or removed. Centres are not wrapped into the cell.
  *
  * @param simulation [optional] a simulation
- * @return the system; without particles for null */
+ * @return the system; it has no particles if `simulation` is null */
 PW85_API pw85_system pw85_hard_ellipsoids_system(pw85_hard_ellipsoids const *simulation);
 
 /** Returns the orientations, num_particles×4. The pointer is valid as for
  * pw85_hard_ellipsoids_system().
  *
  * @param simulation [optional] a simulation
- * @return quaternions (w, x, y, z) of length one; null for null */
+ * @return quaternions (w, x, y, z) of length one; null if `simulation` is null */
 PW85_API double const *pw85_hard_ellipsoids_quaternions(pw85_hard_ellipsoids const *simulation);
 
 /** Returns the semi-axes, num_particles×3. The pointer is valid as for
  * pw85_hard_ellipsoids_system().
  *
  * @param simulation [optional] a simulation
- * @return the lengths; null for null */
+ * @return the lengths; null if `simulation` is null */
 PW85_API double const *pw85_hard_ellipsoids_semi_axes(pw85_hard_ellipsoids const *simulation);
 
 /** @} */
@@ -108,20 +108,20 @@ PW85_API double const *pw85_hard_ellipsoids_semi_axes(pw85_hard_ellipsoids const
 /** Returns the number of bytes that pw85_hard_ellipsoids_save() writes.
  *
  * @param simulation [optional] a simulation
- * @return the number; 0 for null */
+ * @return the number; 0 if `simulation` is null */
 PW85_API size_t pw85_hard_ellipsoids_num_bytes(pw85_hard_ellipsoids const *simulation);
 
 /** Writes the whole state of a simulation as bytes: 80 bytes for each particle, and a few hundred
  * more.
  *
- * The bytes are the same on every machine, and contain a checksum: see the chapter on Monte Carlo.
- * They contain the energy in the caller's potential, but not the function itself.
+ * The format is the same on every machine, and has a checksum: see the chapter on Monte Carlo. The
+ * bytes contain the energy in the caller's potential, but not the potential function.
  *
  * @param simulation a simulation
  * @param num_bytes pw85_hard_ellipsoids_num_bytes()
  * @param[out] bytes [num_bytes]
- * @return #PW85_SUCCESS, #PW85_EINVAL; #PW85_EPOTENTIAL if the energy in the caller's potential is
- *        not finite: nothing is written then */
+ * @return #PW85_SUCCESS, #PW85_EINVAL; #PW85_EPOTENTIAL, with nothing written, if the energy in the
+ *        caller's potential is not finite */
 PW85_API int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, size_t num_bytes,
                                        unsigned char *bytes);
 
@@ -131,11 +131,10 @@ PW85_API int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, s
  *
  * @param num_bytes [number of bytes]
  * @param bytes [num_bytes]
- * @param[out] simulation [null on error] to be destroyed by pw85_hard_ellipsoids_destroy()
+ * @param[out] simulation [null on error] the simulation; free it by pw85_hard_ellipsoids_destroy()
  * @return #PW85_SUCCESS; #PW85_EINVAL, also if the bytes are incomplete, have been changed, have a
  *        later format, or come from a version before 3.1; #PW85_EINVAL, #PW85_EOVERLAP,
- *        #PW85_ENOTPD, #PW85_EPOTENTIAL if the state that they describe is not possible;
- *        #PW85_ENOMEM */
+ *        #PW85_ENOTPD, #PW85_EPOTENTIAL if they describe an invalid state; #PW85_ENOMEM */
 PW85_API int pw85_hard_ellipsoids_restore(size_t num_bytes, unsigned char const *bytes,
                                           pw85_hard_ellipsoids **simulation);
 

@@ -31,7 +31,7 @@ extern "C" {
  * The pressure is not used. */
 #define PW85_CHANGE_ASPECT 3
 
-/** Makes sweeps. A sweep has as many trials as there are particles.
+/** Makes sweeps. The number of trials in a sweep is the number of particles.
  *
  * The cell is divided into domains, with a random origin for each sweep (checkerboard
  * decomposition). Domains of one colour are not neighbours, and threads work on them at the same
@@ -48,7 +48,7 @@ extern "C" {
  * its negative are equally probable.
  *
  * @param simulation a simulation
- * @param num_sweeps how many
+ * @param num_sweeps number of sweeps
  * @return #PW85_SUCCESS, #PW85_EINVAL; #PW85_ENOMEM, after which the last sweep is not complete;
  *        #PW85_EPOTENTIAL as for pw85_hard_ellipsoids_set_potential() */
 PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t num_sweeps);
@@ -68,7 +68,7 @@ PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t
  * chains (Michel, Kapfer and Krauth 2014). To estimate its error, make blocks of chains.
  *
  * @param simulation a simulation
- * @param num_chains how many
+ * @param num_chains number of chains
  * @param length [length; > 0] of each chain, in the unit of length. The mean free path times the
  *        number of particles would be a long chain
  * @param direction [optional; != 0] of any length, in two dimensions with z = 0; or null for an
@@ -125,7 +125,7 @@ PW85_API int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation,
  * short. They become longer only if particles are far apart.
  *
  * @param simulation a simulation
- * @param num_sweeps how many
+ * @param num_sweeps number of sweeps
  * @param acceptance [> 0; <= 1] the target of the acceptance ratio
  * @param pressure [>= 0] βP as for pw85_hard_ellipsoids_volume_moves(), for one volume move after
  *        each sweep; 0 for no volume moves, except for #PW85_CHANGE_ASPECT

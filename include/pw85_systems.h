@@ -2,8 +2,7 @@
 /** @file pw85_systems.h
  * @brief Systems of particles: lists of pairs, periodic cells, neighbour lists and triangle meshes.
  *
- * The conventions are those of pw85.h. For rows, bad rows and threads, the conventions are those of
- * many pairs in pw85_batch.h.
+ * The conventions are those of pw85.h, and for rows, bad rows and threads those of pw85_batch.h.
  */
 #ifndef PW85_SYSTEMS_H_INCLUDED
 #define PW85_SYSTEMS_H_INCLUDED
@@ -21,9 +20,9 @@ extern "C" {
  * only read them, and do not use them after the call. If a function does not read a member, its
  * contract says so, and the member may be null.
  *
- * If there is a cell, `periodic` says along which of its vectors there are periodic images. At
- * least one entry of `periodic` must not be 0. Cell vectors that are not periodic may be zero or
- * NaN. Without a cell, functions do not read `periodic`. */
+ * If there is a cell, `periodic` states along which of its vectors the system is periodic: at least
+ * one entry must not be 0. The other cell vectors may be zero or NaN. Without a cell, functions do
+ * not read `periodic`. */
 typedef struct pw85_system {
     /** [number of particles] 0 is allowed, and pointers may then be null. */
     size_t num_particles;
@@ -35,7 +34,7 @@ typedef struct pw85_system {
      * vectors of the cell, of which at least one is periodic; null for a system
      * without periodic images. */
     double const *cell;
-    /** not 0 for each vector of the cell along which there are images. */
+    /** not 0 for each cell vector along which the system is periodic. */
     int periodic[3];
 } pw85_system;
 
@@ -47,24 +46,24 @@ typedef struct pw85_pair_list {
     /** [num_pairs×2; index] indices (i, j) of particles, from 0. */
     int32_t const *pairs;
     /** [num_pairs×3; optional; needs cell] multiples of the cell vectors, as given,
-     * to be added to the centre of j; multiples of vectors that are not periodic
+     * to add to the centre of j; multiples of vectors that are not periodic
      * count as 0; null for the nearest images. */
     int32_t const *images;
 } pw85_pair_list;
 
-/** Tests whether an ellipsoid overlaps any of n particles of a system, which are given by their
- * indices. This is the inner loop of a Monte Carlo move, for the trial ellipsoid.
+/** Tests whether an ellipsoid overlaps any of n listed particles of a system. This is the overlap
+ * test of a Monte Carlo trial move.
  *
- * With `images`, the function tests one image of each of these particles, as in a neighbour list.
- * Without `images`, in a periodic cell, the answer is for all images of these particles and of the
- * ellipsoid itself, although the function tests only the nearest images. These decide if one of
- * them overlaps, or if farther images cannot overlap, that is, if pw85_nearest_image_limit() of all
- * these particles is at least 1. Otherwise the status is #PW85_EINVAL, and pw85_last_error() names
- * `images`: call the function again with the images of a neighbour list.
+ * With `images`, the function tests one image of each listed particle, as in a neighbour list.
+ * Without `images`, in a periodic cell, the function tests the nearest images, and the answer is
+ * valid for all images of these particles and of the ellipsoid itself. The nearest images suffice
+ * if one of them overlaps, or if pw85_nearest_image_limit() of these particles and the ellipsoid is
+ * at least 1. Otherwise the status is #PW85_EINVAL, and pw85_last_error() returns `images` as the
+ * argument: call the function again with the images of a neighbour list.
  *
- * In such a small cell the ellipsoid can also overlap images of itself. A neighbour list contains
+ * In such a small cell the ellipsoid can also overlap its own images. A neighbour list contains
  * these images, with the index of the ellipsoid. Write the trial ellipsoid into the arrays of the
- * system before the call: the index then refers to the trial ellipsoid.
+ * system before the call, so that this index refers to the trial ellipsoid.
  *
  * @param center [length] centre of the ellipsoid
  * @param q1 [length²; definite] form of the ellipsoid
@@ -74,8 +73,8 @@ typedef struct pw85_pair_list {
  * @param n [number of others] 0 is allowed
  * @param indices [n; index] of particles, from 0; the index of the ellipsoid itself is allowed only
  *        with `images`
- * @param images [n×3; optional; needs cell] multiples of the cell vectors, as given, to be added to
- *        the centres of these particles; or null for all images
+ * @param images [n×3; optional; needs cell] multiples of the cell vectors, as given, to add to the
+ *        centres of these particles; or null for all images
  * @param[out] any [-1 on error] 1 or 0
  * @return as for pw85_overlap_any(); #PW85_EINVAL also if the nearest images do not decide */
 PW85_API int pw85_overlap_any_indices(double const center[3], double const q1[6],
@@ -132,12 +131,11 @@ PW85_API int pw85_contact_derivatives_pairs(pw85_pair_list const *list, pw85_sys
                                             double *normal, double *d_r12, double *d_rot1,
                                             double *d_rot2);
 
-/** Computes the sums of the forces, torques and virial of an energy U(μ²) of pairs. Each term is a
- * derivative of pw85_contact_derivatives_pairs() times dU/dμ².
+/** Computes the forces, torques and virial of a pair energy U(μ²) by summing over the pairs. Each
+ * term is a derivative of pw85_contact_derivatives_pairs() times dU/dμ².
  *
- * The terms are added in the order of the pairs. The result therefore does not depend on the number
- * of threads, not even in its last bits. Each thread goes through all pairs, and adds the terms of
- * its own particles.
+ * The terms are added in the order of the pairs. The results are therefore bitwise equal for any
+ * number of threads. Each thread reads all pairs, and adds the terms of its own particles.
  *
  * @param list the pairs; without pairs the sums are 0
  * @param system [as pw85_contact_pairs(); without q; or NaN; or far away] `q` may be null, and
@@ -187,14 +185,13 @@ typedef struct pw85_law {
     double const *parameters;
 } pw85_law;
 
-/** Computes the sums of the energies, forces, torques and virial of the pairs of a list. The energy
- * of a pair is a function of μ², the law.
+/** Computes the total energy, the forces, the torques and the virial of the pairs of a list. The
+ * energy of a pair is a function of μ², the law.
  *
- * The sums of forces and torques are bitwise equal to those of pw85_contact_forces_pairs(), with
- * one exception: a soft repulsion ignores pairs that do not overlap but whose μ² is rounded to less
- * than 1. The results do not depend on the number of threads, not even in their last bits.
- * Concentric ellipsoids exert no forces. For particles of several species, make one list and one
- * call for each law.
+ * The forces and torques are bitwise equal to those of pw85_contact_forces_pairs(), with one
+ * exception: a soft repulsion ignores pairs that do not overlap but whose μ² is rounded to less
+ * than 1. The results are bitwise equal for any number of threads. Concentric ellipsoids exert no
+ * forces. For particles of several species, make one list and one call for each law.
  *
  * The call takes little more time than pw85_contact_derivatives_pairs(). For a soft repulsion it
  * takes less, because pairs that do not overlap need no derivatives.
@@ -236,14 +233,13 @@ PW85_API int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system co
  * @name Periodic cells
  * @{ */
 
-/** Computes a reduced cell of the same lattice: none of its vectors becomes shorter by adding or
- * subtracting the other ones.
+/** Computes a reduced cell of a lattice: adding or subtracting its other vectors makes none of its
+ * vectors shorter.
  *
- * Compute it once and keep it. The functions of pair lists recognise a reduced cell by a few
- * inequalities; they reduce any other cell in each call. Rectangular cells are reduced, and so are
- * cells whose vectors have equal lengths and angles between 60 and 120 degrees. The reduced vectors
- * are sums of cell vectors, and are rounded. `images` for one of the two cells are not valid for
- * the other.
+ * Compute the reduced cell once and store it: the functions of pair lists reduce any other cell
+ * again in each call. Rectangular cells are reduced, and so are cells whose vectors have equal
+ * lengths and angles between 60 and 120 degrees. The reduced vectors are integer combinations of
+ * the cell vectors, and are rounded. `images` for one of the two cells are not valid for the other.
  *
  * @param cell [3×3; length; independent rows] rows are the vectors
  * @param[out] reduced [3×3; length; member cell] may be the same array as cell
@@ -253,8 +249,9 @@ PW85_API int pw85_cell_reduce(double const cell[9], double reduced[9]);
 /** Computes the nearest images that the functions of pair lists use if `images` is null. The
  * results are the vectors between the centres, and values for `images`.
  *
- * With these `images` the functions need no search, and each pair keeps its image. The images
- * remain the nearest ones until a particle has moved by about half a cell.
+ * If you pass these `images` to the functions of pair lists, they need no search, and each pair
+ * keeps its image. The images remain the nearest ones until a particle has moved by about half a
+ * cell.
  *
  * @param num_pairs [number of pairs]
  * @param pairs [num_pairs×2; index] indices (i, j) of particles, from 0
@@ -291,12 +288,12 @@ PW85_API int pw85_nearest_image_limit(pw85_system const *system, double *mu2);
  * @name Neighbour lists
  * @{ */
 
-/** A list of all pairs of particles whose bounding boxes intersect, with periodic images. The
- * library owns it. Its pairs are arguments of pw85_contact_pairs() and similar functions. */
+/** A neighbour list: all pairs of particles whose bounding boxes intersect, with periodic images.
+ * The library owns it. Pass its pairs to pw85_contact_pairs() and similar functions. */
 typedef struct pw85_neighbors pw85_neighbors;
 
-/** Makes a list of the pairs (i, j, image) whose bounding boxes are no farther apart than `skin`
- * along any axis, for ellipsoids scaled by `scale`.
+/** Makes a neighbour list: the pairs (i, j, image) whose bounding boxes are at most `skin` apart
+ * along each axis, for ellipsoids scaled by `scale`.
  *
  * The condition is |r_d| <= scale (√Qi_dd + √Qj_dd) + skin for d = x, y, z, with the vector r from
  * the centre of i to the centre of the image of j. The list therefore contains all pairs with μ² <=
@@ -318,14 +315,14 @@ typedef struct pw85_neighbors pw85_neighbors;
  *        2²⁹ cells away; the cell may be skewed and small without limit
  * @param scale [> 0] factor of the ellipsoids
  * @param skin [length; >= 0] in the unit of the semi-axes
- * @param[out] list [null on error] to be destroyed by pw85_neighbors_destroy()
+ * @param[out] list [null on error] the list; free it by pw85_neighbors_destroy()
  * @return #PW85_SUCCESS; #PW85_EINVAL, also if an image is more than 2²⁹ vectors away;
  *        #PW85_ENOTPD; #PW85_ENOMEM. pw85_neighbors_check() returns the index of the bad particle.
  *        */
 PW85_API int pw85_neighbors_create(pw85_system const *system, double scale, double skin,
                                    pw85_neighbors **list);
 
-/** Finds the particle that prevents pw85_neighbors_create() from making a list; arguments as for
+/** Finds the invalid particle after pw85_neighbors_create() has failed; the arguments are those of
  * pw85_neighbors_create().
  *
  * @param system,scale,skin [as pw85_neighbors_create()]
@@ -338,14 +335,15 @@ PW85_API int pw85_neighbors_check(pw85_system const *system, double scale, doubl
                                   size_t *particle);
 
 /** Tests whether a list still contains all pairs whose boxes intersect (without skin), after
- * particles have moved and rotated and the cell has changed.
+ * particles have moved or rotated, or the cell has changed.
  *
  * If the answer is 1, no pair is missing, for any image. If the answer is 0, pairs may be missing.
- * The test applies to each box the linear map from the present periodic vectors of the cell to
- * those of the list. The answer is 1 if each box is then within its old box, enlarged by half the
- * skin on each side, up to a motion that all particles share. If the centres follow the cell when
- * it shrinks or is sheared, about any point, only the changes of the boxes use up the skin. If the
- * centres do not follow the cell, their displacements relative to the cell also use up the skin.
+ * The answer is 1 if each box is within its old box, enlarged by half the skin on each side. A
+ * translation that all particles share does not matter. If the cell has changed, the present boxes
+ * are first mapped back by the linear map from the present periodic cell vectors to the old ones.
+ * If the centres follow the cell when it shrinks or is sheared, about any point, only the changes
+ * of the boxes use up the skin. Otherwise the displacements of the centres relative to the cell
+ * also use up the skin.
  *
  * While the list is in use, do not wrap the centres into the cell, and do not reduce or flip the
  * vectors of the cell: `images` are multiples of these vectors.
@@ -360,11 +358,11 @@ PW85_API int pw85_neighbors_check(pw85_system const *system, double scale, doubl
 PW85_API int pw85_neighbors_holds(pw85_neighbors const *list, pw85_system const *system,
                                   int *holds);
 
-/** Returns the pairs of a list, with their images if it has a cell: pointers to the arrays of the
- * list, which are valid until it is destroyed.
+/** Returns the pairs of a list and, if it has a cell, their images. The pointers refer to arrays of
+ * the list, and are valid until it is destroyed.
  *
  * @param list [optional] a list
- * @return the pairs; none for null */
+ * @return the pairs; no pairs if `list` is null */
 PW85_API pw85_pair_list pw85_neighbors_list(pw85_neighbors const *list);
 
 /** Frees a list.
@@ -395,7 +393,7 @@ typedef struct pw85_mesh pw85_mesh;
  * @param num_triangles [number of triangles] at most 2³¹ - 1
  * @param triangles [num_triangles×3; index] indices of vertices, from 0. A triangle without area is
  *        a segment or a point.
- * @param[out] mesh [null on error] to be destroyed by pw85_mesh_destroy()
+ * @param[out] mesh [null on error] the mesh; free it by pw85_mesh_destroy()
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM */
 PW85_API int pw85_mesh_create(size_t num_vertices, double const *vertices, size_t num_triangles,
                               int32_t const *triangles, pw85_mesh **mesh);
@@ -413,8 +411,8 @@ PW85_API int pw85_mesh_create(size_t num_vertices, double const *vertices, size_
  *        the mesh; infinity if the mesh has no triangles
  * @param[out] point [length; optional] the point at which the scaled ellipsoid touches, relative to
  *        its centre; NaN if the mesh has no triangles
- * @param[out] triangle [optional; -1 on error] index of the nearest triangle, the first of several;
- *        -1 if the mesh has none
+ * @param[out] triangle [optional; -1 on error] index of the nearest triangle, or the first one of
+ *        several; -1 if the mesh has none
  * @return #PW85_SUCCESS; #PW85_EINVAL, also if the coordinates of a vertex relative to the centre
  *        overflow; #PW85_ENOTPD */
 PW85_API int pw85_mesh_contact(pw85_mesh const *mesh, double const center[3], double const q[6],
@@ -430,7 +428,7 @@ PW85_API int pw85_mesh_overlap(pw85_mesh const *mesh, double const center[3], do
                                int *overlap);
 
 /** Computes the signed distance of an ellipsoid and a mesh: the least value of
- * pw85_distance_triangle() for all triangles, bitwise equal.
+ * pw85_distance_triangle() over all triangles, with bitwise equal results.
  *
  * If the ellipsoid overlaps no triangle, the result is the distance of the ellipsoid and the
  * surface, with the closest points. Otherwise it is minus the largest depth of a single triangle:

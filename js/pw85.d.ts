@@ -168,9 +168,10 @@ export interface Pw85 extends Memory {
      * ellipsoids along n. Its error is below 8 u Σ, with u = 2⁻⁵³. Here Σ = Σ|n_i r12_i| + Σ|n_i q1_ij n_j|/(2α)
      * + Σ|n_i q2_ij n_j|/(2β), summed over all i and j, with n, α and β at the closest points. Rounding the data
      * entry by entry can change the distance by u Σ.
-     * A program can check the result by two bounds. For any unit vector n, n·r12 - α - β is a lower bound of the
-     * distance; `distance` is this bound for the normal of `pw85_distance_derivatives()` of the C API. The
-     * distance between any two points of the two ellipsoids is an upper bound, such as |point2 - point1|.
+     * A program can verify the result by a lower and an upper bound. For any unit vector n, n·r12 - α - β is a
+     * lower bound of the distance; `distance` is this bound for the normal of `pw85_distance_derivatives()` of
+     * the C API. The distance between any point of ellipsoid 1 and any point of ellipsoid 2 is an upper bound,
+     * such as |point2 - point1|.
      * Let ε = 2¹⁸ u (|r12| + |point1| + |r12 - point2|). The vector point2 - point1 differs from `distance` times
      * n by less than ε, and the length of this vector differs from `distance` by at most ε. The points are the
      * exact closest points for a pair whose r12 differs by at most ε. Each point is off its surface by less than

@@ -27,4 +27,7 @@ tutorial=$PWD/build-tutorial
   meson setup "$tutorial" examples/c -Dpw85_include="$prefix/include" -Dpw85_lib="$prefix/lib"
 meson compile -C "$tutorial"
 echo
+echo "pw85 is installed in $prefix. README.md, section Languages, shows how to compile your own programs."
+echo "The tutorial prints:"
+echo
 LD_LIBRARY_PATH="$prefix/lib" "$tutorial/tutorial"

@@ -228,7 +228,7 @@ class FunctionsByPurpose(FromHeader):
         self.depend_on(*pages.PURPOSE_HEADERS)
         text = pages.with_twins("\n".join(self.content))
         options = (":widths: 44 56", ":header-rows: 1", ":class: stacked")
-        rows = ["* - I want", "  - I call", *text.splitlines(), *self.others(text)]
+        rows = ["* - Task", "  - Functions", *text.splitlines(), *self.others(text)]
         return self.parsed([".. list-table::", *(f"   {line}" for line in (*options, "", *rows))])
 
     def others(self, text):

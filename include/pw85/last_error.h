@@ -14,8 +14,8 @@
 extern "C" {
 #endif
 
-/** The cause of an error, that is, of a call that returned a status other than #PW85_SUCCESS. All
- * texts are constants of the library.
+/** The cause of an error, that is, of a call that returned a status other than #PW85_SUCCESS. The
+ * library owns all strings, which are constants.
  *
  * If the cause is one argument, `function`, `argument` and `requirement` make a sentence, such as
  * "pw85_contact: q2 must be positive definite". Otherwise `requirement` is a sentence by itself,
@@ -23,10 +23,10 @@ extern "C" {
 typedef struct pw85_error {
     /** Status that the function returned. */
     int status;
-    /** Name of the function; null if there is no error to report. For a bad row of a function for
-     * many rows, this is the function for one row: a bad row of pw85_distance_box_batch() gives
-     * "pw85_distance_box". For a bad pair of a pair list, it is the function for one pair, such as
-     * "pw85_contact" after pw85_contact_pairs(). */
+    /** Name of the function; null if there is no error to report. For a bad row of a batch
+     * function, this is the function for one row, such as "pw85_distance_box" after
+     * pw85_distance_box_batch(). For a bad pair of a pair list, it is the function for one pair,
+     * such as "pw85_contact" after pw85_contact_pairs(). */
     char const *function;
     /** Name of the argument in the declaration of the function, or of the member of a struct; null
      * if the cause is not one argument. For a pair of a pair list, the names are r12, q1 and q2:
@@ -50,11 +50,11 @@ typedef struct pw85_error {
  * returns no cause.
  *
  * Call this function in the same thread, directly after a function has returned a status other than
- * success. After a function for many rows, the cause is that of the first bad row. A call that
- * succeeds does not change the record, and takes no extra time. `argument` is `simulation` or
- * `system` if the object or the system as a whole does not allow the call. The functions of the
- * libraries pw85_gpu and pw85_legacy keep no record: after them `function` is null, unless an
- * earlier error has not been read.
+ * success. After a batch function, the cause is that of the first bad row. A call that succeeds
+ * does not change the record, and takes no extra time. `argument` is `simulation` or `system` if
+ * the object or the system as a whole does not allow the call. The functions of the libraries
+ * pw85_gpu and pw85_legacy keep no record: after them `function` is null, unless an earlier error
+ * has not been read.
  *
  * @param[out] error the cause; `function` is null and `status` is #PW85_SUCCESS if there is none
  * @return #PW85_SUCCESS, or #PW85_EINVAL if `error` is null */

@@ -1,6 +1,6 @@
 function half_widths = pw85_bounding_boxes (varargin)
-%pw85_bounding_boxes  Computes the smallest boxes, with sides along the axes, around n
-%  ellipsoids.
+%pw85_bounding_boxes  Computes the bounding boxes of n ellipsoids, with sides along the
+%  coordinate axes.
 %
 %   half_widths = pw85_bounding_boxes (q)
 %   half_widths = pw85_bounding_boxes (x)

@@ -1,12 +1,12 @@
 function [mu2, lambda, point, normal, d_r12, d_rot1, d_rot2] = pw85_contact_derivatives (varargin)
-%pw85_contact_derivatives  Computes for many pairs the results of pw85_contact(),
-%  pw85_contact_geometry(), pw85_contact_gradient() and pw85_contact_torque(), from which the
-%  forces and torques of an energy U(μ²) follow.
+%pw85_contact_derivatives  Computes pw85_contact(), pw85_contact_geometry(),
+%  pw85_contact_gradient() and pw85_contact_torque() for many pairs in one call.
 %
 %   [mu2, lambda, point, normal, d_r12, d_rot1, d_rot2] = pw85_contact_derivatives (r12, q1, q2)
 %   [mu2, lambda, point, normal, d_r12, d_rot1, d_rot2] = pw85_contact_derivatives (x, y)
 %
-%  A pair with r12 = 0 is valid: its derivatives are zero, its point and normal NaN.
+%  The forces and torques of an energy U(μ²) follow from the results. If r12 = 0, the
+%  derivatives are zero, and the point and the normal are NaN.
 %
 %  For ellipsoids in three dimensions.
 %

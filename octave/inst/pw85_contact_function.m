@@ -5,10 +5,10 @@ function [mu2, lambda] = pw85_contact_function (varargin)
 %   [mu2, lambda] = pw85_contact_function (r12, q1, q2)
 %   [mu2, lambda] = pw85_contact_function (x, y)
 %
-%  pw85_contact() is several times faster, with the same bound on the error. Brent's method
-%  maximises f, for ellipsoids that are scaled to similar size: lambda_atol has the same meaning
-%  for ellipsoids of all sizes. Halley's method then refines the result (in pw85 1.0, Newton's
-%  method).
+%  Use pw85_contact() instead: it is several times faster, with the same error bound. This
+%  function scales the ellipsoids to similar size, so that lambda_atol has the same meaning for
+%  all sizes. Brent's method then maximises f, and Halley's method (in pw85 1.0, Newton's
+%  method) refines the result.
 %
 %  For ellipsoids in three dimensions.
 %

@@ -4,7 +4,7 @@ function contains = pw85_contains (varargin)
 %   contains = pw85_contains (r12, q1, q2)
 %   contains = pw85_contains (x, y)
 %
-%  An ellipsoid 2 that touches the surface from inside counts as inside.
+%  Ellipsoid 2 may touch the surface of ellipsoid 1 from inside.
 %
 %  The answer is exact for the numbers given. Every ellipsoid contains itself.
 %

@@ -10,10 +10,10 @@ function [distance, point1, point2] = pw85_distance (varargin)
 %  r12_i| + Σ|n_i q1_ij n_j|/(2α) + Σ|n_i q2_ij n_j|/(2β), summed over all i and j, with n, α
 %  and β at the closest points. Rounding the data entry by entry can change the distance by u Σ.
 %
-%  A program can check the result by two bounds. For any unit vector n, n·r12 - α - β is a lower
-%  bound of the distance; distance is this bound for the normal of pw85_distance_derivatives().
-%  The distance between any two points of the two ellipsoids is an upper bound, such as |point2
-%  - point1|.
+%  A program can verify the result by a lower and an upper bound. For any unit vector n, n·r12 -
+%  α - β is a lower bound of the distance; distance is this bound for the normal of
+%  pw85_distance_derivatives(). The distance between any point of ellipsoid 1 and any point of
+%  ellipsoid 2 is an upper bound, such as |point2 - point1|.
 %
 %  Let ε = 2¹⁸ u (|r12| + |point1| + |r12 - point2|). The vector point2 - point1 differs from
 %  distance times n by less than ε, and the length of this vector differs from distance by at

@@ -6,11 +6,11 @@ function [overlap, lambda, point] = pw85_overlap_witness (varargin)
 %   [overlap, lambda, point] = pw85_overlap_witness (x, y)
 %
 %  If the ellipsoids are apart, the proof is a double λ with f(λ) > 1. The function finds such a
-%  λ if any double has this property. If the ellipsoids overlap, the proof is a point inside
-%  both. The function searches for this point near the contact point of the ellipsoids scaled by
-%  μ. The search may fail if 1 - μ² is below 1e-13. For tangent ellipsoids there is no proof: λ
-%  and point are then NaN. A proof holds exactly for the numbers given, and a program can check
-%  it in rational arithmetic.
+%  double if there is one. If the ellipsoids overlap, the proof is a point inside both. The
+%  function searches for this point near the contact point of the ellipsoids scaled by μ; the
+%  search may fail if 1 - μ² is below 1e-13. For tangent ellipsoids there is no proof: λ and
+%  point are then NaN. A proof is exact for the given doubles, and a program can verify it in
+%  rational arithmetic.
 %
 %  For ellipsoids in three dimensions.
 %

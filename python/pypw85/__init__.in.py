@@ -1,34 +1,33 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The contact function of Perram and Wertheim for two ellipsoids.
 
-An ellipsoid with centre c and quadratic form Q is the set of points m with (m-c)ᵀ Q⁻¹ (m-c) <= 1. Q is symmetric
-positive definite; its eigenvalues are the squares of the semi-axes, its eigenvectors their directions. For two
+The ellipsoid with centre c and quadratic form Q is the set of points m with (m-c)ᵀ Q⁻¹ (m-c) <= 1. Q is symmetric and
+positive definite. Its eigenvalues are the squares of the semi-axes, and its eigenvectors are their directions. For two
 ellipsoids with forms Q1, Q2 and r12 = c2 - c1, the contact function is
 
     μ² = max { f(λ), 0 <= λ <= 1 },    f(λ) = λ(1-λ) r12ᵀ [(1-λ) Q1 + λ Q2]⁻¹ r12.
 
-μ is the common factor by which both ellipsoids must be scaled, their centres fixed, to touch: μ² < 1 if they overlap,
-μ² > 1 if they are apart.
+If both ellipsoids are scaled by μ about their centres, they touch. They overlap if μ² < 1, and are apart if μ² > 1.
 
-Conventions, for every function unless it says otherwise:
+These conventions hold for every function unless its description says otherwise:
 
-- Vectors are arrays (..., 3), forms (..., 6): the upper triangle (xx, xy, xz, yy, yz, zz) in row-major order. In two
-  dimensions, (..., 2) and (..., 3).
-- Leading dimensions broadcast. Arrays may be of any real type and layout; contiguous float64 is used without a copy.
-  Long doubles and objects (fractions, decimals) are converted to float64.
-- Every function of numbers is a generalised ufunc of NumPy (see `pypw85.gufuncs`): `out` and the keywords of ufuncs
-  work, and other threads run meanwhile.
-- Dask arrays give dask arrays, computed chunk by chunk when you say so; lists and arrays of NumPy may be mixed with
-  them. `out` cannot be used then, nor any keyword but dtype, axes, casting and order.
-- A masked entry counts as NaN. Arrays of pandas and xarray are taken by position, without regard to their labels; the
-  results are arrays of NumPy (or dask, if that is what xarray holds).
-- A call for a single row, without keywords of ufuncs, that fails raises `PW85Error` and leaves NaN in `out`. In a call
-  for many rows, a bad row becomes NaN, the others are computed all the same, and NumPy reports "invalid value" once, as
-  `numpy.errstate` says; `bad_rows` finds them. The text of an exception names the argument that is bad, and why it is.
+- Vectors are arrays of shape (..., 3). Forms have shape (..., 6): the upper triangle (xx, xy, xz, yy, yz, zz) in
+  row-major order. In two dimensions the shapes are (..., 2) and (..., 3).
+- Leading dimensions broadcast. Arrays may have any real type and memory layout. Contiguous float64 arrays are not
+  copied. Long doubles and objects (fractions, decimals) are converted to float64.
+- Most functions are generalised ufuncs of NumPy (see `pypw85.gufuncs`). They accept `out` and the keywords of ufuncs,
+  and release the global interpreter lock.
+- For dask arrays the result is a lazy dask array. Lists and NumPy arrays may be mixed with dask arrays. Then `out` is
+  not supported, and the only keywords are dtype, axes, casting and order.
+- A masked entry counts as NaN. For arrays of pandas and xarray, the labels are ignored: only positions matter. The
+  results are NumPy arrays (or dask arrays, if the xarray object contains one).
+- Errors: a call for a single pair raises `PW85Error`, and writes NaN to `out`. The message names the invalid argument
+  and the reason. In a call for arrays, invalid rows become NaN, and the other rows are computed as usual. NumPy then
+  warns about an "invalid value", unless `numpy.errstate` changes this. `bad_rows` returns the indices of these rows.
 """
 
 from . import (
-    _drawing,  # gives System.draw() what it does
+    _drawing,  # implements System.draw()
     gufuncs,
     legacy,
     utils,
@@ -116,7 +115,7 @@ from .formats import FileError, frames, read, write
 
 __version__ = version()
 
-# As in pw85 2.0; in an installed package, importlib.metadata.metadata("pypw85") says more.
+# The dictionary of pw85 2.0. In an installed package, importlib.metadata.metadata("pypw85") has more.
 metadata = {
     "name": "pypw85",
     "version": __version__,

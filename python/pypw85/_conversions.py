@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Forms from other descriptions: the conventions of other programs, angles, rotation vectors, covariance matrices."""
+"""Forms from the data of other programs, Euler angles, rotation vectors and covariance matrices."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from ._typing import Floats
 
 
 def from_lammps(diameters: ArrayLike, quaternions_wxyz: ArrayLike) -> Floats:
-    """Forms of the ellipsoids of LAMMPS (``atom_style ellipsoid``).
+    """Computes the forms of ellipsoids of LAMMPS (``atom_style ellipsoid``).
 
     Parameters
     ----------
@@ -40,7 +40,7 @@ def from_lammps(diameters: ArrayLike, quaternions_wxyz: ArrayLike) -> Floats:
     ------
     PW85Error
         For a single particle: a diameter is not positive (LAMMPS writes 0 0 0 for point particles), or the quaternion
-        is zero. Rows of arrays become NaN.
+        is zero. In arrays, invalid rows become NaN.
 
     Examples
     --------
@@ -60,7 +60,7 @@ def _plain_rows(function: str, x: ArrayLike, size: int) -> Floats:
 
 
 def from_ovito(semi_axes: ArrayLike, quaternions_xyzw: ArrayLike) -> Floats:
-    """Forms of the ellipsoids of OVITO.
+    """Computes the forms of ellipsoids of OVITO.
 
     Parameters
     ----------
@@ -76,7 +76,7 @@ def from_ovito(semi_axes: ArrayLike, quaternions_xyzw: ArrayLike) -> Floats:
     Raises
     ------
     PW85Error
-        For a single particle: a length is not positive, or the quaternion is zero. Rows of arrays become NaN.
+        For a single particle: a length is not positive, or the quaternion is zero. In arrays, invalid rows become NaN.
 
     Examples
     --------
@@ -94,7 +94,7 @@ def from_ovito(semi_axes: ArrayLike, quaternions_xyzw: ArrayLike) -> Floats:
 def from_gsd(
     type_shapes: Sequence[Mapping[str, Any]], typeid: ArrayLike, orientations_wxyz: ArrayLike
 ) -> Floats:
-    """Forms of the ellipsoids and spheres of a GSD file (HOOMD-blue).
+    """Computes the forms of ellipsoids and spheres of a GSD file (HOOMD-blue).
 
     Parameters
     ----------
@@ -102,7 +102,7 @@ def from_gsd(
         ``particles/type_shapes``, one for each type: ``{"type": "Ellipsoid", "a": ..., "b": ..., "c": ...}`` with
         semi-axes, or ``{"type": "Sphere", "diameter": ...}``.
     typeid : (n) array_like of int
-        ``particles/typeid``. Computed at once if it is a dask array.
+        ``particles/typeid``. A dask array is computed immediately.
     orientations_wxyz : (n, 4) array_like
         ``particles/orientation``.
 
@@ -113,7 +113,7 @@ def from_gsd(
     Raises
     ------
     ValueError
-        A type that occurs has another shape.
+        The shape of a particle is neither an ellipsoid nor a sphere.
     IndexError
         A type is not in `type_shapes`.
     TypeError
@@ -142,16 +142,16 @@ def from_gsd(
 
 
 def from_euler(semi_axes: ArrayLike, seq: str, angles: ArrayLike, degrees: bool = False) -> Floats:
-    """Forms of ellipsoids whose orientations are Euler angles. This needs SciPy.
+    """Computes the forms of ellipsoids from Euler angles. This function needs SciPy.
 
     Parameters
     ----------
     semi_axes : (..., 3) array_like
     seq : str
-        The axes of the rotations as for ``scipy.spatial.transform.Rotation.from_euler``: up to three letters, upper case
-        for axes that turn with the body (intrinsic), lower case for axes of space (extrinsic).
+        Axes of the rotations, as for ``scipy.spatial.transform.Rotation.from_euler``: up to three letters, upper case for
+        axes that rotate with the body (intrinsic), lower case for fixed axes (extrinsic).
     angles : (..., number of axes) array_like
-        In radians, or in degrees. A number or one-dimensional if `seq` is a single letter, as SciPy takes them.
+        Angles in radians, or in degrees. If `seq` is a single letter, a number or a one-dimensional array, as for SciPy.
     degrees : bool
         True if the angles are in degrees.
 
@@ -164,7 +164,7 @@ def from_euler(semi_axes: ArrayLike, seq: str, angles: ArrayLike, degrees: bool 
     ValueError
         `seq` is not a sequence of axes, or SciPy refuses the angles.
     PW85Error
-        For a single ellipsoid: a length is not positive. Rows of arrays become NaN.
+        For a single ellipsoid: a length is not positive. In arrays, invalid rows become NaN.
 
     Examples
     --------
@@ -186,7 +186,7 @@ def from_euler(semi_axes: ArrayLike, seq: str, angles: ArrayLike, degrees: bool 
 
 
 def from_rotation_vector(semi_axes: ArrayLike, rotation_vectors: ArrayLike) -> Floats:
-    """Forms of ellipsoids whose orientations are rotation vectors: ω turns the body frame by |ω| radians about ω.
+    """Computes the forms of ellipsoids from rotation vectors ω: rotations by |ω| radians about the direction of ω.
 
     Parameters
     ----------
@@ -199,7 +199,7 @@ def from_rotation_vector(semi_axes: ArrayLike, rotation_vectors: ArrayLike) -> F
     Raises
     ------
     PW85Error
-        For a single ellipsoid: a length is not positive, or ω is not finite. Rows of arrays become NaN.
+        For a single ellipsoid: a length is not positive, or ω is not finite. In arrays, invalid rows become NaN.
 
     Examples
     --------
@@ -215,11 +215,12 @@ def from_rotation_vector(semi_axes: ArrayLike, rotation_vectors: ArrayLike) -> F
 
 
 def from_covariance(covariance: ArrayLike, confidence: float) -> Floats:
-    """Forms of ellipsoids of confidence of normal distributions in space, or of ellipses in the plane.
+    """Computes the forms of confidence ellipsoids or ellipses of normal distributions from their covariance matrices.
 
-    In space this needs SciPy. The ellipsoid about the mean has the given probability. Its form is the covariance times
-    the quantile of the χ² distribution with three degrees of freedom, or two in the plane. An ellipse whose form is the
-    covariance itself, the standard ellipse of ecology, has the confidence 1 - exp(-1/2), which is 39.3 %.
+    The ellipsoid about the mean contains the given probability. Its form is the covariance times the quantile of the χ²
+    distribution with three degrees of freedom, or two in the plane. In three dimensions this function needs SciPy. An
+    ellipse whose form is the covariance itself, the standard ellipse of ecology, has the confidence 1 - exp(-1/2), which
+    is 39.3 %.
 
     Parameters
     ----------
@@ -260,15 +261,15 @@ def from_covariance(covariance: ArrayLike, confidence: float) -> Floats:
 
 
 def from_moments(second_moments: ArrayLike) -> Floats:
-    """Forms of the ellipsoids, or of the ellipses in the plane, that have the second moments of bodies.
+    """Computes the forms of ellipsoids, or of ellipses in the plane, from the second moments of bodies.
 
-    A uniform ellipsoid of the form Q has the covariance Q/5, and a uniform ellipse Q/4. Other bodies get the ellipsoid with their
-    covariance, which has another volume than theirs.
+    A uniform ellipsoid with the form Q has the covariance Q/5, and a uniform ellipse Q/4. For a body that is not an ellipsoid, the
+    result is the ellipsoid with the covariance of the body. Its volume differs from that of the body.
 
     Parameters
     ----------
     second_moments : (..., 3, 3) or (..., 2, 2) array_like
-        The covariance of the points of a uniform body, about its centre, per volume: symmetric and positive definite.
+        Covariance of the points of a uniform body about its centre, that is, second moments per volume; symmetric and positive definite.
 
     Returns
     -------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Paragraphs that the docstrings of several functions share, and the functions of the compiled part by name."""
+"""Paragraphs that several docstrings share, and a table of the functions of the extension module."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from . import _core
 
 Function = TypeVar("Function", bound=Callable[..., object])
 
-# The functions of the compiled part, by their names in it
+# The functions of the extension module, by their names in it
 FUNCTIONS: dict[str, Callable[..., object]] = {}
 
 
 def listed(function: Function) -> Function:
-    """Decorator: lists a function that the compiled part has."""
+    """Decorator: adds a function of the extension module to FUNCTIONS."""
     prefix = "legacy_" if function.__module__.endswith(".legacy") else ""
     FUNCTIONS[prefix + function.__name__.removeprefix("_")] = function
     return function
@@ -38,17 +38,17 @@ def _paragraph(line: re.Match[str]) -> str:
 PARAGRAPHS = {
     "pair_list": """
 pairs : (k, 2) array_like of int
-    Indices (i, j) of particles, from 0. Contiguous int32 is used as it is, anything else copied.
+    Indices (i, j) of particles, from 0. Contiguous int32 arrays are not copied.
 centers : (n, 3) array_like
     Centres of the particles.
 q : (n, 6) array_like
-    Their forms, in the square of the unit of `centers`.
+    Forms of the particles, in the square of the unit of `centers`.
 cell : (3, 3) array_like, optional
-    Rows are the vectors of the periodic cell, in the unit of `centers`. Unless `images` says otherwise, the image of j
-    nearest to i (by the distance of the centres) is taken, however skewed the cell. In small cells another one can have a
-    smaller μ²: see `nearest_image_limit`.
+    Rows are the vectors of the periodic cell, in the unit of `centers`; it may be skewed. Without `images`, a pair is
+    particle i and the image of particle j whose centre is nearest. In a small cell another image can have a smaller μ²:
+    see `nearest_image_limit`.
 images : (k, 3) array_like of int, optional
-    Multiples of the vectors of the cell, to be added to the centres of j.
+    Multiples of the cell vectors to add to the centre of j.
 """,
     "raises_pair_list": """
 Raises
@@ -58,7 +58,7 @@ IndexError
 ValueError
     Shapes do not match, or the cell is singular or not finite.
 TypeError
-    Pairs are not integers or masked, something else is not a real number, or outputs do not fit.
+    `pairs` or `images` are not integers, `pairs` is masked, another argument is not real, or an output array does not fit.
 """,
 }
 

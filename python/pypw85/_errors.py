@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Treatment of bad input: exceptions for single calls, marked rows for arrays."""
+"""Errors: exceptions of single calls, and invalid rows of arrays."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ._words import shown
 
 
 class Status(enum.IntEnum):
-    """Statuses of the library; `strerror` says what they mean."""
+    """Status codes of the library; `strerror` returns their meanings."""
 
     SUCCESS = _core.STATUSES["SUCCESS"]
     EINVAL = _core.STATUSES["EINVAL"]
@@ -30,18 +30,18 @@ class Status(enum.IntEnum):
 
 
 class PW85Error(ValueError, ArithmeticError):
-    """A call for a single row failed.
+    """Exception of a call that failed, for example because an argument is invalid.
 
     Attributes
     ----------
     status : Status
-        Kind of the error, as a number.
+        Status code of the library.
     function : str
         Name of the function that failed.
     reason : str
-        Kind of the error, in words: ``strerror(status)``.
+        Meaning of the status: ``strerror(status)``.
     detail : str
-        Which argument is bad, and why, with its value; empty if that could not be found out.
+        The invalid argument, the requirement that it does not meet, and its value; empty if the cause is unknown.
     """
 
     def __init__(self, status: int, function: str, reason: str, detail: str = "") -> None:
@@ -57,7 +57,7 @@ class PW85Error(ValueError, ArithmeticError):
 
 @contextlib.contextmanager
 def named(function: str) -> Iterator[None]:
-    """Errors of the library in the body are those of a function that the caller knows."""
+    """Context manager: errors of the library in its body get the name of the public function that the user called."""
     try:
         yield
     except PW85Error as error:
@@ -65,28 +65,28 @@ def named(function: str) -> Iterator[None]:
 
 
 def bad_rows(result: Any, core_ndim: int = 0) -> NDArray[np.intp]:
-    """Numbers of the rows of a result that could not be computed. Results that are dask arrays are computed for that.
+    """Returns the indices of the rows of a result that could not be computed.
 
-    To see why a row is bad, call the function for this row alone: the text of the exception gives the reason.
+    To find out why a row is invalid, call the function for this row alone: the message of the exception states the reason.
 
     Parameters
     ----------
     result : array or tuple of arrays
-        Result of a function of this package. Bad rows are NaN; in an array of overlap codes (``uint8``) they
-        are 255. A masked entry is bad, too.
+        Result of a function of this package. Invalid rows are NaN, or 255 in an array of overlap codes (``uint8``). A
+        masked entry also marks an invalid row. Dask arrays are computed.
     core_ndim : int
-        Number of trailing dimensions that belong to one row: 0 for numbers (the default), 1 for vectors and forms. For
-        a tuple, that of its first array.
+        Number of trailing dimensions of one row: 0 for numbers (the default), 1 for vectors and forms. For a tuple, the
+        number of its first array.
 
     Returns
     -------
     array of int
-        Rows, counted from 0 in C order over all leading dimensions (see `numpy.unravel_index`).
+        Indices, from 0, in C order over all leading dimensions (see `numpy.unravel_index`).
 
     Raises
     ------
     TypeError
-        For boolean arrays, which cannot mark a row: call ``overlap(..., dtype=np.uint8)``.
+        The result is a boolean array, which cannot mark invalid rows: call ``overlap(..., dtype=np.uint8)`` instead.
 
     Examples
     --------
@@ -116,22 +116,23 @@ def bad_rows(result: Any, core_ndim: int = 0) -> NDArray[np.intp]:
 
 
 def check_status(status: int, function: str, rows: str = "row", /, **arguments: Any) -> None:
-    """Raises the error of a status other than zero, with the cause that the library gives: see `describe`."""
+    """Raises PW85Error if the status is not zero, with the cause from the library: see `describe`."""
     if status:
         raise PW85Error(status, function, _core.strerror(status), last_cause(rows, **arguments))
 
 
 def last_cause(rows: str = "row", /, **arguments: Any) -> str:
-    """The cause that the library gives for the last refusal of this thread, as `describe` says it; empty if there is none."""
+    """Describes the last error of this thread, from pw85_last_error(): see `describe`; empty if there is none."""
     cause = _core.last_error()
     return "" if cause is None else describe(cause, rows, **arguments)
 
 
 def describe(cause: tuple[str, str | None, str, int, int, float], rows: str = "row", /, **arguments: Any) -> str:
-    """Says the cause of a refusal, with the value among the arguments of the call.
+    """Returns the text of an error: argument, requirement and value.
 
-    Lists and arrays of two dimensions, except a cell, have a value for each row, which `rows` names: "particle"; rows are not told if it
-    is empty. The rows of a list of named tuples can be refused by a member. A tuple of texts has the names of the entries of an array.
+    `arguments` are the arguments of the call. Lists and two-dimensional arrays, except `cell`, have one value per row. `rows` is the word
+    for a row, such as "particle"; if it is empty, the text does not contain the row. In a list of named tuples, the invalid argument
+    may be a member. A tuple of strings has the names of the entries of an array.
     """
     _, name, requirement, row, entry, value = cause
     if name is None:
@@ -147,7 +148,7 @@ def describe(cause: tuple[str, str | None, str, int, int, float], rows: str = "r
     if isinstance(given, list) and isinstance(given[row], tuple):
         return f"{_place(rows, row, ' ')}{requirement}, not {given[row]}"
     if np.ndim(given) == 2 and name != "cell":
-        row += entry // np.shape(given)[1]  # of an array that is the same for all rows of the call
+        row += entry // np.shape(given)[1]  # the whole array is one argument: its row follows from the entry
     if isinstance(given, list) or (np.ndim(given) == 2 and name != "cell"):
         return f"{_place(rows, row, ': ')}{name} {requirement}, not {_shown(given[row])}"
     if np.size(given) > _MOST_SHOWN:

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tells which argument was refused, its row, and the cause, as the library tells it. Nothing here runs before a call has failed.
+"""Messages of errors: the invalid argument, its row, and the cause. This code runs only after a call has failed.
 
-NumPy refuses types and shapes of arrays before it calls the library, and numbers the operands. The errors here name the arguments.
+NumPy checks types and shapes of arrays before it calls the library, and its messages number the operands. The messages here contain the
+names of the arguments.
 """
 
 from __future__ import annotations
@@ -20,12 +21,13 @@ _FORM = re.compile(r"q\d?$")
 
 
 def raise_status(status: int, name: str, arguments: tuple[Any, ...]) -> None:
-    """Called by the compiled part when a call for one row has failed."""
+    """Raises PW85Error. The extension module calls this function when a call for one row has failed."""
     raise PW85Error(status, name, _core.strerror(status), _last_cause(name, arguments))
 
 
 def raise_better(error: Exception, name: str, arguments: tuple[Any, ...], out: Any, keywords: dict[str, Any]) -> None:
-    """Called by the compiled part when a ufunc has raised an exception. Names the argument that caused it, if that can be found."""
+    """Raises an exception that names the invalid argument, if it can be found. The extension module calls this function when a ufunc
+    has raised `error`."""
     try:
         text = _explain_types(name, out, keywords) if isinstance(error, TypeError) else ""
         if not keywords:  # which may move axes
@@ -35,14 +37,14 @@ def raise_better(error: Exception, name: str, arguments: tuple[Any, ...], out: A
     except (TypeError, ValueError):  # as of arguments that are not numbers
         raise error from None
     if text:
-        if isinstance(error, TypeError):  # those of ufuncs take no texts
+        if isinstance(error, TypeError):  # the subclasses of NumPy cannot be made from a message
             raise TypeError(text) from None
         raise type(error)(text) from None
     raise error
 
 
 def _explain_types(name: str, out: Any, keywords: dict[str, Any]) -> str:
-    """About a type of results that the function does not have; empty if all are right."""
+    """Returns the message for a type of results that the function does not have; empty if all types are valid."""
     types = list(dict.fromkeys(str(np.dtype(loop.split("->")[1][0])) for loop in getattr(_core, name).types))
     if keywords.get("dtype") is not None:
         return f"{name}: dtype must be {' or '.join(types)}, not {np.dtype(keywords['dtype'])}"
@@ -53,7 +55,7 @@ def _explain_types(name: str, out: Any, keywords: dict[str, Any]) -> str:
 
 
 def _explain_outputs(name: str, arguments: tuple[Any, ...], out: Any) -> str:
-    """About the first output whose shape is not that of the result; empty if all fit."""
+    """Returns the message for the first output array of a wrong shape; empty if all shapes are valid."""
     cores = cores_of_inputs(name)
     rows = np.broadcast_shapes(*(np.shape(plain(x))[: np.ndim(plain(x)) - len(core)] for x, core in zip(arguments, cores)))
     results = getattr(_core, name).signature.split("->")[1][1:-1].split("),(")
@@ -65,7 +67,8 @@ def _explain_outputs(name: str, arguments: tuple[Any, ...], out: Any) -> str:
 
 
 def explain_values(name: str, arguments: tuple[Any, ...]) -> str:
-    """About the first row that a function refuses, as "row (2, 0): q1 must be positive definite, not [...]"; empty if it refuses none."""
+    """Returns the message for the first invalid row, such as "row (2, 0): q1 must be positive definite, not [...]"; empty if all are valid.
+    """
     cores = cores_of_inputs(name)
     arrays = [np.asarray(plain(x), dtype=np.float64) for x in arguments]
     rows = np.broadcast_shapes(*(x.shape[: x.ndim - len(core)] for x, core in zip(arrays, cores)))
@@ -84,7 +87,7 @@ def explain_values(name: str, arguments: tuple[Any, ...]) -> str:
 
 
 def _last_cause(name: str, arguments: tuple[Any, ...]) -> str:
-    """The cause that the library gives for the last refusal, of one row, with the value of the argument."""
+    """Describes the last error of a call for one row, with the value of the argument."""
     names, cause = names_of_inputs(name), _core.last_error()
     if cause is None or cause[1] is None:
         return ""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Derivatives of the contact function of the pairs of a neighbour list, and the forces and torques that a law makes of them."""
+"""Derivatives of the contact function of the pairs of a list, and the forces and torques of a pair energy."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ._typing import Floats
 
 
 class ContactForces(NamedTuple):
-    """Forces and torques on the particles, and the virial, of an energy of pairs."""
+    """Forces and torques on the particles, and the virial, of a pair energy."""
 
     forces: Floats
     torques: Floats
@@ -32,7 +32,7 @@ def contact_derivatives_pairs(
     cell: ArrayLike | None = None,
     images: ArrayLike | None = None,
 ) -> ContactDerivatives:
-    """`contact_derivatives` for the pairs of a neighbour list.
+    """Computes μ², its derivatives, contact points and normals of the pairs of a list; see `contact_derivatives`.
 
     Parameters
     ----------
@@ -77,22 +77,22 @@ def contact_forces_pairs(
     cell: ArrayLike | None = None,
     images: ArrayLike | None = None,
 ) -> ContactForces:
-    """Forces, torques and virial of an energy U(μ²) of the pairs of a neighbour list.
+    """Computes the forces, torques and virial of a pair energy U(μ²) by summing over the pairs of a list.
 
     Parameters
     ----------
     pairs, centers, cell, images
         As for `contact_pairs`.
     d_u : (n) array_like
-        dU/dμ² of each pair. Where it is 0 the pair is left out, whatever its derivatives.
+        dU/dμ² of each pair. If it is 0, the pair contributes nothing, even if its derivatives are NaN.
     derivatives : ContactDerivatives
-        From `contact_derivatives_pairs`.
+        Result of `contact_derivatives_pairs`.
 
     Returns
     -------
     ContactForces
-        A named tuple: `forces` and `torques` (N, 3) on the particles, and the `virial` (3, 3), Σ r12 ⊗ force on the second particle of
-        each pair. The bits do not depend on the number of threads.
+        A named tuple of `forces` (N, 3) and `torques` (N, 3) on the particles, and the `virial` (3, 3), Σ r12 ⊗ force on the second
+        particle of each pair. The results are bitwise equal for any number of threads.
 
     Raises
     ------
@@ -135,24 +135,28 @@ class Law(NamedTuple):
 
     @classmethod
     def soft_repulsion(cls, energy: float, exponent: float = 2.0) -> Law:
-        """U = energy/exponent (1 - μ)**exponent for μ < 1 and 0 beyond; the exponent is at least 1."""
+        """Soft repulsion: U = energy/exponent (1 - μ)**exponent for μ < 1, and U = 0 for μ >= 1. The exponent must be at least 1."""
         return cls(1, _parameters("soft_repulsion", energy=energy, exponent=exponent))
 
     @classmethod
     def inverse_powers(
         cls, repulsion: float, n: float, attraction: float, m: float, mu2_max: float = float(np.finfo(float).max)
     ) -> Law:
-        """U = repulsion μ**-n - attraction μ**-m, shifted so that it is 0 at the cutoff `mu2_max`, and 0 beyond. n > m > 0.
+        """Powers of 1/μ: U = repulsion μ**-n - attraction μ**-m - U_c for μ² < `mu2_max`, and U = 0 beyond this cutoff; n > m > 0.
 
-        A simulation needs a cutoff of at most 10**6; it acts only if it is above 1."""
+        The constant U_c makes U continuous at the cutoff. A simulation needs a cutoff of at most 10**6; the law has no effect there if the
+        cutoff is at most 1."""
         return cls(2, _parameters("inverse_powers", repulsion=repulsion, n=n, attraction=attraction, m=m, mu2_max=mu2_max))
 
     @classmethod
     def table(cls, mu2_min: float, mu2_max: float, u: ArrayLike, d_u: ArrayLike) -> Law:
-        """Energies and their derivatives at equally spaced μ², between which U is cubic; linear below, 0 from `mu2_max` on."""
+        """Table of U and dU/dμ² at equally spaced μ² from `mu2_min` to `mu2_max`. Between these points U is a cubic polynomial.
+
+        U is linear below `mu2_min`, and 0 from `mu2_max` on."""
         energies, slopes = reals(u, "Law.table: u"), reals(d_u, "Law.table: d_u")
         if energies.ndim != 1 or energies.shape != slopes.shape:
-            raise ValueError(f"Law.table: u and d_u must be as many numbers, not have the shapes {energies.shape} and {slopes.shape}")
+            raise ValueError("Law.table: u and d_u must be one-dimensional and of the same length, "
+                             f"not of the shapes {energies.shape} and {slopes.shape}")  # fmt: skip
         points = np.stack([energies, slopes], axis=1)
         return cls(3, np.concatenate([_parameters("table", mu2_min=mu2_min, mu2_max=mu2_max), points.ravel()]))
 
@@ -162,7 +166,7 @@ def _parameters(name: str, **numbers: float) -> Floats:
 
 
 def checked_law(law: object, name: str) -> Law:
-    """A law with an integer and a row of numbers, whatever they mean."""
+    """Checks the types of a law: an integer and a one-dimensional array. The library checks the values."""
     given = instance(law, Law, name)
     parameters = reals(given.parameters, f"{name}: parameters")
     if parameters.ndim != 1:
@@ -187,9 +191,9 @@ def law_forces_pairs(
     cell: ArrayLike | None = None,
     images: ArrayLike | None = None,
 ) -> LawForces:
-    """Energy, forces, torques and virial of the pairs of a neighbour list. The energy of a pair is a law of μ².
+    """Computes the total energy, the forces, the torques and the virial of the pairs of a list, for a pair energy U(μ²).
 
-    It takes little more time than `contact_derivatives_pairs` alone.
+    The call takes little more time than `contact_derivatives_pairs`.
 
     Parameters
     ----------
@@ -201,9 +205,9 @@ def law_forces_pairs(
     Returns
     -------
     LawForces
-        A named tuple: the `energy`, the `forces` and `torques` (N, 3) on the particles, and the `virial` (3, 3), as of
-        `contact_forces_pairs`. Sums to which a bad pair contributes are NaN, which NumPy reports as ``np.errstate(invalid=...)``
-        says. The bits do not depend on the number of threads.
+        A named tuple of the `energy`, the `forces` (N, 3) and `torques` (N, 3) on the particles, and the `virial` (3, 3), as for
+        `contact_forces_pairs`. Sums to which an invalid pair contributes are NaN; NumPy then warns, or does what
+        ``np.errstate(invalid=...)`` selects. The results are bitwise equal for any number of threads.
 
     Raises
     ------

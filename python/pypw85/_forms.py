@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Quadratic forms: packing, and back to semi-axes and axes."""
+"""Quadratic forms: packed and full matrices, semi-axes and principal directions."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _FULL = [0, 1, 2, 1, 3, 4, 2, 4, 5]
 
 
 def full(q: ArrayLike) -> NDArray[Any]:
-    """Symmetric 3×3 matrices from packed ones.
+    """Converts packed forms to symmetric 3×3 matrices.
 
     Parameters
     ----------
@@ -53,13 +53,13 @@ def _full(q: NDArray[Any]) -> NDArray[Any]:
 
 
 def packed(matrix: ArrayLike) -> NDArray[Any]:
-    """Packed symmetric matrices from 3×3 ones: the upper triangle in row-major order.
+    """Converts symmetric 3×3 matrices to packed forms: the upper triangle in row-major order.
 
     Parameters
     ----------
     matrix : (..., 3, 3) array_like
-        Symmetric: entries on either side of the diagonal may differ by at most 1e-6 of the largest entry, which lets
-        single precision pass.
+        Symmetric matrices. Corresponding entries on both sides of the diagonal may differ by at most 1e-6 times the
+        largest entry, so single precision is enough.
 
     Returns
     -------
@@ -92,10 +92,10 @@ def _packed(matrix: NDArray[Any]) -> NDArray[Any]:
 
 
 def principal_axes(q: ArrayLike) -> tuple[Floats, Floats]:
-    """Semi-axes and axes of a form: the inverse of `ellipsoid`.
+    """Computes the semi-axes and principal directions of a form. This is the inverse of `ellipsoid`.
 
-    The eigenvalues of a form are known to about 1e-16 of the largest, so a semi-axis that is `k` times shorter than the
-    longest is known to about 1e-16 k².
+    The errors of the eigenvalues of a form are about 1e-16 times the largest eigenvalue. Therefore the relative error of a
+    semi-axis that is `k` times shorter than the longest one is about 1e-16 k².
 
     Parameters
     ----------
@@ -112,7 +112,7 @@ def principal_axes(q: ArrayLike) -> tuple[Floats, Floats]:
     Raises
     ------
     PW85Error
-        For a single form: it is not finite or not positive definite. Rows of arrays become NaN.
+        For a single form: it is not finite or not positive definite. In arrays, invalid rows become NaN.
 
     Examples
     --------

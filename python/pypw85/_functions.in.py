@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The functions for rows of numbers: forms, contact, distance, time of contact, walls, ellipses."""
+"""Functions of one pair or of arrays of pairs: forms, contact, distance, time of contact, walls, ellipses."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ._typing import Floats, One, Row, Rows
 
 
 class ContactDerivatives(NamedTuple):
-    """The contact function of pairs with its derivatives, by columns."""
+    """Contact function and derivatives of many pairs, one array per quantity."""
 
     mu2: Any
     lambda_: Any
@@ -36,7 +36,7 @@ def spheroid(a, c, n, q):
     Raises
     ------
     PW85Error
-        For a single form: a radius is not positive, or `n` is zero or not finite. Rows of arrays become NaN.
+        For a single form: a radius is not positive, or `n` is zero or not finite. In arrays, invalid rows become NaN.
 
     Examples
     --------
@@ -52,14 +52,14 @@ def ellipsoid():
     Parameters
     ----------
     rotation : (..., 3, 3) array_like
-        R. Its columns are the principal directions: R takes the body frame to the space frame. RᵀR may differ from
-        the identity by at most 1e-6 in any entry; reflections are accepted. A ``scipy.spatial.transform.Rotation`` is
-        taken as its matrices.
+        Matrix R, which takes the body frame to the space frame. Its columns are the directions of the semi-axes. RᵀR
+        may differ from the identity by at most 1e-6 in any entry. R may be a reflection. A
+        ``scipy.spatial.transform.Rotation`` is accepted, too.
 
     See Also
     --------
-    principal_axes : the inverse
-    from_euler, from_rotation_vector, from_covariance, from_moments, from_inertia : from other descriptions of an orientation
+    principal_axes : the inverse: semi-axes and directions of a form
+    from_euler, from_rotation_vector, from_covariance, from_moments, from_inertia : forms from other input
 
     Examples
     --------
@@ -74,7 +74,7 @@ def ellipsoid_quaternion(semi_axes, quaternion_wxyz):
     """
     See Also
     --------
-    from_lammps, from_ovito, from_gsd : from the conventions of other programs
+    from_lammps, from_ovito, from_gsd : forms from the data of other programs
 
     Examples
     --------
@@ -164,7 +164,7 @@ def ellipse():
 
 @declared
 def f():
-    """f(λ) = λ(1-λ) r12ᵀ [(1-λ) Q1 + λ Q2]⁻¹ r12, whose maximum over λ is the contact function.
+    """Computes f(λ) = λ(1-λ) r12ᵀ [(1-λ) Q1 + λ Q2]⁻¹ r12, whose maximum over λ is the contact function.
 
     Examples
     --------
@@ -182,14 +182,14 @@ def f_neg(lambda_: ArrayLike, r12: Rows, q1: ArrayLike, q2: ArrayLike) -> Floats
 @overload
 def f_neg(lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any: ...
 def f_neg(lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
-    """-f(λ), what pw85 2.0 minimises; see `f`.
+    """Computes -f(λ), the function that pw85 2.0 minimises; see `f`.
 
     Parameters
     ----------
     lambda_ : (...) array_like
         In [0, 1].
     r12 : (..., 3) array_like
-        From the centre of ellipsoid 1 to that of ellipsoid 2.
+        Vector from the centre of ellipsoid 1 to that of ellipsoid 2.
     q1, q2 : (..., 6) array_like
         Forms of the ellipsoids, in the square of the unit of `r12`.
 
@@ -200,7 +200,7 @@ def f_neg(lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> A
     Raises
     ------
     PW85Error
-        For a single value: invalid input. Rows of arrays become NaN.
+        For a single pair: invalid input. In arrays, invalid rows become NaN.
 
     Examples
     --------
@@ -209,7 +209,7 @@ def f_neg(lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> A
     >>> pypw85.f_neg(0.5, [3, 0, 0], q, q)
     -2.25
     """
-    arguments: Any = lambda_, r12, q1, q2  # with their types, mypy tries each of these with each other one, which takes it seconds
+    arguments: Any = lambda_, r12, q1, q2  # Any, because mypy takes seconds to try all combinations of the overloads
     return -f(*arguments)
 
 
@@ -227,16 +227,16 @@ def contact_function():
 
 @declared
 def contact():
-    """Contact function of two ellipsoids, by the fast solver.
+    """Computes the contact function of two ellipsoids.
 
-    μ is the common factor by which both ellipsoids must be scaled, their centres fixed, to touch: they overlap if
-    μ² < 1 and are apart if μ² > 1. Arrays go through the batch of the library: SIMD and, where it is built with OpenMP,
-    threads.
+    If both ellipsoids are scaled by μ about their centres, they touch. They overlap if μ² < 1, and are apart if μ² > 1.
+    For arrays, the library uses SIMD instructions and, if it was built with OpenMP, several threads.
 
     See Also
     --------
-    overlap : faster, if μ² itself is not needed
-    contact_geometry, contact_gradient, contact_torque : what follows from λ
+    overlap : exact and faster test, if you do not need μ²
+    contact_geometry : contact point and normal
+    contact_gradient, contact_torque : derivatives of μ²
 
     Examples
     --------
@@ -274,11 +274,11 @@ def overlap_witness():
     Returns
     -------
     overlap : (...) array or number
-        1 if they overlap, otherwise 0.
+        1 if the ellipsoids overlap, otherwise 0.
     lambda_ : (...) array or number
-        Of ellipsoids that are apart, a λ with f(λ) > 1; otherwise NaN.
+        A number λ with f(λ) > 1, if the ellipsoids are apart; otherwise NaN.
     point : (..., 3) array
-        Of ellipsoids that overlap, a point inside both, relative to the centre of ellipsoid 1; otherwise NaN.
+        A point inside both ellipsoids, relative to the centre of ellipsoid 1, if they overlap; otherwise NaN.
 
     Examples
     --------
@@ -365,7 +365,7 @@ def contact_torque():
     """
     Examples
     --------
-    Spheres may turn:
+    Rotations of spheres do not change μ²:
 
     >>> import numpy as np, pypw85
     >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
@@ -403,17 +403,17 @@ def closest_approach():
 
 @declared
 def zheng_ellipses():
-    """Distance of closest approach of two ellipses by the closed form of Zheng and Palffy-Muhoray.
+    """Computes the distance of closest approach of two ellipses by the closed form of Zheng and Palffy-Muhoray.
 
-    An independent check of `closest_approach_2d`, which is faster and more accurate.
+    Use it as an independent check of `closest_approach_2d`, which is faster and more accurate.
     """
 
 
 @declared
 def zheng_ellipsoids():
-    """Distance of closest approach of two ellipsoids by the rotating plane of Zheng, Iglesias and Palffy-Muhoray.
+    """Computes the distance of closest approach of two ellipsoids by the method of Zheng, Iglesias and Palffy-Muhoray.
 
-    An independent check of `closest_approach`, which is faster and more accurate.
+    Use it as an independent check of `closest_approach`, which is faster and more accurate.
     """
 
 
@@ -423,7 +423,7 @@ def _cholesky_decomp(a, l):
     Raises
     ------
     PW85Error
-        For a single matrix: it is not finite or not positive definite. Rows of arrays become NaN.
+        For a single matrix: it is not finite or not positive definite. In arrays, invalid rows become NaN.
     """
 
 
@@ -433,29 +433,31 @@ def _cholesky_solve(l, b, x):
     Parameters
     ----------
     x : (..., 3) array, optional
-        Where to put the result, which is returned; may be `b`.
+        Output array, which is also returned; may be `b`.
     """
 
 
 @declared
 def contact_derivatives() -> ContactDerivatives:
-    """μ², λ, contact point, normal and the derivatives of μ²: what the forces and torques of an energy U(μ²) are made of.
+    """Computes μ², λ, the contact point, the normal and the derivatives of μ² in one call.
 
-    Faster than `contact`, `contact_geometry`, `contact_gradient` and `contact_torque` one after the other.
+    The forces and torques of an energy U(μ²) follow from these derivatives. This call is faster than calling `contact`,
+    `contact_geometry`, `contact_gradient` and `contact_torque`.
 
     Parameters
     ----------
     r12 : (..., 3) array_like
-        From the centre of ellipsoid 1 to that of ellipsoid 2. Zero is valid: derivatives are 0, point and normal NaN.
+        Vector from the centre of ellipsoid 1 to that of ellipsoid 2. If it is zero, the derivatives are 0, and the
+        point and the normal are NaN.
     q1, q2 : (..., 6) array_like
         Forms of the ellipsoids, in the square of the unit of `r12`.
 
     Returns
     -------
     ContactDerivatives
-        A named tuple: `mu2` and `lambda_` (...), `point` (..., 3) relative to the centre of ellipsoid 1, `normal`
-        (..., 3) from 1 to 2, `d_r12` (..., 3), and `d_rot1`, `d_rot2` (..., 3), the derivatives with respect to
-        rotations of either ellipsoid about its own centre.
+        A named tuple of `mu2` (...), `lambda_` (...), `point` (..., 3) relative to the centre of ellipsoid 1, `normal`
+        (..., 3) from ellipsoid 1 to ellipsoid 2, and the derivatives of μ²: `d_r12` (..., 3), and `d_rot1` and `d_rot2`
+        (..., 3) for rotations of each ellipsoid about its own centre.
 
     Examples
     --------
@@ -479,7 +481,7 @@ def cell_reduce():
     Raises
     ------
     PW85Error
-        For a single cell that is singular or not finite. Cells of arrays become NaN.
+        For a single cell: it is singular or not finite. In arrays, invalid cells become NaN.
 
     Examples
     --------
@@ -493,7 +495,7 @@ def cell_reduce():
 
 @declared
 def bounding_boxes():
-    """Half-widths of the tight boxes, with sides along the axes, around ellipsoids.
+    """Computes the half-widths of the bounding boxes of ellipsoids, with sides along the coordinate axes.
 
     Parameters
     ----------
@@ -503,7 +505,7 @@ def bounding_boxes():
     Raises
     ------
     PW85Error
-        For a single form that is bad. Rows of arrays become NaN.
+        For a single form: it is not finite or not positive definite. In arrays, invalid rows become NaN.
 
     Examples
     --------
@@ -639,12 +641,12 @@ def signed_distance_derivatives():
 
 @declared
 def first_contact(r12, q1, q2, motion1, motion2, t_max=np.inf):
-    """The time of the first contact of two ellipsoids that move, turn and grow.
+    """Computes the time of the first contact of two ellipsoids that translate, rotate and grow.
 
     Parameters
     ----------
     motion1, motion2 : (..., 7) array_like
-        How the ellipsoids move, from `motion`; none may shrink to nothing before `t_max`.
+        Motions of the ellipsoids, as returned by `motion`. The semi-axes must be positive until `t_max`.
 
     Examples
     --------
@@ -735,9 +737,9 @@ def distance_plane():
 
 @declared
 def distance_plane_derivatives():
-    """Derivatives of the distance from an ellipsoid to a half-space, which do not depend on its offset.
+    """Computes the derivatives of the distance to a half-space, which do not depend on its offset.
 
-    They are -n and n × point, with n the unit normal and the point of `distance_plane`.
+    The derivatives are -n and n × point, with the unit normal n and the point of `distance_plane`.
 
     Examples
     --------
@@ -762,10 +764,10 @@ def contact_plane():
 
 @declared
 def contact_plane_derivatives():
-    """Derivatives of the contact function of an ellipsoid and a half-space; zero if its centre is in the half-space.
+    """Computes the derivatives of μ² of `contact_plane`. They are zero if the centre is in the half-space.
 
-    They are -2μ n/α and 2μ² (n × p)/α, with p the point of the ellipsoid that is nearest to the half-space, n the normal as
-    given and α = n·p.
+    The derivatives are -2μ n/α and 2μ² (n × p)/α, with the normal n as given, the point p of the ellipsoid that is nearest
+    to the half-space, and α = n·p.
 
     Examples
     --------
@@ -890,7 +892,7 @@ def overlap_box_2d():
 
 @declared
 def intersect_line():
-    """The part enter <= t <= leave of the line origin + t direction that is in an ellipsoid.
+    """Computes the interval enter <= t <= leave in which the line origin + t direction is inside an ellipsoid.
 
     Returns
     -------

@@ -18,14 +18,14 @@ from ._words import counted
 
 
 class Neighbors:
-    """A neighbour list, from `neighbors`: ``contact_pairs(list.pairs, centers, q, cell, images=list.images)``.
+    """A neighbour list, as returned by `neighbors`. Use it as ``contact_pairs(list.pairs, centers, q, cell, images=list.images)``.
 
     Attributes
     ----------
     pairs : (n, 2) array of int32
-        Indices i <= j; cannot be written to.
+        Indices (i, j) of particles, with i <= j; read-only.
     images : (n, 3) array of int32
-        Multiples of the cell vectors, to be added to the centre of j; 0 without a cell. Cannot be written to.
+        Multiples of the cell vectors to add to the centre of j; 0 without a cell. Read-only.
     """
 
     __slots__ = ("_has_cell", "_list", "_periodic", "images", "pairs")
@@ -50,20 +50,20 @@ class Neighbors:
         return f"<pypw85.Neighbors: {counted(len(self), 'pair')}>"
 
     def holds(self, centers: ArrayLike, q: ArrayLike, cell: ArrayLike | None = None) -> bool:
-        """Returns whether the list still contains all pairs whose boxes intersect, without skin, after the particles and the cell have
-        changed.
+        """Tests whether the list still contains all pairs that can overlap, after the particles or the cell have changed.
 
-        It does if the box of each particle is within its old box, enlarged by half the skin on each side, up to a motion that all
-        particles share. If the cell has changed, this holds after the linear map from the present cell vectors to the old ones.
+        The list is complete if the bounding box of each particle is within its old box, enlarged by half the skin on each side. A
+        translation that all particles share does not matter. If the cell has changed, the boxes are first mapped back by the linear map
+        from the present cell vectors to the old ones.
 
         Parameters
         ----------
         centers : (n, 3) array_like
-            Centres that have moved continuously, and were not wrapped into the cell in between.
+            Present centres. Do not wrap them into the cell while the list is in use.
         q : (n, 6) array_like
-            Forms.
+            Present forms.
         cell : (3, 3) array_like, optional
-            The present cell, with vectors that have changed continuously: needed if the list has a cell.
+            Present cell; required if the list has a cell. Do not replace its vectors by others of the same lattice.
 
         Returns
         -------
@@ -72,13 +72,13 @@ class Neighbors:
         Raises
         ------
         PW85Error
-            The list is of another number of particles, or a particle or the cell is bad.
+            The number of particles differs from that of the list, or a particle or the cell is invalid.
         ValueError
-            Shapes do not match, or there is no cell though the list has one, or the other way round.
+            Shapes do not match, or only one of the list and the call has a cell.
         """
         if (cell is not None) is not self._has_cell:
             raise ValueError(
-                "the list has a cell: pass the present cell" if self._has_cell else "the list has no cell: leave out cell"
+                "the list has a cell: pass the present cell" if self._has_cell else "the list has no cell: omit cell"
             )
         points, forms = _particles(centers, q)
         status, holds = _core.neighbors_holds(self._list, points, forms, *_periodic_cell(cell, self._periodic))
@@ -94,25 +94,26 @@ def neighbors(
     scale: float = 1.0,
     skin: float = 0.0,
 ) -> Neighbors:
-    """All pairs of ellipsoids whose bounding boxes intersect, with images, each once.
+    """Finds all pairs of ellipsoids whose bounding boxes intersect, including periodic images. Each pair is listed once.
 
-    The list contains all pairs with μ² <= scale², also after the particles have moved, while `holds` returns True. Pairs have i < j, or i
-    = j and an image of i itself. Their order is that of the particles in space.
+    The list contains all pairs with μ² <= scale². After the particles have moved, it still contains them as long as `Neighbors.holds`
+    returns True. Pairs have i < j; if a particle can overlap its own image, i = j. Pairs that are near each other in the list are also
+    near each other in space.
 
     Parameters
     ----------
     centers : (n, 3) array_like
-        Anywhere in space.
+        Centres, inside or outside the cell.
     q : (n, 6) array_like
-        Forms.
+        Forms of the ellipsoids.
     cell : (3, 3) array_like, optional
-        Rows are the vectors of the periodic cell, however skewed and small.
+        Rows are the vectors of the periodic cell, which may be skewed and small.
     periodic : bool or three bools
-        Along which vectors of the cell there are images. The other vectors do not matter.
+        The cell vectors along which the system is periodic. Other cell vectors are ignored.
     scale : float
-        Factor of the ellipsoids, > 0.
+        Factor by which the ellipsoids are scaled, > 0.
     skin : float
-        Boxes that are no farther apart than this along any axis are neighbours, too; >= 0.
+        The list also contains pairs whose boxes are at most this far apart along each axis; >= 0.
 
     Returns
     -------
@@ -121,9 +122,9 @@ def neighbors(
     Raises
     ------
     PW85Error
-        A particle is bad (its number is in the text), the cell is singular or not finite, scale or skin are out of range.
+        A particle is invalid (the message contains its index), the cell is singular or not finite, or scale or skin is out of range.
     MemoryError
-        There is not enough memory.
+        Not enough memory.
     ValueError
         Shapes do not match.
 
@@ -148,6 +149,6 @@ def neighbors(
 
 
 def _periodic_cell(cell: ArrayLike | None, periodic: NDArray[np.int32]) -> tuple[Floats | None, NDArray[np.int32]]:
-    """The cell for the library: None if no vector is periodic."""
+    """Returns the arguments `cell` and `periodic` of the C functions: the cell is None if no vector is periodic."""
     vectors = _cell(cell)
     return vectors if periodic.any() else None, periodic

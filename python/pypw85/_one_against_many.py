@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""One ellipsoid against many others, and where nearest images decide for all images."""
+"""Tests of one ellipsoid against many others, and the limit up to which nearest images suffice."""
 
 from __future__ import annotations
 
@@ -21,26 +21,27 @@ def overlap_any_indices(
     cell: ArrayLike | None = None,
     images: ArrayLike | None = None,
 ) -> bool:
-    """Decides whether an ellipsoid overlaps any of the given particles of a system, as the test of a Monte Carlo move.
+    """Tests whether an ellipsoid overlaps any of the listed particles of a system, for example after a Monte Carlo trial move.
 
-    Without `images` the answer is about all images of the others, and of the one itself: an error where none of the nearest ones
-    overlaps, but others could (`nearest_image_limit` of the one and the others is below 1). There, take the images of a neighbour
-    list, and write the trial into `centers` and `q` before the call, since its own index refers to images of itself.
+    With `images`, the function tests one image of each listed particle, as in a neighbour list. Without `images`, the result is valid
+    for all images of these particles and of the ellipsoid itself. If the nearest images do not overlap but farther images could
+    (`nearest_image_limit` is below 1), the function raises `PW85Error`. In that case pass the images of a neighbour list, and write the
+    trial ellipsoid into `centers` and `q` before the call: the list may contain images of the ellipsoid itself, under its own index.
 
     Parameters
     ----------
     center : (3) array_like
-        Centre of the one.
+        Centre of the ellipsoid.
     q1 : (6) array_like
-        Its form.
+        Form of the ellipsoid.
     indices : (n) array_like of int
-        The others.
+        Indices of the particles to test, from 0.
     centers, q : (N, 3) and (N, 6) array_like
-        All particles.
+        Centres and forms of all particles of the system.
     cell : (3, 3) array_like, optional
         Rows are the vectors of the periodic cell.
     images : (n, 3) array_like of int, optional
-        Multiples of the vectors of the cell, to be added to the centres of the others.
+        Multiples of the cell vectors to add to the centres of the listed particles.
 
     Returns
     -------
@@ -49,7 +50,8 @@ def overlap_any_indices(
     Raises
     ------
     PW85Error
-        A pair that no overlap precedes is bad, an index is out of range, the cell is singular, or nearest images do not decide.
+        A particle before the first overlap is invalid, an index is out of range, the cell is singular, or the nearest images do not
+        decide.
     ValueError
         Shapes do not match.
 
@@ -81,18 +83,18 @@ def overlap_any_indices(
 
 
 def overlap_any(q1: ArrayLike, r12: ArrayLike, q2: ArrayLike) -> bool:
-    """Decides whether an ellipsoid overlaps any of n others. Tests one after the other, up to the first overlap.
+    """Tests whether an ellipsoid overlaps any of n others. The function stops at the first overlap.
 
-    Unlike in functions of pairs, the form of the one ellipsoid comes first, before the separations.
+    Note the order of the arguments: unlike in functions of pairs, the form `q1` comes before the separations `r12`.
 
     Parameters
     ----------
     q1 : (6) array_like
-        Form of the one.
+        Form of the ellipsoid.
     r12 : (n, 3) array_like
-        Centres of the others, relative to that of the one.
+        Centres of the other ellipsoids, relative to the centre of the first one.
     q2 : (n, 6) array_like
-        Their forms.
+        Forms of the other ellipsoids.
 
     Returns
     -------
@@ -101,7 +103,7 @@ def overlap_any(q1: ArrayLike, r12: ArrayLike, q2: ArrayLike) -> bool:
     Raises
     ------
     PW85Error
-        A pair that no overlap precedes is bad.
+        A pair before the first overlap is invalid.
     ValueError
         Shapes do not match.
 
@@ -122,11 +124,11 @@ def overlap_any(q1: ArrayLike, r12: ArrayLike, q2: ArrayLike) -> bool:
 
 
 def nearest_image_limit(q: ArrayLike, cell: ArrayLike) -> float:
-    """Up to which μ² nearest images are all there is: any image of a pair with a smaller μ² is the nearest one.
+    """Computes the limit of μ² below which an image of a pair is always the nearest image.
 
-    Where the limit is 1 or more, `overlap_pairs` with nearest images misses no overlap; a smaller μ² from `contact_pairs`
-    than the limit is the smallest of all images. In a rectangular cell, the limit is at least 1 where no bounding box is
-    wider than half the cell.
+    If the limit is at least 1, `overlap_pairs` with nearest images misses no overlap. A value of μ² from `contact_pairs`
+    that is below the limit is the smallest over all images. In a rectangular cell, the limit is at least 1 if no bounding
+    box is wider than half the cell.
 
     Parameters
     ----------
@@ -142,7 +144,7 @@ def nearest_image_limit(q: ArrayLike, cell: ArrayLike) -> float:
     Raises
     ------
     PW85Error
-        A form is bad, or the cell is singular or not finite.
+        A form is invalid, or the cell is singular or not finite.
 
     Examples
     --------

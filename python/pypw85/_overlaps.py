@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Similarity of ellipsoids: indices of their common volume, and tables of one set against another."""
+"""Similarity indices of ellipsoids from the volume of their intersection, and tables for two sets of ellipsoids."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from ._typing import Floats
 
 
 def _in_own_unit(r12: Any, q1: Any, q2: Any) -> tuple[Any, Any, Any]:
-    """Pairs with semi-axes beyond 2^±256, whose volumes may leave the range of double, in the power of two near the larger one as unit.
+    """Scales pairs with semi-axes beyond 2^±256, whose volumes may leave the range of double, by a power of two.
 
-    Other pairs are returned as they are: messages show the numbers as given.
+    Other pairs are not changed, so that error messages show the numbers as given.
     """
     r12, q1, q2 = (np.asarray(one, dtype=np.float64) for one in (r12, q1, q2))
     exponents = np.maximum(np.frexp(np.max(np.abs(q1), axis=-1))[1], np.frexp(np.max(np.abs(q2), axis=-1))[1]) // 2
@@ -48,7 +48,7 @@ def _sorensen(first: Any, second: Any, common: Any) -> Any:
 
 
 def union_volume(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
-    """Volume of the union of two ellipsoids: the sum of their volumes less the common volume.
+    """Computes the volume of the union of two ellipsoids: the sum of their volumes minus the volume of their intersection.
 
     Parameters
     ----------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Configurations without overlaps: overlapping ellipsoids push one another apart."""
+"""Random packings: a soft repulsion removes the overlaps of ellipsoids."""
 
 from __future__ import annotations
 
@@ -21,46 +21,47 @@ from ._system import UNIT_BALL, System
 from ._forces import contact_derivatives_pairs, contact_forces_pairs
 from ._typing import Floats
 
-# Repelling ellipsoids end with small overlaps. So they are larger by these factors while they move. A large factor separates them
-# sooner, a small one finds denser packings.
+# Minimisation of a soft repulsion ends with small overlaps. Therefore ellipsoids are enlarged by these factors while they move. A large
+# factor separates them in fewer steps, a small one finds denser packings.
 _MUCH_SWOLLEN, _SLIGHTLY_SWOLLEN = 1.01, 1.001
-# FIRE (Bitzek et al., Phys. Rev. Lett. 97, 170201, 2006), with its own constants; times and masses have no unit.
+# FIRE (Bitzek et al., Phys. Rev. Lett. 97, 170201, 2006), with the constants of that article; times and masses are dimensionless.
 _STEP, _LONGEST_STEP, _MIXING = 0.05, 0.5, 0.1
 _FASTER, _SLOWER, _LESS_MIXING, _PATIENCE = 1.1, 0.5, 0.99, 5
 # Longest displacement in a step, in units of the shortest semi-axis: no ellipsoid passes through another one.
-_WAY = 0.25
-# A quench is stuck if the energy falls by less than this fraction in this number of steps. Annealing gains more in as many steps.
+_LONGEST_DISPLACEMENT = 0.25
+# A quench ends if the energy falls by less than this fraction in this number of steps. Annealing then makes faster progress.
 _STUCK_AFTER, _STUCK = 100, 0.05
-# Annealing starts at a temperature at which pairs with (1 - μ²)²/2 = kT are 7 % too close: dense packings melt, as if they filled
-# 0.93³ = 0.8 of their volume. This is the number of steps of the first one; each further one takes twice as many.
+# Annealing starts at the temperature T at which pairs with (1 - μ²)²/2 = kT are 7 % too close. Dense packings then melt, as if their
+# packing fraction were smaller by the factor 0.93³ = 0.8. The second number is that of the steps of the first annealing; each further
+# annealing takes twice as many.
 _MELTING, _ANNEALING_STEPS = 0.01, 2000
-# A contact is as stiff as (2 / shortest semi-axis)²/4, in these units, and an ellipsoid has some ten: Verlet's method is stable for
-# steps up to 2/√(10 stiffness) = 0.63 shortest semi-axis.
+# The stiffness of a contact is (2 / shortest semi-axis)²/4 in these units, and an ellipsoid has about ten contacts. Therefore Verlet's
+# method is stable for steps up to 2/√(10 stiffness) = 0.63 times the shortest semi-axis.
 _VERLET_STEP = 0.4
-# The volume of a cell with vectors of length one has rounding errors of some 1e-16. This one is a plane.
+# The volume of a cell with vectors of length one has rounding errors of about 1e-16. If it is below this limit, the cell counts as flat.
 _FLAT = 1e-12
-# A form has relative errors of some units of rounding u of its largest eigenvalue, κ² times the smallest one: with κ = 1e6, these are
-# κ² u = 1e-4 of that.
+# Largest aspect ratio κ. The rounding errors of a form are a few u times its largest eigenvalue, which is κ² times the smallest one. For
+# κ = 1e6 they are about κ² u = 1e-4 of the smallest eigenvalue.
 _MOST_SLENDER = 1e6
 # Skin of the neighbour lists, in units of the shortest semi-axis. A list is rebuilt when a surface has moved by half of it.
 _SKIN = 0.2
 
 
-# Edges of the cell are given with rounding errors.
+# Relative tolerance for rounding errors of the edges of the cell.
 _ROUNDING = 1e-9
 
 
 class OverlapsLeft(ValueError):
-    """No configuration without overlaps was found.
+    """Exception of `relax` and `pack`: overlaps remain after all steps.
 
     Attributes
     ----------
     system : System
         The best configuration that was found.
     overlaps : int
-        How many pairs overlap in it.
+        Number of overlapping pairs in this configuration.
     steps : int
-        How many steps were tried.
+        Number of steps that were made.
     """
 
     def __init__(self, system: System, overlaps: int, steps: int) -> None:
@@ -68,18 +69,18 @@ class OverlapsLeft(ValueError):
         self.system, self.overlaps, self.steps = system, overlaps, steps
 
     def __str__(self) -> str:
-        return f"pairs that still overlap after {self.steps} steps: {self.overlaps}; give more room, or more steps"
+        return f"overlaps that remain after {self.steps} steps: {self.overlaps}; use a larger cell or more steps"
 
 
 class RelaxationInterrupted(KeyboardInterrupt):
-    """Ctrl-C came while ellipsoids pushed one another apart.
+    """Exception of `relax` and `pack`: the user pressed Ctrl-C.
 
     Attributes
     ----------
     system : System
-        The best configuration that was found before.
+        The best configuration that was found until then.
     overlaps : int
-        How many pairs overlap in it.
+        Number of overlapping pairs in this configuration.
     """
 
     def __init__(self, system: System, overlaps: int) -> None:
@@ -87,12 +88,12 @@ class RelaxationInterrupted(KeyboardInterrupt):
         self.system, self.overlaps = system, overlaps
 
     def __str__(self) -> str:
-        return f"pairs that still overlap: {self.overlaps}"
+        return f"overlaps that remain: {self.overlaps}"
 
 
 class _Push(NamedTuple):
-    """Forces and torques (2, n, 3) on swollen ellipsoids and their energy; and at the true size how many pairs overlap, the energy
-    of these, which is 0 without overlaps, and the smallest μ² of pairs that are not well apart."""
+    """Forces and torques (2, n, 3) on the enlarged ellipsoids, and their energy. For the ellipsoids of true size: the number of
+    overlapping pairs, their energy `depth` (0 without overlaps), and the smallest μ² of the listed pairs."""
 
     force: Floats
     energy: float
@@ -102,9 +103,9 @@ class _Push(NamedTuple):
 
 
 class _Soft:
-    """Swollen ellipsoids that repel one another: their energy is Σ (1 - μ²)²/2 over the pairs that overlap.
+    """Enlarged ellipsoids with a soft repulsion: the energy is Σ (1 - μ²)²/2 over the pairs that overlap.
 
-    Lengths count in mean semi-axes. Masses and moments of inertia are 1.
+    The unit of length is the mean semi-axis. Masses and moments of inertia are 1.
     """
 
     def __init__(self, system: System) -> None:
@@ -112,7 +113,7 @@ class _Soft:
         self.centers, self.quaternions = system.centers.copy(), system.quaternions.copy()
         axes = system.semi_axes[:, : system.dimensions]
         self.length, self.shortest = float(axes.mean()), float(axes.min())
-        # What moves: in a plane, only translations in it and rotations about z
+        # Degrees of freedom: in two dimensions, translations in the plane and rotations about z
         self.free = np.ones((2, 1, 3))
         if system.dimensions == 2:
             self.free[:, 0] = [1, 1, 0], [0, 0, 1]
@@ -138,15 +139,16 @@ class _Soft:
             self._list = neighbors(self.centers, q, self.system.cell, self.system.periodic, skin=_SKIN * self.shortest)
         return self._list
 
-    def move(self, way: Floats) -> None:
-        """By displacements and rotation vectors (2, n, 3), which are shortened if they are too long for one step."""
-        way = way * min(1.0, _WAY * self.shortest / self.length / max(float(np.abs(way).max()), 1e-300))
-        self.centers = self.centers + self.length * way[0]
-        self.quaternions = _turned(self.quaternions, way[1])
+    def move(self, displacement: Floats) -> None:
+        """Moves by translations and rotation vectors (2, n, 3), which are shortened if they are too long for one step."""
+        longest = max(float(np.abs(displacement).max()), 1e-300)
+        displacement = displacement * min(1.0, _LONGEST_DISPLACEMENT * self.shortest / self.length / longest)
+        self.centers = self.centers + self.length * displacement[0]
+        self.quaternions = _rotated(self.quaternions, displacement[1])
 
 
 def _quench(soft: _Soft, swelling: float) -> Iterator[_Push]:
-    """Downhill, by FIRE, until the energy stays as it is."""
+    """Minimises the energy by FIRE, until it hardly decreases."""
     velocity, step, mixing, downhill = np.zeros((2, len(soft.system), 3)), _STEP, _MIXING, 0
     before = np.inf
     for k in itertools.count():
@@ -170,10 +172,10 @@ def _quench(soft: _Soft, swelling: float) -> Iterator[_Push]:
 
 
 def _anneal(soft: _Soft, steps: int, swelling: float, random: np.random.Generator) -> Iterator[_Push]:
-    """Molecular dynamics from the melt to rest: dense packings find more room on the way, and order where they have to.
+    """Molecular dynamics with a velocity scale that falls linearly to zero. Dense packings rearrange, and may order.
 
-    How deep pairs overlap goes as √T, which falls linearly: so hard cores grow linearly, as those of Lubachevsky and Stillinger
-    (J. Stat. Phys. 60, 561, 1990).
+    The depth of overlaps is proportional to √T, which falls linearly. Therefore the hard cores grow linearly, as in the algorithm of
+    Lubachevsky and Stillinger (J. Stat. Phys. 60, 561, 1990).
     """
     step = _VERLET_STEP * soft.shortest / soft.length
     velocity = soft.free * random.normal(size=(2, len(soft.system), 3))
@@ -187,7 +189,7 @@ def _anneal(soft: _Soft, steps: int, swelling: float, random: np.random.Generato
 
 
 def _pushes(soft: _Soft) -> Iterator[_Push]:
-    """Tries that cost more and more, for packings that are denser and denser. Each push is one step."""
+    """Attempts of increasing cost, for packings of increasing density. Each push is one step."""
     yield from _quench(soft, _MUCH_SWOLLEN)
     yield from _quench(soft, _SLIGHTLY_SWOLLEN)
     random = np.random.default_rng(1)
@@ -197,19 +199,20 @@ def _pushes(soft: _Soft) -> Iterator[_Push]:
 
 
 def relax(system: System, steps: int = 20000, stage: Callable[[str], object] = str) -> System:
-    """Move and rotate ellipsoids until none overlap, by the exact test.
+    """Move and rotate ellipsoids until none overlap, as the exact test decides.
 
-    Shapes and cell do not change, and ellipses stay in their plane. Ellipsoids that overlap push one another apart. If this gets stuck
-    because the packing is dense, all ellipsoids receive random velocities and come to rest slowly. This is repeated, each time twice as
-    slowly.
+    Shapes and cell do not change, and ellipses stay in their plane. A soft repulsion separates the ellipsoids that overlap. If overlaps
+    remain because the packing is dense, simulated annealing follows: all ellipsoids receive random velocities, which are then reduced to
+    zero. Annealing is repeated, each time with twice as many steps.
 
     Parameters
     ----------
     system : System
     steps : int
-        How many steps to try.
+        Maximum number of steps.
     stage : callable
-        Is told at each step how many pairs overlap. If it raises KeyboardInterrupt, that ends the relaxation as Ctrl-C does.
+        Called at each step with a string that states the number of overlapping pairs. If it raises KeyboardInterrupt, the relaxation ends
+        as after Ctrl-C.
 
     Returns
     -------
@@ -218,13 +221,13 @@ def relax(system: System, steps: int = 20000, stage: Callable[[str], object] = s
     Raises
     ------
     OverlapsLeft
-        Some still overlap after all steps: the density is too high for the shapes, or for the number of steps. The attribute `system` of
-        the exception is the best configuration that was found, in which overlaps are least deep: Σ (1 - μ²)² is smallest. It is a
+        Overlaps remain after all steps: the density is too high for the shapes or for the number of steps. The attribute `system` of the
+        exception is the best configuration that was found, that is, the one with the smallest Σ (1 - μ²)². The exception is a
         ValueError.
     RelaxationInterrupted
-        Ctrl-C. It has the same attribute, and is a KeyboardInterrupt.
+        The user pressed Ctrl-C. The exception has the same attribute, and is a KeyboardInterrupt.
     ValueError
-        The cell is so small or thin that an ellipsoid overlaps its own image however it is turned.
+        The cell is so small or thin that an ellipsoid overlaps its own image in every orientation.
     """
     soft, steps = _Soft(instance(system, System, "relax: system")), integer(steps, "relax: steps", 1)
     function(stage, "relax: stage")
@@ -246,18 +249,18 @@ def relax(system: System, steps: int = 20000, stage: Callable[[str], object] = s
 
 
 def too_thin(system: System) -> str:
-    """Says which ellipsoid overlaps its own image however it is turned; an empty string if none is known to.
+    """Returns a message if an ellipsoid overlaps its own image in every orientation, and otherwise an empty string.
 
-    An ellipsoid with the semi-axes a <= b <= c contains a ball of the radius a, and its section with any plane through its centre has at
-    least the area π a b (its semi-axes lie between those of the ellipsoid). Its images along one, two or three vectors, with the length,
-    area or volume D, form a lattice packing of segments, ellipses or ellipsoids, whose densest fractions are 1, π/√12 and π/√18: so
-    D >= 2 a, √12 a b or √32 a b c.
+    The test is a necessary condition. An ellipsoid with the semi-axes a <= b <= c contains a ball of radius a, and its section with any
+    plane through its centre has at least the area π a b. Its images along one, two or three vectors, which span the length, area or
+    volume D, form a lattice packing of segments, ellipses or ellipsoids. The densest packing fractions are 1, π/√12 and π/√18. Therefore
+    D >= 2 a, √12 a b or √32 a b c, if no images overlap.
     """
     periodic = np.asarray(system.periodic, dtype=bool)
     if system.cell is None or not periodic.any():
         return ""
     count = int(periodic.sum())
-    # Far apart along the directions that do not repeat, so that these are the last ones of the reduced cell
+    # Long vectors along the directions that are not periodic: they are the last vectors of the reduced cell
     others = np.linalg.svd(system.cell[periodic])[2][count:] * (10 * float(np.abs(system.cell).sum()))
     vectors = cell_reduce(np.vstack([system.cell[periodic], others]))
     vectors = vectors[np.linalg.norm(vectors, axis=1).argsort()[:count]]
@@ -267,14 +270,14 @@ def too_thin(system: System) -> str:
     for number, factor, what in ((1, 2.0, "length"), (2, 12**0.5, "area"), (3, 32**0.5, "volume")):
         for chosen in itertools.combinations(vectors, number):
             edges = np.array(chosen) / unit
-            room = float(np.sqrt(np.linalg.det(edges @ edges.T)))
+            spanned = float(np.sqrt(np.linalg.det(edges @ edges.T)))
             least = factor * (axes[:, :number] / unit).prod(axis=1)
-            if (room < (1 - _ROUNDING) * least).any():
+            if (spanned < (1 - _ROUNDING) * least).any():
                 k = int(least.argmax())
-                return (f"the cell is too small or too thin: ellipsoid {system.ids[k]} overlaps its own image however it is turned, "
-                        f"because it repeats within the {what} {room * unit**number:.6g}, and with the semi-axes "
-                        f"{' '.join(f'{x:g}' for x in axes[k])} it needs {least[k] * unit**number:.6g} at least: "
-                        "give a thicker cell, or a smaller fraction of it")  # fmt: skip
+                return (f"the cell is too small or too thin: ellipsoid {system.ids[k]} overlaps its own image in every orientation. "
+                        f"Its images are apart by the {what} {spanned * unit**number:.6g}; with the semi-axes "
+                        f"{' '.join(f'{x:g}' for x in axes[k])} it needs at least {least[k] * unit**number:.6g}. "
+                        "Use a thicker cell or a smaller packing fraction")  # fmt: skip
     return ""
 
 
@@ -288,8 +291,8 @@ def _moved(system: System, centers: Floats, quaternions: Floats) -> System:
     return make(make(centers).wrapped())
 
 
-def _turned(quaternions: Floats, rotations: Floats) -> Floats:
-    """Quaternions after a turn by rotation vectors."""
+def _rotated(quaternions: Floats, rotations: Floats) -> Floats:
+    """Quaternions after rotations by rotation vectors."""
     angles = np.linalg.norm(rotations, axis=1, keepdims=True)
     # sin(angle/2) / angle, which is 1/2 at 0
     s, v = np.cos(angles / 2)[:, 0], rotations * np.sinc(angles / (2 * np.pi)) / 2
@@ -309,9 +312,9 @@ def pack(
     stage: Callable[[str], object] = str,
     dimensions: int = 3,
 ) -> System:
-    """A random packing without overlaps, by the exact test, in a periodic cell.
+    """Make a random packing of ellipsoids in a periodic cell, without overlaps as the exact test decides.
 
-    Ellipsoids start at random positions, and push one another apart (`relax`). Dense packings take longer, and have local order: see
+    The ellipsoids start at random positions, and `relax` removes the overlaps. Dense packings take longer, and have local order: see
     `nematic_order`.
 
     Parameters
@@ -319,13 +322,13 @@ def pack(
     semi_axes : (n, 3) array_like
         One row for each ellipsoid; (n, 2) for ellipses.
     fraction : float
-        Fraction of the volume, or of the area, that they fill.
+        Packing fraction: the volume of the ellipsoids over the volume of the cell, or area over area; between 0 and 1.
     cell : (3, 3) array_like, optional
-        Shape of the cell, which is then scaled to the fraction; (2, 2) for ellipses. By default a cube or a square.
+        Shape of the cell, (2, 2) for ellipses. The cell is scaled to obtain the packing fraction. By default a cube or a square.
     seed : int, optional
-        For `numpy.random.default_rng`: the same one gives the same packing. Without it, each call gives another one.
+        Seed of `numpy.random.default_rng`. The same seed gives the same packing. Without a seed, each call gives another packing.
     types : (n) array_like, optional
-        As of `System`.
+        As for `System`.
     steps, stage
         As for `relax`.
     dimensions : int
@@ -340,7 +343,7 @@ def pack(
     OverlapsLeft, RelaxationInterrupted
         As for `relax`.
     ValueError
-        Semi-axes, fraction or cell make no sense, or the cell is too thin, as for `relax`.
+        Semi-axes, fraction or cell are invalid, or the cell is too thin, as for `relax`.
 
     Examples
     --------
@@ -377,7 +380,7 @@ _COUNTS = {2: "two", 3: "three"}
 
 
 def check_cell(cell: ArrayLike, dimensions: int) -> tuple[Floats, float]:
-    """Refuses a bad cell. Returns the cell and its volume."""
+    """Checks a cell. Returns the cell and its volume."""
     shape, count = reals(cell, "cell"), _COUNTS[dimensions]
     if shape.shape != (dimensions, dimensions) or not np.isfinite(shape).all():
         raise ValueError(f"the cell must be {count} vectors of finite numbers, not {shape.tolist()}")
@@ -388,7 +391,7 @@ def check_cell(cell: ArrayLike, dimensions: int) -> tuple[Floats, float]:
 
 
 def check_axes(axes: Floats, dimensions: int = 3) -> float:
-    """Refuses bad semi-axes. Returns the volume of the ellipsoids."""
+    """Checks semi-axes. Returns the volume of the ellipsoids."""
     if axes.ndim != 2 or axes.shape[1] != dimensions or not len(axes):
         raise ValueError(f"semi_axes must be rows of {_COUNTS[dimensions]} numbers, not an array of the shape {axes.shape}")
     bad = ~((axes > 0) & np.isfinite(axes)).all(axis=1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pairs of a neighbour list, in a periodic cell or not."""
+"""Functions of lists of pairs, with or without a periodic cell."""
 
 from __future__ import annotations
 
@@ -41,18 +41,18 @@ def contact_pairs(
     out: tuple[Floats, Floats] | None = None,
     images: ArrayLike | None = None,
 ) -> tuple[Floats, Floats]:
-    """Contact function (see `contact`) for the pairs of a neighbour list. Dask arrays are computed at once.
+    """Computes the contact function of the pairs of a list; see `contact`. Dask arrays are computed immediately.
 
     Parameters
     ----------
     {pair_list}
     out : tuple of two contiguous (k) arrays of float64, optional
-        Where to put μ² and λ.
+        Output arrays for μ² and λ.
 
     Returns
     -------
     mu2, lambda_ : (k) arrays
-        NaN for a bad pair (see `bad_rows`), which NumPy reports as ``np.errstate(invalid=...)`` says.
+        NaN for an invalid pair (see `bad_rows`). NumPy then warns, or does what ``np.errstate(invalid=...)`` selects.
 
     {raises_pair_list}
 
@@ -65,7 +65,7 @@ def contact_pairs(
     """
     if is_device_array(pairs):
         if out is not None:
-            raise TypeError("contact_pairs: with arrays on a GPU, there can be no 'out'")
+            raise TypeError("contact_pairs: 'out' is not supported for arrays on a GPU")
         return cast("tuple[Floats, Floats]", apply_to_pairs("contact", pairs, centers, q, _cell(cell), images))
     arrays = _pair_list(pairs, centers, q, cell, images)
     mu2, lambda_ = _outputs(out, len(arrays.pairs))
@@ -83,18 +83,18 @@ def overlap_pairs(
     dtype: DTypeLike = np.bool_,
     images: ArrayLike | None = None,
 ) -> NDArray[Any]:
-    """Decides whether the pairs of a neighbour list overlap (see `overlap`). Dask arrays are computed at once.
+    """Tests whether the pairs of a list overlap; see `overlap`. Dask arrays are computed immediately.
 
     Parameters
     ----------
     {pair_list}
     dtype : bool or uint8
-        With ``np.uint8`` the result is 1, 0, or 255 for a bad pair.
+        With ``np.uint8`` the result is 1, 0, or 255 for an invalid pair.
 
     Returns
     -------
     array (k) of `dtype`
-        A bad pair counts as an overlap; NumPy reports it as ``np.errstate(invalid=...)`` says.
+        An invalid pair counts as an overlap. NumPy then warns, or does what ``np.errstate(invalid=...)`` selects.
 
     {raises_pair_list}
 
@@ -129,9 +129,9 @@ def overlap_volume_pairs(
     cell: ArrayLike | None = None,
     images: ArrayLike | None = None,
 ) -> Floats:
-    """Common volumes (see `overlap_volume`) for the pairs of a neighbour list. Dask arrays are computed at once.
+    """Computes the volumes of the intersections of the pairs of a list; see `overlap_volume`.
 
-    The sum is the two-body overlap of a system: what three ellipsoids have in common counts three times in it.
+    The sum of these volumes counts a region that is inside three ellipsoids three times. Dask arrays are computed immediately.
 
     Parameters
     ----------
@@ -140,7 +140,7 @@ def overlap_volume_pairs(
     Returns
     -------
     array (k)
-        A bad pair is NaN; NumPy reports it as ``np.errstate(invalid=...)`` says.
+        NaN for an invalid pair. NumPy then warns, or does what ``np.errstate(invalid=...)`` selects.
 
     {raises_pair_list}
 
@@ -163,7 +163,7 @@ def overlap_volume_pairs(
 def nearest_images(
     pairs: ArrayLike, centers: ArrayLike, cell: ArrayLike
 ) -> tuple[Floats, NDArray[np.int32]]:
-    """The nearest images, which functions of neighbour lists use without `images`: as vectors, and as values for `images`.
+    """Computes the nearest images that the functions of pair lists use if `images` is not given.
 
     Parameters
     ----------
@@ -177,10 +177,10 @@ def nearest_images(
     Returns
     -------
     r12 : (k, 3) array
-        From particle i to the image of particle j; NaN for a bad pair, as of centres that are not finite.
+        Vectors from particle i to the image of particle j; NaN for an invalid pair, such as one with a centre that is not finite.
     images : (k, 3) array of int32
-        Multiples of the vectors of the cell, to be added to the centre of j; -2³¹ for a bad pair, as of centres too many
-        cells apart.
+        Multiples of the cell vectors to add to the centre of j, for the argument `images`; -2³¹ for an invalid pair, such as one
+        whose centres are too many cells apart.
 
     {raises_pair_list}
 
@@ -209,7 +209,7 @@ def _outputs(out: Any, count: int) -> tuple[Floats, Floats]:
 def _pair_list(
     pairs: ArrayLike, centers: ArrayLike, q: ArrayLike | None, cell: ArrayLike | None, images: ArrayLike | None
 ) -> PairList:
-    """Contiguous arrays of the types that the library takes. Arrays of these types are not copied. No forms if `q` is None."""
+    """Converts arrays to contiguous arrays of the types of the C functions, without a copy if possible. `q` may be None."""
     rows, forms = (_rows(centers, 3, "centers"), None) if q is None else _particles(centers, q)
     indices = _indices(pairs, len(rows))
     return PairList(indices, _images(images, len(indices), cell is not None), rows, forms, _cell(cell))
@@ -239,7 +239,7 @@ def _images(images: ArrayLike | None, num_pairs: int, has_cell: bool) -> NDArray
     multiples = np.asarray(images)
     if not has_cell:
         if np.any(multiples):
-            raise ValueError("images need a cell, of whose vectors they are multiples: pass cell")
+            raise ValueError("images are multiples of the cell vectors: pass cell, too")
         return None
     if multiples.size == 0 and num_pairs == 0:
         return np.empty((0, 3), dtype=np.int32)
@@ -260,7 +260,7 @@ def _rows(array: ArrayLike, columns: int, name: str) -> Floats:
     rows = reals(array, name)
     if rows.ndim != 2 or rows.shape[1] != columns:
         hint = form_hint(rows.shape, (columns,))
-        single = ", which is a single one" if rows.shape == (columns,) else hint
+        single = f": for a single one use the shape (1, {columns})" if rows.shape == (columns,) else hint
         raise ValueError(f"{name} must be rows of {columns} numbers, not an array of the shape {rows.shape}{single}")
     return np.require(rows, np.float64, ["C", "A"])
 
@@ -293,8 +293,8 @@ def _refuse_pair(pair: int, indices: NDArray[Any], num_particles: int) -> NoRetu
 def check_list(
     status: int, name: str, arrays: PairList, report: Callable[[int], None] = _core.report_contact_pairs, **others: Any
 ) -> None:
-    """Raises the exception for a list that was refused as a whole, with the cause that the library gives. Calls report(status) if pairs
-    of it are bad: then the cause is that of one pair, or of its centres."""
+    """Raises the exception for a call that failed as a whole, with the cause from the library. If single pairs are invalid, calls
+    report(status) instead: the cause is then that of one pair, or of its centres."""
     if not status:
         return
     cause = _core.last_error()

@@ -44,7 +44,7 @@ class Compressibility(NamedTuple):
 
 
 class Correlation(NamedTuple):
-    """Pairs by μ: `edges` (k + 1) of bins, how many pairs are in each, and how many there would be without correlation."""
+    """Histogram of μ over pairs: `edges` (k + 1) of the bins, number of pairs in each bin, and the expected number without correlation."""
 
     edges: Floats
     pairs: Floats
@@ -52,10 +52,10 @@ class Correlation(NamedTuple):
 
 
 class PairCorrelation(NamedTuple):
-    """The pair correlation by distance, a value for each bin, with standard errors.
+    """Pair correlation as a function of distance, one value per bin, with standard errors.
 
-    `edges` (k + 1) are those of the bins. `g` (k) is the number of pairs over that of an ideal gas of as many particles, in shells, or in
-    rings of the plane. `p2` (k) is the mean of 3/2 cos² - 1/2 of the angles between the axes of the particles of a pair, or in two
+    `edges` (k + 1) are the edges of the bins. `g` (k) is the number of pairs in a shell, or in a ring of the plane, over that of an ideal
+    gas of the same density. `p2` (k) is the mean of 3/2 cos² - 1/2 of the angles between the axes of the particles of a pair, or in two
     dimensions that of cos 2θ; NaN without pairs. Spheres and discs have no axes.
     """
 
@@ -67,11 +67,11 @@ class PairCorrelation(NamedTuple):
 
 
 def nematic_order(system: System) -> float:
-    """The largest eigenvalue of 3/2 <u uᵀ> - 1/2: 1 if all axes u are parallel, about 1/√N for N axes without order.
+    """Computes the nematic order, the largest eigenvalue of 3/2 <u uᵀ> - 1/2. It is 1 if all axes u are parallel.
 
-    u is the axis whose length differs most from the middle one: the long axis of rods, the short one of plates. Spheres have none, and do
-    not count. In two dimensions, u is the long axis of an ellipse, and the order is the largest eigenvalue of 2 <u uᵀ> - 1, which is
-    <cos 2θ> of the angles to the director. Discs do not count.
+    For N axes without order it is about 1/√N. u is the axis whose length differs most from the middle one: the long axis of rods, the
+    short axis of plates. Spheres have no such axis, and are ignored. In two dimensions, u is the long axis of an ellipse, and the order
+    is the largest eigenvalue of 2 <u uᵀ> - 1, which is <cos 2θ> of the angles to the director. Discs do not count.
 
     Parameters
     ----------
@@ -86,10 +86,10 @@ def nematic_order(system: System) -> float:
 
 
 def tetratic_order(system: System) -> float:
-    """The order of ellipses along two directions at right angles: the largest <cos 4(θ - φ)> over all directions φ.
+    """Computes the tetratic order of ellipses: the largest <cos 4(θ - φ)> over all directions φ.
 
-    It is 1 if the long axes of all ellipses are parallel to one of two directions at right angles, and about 1/√N for N ellipses
-    without order. Discs do not count.
+    It is 1 if the long axes of all ellipses are parallel to one of two perpendicular directions, and about 1/√N for N ellipses without
+    order. Discs are ignored.
 
     Parameters
     ----------
@@ -116,9 +116,9 @@ def tetratic_order(system: System) -> float:
 
 
 def director(system: System) -> Floats:
-    """The direction of the nematic order: the eigenvector for the eigenvalue that is `nematic_order`.
+    """Computes the director: the eigenvector of the largest eigenvalue, which is `nematic_order`.
 
-    It is a unit vector. Since u and -u are the same direction, its coordinate of the largest magnitude is positive.
+    The result is a unit vector. Its sign has no meaning: the coordinate of the largest magnitude is positive.
 
     Parameters
     ----------
@@ -133,8 +133,8 @@ def director(system: System) -> Floats:
 
 
 def principal_directions(system: System) -> Floats:
-    """Unit vectors (n, 3) along the axes whose lengths differ most from the middle ones, or along the longer axes of ellipses; NaN for
-    spheres and discs, which have no such axes."""
+    """Returns unit vectors (n, 3) along the axes whose lengths differ most from the middle ones, or along the longer axes of ellipses; NaN
+    for spheres and discs."""
     if system.dimensions == 2:
         return _long_axes(system)
     order = np.argsort(system.semi_axes, axis=1)
@@ -148,7 +148,7 @@ def principal_directions(system: System) -> Floats:
 
 
 def _cross(a: Floats, b: Floats) -> Floats:
-    """The vector products of rows. numpy.cross() has the same bits and takes several times as long for some hundred rows."""
+    """Cross products of rows. numpy.cross() gives bitwise equal results, but takes several times as long for several hundred rows."""
     (ax, ay, az), (bx, by, bz) = a.T, b.T
     return np.stack([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx], axis=1)
 
@@ -163,7 +163,7 @@ def _long_axes(system: System) -> Floats:
 
 
 def nematic_tensor(directions: Floats, dimensions: int = 3) -> Floats:
-    """(d <u uᵀ> - 1)/(d - 1) in d dimensions, of the directions u that are not NaN; NaN if all are."""
+    """Returns (d <u uᵀ> - 1)/(d - 1) in d dimensions, over the directions u that are not NaN; NaN if all are NaN."""
     if not len(directions):
         raise ValueError("the system must have particles for the nematic order")
     known = directions[~np.isnan(directions[:, 0])]
@@ -189,9 +189,9 @@ def main_direction(tensor: Floats) -> Floats:
 
 
 def compressibility(mu2: Iterable[ArrayLike], num_particles: int, width: float = 0.1, dimensions: int = 3) -> Compressibility:
-    """βP/ρ of hard ellipsoids, from the pairs that nearly touch.
+    """Computes βP/ρ of hard ellipsoids from the pairs that nearly touch.
 
-    If a cell and all centres shrink by a factor 1 - ε, the pairs with μ < 1/(1 - ε) overlap. So the virial theorem reads
+    If a cell and all centres shrink by a factor 1 - ε, the pairs with μ < 1/(1 - ε) overlap. Therefore the virial theorem is
 
         βP/ρ = 1 + n'(0)/(d N)
 
@@ -239,7 +239,7 @@ def compressibility(mu2: Iterable[ArrayLike], num_particles: int, width: float =
 
 
 def check_width(name: str, width: float) -> None:
-    """Refuses a width for which no extrapolation makes sense."""
+    """Checks that the width is in the range that allows an extrapolation."""
     if not 0 < real(width, f"{name}: width") <= _LARGEST_WIDTH:
         raise ValueError(f"{name}: width must be > 0 and at most {_LARGEST_WIDTH:g}, not {width}")
 
@@ -251,18 +251,18 @@ def compressibility_of(excess: Floats, num_particles: int, width: float, dimensi
 
 
 def pair_correlation(systems: System | Iterable[System], reach: float, bins: int = 50) -> PairCorrelation:
-    """The pair correlation by distance, and how parallel the particles of a pair are.
+    """Computes the pair correlation as a function of distance, and the orientational correlation of pairs.
 
-    The number of pairs is divided by that of an ideal gas in the shells between the edges of bins, or in two dimensions in the rings.
+    The number of pairs in each shell (in two dimensions, in each ring) is divided by that of an ideal gas of the same density.
 
     Parameters
     ----------
     systems : System or iterable of System
-        With cells. The error is right for independent configurations, and NaN for a single one.
+        Systems with cells. The error is valid for independent configurations, and NaN for a single one.
     reach : float
-        The largest distance. It may exceed the cell: all images count, except those of the particle itself.
+        Largest distance. It may exceed the cell: all images count, except those of the particle itself.
     bins : int
-        How many there are between 0 and `reach`.
+        Number of bins between 0 and `reach`.
 
     Returns
     -------
@@ -272,8 +272,8 @@ def pair_correlation(systems: System | Iterable[System], reach: float, bins: int
     Raises
     ------
     ValueError
-        There is no cell, or it is not periodic along all of its vectors; there is no system, or some have other dimensions; reach or bins
-        are not positive.
+        There is no cell, or it is not periodic along all its vectors; there is no system, or the systems have different numbers of
+        dimensions; reach or bins are not positive.
 
     Examples
     --------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Systems of many ellipsoids in a cell: neighbours, contacts, overlaps, a report, a picture."""
+"""Systems of ellipsoids in a cell: neighbours, contacts, overlaps, reports, pictures."""
 
 from __future__ import annotations
 
@@ -27,10 +27,11 @@ Ints = NDArray[np.int32]
 
 
 class Contacts(NamedTuple):
-    """Pairs of a system, by columns, in the order of μ.
+    """Pairs of a system in the order of increasing μ, one array per quantity.
 
-    `pairs` (k, 2) are indices, `images` (k, 3) the multiples of the cell's vectors to add to the second centre, `point` (k, 3)
-    lies where the first centre is counted from, `normal` (k, 3) points from the first to the second.
+    `pairs` (k, 2) are indices of particles, and `images` (k, 3) the multiples of the cell vectors to add to the second centre. `point`
+    (k, 3) is the contact point in the coordinates of the system, and `normal` (k, 3) is the normal from the first particle to the
+    second.
     """
 
     pairs: Ints
@@ -42,7 +43,7 @@ class Contacts(NamedTuple):
 
 
 class Report(NamedTuple):
-    """Result of `System.check`. In two dimensions, `volume` is the area of the cell, and `packing_fraction` that of the area."""
+    """Result of `System.check`. In two dimensions, `volume` is the area of the cell, and `packing_fraction` is area over area."""
 
     particles: int
     shapeless: int
@@ -58,29 +59,30 @@ class Report(NamedTuple):
 
 
 class System:
-    """Ellipsoids in a cell, or ellipses in the cell of a plane.
+    """A system of ellipsoids in a cell, or of ellipses in a plane.
 
     Parameters
     ----------
     centers : (n, 3) array_like
+        Centres of the particles.
     q : (n, 6) array_like
-        Forms.
+        Forms of the particles.
     cell : (3, 3) array_like, optional
-        Its rows are the vectors of the cell.
-    periodic : bool, or three of them
-        Whether the system is periodic along the vectors of the cell. A system without a cell is never periodic.
+        Rows are the vectors of the cell.
+    periodic : bool or three bools
+        The cell vectors along which the system is periodic. A system without a cell is not periodic.
     types, ids : (n) array_like, optional
-        Names of types (any numbers or strings; by default 0), and whole numbers that identify the particles (by default 1 to n).
+        Types (any numbers or strings; by default 0), and integers that identify the particles (by default 1 to n).
     origin : (3) array_like
         Corner of the cell.
     step : int
         Time step.
     shapeless : int
-        Number of particles without a shape that a file had in addition to these.
+        Number of other particles in the file, which have no shape.
     dimensions : int
-        2 for a system of ellipses: all centres have the same z, and z is a principal axis of each ellipsoid, whose section is the
-        ellipse. Densities, orders and correlations are those of the plane then. The third vector of the cell does not count: it is
-        (0, 0, 1), from z = -1/2, and not periodic. The centres get z = 0.
+        2 for a system of ellipses: all centres have the same z, and z is a principal axis of each ellipsoid. The ellipses are the
+        sections of the ellipsoids with this plane. Densities, order parameters and correlations are then those of the plane. The third
+        cell vector is ignored: it becomes (0, 0, 1), from z = -1/2, and is not periodic. The centres become z = 0.
 
     Attributes
     ----------
@@ -92,7 +94,7 @@ class System:
 
     source: str
     notes: tuple[str, ...]
-    # Implements draw(). The module that draws imports this one, and sets the function.
+    # Implements draw(). The module _drawing imports this module, and sets the function.
     _drawer: ClassVar[Callable[..., Any]]
 
     def __init__(
@@ -127,9 +129,9 @@ class System:
             _check_vectors(self.cell)
 
     def _flatten(self) -> None:
-        """Gives what does not count in the plane the values that it has in all systems of ellipses."""
+        """Sets the coordinates and the cell vector along z to the values of all two-dimensional systems."""
         if not is_planar(self.centers, self.q):
-            raise ValueError("ellipses must lie in a plane of z: the centres have several z, or the ellipsoids are turned out of it")
+            raise ValueError("ellipses must lie in a plane z = constant, with z as a principal axis of each ellipsoid")
         self.centers, self.q, self.origin = self.centers.copy(), self.q.copy(), self.origin.copy()
         self.centers[:, 2], self.q[:, [2, 4]] = 0, 0
         if self.cell is None:
@@ -141,9 +143,9 @@ class System:
 
     @classmethod
     def from_axes(cls, centers: ArrayLike, semi_axes: ArrayLike, quaternions: ArrayLike, **others: Any) -> System:
-        """A system from semi-axes (n, 3) and quaternions (n, 4; w, x, y, z; of any length > 0); `others` as for `System`.
+        """Make a system from semi-axes (n, 3) and quaternions (n, 4; w, x, y, z; of any length > 0); `others` as for `System`.
 
-        In two dimensions the quaternions become rotations about z, and the last semi-axis is that along z.
+        In two dimensions the quaternions become rotations about z, and the last semi-axis becomes the one along z.
         """
         given = _rows(semi_axes, 3, "semi_axes"), _rows(quaternions, 4, "quaternions")
         axes = given[0], unit_quaternions(given[1])
@@ -157,7 +159,7 @@ class System:
     def from_euler(
         cls, centers: ArrayLike, semi_axes: ArrayLike, euler: str, angles: ArrayLike, angle: str = "radians", **others: Any
     ) -> System:
-        """The system of ellipsoids that are turned by Euler angles.
+        """Make a system from semi-axes and Euler angles.
 
         Parameters
         ----------
@@ -180,13 +182,13 @@ class System:
 
     @classmethod
     def from_directions(cls, centers: ArrayLike, across: ArrayLike, along: ArrayLike, directions: ArrayLike, **others: Any) -> System:
-        """The system of spheroids whose axes of revolution have given directions.
+        """Make a system of spheroids from the directions of their axes of revolution.
 
         Parameters
         ----------
         centers : (n, 3) array_like
         across, along : (n) array_like
-            Semi-axes across the axes of revolution and along them.
+            Equatorial and polar radii: semi-axes perpendicular to the axis of revolution and along it.
         directions : (n, 3) array_like
             Of any length > 0.
         **others
@@ -214,18 +216,18 @@ class System:
         origin: ArrayLike = (0.0, 0.0),
         **others: Any,
     ) -> System:
-        """A system of ellipses, of two dimensions.
+        """Make a two-dimensional system of ellipses.
 
         Parameters
         ----------
         centers : (n, 2) array_like
         semi_axes : (n, 2) array_like
         angles : (n) array_like
-            From x to the first semi-axis, in radians.
+            Angles from x to the first semi-axis, in radians.
         cell : (2, 2) array_like, optional
-            Its rows are the vectors of the cell.
-        periodic : bool or two of them
-            Along which vectors of the cell the system is repeated.
+            Rows are the vectors of the cell.
+        periodic : bool or two bools
+            The cell vectors along which the system is periodic.
         origin : (2) array_like
             Corner of the cell.
         **others
@@ -234,7 +236,7 @@ class System:
         Returns
         -------
         System
-            Its ellipsoids have the ellipses as sections. Along z they are as long as the ellipses are wide.
+            The ellipses are sections of its ellipsoids. The semi-axis along z is the shorter semi-axis of the ellipse.
 
         Raises
         ------
@@ -252,7 +254,8 @@ class System:
         places, axes = _rows(centers, 2, "centers"), _rows(semi_axes, 2, "semi_axes")
         turns = reals(angles, "angles")
         if not len(places) == len(axes) == turns.size or turns.ndim != 1:
-            raise ValueError(f"centers, semi_axes and angles must be as many, not {len(places)}, {len(axes)} and the shape {turns.shape}")
+            raise ValueError("centers, semi_axes and angles must have the same length, "
+                             f"not {len(places)}, {len(axes)} and the shape {turns.shape}")  # fmt: skip
         if not np.isfinite(turns).all():
             row = int(np.isfinite(turns).argmin())
             raise ValueError(f"System.from_ellipses: particle {row}: angles must be finite, not {turns[row]}")
@@ -274,12 +277,12 @@ class System:
 
     @property
     def semi_axes(self) -> Floats:
-        """Semi-axes, one row for each ellipsoid, as given to `from_axes`, or from the forms in increasing order."""
+        """Semi-axes (n, 3): those given to `from_axes`; otherwise computed from the forms, in increasing order."""
         return self._principal()[0]
 
     @property
     def quaternions(self) -> Floats:
-        """Unit quaternions (w, x, y, z), one row for each ellipsoid, as given to `from_axes`, or from the forms."""
+        """Unit quaternions (n, 4; w, x, y, z): those given to `from_axes`; otherwise computed from the forms."""
         return self._principal()[1]
 
     def _principal(self) -> tuple[Floats, Floats]:
@@ -292,9 +295,9 @@ class System:
 
     @property
     def angles(self) -> Floats:
-        """Angles of ellipses, from x to their first semi-axes, in radians, from -π/2 to π/2."""
+        """Angles of ellipses from x to the first semi-axis, in radians, from -π/2 to π/2. ValueError in three dimensions."""
         if self.dimensions != 2:
-            raise ValueError("the system must be two-dimensional: angles are those of ellipses")
+            raise ValueError("the system must be two-dimensional: only ellipses have angles")
         turned = 2 * np.arctan2(self.quaternions[:, 3], self.quaternions[:, 0])
         angles: Floats = turned - np.pi * np.round(turned / np.pi)
         return angles
@@ -315,8 +318,8 @@ class System:
 
     @property
     def packing_fraction(self) -> float | None:
-        """Volume of the ellipsoids over that of the cell, or area over area in two dimensions. Overlaps count twice. None without a cell.
-        """
+        """Volume of the ellipsoids over the volume of the cell, in two dimensions area over area. A region inside two ellipsoids counts
+        twice. None without a cell."""
         volume = self.volume
         if volume is None:
             return None
@@ -328,27 +331,27 @@ class System:
             raise ValueError(f"the system must be three-dimensional for {what}")
 
     def wrapped(self) -> Floats:
-        """Centers within the cell, along the vectors along which it is periodic."""
+        """Returns the centres wrapped into the cell, along its periodic vectors."""
         if self.cell is None:
             return self.centers
         fractions = (self.centers - self.origin) @ np.linalg.inv(self.cell)
         return self.centers - np.where(self.periodic, np.floor(fractions), 0.0) @ self.cell
 
     def neighbors(self, scale: float = 1.0, skin: float = 0.0) -> Neighbors:
-        """Pairs whose boxes meet: see `pypw85.neighbors`."""
+        """Find all pairs whose bounding boxes intersect: see `pypw85.neighbors`."""
         return neighbors(self.centers, self.q, self.cell, self.periodic, scale, skin)
 
     def contacts(self, below: float = 1.0) -> Contacts:
-        """All pairs with μ < `below`; with 1, those that overlap, exactly."""
+        """Find all pairs with μ < `below`. For `below` = 1 the exact test decides."""
         below = positive(below, "System.contacts: below")
         return self._contacts(self._candidates(below), below)
 
     def overlaps(self) -> Contacts:
-        """All pairs that overlap."""
+        """Find all pairs that overlap."""
         return self.contacts()
 
     def check(self, worst: int = 10, below: float = 1.0) -> Report:
-        """Finds overlaps, contacts below a given μ, and the pairs with the smallest μ, whether these overlap or not."""
+        """Find the overlaps, the pairs with μ < `below`, and the `worst` pairs with the smallest μ, whether they overlap or not."""
         worst, below = integer(worst, "System.check: worst"), positive(below, "System.check: below")
         tested = self._candidates(1.0)
         counts = len(tested.pairs), int(tested.overlap.sum())
@@ -374,7 +377,7 @@ class System:
         if self.cell is None or not all(self.periodic[: self.dimensions]):
             return None
         cell = self.cell
-        if self.dimensions == 2:  # images along z, which do not count, are then no nearer than those in the plane
+        if self.dimensions == 2:  # a vector along z so long that its images do not matter
             cell = np.vstack([cell[:2], [0, 0, np.abs(cell).sum() + 4 * self.semi_axes.max(initial=0)]])
         return nearest_image_limit(self.q, cell)
 
@@ -389,19 +392,18 @@ class System:
         size: int = 1200,
         color: str = "overlaps",
     ) -> Any:
-        """Draw the ellipsoids, those that overlap in red; needs Matplotlib, except for HTML.
+        """Draw the ellipsoids. Ellipsoids that overlap are red. Pictures need Matplotlib; HTML pages do not.
 
-        Centres are drawn within the cell, along the vectors along which it is periodic. An arrow on a picture is the director, drawn as
-        long as the nematic order times half an edge of the cell, if that is 0.2 or more.
-        Ellipses in a plane have colours by their angles, and red edges where they overlap; images that reach into the cell are pale.
-        There is no page of them, and no angles of view.
+        Centres are wrapped into the cell along its periodic vectors. If the nematic order is at least 0.2, an arrow shows the director;
+        its length is the nematic order times half an edge of the cell. Ellipses in a plane are coloured by their angles, and have red
+        edges if they overlap; images that extend into the cell are pale. HTML pages and angles of view are for three dimensions only.
 
         Parameters
         ----------
         path : path, optional
-            File for a picture (.png, .pdf, .svg), or for a page in which a browser shows and turns the system (.html).
-        ax : axes of Matplotlib, optional
-            Axes to draw in. By default new ones.
+            File for a picture (.png, .pdf, .svg), or for an interactive page for a browser (.html).
+        ax : matplotlib.axes.Axes, optional
+            Axes to draw in. By default new axes are made.
         contacts : bool
             True to mark the contact points of overlapping pairs.
         elevation, azimuth : float
@@ -415,7 +417,7 @@ class System:
         Returns
         -------
         axes
-            None for a page.
+            None for an HTML page.
         """
         return System._drawer(self, path, ax, contacts, elevation, azimuth, size, color)
 
@@ -431,10 +433,10 @@ class System:
         return self._details(candidates, np.flatnonzero(chosen))
 
     def _closest(self, lists: list[_Candidates], scale: float, count: int) -> Contacts:
-        """The pairs with the smallest μ, found from the only one of `lists`, which is for this scale.
+        """Returns the `count` pairs with the smallest μ. `lists` has one element: the candidates for this scale.
 
-        A list for a scale has all pairs whose μ is not larger. While it has none of these, a list for a larger scale replaces it. The
-        old one is freed first: `lists` holds the only reference.
+        Candidates for a scale include all pairs with μ <= scale. If there are no such pairs, the scale is increased, and the candidates
+        are found again. The old candidates are freed first: `lists` must hold the only reference to them.
         """
         candidates = lists.pop()
         size = float(np.ptp(self.centers, axis=0).max()) if len(self) else 0.0
@@ -450,10 +452,10 @@ class System:
         return self._details(candidates, np.flatnonzero(candidates.mu2 <= bound), count)
 
     def _details(self, candidates: _Candidates, chosen: NDArray[np.intp], count: int | None = None) -> Contacts:
-        """The chosen pairs in the order of μ, up to `count` of them."""
+        """Returns the chosen pairs in the order of increasing μ, at most `count`."""
         chosen = chosen[np.argsort(candidates.mu2[chosen], kind="stable")[:count]]
         pairs, images = candidates.pairs[chosen], candidates.images[chosen]
-        # At a common centre, point and normal are NaN, which is not an error of the input.
+        # Point and normal of concentric ellipsoids are NaN: this is not an error of the input.
         with np.errstate(invalid="ignore"):
             found = contact_derivatives_pairs(
                 pairs, self.centers, self.q, self.cell, None if self.cell is None else images
@@ -471,13 +473,14 @@ class _Candidates(NamedTuple):
 
 
 def _squared(scale: float) -> float:
-    """Infinity if the square overflows, as μ² does. The operator ** would raise OverflowError."""
+    """The square; infinity if it overflows, where the operator ** would raise OverflowError."""
     return scale * scale
 
 
 # Volume of the ball of radius 1, by the number of dimensions
 UNIT_BALL = {2: np.pi, 3: 4 / 3 * np.pi}
-# Of a quaternion whose components err by 2⁻²⁴: it turns the axis z by up to 2⁻²², and the form by that times its largest component.
+# Tolerance for quaternions in single precision. Errors of 2⁻²⁴ of the components tilt the axis z by up to 2⁻²², and change the form by
+# up to this angle times its largest entry.
 _TILTED = 2.0**-21
 
 
@@ -495,8 +498,8 @@ def quaternions_about_z(angles: Floats) -> Floats:
 
 
 def _about_z(semi_axes: Floats, quaternions: Floats, q: Floats) -> tuple[Floats, Floats]:
-    """Semi-axes and quaternions of the same ellipsoids, whose forms are q, but the last semi-axis is along z, and quaternions are rotations
-    about z. Those that are so stay as they are."""
+    """Permutes the semi-axes so that the last one is along z, with quaternions that are rotations about z. The forms q do not change.
+    Ellipsoids whose quaternions already are rotations about z are not changed."""
     others = np.flatnonzero(quaternions[:, 1:3].any(axis=1))
     if not len(others):
         return semi_axes, quaternions
@@ -504,7 +507,7 @@ def _about_z(semi_axes: Floats, quaternions: Floats, q: Floats) -> tuple[Floats,
     axes[others], turns[others] = _axes_of_ellipses(q[others])
     w, v = quaternions[others, :1], quaternions[others, 1:]
     columns = [unit + 2 * (w * np.cross(v, unit) + np.cross(v, np.cross(v, unit))) for unit in np.eye(3)]
-    for up in range(3):  # the semi-axis that is along z keeps its bits, and so do the other two
+    for up in range(3):  # if semi-axis `up` is along z, the semi-axes are only permuted, without rounding
         upright = np.abs(columns[up][:, 2]) > 1 - _TILTED
         rows, first, second = others[upright], (up + 1) % 3, (up + 2) % 3
         axes[rows] = semi_axes[rows][:, [first, second, up]]
@@ -520,7 +523,7 @@ def _axes_of_ellipses(q: Floats) -> tuple[Floats, Floats]:
 
 
 def _forms_of(axes: tuple[Floats, Floats], given: tuple[Floats, Floats]) -> Floats:
-    """The forms of semi-axes and unit quaternions. Refuses bad ones, with the numbers as they were given."""
+    """Forms from semi-axes and unit quaternions. The message for an invalid particle shows the numbers as the user gave them."""
     with np.errstate(invalid="ignore"):
         q: Floats = np.asarray(ellipsoid_quaternion(*axes))
     bad = np.isnan(q).any(axis=1)
@@ -543,16 +546,16 @@ def _cell_of_plane(cell: ArrayLike) -> Floats:
     return result
 
 
-# In single precision, unit quaternions have lengths within 2⁻²⁴ of 1; those of GSD files stay as they are.
+# Tolerance on the length of a unit quaternion. In single precision (GSD files) lengths are within 2⁻²⁴ of 1; these are not normalised.
 _UNIT = 2.0**-23
 
 
 def unit_quaternions(quaternions: Floats) -> Floats:
-    """Quaternions (n, 4) of length 1; NaN for those that are zero or not finite. Quaternions of length 1 stay as they are."""
+    """Normalises quaternions (n, 4). The result is NaN for zero or not finite. Unit quaternions are not changed."""
     units: Floats = quaternions.copy()
     with np.errstate(invalid="ignore", over="ignore"):
         others = ~(np.abs(np.sqrt(np.einsum("ij,ij->i", units, units)) - 1) <= _UNIT)
-        # Divided by their largest component first: no length overflows or underflows
+        # Division by the largest component: no length overflows or underflows
         scaled = units[others] / np.abs(units[others]).max(axis=1, keepdims=True)
         units[others] = scaled / np.linalg.norm(scaled, axis=1, keepdims=True)
     return units
@@ -568,7 +571,7 @@ def _whole_numbers(values: ArrayLike, name: str) -> NDArray[Any]:
 
 
 def _different(ids: NDArray[Any]) -> NDArray[Any]:
-    """Refuses two particles with one id."""
+    """Checks that all ids differ."""
     known, counts = np.unique(ids, return_counts=True)
     if len(known) < ids.size:
         raise ValueError(f"ids must be different, not {known[counts > 1][0]} twice")
@@ -576,7 +579,8 @@ def _different(ids: NDArray[Any]) -> NDArray[Any]:
 
 
 def _check_vectors(cell: Floats) -> None:
-    """Refuses a cell whose vectors are not independent, whatever their lengths: the plane has a third one of length 1 in any unit."""
+    """Checks that the cell vectors are independent. They are scaled first, because in two dimensions the third one has length 1 in any
+    unit."""
     lengths = np.frexp(np.abs(cell).max(axis=1, keepdims=True))[1]
     try:
         cell_reduce(np.ldexp(cell, -lengths) if np.isfinite(cell).all() else cell)
@@ -587,8 +591,8 @@ def _check_vectors(cell: Floats) -> None:
 def quaternions_of(rotation: Floats) -> Floats:
     """Unit quaternions (n, 4; w, x, y, z) of rotation matrices (n, 3, 3).
 
-    q is the eigenvector, for the eigenvalue 1, of the symmetric matrix that holds R as quadratic forms of q (Bar-Itzhack,
-    J. Guid. Control Dyn. 23, 1085, 2000): accurate whatever the angle.
+    q is the eigenvector of the largest eigenvalue of a symmetric 4×4 matrix (Bar-Itzhack, J. Guid. Control Dyn. 23, 1085, 2000). This
+    method is accurate for all angles.
     """
     k = np.empty((len(rotation), 4, 4))
     k[:, 0, 0] = np.trace(rotation, axis1=1, axis2=2)

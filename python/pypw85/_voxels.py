@@ -20,7 +20,9 @@ MOST_VOXELS = 2**20 - 1
 
 
 def voxels(system: System, resolution: int) -> NDArray[np.int32]:
-    """For each voxel 1 + the index of the ellipsoid that its centre is in, the last one if there are several, or 0.
+    """Makes a voxel image of a system. The value of a voxel is 1 + the index of the ellipsoid that contains its centre, or 0.
+
+    If several ellipsoids contain the centre, the value is that of the last one.
 
     Parameters
     ----------
@@ -44,7 +46,7 @@ def voxels(system: System, resolution: int) -> NDArray[np.int32]:
     try:
         return _image(system, system.cell, resolution)
     except MemoryError:
-        raise ValueError(f"there is not enough memory for {resolution}³ voxels: choose a smaller resolution (--resolution)") from None
+        raise ValueError(f"not enough memory for {resolution}³ voxels: use a smaller resolution (--resolution)") from None
 
 
 def _image(system: System, cell: Floats, resolution: int) -> NDArray[np.int32]:
@@ -65,7 +67,7 @@ def _image(system: System, cell: Floats, resolution: int) -> NDArray[np.int32]:
 
 
 def check_voxels_name(path: str, cell: Floats | None = None) -> None:
-    """Raises for a name that cannot be written, or not with this cell. Call it before the work."""
+    """Checks the name and the format of the file, which may not support the cell. Call it before the work."""
     refuse_standard_output(path, "the suffix of the name chooses the format of a voxel image")
     if not path.lower().endswith((".h5", ".hdf5", ".vtk")):
         raise FileError(path, "the name of a voxel image must end with .h5, .hdf5 or .vtk")
@@ -94,7 +96,7 @@ def _save_hdf5(path: str, system: System, image: NDArray[Any]) -> None:
 
 
 def _save_vtk(path: str, system: System, image: NDArray[Any]) -> None:
-    """x runs fastest, and numbers have their highest byte first."""
+    """Writes VTK's legacy format. The index of x varies fastest, and numbers are big-endian."""
     assert system.cell is not None
     n = len(image)
     spacing, origin = np.diag(system.cell) / n, system.origin

@@ -180,7 +180,7 @@ def contact_function1():
     ------
     PW85Error
         For a single pair: invalid input, a form that is not positive definite, or ``Status.ECONVERGENCE`` when the
-        iterations leave [0, 1] or do not settle. Rows of arrays become NaN.
+        iterations leave [0, 1] or do not settle. In arrays, invalid rows become NaN.
     """
 
 

@@ -165,7 +165,7 @@ def test_workers(folder):
 
 
 BAD = [
-    (["check", "missing.dump"], "missing.dump: there is no such file"),
+    (["check", "missing.dump"], "missing.dump: no such file"),
     (["check", "."], ".: is a directory"),
     (["check", "empty"], "empty: the file is empty"),
     (["check", "a.dump", "--csv", "no/where.csv"], "no/where.csv: there is no folder no"),
@@ -225,7 +225,7 @@ def test_relax_refuses_a_thin_cell(run, folder):
     pypw85.write("a.dump", pypw85.System.from_axes([[0, 0, 0]], [[1, 1, 1]], [[1, 0, 0, 0]], cell=np.diag([9, 9, 1.9])))
     done = run("relax", "a.dump", "b.dump")
     assert done.status == 2
-    assert "repeats within the length 1.9, and" in done.err and "leave such frames out (--frames)" in done.err
+    assert "apart by the length 1.9; with" in done.err and "skip such frames (--frames)" in done.err
     assert not (folder / "b.dump").exists()
 
 
@@ -322,7 +322,7 @@ def test_interruption_of_workers(folder):
 def test_interruption_keeps_a_packing(folder):
     arguments = ["-n", "100", "--axes", "1,1,1", "--fraction", "0.8", "--voxels", "a.vtk", "--resolution", "8"]
     status, text = on_terminal("pack", "a.data", *arguments, until=rb"step \d+, \d+ pairs overlap")
-    left = re.search(r"pw85: interrupted; a\.data: pairs that still overlap: (\d+); the file has the best that was found\n$", text)
+    left = re.search(r"pw85: interrupted; a\.data: overlaps that remain: (\d+); the file contains the best .*\n$", text)
     assert left and status == 130, text
     assert {path.name for path in folder.iterdir()} == {"a.data", "a.vtk"}
     # Written with 17 digits, so that the very same pairs overlap
@@ -335,7 +335,7 @@ def test_interruption_keeps_frames(folder):
     dense = pypw85.System.from_axes(centers, np.ones((60, 3)), [[1, 0, 0, 0]] * 60, cell=6 * np.eye(3))
     pypw85.write("a.dump", [random_system(count=5), dense, random_system(1)])
     status, text = on_terminal("relax", "a.dump", "b.dump", until=rb"step \d+, \d+ pairs overlap")
-    assert status == 130 and "b.dump, from frame 1: pairs that still overlap" in text, text
+    assert status == 130 and "b.dump, from frame 1: overlaps that remain" in text, text
     first, second, third = pypw85.frames("b.dump")
     assert len(first.overlaps().mu) == 0 and len(second) == 60
     np.testing.assert_array_equal(third.centers, random_system(1).centers)
@@ -444,7 +444,7 @@ def test_memory(folder):
 def test_help(run):
     done = run("check", "--help")
     assert done.status == 0 and "--workers" in done.out
-    assert "lists the options and has examples" in run("--help").out
+    assert "shows the options of a command, and examples" in run("--help").out
     assert pypw85.version() in run("--version").out
 
 

@@ -48,9 +48,9 @@ def girth(q: ArrayLike, out: Any = None, **kwargs: Any) -> Any:
     q : (..., 6) array_like
         Form of the ellipsoid.
     out : (...) array, optional
-        Where to put the result.
+        Output array.
     **kwargs
-        As for any ufunc.
+        Other keyword arguments of ufuncs.
 
     Returns
     -------
@@ -60,7 +60,7 @@ def girth(q: ArrayLike, out: Any = None, **kwargs: Any) -> Any:
     Raises
     ------
     PW85Error
-        For a single row: a number is not finite or a form is not positive definite. Rows of arrays become NaN.
+        For a single row: a number is not finite or a form is not positive definite. In arrays, invalid rows become NaN.
 
     Notes
     -----

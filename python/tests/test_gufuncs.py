@@ -156,7 +156,7 @@ def test_truth_values_as_numbers(name, rng):
     np.testing.assert_array_equal(pypw85.bad_rows(codes), [7])
     assert codes[7] == 255
     np.testing.assert_array_equal(np.delete(codes, 7), np.delete(truths, 7))
-    assert "the result is 1, 0, or 255 for a bad row" in function.__doc__
+    assert "the result is 1, 0, or 255 for an invalid row" in function.__doc__
     assert "(...) array of bool, or bool" in function.__doc__
 
 

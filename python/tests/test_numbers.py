@@ -192,7 +192,7 @@ WRONG_VALUES = [
     (lambda: spheroid(-1), r"System.from_axes: particle 0: semi_axes must be > 0, not \[-1.0"),
     (lambda: ellipse(np.nan), "System.from_ellipses: particle 0: angles must be finite, not nan"),
     (lambda: ellipse(periodic="ab"), "periodic must be True, False or two of them, not 'ab'"),
-    (lambda: pypw85.System([[0, 0, 0]], Q), r"q must be rows of 6 numbers, not an array of the shape \(6,\), which is a single one"),
+    (lambda: pypw85.System([[0, 0, 0]], Q), r"q must be rows of 6 numbers, not an array of the shape \(6,\): for a single one"),
     (lambda: pypw85.System(**ONE, cell=[9, 9, 9]),
      r"cell must be three vectors of three numbers, one in each row, not an array of the shape \(3,\)"),
     (lambda: pypw85.compare([3, 0, 0], Q, Q, np.nan), "compare: mu2 must not be NaN$"),
@@ -206,7 +206,7 @@ WRONG_VALUES = [
     (lambda: pypw85.plot([0, 0, np.nan], Q, [0, 0, 0], Q), "plot: r12 must be finite"),
     (lambda: pypw85.from_inertia(np.diag([1, 1, 5])),
      r"from_inertia: second_moments must be positive definite, not .*: they follow from the inertia: check that"),
-    (lambda: pypw85.Law.table(0, 1, [1, 2], [1]), r"Law.table: u and d_u must be as many numbers, not have the shapes \(2,\) and \(1,\)"),
+    (lambda: pypw85.Law.table(0, 1, [1, 2], [1]), r"Law.table: u and d_u must be .* length, not of the shapes \(2,\) and \(1,\)"),
 ]  # fmt: skip
 WALLS = [
     (pypw85.Wall.plane([0, 0, 0], 1), r"wall 1: vector must be a normal that is finite and not zero, not \(0.0, 0.0, 0.0\)"),

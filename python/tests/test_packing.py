@@ -28,12 +28,12 @@ def test_quaternions_of_rotations(rng):
 def test_turned(rng):
     """Half a turn about z, twice a quarter, and the derivative that torques are."""
     start = rng.normal(size=(20, 4))
-    turned = _packing._turned(start, np.tile([0, 0, np.pi], (20, 1)))
+    turned = _packing._rotated(start, np.tile([0, 0, np.pi], (20, 1)))
     mirror = np.diag([-1, -1, 1])
     np.testing.assert_allclose(rotations(turned), mirror @ rotations(start) @ mirror, atol=1e-13)
     quarter = np.tile([0, 0, np.pi / 2], (20, 1))
-    np.testing.assert_allclose(rotations(_packing._turned(_packing._turned(start, quarter), quarter)), rotations(turned), atol=1e-13)
-    np.testing.assert_allclose(_packing._turned(start, np.zeros((20, 3))), start / np.linalg.norm(start, axis=1)[:, None])
+    np.testing.assert_allclose(rotations(_packing._rotated(_packing._rotated(start, quarter), quarter)), rotations(turned), atol=1e-13)
+    np.testing.assert_allclose(_packing._rotated(start, np.zeros((20, 3))), start / np.linalg.norm(start, axis=1)[:, None])
 
 
 def test_forces_are_derivatives_of_the_energy(rng):
@@ -50,7 +50,7 @@ def test_forces_are_derivatives_of_the_energy(rng):
     assert (push.overlaps, push.smallest) == (len(system.overlaps().mu), pytest.approx(system.overlaps().mu[0] ** 2))
     for _ in range(5):
         way, turn, h = rng.normal(size=(12, 3)), rng.normal(size=(12, 3)), 1e-5
-        plus, minus = (energy(system.centers + s * h * way, _packing._turned(system.quaternions, s * h * turn)) for s in (1, -1))
+        plus, minus = (energy(system.centers + s * h * way, _packing._rotated(system.quaternions, s * h * turn)) for s in (1, -1))
         slope = -(forces * way).sum() - (torques * turn).sum()
         # Central differences: an error of h² times third derivatives, and of 1e-15 energy / h
         np.testing.assert_allclose((plus - minus) / (2 * h), slope, rtol=1e-6, atol=1e-7)
@@ -71,7 +71,7 @@ def test_pack(cell):
 
 
 def test_too_dense():
-    with pytest.raises(pypw85.OverlapsLeft, match="still overlap after 20 steps") as caught:
+    with pytest.raises(pypw85.OverlapsLeft, match="remain after 20 steps") as caught:
         pypw85.pack(np.ones((10, 3)), 0.9, steps=20)
     assert isinstance(caught.value, ValueError)
     best = caught.value.system
@@ -84,7 +84,7 @@ def test_too_dense():
             pypw85.pack(axes, fraction)
 
 
-# Semi-axes of one ellipsoid, and the largest cells in which it overlaps its own image however it is turned: one is too short, one has too
+# Semi-axes of one ellipsoid, and the largest cells in which it overlaps its own image in every orientation: one is too short, one has too
 # small an area, of which ellipses on a triangular lattice need √12 times the product of their semi-axes, and one too small a volume.
 THIN = {
     (1.0, 2.0, 3.0): [np.diag([9.0, 9, 2]), np.diag([9.0, 2.5, 2 * 12**0.5 / 2.5]), np.cbrt(6 * 32**0.5) * np.eye(3)],
@@ -98,7 +98,7 @@ def test_thin_cells(axes, monkeypatch):
     monkeypatch.setattr(_packing._Soft, "push", lambda *_: pytest.fail("there was a step"))
     for cell in THIN[axes]:
         fraction = _packing.UNIT_BALL[len(axes)] * np.prod(axes) / abs(np.linalg.det(cell))
-        with pytest.raises(ValueError, match="ellipsoid 1 overlaps its own image however it is turned, because it repeats within the"):
+        with pytest.raises(ValueError, match="ellipsoid 1 overlaps its own image in every orientation. Its images are apart by the"):
             pypw85.pack([axes], fraction * 1.001, cell, dimensions=len(axes))
         one = np.ones((1, 4)) / 2
         system = (pypw85.System.from_ellipses(0 * one[:, :2], [axes], [0.0], cell=1.001 * cell) if len(axes) == 2 else
@@ -110,7 +110,7 @@ def test_thin_and_partly_periodic():
     """Directions in which the system does not repeat do not matter."""
     for periodic in ((True, True, False), (False, False, True)):
         system = pypw85.System.from_axes([[0, 0, 0]], [[1, 1, 2]], [[1, 0, 0, 0]], cell=np.diag([9, 9, 1.9]), periodic=periodic)
-        assert ("within the length 1.9, and" in _packing.too_thin(system)) == periodic[2]
+        assert ("apart by the length 1.9;" in _packing.too_thin(system)) == periodic[2]
 
 
 def test_thin_in_any_unit():
@@ -144,7 +144,7 @@ def test_interruption_keeps_the_best():
         pypw85.pack(np.ones((20, 3)), 0.8, seed=1, stage=interrupt)
     assert isinstance(caught.value, KeyboardInterrupt)
     assert 0 < caught.value.overlaps == len(caught.value.system.overlaps().mu)
-    assert str(caught.value) == f"pairs that still overlap: {caught.value.overlaps}"
+    assert str(caught.value) == f"overlaps that remain: {caught.value.overlaps}"
 
 
 def test_dense_packing():
@@ -186,12 +186,12 @@ def test_pack_and_relax_commands(run, tmp_path, monkeypatch):
     assert run("relax", "b.gsd", "c.h5").out == taken + "c.h5: 2 frames, 20 particles in all, without overlaps\n"
     assert run("check", "c.h5").status == 0
     done = run("pack", "d.data", "-n", 9, "--axes", "1,1,1", "--fraction", 0.9, "--steps", 5)
-    left = int(re.fullmatch(r"pw85: d\.data: pairs that still overlap after 5 steps: (\d+); give more room, or more steps "
-                            r"\(--steps\); the file has the best that was found\n", done.err)[1])  # fmt: skip
+    left = int(re.fullmatch(r"pw85: d\.data: overlaps that remain after 5 steps: (\d+); use a larger cell or more steps "
+                            r"\(--steps\); the file contains the best configuration that was found\n", done.err)[1])  # fmt: skip
     assert done.status == 1
     assert int(run("check", "d.data").out.splitlines()[3].split()[5]) == left > 0
     done = run("relax", "b.gsd", "e.h5", "--steps", 1)
-    assert (done.status, done.err.count("\n")) == (1, 2) and "pw85: e.h5, from frame 1: pairs" in done.err
+    assert (done.status, done.err.count("\n")) == (1, 2) and "pw85: e.h5, from frame 1: overlaps" in done.err
     assert len(list(pypw85.frames("e.h5"))) == 2
     assert run("pack", "d.txt", *arguments).status == 2
 

@@ -94,16 +94,16 @@ def pypw85_product(a, b):
 
 def test_refused(rng):
     flat = {"semi_axes": [[1, 1, 2]] * 2, "quaternions": [[1, 0, 0, 0]] * 2}
-    with pytest.raises(ValueError, match="several z, or the ellipsoids are turned out"):
+    with pytest.raises(ValueError, match="must lie in a plane z = constant"):
         pypw85.System.from_axes([[0, 0, 0], [0, 0, 1]], **flat, dimensions=2)
-    with pytest.raises(ValueError, match="several z, or the ellipsoids are turned out"):
+    with pytest.raises(ValueError, match="must lie in a plane z = constant"):
         pypw85.System.from_axes([[0, 0, 0]], [[1, 1, 2]], [[np.cos(0.1), np.sin(0.1), 0, 0]], dimensions=2)
     with pytest.raises(ValueError, match="components along z"):
         pypw85.System.from_axes(np.zeros((2, 3)), **flat, cell=[[1, 0, 1], [0, 9, 0], [0, 0, 9]], dimensions=2)
     with pytest.raises(ValueError, match="dimensions must be 2 or 3, not 4"):
         pypw85.System.from_axes(np.zeros((2, 3)), **flat, dimensions=4)
     good = [[0, 0]], [[1, 2]], [0.5]
-    for bad, reason in (((good[0] * 2, *good[1:]), "must be as many, not 2, 1 and"), ((*good[:2], [[0.5]]), r"and the shape \(1, 1\)")):
+    for bad, reason in (((good[0] * 2, *good[1:]), "must have the same length, not 2"), ((*good[:2], [[0.5]]), r"and the shape \(1, 1\)")):
         with pytest.raises(ValueError, match=reason):
             pypw85.System.from_ellipses(*bad)
     with pytest.raises(ValueError, match=r"the cell of a plane must be \(2, 2\), not"):
@@ -111,7 +111,7 @@ def test_refused(rng):
     with pytest.raises(ValueError, match=r"the shape of origin must be \(2,\), not"):
         pypw85.System.from_ellipses(*good, cell=np.eye(2), origin=(0, 0, 0))
     space = pypw85.System.from_axes(np.zeros((2, 3)), **flat)
-    with pytest.raises(ValueError, match="must be two-dimensional: angles"):
+    with pytest.raises(ValueError, match="must be two-dimensional: only ellipses have angles"):
         space.angles  # noqa: B018
     with pytest.raises(ValueError, match="must be two-dimensional for the tetratic order"):
         pypw85.tetratic_order(space)

@@ -158,12 +158,12 @@ def test_command(run, tmp_path, monkeypatch):
     plane = ["--dimensions", 2, "--axes", "2,1"]
     done = run("pack", "a.h5", "--rsa", *plane, "--cell", "20,20")
     assert done.status == 0
-    particles, fraction = re.fullmatch(r"(\d+) particles, fraction (0\.\d+), .* attempts \(RSA time .*\), saturated: no place and no "
-                                       r"orientation is left for another one\n", done.out).groups()  # fmt: skip
+    particles, fraction = re.fullmatch(r"(\d+) particles, fraction (0\.\d+), .* attempts \(RSA time .*\), saturated: no other "
+                                       r"particle fits at any position and orientation\n", done.out).groups()  # fmt: skip
     done = run("check", "a.h5")
     assert (done.status, done.out.splitlines()[3].split()[2:4]) == (0, [particles, f"{float(fraction):.6g}"])
     done = run("pack", "b.data", "--rsa", *plane, "-n", 100, "--fraction", 0.4)
-    assert done.status == 0 and "100 particles, fraction 0.400000" in done.out and "all placed" in done.out
+    assert done.status == 0 and "100 particles, fraction 0.400000" in done.out and "all inserted" in done.out
     done = run("pack", "b.data", "--rsa", *plane, "-n", 100, "--fraction", 0.7)  # more than there is room for
     assert done.status == 1 and "saturated" in done.out
     voxels = ["--voxels", "c.vtk", "--resolution", 4]
@@ -172,15 +172,15 @@ def test_command(run, tmp_path, monkeypatch):
     done = run("pack", "d.xyz", *plane, "-n", 20, "--fraction", 0.6, "--cell", "2,1", "--spread", 0.1)
     assert done.status == 0
     for arguments, reason in (
-        (["--rsa", *plane], "--rsa fills a cell"),
-        (["--rsa", *plane, "--cell", "20,20", "-n", 3], "--rsa fills a cell"),
+        (["--rsa", *plane], "--rsa needs --cell, or -n and --fraction"),
+        (["--rsa", *plane, "--cell", "20,20", "-n", 3], "--rsa needs --cell, or -n and --fraction"),
         (["--rsa", *plane, "--cell", "20,20", "--spread", 0.1], "--spread has no effect with --rsa"),
         (["--rsa", *plane, "--cell", "20,20,20"], "--cell must have 2 or 4 numbers with --dimensions 2"),
         (["--rsa", "--axes", "1,2", "--cell", "20,20,20"], "--axes must have 3 numbers with --dimensions 3"),
-        (["--rsa", *plane, "--cell", "20,20", "--voxels", "a.vtk"], "leave out --voxels for ellipses"),
+        (["--rsa", *plane, "--cell", "20,20", "--voxels", "a.vtk"], "--voxels is not supported for ellipses"),
         (["--rsa", "--axes", "1,1,2", "--cell", "20,20,20"],
          "--rsa can prove saturation of ellipses and balls only, not of other ellipsoids: use --attempts, --seconds, or -n with"),
-        ([*plane, "-n", 3], "give -n and --fraction"),
+        ([*plane, "-n", 3], "a random packing needs -n and --fraction"),
         ([*plane, "-n", 3, "--fraction", 0.3, "--seconds", 3], "--seconds has no effect without --rsa"),
     ):
         done = run("pack", "e.xyz", *arguments)

@@ -179,7 +179,7 @@ def test_text_of_contact():
 def test_refusals_without_status(function):
     """Functions of C that return no status say in Python, too, that they refuse input."""
     raises = inspect.getdoc(function).partition("Raises\n------\n")[2]
-    assert raises.startswith("PW85Error\n    For a single value: invalid input. Rows of arrays become NaN.")
+    assert raises.startswith("PW85Error\n    For a single value: invalid input. In arrays, invalid rows become NaN.")
 
 
 def test_all_paragraphs_are_used():

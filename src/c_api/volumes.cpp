@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The C API: volumes and common parts.
+// The C API: volumes and intersections.
 //
 // Made from pw85.h, pw85_grains.h and pw85_shapes.h by api/committed.py.
 // clang-format off

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The C API, many rows with lanes: volumes and common parts.
+// The C API, many rows with lanes: volumes and intersections.
 //
 // Made from pw85.h, pw85_grains.h, pw85_shapes.h and api/pw85_batch.h.in by api/committed.py.
 // clang-format off

@@ -1230,9 +1230,8 @@ static inline StatusCode overlap_box_batch(FlatVectors lower, FlatVectors upper,
     return detail::call_rows(pw85_overlap_box_batch_2d, lower, upper, q, overlap);
 }
 
-/// Computes for many pairs the results of contact(), contact_geometry(), contact_gradient() and
-/// contact_torque(), from which the forces and torques of an energy U(μ²) follow: see
-/// pw85_contact_derivatives_batch().
+/// Computes contact(), contact_geometry(), contact_gradient() and contact_torque() for many pairs
+/// in one call: see pw85_contact_derivatives_batch().
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] out rows in all spans, or in some: see pw85_contact_derivatives_batch()
@@ -1249,7 +1248,7 @@ static inline StatusCode contact_derivatives_batch(Vectors r12, Forms q1, Forms 
 /// @name Many forms
 /// @{
 
-/// Computes the smallest boxes, with sides along the axes, around many ellipsoids: see
+/// Computes the bounding boxes of many ellipsoids, with sides along the coordinate axes: see
 /// pw85_bounding_boxes().
 ///
 /// @param q one for each ellipsoid

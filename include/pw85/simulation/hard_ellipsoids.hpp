@@ -200,8 +200,8 @@ class HardEllipsoids {
             separations.empty() ? nullptr : separations.front().coordinates));
     }
 
-    /// Tests whether a particle would be free of overlaps at another position, and moves it there
-    /// on request: see pw85_hard_ellipsoids_try().
+    /// Tests whether a particle would have no overlaps at another position, and on request moves it
+    /// there: see pw85_hard_ellipsoids_try().
     [[gnu::always_inline]] StatusCode try_placement(std::size_t particle,
                                                     Vector<double, 3> const &center,
                                                     Vector<double, 4> const &quaternion, bool take,
@@ -272,8 +272,8 @@ class HardEllipsoids {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_sweep(get(), num_sweeps));
     }
 
-    /// Tests whether a new particle would be free of overlaps, and on request inserts it as the
-    /// last particle: see pw85_hard_ellipsoids_insert().
+    /// Tests whether a new particle would have no overlaps, and on request inserts it as the last
+    /// particle: see pw85_hard_ellipsoids_insert().
     [[gnu::always_inline]] StatusCode insert(Vector<double, 3> const &center,
                                              Vector<double, 4> const &quaternion,
                                              Vector<double, 3> const &semi_axes, bool take,
@@ -294,8 +294,8 @@ class HardEllipsoids {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_remove(get(), particle));
     }
 
-    /// Computes the mean of e^(-βU) of a particle that is inserted at random positions (Widom's
-    /// test particle): see pw85_hard_ellipsoids_insertion_weight().
+    /// Computes the mean of e^(-βU) over trial insertions of a particle at random positions
+    /// (Widom's method): see pw85_hard_ellipsoids_insertion_weight().
     [[gnu::always_inline]] StatusCode insertion_weight(std::size_t num_trials,
                                                        Vector<double, 3> const &semi_axes,
                                                        double &weight) noexcept
@@ -338,8 +338,8 @@ class HardEllipsoids {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_check(get(), pair.data()));
     }
 
-    /// Finds by which factor cell and centres can be compressed until particles touch, and on
-    /// request compresses them: see pw85_hard_ellipsoids_compress().
+    /// Computes the factor by which the cell and the centres can be compressed until particles
+    /// touch, and on request compresses them: see pw85_hard_ellipsoids_compress().
     [[gnu::always_inline]] StatusCode compress(bool take, double &factor) noexcept
     {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_compress(get(), static_cast<int>(take),
@@ -418,8 +418,8 @@ static inline StatusCode hard_ellipsoids_create(Particles const &particles, Vect
 /// @param[out] simulation empty on error
 /// @return Status::success; Status::invalid_argument, also if the bytes are incomplete, have been
 /// changed, have a later format, or come from a version before 3.1; Status::invalid_argument,
-/// Status::overlap, Status::not_positive_definite, Status::bad_potential if the state that they
-/// describe is not possible; Status::out_of_memory
+/// Status::overlap, Status::not_positive_definite, Status::bad_potential if they describe an
+/// invalid state; Status::out_of_memory
 static inline StatusCode hard_ellipsoids_restore(std::span<unsigned char const> bytes,
                                                  HardEllipsoids &simulation) noexcept
 {

@@ -58,8 +58,7 @@ class Neighbors {
     std::unique_ptr<pw85_neighbors, Destroy> object_;
 };
 
-/// Makes a list of the pairs (i, j, image) whose bounding boxes are no farther apart than `skin`
-/// along any axis, for ellipsoids scaled by `scale`: see pw85_neighbors_create().
+/// Makes a neighbour list: see pw85_neighbors_create().
 ///
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
 /// @param options see NeighborOptions
@@ -80,8 +79,7 @@ static inline StatusCode neighbors_create(Particles const &particles,
     return static_cast<StatusCode>(status);
 }
 
-/// Finds the particle that prevents neighbors_create() from making a list: see
-/// pw85_neighbors_check().
+/// Finds the invalid particle after neighbors_create() has failed: see pw85_neighbors_check().
 ///
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
 /// @param options see NeighborOptions
@@ -102,7 +100,7 @@ static inline StatusCode neighbors_check(Particles const &particles, NeighborOpt
 }
 
 /// Tests whether a list still contains all pairs whose boxes intersect (without skin), after
-/// particles have moved and rotated and the cell has changed: see pw85_neighbors_holds().
+/// particles have moved or rotated, or the cell has changed: see pw85_neighbors_holds().
 ///
 /// @param list a list
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles

@@ -64,7 +64,7 @@ static inline StatusCode overlap_any_indices(Vector<double, 3> const &center,
 /// @name Periodic cells
 /// @{
 
-/// Computes a reduced cell of the same lattice: see pw85_cell_reduce().
+/// Computes a reduced cell of a lattice: see pw85_cell_reduce().
 ///
 /// @param cell rows are the vectors
 /// @return the values, and Status::success or Status::invalid_argument

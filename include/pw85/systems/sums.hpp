@@ -40,7 +40,7 @@ static inline StatusCode first_contact_pairs(PairList const &list, Particles con
                                                             detail::in_c(out.next_pair)));
 }
 
-/// Computes the sums of the forces, torques and virial of an energy U(μ²) of pairs: see
+/// Computes the forces, torques and virial of a pair energy U(μ²) by summing over the pairs: see
 /// pw85_contact_forces_pairs().
 ///
 /// @param list indices of particles, with or without images
@@ -72,7 +72,7 @@ static inline StatusCode contact_forces_pairs(PairList const &list, Particles co
                                                              detail::in_c(out.virial)));
 }
 
-/// Computes the sums of the energies, forces, torques and virial of the pairs of a list: see
+/// Computes the total energy, the forces, the torques and the virial of the pairs of a list: see
 /// pw85_law_forces_pairs().
 ///
 /// @param list indices of particles, with or without images

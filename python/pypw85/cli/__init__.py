@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command ``pw85``.
 
-Exit statuses: 0 clean, 1 overlaps, 2 bad input or a bad command line, 130 interrupted, 141 if the reader of its output has gone.
+Exit statuses: 0 no overlaps, 1 overlaps, 2 invalid input or command line, 130 interrupted, 141 if the reader of a pipe has ended.
 """
 
 from __future__ import annotations
@@ -29,11 +29,11 @@ from .plot import plot
 
 @click.group(
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110},
-    epilog="pw85 COMMAND --help lists the options and has examples.",
+    epilog="pw85 COMMAND --help shows the options of a command, and examples.",
 )
 @click.version_option(version(), prog_name="pw85")
 def pw85() -> None:
-    """Check files of ellipsoids for overlaps, draw and convert them, make packings, and simulate hard ellipsoids."""
+    """Check systems of ellipsoids for overlaps, draw and convert their files, make packings, and simulate hard ellipsoids."""
 
 
 # For --help. A test runs them.
@@ -60,12 +60,12 @@ for _command, _lines in _EXAMPLES.items():
     pw85.add_command(_command)
 
 
-# The status of a program that SIGPIPE ends. The input was not bad, but not all of it may have been read.
+# Exit status as after SIGPIPE. The input may be valid, but some of it may not have been read.
 _GONE = 128 + 13
 
 
 def main() -> None:
-    """Runs the command in a thread of its own: an interruption need not wait for a long computation."""
+    """Runs the command in its own thread, so that Ctrl-C need not wait for a long computation."""
     _check_streams()
     outcome, finished = [2], threading.Event()
 
@@ -78,11 +78,11 @@ def main() -> None:
     threading.Thread(target=run, daemon=True).start()
     try:
         signal.signal(signal.SIGTERM, signal.default_int_handler)  # as Ctrl-C
-        finished.wait()  # join() of Python 3.11 takes an interrupted thread for one that has ended
+        finished.wait()  # not join(): in Python 3.11 an interrupted join() marks the thread as ended
     except KeyboardInterrupt:
         interrupt(finished)
     for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, signal.SIG_IGN)  # what was to be said is said
+        signal.signal(number, signal.SIG_IGN)  # all messages have been printed
     sys.exit(outcome[0])
 
 
@@ -106,15 +106,15 @@ def _run() -> int:
         return int(status or 0)
     except click.ClickException as error:
         error.show()
-    except (BrokenPipeError, SystemExit):  # the reader of a pipe has seen enough; SystemExit is what Click makes of that
+    except (BrokenPipeError, SystemExit):  # the reader of a pipe has ended; Click turns BrokenPipeError into SystemExit
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
         return _GONE
     except OSError as error:
         _complain(f"{error.filename or 'the output'}: {_reason(error)}")
     except ImportError as error:
-        _complain(f"the Python package {error.name} is needed for this: install it")
+        _complain(f"this needs the Python package {error.name}: install it")
     except MemoryError:
-        _complain("there is not enough memory for this frame")
+        _complain("not enough memory for this frame")
     except ValueError as error:
         _complain(str(error))
     except click.exceptions.Abort:
@@ -127,7 +127,7 @@ def _run() -> int:
 
 
 def _show_warnings() -> None:
-    """Prints UserWarning, by which the library speaks to users, as one line, and other warnings as Python does."""
+    """Prints each UserWarning, the class of the library's warnings, as one line, and other warnings as Python does."""
     others = warnings.showwarning
 
     def show(message: Warning | str, category: type[Warning], *where: Any, **more: Any) -> None:
@@ -152,8 +152,8 @@ def _reason(error: OSError) -> str:
     if isinstance(error, FileNotFoundError):
         folder = os.path.dirname(os.fsdecode(error.filename or ""))
         if folder and not os.path.exists(folder):
-            return f"there is no folder {folder}: make it, or name a file in another one"
-        return "there is no such file or directory: check the name"
+            return f"there is no folder {folder}: create it, or use another one"
+        return "no such file or directory: check the name"
     return error.strerror or str(error)
 
 

@@ -56,11 +56,11 @@ class Input(NamedTuple):
         return system
 
     def describe(self, source: str) -> str:
-        """A line that says what was taken of the file."""
+        """A line that describes how the file was read."""
         return f"{self.path}: " + ", ".join(filter(None, [self.format, source]))
 
     def systems(self, stream: TextIO | None = None) -> Iterator[System]:
-        """The chosen frames. Says what was taken of them to `stream`, if there is one, and warns once of each thing to know about them."""
+        """The chosen frames. Prints how they were read to `stream`, if it is not None, and prints each warning once."""
         return (system for _, system in self.numbered_systems(stream))
 
     def numbered_systems(self, stream: TextIO | None = None) -> Iterator[tuple[int, System]]:
@@ -79,7 +79,7 @@ class Input(NamedTuple):
 
 
 class Numbers(click.ParamType):
-    """Numbers with commas or blanks between them."""
+    """Numbers, separated by commas or spaces."""
 
     name = "numbers"
 
@@ -99,7 +99,7 @@ class Numbers(click.ParamType):
 
 
 def _number(text: Any) -> float:
-    """The number of a text; NaN if it is not one."""
+    """Converts a string to a number; NaN if this is not possible."""
     try:
         return float(text)
     except ValueError:
@@ -107,7 +107,7 @@ def _number(text: Any) -> float:
 
 
 def _whole_number(text: Any) -> int | None:
-    """The number of 5, 1e5 or 18446744073709551615; None if the text is not an integer."""
+    """Converts a string such as 5, 1e5 or 18446744073709551615 to an integer; None if this is not possible."""
     try:
         return int(text)
     except ValueError:
@@ -116,7 +116,7 @@ def _whole_number(text: Any) -> int | None:
 
 
 class Shape(click.ParamType):
-    """Three lengths, behind the name of a type and a colon if they are those of one."""
+    """Three lengths, optionally after the name of a type and a colon."""
 
     name = "shape"
 
@@ -184,7 +184,7 @@ class Angle(click.ParamType):
 
 
 class Frames(click.ParamType):
-    """A number, or start:stop:step as Python has it."""
+    """A number, or start:stop:step as in Python."""
 
     name = "frames"
 
@@ -207,9 +207,10 @@ class Frames(click.ParamType):
 _SHAPELESS = ""
 _FILE: Callable[..., Any] = click.argument("file")
 _OPTIONS = [
-    click.option("--format", type=click.Choice(READABLE), help="Format of FILE. By default it is recognised by the content."),
+    click.option("--format", type=click.Choice(READABLE), help="Format of FILE. Default: recognised from its content."),
     click.option("--frames", type=Frames(), default=":", metavar="START:STOP:STEP",
-                 help="One frame (0: the first, -1: the last), or every STEP-th frame from START up to, but without, STOP. Default: all."),
+                 help="One frame (0: the first, -1: the last), or a slice as in Python: every STEP-th frame from START up to, but not "
+                      "including, STOP. Default: all."),
     click.option("--lengths", type=click.Choice(LENGTHS),
                  help="Meaning of the lengths. By default the names of the columns decide; otherwise lengths are diameters in "
                       "files of LAMMPS, and radii (semi-axes) in others. An RMS length is the standard deviation of a uniform body "
@@ -218,12 +219,12 @@ _OPTIONS = [
                  help="Order of the components of quaternions. By default the names of the columns decide; otherwise the order is "
                       "xyzw in extended XYZ, and wxyz in other formats."),
     click.option("--cell", type=Numbers(3, 9), metavar="NUMBER,...",
-                 help="The cell: three edges A,B,C, or nine numbers, the three vectors one after the other."),
+                 help="The cell: three edges A,B,C, or nine numbers for the three vectors."),
     click.option("--periodic", type=click.Choice(["none", "a", "b", "c", "ab", "ac", "bc", "abc"]),
-                 help="The vectors of the cell along which the system is periodic."),
+                 help="The cell vectors along which the system is periodic."),
     click.option("--shape", type=Shape(), multiple=True, metavar="[TYPE:]A,B,C",
                  help="Lengths of the particles that have no shape in the file: of one type, or of all types ('*:A,B,C'). TYPE may be "
-                      "left out if these particles have one type. May be repeated."),
+                      "omitted if these particles have one type. May be repeated."),
     click.option("--shape-columns", metavar="A,B,C",
                  help="Columns of a dump, CSV or XYZ file that contain the lengths: three, two for ellipses, one for spheres. The "
                       "components of a property are NAME[1], NAME[2] and so on."),
@@ -233,8 +234,8 @@ _OPTIONS = [
     click.option("--angle", type=click.Choice(ANGLES),
                  help="Unit of angles. By default the names of the columns decide."),
     click.option("--convention", type=click.Choice([*CONVENTION_NAMES, NONE]), metavar="NAME",
-                 help=f"The program that wrote a table: {', '.join(CONVENTION_NAMES)}. By default the names of the columns decide; {NONE} "
-                      "reads the columns by their names alone."),
+                 help=f"The program that wrote a table: {', '.join(CONVENTION_NAMES)}. By default the names of the columns decide; with "
+                      f"{NONE} only the names of the columns matter."),
     click.option("--euler", type=EulerSequence(), metavar="SEQUENCE",
                  help="Axes of the Euler angles, in the order of the angles: zyx for fixed axes, ZYX for axes that rotate with the body."),
     click.option("--angle-columns", metavar="A,...",
@@ -242,18 +243,18 @@ _OPTIONS = [
     click.option("--angle-zero", type=click.Choice(["x", "y"]),
                  help="Axis at which the angle of an ellipse is 0. Default: x."),
     click.option("--angle-sense", type=click.Choice(["xy", "yx"]),
-                 help="Sense in which the angles of ellipses grow: from x towards y (xy), or from y towards x (yx), which is "
+                 help="Positive sense of the angles of ellipses: from x towards y (xy), or from y towards x (yx), which is "
                       "counterclockwise in a picture whose y axis points down. Default: xy."),
     click.option("--polar", metavar="A,B",
                  help="Columns of the polar angle A (from z) and the azimuth B (about z, from x) of an axis of revolution."),
     click.option("--direction-columns", metavar="A,B,C", help="Columns of the direction of an axis of revolution."),
     click.option("--ignore-columns", metavar="A,...", help="Columns to ignore."),
     click.option("--points", is_flag=False, flag_value=_SHAPELESS, metavar="[TYPE,...]",
-                 help="Types of particles that are points: they are left out. Without TYPE, all particles without a shape are points."),
+                 help="Types of particles that are points: they are ignored. Without TYPE, all particles without a shape are points."),
     click.option("--sigma", type=Finite(), metavar="NUMBER",
                  help="For splats: length of the semi-axes, in standard deviations. Default: 1."),
     click.option("--scales", type=click.Choice(SCALES),
-                 help="For splats: whether the scales in the file are logarithms of lengths, or lengths."),
+                 help="For splats: meaning of the scales in the file, logarithms of lengths or lengths."),
     click.option("--strict", is_flag=True,
                  help="For splats: refuse a file with splats that are too flat, instead of enlarging their semi-axes."),
     click.option("--spacing", type=Numbers(1, 2, 3, positive=True), metavar="NUMBER,...",
@@ -290,7 +291,7 @@ def _options(points: str | None, *, cell: Any, periodic: str | None, shape: Any,
 
 
 def _refuse_repeated(kinds: Sequence[str | None]) -> None:
-    """Refuses two shapes of one type, of which one would have no effect."""
+    """Checks that no two --shape options are for the same type."""
     for i, kind in enumerate(kinds):
         if kind in kinds[:i]:
             raise click.UsageError(f"--shape is given twice for {'one type' if kind is None else repr(kind)}: leave one of them out, or "
@@ -300,8 +301,8 @@ def _refuse_repeated(kinds: Sequence[str | None]) -> None:
 def input_options(
     function: Callable[..., Any], argument: Callable[..., Any] = _FILE, is_other: Callable[[str], bool] = lambda _: False
 ) -> Callable[..., Any]:
-    """Decorator: the options above, handed to the command as one `Input`, or None if the argument is optional and absent. Of a file for
-    which `is_other` holds the format is not guessed, because the command reads it in another way."""
+    """Decorator: adds the options above, which the command receives as one `Input`, or as None if the argument is optional and absent.
+    If `is_other` holds for a file, its format is not guessed, because the command reads it in another way."""
 
     @functools.wraps(function)
     def command(file: str | None, format: str | None, frames: slice, points: str | None, **others: Any) -> Any:
@@ -319,7 +320,7 @@ def input_options(
 
 
 def given_options() -> dict[str, str]:
-    """The parameters on the command line: their names, and the options or arguments by which users know them."""
+    """The parameters on the command line, by name, with the options or arguments that users see."""
     ctx = click.get_current_context()
     return {
         param.name: param.opts[0] if isinstance(param, click.Option) else param.make_metavar().strip("[]")
@@ -329,7 +330,7 @@ def given_options() -> dict[str, str]:
 
 
 def refuse_idle(needed: Mapping[str, Sequence[str]]) -> None:
-    """Refuses options on the command line, by their names, that have no effect without one of others."""
+    """Raises a usage error for an option that has no effect without another option."""
     ctx, given = click.get_current_context(), given_options()
     options = {param.name: param.opts[0] for param in ctx.command.params}
     for name in needed:
@@ -339,13 +340,13 @@ def refuse_idle(needed: Mapping[str, Sequence[str]]) -> None:
 
 
 def refuse_given(name: str, where: str) -> None:
-    """Refuses an option on the command line, by its name, that has no effect there."""
+    """Raises a usage error for an option that has no effect."""
     if option := given_options().get(name):
         raise click.UsageError(f"{option} has no effect {where}: leave it out")
 
 
 def check_outputs(given: Input, *paths: str | None) -> None:
-    """Refuses names that cannot be written, the name of the input, and one name for two outputs. Call it before the work."""
+    """Checks the names of output files: writable, different from the input, and all different. Call it before the work."""
     taken = {os.path.realpath(given.path): "is the input: name another file"}
     for path in paths:
         if path is None:
@@ -357,7 +358,7 @@ def check_outputs(given: Input, *paths: str | None) -> None:
 
 
 def one_frame(given: Input, stream: TextIO | None = None) -> System:
-    """The first of the chosen frames. Says what was taken of it to `stream`, if there is one."""
+    """The first of the chosen frames. Prints how it was read to `stream`, if it is not None."""
     frame, system = next(given.numbered_systems(stream))
     if not len(system):
         raise FileError(given.path, "there are no particles: choose another frame with --frames", frame)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""``pw85 check``: do any ellipsoids overlap, and which are the worst?"""
+"""``pw85 check``: finds overlaps, and the pairs with the smallest μ."""
 
 from __future__ import annotations
 
@@ -27,9 +27,10 @@ from ._reports import Found, csv_report, hdf5_report, json_report
 
 @click.command(short_help="Find the ellipsoids of a file that overlap.")
 @input_options
-@click.option("--worst", type=click.IntRange(0), default=10, show_default=True, help="Number of pairs to print, those with the smallest μ.")
+@click.option("--worst", type=click.IntRange(0), default=10, show_default=True,
+              help="Number of pairs to print: the pairs with the smallest μ.")
 @click.option("--below", type=Finite(), default="1.0", show_default=True,
-              help="Write the pairs with μ below this number to the files of --csv, --json and --hdf5. 1: the pairs that overlap.")
+              help="Pairs to write to the files of --csv, --json and --hdf5: all with μ below this number. 1 means those that overlap.")
 @click.option("--csv", "csv_path", metavar="FILE", help="Write these pairs as a table; - means the standard output.")
 @click.option("--json", "json_path", metavar="FILE", help="Write these pairs, and what is printed, as JSON; - means the standard output.")
 @click.option("--hdf5", "hdf5_path", metavar="FILE", help="Write these pairs, and what is printed, as HDF5.")
@@ -37,7 +38,7 @@ from ._reports import Found, csv_report, hdf5_report, json_report
 @click.option("--varying", is_flag=True, help="The number of particles may change from frame to frame.")
 def check(given: Input, worst: int, below: float, csv_path: str | None, json_path: str | None,
           hdf5_path: str | None, workers: int, varying: bool) -> int:  # fmt: skip
-    """Find the ellipsoids of FILE that overlap. The exit status is 0 if none overlap, 1 if some do, and 2 if the input is bad."""
+    """Find the ellipsoids of FILE that overlap. The exit status is 0 if none overlap, 1 if some overlap, and 2 if the input is invalid."""
     refuse_idle({"below": ("csv_path", "json_path", "hdf5_path")})
     outputs = [(csv_report, csv_path), (json_report, json_path), (hdf5_report, hdf5_path)]
     check_outputs(given, csv_path, json_path, hdf5_path)
@@ -54,7 +55,7 @@ def check(given: Input, worst: int, below: float, csv_path: str | None, json_pat
 
 
 def _reported(surveys: Iterator[Found], summary: _Summary) -> Iterator[Found]:
-    """If a frame cannot be read, the report on those before it comes first."""
+    """If a frame cannot be read, prints the report on the frames before it first."""
     try:
         yield from surveys
     except FileError:
@@ -72,14 +73,14 @@ def survey(given: Input, location: Location, worst: int, below: float, stage: Ca
     except MemoryError:
         if below <= 1:
             raise
-        raise ValueError(f"there is not enough memory for all pairs with μ < {below:g}: choose a smaller number (--below)") from None
+        raise ValueError(f"not enough memory for all pairs with μ < {below:g}: use a smaller number (--below)") from None
     return Found(location.frame, system.step, system.cell, system.periodic, report,
                  system.ids[report.contacts.pairs], system.ids[report.worst.pairs],
                  _measures(system), system.source, system.notes)  # fmt: skip
 
 
 def _measures(system: System) -> dict[str, Any]:
-    """Density and orders, None where there are none."""
+    """Density and order parameters; None if they are undefined."""
     orders: dict[str, Any] = {"nematic_order": nematic_order, "director": director}
     if system.dimensions == 2:
         orders["tetratic_order"] = tetratic_order
@@ -100,7 +101,7 @@ def _survey_all(
 def _survey_with_dask(
     given: Input, worst: int, below: float, workers: int, stage: Callable[[str], object]
 ) -> Iterator[Found]:
-    """Takes some frames at a time: only their reports are in memory."""
+    """Checks a few frames at a time, so that only their reports are in memory."""
     from concurrent.futures import ProcessPoolExecutor
 
     from dask.base import compute
@@ -122,7 +123,7 @@ def _survey_with_dask(
 
 
 def _until_error(locations: Iterator[Location]) -> Iterator[Location | FileError]:
-    """Frames, and behind them what is wrong with the next one, if that cannot be found."""
+    """Yields frames, and at the end the error, if the next frame cannot be found."""
     try:
         yield from locations
     except FileError as error:
@@ -172,7 +173,7 @@ class _Summary:
         self.worst = sorted([*self.worst, *rows], key=lambda row: row[:2])[: self.count]
 
     def status(self, points: bool) -> int:
-        """0 says that all particles of all frames were checked, and none overlap."""
+        """Returns the exit status: 0 if all particles of all frames were checked, and none overlap."""
         if not self.particles:
             raise FileError(self.given.path, "there are no particles: choose other frames with --frames, or write the file again")
         if self.shapeless and not self.overlaps and not points:

@@ -14,7 +14,7 @@ from ._progress import beside, progress
 
 
 class Species(click.ParamType):
-    """Names of types, and behind colons what they become."""
+    """Names of types, each with a colon and its new name."""
 
     name = "species"
 
@@ -28,7 +28,7 @@ class Species(click.ParamType):
 @click.command(short_help="Write frames of a file in another format.")
 @input_options
 @click.argument("output")
-@click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT. By default the end of its name decides.")
+@click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT. Default: according to the extension of its name.")
 @click.option("--precision", type=click.Choice(["single", "double"]),
               help="Precision of a GSD file. Default: single. HOOMD-blue reads double precision since version 7.")
 @click.option("--species", type=Species(), metavar="TYPE:NAME,...",
@@ -36,11 +36,11 @@ class Species(click.ParamType):
 @click.option("--deviation", type=click.FloatRange(0, min_open=True), metavar="LENGTH",
               help="For a mesh: largest distance of the triangles from the surfaces. Default: a hundredth of the longest semi-axis.")
 @click.option("--fit", type=click.Choice(FITS),
-              help="For a mesh: whether it is inside the ellipsoids, outside, or has their volume. Default: volume.")
+              help="For a mesh: inside the ellipsoids, outside, or with the same volume. Default: volume.")
 def convert(given: Input, output: str, to: str | None, precision: str | None, species: dict[str, str] | None, deviation: float | None,
             fit: Fit | None) -> int:  # fmt: skip
-    """Write the chosen frames of FILE to OUTPUT. For ParaView, give OUTPUT a name that ends with .vtk, and apply the filter Tensor
-    Glyph with a sphere of radius 1 to the tensor "shape". If its name ends with .stl, .obj or .ply, OUTPUT is a mesh of triangles."""
+    """Write the chosen frames of FILE to OUTPUT. The extension of OUTPUT selects the format. For ParaView use .vtk, and apply the filter
+    Tensor Glyph with a sphere of radius 1 to the tensor "shape". With .stl, .obj or .ply, OUTPUT is a mesh of triangles."""
     if species and is_mesh(check_written_name(output, to)):
         raise click.UsageError("--species has no effect on a mesh of triangles, which has no types: leave it out")
     check_outputs(given, output)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""``pw85 pack``: random packings; ``pw85 relax``: a file without its overlaps."""
+"""``pw85 pack`` makes random packings; ``pw85 relax`` removes the overlaps of a system."""
 
 from __future__ import annotations
 
@@ -39,30 +39,30 @@ class _Axes(Numbers):
         return Numbers(2 if count == 2 else 3, positive=True).convert(value, param, ctx)
 
 
-_steps = click.option("--steps", type=WholeNumber(), default=20000, show_default=True, help="Largest number of steps.")
-_to = click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT. By default the end of its name decides.")
+_steps = click.option("--steps", type=WholeNumber(), default=20000, show_default=True, help="Maximum number of steps.")
+_to = click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT. Default: according to the extension of its name.")
 
 
 @click.command(short_help="Write a random packing without overlaps, or a lattice.")
 @click.argument("output")
 @click.option("-n", "--number", type=WholeNumber(), help="Number of ellipsoids.")
 @click.option("--axes", "kinds", type=_Axes(), multiple=True, required=True, metavar="A,B,C",
-              help="Semi-axes A,B,C, or A,B for ellipses. If the option is repeated, the shapes have equal numbers of ellipsoids, up to "
-                   "one.")
+              help="Semi-axes A,B,C, or A,B for ellipses. May be repeated for a mixture: the numbers of ellipsoids of the shapes are then "
+                   "equal, up to one.")
 @click.option("--spread", type=Finite(may_be_zero=True), default="0", show_default=True,
-              help="Standard deviation of the natural logarithm of sizes.")
+              help="Standard deviation of the natural logarithm of the sizes.")
 @click.option("--fraction", type=Finite(below=1), help="Packing fraction.")
 @click.option("--cell", type=Numbers(2, 3, 4, 9), metavar="NUMBER,...",
-              help="Shape of the cell, which is then scaled to the fraction: three edges A,B,C or three vectors (for ellipses A,B or two "
-                   "vectors). Default: a cube.")
+              help="Shape of the cell, as three edges A,B,C or three vectors (for ellipses A,B or two vectors). It is scaled to obtain the "
+                   "packing fraction. Default: a cube.")
 @click.option("--dimensions", type=click.Choice(["2", "3"]), default="3", show_default=True, help="2 for ellipses in a plane.")
 @click.option("--rsa", is_flag=True,
-              help="Random sequential addition: place ellipsoids at random, one after the other, until no further one fits.")
-@click.option("--attempts", type=Finite(), help="With --rsa: end after this number of attempts.")
-@click.option("--seconds", type=Finite(), help="With --rsa: end after this time, in seconds.")
+              help="Random sequential addition: insert ellipsoids at random positions, one after the other, until no other one fits.")
+@click.option("--attempts", type=Finite(), help="With --rsa: stop after this number of attempts.")
+@click.option("--seconds", type=Finite(), help="With --rsa: stop after this time, in seconds.")
 @click.option("--lattice", "kind", type=click.Choice(["fcc", "sc", "stretched"]),
-              help="Write parallel ellipsoids on a lattice instead of a random packing: a face-centred cubic (fcc) or a simple cubic (sc) "
-                   "lattice, or an fcc lattice of spheres that is stretched until the spheres are the ellipsoids (stretched).")
+              help="Write parallel ellipsoids on a lattice instead of a random packing: fcc (face-centred cubic), sc (simple cubic), or "
+                   "stretched (an fcc lattice of spheres, stretched along the axes so that the spheres become the ellipsoids).")
 @click.option("--align", type=Numbers(3), metavar="X,Y,Z", help="With --lattice: direction of the main axes. Default: z.")
 @click.option("--seed", type=WholeNumber(0), default=0, show_default=True,
               help="Seed of the random numbers. Another seed gives another packing.")
@@ -75,14 +75,14 @@ _to = click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT. 
 def pack(output: str, number: int | None, kinds: Any, spread: float, fraction: float | None, cell: Any, seed: int, voxels: str | None,
          resolution: int, to: str | None, steps: int, dimensions: str, rsa: bool, attempts: float | None,
          seconds: float | None, kind: str | None, align: Any) -> int:  # fmt: skip
-    """Write a random periodic packing without overlaps to OUTPUT: of ellipsoids, or of ellipses with --dimensions 2.
+    """Write a random periodic packing without overlaps to OUTPUT. With --dimensions 2 it is a packing of ellipses.
 
-    If overlaps remain after all steps (status 1) or at Ctrl-C (status 130), OUTPUT contains the best packing that was found.
+    If overlaps remain after all steps (exit status 1) or after Ctrl-C (exit status 130), OUTPUT contains the best packing that was found.
 
     With --rsa there are two modes. With --cell alone, the cell has this size, in the unit of the semi-axes, and is filled until no
-    further ellipsoid fits. With -n and --fraction, these determine the size of the cell, --cell determines only its shape, and -n
-    ellipsoids are placed. The command prints the number of ellipsoids and the packing fraction that it reached. The status is 1 if
-    there are fewer than -n ellipsoids, or if --attempts or --seconds ended the addition.
+    other ellipsoid fits. With -n and --fraction, these determine the size of the cell, --cell determines only its shape, and -n
+    ellipsoids are inserted. The command prints the number of ellipsoids and the packing fraction that it reached. The exit status is 1
+    if there are fewer than -n ellipsoids, or if --attempts or --seconds ended the addition.
     """
     refuse_idle({"attempts": ("rsa",), "seconds": ("rsa",), "align": ("kind",), "resolution": ("voxels",)})
     to = check_written_name(output, to)
@@ -90,7 +90,7 @@ def pack(output: str, number: int | None, kinds: Any, spread: float, fraction: f
     if voxels is not None:
         check_voxels_name(voxels, vectors)
         if os.path.realpath(voxels) == os.path.realpath(output):
-            raise click.UsageError("OUTPUT and --voxels name one file: name another one")
+            raise click.UsageError("OUTPUT and --voxels must be different files")
     if kind is not None:
         for name in ("spread", "cell", "dimensions", "rsa", "attempts", "seconds", "seed", "steps"):
             refuse_given(name, "on a lattice")
@@ -100,9 +100,9 @@ def pack(output: str, number: int | None, kinds: Any, spread: float, fraction: f
             refuse_given(name, "with --rsa, which has as many sizes as there are --axes and makes no steps")
         return _add(output, to, _Wish(np.array(kinds), vectors, number, fraction, seed, attempts, seconds), voxels, resolution)
     if number is None or fraction is None:
-        raise click.UsageError("give -n and --fraction")
+        raise click.UsageError("a random packing needs -n and --fraction")
     if number < len(kinds):
-        raise click.UsageError(f"-n must be at least {len(kinds)}, the number of kinds (--axes), not {number}")
+        raise click.UsageError(f"-n must be at least {len(kinds)}, the number of shapes (--axes), not {number}")
     wanted: float = fraction
     with _explaining_memory():
         types = np.arange(number) % len(kinds)
@@ -127,16 +127,16 @@ def _sizes(spread: float, seed: int, number: int) -> Any:
     with np.errstate(over="ignore"):
         sizes = np.exp(spread * np.random.default_rng(seed).normal(size=(number, 1)))
     if not ((sizes > 0) & (sizes < np.inf)).all():
-        raise click.UsageError(f"--spread {spread:g} makes sizes that are beyond double precision: choose a smaller one")
+        raise click.UsageError(f"--spread {spread:g} gives sizes beyond the range of double precision: use a smaller value")
     return sizes
 
 
 def _write_lattice(output: str, to: str, kinds: Any, number: int | None, fraction: float | None, kind: str, align: Any,
                    voxels: str | None, resolution: int) -> int:  # fmt: skip
     if number is None or fraction is None:
-        raise click.UsageError("give -n and --fraction")
+        raise click.UsageError("a lattice needs -n and --fraction")
     if len(kinds) > 1:
-        raise click.UsageError("a lattice has ellipsoids of one kind: give --axes once")
+        raise click.UsageError("all ellipsoids of a lattice have the same shape: use --axes only once")
     with _as_usage("lattice"):
         system = lattice(kinds[0], fraction, number, kind, (0, 0, 1) if align is None else align)
     write(output, iter([system]), to)
@@ -148,17 +148,17 @@ def _write_lattice(output: str, to: str, kinds: Any, number: int | None, fractio
 
 @contextlib.contextmanager
 def _explaining_memory() -> Iterator[None]:
-    """Ellipsoids that are much longer than the cell is wide meet a great many images of one another."""
+    """Context manager: explains MemoryError. Ellipsoids that are much longer than the cell have very many near images."""
     try:
         yield
     except MemoryError:
-        raise ValueError("there is not enough memory for all pairs of ellipsoids that are near each other: they are very slender, or "
-                         "many; choose a smaller ratio of the semi-axes, a smaller fraction, or fewer (-n)") from None  # fmt: skip
+        raise ValueError("not enough memory for the neighbour list: use fewer ellipsoids (-n), a smaller aspect ratio (--axes) or a "
+                         "smaller --fraction") from None  # fmt: skip
 
 
 @contextlib.contextmanager
 def _as_usage(name: str) -> Iterator[None]:
-    """Makes errors of a function those of the command line, with the options instead of its arguments."""
+    """Context manager: turns errors of a function into usage errors, with options instead of arguments."""
     try:
         yield
     except ValueError as error:
@@ -172,7 +172,7 @@ _OPTIONS = {"number": "-n", "fraction": "--fraction", "align": "--align", "semi_
 
 
 def _made(system: System) -> str:
-    """Says what a file has, for a system without overlaps."""
+    """Describes a system without overlaps."""
     dimensions, kind = system.dimensions, "ellipsoid" if system.dimensions == 3 else "ellipse"
     fraction, order = system.packing_fraction, nematic_order(system)
     parts = [f"{counted(len(system), kind)} without overlaps"]
@@ -185,13 +185,13 @@ def _made(system: System) -> str:
 
 
 def _check_plane(kinds: Any, cell: Any, dimensions: int, voxels: str | None) -> Any:
-    """Refuses what has another number of dimensions. Returns the vectors of the cell, or None."""
+    """Checks the numbers of dimensions of the options. Returns the cell vectors, or None."""
     if any(len(one) != dimensions for one in kinds):
         raise click.UsageError(f"--axes must have {dimensions} numbers with --dimensions {dimensions}")
     if cell is not None and len(cell) not in (dimensions, dimensions**2):
         raise click.UsageError(f"--cell must have {dimensions} or {dimensions**2} numbers with --dimensions {dimensions}")
     if voxels is not None and dimensions == 2:
-        raise click.UsageError("voxel images are for ellipsoids only: leave out --voxels for ellipses")
+        raise click.UsageError("--voxels is not supported for ellipses")
     return cell if cell is None else np.diag(cell) if len(cell) == dimensions else cell.reshape(dimensions, dimensions)
 
 
@@ -207,9 +207,9 @@ class _Wish(NamedTuple):
     seconds: float | None
 
     def vectors(self) -> Any:
-        """The cell: as given, or as large as the number and the fraction ask for."""
+        """Returns the cell: as given, or of the size that follows from the number and the packing fraction."""
         if (self.number is None) != (self.fraction is None) or (self.cell is None and self.number is None):
-            raise click.UsageError("--rsa fills a cell (--cell), or makes one for a number and a fraction (-n, --fraction)")
+            raise click.UsageError("--rsa needs --cell, or -n and --fraction")
         dimensions = self.kinds.shape[1]
         if dimensions == 3 and np.ptp(self.kinds, axis=1).any() and self.number is None and self.attempts is None and self.seconds is None:
             raise click.UsageError("--rsa can prove saturation of ellipses and balls only, not of other ellipsoids: use --attempts, "
@@ -222,8 +222,8 @@ class _Wish(NamedTuple):
 
 
 _LIMITS = {
-    "saturated": "saturated: no place and no orientation is left for another one",
-    "number": "all placed",
+    "saturated": "saturated: no other particle fits at any position and orientation",
+    "number": "all inserted",
     "attempts": "not saturated: ended by --attempts",
     "seconds": "not saturated: ended by --seconds",
     "interrupted": "not saturated: interrupted",
@@ -231,7 +231,7 @@ _LIMITS = {
 
 
 def _add(output: str, to: str, wish: _Wish, voxels: str | None, resolution: int) -> int:
-    """Random sequential addition: writes what was reached, and says it."""
+    """Random sequential addition: writes the result to a file, and prints a summary."""
     vectors = wish.vectors()
     results: list[RandomAddition] = []
 
@@ -262,8 +262,8 @@ def _add(output: str, to: str, wish: _Wish, voxels: str | None, resolution: int)
 def relax(given: Input, output: str, to: str | None, steps: int) -> int:
     """Move and rotate the ellipsoids of the chosen frames of FILE until none overlap, and write them to OUTPUT.
 
-    If overlaps remain after all steps (status 1) or at Ctrl-C (status 130), OUTPUT contains the best configuration that was found. After
-    Ctrl-C all further frames are written unchanged.
+    If overlaps remain after all steps (exit status 1) or after Ctrl-C (exit status 130), OUTPUT contains the best configuration that was
+    found. After Ctrl-C the remaining frames are written unchanged.
     """
     to = check_written_name(output, to)
     check_outputs(given, output)
@@ -273,7 +273,7 @@ def relax(given: Input, output: str, to: str | None, steps: int) -> int:
         for frame, system in given.numbered_systems(beside(output)):
             done = is_interrupted() or not len(system)
             if not done and (reason := too_thin(system)):
-                raise FileError(given.path, f"{reason} (--cell), or leave such frames out (--frames)", frame)
+                raise FileError(given.path, f"{reason} (--cell), or skip such frames (--frames)", frame)
             yield system if done else best.of(partial(relax_system, system, steps, stage), frame)
             counts.append(len(system))
 
@@ -285,7 +285,7 @@ def relax(given: Input, output: str, to: str | None, steps: int) -> int:
 
 
 class _Best:
-    """The best results of relaxations for a file, and sentences about overlaps that are left."""
+    """The best results of relaxations for a file, and messages about overlaps that remain."""
 
     def __init__(self, output: str) -> None:
         self.output, self.status = output, 0
@@ -304,9 +304,9 @@ class _Best:
         return best
 
     def report(self, made: System | None = None) -> int:
-        """Prints the sentences, or what was made without overlaps, and returns the status of the command."""
+        """Prints the messages, or a description of the system without overlaps. Returns the exit status."""
         if made is not None and not self.status:
             say(f"{self.output}: {_made(made)}", beside(self.output))
         for sentence in self.sentences:
-            say(f"{sentence}; the file has the best that was found", sys.stderr)
+            say(f"{sentence}; the file contains the best configuration that was found", sys.stderr)
         return self.status

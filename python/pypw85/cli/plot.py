@@ -76,7 +76,7 @@ def _explaining_memory(reach: float) -> Iterator[None]:
     try:
         yield
     except MemoryError:
-        raise ValueError(f"there is not enough memory for all pairs with μ < {reach:g}: choose a smaller number (--reach)") from None
+        raise ValueError(f"not enough memory for all pairs with μ < {reach:g}: use a smaller number (--reach)") from None
 
 
 def _refuse_distributions() -> None:

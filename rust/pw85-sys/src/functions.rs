@@ -47,7 +47,7 @@ extern "C" {
         s2: *const f64,
         out: *mut f64,
     ) -> c_int;
-    /// Computes the condition number of the contact function, entry by entry.
+    /// Computes the entrywise condition number of the contact function.
     pub fn pw85_condition(
         r12: *const f64,
         q1: *const f64,
@@ -72,8 +72,8 @@ extern "C" {
         point: *mut f64,
         normal: *mut f64,
     ) -> c_int;
-    /// Computes the contact point and the normal, as pw85_contact_geometry() does, for ellipsoids
-    /// that are given by factors of their forms.
+    /// Computes the contact point and the normal of ellipsoids that are given by factors of their
+    /// forms.
     pub fn pw85_contact_geometry_factored(
         r12: *const f64,
         s1: *const f64,
@@ -126,7 +126,8 @@ extern "C" {
         q2: *const f64,
         overlap: *mut c_int,
     ) -> c_int;
-    /// Tests whether two ellipsoids, given by factors of their forms, overlap.
+    /// Tests whether two ellipsoids that are given by factors of their forms overlap, Q1 = S1 S1ᵀ
+    /// and Q2 = S2 S2ᵀ.
     pub fn pw85_overlap_factored(
         r12: *const f64,
         s1: *const f64,
@@ -1532,9 +1533,8 @@ extern "C" {
         q: *const f64,
         overlap: *mut u8,
     ) -> c_int;
-    /// Computes for n pairs the results of pw85_contact(), pw85_contact_geometry(),
-    /// pw85_contact_gradient() and pw85_contact_torque(), from which the forces and torques of an
-    /// energy U(μ²) follow.
+    /// Computes pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and
+    /// pw85_contact_torque() for n pairs in one call.
     pub fn pw85_contact_derivatives_batch(
         n: usize,
         r12: *const f64,
@@ -1577,7 +1577,7 @@ extern "C" {
         q2: *const f64,
         any: *mut c_int,
     ) -> c_int;
-    /// Computes the smallest boxes, with sides along the axes, around n ellipsoids.
+    /// Computes the bounding boxes of n ellipsoids, with sides along the coordinate axes.
     pub fn pw85_bounding_boxes(n: usize, q: *const f64, half_widths: *mut f64) -> c_int;
     /// Computes the ellipsoid of least volume around points, up to a tolerance, with a proof.
     pub fn pw85_enclosing_ellipsoid(

@@ -1061,14 +1061,14 @@ pub fn contact_factored_batch(
     ) })
 }
 
-/// Computes the condition number of the contact function, entry by entry.
+/// Computes the entrywise condition number of the contact function.
 ///
 /// If each entry of r12, q1 and q2 changes by at most a fraction ε of itself, μ² changes by at
-/// most a fraction ε cond, to first order in ε. If the data are known to d digits, μ² is known to
-/// d - log10(cond) digits. The condition number is of the order of one for ordinary pairs, and of
-/// the order of the squared aspect ratio for slender ones. It is \[λ(1-λ) Σ \|n_i\| ((1-λ)
-/// \|q1_ij\| + λ \|q2_ij\|) \|n_j\| + 2 λ(1-λ) Σ \|r12_i n_i\|\]/μ² with n = \[(1-λ) q1 + λ
-/// q2\]⁻¹ r12, summed over i and j.
+/// most a fraction ε cond, to first order in ε. If the data are accurate to d digits, μ² is
+/// accurate to d - log10(cond) digits. The condition number is of the order of one for typical
+/// pairs, and of the order of the squared aspect ratio for slender ones. It is \[λ(1-λ) Σ \|n_i\|
+/// ((1-λ) \|q1_ij\| + λ \|q2_ij\|) \|n_j\| + 2 λ(1-λ) Σ \|r12_i n_i\|\]/μ² with n = \[(1-λ) q1 +
+/// λ q2\]⁻¹ r12, summed over i and j.
 ///
 /// # Arguments
 ///
@@ -1158,10 +1158,10 @@ pub fn condition_batch(
 
 /// Computes the contact function of two ellipsoids as pw85 1.0 did, by Brent's method.
 ///
-/// [`contact()`](crate::contact) is several times faster, with the same bound on the error.
-/// Brent's method maximises f, for ellipsoids that are scaled to similar size: ``lambda_atol``
-/// has the same meaning for ellipsoids of all sizes. Halley's method then refines the result (in
-/// pw85 1.0, Newton's method).
+/// Use [`contact()`](crate::contact) instead: it is several times faster, with the same error
+/// bound. This function scales the ellipsoids to similar size, so that ``lambda_atol`` has the
+/// same meaning for all sizes. Brent's method then maximises f, and Halley's method (in pw85 1.0,
+/// Newton's method) refines the result.
 ///
 /// # Arguments
 ///
@@ -1352,8 +1352,10 @@ pub fn contact_geometry_batch(
     ) })
 }
 
-/// Computes the contact point and the normal, as [`contact_geometry()`](crate::contact_geometry)
-/// does, for ellipsoids that are given by factors of their forms.
+/// Computes the contact point and the normal of ellipsoids that are given by factors of their
+/// forms.
+///
+/// See [`contact_geometry()`](crate::contact_geometry).
 ///
 /// Errors are below 4 u C for the given λ, with u = 2⁻⁵³. C is the largest change of the result,
 /// to first order, if each entry of s1 and s2 changes by the largest magnitude in its column, and
@@ -1988,8 +1990,8 @@ pub fn overlap_batch(
     ) })
 }
 
-/// Tests whether two ellipsoids, given by factors of their forms, overlap: Q1 = S1 S1ᵀ and Q2 =
-/// S2 S2ᵀ.
+/// Tests whether two ellipsoids that are given by factors of their forms overlap, Q1 = S1 S1ᵀ and
+/// Q2 = S2 S2ᵀ.
 ///
 /// The answer is exact for the unrounded products S Sᵀ of the given factors.
 /// [`overlap()`](crate::overlap) may give another answer, because its forms are rounded.
@@ -2008,7 +2010,7 @@ pub fn overlap_batch(
 /// # Errors
 ///
 /// A number is not finite. `Status::NoConvergence`: the ellipsoids nearly touch, so that only
-/// integers can decide, and the numbers do not meet the condition above.
+/// integer arithmetic can decide, and the numbers do not meet the condition above.
 ///
 /// # Examples
 ///
@@ -2169,11 +2171,11 @@ pub fn compare_batch(
 /// number or a point that proves the answer.
 ///
 /// If the ellipsoids are apart, the proof is a double λ with f(λ) \> 1. The function finds such a
-/// λ if any double has this property. If the ellipsoids overlap, the proof is a point inside
-/// both. The function searches for this point near the contact point of the ellipsoids scaled by
-/// μ. The search may fail if 1 - μ² is below 1e-13. For tangent ellipsoids there is no proof: `λ`
-/// and `point` are then NaN. A proof holds exactly for the numbers given, and a program can check
-/// it in rational arithmetic.
+/// double if there is one. If the ellipsoids overlap, the proof is a point inside both. The
+/// function searches for this point near the contact point of the ellipsoids scaled by μ; the
+/// search may fail if 1 - μ² is below 1e-13. For tangent ellipsoids there is no proof: `λ` and
+/// `point` are then NaN. A proof is exact for the given doubles, and a program can verify it in
+/// rational arithmetic.
 ///
 /// # Arguments
 ///
@@ -2277,7 +2279,7 @@ pub fn overlap_witness_batch(
 
 /// Tests whether ellipsoid 2 is inside ellipsoid 1.
 ///
-/// An ellipsoid 2 that touches the surface from inside counts as inside.
+/// Ellipsoid 2 may touch the surface of ellipsoid 1 from inside.
 ///
 /// The answer is exact for the numbers given. Every ellipsoid contains itself.
 ///
@@ -3975,10 +3977,10 @@ pub fn closest_approach_batch_2d(
 /// α and β at the closest points. Rounding the data entry by entry can change the distance by u
 /// Σ.
 ///
-/// A program can check the result by two bounds. For any unit vector n, n·r12 - α - β is a lower
-/// bound of the distance; `distance` is this bound for the normal of
-/// [`distance_derivatives()`](crate::distance_derivatives). The distance between any two points
-/// of the two ellipsoids is an upper bound, such as \|point2 - point1\|.
+/// A program can verify the result by a lower and an upper bound. For any unit vector n, n·r12 -
+/// α - β is a lower bound of the distance; `distance` is this bound for the normal of
+/// [`distance_derivatives()`](crate::distance_derivatives). The distance between any point of
+/// ellipsoid 1 and any point of ellipsoid 2 is an upper bound, such as \|point2 - point1\|.
 ///
 /// Let ε = 2¹⁸ u (\|r12\| + \|point1\| + \|r12 - point2\|). The vector point2 - point1 differs
 /// from `distance` times n by less than ε, and the length of this vector differs from `distance`
@@ -4212,9 +4214,9 @@ pub fn distance_derivatives_batch(
 /// with u = 2⁻⁵³ and Σ as for [`distance()`](crate::distance). No other direction has a value
 /// that is smaller by more than 32 u Σ, where Σ is the larger one of the two directions.
 ///
-/// For more than nine of ten random pairs a quick certificate proves the minimum, and the time is
-/// 3 to 8 times that of [`contact()`](crate::contact). For the other pairs the time is 10 to 60
-/// times that of [`contact()`](crate::contact), and about 1000 times if the minimum is not
+/// For more than 90 % of random pairs a simple sufficient condition proves the minimum, and the
+/// time is 3 to 8 times that of [`contact()`](crate::contact). For the other pairs the time is 10
+/// to 60 times that of [`contact()`](crate::contact), and about 1000 times if the minimum is not
 /// isolated.
 ///
 /// # Arguments
@@ -9064,13 +9066,12 @@ pub fn overlap_box_batch_2d(
     ) })
 }
 
-/// Computes for many pairs the results of [`contact()`](crate::contact),
-/// [`contact_geometry()`](crate::contact_geometry),
+/// Computes [`contact()`](crate::contact), [`contact_geometry()`](crate::contact_geometry),
 /// [`contact_gradient()`](crate::contact_gradient) and
-/// [`contact_torque()`](crate::contact_torque), from which the forces and torques of an energy
-/// U(μ²) follow.
+/// [`contact_torque()`](crate::contact_torque) for many pairs in one call.
 ///
-/// A pair with r12 = 0 is valid: its derivatives are zero, its point and normal NaN.
+/// The forces and torques of an energy U(μ²) follow from the results. If r12 = 0, the derivatives
+/// are zero, and the point and the normal are NaN.
 ///
 /// # Arguments
 ///
@@ -9158,7 +9159,7 @@ pub fn contact_derivatives_batch(
     ) })
 }
 
-/// Computes the smallest boxes, with sides along the axes, around n ellipsoids.
+/// Computes the bounding boxes of n ellipsoids, with sides along the coordinate axes.
 ///
 /// # Arguments
 ///
