@@ -30,6 +30,7 @@
 #ifndef PW85_BODIES_SURFACE_HPP_INCLUDED
 #define PW85_BODIES_SURFACE_HPP_INCLUDED
 
+#include <pw85/algebra/unit_ball.hpp>
 #include <pw85/bodies/carlson.hpp>
 #include <pw85/distance/nearest.hpp>
 #include <pw85/volume/volume.hpp>

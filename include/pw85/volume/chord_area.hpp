@@ -11,6 +11,7 @@
 #define PW85_VOLUME_CHORD_AREA_HPP_INCLUDED
 
 #include <pw85/algebra/error_free.hpp>
+#include <pw85/algebra/unit_ball.hpp>
 #include <pw85/overlap/containment.hpp>
 #include <pw85/volume/chord_axis.hpp>
 #include <pw85/volume/volume.hpp>

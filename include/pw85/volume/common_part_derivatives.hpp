@@ -11,6 +11,7 @@
 #ifndef PW85_VOLUME_COMMON_PART_DERIVATIVES_HPP_INCLUDED
 #define PW85_VOLUME_COMMON_PART_DERIVATIVES_HPP_INCLUDED
 
+#include <pw85/algebra/unit_ball.hpp>
 #include <pw85/volume/overlap_volume.hpp>
 
 namespace pw85::detail {

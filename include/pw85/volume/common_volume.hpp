@@ -6,6 +6,7 @@
 #ifndef PW85_VOLUME_COMMON_VOLUME_HPP_INCLUDED
 #define PW85_VOLUME_COMMON_VOLUME_HPP_INCLUDED
 
+#include <pw85/algebra/unit_ball.hpp>
 #include <pw85/volume/rim_integrals.hpp>
 
 namespace pw85::detail {
