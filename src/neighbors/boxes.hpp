@@ -6,11 +6,10 @@
 #define PW85_NEIGHBORS_BOXES_HPP_INCLUDED
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
-#ifdef __SSE2__
-#include <immintrin.h>
-#endif
+#include "../base/x86.hpp"
 
 namespace pw85::detail::neighbors {
 
@@ -75,52 +74,42 @@ static inline Box enclose(Block const &block) noexcept
 
 // intersecting(): bit k is set where `box` intersects box k of the block.
 
-#if defined(__AVX512F__)
+#if defined(PW85_X86_HAS_EIGHT)
 
 static inline unsigned intersecting(Box const &box, Block const &block) noexcept
 {
-    __mmask8 both = 0xff;
+    x86::Mask both = 0xff;
     for (int d = 0; d < 3; ++d) {
-        both = _mm512_mask_cmp_pd_mask(both, _mm512_loadu_pd(block.lower[d]),
-                                       _mm512_set1_pd(box.upper[d]), _CMP_LE_OQ);
-        both = _mm512_mask_cmp_pd_mask(both, _mm512_loadu_pd(block.upper[d]),
-                                       _mm512_set1_pd(box.lower[d]), _CMP_GE_OQ);
+        x86::Eight lower, upper;
+        std::memcpy(&lower, block.lower[d], sizeof lower);
+        std::memcpy(&upper, block.upper[d], sizeof upper);
+        both = x86::compare<x86::less_or_equal>(lower, box.upper[d] - x86::Eight(), both);
+        both = x86::compare<x86::greater_or_equal>(upper, box.lower[d] - x86::Eight(), both);
     }
     return both;
-}
-
-#elif defined(__AVX__)
-
-static inline unsigned intersecting(Box const &box, Block const &block) noexcept
-{
-    unsigned bits = 0;
-    for (int k = 0; k < width; k += 4) {
-        __m256d both = _mm256_castsi256_pd(_mm256_set1_epi32(-1));
-        for (int d = 0; d < 3; ++d) {
-            both = _mm256_and_pd(both, _mm256_cmp_pd(_mm256_loadu_pd(block.lower[d] + k),
-                                                     _mm256_set1_pd(box.upper[d]), _CMP_LE_OQ));
-            both = _mm256_and_pd(both, _mm256_cmp_pd(_mm256_loadu_pd(block.upper[d] + k),
-                                                     _mm256_set1_pd(box.lower[d]), _CMP_GE_OQ));
-        }
-        bits |= static_cast<unsigned>(_mm256_movemask_pd(both)) << k;
-    }
-    return bits;
 }
 
 #elif defined(__SSE2__)
 
 static inline unsigned intersecting(Box const &box, Block const &block) noexcept
 {
+#if defined(__AVX__)
+    using Register = x86::Four;
+#else
+    using Register = x86::Two;
+#endif
+    constexpr int lanes = sizeof(Register) / sizeof(double);
     unsigned bits = 0;
-    for (int k = 0; k < width; k += 2) {
-        __m128d both = _mm_castsi128_pd(_mm_set1_epi32(-1));
+    for (int k = 0; k < width; k += lanes) {
+        Register both = reinterpret_cast<Register>(Register() == Register());
         for (int d = 0; d < 3; ++d) {
-            both = _mm_and_pd(
-                both, _mm_cmple_pd(_mm_loadu_pd(block.lower[d] + k), _mm_set1_pd(box.upper[d])));
-            both = _mm_and_pd(
-                both, _mm_cmpge_pd(_mm_loadu_pd(block.upper[d] + k), _mm_set1_pd(box.lower[d])));
+            Register lower, upper;
+            std::memcpy(&lower, block.lower[d] + k, sizeof lower);
+            std::memcpy(&upper, block.upper[d] + k, sizeof upper);
+            both = x86::both(both, reinterpret_cast<Register>(lower <= box.upper[d]));
+            both = x86::both(both, reinterpret_cast<Register>(upper >= box.lower[d]));
         }
-        bits |= static_cast<unsigned>(_mm_movemask_pd(both)) << k;
+        bits |= x86::signs(both) << k;
     }
     return bits;
 }

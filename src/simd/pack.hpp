@@ -37,7 +37,7 @@ template <std::size_t N> struct VectorOf {
 using Register = VectorOf<lanes>::Doubles;
 
 #if defined(PW85_LANES_AVX512)
-using MaskRegister = __mmask8;
+using MaskRegister = x86::Mask;
 #elif defined(PW85_LANES_SVE)
 typedef svbool_t MaskRegister __attribute__((arm_sve_vector_bits(__ARM_FEATURE_SVE_BITS)));
 
@@ -59,12 +59,10 @@ struct PackMask {
     {
 #if defined(PW85_LANES_AVX512)
         return bits;
-#elif defined(PW85_LANES_AVX2)
-        return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(bits)));
 #elif defined(PW85_LANES_SVE)
         return static_cast<unsigned>(svorv(bits, bit_of_lane()));
-#elif defined(PW85_LANES_SSE2)
-        return static_cast<unsigned>(_mm_movemask_pd(reinterpret_cast<__m128d>(bits)));
+#elif defined(PW85_LANES_X86)
+        return x86::signs(reinterpret_cast<Register>(bits));
 #elif defined(__wasm_simd128__)
         return wasm_i64x2_bitmask(reinterpret_cast<v128_t>(bits));
 #else
@@ -78,7 +76,7 @@ struct PackMask {
     static PW85_INLINE PackMask from_bits(unsigned all) noexcept
     {
 #if defined(PW85_LANES_AVX512)
-        return {static_cast<__mmask8>(all)};
+        return {static_cast<x86::Mask>(all)};
 #elif defined(PW85_LANES_SVE)
         return {svcmpne(svptrue_b64(), svand_x(svptrue_b64(), bit_of_lane(), all), 0)};
 #else
@@ -92,13 +90,13 @@ struct PackMask {
 #if defined(PW85_LANES_AVX512)
 PW85_INLINE PackMask operator&&(PackMask x, PackMask y) noexcept
 {
-    return {_kand_mask8(x.bits, y.bits)};
+    return {x86::both(x.bits, y.bits)};
 }
 PW85_INLINE PackMask operator||(PackMask x, PackMask y) noexcept
 {
-    return {_kor_mask8(x.bits, y.bits)};
+    return {x86::either(x.bits, y.bits)};
 }
-PW85_INLINE PackMask operator!(PackMask x) noexcept { return {_knot_mask8(x.bits)}; }
+PW85_INLINE PackMask operator!(PackMask x) noexcept { return {x86::inverse(x.bits)}; }
 #elif defined(PW85_LANES_SVE)
 PW85_INLINE PackMask operator&&(PackMask x, PackMask y) noexcept
 {
@@ -163,18 +161,18 @@ PW85_INLINE Pack operator-(Pack const &x) noexcept { return -x.v; }
 PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept { return p.x * p.y + z.v; }
 PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept { return p.x * p.y - z.v; }
 PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept { return z.v - p.x * p.y; }
-#elif defined(PW85_X86)
+#elif defined(PW85_LANES_X86)
 PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept
 {
-    return PW85_X86(fmadd)(p.x, p.y, z.v);
+    return x86::product_plus(p.x, p.y, z.v);
 }
 PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept
 {
-    return PW85_X86(fmsub)(p.x, p.y, z.v);
+    return x86::product_minus(p.x, p.y, z.v);
 }
 PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept
 {
-    return PW85_X86(fnmadd)(p.x, p.y, z.v);
+    return x86::minus_product(p.x, p.y, z.v);
 }
 #elif defined(PW85_LANES_SVE)
 PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept
@@ -210,19 +208,19 @@ PW85_INLINE Pack operator-(Product const &p, Product const &q) noexcept { return
 #if defined(PW85_LANES_AVX512)
 PW85_INLINE PackMask operator<(Pack const &x, Pack const &y) noexcept
 {
-    return {_mm512_cmp_pd_mask(x.v, y.v, _CMP_LT_OQ)};
+    return {x86::compare<x86::less>(x.v, y.v, all_lanes)};
 }
 PW85_INLINE PackMask operator<=(Pack const &x, Pack const &y) noexcept
 {
-    return {_mm512_cmp_pd_mask(x.v, y.v, _CMP_LE_OQ)};
+    return {x86::compare<x86::less_or_equal>(x.v, y.v, all_lanes)};
 }
 PW85_INLINE PackMask operator==(Pack const &x, Pack const &y) noexcept
 {
-    return {_mm512_cmp_pd_mask(x.v, y.v, _CMP_EQ_OQ)};
+    return {x86::compare<x86::equal>(x.v, y.v, all_lanes)};
 }
 PW85_INLINE Pack select(PackMask mask, Pack const &yes, Pack const &no) noexcept
 {
-    return _mm512_mask_blend_pd(mask.bits, no.v, yes.v);
+    return x86::blend(mask.bits, no.v, yes.v);
 }
 #elif defined(PW85_LANES_SVE)
 PW85_INLINE PackMask operator<(Pack const &x, Pack const &y) noexcept
@@ -254,9 +252,9 @@ PW85_INLINE PackMask operator>(Pack const &x, Pack const &y) noexcept { return y
 PW85_INLINE PackMask operator>=(Pack const &x, Pack const &y) noexcept { return y <= x; }
 
 // If either operand is NaN, the instructions return the second one, as select(y > x, y, x) does.
-#if defined(PW85_X86)
-PW85_INLINE Pack maximum(Pack const &x, Pack const &y) noexcept { return PW85_X86(max)(y.v, x.v); }
-PW85_INLINE Pack minimum(Pack const &x, Pack const &y) noexcept { return PW85_X86(min)(y.v, x.v); }
+#if defined(PW85_LANES_X86)
+PW85_INLINE Pack maximum(Pack const &x, Pack const &y) noexcept { return x86::maximum(y.v, x.v); }
+PW85_INLINE Pack minimum(Pack const &x, Pack const &y) noexcept { return x86::minimum(y.v, x.v); }
 #elif defined(__wasm_simd128__) // its operands are in the other order
 PW85_INLINE Pack maximum(Pack const &x, Pack const &y) noexcept
 {
@@ -280,8 +278,8 @@ PW85_INLINE Pack absolute(Pack const &x) noexcept
 
 PW85_INLINE Pack square_root(Pack const &x) noexcept
 {
-#if defined(PW85_X86)
-    return PW85_X86(sqrt)(x.v);
+#if defined(PW85_LANES_X86)
+    return x86::square_root(x.v);
 #elif defined(PW85_LANES_SVE)
     return svsqrt_x(svptrue_b64(), x.v);
 #elif defined(PW85_LANES_NEON)
@@ -311,12 +309,12 @@ PW85_INLINE Pack coarse_root_of_ratio(Pack const &x, Pack const &y) noexcept
 // doubles the number of correct digits.
 PW85_INLINE Pack rough_quotient(Pack const &x, Pack const &y) noexcept
 {
-    Pack const r = _mm512_rcp14_pd(y.v);
+    Pack const r = x86::rough_reciprocal(y.v);
     return x * (r + r * (Pack(1.0) - y * r));
 }
 PW85_INLINE Pack rough_root(Pack const &x) noexcept
 {
-    Pack const r = _mm512_rsqrt14_pd(x.v), half = Pack(0.5), root = x * r;
+    Pack const r = x86::rough_reciprocal_root(x.v), half = Pack(0.5), root = x * r;
     return root + root * (half - half * root * r);
 }
 
@@ -324,11 +322,11 @@ PW85_INLINE Pack rough_root(Pack const &x) noexcept
 // 2^-13.
 PW85_INLINE Pack coarse_quotient(Pack const &x, Pack const &y) noexcept
 {
-    return x * Pack(_mm512_rcp14_pd(y.v));
+    return x * Pack(x86::rough_reciprocal(y.v));
 }
 PW85_INLINE Pack coarse_root_of_ratio(Pack const &x, Pack const &y) noexcept
 {
-    return _mm512_rsqrt14_pd(Pack(coarse_quotient(y, x)).v);
+    return x86::rough_reciprocal_root(Pack(coarse_quotient(y, x)).v);
 }
 #else
 PW85_INLINE Pack rough_quotient(Pack const &x, Pack const &y) noexcept { return x / y; }

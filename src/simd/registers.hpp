@@ -8,6 +8,8 @@
 
 #include <cstddef>
 
+#include "../base/x86.hpp"
+
 // At most one of PW85_LANES_AVX512, _AVX2, _SVE512, _SVE256 and _NEON is defined, by the set. A
 // unit that defines PW85_TWO_LANES has PW85_LANES_FMA instead of _AVX2: two doubles, with fused
 // multiply-add. PW85_FOUR_LANES takes four doubles where registers have eight.
@@ -31,29 +33,15 @@
 #elif PW85_SET(PW85_BUILDING) == 5
 #define PW85_LANES_NEON
 #endif
-#if defined(PW85_LANES_AVX512) || defined(PW85_LANES_AVX2) || defined(PW85_LANES_FMA)
-#include <immintrin.h>
-#elif defined(PW85_LANES_SVE512) || defined(PW85_LANES_SVE256)
+#if defined(PW85_LANES_SVE512) || defined(PW85_LANES_SVE256)
 #define PW85_LANES_SVE
 #include <arm_sve.h>
 #elif defined(PW85_LANES_NEON)
 #include <arm_neon.h>
 #elif defined(__SSE2__)
-#include <emmintrin.h>
+#define PW85_LANES_X86
 #elif defined(__wasm_simd128__)
 #include <wasm_simd128.h>
-#endif
-#if !defined(PW85_LANES_AVX512) && !defined(PW85_LANES_AVX2) && defined(__SSE2__)
-#define PW85_LANES_SSE2 // registers of two doubles
-#endif
-
-// The instruction of x86-64 of that name, for the registers of the unit.
-#if defined(PW85_LANES_AVX512)
-#define PW85_X86(name) _mm512_##name##_pd
-#elif defined(PW85_LANES_AVX2)
-#define PW85_X86(name) _mm256_##name##_pd
-#elif defined(PW85_LANES_SSE2)
-#define PW85_X86(name) _mm_##name##_pd
 #endif
 
 // The namespace of packs is named after what they depend on, so that units for the same instruction

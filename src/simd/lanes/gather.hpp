@@ -39,26 +39,41 @@ struct Columns {
     Pack first, second;
 };
 
+/// Loads N consecutive numbers.
+template <std::size_t N>
+PW85_INLINE typename VectorOf<N>::Doubles load_register(double const *x) noexcept
+{
+    typename VectorOf<N>::Doubles numbers;
+    std::memcpy(&numbers, x, sizeof numbers);
+    return numbers;
+}
+
 /// Loads two doubles from every second row.
 template <std::size_t N> PW85_INLINE typename VectorOf<N>::Doubles
 gather_twos(double const *const *rows, int column) noexcept
 {
     if constexpr (N == 2) {
-        typename VectorOf<2>::Doubles two;
-        std::memcpy(&two, rows[0] + column, sizeof two);
-        return two;
+        return load_register<2>(rows[0] + column);
     } else {
 #if defined(PW85_LANES_AVX512) || defined(PW85_LANES_AVX2)
         auto const low = gather_twos<N / 2>(rows, column),
                    high = gather_twos<N / 2>(rows + N / 2, column);
-        if constexpr (N == 4) return _mm256_insertf128_pd(_mm256_castpd128_pd256(low), high, 1);
-#if defined(PW85_LANES_AVX512)
-        else
-            return _mm512_insertf64x4(_mm512_castpd256_pd512(low), high, 1);
-#endif
+        return x86::join(low, high);
 #endif
     }
 }
+
+#if defined(PW85_LANES_AVX512)
+/// The first, or the second, of each two numbers in turns.
+PW85_INLINE Register low_halves(Register x, Register y) noexcept
+{
+    return __builtin_shufflevector(x, y, 0, 8, 2, 10, 4, 12, 6, 14);
+}
+PW85_INLINE Register high_halves(Register x, Register y) noexcept
+{
+    return __builtin_shufflevector(x, y, 1, 9, 3, 11, 5, 13, 7, 15);
+}
+#endif
 
 /// Loads columns `column` and `column` + 1 of as many rows as there are lanes, and transposes them
 /// in registers.
@@ -67,9 +82,10 @@ PW85_INLINE Columns load_columns(double const *const *rows, int column) noexcept
     Register const even = gather_twos<lanes>(rows, column),
                    odd = gather_twos<lanes>(rows + 1, column);
 #if defined(PW85_LANES_AVX512)
-    return {_mm512_unpacklo_pd(even, odd), _mm512_unpackhi_pd(even, odd)};
+    return {low_halves(even, odd), high_halves(even, odd)};
 #elif defined(PW85_LANES_AVX2)
-    return {_mm256_unpacklo_pd(even, odd), _mm256_unpackhi_pd(even, odd)};
+    return {__builtin_shufflevector(even, odd, 0, 4, 2, 6),
+            __builtin_shufflevector(even, odd, 1, 5, 3, 7)};
 #else
     return {Register{even[0], odd[0]}, Register{even[1], odd[1]}};
 #endif
@@ -80,20 +96,15 @@ PW85_INLINE Columns load_columns(double const *const *rows, int column) noexcept
 /// of 4×4 numbers.
 PW85_INLINE void load_four_columns(double const *const *rows, Pack *columns) noexcept
 {
-    __m512d two[4];
+    Register two[4];
     for (std::size_t i = 0; i < 4; ++i)
-        two[i] = _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(rows[i])),
-                                    _mm256_loadu_pd(rows[i + 4]), 1);
-    __m512d const even01 = _mm512_unpacklo_pd(two[0], two[1]),
-                  odd01 = _mm512_unpackhi_pd(two[0], two[1]);
-    __m512d const even23 = _mm512_unpacklo_pd(two[2], two[3]),
-                  odd23 = _mm512_unpackhi_pd(two[2], two[3]);
-    __m512i const low = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13),
-                  high = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
-    columns[0] = _mm512_permutex2var_pd(even01, low, even23);
-    columns[1] = _mm512_permutex2var_pd(odd01, low, odd23);
-    columns[2] = _mm512_permutex2var_pd(even01, high, even23);
-    columns[3] = _mm512_permutex2var_pd(odd01, high, odd23);
+        two[i] = x86::join(load_register<4>(rows[i]), load_register<4>(rows[i + 4]));
+    Register const even01 = low_halves(two[0], two[1]), odd01 = high_halves(two[0], two[1]);
+    Register const even23 = low_halves(two[2], two[3]), odd23 = high_halves(two[2], two[3]);
+    columns[0] = __builtin_shufflevector(even01, even23, 0, 1, 8, 9, 4, 5, 12, 13);
+    columns[1] = __builtin_shufflevector(odd01, odd23, 0, 1, 8, 9, 4, 5, 12, 13);
+    columns[2] = __builtin_shufflevector(even01, even23, 2, 3, 10, 11, 6, 7, 14, 15);
+    columns[3] = __builtin_shufflevector(odd01, odd23, 2, 3, 10, 11, 6, 7, 14, 15);
 }
 #else
 PW85_INLINE void load_four_columns(double const *const *rows, Pack *columns) noexcept
@@ -156,10 +167,10 @@ PW85_INLINE void prefetch(kernels::NeighborList const &list, std::size_t begin, 
 
 #if defined(PW85_LANES_AVX512)
 /// Takes the numbers of z[0], of z[1] where `from1` has a bit, and of z[2] where `from2` has a bit.
-PW85_INLINE __m512d blend_three(__m512d const *z, unsigned from1, unsigned from2) noexcept
+PW85_INLINE Register blend_three(Register const *z, unsigned char from1,
+                                 unsigned char from2) noexcept
 {
-    __m512d const both = _mm512_mask_blend_pd(static_cast<__mmask8>(from1), z[0], z[1]);
-    return _mm512_mask_blend_pd(static_cast<__mmask8>(from2), both, z[2]);
+    return x86::blend(from2, x86::blend(from1, z[0], z[1]), z[2]);
 }
 
 /// Loads eight consecutive rows of three numbers. The numbers of a column have different positions
@@ -167,39 +178,33 @@ PW85_INLINE __m512d blend_three(__m512d const *z, unsigned from1, unsigned from2
 /// into the order of the rows.
 PW85_INLINE void load_eight_rows(double const *rows, Vector<Pack, 3> &columns) noexcept
 {
-    __m512d const z[3] = {_mm512_loadu_pd(rows), _mm512_loadu_pd(rows + 8),
-                          _mm512_loadu_pd(rows + 16)};
-    constexpr unsigned places0 = 0b01001001, places1 = 0b10010010, places2 = 0b00100100;
-    columns[0] = _mm512_permutexvar_pd(_mm512_setr_epi64(0, 3, 6, 1, 4, 7, 2, 5),
-                                       blend_three(z, places1, places2));
-    columns[1] = _mm512_permutexvar_pd(_mm512_setr_epi64(1, 4, 7, 2, 5, 0, 3, 6),
-                                       blend_three(z, places2, places0));
-    columns[2] = _mm512_permutexvar_pd(_mm512_setr_epi64(2, 5, 0, 3, 6, 1, 4, 7),
-                                       blend_three(z, places0, places1));
+    Register const z[3] = {load_register<8>(rows), load_register<8>(rows + 8),
+                           load_register<8>(rows + 16)};
+    constexpr unsigned char places0 = 0b01001001, places1 = 0b10010010, places2 = 0b00100100;
+    columns[0] = __builtin_shufflevector(blend_three(z, places1, places2), Register(), 0, 3, 6, 1,
+                                         4, 7, 2, 5);
+    columns[1] = __builtin_shufflevector(blend_three(z, places2, places0), Register(), 1, 4, 7, 2,
+                                         5, 0, 3, 6);
+    columns[2] = __builtin_shufflevector(blend_three(z, places0, places1), Register(), 2, 5, 0, 3,
+                                         6, 1, 4, 7);
 }
 
 /// Loads eight consecutive rows of six numbers. The same holds for two columns side by side, which
 /// share 128 bits, and for four rows, which take three registers.
 PW85_INLINE void load_eight_rows(double const *rows, SymmetricMatrix<Pack, 3> &columns) noexcept
 {
-    __m512d z[6];
-    for (int k = 0; k < 6; ++k) z[k] = _mm512_loadu_pd(rows + 8 * k);
-    constexpr unsigned part1 = 0b00001100, part2 = 0b00110000, ends = 0b11000011;
-    __m512d const low01 = blend_three(z, part2, part1), high01 = blend_three(z + 3, part2, part1);
-    __m512d const low23 = blend_three(z, ends, part2), high23 = blend_three(z + 3, ends, part2);
-    __m512d const low45 = blend_three(z, part1, ends), high45 = blend_three(z + 3, part1, ends);
-    columns[0] =
-        _mm512_permutex2var_pd(low01, _mm512_setr_epi64(0, 6, 4, 2, 8, 14, 12, 10), high01);
-    columns[1] =
-        _mm512_permutex2var_pd(low01, _mm512_setr_epi64(1, 7, 5, 3, 9, 15, 13, 11), high01);
-    columns[2] =
-        _mm512_permutex2var_pd(low23, _mm512_setr_epi64(2, 0, 6, 4, 10, 8, 14, 12), high23);
-    columns[3] =
-        _mm512_permutex2var_pd(low23, _mm512_setr_epi64(3, 1, 7, 5, 11, 9, 15, 13), high23);
-    columns[4] =
-        _mm512_permutex2var_pd(low45, _mm512_setr_epi64(4, 2, 0, 6, 12, 10, 8, 14), high45);
-    columns[5] =
-        _mm512_permutex2var_pd(low45, _mm512_setr_epi64(5, 3, 1, 7, 13, 11, 9, 15), high45);
+    Register z[6];
+    for (int k = 0; k < 6; ++k) z[k] = load_register<8>(rows + 8 * k);
+    constexpr unsigned char part1 = 0b00001100, part2 = 0b00110000, ends = 0b11000011;
+    Register const low01 = blend_three(z, part2, part1), high01 = blend_three(z + 3, part2, part1);
+    Register const low23 = blend_three(z, ends, part2), high23 = blend_three(z + 3, ends, part2);
+    Register const low45 = blend_three(z, part1, ends), high45 = blend_three(z + 3, part1, ends);
+    columns[0] = __builtin_shufflevector(low01, high01, 0, 6, 4, 2, 8, 14, 12, 10);
+    columns[1] = __builtin_shufflevector(low01, high01, 1, 7, 5, 3, 9, 15, 13, 11);
+    columns[2] = __builtin_shufflevector(low23, high23, 2, 0, 6, 4, 10, 8, 14, 12);
+    columns[3] = __builtin_shufflevector(low23, high23, 3, 1, 7, 5, 11, 9, 15, 13);
+    columns[4] = __builtin_shufflevector(low45, high45, 4, 2, 0, 6, 12, 10, 8, 14);
+    columns[5] = __builtin_shufflevector(low45, high45, 5, 3, 1, 7, 13, 11, 9, 15);
 }
 
 /// Loads the first eight pairs. There are no loads but those of whole registers, and half as many
