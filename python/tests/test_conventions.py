@@ -197,7 +197,7 @@ BAD = {
     "x,y,z,radius\n0,0,0,inf": "line 2: particle 1 has a length that is not finite",
     "x,y,z,radius\n0,0,0,-1": "line 2: particle 1 has a length that is not positive",
     "x,y,z,radius\r0,0,0,1\r": "its lines end with carriage returns alone",
-    "x,y,z,radius\n0,0,0,1\n\n0,0,0,1": "line 3: 1 column instead of 4",
+    "x,y,z,radius\n0,0,0,1\n\n0,0,0,1": "line 3: there is an empty line or a comment among the rows: remove it",
     "x,y,z,radius\nmm,mm,mm,mm\n0,0,0,1": "line 2: the row beneath the names has words, not numbers, such as mm: remove it",
     "x;y;z;radius\n1.000,5;0;0;1": r"line 2: column 1 \(x\) must be a number, not '1.000,5'",
 }  # fmt: skip

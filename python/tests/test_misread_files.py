@@ -262,10 +262,10 @@ TABLES = {
     "# angles in degrees\nx,y,a,b,angle_rad\n0,0,2,1,1": "say the unit .--angle.",
     "# measured clockwise\nx,y,a,b,angle_deg\n0,0,2,1,1": "say from where angles are counted",
     "# angles are counted from the y axis\nx,y,a,b,angle_deg\n0,0,2,1,1": "say from where angles are counted",
-    "# radius_scale = 0.5\nx,y,z,radius\n0,0,0,1": "convert the numbers, and remove it",
-    "# pixel size: 0.2 um\nx,y,z,radius\n0,0,0,1": "convert the numbers, and remove it",
-    "# superquadrics with blockiness 8\nx,y,z,radius\n0,0,0,1": "convert the numbers, and remove it",
-    **{f"# {comment}\nx,y,z,radius\n0,0,0,1": "convert the numbers, and remove it" for comment in
+    "# radius_scale = 0.5\nx,y,z,radius\n0,0,0,1": "convert the numbers if it does, and remove it",
+    "# pixel size: 0.2 um\nx,y,z,radius\n0,0,0,1": "convert the numbers if it does, and remove it",
+    "# superquadrics with blockiness 8\nx,y,z,radius\n0,0,0,1": "convert the numbers if it does, and remove it",
+    **{f"# {comment}\nx,y,z,radius\n0,0,0,1": "convert the numbers if it does, and remove it" for comment in
        ("voxel: 0.2 0.2 1.0", "pixel width 0.5", "1 px = 0.25 um", "0.25 um/px", "z-step 2 um", "z in slices of 0.5 um", "anisotropy 3",
         "fractional coordinates", "log10 of the radius", "lengths multiplied by 1000", "in units of 1e-6 m", "shrunk by 5 %")},
     **{f"# {comment}\nx,y,a,b,angle_deg\n0,0,2,1,30": "--lengths., or convert them" for comment in
@@ -274,8 +274,8 @@ TABLES = {
     **{f"# {comment}\nx,y,a,b,angle_deg\n0,0,2,1,30": "say from where angles are counted .--angle-zero" for comment in
        ("y axis points down", "origin: top left", "image coordinates", "counterclockwise, y down", "position angle, east of north",
         "angle from the vertical")},
-    "# angle of the minor axis\nx,y,a,b,angle_deg\n0,0,2,1,30": "convert the numbers, and remove it",
-    **{f"# {comment}\nx,y,z,a,b,c,qw,qx,qy,qz\n0,0,0,2,1,1,{UP}": "convert the numbers, and remove it" for comment in
+    "# angle of the minor axis\nx,y,a,b,angle_deg\n0,0,2,1,30": "convert the numbers if it does, and remove it",
+    **{f"# {comment}\nx,y,z,a,b,c,qw,qx,qy,qz\n0,0,0,2,1,1,{UP}": "convert the numbers if it does, and remove it" for comment in
        ("passive rotations", "from the lab frame to the body frame", "world-to-body", "conjugate quaternions", "the inverse rotation",
         "rotation of the frame")},
     "# radius of the bounding sphere\nx,y,z,radius\n0,0,0,1": "or say that these are spheres .--shape-columns",
@@ -287,6 +287,17 @@ TABLES = {
     "# radius in um\nx_mm,y_mm,z_mm,radius\n0,0,0,1": "comments state several units of length, mm and um: convert",
     "# mm mm mm um kg\nx,y,z,radius,mass\n0,0,0,1,1": "the columns z and radius have different units",
     "# x [mm] y [mm] z [mm] radius [um]\n0 0 0 1": "the columns z.mm. and radius.um. have different units",
+    # Comments behind rows are as those before, and one that could be a row is none
+    "x,y,z,r\n0,0,0,1\n# r: particle diameter": "'# r: particle diameter' could mean .*--lengths.",
+    "x,y,z,radius\n0,0,0,1\n# box: [9, 9]\n": "frame 0: the comment '# box: .9, 9.' could say the cell",
+    "x,y,z,radius\n0,0,0,1\n#0,1.5,0,1": "line 3: column 1 .x. must be a number, not '#0'",
+    "x,y,z,radius\n0,0,0,1\n# others\n0,5,0,1": "line 3: there is an empty line or a comment among the rows: remove it",
+    # Beside phrases on other things
+    **{f"# {comment}\nx,y,a,b,angle_deg\n0,0,2,1,30": "could mean" for comment in
+       ("a, b are 3 times RMS", "rms displacements along the axes", "standard deviations of the intensity", "1-sigma error ellipses",
+        "full axes, not semi-axes", "scale = 2", "time 5 s, fractional coordinates", "angles not in degrees but in radians")},
+    "# cylinder diameter 1, length 4\nx,y,z,length,diameter,nx,ny,nz\n0,0,0,4,1,0,1,0": "ellipsoids alone are read",
+    "# periodic in x, not periodic in z\nx,y,z,radius\n0,0,0,1": "could say the cell",
 }
 
 
@@ -507,9 +518,36 @@ def test_harmless_columns(name, tmp_path):
                                      "10^5 steps",
                                      "image of 512 x 512 pixels", "spheres in a cylinder", "the periodic table",
                                      "lengths in units of sigma",
-                                     "angle of the long axis, not the short one", "positions and radii in um"])  # fmt: skip
+                                     "angle of the long axis, not the short one", "positions and radii in um",
+                                     # Other quantities, what is denied, units of simulations, containers, how bodies were drawn
+                                     "step 1000 energy -3.2", "cell type: neuron", "origin at the lower left corner", "step size 0.1",
+                                     "all lengths are in units of the particle diameter", "cutoff = 2.5 sigma", "RMS velocity 0.3",
+                                     "variance of velocity 0.1", "eigenvalues of the Q tensor", "power 5 mW", "damping factor 0.1",
+                                     "time resolution 0.1 s", "scale = 1.0", "scale factor 1", "not superquadrics", "rms error 1e-8",
+                                     "Gaussian noise with standard deviation 0.1 added", "packing factor 0.64",
+                                     "sizes drawn from a normal distribution (mean 1, std dev 0.1)", "in a cylinder of diameter 10",
+                                     "without periodic boundary conditions", "periodic boundaries off", "boundary: reflecting",
+                                     "detected with confidence > 0.5", "semi-axes, not diameters"])  # fmt: skip
 def test_harmless_comments(comment, tmp_path):
     assert len(read_text(tmp_path / "a.csv", f"# {comment}\nx,y,a,b,angle_deg\n0,0,2,1,30\n")) == 1
+
+
+@pytest.mark.parametrize("end", ["# end of file", "# 2 particles\n\n% seed 3, phi 0.5\n", " # made by a program\n\n"])
+def test_comments_behind_rows(end, tmp_path):
+    """Of NumPy's footers, beneath names that are a comment, with exponents as Fortran writes them."""
+    system = read_text(tmp_path / "a.txt", f"# x y z radius\n0.D0 0 0 5d-1\n0 +1.5D+00 0 .5\n{end}")
+    assert system.centers.tolist() == [[0, 0, 0], [0, 1.5, 0]] and system.semi_axes[0].tolist() == [0.5, 0.5, 0.5]
+
+
+def test_rows_that_begin_as_comments(tmp_path):
+    system = read_text(tmp_path / "a.csv", "color,x,y,z,radius\n#ff0000,0,0,0,1\n#00ff00,3,0,0,1\n")
+    assert len(system) == 2 and system.centers[1, 0] == 3
+
+
+def test_cell_beneath_a_comment_on_it(tmp_path):
+    """The cell that the sentence asks for may stand behind the comment."""
+    head = "# periodic box 9x9x9\n# cell 9 0 0 0 9 0 0 0 9\n# origin 0 0 0\n# periodic T T T\n"
+    assert read_text(tmp_path / "a.csv", f"{head}x,y,z,radius\n0,0,0,1\n0,8,0,1\n").check().smallest_mu == 0.5
 
 
 def test_material_of_spheres(tmp_path):

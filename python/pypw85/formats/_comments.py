@@ -32,7 +32,25 @@ _NEVER = r"$."
 _OPPOSITE, _ROTATION = "(conjugated?|inverted|inverse|transposed?)", "(rotation|quaternion|orientation|matrix)s?"
 _SAY_LENGTHS = "say what the lengths are (--lengths)"
 _SAY_ANGLES = "say from where angles are counted (--angle-zero, and --angle-sense yx if they grow from y towards x)"
-_CONVERT = "convert the numbers, and remove it"
+_CONVERT = "convert the numbers if it does, and remove it"
+# Quantities other than lengths of bodies, in which words for widths and scales have other meanings. Not displacements and errors, since
+# ellipsoids of these are drawn, too.
+_OTHERS = (r"(velocit(y|ies)|speeds?|residuals?|time|temporal|energ(y|ies)|forces?|spectral|(order |q[ -]?)tensors?|laser|safety|damping|"
+           r"friction|quality|structure|boltzmann|packing|filling|noise|fluctuations?|power law|stress(es)?|pressures?|temperatures?)")
+_DEVIATION = r"(standard|std\.?)[ -]*dev\w*\.?"
+_WIDTHS = rf"(rms|root[ -]mean[ -]square|{_DEVIATION}|varianc\w*|eigenval\w*|resolution|factors?|power|exponents?|scal(e|ing))"
+_UNITS_OF_OTHERS = r"([numµμfp]?s|min|[kM]?Hz|m?W|[kMG]?Pa|[kM]?e?V|K|°C)"
+# Phrases that do not speak of what the numbers are: of other quantities, of what is denied, of units of simulations, of containers, of
+# how bodies were drawn
+_ASIDE = re.compile(rf"\b{_WIDTHS} (of (the )?)?{_OTHERS}\b|\b{_OTHERS} {_WIDTHS}\b|\brms errors?\W*(?=\d)|"
+                    r"\b(not|no|without)\s+((in|from|the|of|by)\s+)*\w+|"
+                    r"\bunits? of (the )?(\w+ )?(diameter|radius|sigma|length)s?\b|"
+                    r"\b(in an? (\w+ )?cylinder|(drum|tube|pipe|pore|hole|orifice|beam|container|vessel|sample|sieve|silo)s?) (\w+ )?"
+                    r"(of |with )?(inner |outer |a )?(diameter|radius)\b|"
+                    r"\b(cut-?off|r_?c(ut)?|skin)\b( radius| distance)?\W*[\d.]+\s*sigma\b|"
+                    rf"\b(noise|drawn|sampled|polydispers\w+)\b[^.;]{{0,60}}?\b({_DEVIATION}|sigma)\W*(of\W*)?\d[\d.]*|"
+                    r"\b(scale|factor)s?( factor)?\W*1(\.0*)?$|\bconfidence( threshold| score)s?\b|\bconfidence\s*[<>≤≥]|"
+                    rf"[-+]?\d[\d.]{{0,20}}(e[-+]?\d+)?\s*(?-i:{_UNITS_OF_OTHERS})\b(?! per)", re.IGNORECASE)  # fmt: skip
 # Words that ask for another meaning, words beside which they do not, whether that is a contradiction, and what helps.
 _CLAIMS: list[tuple[str, str, Callable[[Meaning], bool], str]] = [
     (r"\bx[\s,]*y[\s,]*z[\s,]*w\b|\bi[\s,]*j[\s,]*k[\s,]*[wr]\b|\b(scalar|real|w)( part)?[\s-]*last", r"\bw[\s,]*x[\s,]*y[\s,]*z\b|first",
@@ -86,8 +104,9 @@ _STATED = re.compile(r"(?:\bin\s+|\bunits?\W+|[\[(]\s*|\w\s*[:=]\s*)(mm|[nuµμ\
 def check(texts: Iterable[str], meaning: Meaning, error: Callable[[str], FileError]) -> None:
     """Refuses texts that contradict what is taken."""
     for text in texts:
+        said = _ASIDE.sub("", text)
         for claim, other, contradicts, cure in _CLAIMS:
-            if contradicts(meaning) and re.search(claim, text, re.IGNORECASE) and not re.search(other, text, re.IGNORECASE):
+            if contradicts(meaning) and re.search(claim, said, re.IGNORECASE) and not re.search(other, said, re.IGNORECASE):
                 raise error(f"'{text[:80]}' could mean that the numbers are others than those taken here, and is not read: {cure}")
 
 

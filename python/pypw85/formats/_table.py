@@ -31,7 +31,7 @@ _LONGEST = READ_AHEAD
 _LONGEST_NUMBER = 1 << 13
 _THOUSANDS = re.compile(r"[-+]?[1-9][0-9]{0,2},[0-9]{3}")
 _DIGITS = re.compile(r"[-+]?[0-9]+")
-_NUMBER = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?|[-+]?(?:inf|infinity|nan)", re.ASCII | re.IGNORECASE)
+_NUMBER = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[deDE][-+]?[0-9]+)?|[-+]?(?:inf|infinity|nan)", re.ASCII | re.IGNORECASE)
 # Rows of numbers, and for each column of names, codes and the names that these count.
 _Block: TypeAlias = tuple[NDArray[np.float64], NDArray[np.int32], list[list[str]]]
 _TRUE, _FALSE = ("T", "True", "TRUE", "true", "1"), ("F", "False", "FALSE", "false", "0")
@@ -172,10 +172,14 @@ def locate_frames(path: os.PathLike[str], lines_of_frame: Callable[[Lines], int 
 
 
 def _number(word: str) -> float:
-    """As float(), which also takes digits of other scripts, and 1_000, and whose time is quadratic in the number of digits."""
+    """As float(), which also takes digits of other scripts, and 1_000, and whose time is quadratic in the number of digits. Exponents may
+    begin with D, as in Fortran."""
     if len(word) > _LONGEST_NUMBER or not _NUMBER.fullmatch(word):
         raise ValueError(f"'{word[:80]}' is not a number")
-    return float(word)
+    try:
+        return float(word)
+    except ValueError:
+        return float(word.upper().replace("D", "E"))
 
 
 def _comma_or_point(word: str) -> str:
@@ -301,6 +305,8 @@ class Table:
             except (csv.Error, StopIteration) as error:
                 raise self._error(row, f"the line cannot be read ({error}): correct its quotation marks") from None
         if len(fields) != len(self.columns):
+            if not line.strip() or line.lstrip().startswith(("#", "%")):
+                raise self._error(row, "there is an empty line or a comment among the rows: remove it, or end the table before it")
             raise self._error(row, f"{counted(len(fields), 'column')} instead of {len(self.columns)} ({' '.join(self.columns)[:200]}): "
                               "the line is broken, or the file truncated")  # fmt: skip
         return fields

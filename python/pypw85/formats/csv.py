@@ -32,16 +32,21 @@ from ._series import check_repeated, check_series, columns_of_series
 from ._table import Lines, Table, coded, write_rows
 
 SUFFIXES = (".csv",)
-_NUMBER = re.compile(r"[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?")
+_NUMBER = re.compile(r"[-+]?[0-9.]+(?:[deDE][-+]?[0-9]+)?")
 _POSITION, _SHAPE, _QUATERNION = ["x", "y", "z"], ["a", "b", "c"], ["qw", "qx", "qy", "qz"]
-_KEYS = ("cell", "dimensions", "origin", "periodic", "step")
+# Keys, and what follows them; with other words a comment is a sentence, as "# origin at the lower left"
+_KEYS = {"cell": r"[-+.\d]|nan\b|inf", "dimensions": r"[-+.\d]", "origin": r"[-+.\d]|nan\b|inf", "periodic": r"(T|F|true|false|[01])\b|$",
+         "step": r"[-+.\d]+([eE][-+]?\d+)?\s*$"}  # fmt: skip
 # Comments that say the cell in another way, or that there is one
 _LIKE_KEYS = re.compile(rf"[#%](?:.*[\s,;('\"{{])?{SAYS_CELL}|"
                         r"[#%].*?(?<!non)(?<!non-)(?<!not )(?<!no )(?<!a)(periodic|\bpbc)\b(?!\W*(no|none|false|f|0|table)\b)",
                         re.IGNORECASE)  # fmt: skip
 # The search for a cell takes the square of the length in time, so it ends after so many characters.
 _SENTENCE = 1000
-_NO_CELL = re.compile(r"\b(periodic\w*|pbc|((simulation|periodic) )?(box|cell)|boundar\w*)\W*(no|none|false|F F F|open|free)\b",
+_NO_CELL = re.compile(r"\b(periodic\w*|pbc|((simulation|periodic) )?(box|cell)|boundar\w*)\W*(no|none|false|F F F|open|free)\b|"
+                      r"\bboundar\w*\W*(reflect\w*|hard|rigid|walls?|fixed|closed)\b|"
+                      r"\b(periodic\w*|pbc)( boundar\w*)?( conditions?)?( (is|are|was|were))? (off|disabled|not (used|applied|present))\b|"
+                      r"\bwithout (periodic\w*|pbc)( boundar\w*)?",
                       re.IGNORECASE)  # fmt: skip
 # Names and units of columns in the header of ECSV (Astropy), on one line or on several
 _OF_ECSV = re.compile(r"\b(name|unit): ['\"]?([\w.]+)")
@@ -176,13 +181,16 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         offsets = offsets_of(convention, columns)
         taken = take(columns, options, lines.error, "radii", "wxyz", [*positions, *offsets, ids, types],
                      (dimensions or len(positions)) == 2, convention)  # fmt: skip
+        count, behind = _count(keys, lines, separator)
+        for comment in behind if "cell" not in keys else ():
+            _check_cell(comment, 0, options, lines)
+        comments += behind
         has_units = bool({*map(_plain_unit, map(_unit, (*positions, *taken.shape)))} - {"", "px"})
         _comments.check(comments, meaning_of(taken, options, convention is not None, has_units), lines.error)
         _check_lengths(columns, positions, taken, (options.dimensions or dimensions) is not None, lines)
         _check_units(comments, columns, positions, taken, lines)
         step = lines.whole(keys.get("step", "0"), "step", -(2**63))
         cell, origin, periodic = _box(keys, lines)
-        count = _count(keys, lines, separator)
         _check_units_row(lines, separator, [columns.index(name) for name in positions])
         series = columns_of_series(columns, len(positions), options, convention)
         wanted = [name for name in (*positions, *offsets, *taken.columns, ids, types, *series) if name]
@@ -225,12 +233,13 @@ def _dimensions(keys: dict[str, str], lines: Lines) -> int | None:
     return dimensions
 
 
-def _count(keys: dict[str, str], lines: Lines, separator: str | None) -> int:
-    """The number of rows. Behind those that DREAM.3D says there are, lists of neighbours may follow."""
-    count = min(_remaining(lines, separator), lines.whole(keys.get("rows", str(2**62)), "the number of rows"))
+def _count(keys: dict[str, str], lines: Lines, separator: str | None) -> tuple[int, list[str]]:
+    """The number of rows, and comments behind them. Behind those that DREAM.3D says there are, lists of neighbours may follow."""
+    remaining, comments = _remaining(lines, separator)
+    count = min(remaining, lines.whole(keys.get("rows", str(2**62)), "the number of rows"))
     if not count:
         raise lines.error("there are no particles: no row follows the names of the columns; write the file again")
-    return count
+    return count, comments
 
 
 def _check_positions(columns: list[str], positions: list[str], lines: Lines) -> None:
@@ -337,17 +346,17 @@ def _keys(lines: Lines, options: Options) -> tuple[dict[str, str], str, list[str
     """Reads the lines before the names. Also returns the line with the names, or the first row if no line has names; and the comments."""
     keys: dict[str, str] = {}
     units: dict[str, str] = {}
+    others: dict[int, str] = {}
     comments, column = [], ""
     place = lines.location(lines.frame)
     while (line := lines.next("\r\n")) is not None and _may_precede(text := line.strip()):
         name, _, value = text[1:].strip().partition(" ")
-        if name in keys:
+        is_key = name in _KEYS and re.match(_KEYS[name], value.strip(), re.IGNORECASE) is not None
+        if is_key and name in keys:
             raise lines.error(f"the comment '# {name}' is there twice: remove one")
-        if name in _KEYS:
+        others |= {} if is_key else {lines.number: text}
+        if is_key:
             keys[name] = value
-        elif options.cell is None and "cell" not in keys and _LIKE_KEYS.match(_NO_CELL.sub("", text[:_SENTENCE].replace('"', ""))):
-            raise lines.error(f"the comment '{text[:60]}' could say the cell, and is not read: write '# cell' and nine numbers, '# origin' "
-                              "and three, '# periodic' and three of T and F, give the cell (--cell), or remove the comment")  # fmt: skip
         elif text.isdecimal():
             keys["rows"] = text
         elif text:
@@ -356,6 +365,8 @@ def _keys(lines: Lines, options: Options) -> tuple[dict[str, str], str, list[str
                 column = value if key == "name" else column
                 units |= {column: value} if key == "unit" else {}
         place = lines.location(lines.frame)
+    for number, text in others.items() if "cell" not in keys else ():
+        _check_cell(text, number, options, lines)
     # The names may be a comment: one that has as many words as the first row, or SExtractor's list.
     names = None if line is not None and not _has_numbers(line) else _names_in(comments, line)
     if names is not None:
@@ -365,6 +376,14 @@ def _keys(lines: Lines, options: Options) -> tuple[dict[str, str], str, list[str
         return keys, _with_units(line, units), comments
     lines.back(place)
     return keys, line if line is not None else lines.expect("the names of the columns"), comments
+
+
+def _check_cell(comment: str, number: int, options: Options, lines: Lines) -> None:
+    """Refuses comments, of the line with this number (0 if it is not known), that say a cell in other words."""
+    if options.cell is None and _LIKE_KEYS.match(_NO_CELL.sub("", comment[:_SENTENCE].replace('"', ""))):
+        lines.number = number
+        raise lines.error(f"the comment '{comment[:60]}' could say the cell, and is not read: write '# cell' and nine numbers, '# origin' "
+                          "and three, '# periodic' and three of T and F, give the cell (--cell), or remove the comment")  # fmt: skip
 
 
 def _has_numbers(line: str) -> bool:
@@ -506,21 +525,37 @@ def _unit(name: str) -> str:
     return next(filter(None, found.groups())).strip() if found else ""
 
 
-def _remaining(lines: Lines, separator: str | None) -> int:
-    """The number of lines up to the last one that is not blank, which must be a body."""
+def _remaining(lines: Lines, separator: str | None) -> tuple[int, list[str]]:
+    """The number of lines up to the last one that is neither blank nor a comment, which must be a body, and the comments behind it."""
     place = lines.location(lines.frame)
     count = last = 0
-    end = b""
+    end, comments = b"", list[str]()
     while (block := lines.read_block(2**62))[1]:
-        text = block[0].rstrip()
-        last, end = (count + text.count(b"\n") + 1, text.rpartition(b"\n")[2]) if text else (last, end)
+        text, behind = _without_comments(block[0].rstrip())
+        if text:
+            last, end, comments = count + text.count(b"\n") + 1, text.rpartition(b"\n")[2], behind
+        else:
+            comments += behind
         count += block[1]
     lines.back(place)
     for word in _split(end.decode("utf-8", errors="replace"), separator):
         if _SUMMARY.fullmatch(word):
             lines.number += last
             raise lines.error(f"the row with the word '{word}' is a summary of others, and not a body: remove such rows")
-    return last
+    return last, comments
+
+
+def _without_comments(text: bytes) -> tuple[bytes, list[str]]:
+    """Lines without blank ones and comments at their end, and these comments. A row may begin so, too, as with a colour, #ff0000."""
+    comments, end = list[str](), len(text)
+    while end:
+        begin = text.rfind(b"\n", 0, end) + 1
+        line = text[begin:end].decode("utf-8", errors="replace").strip()
+        if line and (not line.startswith(("#", "%")) or _has_numbers(line)):
+            break
+        comments += [line] if line else []
+        end = max(begin - 1, 0)
+    return text[:end], comments[::-1]
 
 
 def _is_no_formula(name: str) -> bool:
