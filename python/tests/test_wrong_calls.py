@@ -51,6 +51,7 @@ WRONG = [
      r"^pw85: the longest semi-axis must be at most .* not \[1e-09, 1\.0, 1000000000\.0\] of ellipsoid 0"),
     ("pack new.xyz -n 8 --axes 1e300,1,1 --fraction 0.2", "beyond double precision: choose another unit"),
     (f"{PACK} --lattice hcp", "Invalid value for '--lattice'"),
+    ("pack new.xyz -n 8 --axes 1,1,2 --lattice fcc", "a lattice needs -n and --fraction"),
     (f"{PACK} --lattice fcc --cell 1,1,1", "--cell has no effect on a lattice: leave it out"),
     (f"{PACK} --lattice fcc --seed 3", "--seed has no effect on a lattice: leave it out"),
     (f"{PACK} --lattice fcc --rsa", "--rsa has no effect on a lattice: leave it out"),

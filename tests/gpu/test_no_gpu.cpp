@@ -91,7 +91,7 @@ PW85_TEST("/no_gpu/device_pointers")
 
 PW85_TEST("/no_gpu/sentence")
 {
-    g_assert_nonnull(g_strstr_len(pw85_strerror(PW85_EDEVICE), -1, "graphics processor"));
+    g_assert_nonnull(g_strstr_len(pw85_strerror(PW85_EDEVICE), -1, "GPU"));
 }
 
 PW85_TEST("/no_gpu/everything_else")
