@@ -25,7 +25,7 @@ _HEADER_OF_STL = 84
 _TRIANGLE_OF_STL = 50
 # Cells that are read, by their names in meshio
 _FACES = ("triangle", "quad", "polygon")
-# TetGen's files have tetrahedra, and meshio's reader of files without any does not end.
+# Points and tetrahedra of TetGen
 _WITHOUT_FACES = (".node", ".ele")
 
 

@@ -23,7 +23,7 @@ def refuse_placed_nodes(path: str, ending: str) -> None:
         return
     with open(path, "rb") as file:
         content = file.read()
-    if _PATTERNS[ending] is _OF_NASTRAN and not _END_OF_NASTRAN.search(content):  # for which meshio looks without end
+    if _PATTERNS[ending] is _OF_NASTRAN and not _END_OF_NASTRAN.search(content):
         raise ValueError("the file ends without ENDDATA: it is truncated; write it again")
     if found := _PATTERNS[ending].search(content):
         word = next(filter(None, found.groups())).decode("latin-1")

@@ -324,8 +324,8 @@ BAD_MESHES = {
               ("OFF\n99999999 1 0\n0 0 0\n", "the file ends after 1 of 99999999 vertices and 0 of 1 faces"),
               ("OFF\n1 1 0\n0 0 0\n3 0 0 0\n3 0 0 0\n", "line 5: there are more rows than those of 1 vertices and 1")],
     "a.foo": [("", "files of the kind '.foo' are not read: convert it to STL, OBJ, PLY or OFF")],
-    "a.node": [("1 3 0 0\n1 0 0 0\n", "files of the kind '.node' are not read")],
-    "a.bdf": [("CEND\nBEGIN BULK\nCOR", "the file ends without ENDDATA: it is truncated")],
+    "a.node": [("TetGen\n", "files of the kind '.node' are not read")],
+    "a.bdf": [("CEND\n", "the file ends without ENDDATA: it is truncated")],
     "a.vtk": [("nonsense", "a.vtk"), ("# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_GRID\nDIMENSIONS 2 2 1",
                                       r"points must have three coordinates, and the array of them has the shape \(\)")],
 }  # fmt: skip
