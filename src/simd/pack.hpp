@@ -287,8 +287,8 @@ PW85_INLINE Pack square_root(Pack const &x) noexcept
 #elif defined(__wasm_simd128__)
     return reinterpret_cast<Register>(wasm_f64x2_sqrt(reinterpret_cast<v128_t>(x.v)));
 #else
-    Register root;
-    for (std::size_t i = 0; i < lanes; ++i) root[i] = __builtin_sqrt(x.v[i]);
+    Register root = x.v;
+    for (std::size_t i = 0; i < lanes; ++i) root[i] = __builtin_sqrt(root[i]);
     return root;
 #endif
 }
