@@ -83,10 +83,10 @@ const angle = (box(6, 1, 3 - 2.375, 0.5 - 0.875) + box(1, 2, 0.5 - 2.375, 2 - 0.
 const ends = Math.PI / 4 * (0.5 ** 2 / 2 + 1) + 2 * 4 / 3 * 0.5 ** 3 * 1; // of the disc, its halves moved apart: A (r²/2 + l²/4) + 2 l (2/3) r³
 const stadium = (box(2, 1, 0, 0) + ends) / (2 + Math.PI / 4);
 const rows = { ellipse: [2.5, 2.5, 2.5], halves: [5, 2.5, 2.5], circles: [8.62, 4.31, discs], L: [8.573, 4.2865, angle], capsule: [stadium, 0.6042, stadium] };
-for (const [name, [inEs, inOld, right]] of Object.entries(rows)) {
+for (const [name, [withEs, inOld, right]] of Object.entries(rows)) {
   console.log(name, 'p2-es', moment(es, bodies[name]), 'p2', moment(old, bodies[name]), 'true', right, counted(inside[name]));
   near(counted(inside[name]), right, `${name}, true`);
-  near(moment(es, bodies[name]), inEs, `${name}, p2-es`);
+  near(moment(es, bodies[name]), withEs, `${name}, p2-es`);
   near(moment(old, bodies[name]), inOld, `${name}, p2`);
 }
 for (const mass of [0.1, 1, 10]) {
