@@ -277,12 +277,12 @@ class System:
 
     @property
     def semi_axes(self) -> Floats:
-        """Semi-axes (n, 3): those given to `from_axes`; otherwise computed from the forms, in increasing order."""
+        """Semi-axes (n, 3), as given to `from_axes`, or computed from the forms in increasing order."""
         return self._principal()[0]
 
     @property
     def quaternions(self) -> Floats:
-        """Unit quaternions (n, 4; w, x, y, z): those given to `from_axes`; otherwise computed from the forms."""
+        """Unit quaternions (n, 4), w first, as given to `from_axes`, or computed from the forms."""
         return self._principal()[1]
 
     def _principal(self) -> tuple[Floats, Floats]:
