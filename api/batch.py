@@ -1,33 +1,33 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The functions of many rows: the header include/pw85_batch.h, made of its template api/pw85_batch.h.in and of the functions of one row in
-pw85.h, pw85_grains.h and pw85_shapes.h, and the functions in src/c_api/. Those that have lanes are in the files *_lanes.cpp, and call the
-kernel of LANES. The others are in the files *_rows.cpp, and call the function of one row for each row, with an argument of
-src/rows/each_row.hpp for each parameter.
+"""The functions of many rows: the made part of include/pw85_batch.h, by the functions of one row in pw85.h, pw85_grains.h and
+pw85_shapes.h, and the functions in src/c_api/. Those that have lanes are in the files *_lanes.cpp, and call the kernel of LANES. The
+others are in the files *_rows.cpp, and call the function of one row for each row, with an argument of src/rows/each_row.hpp for each
+parameter.
 
-At the mark @rows stand the functions of many rows for all functions of one row with an array among their inputs, except for those that
-the mark names. Their arrays have a row in the place of each number or array; what else is to be said of them stands in those headers.
-Lines below the mark say what is particular to a function:
+The part has the functions of many rows for all functions of one row with an array among their inputs, except for WITHOUT. Their arrays
+have a row in the place of each number or array; what else is to be said of them stands in those headers. Lines of api/pw85_batch.txt
+say what is particular to a function:
 
     pw85_f ellipsoids and boxes: what is said of the results
         name: [n; optional] text
 
 Where such a line does not say of what the rows are, the inputs do (BESIDE); where it says nothing of the results, their bits or answers
 are the same. Indented lines describe parameters. A number "name: [as pw85_f()]" is one for all rows. Functions that have none of one row
-are in the template as they are.
+are in the header by hand.
 """
 
 import re
 from itertools import groupby
 
 from declarations import c_functions, functions
-from layout import WIDTH, arguments, insert, wrapped
-from public_headers import INCLUDE, ONE_ROW, SOURCE
+from layout import WIDTH, arguments, renewed, wrapped
+from public_headers import INCLUDE, ONE_ROW, SOURCE, text_of
 from refusals import line_of, refuse
 from rows import TRUTHS, name_of_many
-from shims import FILES, FOLDER, HEAD, questions
+from shims import FILES, FOLDER, HEAD, SOURCES, questions
 
-HEADER, TEMPLATE = INCLUDE / "pw85_batch.h", SOURCE / "api/pw85_batch.h.in"
-MARK = re.compile(r"^@rows without (?P<without>.*)\n(?P<said>(?:(?:    )?\w.*\n)*)", re.MULTILINE)
+HEADER, TEXTS = INCLUDE / "pw85_batch.h", SOURCE / "api/pw85_batch.txt"
+WITHOUT = ("pw85_ellipsoid", "pw85_contains_2d", "pw85_containment_2d")
 SAID = re.compile(r"^(?P<name>\w+)(?: (?P<rows>[\w -]+))?(?:: (?P<results>.*))?\n(?P<parameters>(?:    .*\n)*)", re.MULTILINE)
 PLURALS = {"normal": "normals", "offset": "offsets", "direction": "directions", "quaternion": "quaternions", "start": "starts"}  # of inputs
 # What there is beside ellipsoids, by an input.
@@ -57,7 +57,6 @@ SETS = {"segment": "SetRows<Segments>{{end1, end2}, q}", "triangle": "SetRows<Tr
         "box": "SetRows<Boxes>{{lower, upper}, q}"}  # fmt: skip
 LANES |= {f"contact_{name}": ("shapes", "SetContactArrays", rows) for name, rows in SETS.items()}
 LANES |= {f"overlap_{name}": ("shapes", "OverlapArray", rows) for name, rows in SETS.items()}
-SOURCES = "pw85.h, pw85_grains.h, pw85_shapes.h and api/pw85_batch.h.in"
 
 
 def has_rows(function):
@@ -81,7 +80,7 @@ def names_of(one):
 
 
 class Statement:
-    """The function of many rows for a function of one row, with what the template says of it."""
+    """The function of many rows for a function of one row, with what api/pw85_batch.txt says of it."""
 
     def __init__(self, function, said=None):
         self.function, self.name = function, name_of_many(function.name)
@@ -91,7 +90,7 @@ class Statement:
         self.said, names = {}, [name for one in function.parameters for name in names_of(one)]
         for line in said["parameters"].splitlines():
             name, _, text = line.strip().partition(": ")
-            place = line_of(TEMPLATE.name, said.string, said.string.index(line, said.start()))
+            place = line_of(TEXTS.name, said.string, said.string.index(line, said.start()))
             is_wrong = name not in names or name in self.said or not text.startswith("[")
             refuse(place, {f"{self.name}() has no parameter {name}, or it is described twice, or without brackets": is_wrong})
             self.said[name] = text
@@ -132,21 +131,20 @@ class Statement:
 
 def statements():
     """Those of all functions, in the order of the headers."""
-    text = TEMPLATE.read_text(encoding="utf-8")
-    mark = MARK.search(text)
-    refuse(TEMPLATE.name, {"no mark @rows": mark is None})
-    known = {one.name: one for one in functions(*ONE_ROW) if has_rows(one)}
-    without, said = re.findall(r"\w+", mark["without"]), [*SAID.finditer(text, *mark.span("said"))]
-    names = [*without, *(one["name"] for one in said)]
-    for name, start in zip(names, [*(mark.start() for _ in without), *(one.start() for one in said)]):
-        is_wrong = name not in known or names.count(name) > 1
-        refuse(line_of(TEMPLATE.name, text, start), {f"no function {name}() of one row, or it is named twice": is_wrong})
-    return [Statement(known[name], dict(zip(names[len(without):], said)).get(name)) for name in known if name not in without]
+    text, found, end = TEXTS.read_text(encoding="utf-8"), {}, 0
+    known = {one.name: one for one in functions(*ONE_ROW) if has_rows(one) and one.name not in WITHOUT}
+    for said in SAID.finditer(text):
+        is_wrong = said["name"] not in known or said["name"] in found
+        refuse(line_of(TEXTS.name, text, end), {"not understood": said.start() != end,
+               f"no function {said['name']}() of one row, or it is named twice": is_wrong})  # fmt: skip
+        found[said["name"]], end = said, said.end()
+    refuse(line_of(TEXTS.name, text, end), {"not understood": end != len(text)})
+    return [Statement(one, found.get(name)) for name, one in known.items()]
 
 
 def header():
     """The text of the header."""
-    return insert(TEMPLATE, "@", {"rows": lambda match: "\n".join(one.declaration() for one in statements())})
+    return renewed(HEADER.name, text_of(HEADER.name), {"rows": lambda *_: "\n".join(one.declaration() for one in statements())})
 
 
 def row_argument(one, many):

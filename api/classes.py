@@ -1,126 +1,119 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""C++ headers of functions on many rows, systems and objects, and of classes that own objects, made of the templates api/*.hpp.in.
+"""The made parts of the C++ headers of many rows, systems and objects: functions and members that call those of C (cpp_calls.py).
 
-A line of a template becomes a function that calls that of C of its name (cpp_calls.py):
+Such a part begins with a line that says what is in it:
 
-    @function neighbors_check       a function of namespace pw85, by pw85_neighbors_check()
-        options: NeighborOptions
-    @member sweep                   a member of the class, by pw85_hard_ellipsoids_sweep()
-    @member steps returns TrialSteps
-    @member remove, save            several of the same kind
-    @others                         all functions on the object of the class, or outside of a class on none, that no template calls
+    // Made by api/committed.py: rows of pw85_batch.h                   all functions that take n rows, by sections
+    // Made by api/committed.py: pairs of pw85_systems.h                those that take a list of pairs, and have a row for each
+    // Made by api/committed.py: functions of Periodic cells            the others of a section, or of a header, with a status
+    // Made by api/committed.py: members of pw85_hard_ellipsoids        the functions on an object, as members of its class
 
-"as" gives another name, and "without direction" passes null. A function that "returns" a type has its outputs in it, and the status if
-it has such a member. Indented lines below give the C++ type of a parameter, with its default, or that of a struct that has several
-parameters as members. Some lines become many functions: "@rows pw85_batch.h" all that take n rows, "@pairs pw85_systems.h" all that
-take a list of pairs and a system, and have rows for each pair. Their outputs become the struct that has these members, if there is one
-in include/pw85/batch/values.hpp. api/committed.py writes the headers or compares them.
+A function that the text by hand calls is not made. The tables say what does not follow from the declarations.
 """
 
 import re
 
-from cpp import CLASSES, TEMPLATES, is_of_list, is_of_rows, kinds, name_in_cpp, structs
+from cpp import by_hand, is_member, is_of_list, is_of_rows, name_in_cpp, structs
 from cpp_calls import Call
 from declarations import c_functions, functions, sections
-from layout import arguments, cpp_header, insert
-from public_headers import INCLUDE, SYSTEMS
-from refusals import Refused, line_of, refuse
+from layout import arguments, renewed
+from public_headers import CPP_HEADERS, INCLUDE, SYSTEMS
+from refusals import Refused, refuse
 
-SAID = re.compile(r" (?P<names>\w+(?:, \w+)*)(?: as (?P<own>\w+))?(?: without (?P<without>\w+))?(?: returns (?P<type>\w+))?")
-# The mark @private at the end of a class: the object that it owns, and how that is destroyed.
-PRIVATE = """\
-  private:
-    struct Destroy {{
-        [[gnu::always_inline]] void operator()({0} *object) const noexcept
-        {{
-            {0}_destroy(object);
-        }}
-    }};
-    std::unique_ptr<{0}, Destroy> object_;
-"""
-KINDS = {"rows": is_of_rows, "pairs": is_of_list}
-
-
-class Header:
-    """A header that is made of its template. `others` are the functions that no template calls."""
-
-    def __init__(self, path, others):
-        text = path.read_text(encoding="utf-8")
-        self.path, self.others, self.made = path, others, set()
-        self.owned = next((c_name for c_name, kind in CLASSES.items() if f"\nclass {kind} {{" in text), "pw85")
-
-    def text(self):
-        made = {"member": self.functions, "function": self.functions, "others": self.functions_of_others, "rows": functions_of_all,
-                "pairs": functions_of_all, "private": lambda match: PRIVATE.format(self.owned)}  # fmt: skip
-        return insert(self.path, "@", made)
-
-    def functions(self, match, listed=None):
-        """The functions of a line, or those listed; an empty line is between them and those of the next one."""
-        said, place = SAID.fullmatch(listed or match["said"]), line_of(self.path.name, match.string, match.start("name"))
-        refuse(place, {f"not understood: @{match['name']}{match['said']}": said is None})
-        types = dict(line.strip().split(": ", 1) for line in match["below"].splitlines())
-        mark, names = f"{place}: @{match['name']}", said["names"].split(", ")
-        texts = (self.function(f"{mark} {name}", match["indent"], name, said, types) for name in names)
-        return "\n".join(texts) + "\n" * bool(re.match(" *@(member|function|others)", match.string[match.end() :]))
-
-    def function(self, place, indent, name, said, types):
-        """A member of the class, which is indented, or a function."""
-        prefix, key = self.owned if indent else "pw85", (said["own"] or name, said["without"])
-        c_name = f"{prefix}_{name}"
-        refuse(place, {f"no function {c_name}()": c_name not in c_functions(), f"{key[0]}() is made twice": key in self.made})
-        named = [kind.split()[0] for kind in (said["type"], *types.values()) if kind]
-        refuse(place, {f"no type {kind} in the headers of C++": kind not in kinds() for kind in named})
-        self.made.add(key)
-        call = Call(c_functions()[c_name], types, bool(indent), said["without"], said["type"])
-        outputs = [one.name for one in call.function.outputs if not call.place(one).startswith("found.")]
-        if said["type"] and call.function.outputs[1:]:  # the only one can be the result itself
-            refuse(place, {f"{said['type']} has no member {one}": True for one in outputs})
-        known = {None, *call.function.parameter_names(), *(one.name for one in call.declared)}
-        unknown = ", ".join(sorted({*types, said["without"]} - known))
-        refuse(place, {f"no such parameter: {unknown}": unknown})
-        return call.text(key[0], indent)
-
-    def functions_of_others(self, match):
-        """All functions on the object of the class, or outside of it on none, that no template calls."""
-        owner = self.owned if match["indent"] else ""
-        names = [one.name.removeprefix(f"{owner or 'pw85'}_") for one in self.others if owner_of(one) == owner]
-        return self.functions(match, f" {', '.join(names)}") if names else ""
+# The names of members that are not those of C, and functions whose call with null is a member that is written by hand.
+NAMES = {"pw85_hard_ellipsoids_try": "try_placement"}
+OVERLOADED = ("pw85_hard_ellipsoids_set_law", "pw85_hard_ellipsoids_set_potential", "pw85_hard_ellipsoids_chain")
+# Types of parameters in C++, with defaults, and structs that have several parameters as members.
+CHANGE = {"change": "CellChange = CellChange::isotropic"}
+TYPES = {
+    "pw85_hard_ellipsoids_volume_moves": CHANGE,
+    "pw85_hard_ellipsoids_tune": {"pressure": "double = 0.0"} | CHANGE,
+    "pw85_hard_ellipsoids_set_fractions": {"fractions": "TrialFractions"},
+    "pw85_hard_ellipsoids_set_steps": {"steps": "TrialSteps"},
+    "pw85_neighbors_create": {"options": "NeighborOptions"},
+    "pw85_neighbors_check": {"options": "NeighborOptions"},
+    "pw85_contact_forces_pairs": {"derivatives": "DerivativeSpans"},
+}
+# Types of what is returned instead of outputs.
+RESULTS = {
+    "pw85_hard_ellipsoids_dimensions": "int",
+    "pw85_hard_ellipsoids_steps": "TrialSteps",
+    "pw85_hard_ellipsoids_counts": "TrialCounts",
+    "pw85_random_addition_state": "AdditionState",
+    "pw85_cell_reduce": "ReducedCell",
+    "pw85_mesh_contact": "MeshContact",
+    "pw85_mesh_overlap": "ShapeOverlap",
+    "pw85_mesh_distance": "MeshDistance",
+}
 
 
-def owner_of(function):
-    """The type of the object on which a function works; empty if it works on none."""
-    return next((one.type for one in function.parameters if one.type in CLASSES), "")
+def called(text):
+    """The functions of C that a text calls."""
+    return set(re.findall(r"\bpw85_\w+(?=[(,])", re.sub(r"//.*", "", text)))
 
 
-def functions_of_all(match):
-    """The functions of a kind, in the sections of a header of C."""
+def called_by_hand():
+    return {name for header in CPP_HEADERS for name in called(by_hand(INCLUDE / header))} - {*OVERLOADED}
+
+
+def call_of(function):
+    """The call of a function, whose outputs are in the struct of spans that has no other members, if there is one."""
+    outputs = {name for one in function.outputs for name in one.members()}
+    spans = [name for name, members in structs().items() if name.endswith("Spans") and outputs >= {*members}]
+    types = {"out": spans[0]} if spans else {}
+    return Call(function, types | TYPES.get(function.name, {}), is_member(function), RESULTS.get(function.name))
+
+
+def functions_of(place, said):
+    """The functions of a header, or of a section of those of systems, that are neither members nor of pairs."""
+    listed = [section for header in SYSTEMS for section in sections(header) if said in (header, section.title)]
+    refuse(place, {f"no such header or section: {said}": not listed})
+    return "\n".join(call_of(one).text(name_in_cpp(one)) for section in listed for one in made_alone(section.functions)
+                     if not (is_member(one) or is_of_list(one)))  # fmt: skip
+
+
+def members_of(place, said):
+    """The functions on an object as members of its class."""
+    made = [one for one in made_alone(functions(*SYSTEMS)) if is_member(one) and one.parameters[0].type == said]
+    refuse(place, {f"no object has members: {said}": not made})
+    return "\n".join(call_of(one).text(NAMES.get(one.name, one.name.removeprefix(f"{said}_")), "    ") for one in made)
+
+
+def made_alone(listed):
+    """Those of some functions that are made, and have a status or a size."""
+    return [one for one in listed if one.type in ("int", "size_t") and one.name not in called_by_hand()]
+
+
+def rows_of(place, said, is_of_kind=is_of_rows, caller="call_rows"):
+    """The functions of a header that pass all arrays to detail::call_rows() or call_pairs(), which compare sizes, by its sections."""
     texts = []
-    for section in sections(match["said"].strip()):
-        listed = [call_of_all(one, match["name"]) for one in section.functions if KINDS[match["name"]](one)]
+    for section in sections(said):
+        listed = [call_of_all(one, caller) for one in section.functions if is_of_kind(one)]
         texts += [f"/// @name {section.title}\n/// @{{\n", *listed, "/// @}\n"] if listed else []
     return "\n".join(texts)
 
 
-def call_of_all(function, kind):
-    """A function that passes all arrays to detail::call_rows() or call_pairs(), which compare sizes."""
-    outputs = [one.name for one in function.outputs]
-    struct = next((name for name, members in structs().items() if members == outputs and name.endswith("Spans")), None)
-    call = Call(function, {"out": struct} if struct else {})
+def pairs_of(place, said):
+    return rows_of(place, said, is_of_list, "call_pairs")
+
+
+def call_of_all(function, caller):
+    call = call_of(function)
     places = [call.place(one) for one in function.parameters if one.name != "n"]
-    body = arguments(f"    return detail::call_{kind}(", [function.name, *places], ");").removeprefix("    ").split("\n    ")
+    body = arguments(f"    return detail::{caller}(", [function.name, *places], ");").removeprefix("    ").split("\n    ")
     return call.text(name_in_cpp(function), body=body)
 
 
-def headers(others):
-    """The texts of the headers by their paths, and the functions on systems and objects that none calls. Comments may name functions."""
-    made = {INCLUDE / name: cpp_header(INCLUDE / name, Header(path, others).text(), path) for name, path in TEMPLATES.items()}
-    called = set(re.findall(r"\bpw85_\w+", re.sub(r"//.*", "", "".join(made.values()))))
-    return made, [one for one in functions(*SYSTEMS) if one.name not in called]
+MAKERS = {"rows": rows_of, "pairs": pairs_of, "functions": functions_of, "members": members_of}
 
 
 def files():
-    """The texts of the headers by their paths."""
-    made, left = headers(headers([])[1])
-    for one in left:
-        raise Refused(f"{one.place}: in no template of C++, api/*.hpp.in")
+    """The texts of the headers that have made parts by their paths. Each function on systems and objects is in one of them."""
+    refuse("api/classes.py", {f"no function {name}()": name not in c_functions() for name in (*NAMES, *OVERLOADED, *TYPES, *RESULTS)})
+    texts = {INCLUDE / name: (INCLUDE / name).read_text(encoding="utf-8") for name in CPP_HEADERS}
+    made = {path: renewed(path.name, text, MAKERS) for path, text in texts.items() if "api/committed.py:" in text}
+    known = {name for text in (*made.values(), *map(by_hand, texts)) for name in called(text)}
+    for one in functions(*SYSTEMS):
+        if one.name not in known:
+            raise Refused(f"{one.place}: in no made part of a header of C++")
     return made

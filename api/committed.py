@@ -21,6 +21,7 @@ import rust
 import shims
 import symbols
 from declarations import functions
+from layout import PART
 from public_headers import EVERY_HEADER, SOURCE, replace
 from refusals import run
 
@@ -28,13 +29,13 @@ PROGRAMS = (fortran, batch, shims, objects, symbols, linked, classes, rare, r, o
 
 
 def files():
-    """The texts of all of them by their paths, and the list of them for diffs and reviews."""
+    """The texts of all of them by their paths, and the list for diffs and reviews of those that are made as a whole."""
     header = batch.header()
     replace({"pw85_batch.h": header})  # from which the others follow
     for function in functions(*EVERY_HEADER):
         _ = function.flattened, function.is_nan_on_error()  # also where no program needs all attributes
     made = {batch.HEADER: header} | {path: text for program in PROGRAMS for path, text in program.files().items()}
-    marks = (f"{path.relative_to(SOURCE)} linguist-generated\n" for path in sorted(made))
+    marks = (f"{path.relative_to(SOURCE)} linguist-generated\n" for path in sorted(made) if PART.search(made[path]) is None)
     return made | {SOURCE / ".gitattributes": "# Made by api/committed.py, as all files in this list.\n" + "".join(marks)}
 
 

@@ -5,17 +5,17 @@ import re
 from functools import cache
 from math import prod
 
-from declarations import c_functions, functions
-from public_headers import CPP_HEADERS, INCLUDE, SOURCE, statuses
+from declarations import CPP, c_functions
+from layout import PART
+from public_headers import CPP_HEADERS, INCLUDE, SYSTEMS, statuses
 from refusals import refuse
 from voice import limits_of
 
 FOLDER = INCLUDE / "pw85"
-# The headers that api/classes.py makes, of these templates.
-TEMPLATES = {name: path for name in CPP_HEADERS if (path := SOURCE / f"api/{name.split('/')[-1]}.in").exists()}
 MANY = ("batch", "systems", "simulation", "history", "api")  # folders whose functions are not those of one row
 CLASSES = {"pw85_neighbors": "Neighbors", "pw85_mesh": "Mesh", "pw85_hard_ellipsoids": "HardEllipsoids",
            "pw85_random_addition": "RandomAddition"}  # fmt: skip
+WITH_MEMBERS = ("pw85_hard_ellipsoids", "pw85_random_addition")  # objects whose functions are members of their classes
 STRUCTS = {"pw85_pair_list": "PairList", "pw85_system": "Particles", "pw85_law": "Law"}
 NUMBERS = {"size_t": "std::size_t", "int32_t": "std::int32_t", "int64_t": "std::int64_t"}
 # What the rows of an array of double are, by their extents: in space, and in the plane.
@@ -57,27 +57,33 @@ def name_in_cpp(function):
     return function.plain.removesuffix("_2d")
 
 
+def is_member(function):
+    """Whether it is a member of the class of its first parameter."""
+    return bool(function.parameters) and function.parameters[0].type in WITH_MEMBERS and not function.parameters[0].outer
+
+
+@cache
+def by_hand(path):
+    """The text of a header without what is made."""
+    return PART.sub("", path.read_text(encoding="utf-8"))
+
+
 @cache
 def names_in_cpp():
     """The functions of C that C++ has, too, and their names there."""
-    known = {function.name for function in functions(*(name for name in CPP_HEADERS if name not in TEMPLATES))}
-    templates = "".join(path.read_text(encoding="utf-8") for path in TEMPLATES.values())
-    known |= set(re.findall(r"^(?:@function |static inline [\w:]+ )(\w+)", templates, re.MULTILINE))
-    listed = (one for one in c_functions().values() if name_in_cpp(one) in known or is_of_rows(one) or is_of_list(one))
-    return {one.name: name_in_cpp(one) for one in listed}
+    known = {match["name"] for name in CPP_HEADERS for match in CPP.finditer(by_hand(INCLUDE / name))}
+
+    def is_in_cpp(one):
+        is_of_systems = one.header in SYSTEMS and one.type == "int" and not is_member(one)
+        return name_in_cpp(one) in known or is_of_systems or is_of_rows(one) or is_of_list(one)
+
+    return {one.name: name_in_cpp(one) for one in c_functions().values() if is_in_cpp(one)}
 
 
 @cache
 def texts():
-    """The headers in folders and their templates, without comments and details, by their paths."""
-    paths = [*sorted(FOLDER.glob("*/*.hpp")), *TEMPLATES.values()]
-    return {path: DETAIL.sub("", re.sub(r"//.*", "", path.read_text(encoding="utf-8"))) for path in paths}
-
-
-@cache
-def kinds():
-    """The names of types."""
-    return {"int", "double", "bool", *re.findall(r"\b(?:struct|enum class|class) (\w+)", "".join(texts().values()))}
+    """The headers in folders, without comments, details and what is made, by their paths."""
+    return {path: DETAIL.sub("", re.sub(r"//.*", "", by_hand(path))) for path in sorted(FOLDER.glob("*/*.hpp"))}
 
 
 @cache

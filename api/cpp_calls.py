@@ -32,11 +32,11 @@ class Call:
     """A function of C++, in the parts that its parameters make: statements in their order; `marked` are those if sizes are compared, and
     `checked` are pairs of arrays of as many rows.
 
-    `types` are those of parameters of C++, with defaults, or of structs of several parameters. `without` is a parameter for which null is
-    passed. `result` is the type that has the outputs; if there is none, the function returns what that of C returns. `out` is a function
-    of C++ that gives a pointer to the numbers of a member of the result."""
+    `types` are those of parameters of C++, with defaults, or of structs of several parameters. `result` is the type that has the outputs;
+    if there is none, the function returns what that of C returns. `out` is a function of C++ that gives a pointer to the numbers of a
+    member of the result."""
 
-    def __init__(self, function, types, is_member=False, without=None, result=None, out=None):
+    def __init__(self, function, types, is_member=False, result=None, out=None):
         flags = {one.name: "bool" for one in function.parameters if one.type == "int" and one.name in FLAGS}
         self.function, self.types, self.is_member, self.result, self.out = function, flags | types, is_member, result, out
         self.declared, self.first, self.marked, self.checked, self.before, self.after = [], [], [], [], [], []
@@ -45,7 +45,7 @@ class Call:
         for one in function.parameters:
             if one.rows:
                 self.sizes.setdefault(one.rows, self.place(one) if one.rows in own else EXTENTS[one.rows])
-        self.passed = ["nullptr" if one.name == without else self.argument(one) for one in function.parameters]
+        self.passed = [self.argument(one) for one in function.parameters]
 
     def argument(self, one):
         """What is passed for a parameter, which it declares."""
@@ -69,7 +69,7 @@ class Call:
             return f"found.{name}"
         owners = (struct for struct, kind in self.types.items() if struct != one.name and name in structs().get(kind, ()))
         place = next((f"{struct}.{name}" for struct in owners), NAMES.get(one.name, one.name))
-        refuse(one.place, {f"no struct of the template has the member {name}": one.attributes.members and "." not in place})
+        refuse(one.place, {f"no struct of C++ has the member {name}": one.attributes.members and "." not in place})
         return place
 
     def declare(self, one, text):

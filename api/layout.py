@@ -37,27 +37,44 @@ def in_one_line_or_each(begin, listed, end, indent="", width=WIDTH):
     return [line] if len(line) <= width else [indent + begin.rstrip(), *(f"{indent}    {one}," for one in listed), indent + end.lstrip()]
 
 
-def cpp_header(path, text, template=None):
+def cpp_header(path, text):
     """A made header of C++: a text, whose first lines are its comment, with what stands around the text of each."""
     comment, _, rest = text.partition("\n\n")
     guard = "_".join(part.upper() for part in re.split(r"\W", "/".join(path.parts[-2:])))
     guard = f"PW85_{guard.removeprefix('PW85_')}_INCLUDED"
-    made = f"//\n// Made from the headers{f' and api/{template.name}' if template else ''} by api/committed.py.\n// clang-format off"
+    made = "//\n// Made from the headers by api/committed.py.\n// clang-format off"
     return f"{comment}\n{made}\n#ifndef {guard}\n#define {guard}\n\n{rest}\n#endif\n"
 
 
+# A part of a header that is written by hand: the part is made, by the words on its first line.
+PART = re.compile(
+    r"^(?P<head> */[/*] Made by api/committed\.py: (?P<name>\w+)(?P<said>[^*\n]*)(?: \*/)?\n.*clang-format off.*\n)"
+    r"(?:.*\n)*?(?P<end>.*clang-format on.*)$",
+    re.MULTILINE,
+)
+
+
+def renewed(name, text, made):
+    """The text of a header with its made parts. Each is what the function of its word makes of the other words."""
+
+    def part(match):
+        place = line_of(name, text, match.start("name"))
+        refuse(place, {f"not understood: {match['name']}": match["name"] not in made})
+        return match["head"] + made[match["name"]](place, match["said"].strip().removeprefix("of ")) + match["end"]
+
+    other = PART.sub("", text).find("api/committed.py:")
+    refuse(line_of(name, text, other), {"no part that is made": other >= 0})
+    return PART.sub(part, text)
+
+
 def insert(template, mark, made):
-    """The text of a template, a path. A line with a mark and a name is replaced by what is made for the name: lines, indented as this is,
-    or the text that a function makes of the match. This has what is said behind the name, and the lines of words below."""
+    """The text of a template, a path. A line with a mark and a name is replaced by the lines that are made for the name, indented as it
+    is."""
 
     def text(match):
-        lines = made.get(match["name"])
-        is_known = callable(lines) or (lines is not None and not match["said"])
-        line = match[0].partition("\n")[0].strip()
-        refuse(line_of(template.name, match.string, match.start("name")), {f"not understood: {line}": not is_known})
-        if callable(lines):
-            return lines(match)
-        return "".join(f"{match['indent']}{line}".rstrip() + "\n" for line in lines) + match["below"]
+        name = match["name"]
+        refuse(line_of(template.name, match.string, match.start("name")), {f"not understood: {match[0].strip()}": name not in made})
+        return "".join(f"{match['indent']}{line}".rstrip() + "\n" for line in made[name])
 
-    form = rf"^(?P<indent> *){re.escape(mark)} ?(?P<name>\w+)(?P<said>.*)\n(?P<below>(?: *\w.*\n)*)"
+    form = rf"^(?P<indent> *){re.escape(mark)} ?(?P<name>.*)\n"
     return re.sub(form, text, template.read_text(encoding="utf-8"), flags=re.MULTILINE)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The functions of pw85/pw85.hpp for doubles that call the compiled library: include/pw85/linked.hpp, of the template linked.hpp.in.
+"""The functions of pw85/pw85.hpp for doubles that call the compiled library: the made parts of include/pw85/linked.hpp.
 
 A template of pw85.hpp has such a function for each function of pw85.h of its name, in space and in the plane (`_2d`), if this gives out
 every member of the result. The inputs are those of the template, in order; each output receives the members of the result that its
@@ -8,11 +8,11 @@ description names. Of an overlap the library does not give out the tier, which i
 
 import re
 
-import layout
 from cpp import structs
 from cpp_calls import Call
 from declarations import c_functions, functions
-from public_headers import INCLUDE, SOURCE
+from layout import filled, renewed
+from public_headers import INCLUDE
 from refusals import refuse
 
 TEMPLATES = "pw85/pw85.hpp"
@@ -58,14 +58,18 @@ def definition(template, function):
     return call.text(template.name, head="PW85_LINKED", comment=[f"Computes {template.name}() by {function.name}()."])
 
 
+def functions_of(place, said):
+    return "\n".join(definition(*one) for one in relatives())
+
+
+def templates_of(place, said):
+    """The names of templates that no function replaces."""
+    done = {template.name for template, _ in relatives()}
+    rest = ", ".join(dict.fromkeys(f"{one.name}()" for one in functions(TEMPLATES) if one.name not in done))
+    return "/// @file\n" + filled(f"{OTHERS} {rest}.", first="/// ") + "\n"
+
+
 def files():
     """The text of the header by its path."""
-    listed = list(relatives())
-    done = {template.name for template, _ in listed}
-    rest = ", ".join(dict.fromkeys(f"{one.name}()" for one in functions(TEMPLATES) if one.name not in done))
-    path, template = INCLUDE / "pw85/linked.hpp", SOURCE / "api/linked.hpp.in"
-    made = {
-        "others": layout.wrapped(f"{OTHERS} {rest}.", first="/// "),
-        "functions": [line for one in listed for line in (definition(*one), "")],
-    }
-    return {path: layout.cpp_header(path, layout.insert(template, "//@", made), template)}
+    path = INCLUDE / "pw85/linked.hpp"
+    return {path: renewed(path.name, path.read_text(encoding="utf-8"), {"functions": functions_of, "templates": templates_of})}

@@ -37,6 +37,8 @@ extern "C" {
  * of threads to one before it calls them.
  * @{ */
 
+/* Made by api/committed.py: rows of pw85.h, pw85_grains.h and pw85_shapes.h */
+/* clang-format off */
 /** Computes pw85_ellipsoid_quaternion() for n ellipsoids, with bitwise equal results.
  *
  * @param n [number of ellipsoids]
@@ -1053,6 +1055,7 @@ PW85_API int pw85_overlap_segment_batch_2d(size_t n, double const *end1, double 
  * @return as for pw85_overlap_box_2d(), of the first bad ellipse */
 PW85_API int pw85_overlap_box_batch_2d(size_t n, double const *lower, double const *upper,
                                        double const *q, unsigned char *overlap);
+/* clang-format on */
 
 /** Computes pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and
  * pw85_contact_torque() for n pairs in one call. The forces and torques of an energy U(μ²) follow

@@ -9,17 +9,17 @@
 /// call with doubles takes the function of this header, since it is not a template: the solver is
 /// not compiled again, and the library computes with the instruction set of the processor.
 ///
+/// The functions have external linkage: exported inline functions of modules may call them. They
+/// are always inlined: no unit runs the code of another one. They are not for device code.
+// Made by api/committed.py: templates of pw85.hpp
+// clang-format off
+/// @file
 /// Calls with other numbers take the templates, and so do these functions with doubles, of which
 /// the C API leaves out a part of the result or which constant expressions call: spheroid(),
 /// ellipsoid(), ellipsoid_quaternion(), ellipsoid_factor(), bounding_box(), decide_overlap(),
 /// overlap_witness(), distance(), signed_distance(), curvature(), hertz(), hertz_contact(),
 /// distance_plane(), contact_polytope(), overlap_polytope().
-///
-/// The functions have external linkage: exported inline functions of modules may call them. They
-/// are always inlined: no unit runs the code of another one. They are not for device code.
-//
-// Made from the headers and api/linked.hpp.in by api/committed.py.
-// clang-format off
+// clang-format on
 #ifndef PW85_LINKED_HPP_INCLUDED
 #define PW85_LINKED_HPP_INCLUDED
 
@@ -48,6 +48,8 @@ template <class Member> PW85_LINKED double *out(Member &member) noexcept
 
 } // namespace detail
 
+// Made by api/committed.py: functions of pw85.h
+// clang-format off
 /// Computes ellipse() by pw85_ellipse().
 PW85_LINKED Form<double, 2> ellipse(double a, double b, double angle) noexcept
 {
@@ -1055,6 +1057,7 @@ PW85_LINKED ShapeOverlap overlap_box(Vector<double, 2> const &lower, Vector<doub
     found.overlap = overlap_in_c == 1;
     return found;
 }
+// clang-format on
 
 } // namespace pw85
 

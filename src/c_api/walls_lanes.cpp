@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The C API, many rows with lanes: walls, points and lines.
 //
-// Made from pw85.h, pw85_grains.h, pw85_shapes.h and api/pw85_batch.h.in by api/committed.py.
+// Made from pw85.h, pw85_grains.h and pw85_shapes.h by api/committed.py.
 // clang-format off
 #include <pw85_batch.h>
 

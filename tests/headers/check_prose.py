@@ -6,8 +6,8 @@
 
 rewords every sentence of the contracts at random: words are dropped, exchanged for others, and change their order. What stands in
 brackets behind the names of parameters stays, as do the names, the titles of sections, and the functions and rows of
-api/pw85_batch.h.in. All files that api/ makes must be the same as before, but for comments and docstrings. Then attributes and lines of
-the templates of C++ are spoiled one by one: the programs must refuse each, and name the line.
+api/pw85_batch.txt. All files that api/ makes must be the same as before, but for comments and docstrings. Then attributes, and the lines
+that say what is made in a header, are spoiled one by one: the programs must refuse each, and name the line.
 """
 
 import ast
@@ -69,10 +69,10 @@ def between(text, draw, share):
 
 def reword(folder, share):
     draw = random.Random(1)
-    for path in (*sorted((folder / "include").rglob("*.h*")), *sorted((folder / "api").glob("*.in"))):
+    for path in sorted((folder / "include").rglob("*.h*")):
         text = COMMENT.sub(lambda match: reworded_comment(match[0], draw, share), path.read_text(encoding="utf-8"))
         path.write_text(text, encoding="utf-8")
-    path = folder / "api/pw85_batch.h.in"
+    path = folder / "api/pw85_batch.txt"
     text = path.read_text(encoding="utf-8")
     text = ROWS.sub(lambda match: f"{match[1] or match[3]} {reworded_text(match[2] or match[4], draw, share)}", text)
     path.write_text(text, encoding="utf-8")
@@ -219,12 +219,18 @@ SPOILED = {
         (OUT, "@param[out] out [members mu2, mu2]", "mu2, mu2: a member stands twice"),
         (OUT, "@param[out] out [members mu2, lambda; -1 on error]", "outputs of type double cannot be -1 on error"),
         ("overlap [-1 on error]", "overlap [NaN on error]", "outputs of type int cannot be NaN on error"),
-        ("pw85_volume(double const q[6], double *volume)", "pw85_volume(double const q[6], double *volume, double *volume)",
-         "two parameters of one name: q, volume, volume"),
+        (
+            "pw85_volume(double const q[6], double *volume)",
+            "pw85_volume(double const q[6], double *volume, double *volume)",
+            "two parameters of one name: q, volume, volume",
+        ),
         ("pw85_volume(double const q[6], double *volume)", "pw85_volume(double const *q, double *volume)", "an array without extents"),
         ("pw85_volume(double const q[6], double *volume)", "pw85_volume(double q[6], double *volume)", "an output needs @param[out]"),
-        ("pw85_volume(double const q[6], double *volume);", "pw85_volume(double const q[6], double *volume)",
-         "not understood: PW85_API int pw85_volume("),
+        (
+            "pw85_volume(double const q[6], double *volume);",
+            "pw85_volume(double const q[6], double *volume)",
+            "not understood: PW85_API int pw85_volume(",
+        ),
         ("PW85_API int pw85_volume(", "int pw85_volume(", "not understood: int pw85_volume("),
         ("PW85_API int pw85_volume(", "PW85_API long pw85_volume(", "not understood: PW85_API long pw85_volume("),
         ("PW85_API int pw85_volume(", "PW85_API int pw85_contact(", "declared twice, also at pw85.h:"),
@@ -246,7 +252,7 @@ SPOILED = {
         ("[num_pairs×2; index]", "[num_pairs×2; length; index]", "only doubles have units: length"),
         ("[num_pairs×2; index]", "[3×num_pairs; index]", "unknown attribute: 3×num_pairs"),
         ("[num_pairs×2; index]", "[num_pairs×2; indices]", "unknown attribute: indices"),
-        ("[num_pairs; time; member time]", "[num_pairs; time; member tim]", "no struct of the template has the member tim"),
+        ("[num_pairs; time; member time]", "[num_pairs; time; member tim]", "no struct of C++ has the member tim"),
         ("[num_pairs×2; index]", "[num_pairs×2; index", "attributes must stand between brackets"),
         ("/** [number of pairs] 0 is", "/** 0 is", "number of what?"),
         ("int32_t const *images;\n} pw85_pair_list", "int32_t const *pairs;\n} pw85_pair_list", "two members of one name"),
@@ -254,24 +260,23 @@ SPOILED = {
 }
 # One of each kind of headers: one row, systems, simulations, n dimensions, devices, older programs.
 EVERY = ("pw85.h", "pw85_systems.h", "pw85_simulation_trials.h", "pw85_any_dimension.h", "pw85_gpu.h", "pw85_pre1.h")
-# What replaces a part of a template of headers, and what is said then.
-SPOILED_TEMPLATES = (
-    ("hard_ellipsoids.hpp.in", "@member set_potential\n", "@member set_potentials\n", "no function pw85_hard_ellipsoids_set_potentials()"),
-    ("hard_ellipsoids.hpp.in", "        fractions: Trial", "        fraction: Trial", "no such parameter: fraction"),
-    ("hard_ellipsoids.hpp.in", "@member chain without direction", "@member chain without a direction", "not understood"),
-    ("neighbors.hpp.in", "@function neighbors_holds", "@functions neighbors_holds", "not understood"),
-    ("hard_ellipsoids.hpp.in", "returns TrialSteps", "returns TrialStep", "no type TrialStep in the headers of C++"),
-    ("hard_ellipsoids.hpp.in", "returns TrialCounts", "returns TrialSteps", "TrialSteps has no member trials"),
-    ("hard_ellipsoids.hpp.in", "    @others\n", "    @others\n    @member check\n    @member check\n", "check() is made twice"),
-    ("periodic.hpp.in", "@others\n", "", "pw85_nearest_images(): in no template of C++"),
-    ("lists.hpp.in", "@pairs pw85_systems.h", "@triples pw85_systems.h", "not understood"),
-    ("linked.hpp.in", "//@ others", "//@ other", "not understood"),
-    ("pw85_batch.h.in", "@rows without", "@row without", "not understood: @row without"),
-    ("pw85_batch.h.in", "\npw85_compare:", "\npw85_compares:", "no function pw85_compares() of one row"),
-    ("pw85_batch.h.in", "without pw85_ellipsoid,", "without pw85_ellipsoids,", "no function pw85_ellipsoids() of one row"),
-    ("pw85_batch.h.in", "    sign: [n] -1", "    signs: [n] -1", "pw85_compare_batch() has no parameter signs"),
-    ("pw85_batch.h.in", "    sign: [n] -1", "    sign: n, -1", "described twice, or without brackets"),
-    ("pw85_batch.h.in", "pw85_hertz contacts\n", "pw85_hertz contacts\npw85_hertz contacts\n", "of one row, or it is named twice"),
+# What replaces a part of a file that says what is made, and what is said then.
+HARD_ELLIPSOIDS = "include/pw85/simulation/hard_ellipsoids.hpp"
+SPOILED_PARTS = (
+    (HARD_ELLIPSOIDS, "py: members of", "py: member of", "not understood: member"),
+    (HARD_ELLIPSOIDS, "members of pw85_hard_ellipsoids", "members of pw85_hard_ellipsoid", "no object has members: pw85_hard_ellipsoid"),
+    (HARD_ELLIPSOIDS, "of pw85_simulation_state.h", "of pw85_simulations.h", "no such header or section: pw85_simulations.h"),
+    ("include/pw85/systems/periodic.hpp", "// Made by", "// made by", "no part that is made"),
+    ("include/pw85/systems/meshes.hpp", "Triangle meshes\n", "Neighbour lists\n", "in no made part of a header of C++"),
+    ("include/pw85/systems/periodic.hpp", "functions of Periodic cells", "functions of Cells", "no such header or section: Cells"),
+    ("include/pw85/systems/lists.hpp", "py: pairs of", "py: triples of", "not understood: triples"),
+    ("include/pw85/linked.hpp", "templates of", "template of", "not understood: template"),
+    ("include/pw85_batch.h", "py: rows of", "py: row of", "not understood: row"),
+    ("api/pw85_batch.txt", "\npw85_compare:", "\npw85_compares:", "no function pw85_compares() of one row"),
+    ("api/pw85_batch.txt", "    sign: [n] -1", "    signs: [n] -1", "pw85_compare_batch() has no parameter signs"),
+    ("api/pw85_batch.txt", "    sign: [n] -1", "    sign: n, -1", "described twice, or without brackets"),
+    ("api/pw85_batch.txt", "pw85_hertz contacts\n", "pw85_hertz contacts\npw85_hertz contacts\n", "of one row, or it is named twice"),
+    ("api/pw85_batch.txt", "pw85_hertz contacts\n", "pw85_hertz contacts\n contacts\n", "not understood"),
 )
 
 
@@ -320,21 +325,23 @@ def complaints_of_spoiling(folder):
         public_headers.replace({header: text})
 
 
-def complaints_of_templates(folder):
-    """Whether each error of a template is found; called after complaints_of_spoiling()."""
+def complaints_of_parts(folder):
+    """Whether each error of what says what is made is found; called after complaints_of_spoiling()."""
     import batch
     import classes
+    import cpp
     import linked
 
-    for name, old, new, said in SPOILED_TEMPLATES:
-        template = folder / "api" / name
-        text = template.read_text(encoding="utf-8")
+    for path, old, new, said in SPOILED_PARTS:
+        spoiled, name = folder / path, path.rpartition("/")[2]
+        text = spoiled.read_text(encoding="utf-8")
         if old not in text:
             yield f"{name} does not say {old}"
             continue
-        template.write_text(text.replace(old, new, 1), encoding="utf-8")
+        spoiled.write_text(text.replace(old, new, 1), encoding="utf-8")
+        cpp.by_hand.cache_clear()
         yield from complaint_of(lambda: (batch.header(), classes.files(), linked.files()), new, said, rf"(?:{name}|pw85_\w+\.h):(?:\d+:)? ")
-        template.write_text(text, encoding="utf-8")
+        spoiled.write_text(text, encoding="utf-8")
 
 
 def complaints_of_program(folder):
@@ -353,7 +360,7 @@ def main(source):
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         other = copied(source, folder / "spoiled")
-        parts = (complaints_of_spoiling, complaints_of_templates, complaints_of_program)
+        parts = (complaints_of_spoiling, complaints_of_parts, complaints_of_program)
         found = [*complaints_of_rewording(source, folder), *(complaint for part in parts for complaint in part(other))]
     print("\n".join(found))
     return 1 if found else 0

@@ -2,9 +2,6 @@
 /// @file
 /// Functions of many pairs, ellipsoids, points or lines, one row for each: the functions of
 /// pw85_batch.h, on spans.
-//
-// Made from the headers and api/rows.hpp.in by api/committed.py.
-// clang-format off
 #ifndef PW85_BATCH_ROWS_HPP_INCLUDED
 #define PW85_BATCH_ROWS_HPP_INCLUDED
 
@@ -14,6 +11,8 @@
 
 namespace pw85 {
 
+// Made by api/committed.py: rows of pw85_batch.h
+// clang-format off
 /// @name Many pairs
 /// @{
 
@@ -1260,6 +1259,7 @@ static inline StatusCode bounding_boxes(Forms q, std::span<Vector<double, 3>> ha
 }
 
 /// @}
+// clang-format on
 
 } // namespace pw85
 

@@ -2,9 +2,6 @@
 /// @file
 /// Simulations of hard ellipsoids, for C++. The members call the functions of the compiled library
 /// (link with pw85), and their contracts are those of pw85_simulation.h.
-//
-// Made from the headers and api/hard_ellipsoids.hpp.in by api/committed.py.
-// clang-format off
 #ifndef PW85_SIMULATION_HARD_ELLIPSOIDS_HPP_INCLUDED
 #define PW85_SIMULATION_HARD_ELLIPSOIDS_HPP_INCLUDED
 
@@ -31,22 +28,6 @@ class HardEllipsoids {
     [[gnu::always_inline]] explicit HardEllipsoids(pw85_hard_ellipsoids *simulation) noexcept
         : object_(simulation)
     {
-    }
-
-    /// Returns the number of dimensions of a simulation: see pw85_hard_ellipsoids_dimensions().
-    [[gnu::always_inline]] int dimensions() const noexcept
-    {
-        int dimensions;
-        static_cast<void>(pw85_hard_ellipsoids_dimensions(get(), &dimensions));
-        return dimensions;
-    }
-
-    /// Sets or removes a pair potential in addition to the hard cores: see
-    /// pw85_hard_ellipsoids_set_law().
-    [[gnu::always_inline]] StatusCode set_law(Law const &law) noexcept
-    {
-        pw85_law const law_in_c = detail::in_c(law);
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_law(get(), &law_in_c));
     }
 
     /// Takes the law away.
@@ -76,77 +57,12 @@ class HardEllipsoids {
             pw85_hard_ellipsoids_set_potential(get(), call, const_cast<Energy *>(&energy)));
     }
 
-    /// Sets the potential of a simulation, in addition to its fields, or removes it: see
-    /// pw85_hard_ellipsoids_set_potential().
-    [[gnu::always_inline]] StatusCode set_potential(pw85_potential *potential,
-                                                    void *context) noexcept
-    {
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_potential(get(), potential,
-                                                                          context));
-    }
-
-    /// Makes volume moves: see pw85_hard_ellipsoids_volume_moves().
-    [[gnu::always_inline]] StatusCode volume_moves(
-        std::size_t num_moves, double pressure, CellChange change = CellChange::isotropic) noexcept
-    {
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_volume_moves(get(), num_moves, pressure,
-                                                                         static_cast<int>(change)));
-    }
-
-    /// Makes event chains, which translate many particles at once and give the pressure: see
-    /// pw85_hard_ellipsoids_chain().
+    /// Makes event chains along random directions: see pw85_hard_ellipsoids_chain().
     [[gnu::always_inline]] StatusCode chain(std::size_t num_chains, double length,
                                             double &compressibility) noexcept
     {
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_chain(get(), num_chains, length,
-                                                                  nullptr, &compressibility));
-    }
-
-    /// Makes event chains, which translate many particles at once and give the pressure: see
-    /// pw85_hard_ellipsoids_chain().
-    [[gnu::always_inline]] StatusCode chain(std::size_t num_chains, double length,
-                                            Vector<double, 3> const &direction,
-                                            double &compressibility) noexcept
-    {
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_chain(get(), num_chains, length,
-                                                                  direction.coordinates,
-                                                                  &compressibility));
-    }
-
-    /// Makes sweeps, and adjusts the step sizes after each sweep towards an acceptance ratio: see
-    /// pw85_hard_ellipsoids_tune().
-    [[gnu::always_inline]] StatusCode tune(std::size_t num_sweeps, double acceptance,
-                                           double pressure = 0.0,
-                                           CellChange change = CellChange::isotropic) noexcept
-    {
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_tune(get(), num_sweeps, acceptance,
-                                                                 pressure,
-                                                                 static_cast<int>(change)));
-    }
-
-    /// Sets which fractions of the trials of a sweep are translations, rotations, both at once, and
-    /// exchanges: see pw85_hard_ellipsoids_set_fractions().
-    [[gnu::always_inline]] StatusCode set_fractions(TrialFractions const &fractions) noexcept
-    {
-        auto const &[translation, rotation, both, exchange] = fractions;
-        double const fractions_in_c[] = {translation, rotation, both, exchange};
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_fractions(get(), fractions_in_c));
-    }
-
-    /// Sets the step sizes: see pw85_hard_ellipsoids_set_steps().
-    [[gnu::always_inline]] StatusCode set_steps(TrialSteps const &steps) noexcept
-    {
-        auto const &[translation, rotation, volume] = steps;
-        double const steps_in_c[] = {translation, rotation, volume};
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_steps(get(), steps_in_c));
-    }
-
-    /// Returns the step sizes: see pw85_hard_ellipsoids_steps().
-    [[gnu::always_inline]] TrialSteps steps() const noexcept
-    {
-        double steps[3];
-        static_cast<void>(pw85_hard_ellipsoids_steps(get(), steps));
-        return {steps[0], steps[1], steps[2]};
+        return static_cast<StatusCode>(
+            pw85_hard_ellipsoids_chain(get(), num_chains, length, nullptr, &compressibility));
     }
 
     /// Steps of particles with some semi-axes, in place of all such steps: only translation and
@@ -173,16 +89,6 @@ class HardEllipsoids {
         return {own[0], own[1], steps().volume};
     }
 
-    /// Returns the numbers of trials since the simulation was made or tuned: see
-    /// pw85_hard_ellipsoids_counts().
-    [[gnu::always_inline]] TrialCounts counts() const noexcept
-    {
-        TrialCounts found{};
-        static_cast<void>(pw85_hard_ellipsoids_counts(get(), found.trials.data(),
-                                                      found.accepted.data()));
-        return found;
-    }
-
     /// Images near a particle. Arrays without elements are not written.
     ///
     /// @param[out] count of all images; the arrays get as many of them as the shortest one can have
@@ -200,25 +106,44 @@ class HardEllipsoids {
             separations.empty() ? nullptr : separations.front().coordinates));
     }
 
-    /// Tests whether a particle would have no overlaps at another position, and on request moves it
-    /// there: see pw85_hard_ellipsoids_try().
-    [[gnu::always_inline]] StatusCode try_placement(std::size_t particle,
-                                                    Vector<double, 3> const &center,
-                                                    Vector<double, 4> const &quaternion, bool take,
-                                                    bool &is_free) noexcept
+    /// Centres, forms and cell. They are valid as long as this object lives, and show the present
+    /// state until particles are inserted or removed.
+    [[gnu::always_inline]] pw85_system system() const noexcept
     {
-        int is_free_in_c = -1;
-        int const status = pw85_hard_ellipsoids_try(get(), particle, center.coordinates,
-                                                    quaternion.coordinates, static_cast<int>(take),
-                                                    &is_free_in_c);
-        is_free = is_free_in_c == 1;
-        return static_cast<StatusCode>(status);
+        return pw85_hard_ellipsoids_system(get());
     }
 
+    /// Of length one; valid as long as system() is.
+    [[gnu::always_inline]] std::span<Vector<double, 4> const> quaternions() const noexcept
+    {
+        return {
+            reinterpret_cast<Vector<double, 4> const *>(pw85_hard_ellipsoids_quaternions(get())),
+            system().num_particles};
+    }
+
+    /// Valid as long as system() is.
+    [[gnu::always_inline]] Vectors semi_axes() const noexcept
+    {
+        return {reinterpret_cast<Vector<double, 3> const *>(pw85_hard_ellipsoids_semi_axes(get())),
+                system().num_particles};
+    }
+
+    [[gnu::always_inline]] pw85_hard_ellipsoids *get() const noexcept { return object_.get(); }
+
+    // Made by api/committed.py: members of pw85_hard_ellipsoids
+    // clang-format off
     /// Sets the number of dimensions of a simulation: see pw85_hard_ellipsoids_set_dimensions().
     [[gnu::always_inline]] StatusCode set_dimensions(int dimensions) noexcept
     {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_set_dimensions(get(), dimensions));
+    }
+
+    /// Returns the number of dimensions of a simulation: see pw85_hard_ellipsoids_dimensions().
+    [[gnu::always_inline]] int dimensions() const noexcept
+    {
+        int dimensions;
+        static_cast<void>(pw85_hard_ellipsoids_dimensions(get(), &dimensions));
+        return dimensions;
     }
 
     /// Returns the number of bytes that pw85_hard_ellipsoids_save() writes: see
@@ -266,10 +191,107 @@ class HardEllipsoids {
                                                                        fields.data()));
     }
 
+    /// Sets the potential of a simulation, in addition to its fields, or removes it: see
+    /// pw85_hard_ellipsoids_set_potential().
+    [[gnu::always_inline]] StatusCode set_potential(pw85_potential *potential,
+                                                    void *context) noexcept
+    {
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_potential(get(), potential,
+                                                                          context));
+    }
+
+    /// Sets or removes a pair potential in addition to the hard cores: see
+    /// pw85_hard_ellipsoids_set_law().
+    [[gnu::always_inline]] StatusCode set_law(Law const &law) noexcept
+    {
+        pw85_law const law_in_c = detail::in_c(law);
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_law(get(), &law_in_c));
+    }
+
     /// Makes sweeps: see pw85_hard_ellipsoids_sweep().
     [[gnu::always_inline]] StatusCode sweep(std::size_t num_sweeps) noexcept
     {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_sweep(get(), num_sweeps));
+    }
+
+    /// Makes event chains, which translate many particles at once and give the pressure: see
+    /// pw85_hard_ellipsoids_chain().
+    [[gnu::always_inline]] StatusCode chain(std::size_t num_chains, double length,
+                                            Vector<double, 3> const &direction,
+                                            double &compressibility) noexcept
+    {
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_chain(get(), num_chains, length,
+                                                                  direction.coordinates,
+                                                                  &compressibility));
+    }
+
+    /// Makes volume moves: see pw85_hard_ellipsoids_volume_moves().
+    [[gnu::always_inline]] StatusCode volume_moves(
+        std::size_t num_moves, double pressure, CellChange change = CellChange::isotropic) noexcept
+    {
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_volume_moves(get(), num_moves, pressure,
+                                                                         static_cast<int>(change)));
+    }
+
+    /// Makes sweeps, and adjusts the step sizes after each sweep towards an acceptance ratio: see
+    /// pw85_hard_ellipsoids_tune().
+    [[gnu::always_inline]] StatusCode tune(std::size_t num_sweeps, double acceptance,
+                                           double pressure = 0.0,
+                                           CellChange change = CellChange::isotropic) noexcept
+    {
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_tune(get(), num_sweeps, acceptance,
+                                                                 pressure,
+                                                                 static_cast<int>(change)));
+    }
+
+    /// Sets which fractions of the trials of a sweep are translations, rotations, both at once, and
+    /// exchanges: see pw85_hard_ellipsoids_set_fractions().
+    [[gnu::always_inline]] StatusCode set_fractions(TrialFractions const &fractions) noexcept
+    {
+        auto const &[translation, rotation, both, exchange] = fractions;
+        double const fractions_in_c[] = {translation, rotation, both, exchange};
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_fractions(get(), fractions_in_c));
+    }
+
+    /// Sets the step sizes: see pw85_hard_ellipsoids_set_steps().
+    [[gnu::always_inline]] StatusCode set_steps(TrialSteps const &steps) noexcept
+    {
+        auto const &[translation, rotation, volume] = steps;
+        double const steps_in_c[] = {translation, rotation, volume};
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_steps(get(), steps_in_c));
+    }
+
+    /// Returns the step sizes: see pw85_hard_ellipsoids_steps().
+    [[gnu::always_inline]] TrialSteps steps() const noexcept
+    {
+        double steps[3];
+        static_cast<void>(pw85_hard_ellipsoids_steps(get(), steps));
+        return {steps[0], steps[1], steps[2]};
+    }
+
+    /// Returns the numbers of trials since the simulation was made or tuned: see
+    /// pw85_hard_ellipsoids_counts().
+    [[gnu::always_inline]] TrialCounts counts() const noexcept
+    {
+        TrialCounts found{};
+        static_cast<void>(pw85_hard_ellipsoids_counts(get(), found.trials.data(),
+                                                      found.accepted.data()));
+        return found;
+    }
+
+    /// Tests whether a particle would have no overlaps at another position, and on request moves it
+    /// there: see pw85_hard_ellipsoids_try().
+    [[gnu::always_inline]] StatusCode try_placement(std::size_t particle,
+                                                    Vector<double, 3> const &center,
+                                                    Vector<double, 4> const &quaternion, bool take,
+                                                    bool &is_free) noexcept
+    {
+        int is_free_in_c = -1;
+        int const status = pw85_hard_ellipsoids_try(get(), particle, center.coordinates,
+                                                    quaternion.coordinates, static_cast<int>(take),
+                                                    &is_free_in_c);
+        is_free = is_free_in_c == 1;
+        return static_cast<StatusCode>(status);
     }
 
     /// Tests whether a new particle would have no overlaps, and on request inserts it as the last
@@ -345,30 +367,7 @@ class HardEllipsoids {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_compress(get(), static_cast<int>(take),
                                                                      &factor));
     }
-
-    /// Centres, forms and cell. They are valid as long as this object lives, and show the present
-    /// state until particles are inserted or removed.
-    [[gnu::always_inline]] pw85_system system() const noexcept
-    {
-        return pw85_hard_ellipsoids_system(get());
-    }
-
-    /// Of length one; valid as long as system() is.
-    [[gnu::always_inline]] std::span<Vector<double, 4> const> quaternions() const noexcept
-    {
-        return {
-            reinterpret_cast<Vector<double, 4> const *>(pw85_hard_ellipsoids_quaternions(get())),
-            system().num_particles};
-    }
-
-    /// Valid as long as system() is.
-    [[gnu::always_inline]] Vectors semi_axes() const noexcept
-    {
-        return {reinterpret_cast<Vector<double, 3> const *>(pw85_hard_ellipsoids_semi_axes(get())),
-                system().num_particles};
-    }
-
-    [[gnu::always_inline]] pw85_hard_ellipsoids *get() const noexcept { return object_.get(); }
+    // clang-format on
 
   private:
     struct Destroy {
@@ -380,6 +379,8 @@ class HardEllipsoids {
     std::unique_ptr<pw85_hard_ellipsoids, Destroy> object_;
 };
 
+// Made by api/committed.py: functions of pw85_simulation_state.h
+// clang-format off
 /// Makes a simulation: see pw85_hard_ellipsoids_create().
 ///
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
@@ -429,6 +430,7 @@ static inline StatusCode hard_ellipsoids_restore(std::span<unsigned char const> 
     simulation = HardEllipsoids(made);
     return static_cast<StatusCode>(status);
 }
+// clang-format on
 
 } // namespace pw85
 

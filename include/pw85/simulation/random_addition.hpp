@@ -2,9 +2,6 @@
 /// @file
 /// Random sequential addition, for C++. The members call the functions of the compiled library
 /// (link with pw85), and their contracts are those of pw85_simulation_addition.h.
-//
-// Made from the headers and api/random_addition.hpp.in by api/committed.py.
-// clang-format off
 #ifndef PW85_SIMULATION_RANDOM_ADDITION_HPP_INCLUDED
 #define PW85_SIMULATION_RANDOM_ADDITION_HPP_INCLUDED
 
@@ -38,12 +35,15 @@ class RandomAddition {
                                               AdditionEnd &end) noexcept
     {
         int found = PW85_ADDITION_CONTINUES;
-        int const status =
-            pw85_random_addition_advance(get(), attempts, num_particles, &found);
+        int const status = pw85_random_addition_advance(get(), attempts, num_particles, &found);
         end = status == PW85_SUCCESS ? static_cast<AdditionEnd>(found) : AdditionEnd::none;
         return static_cast<StatusCode>(status);
     }
 
+    [[gnu::always_inline]] pw85_random_addition *get() const noexcept { return object_.get(); }
+
+    // Made by api/committed.py: members of pw85_random_addition
+    // clang-format off
     /// Returns how far an addition is: see pw85_random_addition_state().
     [[gnu::always_inline]] AdditionState state() const noexcept
     {
@@ -66,8 +66,7 @@ class RandomAddition {
                                                                       detail::in_c(quaternions),
                                                                       detail::in_c(kinds)));
     }
-
-    [[gnu::always_inline]] pw85_random_addition *get() const noexcept { return object_.get(); }
+    // clang-format on
 
   private:
     struct Destroy {
@@ -79,6 +78,8 @@ class RandomAddition {
     std::unique_ptr<pw85_random_addition, Destroy> object_;
 };
 
+// Made by api/committed.py: functions of pw85_simulation_addition.h
+// clang-format off
 /// Makes an empty periodic cell for random sequential addition (RSA): see
 /// pw85_random_addition_create().
 ///
@@ -105,6 +106,7 @@ static inline StatusCode random_addition_create(int dimensions, Cell const &cell
     addition = RandomAddition(made);
     return static_cast<StatusCode>(status);
 }
+// clang-format on
 
 } // namespace pw85
 

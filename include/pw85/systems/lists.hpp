@@ -2,9 +2,6 @@
 /// @file
 /// Functions of the pairs of a list, in a system of particles: the functions of pw85_systems.h, on
 /// spans.
-//
-// Made from the headers and api/lists.hpp.in by api/committed.py.
-// clang-format off
 #ifndef PW85_SYSTEMS_LISTS_HPP_INCLUDED
 #define PW85_SYSTEMS_LISTS_HPP_INCLUDED
 
@@ -14,6 +11,8 @@
 
 namespace pw85 {
 
+// Made by api/committed.py: pairs of pw85_systems.h
+// clang-format off
 /// @name Lists of pairs
 /// @{
 
@@ -71,6 +70,7 @@ static inline StatusCode contact_derivatives_pairs(PairList const &list, Particl
 }
 
 /// @}
+// clang-format on
 
 } // namespace pw85
 

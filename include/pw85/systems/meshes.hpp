@@ -2,9 +2,6 @@
 /// @file
 /// Triangle meshes for C++. They call the functions of the compiled library (link with pw85), and
 /// their contracts are those of pw85_systems.h.
-//
-// Made from the headers and api/meshes.hpp.in by api/committed.py.
-// clang-format off
 #ifndef PW85_SYSTEMS_MESHES_HPP_INCLUDED
 #define PW85_SYSTEMS_MESHES_HPP_INCLUDED
 
@@ -69,6 +66,8 @@ struct MeshDistanceSpans {
     std::span<std::int32_t> triangle, inside;
 };
 
+// Made by api/committed.py: functions of Triangle meshes
+// clang-format off
 /// Makes a mesh: see pw85_mesh_create().
 ///
 /// @param vertices one for each vertex
@@ -198,6 +197,7 @@ static inline StatusCode mesh_distance_batch(Mesh const &mesh, Vectors centers, 
                                                             detail::in_c(out.triangle),
                                                             detail::in_c(out.inside)));
 }
+// clang-format on
 
 } // namespace pw85
 

@@ -2,9 +2,6 @@
 /// @file
 /// Neighbour lists for C++. They call the functions of the compiled library (link with pw85), and
 /// their contracts are those of pw85_systems.h.
-//
-// Made from the headers and api/neighbors.hpp.in by api/committed.py.
-// clang-format off
 #ifndef PW85_SYSTEMS_NEIGHBORS_HPP_INCLUDED
 #define PW85_SYSTEMS_NEIGHBORS_HPP_INCLUDED
 
@@ -58,6 +55,8 @@ class Neighbors {
     std::unique_ptr<pw85_neighbors, Destroy> object_;
 };
 
+// Made by api/committed.py: functions of Neighbour lists
+// clang-format off
 /// Makes a neighbour list: see pw85_neighbors_create().
 ///
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
@@ -116,6 +115,7 @@ static inline StatusCode neighbors_holds(Neighbors const &list, Particles const 
     pw85_system const particles_in_c = detail::in_c(particles);
     return static_cast<StatusCode>(pw85_neighbors_holds(list.get(), &particles_in_c, &holds));
 }
+// clang-format on
 
 } // namespace pw85
 

@@ -2,9 +2,6 @@
 /// @file
 /// Periodic cells and the images of particles, and one ellipsoid among the particles of a system.
 /// The functions call the C API.
-//
-// Made from the headers and api/periodic.hpp.in by api/committed.py.
-// clang-format off
 #ifndef PW85_SYSTEMS_PERIODIC_HPP_INCLUDED
 #define PW85_SYSTEMS_PERIODIC_HPP_INCLUDED
 
@@ -64,6 +61,8 @@ static inline StatusCode overlap_any_indices(Vector<double, 3> const &center,
 /// @name Periodic cells
 /// @{
 
+// Made by api/committed.py: functions of Periodic cells
+// clang-format off
 /// Computes a reduced cell of a lattice: see pw85_cell_reduce().
 ///
 /// @param cell rows are the vectors
@@ -114,6 +113,7 @@ static inline StatusCode nearest_image_limit(Particles const &particles, double 
     pw85_system const particles_in_c = detail::in_c(particles);
     return static_cast<StatusCode>(pw85_nearest_image_limit(&particles_in_c, &mu2));
 }
+// clang-format on
 
 /// @}
 

@@ -2,9 +2,6 @@
 /// @file
 /// First contacts and sums of forces over the pairs of a list. The functions call the C API.
 /// Functions whose only outputs are rows for the pairs are in lists.hpp.
-//
-// Made from the headers and api/sums.hpp.in by api/committed.py.
-// clang-format off
 #ifndef PW85_SYSTEMS_SUMS_HPP_INCLUDED
 #define PW85_SYSTEMS_SUMS_HPP_INCLUDED
 
@@ -15,31 +12,8 @@ namespace pw85 {
 /// @name Sums over pairs
 /// @{
 
-/// Computes the times of the first contacts of the pairs of a list, and the first contact of each
-/// particle, for event-driven simulations: see pw85_first_contact_pairs().
-///
-/// @param list indices of particles, with or without images
-/// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
-/// @param motions one for each particle
-/// @param t_max the last time at which a contact counts; for all pairs; >= 0; may be infinite
-/// @param[out] out rows in all spans, or in some: see pw85_first_contact_pairs()
-/// @return as for contact_pairs(); Status::no_convergence as for first_contact()
-static inline StatusCode first_contact_pairs(PairList const &list, Particles const &particles,
-                                             std::span<Motion<double, 3> const> motions,
-                                             double t_max, EventSpans const &out) noexcept
-{
-    if (!(detail::have_rows(list.pairs.size(), detail::optional(list.images), out.time) &&
-        detail::have_rows(particles.centers.size(), particles.q, motions, out.next, out.next_pair)))
-        return StatusCode::invalid_argument;
-    pw85_pair_list const list_in_c = detail::in_c(list);
-    pw85_system const particles_in_c = detail::in_c(particles);
-    return static_cast<StatusCode>(pw85_first_contact_pairs(&list_in_c, &particles_in_c,
-                                                            detail::in_c(motions), t_max,
-                                                            detail::in_c(out.time),
-                                                            detail::in_c(out.next),
-                                                            detail::in_c(out.next_pair)));
-}
-
+// Made by api/committed.py: functions of Lists of pairs
+// clang-format off
 /// Computes the forces, torques and virial of a pair energy U(μ²) by summing over the pairs: see
 /// pw85_contact_forces_pairs().
 ///
@@ -100,6 +74,32 @@ static inline StatusCode law_forces_pairs(PairList const &list, Particles const 
                                                          detail::in_c(out.torques),
                                                          detail::in_c(out.virial)));
 }
+
+/// Computes the times of the first contacts of the pairs of a list, and the first contact of each
+/// particle, for event-driven simulations: see pw85_first_contact_pairs().
+///
+/// @param list indices of particles, with or without images
+/// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
+/// @param motions one for each particle
+/// @param t_max the last time at which a contact counts; for all pairs; >= 0; may be infinite
+/// @param[out] out rows in all spans, or in some: see pw85_first_contact_pairs()
+/// @return as for contact_pairs(); Status::no_convergence as for first_contact()
+static inline StatusCode first_contact_pairs(PairList const &list, Particles const &particles,
+                                             std::span<Motion<double, 3> const> motions,
+                                             double t_max, EventSpans const &out) noexcept
+{
+    if (!(detail::have_rows(list.pairs.size(), detail::optional(list.images), out.time) &&
+        detail::have_rows(particles.centers.size(), particles.q, motions, out.next, out.next_pair)))
+        return StatusCode::invalid_argument;
+    pw85_pair_list const list_in_c = detail::in_c(list);
+    pw85_system const particles_in_c = detail::in_c(particles);
+    return static_cast<StatusCode>(pw85_first_contact_pairs(&list_in_c, &particles_in_c,
+                                                            detail::in_c(motions), t_max,
+                                                            detail::in_c(out.time),
+                                                            detail::in_c(out.next),
+                                                            detail::in_c(out.next_pair)));
+}
+// clang-format on
 
 /// @}
 
