@@ -7,7 +7,7 @@ from math import prod
 
 from declarations import CPP, c_functions
 from layout import PART
-from public_headers import CPP_HEADERS, INCLUDE, SYSTEMS, statuses
+from public_headers import CPP_HEADERS, DETAIL, INCLUDE, SYSTEMS, statuses
 from refusals import refuse
 from voice import limits_of
 
@@ -34,7 +34,6 @@ SHORT_NAMES = {
     "std::span<SymmetricMatrix<double, 2> const>": "FlatForms",
 }
 STRUCT = re.compile(r"^(?:template <[^>]*> )?struct (\w+) \{\n(.*?)^\};", re.MULTILINE | re.DOTALL)
-DETAIL = re.compile(r"^namespace pw85::detail \{$.*?^\} // namespace pw85::detail$", re.MULTILINE | re.DOTALL)
 MEMBERS = re.compile(r"^    (?!static |using )[\w:, ]+? \**(\w+(?:, \w+)*);", re.MULTILINE)
 ENDS = {"Cell": ".front().coordinates", "Vector": ".coordinates", "SymmetricMatrix": ".entries", "Factor": ".entries"}
 
@@ -83,7 +82,7 @@ def names_in_cpp():
 @cache
 def texts():
     """The headers in folders, without comments, details and what is made, by their paths."""
-    return {path: DETAIL.sub("", re.sub(r"//.*", "", by_hand(path))) for path in sorted(FOLDER.glob("*/*.hpp"))}
+    return {path: re.sub(r"//.*", "", DETAIL.sub("", by_hand(path))) for path in sorted(FOLDER.glob("*/*.hpp"))}
 
 
 @cache

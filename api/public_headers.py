@@ -27,6 +27,8 @@ CPP_HEADERS = (
     *(f"pw85/systems/{name}.hpp" for name in ("lists", "sums", "periodic", "neighbors", "meshes")),
     *(f"pw85/simulation/{name}.hpp" for name in ("surroundings", "trials", "hard_ellipsoids", "addition", "random_addition")),
 )
+# What a header of C++ does not offer to users.
+DETAIL = re.compile(r"^namespace (?:pw85::)?detail \{$.*?^\} // namespace (?:pw85::)?detail$", re.MULTILINE | re.DOTALL)
 
 replaced = {}  # texts of headers that are not yet those of the files
 cached = []  # functions whose results follow from the texts
@@ -51,8 +53,7 @@ def text_of(header):
 
 def values(header):
     """The public structures that a C++ header declares or defines."""
-    details = r"^namespace (pw85::)?detail \{$.*?^\} // namespace (pw85::)?detail$"
-    text = re.sub(details, "", text_of(header), flags=re.MULTILINE | re.DOTALL)
+    text = DETAIL.sub("", text_of(header))
     return re.findall(r"^(?:template <[^;{]*?> ?)?struct (\w+)(?:;| (?:: \w+ )?\{)", text, re.MULTILINE)
 
 

@@ -94,6 +94,13 @@ GIRTH_STRUCT = """template <class T> struct Girth {
     StatusCode status;
 };
 """
+# A struct of the same name that is no result.
+DETAIL = """namespace pw85::detail {
+struct Girth {
+    int bound;
+};
+} // namespace pw85::detail
+"""
 
 
 def template(name, title, *lines):
@@ -121,7 +128,8 @@ def make(tmp_path):
     first, last = cpp.read_text(encoding="utf-8").split("/// Computes the volume of an ellipsoid,", 1)
     declared = f"/// The girth.\n///\n/// @param q form\n{girth};\n\n"
     cpp.write_text(f"{first}{declared}/// Computes the volume of an ellipsoid,{last}", encoding="utf-8")
-    (tmp_path / "include/pw85/bodies/girth.hpp").write_text(f"{GIRTH_STRUCT}{girth} {{ return {{}}; }}\n", encoding="utf-8")
+    text = f"{GIRTH_STRUCT}{girth} {{ return {{}}; }}\n{DETAIL}"
+    (tmp_path / "include/pw85/bodies/girth.hpp").write_text(text, encoding="utf-8")
 
     def run(kind, template="", succeeds=True):
         (tmp_path / "in").write_text(template, encoding="utf-8")
