@@ -139,6 +139,16 @@ REFUSED = {
     # Of SudoDEM's bodies that are not symmetric
     "x,y,z,rx+,rx-,ry+,ry-,rz+,rz-,qw,qx,qy,qz": ({}, f"0,0,0,1,2,1,1,1,1,{UP}", r"the columns rx\+ rx- ry\+ ry- rz\+ rz- could change"),
     "x,y,z,a,b,c,m,n,qw,qx,qy,qz": ({}, f"0,0,0,2,1,1,4,4,{UP}", "the columns m n could change"),
+    **{f"x,y,z,a,b,c,{name},qw,qx,qy,qz": ({}, f"0,0,0,2,1,1,8,{UP}", f"the column {name} could change")
+       for name in ("n", "P", "expo", "fac", "mult", "bevel_radius", "taper_x", "bend", "skin", "deform_x")},
+    # Two columns of one name, in other letters, of which a convention would read one
+    "OBJ_ID,X,Y,SEMI_MAJOR,SEMI_MINOR,POSITION_ANGLE,Position angle":
+        ({}, "1,0,0,2,1,90,30", "the columns POSITION_ANGLE and Position angle have one name except for capitals, signs or units"),
+    "x,y,z,radius,Radius (mm)": ({}, "0,0,0,1,2", "the columns radius and Radius .mm. have one name"),
+    # Of photutils 3, whose lengths are RMS, with the unit of the angle
+    **{f"label,x_centroid,y_centroid,semimajor_axis,semiminor_axis,{name}":
+           ({"angle_zero": "x"}, "1,0,0,2,1,90", "the columns may be those of photutils, and other programs mean other lengths")
+       for name in ("orientation (deg)", "orientation[deg]")},
     "x,y,z,a,b,c,U1,U2,U3": ({}, "0,0,0,2,1,1,.1,.2,.3", "has the length 0.374166 of U1 U2 U3, which may be angles or a direction"),
     "x,y,z,radius,label_class,type": ({}, "0,0,0,1,a,wall", "of the type wall are not ell"),
     # What rounds a body, and other turns beside quaternions
@@ -208,6 +218,7 @@ TABLES = {
     # Of MorphoLibJ 1.6.3
     ",Label,Elli.Center.X,Elli.Center.Y,Elli.Center.Z,Elli.Radius1,Elli.Radius2,Elli.Radius3,Elli.Azim,Elli.Elev,Elli.Roll\n"
     "1,1,5,7.25,7.25,2,.5,.5,90,0,0\n2,2,5,9.5,9.5,2,.75,.75,90,0,0": "equal y and z, and .* as MorphoLibJ 1.6.3 writes by mistake",
+    "body_id,x,y,z,radius\n0,0,0,0,1\n0,1,0,0,1\n1,9,0,0,1": "line 3: the column body_id has 0 twice",
     "id,x,y,z,radius\n1,0,0,0,1\n2,9,0,0,1\n1,0,1.5,0,1\n2,9,1.5,0,1\n3,0,9,0,1": "line 4: the column id has most ids up to 2 times",
     "t,x,y,z,radius\n0,0,0,0,1\n0.5,0,1.5,0,1": "line 3: the column t has several values",
     **{f"{name},x,y,z,radius\n0,0,0,0,1\n5,0,1.5,0,1": "line 3: the column .* has several values, 0 and 5" for name in
@@ -332,6 +343,14 @@ PAIRS = {
         "pose.position.x,pose.position.y,pose.position.z",
         "Particle X-Coordinate [m],Particle Y-Coordinate [m],Particle Z-Coordinate [m]")},
     "positions of a start": ("x,y,z,x0,y0,z0,radius\n0,0,0,5,5,5,.5\n0,1.5,0,5,5,5,.5", {}, 1.5),
+    **{f"spheres by {name}": (f"x,y,z,{name}\n0,0,0,{size}\n0,1.5,0,{size}", {}, 1.5) for name, size in
+       (("rad", .5), ("dia", 1), ("Diam (mm)", 1))},
+    "Euler parameters": (f"x,y,z,a,b,c,e0,e1,e2,e3\n0,0,0,2,.5,.5,{UP}\n0,1.5,0,2,.5,.5,{UP}", {}, 0.375),
+    "n numbers the rows": (f"n,x,y,z,a,b,c,qw,qx,qy,qz\n1,0,0,0,2,.5,.5,{UP}\n2,0,1.5,0,2,.5,.5,{UP}", {}, 0.375),
+    "photutils 3": ("label,x_centroid,y_centroid,semimajor_axis,semiminor_axis,orientation (deg)\n1,5,5,1,.25,90\n2,5,6.5,1,.25,90",
+                    {"convention": "photutils"}, 0.375),
+    "an angle in both units": ("x,y,a,b,theta (rad),theta (deg)\n0,0,2,.5,1.5707963267948966,90\n0,1.5,2,.5,1.5707963267948966,90", {},
+                               0.375),
     "a single id": ("id,x,y,z,radius\n0,0,0,0,.5\n0,0,1.5,0,.5", {}, 1.5),
     "ids of two frames as one system": ("id,x,y,z,radius\n1,0,0,0,.5\n2,0,1.5,0,.5\n1,0,9,0,.5\n2,0,19,0,.5",
                                         {"ignore_columns": ["id"]}, 1.5),
@@ -500,6 +519,7 @@ HARMLESS = ("rotational_energy", "Rotational Kinetic Energy", "rotational_veloci
             "orientational_order", "track_length", "form_factor", "inertia_x", "moment_of_inertia_xx", "moment_inertia[2]",
             "c_orientorder[1]", "c_erotate", "f_inertia[1]", "c_cluster_size", "Cavity Radius", "deformation_gradient[1]", "label", "name",
             "class", "b_to_a", "ellipticity", "Flatness", "Max caliper", "radius_of_gyration",
+            "Ixx", "I_xy", "phi_local", "local_phi", "background", "formation", "uniform", "performance", "n_voxels", "path_length",
             "stress_tensor[1]", "removal", "fabric_tensor_xx", "epsilon", "roundness", "polarity")  # fmt: skip
 
 
@@ -685,6 +705,29 @@ def test_degrees_in_latin_1(tmp_path):
     (tmp_path / "a.csv").write_bytes("x,y,a,b,angle (µrad)\n0,0,2,1,30\n".encode("latin-1"))
     with pytest.raises(pypw85.FileError, match="could change the shapes"):
         read(tmp_path / "a.csv")
+
+
+def test_bodies_of_several_spheres(tmp_path):
+    """LIGGGHTS writes the number of a body, 0 for single spheres."""
+    dump = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n4\nITEM: BOX BOUNDS ff ff ff\n" + 3 * "-9 9\n"
+    xyz = '4\nLattice="9 0 0 0 9 0 0 0 9" Properties=species:S:1:pos:R:3:radius:R:1:{}:I:1\n'
+    for name in ("id_multisphere", "c_rigid", "f_clump", "v_body_id"):
+        for file, head, kind in (("a.dump", dump + f"ITEM: ATOMS type x y z radius {name}\n", "1"), ("a.xyz", xyz.format(name), "A")):
+            text = head + "".join(f"{kind} 0 {y} 0 1 {k}\n" for y, k in ((0, 7), (1, 7), (5, 0), (8, 0)))
+            with pytest.raises(pypw85.FileError, match=f"the column {name} has 7 twice, as for one body .* of several spheres: write"):
+                read_text(tmp_path / file, text)
+            assert len(read(tmp_path / file, ignore_columns=[name])) == 4
+            assert len(read_text(tmp_path / file, text.replace("1 7", "1 6", 1))) == 4
+
+
+def test_flag_of_hybrid_styles(tmp_path):
+    """The flag of the first style stands behind the position; a charge that is 1 for the same atoms is none."""
+    text = "of a test\n\n2 atoms\n{1} ellipsoids\n" + "".join(f"-9 9 {axis}lo {axis}hi\n" for axis in "xyz")
+    text += "\nAtoms # hybrid ellipsoid charge\n\n1 1 0 0 0 1 1 1\n2 1 0 4 0 {0} 1 0\n\nEllipsoids\n\n1 1 1 1 1 0 0 0\n"
+    with pytest.raises(pypw85.FileError, match="line 11: no column of the section Atoms has 1 for the atoms of the section Ellipsoids"):
+        read_text(tmp_path / "a.data", text.format(1, 1))
+    assert len(read_text(tmp_path / "a.data", text.format(0, 1))) == 1
+    assert len(read_text(tmp_path / "a.data", text.format(1, 2) + "2 1 1 1 1 0 0 0\n")) == 2
 
 
 def test_two_boxes_of_lammps(tmp_path):
