@@ -141,6 +141,11 @@ REFUSED = {
     "x,y,z,a,b,c,m,n,qw,qx,qy,qz": ({}, f"0,0,0,2,1,1,4,4,{UP}", "the columns m n could change"),
     **{f"x,y,z,a,b,c,{name},qw,qx,qy,qz": ({}, f"0,0,0,2,1,1,8,{UP}", f"the column {name} could change")
        for name in ("n", "P", "expo", "fac", "mult", "bevel_radius", "taper_x", "bend", "skin", "deform_x")},
+    # Of two quaternions, one may be that of the start
+    "x,y,z,a,b,c,body_quat_w,body_quat_x,body_quat_y,body_quat_z,qw,qx,qy,qz":
+        ({}, f"0,0,0,2,1,1,{UP},{UP}", "the columns .*qw qx qy qz could change|the columns body_quat_w .* could change"),
+    # Half the sides of boxes
+    "x,y,z,half_size_x,half_size_y,half_size_z,qw,qx,qy,qz": ({}, f"0,0,0,2,1,1,{UP}", "the columns half_size_x half_size_y half_size_z"),
     # Two columns of one name, in other letters, of which a convention would read one
     "OBJ_ID,X,Y,SEMI_MAJOR,SEMI_MINOR,POSITION_ANGLE,Position angle":
         ({}, "1,0,0,2,1,90,30", "the columns POSITION_ANGLE and Position angle have one name except for capitals, signs or units"),
@@ -344,7 +349,14 @@ PAIRS = {
         "Particle X-Coordinate [m],Particle Y-Coordinate [m],Particle Z-Coordinate [m]")},
     "positions of a start": ("x,y,z,x0,y0,z0,radius\n0,0,0,5,5,5,.5\n0,1.5,0,5,5,5,.5", {}, 1.5),
     **{f"spheres by {name}": (f"x,y,z,{name}\n0,0,0,{size}\n0,1.5,0,{size}", {}, 1.5) for name, size in
-       (("rad", .5), ("dia", 1), ("Diam (mm)", 1))},
+       (("rad", .5), ("dia", 1), ("Diam (mm)", 1), ("Particle Radius [m]", .5), ("sphere_diameter", 1))},
+    **{f"lengths {names}": (f"x,y,z,{names},qw,qx,qy,qz\n0,0,0,{axes},{UP}\n0,1.5,0,{axes},{UP}", {}, 0.375) for names, axes in
+       (("semi_a,semi_b,semi_c", "2,.5,.5"), ("radius_a,radius_b,radius_c", "2,.5,.5"), ("diameter_a,diameter_b,diameter_c", "4,1,1"),
+        ("Major radius (mm),Int. radius (mm),Minor radius (mm)", "2,.5,.5"))},
+    **{f"ellipses by {names}": (f"x,y,{names},angle_deg\n0,0,{axes},90\n0,1.5,{axes},90", {}, 0.375) for names, axes in
+       (("semi_a,semi_b", "2,.5"), ("major_radius,minor_radius", "2,.5"), ("diameter_major,diameter_minor", "4,1"))},
+    "a pose of ROS": ("pose.position.x,pose.position.y,pose.position.z,pose.orientation.x,pose.orientation.y,pose.orientation.z,"
+                      f"pose.orientation.w,a,b,c\n0,0,0,0,0,{HALF!r},{HALF!r},2,.5,.5\n0,1.5,0,0,0,{HALF!r},{HALF!r},2,.5,.5", {}, 0.375),
     "Euler parameters": (f"x,y,z,a,b,c,e0,e1,e2,e3\n0,0,0,2,.5,.5,{UP}\n0,1.5,0,2,.5,.5,{UP}", {}, 0.375),
     "n numbers the rows": (f"n,x,y,z,a,b,c,qw,qx,qy,qz\n1,0,0,0,2,.5,.5,{UP}\n2,0,1.5,0,2,.5,.5,{UP}", {}, 0.375),
     "photutils 3": ("label,x_centroid,y_centroid,semimajor_axis,semiminor_axis,orientation (deg)\n1,5,5,1,.25,90\n2,5,6.5,1,.25,90",

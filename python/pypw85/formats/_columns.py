@@ -26,7 +26,7 @@ Names = tuple[str, ...]
 Error = Callable[[str], FileError]
 
 _XYZ, _INDEX, _FROM_1, _FROM_0 = ("x", "y", "z"), ("[1]", "[2]", "[3]"), ("1", "2", "3"), ("0", "1", "2")
-_INDEX_0 = ("[0]", "[1]", "[2]")
+_INDEX_0, _ABC = ("[0]", "[1]", "[2]"), ("a", "b", "c")
 # Properties of three lengths and a quaternion
 _OF_SEVEN = re.compile(r"c\w*shape\w*")
 _ASK = ""  # Two programs mean different things.
@@ -34,15 +34,17 @@ _ASK = ""  # Two programs mean different things.
 _LENGTHS: list[tuple[str, list[Names], str]] = [
     ("shape", [_XYZ], "diameters"),
     ("asphericalshape", [_XYZ, _INDEX], "radii"),
-    ("semiaxes|semiaxis|halfaxes|halfaxis", [_XYZ, _INDEX_0, _INDEX, _FROM_1, _FROM_0, ("a", "b", "c")], "radii"),
-    ("radius|radii", [_XYZ, _INDEX_0, _INDEX, _FROM_1, _FROM_0], "radii"),
+    ("semi|semiaxes|semiaxis|halfaxes|halfaxis", [_XYZ, _INDEX_0, _INDEX, _FROM_1, _FROM_0, _ABC], "radii"),
+    ("radius|radii", [_XYZ, _INDEX_0, _INDEX, _FROM_1, _FROM_0, _ABC], "radii"),
     ("r", [_XYZ, _FROM_1], "radii"),
-    ("diameter|diameters", [_XYZ, _INDEX_0, _INDEX, _FROM_1, _FROM_0], "diameters"),
+    ("diameter|diameters", [_XYZ, _INDEX_0, _INDEX, _FROM_1, _FROM_0, _ABC], "diameters"),
     ("axislengths?", [_INDEX, _FROM_0, _FROM_1], _ASK),
     (r"c\w*(?:shape|diam)\w*", [_INDEX, _FROM_1], "diameters"),
-    ("", [("a", "b", "c")], "radii"),
+    ("", [_ABC], "radii"),
     ("semi", [(one, two, three) for one, three in (("major", "minor"), ("majoraxis", "minoraxis"))
               for two in ("intermediate", "middle", "medium", "intermediateaxis", "middleaxis", "mediumaxis")], "radii"),
+    *(("", [(f"major{size}", f"{two}{size}", f"minor{size}") for two in ("int", "intermediate", "middle")], meaning)
+      for size, meaning in (("radius", "radii"), ("diameter", "diameters"))),
     ("", [("length", "width", "height"), ("length", "width", "thickness"), ("l", "w", "h"), ("lx", "ly", "lz"),
           ("major", "intermediate", "minor"), ("long", "intermediate", "short")], _ASK),
 ]
@@ -50,6 +52,8 @@ _LENGTHS: list[tuple[str, list[Names], str]] = [
 _LENGTHS_OF_ELLIPSES: list[tuple[str, list[Names], str]] = [
     *((stems, [one[:2] for one in ends], meaning) for stems, ends, meaning in _LENGTHS),
     ("semi", [("major", "minor"), ("majoraxis", "minoraxis")], "radii"),
+    ("", [("majorradius", "minorradius"), ("radiusmajor", "radiusminor")], "radii"),
+    ("", [("majordiameter", "minordiameter"), ("diametermajor", "diameterminor")], "diameters"),
     ("", [("major", "minor"), ("majoraxis", "minoraxis"), ("majoraxislength", "minoraxislength"), ("axismajorlength", "axisminorlength"),
           ("width", "height"), ("w", "h")], _ASK),
 ]
@@ -58,7 +62,8 @@ _QUADRUPLE = ("[1]", "[2]", "[3]", "[4]")
 _QUATERNIONS: list[tuple[str, list[Names], str]] = [
     (r".*(?:wxyz|wijk|scalarfirst|wfirst)", [_QUADRUPLE], "wxyz"),
     (r".*(?:xyzw|ijkw|scalarlast|wlast)", [_QUADRUPLE], "xyzw"),
-    ("quat|q|quaternion|quaternions|quats|orientation|orient|ori|rotation|rot", _LETTERS, "wxyz"),
+    ("(?:field|pose|body|particle|ellipsoid|grain)*(?:quat|q|quaternion|quaternions|quats|orientation|orient|ori|rotation|rot)",
+     _LETTERS, "wxyz"),
     ("orientation", [_QUADRUPLE], "xyzw"),
     ("quat", [("1", "2", "3", "4")], "wxyz"),  # of LIGGGHTS
     ("q|e", [("0", "1", "2", "3")], "wxyz"),  # Euler parameters
@@ -71,6 +76,8 @@ _QUATERNIONS: list[tuple[str, list[Names], str]] = [
 ]
 _SPHERES = {"radius": "radii", "radii": "radii", "r": "radii", "rad": "radii", "diameter": "diameters", "diameters": "diameters",
             "d": "diameters", "dia": "diameters", "diam": "diameters"}  # fmt: skip
+_SPHERES |= {body + size: meaning for body in ("particle", "sphere") for size, meaning in
+             (("radius", "radii"), ("diameter", "diameters"), ("diam", "diameters"))}  # fmt: skip
 # Those that may be the size of particles whose lengths are 0
 _OF_ZEROS = ("radius", "r", "diameter")
 # Exponents of superquadrics, and the values with which these are ellipsoids. OVITO's are inverse, and 0 means 1 there.
