@@ -247,7 +247,8 @@ TABLES = {
     "# periodic: xyz\nx,y,z,radius\n0,0,0,1": "could say the cell",
     **{f"# {comment}\nx,y,z,radius\n0,0,0,1": "could say the cell" for comment in
        ("N=2, Lx=9 Ly=9 Lz=9", "2 spheres in box 9 9 9", '{"box": [9, 9, 9]}', "PBC in x, y, z", "with periodic boundaries",
-        "Lx Ly Lz = 9 9 9", "L = 9", "domain size: 9 9 9", "bounds: 0 9 0 9 0 9", "xlo xhi 0 9", "extent 9 9 9")},
+        "Lx Ly Lz = 9 9 9", "L = 9", "domain size: 9 9 9", "bounds: 0 9 0 9 0 9", "xlo xhi 0 9", "extent 9 9 9", "L_box = 9",
+        "RVE size 9 9 9")},
     "# step 1\n# step 2\nx,y,z,radius\n0,0,0,1": "line 2: the comment '# step' is there twice",
     # Crystal orientations of EDAX are not angles of ellipses.
     "# COLUMN_HEADERS: phi1, PHI, phi2, x, y, a, b\n# GRID: SqrGrid\n 1 1 1 0 0 2 1": "the columns phi1 PHI phi2 could change",
@@ -283,7 +284,8 @@ TABLES = {
     "# superquadrics with blockiness 8\nx,y,z,radius\n0,0,0,1": "convert the numbers if it does, and remove it",
     **{f"# {comment}\nx,y,z,radius\n0,0,0,1": "convert the numbers if it does, and remove it" for comment in
        ("voxel: 0.2 0.2 1.0", "pixel width 0.5", "1 px = 0.25 um", "0.25 um/px", "z-step 2 um", "z in slices of 0.5 um", "anisotropy 3",
-        "fractional coordinates", "log10 of the radius", "lengths multiplied by 1000", "in units of 1e-6 m", "shrunk by 5 %")},
+        "fractional coordinates", "inflated by 2 %", "shrunk to 0.95", "multiplied by a factor of 2",
+        "log10 of the radius", "lengths multiplied by 1000", "in units of 1e-6 m", "shrunk by 5 %")},
     **{f"# {comment}\nx,y,a,b,angle_deg\n0,0,2,1,30": "--lengths., or convert them" for comment in
        ("a, b: 1-sigma", "a and b are standard deviations", "RMS along the axes", "a, b: FWHM", "half-maximum widths",
         "95 % confidence ellipses", "eigenvalues of the covariance", "a and b are squared")},
@@ -293,7 +295,7 @@ TABLES = {
     "# angle of the minor axis\nx,y,a,b,angle_deg\n0,0,2,1,30": "convert the numbers if it does, and remove it",
     **{f"# {comment}\nx,y,z,a,b,c,qw,qx,qy,qz\n0,0,0,2,1,1,{UP}": "convert the numbers if it does, and remove it" for comment in
        ("passive rotations", "from the lab frame to the body frame", "world-to-body", "conjugate quaternions", "the inverse rotation",
-        "rotation of the frame")},
+        "rotation of the frame", "quaternions as JPL has them")},
     "# radius of the bounding sphere\nx,y,z,radius\n0,0,0,1": "or say that these are spheres .--shape-columns",
     **{f"# {comment}\nx,y,z,length,diameter,nx,ny,nz\n0,0,0,4,1,0,1,0": "ellipsoids alone are read" for comment in
        ("spherocylinders", "a pile of cubes", "capsules", "multi-spheres", "rounded boxes")},
@@ -555,7 +557,8 @@ def test_harmless_columns(name, tmp_path):
                                      "step 1000 energy -3.2", "cell type: neuron", "origin at the lower left corner", "step size 0.1",
                                      "all lengths are in units of the particle diameter", "cutoff = 2.5 sigma", "RMS velocity 0.3",
                                      "variance of velocity 0.1", "eigenvalues of the Q tensor", "power 5 mW", "damping factor 0.1",
-                                     "time resolution 0.1 s", "scale = 1.0", "scale factor 1", "not superquadrics", "rms error 1e-8",
+                                     "time resolution 0.1 s", "scale = 1.0", "scale factor 1", "voxel size 1", "grown to 9 mm",
+                                     "not superquadrics", "rms error 1e-8",
                                      "Gaussian noise with standard deviation 0.1 added", "packing factor 0.64",
                                      "sizes drawn from a normal distribution (mean 1, std dev 0.1)", "in a cylinder of diameter 10",
                                      "without periodic boundary conditions", "periodic boundaries off", "boundary: reflecting",
