@@ -735,6 +735,34 @@ def test_bodies_of_several_spheres(tmp_path):
             assert len(read_text(tmp_path / file, text.replace("1 7", "1 6", 1))) == 4
 
 
+@pytest.mark.parametrize("place, attribute, reason", [
+    ("/", ("length_scale", 2.0), "the attribute 'length_scale=2.0' could mean"), ("particles", ("unit", "2 um per pixel"), "per pixel"),
+    ("particles/all", ("orientation", "from the lab frame to the body frame"), "could mean .* convert the numbers if it does"),
+    ("/", ("author", "A. Nonym"), ""), ("/", ("orientation", "from the body frame to the lab frame"), "")])  # fmt: skip
+def test_attributes_of_files(place, attribute, reason, tmp_path):
+    """Of the file, too, and of rotations of axes instead of bodies."""
+    pypw85.write(tmp_path / "a.h5", [random_system(count=2)])
+    with h5py.File(tmp_path / "a.h5", "r+") as file:
+        file[place].attrs[attribute[0]] = attribute[1]
+    if not reason:
+        assert len(read(tmp_path / "a.h5")) == 2
+        return
+    with pytest.raises(pypw85.FileError, match=reason):
+        read(tmp_path / "a.h5")
+
+
+def test_clumps_of_hdf5(tmp_path):
+    pypw85.write(tmp_path / "a.h5", [random_system(count=4)])
+    for numbers, is_refused in (([7, 7, 0, 0], True), ([7, 6, 0, 0], False), ([[7, 7]] * 4, False)):
+        with h5py.File(tmp_path / "a.h5", "r+") as file:
+            file.pop("particles/all/clump_id", None)
+            file["particles/all/clump_id"] = numbers
+        if is_refused:
+            with pytest.raises(pypw85.FileError, match="the data set clump_id has a number twice, as for one body of several spheres"):
+                read(tmp_path / "a.h5")
+        assert len(read(tmp_path / "a.h5", ignore_columns=["clump_id"] if is_refused else None)) == 4
+
+
 def test_flag_of_hybrid_styles(tmp_path):
     """The flag of the first style stands behind the position; a charge that is 1 for the same atoms is none."""
     text = "of a test\n\n2 atoms\n{1} ellipsoids\n" + "".join(f"-9 9 {axis}lo {axis}hi\n" for axis in "xyz")
