@@ -139,6 +139,21 @@ REFUSED = {
     # Of SudoDEM's bodies that are not symmetric
     "x,y,z,rx+,rx-,ry+,ry-,rz+,rz-,qw,qx,qy,qz": ({}, f"0,0,0,1,2,1,1,1,1,{UP}", r"the columns rx\+ rx- ry\+ ry- rz\+ rz- could change"),
     "x,y,z,a,b,c,m,n,qw,qx,qy,qz": ({}, f"0,0,0,2,1,1,4,4,{UP}", "the columns m n could change"),
+    **{f"x,y,z,a,b,c,{name},qw,qx,qy,qz": ({}, f"0,0,0,2,1,1,8,{UP}", f"the column {name} could change")
+       for name in ("n", "P", "expo", "fac", "mult", "bevel_radius", "taper_x", "bend", "skin", "deform_x")},
+    # Of two quaternions, one may be that of the start
+    "x,y,z,a,b,c,body_quat_w,body_quat_x,body_quat_y,body_quat_z,qw,qx,qy,qz":
+        ({}, f"0,0,0,2,1,1,{UP},{UP}", "the columns .*qw qx qy qz could change|the columns body_quat_w .* could change"),
+    # Half the sides of boxes
+    "x,y,z,half_size_x,half_size_y,half_size_z,qw,qx,qy,qz": ({}, f"0,0,0,2,1,1,{UP}", "the columns half_size_x half_size_y half_size_z"),
+    # Two columns of one name, in other letters, of which a convention would read one
+    "OBJ_ID,X,Y,SEMI_MAJOR,SEMI_MINOR,POSITION_ANGLE,Position angle":
+        ({}, "1,0,0,2,1,90,30", "the columns POSITION_ANGLE and Position angle have one name except for capitals, signs or units"),
+    "x,y,z,radius,Radius (mm)": ({}, "0,0,0,1,2", "the columns radius and Radius .mm. have one name"),
+    # Of photutils 3, whose lengths are RMS, with the unit of the angle
+    **{f"label,x_centroid,y_centroid,semimajor_axis,semiminor_axis,{name}":
+           ({"angle_zero": "x"}, "1,0,0,2,1,90", "the columns may be those of photutils, and other programs mean other lengths")
+       for name in ("orientation (deg)", "orientation[deg]")},
     "x,y,z,a,b,c,U1,U2,U3": ({}, "0,0,0,2,1,1,.1,.2,.3", "has the length 0.374166 of U1 U2 U3, which may be angles or a direction"),
     "x,y,z,radius,label_class,type": ({}, "0,0,0,1,a,wall", "of the type wall are not ell"),
     # What rounds a body, and other turns beside quaternions
@@ -208,6 +223,7 @@ TABLES = {
     # Of MorphoLibJ 1.6.3
     ",Label,Elli.Center.X,Elli.Center.Y,Elli.Center.Z,Elli.Radius1,Elli.Radius2,Elli.Radius3,Elli.Azim,Elli.Elev,Elli.Roll\n"
     "1,1,5,7.25,7.25,2,.5,.5,90,0,0\n2,2,5,9.5,9.5,2,.75,.75,90,0,0": "equal y and z, and .* as MorphoLibJ 1.6.3 writes by mistake",
+    "body_id,x,y,z,radius\n0,0,0,0,1\n0,1,0,0,1\n1,9,0,0,1": "line 3: the column body_id has 0 twice",
     "id,x,y,z,radius\n1,0,0,0,1\n2,9,0,0,1\n1,0,1.5,0,1\n2,9,1.5,0,1\n3,0,9,0,1": "line 4: the column id has most ids up to 2 times",
     "t,x,y,z,radius\n0,0,0,0,1\n0.5,0,1.5,0,1": "line 3: the column t has several values",
     **{f"{name},x,y,z,radius\n0,0,0,0,1\n5,0,1.5,0,1": "line 3: the column .* has several values, 0 and 5" for name in
@@ -231,7 +247,8 @@ TABLES = {
     "# periodic: xyz\nx,y,z,radius\n0,0,0,1": "could say the cell",
     **{f"# {comment}\nx,y,z,radius\n0,0,0,1": "could say the cell" for comment in
        ("N=2, Lx=9 Ly=9 Lz=9", "2 spheres in box 9 9 9", '{"box": [9, 9, 9]}', "PBC in x, y, z", "with periodic boundaries",
-        "Lx Ly Lz = 9 9 9", "L = 9", "domain size: 9 9 9", "bounds: 0 9 0 9 0 9", "xlo xhi 0 9", "extent 9 9 9")},
+        "Lx Ly Lz = 9 9 9", "L = 9", "domain size: 9 9 9", "bounds: 0 9 0 9 0 9", "xlo xhi 0 9", "extent 9 9 9", "L_box = 9",
+        "RVE size 9 9 9")},
     "# step 1\n# step 2\nx,y,z,radius\n0,0,0,1": "line 2: the comment '# step' is there twice",
     # Crystal orientations of EDAX are not angles of ellipses.
     "# COLUMN_HEADERS: phi1, PHI, phi2, x, y, a, b\n# GRID: SqrGrid\n 1 1 1 0 0 2 1": "the columns phi1 PHI phi2 could change",
@@ -267,7 +284,8 @@ TABLES = {
     "# superquadrics with blockiness 8\nx,y,z,radius\n0,0,0,1": "convert the numbers if it does, and remove it",
     **{f"# {comment}\nx,y,z,radius\n0,0,0,1": "convert the numbers if it does, and remove it" for comment in
        ("voxel: 0.2 0.2 1.0", "pixel width 0.5", "1 px = 0.25 um", "0.25 um/px", "z-step 2 um", "z in slices of 0.5 um", "anisotropy 3",
-        "fractional coordinates", "log10 of the radius", "lengths multiplied by 1000", "in units of 1e-6 m", "shrunk by 5 %")},
+        "fractional coordinates", "inflated by 2 %", "shrunk to 0.95", "multiplied by a factor of 2",
+        "log10 of the radius", "lengths multiplied by 1000", "in units of 1e-6 m", "shrunk by 5 %")},
     **{f"# {comment}\nx,y,a,b,angle_deg\n0,0,2,1,30": "--lengths., or convert them" for comment in
        ("a, b: 1-sigma", "a and b are standard deviations", "RMS along the axes", "a, b: FWHM", "half-maximum widths",
         "95 % confidence ellipses", "eigenvalues of the covariance", "a and b are squared")},
@@ -277,7 +295,7 @@ TABLES = {
     "# angle of the minor axis\nx,y,a,b,angle_deg\n0,0,2,1,30": "convert the numbers if it does, and remove it",
     **{f"# {comment}\nx,y,z,a,b,c,qw,qx,qy,qz\n0,0,0,2,1,1,{UP}": "convert the numbers if it does, and remove it" for comment in
        ("passive rotations", "from the lab frame to the body frame", "world-to-body", "conjugate quaternions", "the inverse rotation",
-        "rotation of the frame")},
+        "rotation of the frame", "quaternions as JPL has them")},
     "# radius of the bounding sphere\nx,y,z,radius\n0,0,0,1": "or say that these are spheres .--shape-columns",
     **{f"# {comment}\nx,y,z,length,diameter,nx,ny,nz\n0,0,0,4,1,0,1,0": "ellipsoids alone are read" for comment in
        ("spherocylinders", "a pile of cubes", "capsules", "multi-spheres", "rounded boxes")},
@@ -332,6 +350,21 @@ PAIRS = {
         "pose.position.x,pose.position.y,pose.position.z",
         "Particle X-Coordinate [m],Particle Y-Coordinate [m],Particle Z-Coordinate [m]")},
     "positions of a start": ("x,y,z,x0,y0,z0,radius\n0,0,0,5,5,5,.5\n0,1.5,0,5,5,5,.5", {}, 1.5),
+    **{f"spheres by {name}": (f"x,y,z,{name}\n0,0,0,{size}\n0,1.5,0,{size}", {}, 1.5) for name, size in
+       (("rad", .5), ("dia", 1), ("Diam (mm)", 1), ("Particle Radius [m]", .5), ("sphere_diameter", 1))},
+    **{f"lengths {names}": (f"x,y,z,{names},qw,qx,qy,qz\n0,0,0,{axes},{UP}\n0,1.5,0,{axes},{UP}", {}, 0.375) for names, axes in
+       (("semi_a,semi_b,semi_c", "2,.5,.5"), ("radius_a,radius_b,radius_c", "2,.5,.5"), ("diameter_a,diameter_b,diameter_c", "4,1,1"),
+        ("Major radius (mm),Int. radius (mm),Minor radius (mm)", "2,.5,.5"))},
+    **{f"ellipses by {names}": (f"x,y,{names},angle_deg\n0,0,{axes},90\n0,1.5,{axes},90", {}, 0.375) for names, axes in
+       (("semi_a,semi_b", "2,.5"), ("major_radius,minor_radius", "2,.5"), ("diameter_major,diameter_minor", "4,1"))},
+    "a pose of ROS": ("pose.position.x,pose.position.y,pose.position.z,pose.orientation.x,pose.orientation.y,pose.orientation.z,"
+                      f"pose.orientation.w,a,b,c\n0,0,0,0,0,{HALF!r},{HALF!r},2,.5,.5\n0,1.5,0,0,0,{HALF!r},{HALF!r},2,.5,.5", {}, 0.375),
+    "Euler parameters": (f"x,y,z,a,b,c,e0,e1,e2,e3\n0,0,0,2,.5,.5,{UP}\n0,1.5,0,2,.5,.5,{UP}", {}, 0.375),
+    "n numbers the rows": (f"n,x,y,z,a,b,c,qw,qx,qy,qz\n1,0,0,0,2,.5,.5,{UP}\n2,0,1.5,0,2,.5,.5,{UP}", {}, 0.375),
+    "photutils 3": ("label,x_centroid,y_centroid,semimajor_axis,semiminor_axis,orientation (deg)\n1,5,5,1,.25,90\n2,5,6.5,1,.25,90",
+                    {"convention": "photutils"}, 0.375),
+    "an angle in both units": ("x,y,a,b,theta (rad),theta (deg)\n0,0,2,.5,1.5707963267948966,90\n0,1.5,2,.5,1.5707963267948966,90", {},
+                               0.375),
     "a single id": ("id,x,y,z,radius\n0,0,0,0,.5\n0,0,1.5,0,.5", {}, 1.5),
     "ids of two frames as one system": ("id,x,y,z,radius\n1,0,0,0,.5\n2,0,1.5,0,.5\n1,0,9,0,.5\n2,0,19,0,.5",
                                         {"ignore_columns": ["id"]}, 1.5),
@@ -500,6 +533,7 @@ HARMLESS = ("rotational_energy", "Rotational Kinetic Energy", "rotational_veloci
             "orientational_order", "track_length", "form_factor", "inertia_x", "moment_of_inertia_xx", "moment_inertia[2]",
             "c_orientorder[1]", "c_erotate", "f_inertia[1]", "c_cluster_size", "Cavity Radius", "deformation_gradient[1]", "label", "name",
             "class", "b_to_a", "ellipticity", "Flatness", "Max caliper", "radius_of_gyration",
+            "Ixx", "I_xy", "phi_local", "local_phi", "background", "formation", "uniform", "performance", "n_voxels", "path_length",
             "stress_tensor[1]", "removal", "fabric_tensor_xx", "epsilon", "roundness", "polarity")  # fmt: skip
 
 
@@ -523,7 +557,8 @@ def test_harmless_columns(name, tmp_path):
                                      "step 1000 energy -3.2", "cell type: neuron", "origin at the lower left corner", "step size 0.1",
                                      "all lengths are in units of the particle diameter", "cutoff = 2.5 sigma", "RMS velocity 0.3",
                                      "variance of velocity 0.1", "eigenvalues of the Q tensor", "power 5 mW", "damping factor 0.1",
-                                     "time resolution 0.1 s", "scale = 1.0", "scale factor 1", "not superquadrics", "rms error 1e-8",
+                                     "time resolution 0.1 s", "scale = 1.0", "scale factor 1", "voxel size 1", "grown to 9 mm",
+                                     "not superquadrics", "rms error 1e-8",
                                      "Gaussian noise with standard deviation 0.1 added", "packing factor 0.64",
                                      "sizes drawn from a normal distribution (mean 1, std dev 0.1)", "in a cylinder of diameter 10",
                                      "without periodic boundary conditions", "periodic boundaries off", "boundary: reflecting",
@@ -685,6 +720,57 @@ def test_degrees_in_latin_1(tmp_path):
     (tmp_path / "a.csv").write_bytes("x,y,a,b,angle (µrad)\n0,0,2,1,30\n".encode("latin-1"))
     with pytest.raises(pypw85.FileError, match="could change the shapes"):
         read(tmp_path / "a.csv")
+
+
+def test_bodies_of_several_spheres(tmp_path):
+    """LIGGGHTS writes the number of a body, 0 for single spheres."""
+    dump = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n4\nITEM: BOX BOUNDS ff ff ff\n" + 3 * "-9 9\n"
+    xyz = '4\nLattice="9 0 0 0 9 0 0 0 9" Properties=species:S:1:pos:R:3:radius:R:1:{}:I:1\n'
+    for name in ("id_multisphere", "c_rigid", "f_clump", "v_body_id"):
+        for file, head, kind in (("a.dump", dump + f"ITEM: ATOMS type x y z radius {name}\n", "1"), ("a.xyz", xyz.format(name), "A")):
+            text = head + "".join(f"{kind} 0 {y} 0 1 {k}\n" for y, k in ((0, 7), (1, 7), (5, 0), (8, 0)))
+            with pytest.raises(pypw85.FileError, match=f"the column {name} has 7 twice, as for one body .* of several spheres: write"):
+                read_text(tmp_path / file, text)
+            assert len(read(tmp_path / file, ignore_columns=[name])) == 4
+            assert len(read_text(tmp_path / file, text.replace("1 7", "1 6", 1))) == 4
+
+
+@pytest.mark.parametrize("place, attribute, reason", [
+    ("/", ("length_scale", 2.0), "the attribute 'length_scale=2.0' could mean"), ("particles", ("unit", "2 um per pixel"), "per pixel"),
+    ("particles/all", ("orientation", "from the lab frame to the body frame"), "could mean .* convert the numbers if it does"),
+    ("/", ("author", "A. Nonym"), ""), ("/", ("orientation", "from the body frame to the lab frame"), "")])  # fmt: skip
+def test_attributes_of_files(place, attribute, reason, tmp_path):
+    """Of the file, too, and of rotations of axes instead of bodies."""
+    pypw85.write(tmp_path / "a.h5", [random_system(count=2)])
+    with h5py.File(tmp_path / "a.h5", "r+") as file:
+        file[place].attrs[attribute[0]] = attribute[1]
+    if not reason:
+        assert len(read(tmp_path / "a.h5")) == 2
+        return
+    with pytest.raises(pypw85.FileError, match=reason):
+        read(tmp_path / "a.h5")
+
+
+def test_clumps_of_hdf5(tmp_path):
+    pypw85.write(tmp_path / "a.h5", [random_system(count=4)])
+    for numbers, is_refused in (([7, 7, 0, 0], True), ([7, 6, 0, 0], False), ([[7, 7]] * 4, False)):
+        with h5py.File(tmp_path / "a.h5", "r+") as file:
+            file.pop("particles/all/clump_id", None)
+            file["particles/all/clump_id"] = numbers
+        if is_refused:
+            with pytest.raises(pypw85.FileError, match="the data set clump_id has a number twice, as for one body of several spheres"):
+                read(tmp_path / "a.h5")
+        assert len(read(tmp_path / "a.h5", ignore_columns=["clump_id"] if is_refused else None)) == 4
+
+
+def test_flag_of_hybrid_styles(tmp_path):
+    """The flag of the first style stands behind the position; a charge that is 1 for the same atoms is none."""
+    text = "of a test\n\n2 atoms\n{1} ellipsoids\n" + "".join(f"-9 9 {axis}lo {axis}hi\n" for axis in "xyz")
+    text += "\nAtoms # hybrid ellipsoid charge\n\n1 1 0 0 0 1 1 1\n2 1 0 4 0 {0} 1 0\n\nEllipsoids\n\n1 1 1 1 1 0 0 0\n"
+    with pytest.raises(pypw85.FileError, match="line 11: no column of the section Atoms has 1 for the atoms of the section Ellipsoids"):
+        read_text(tmp_path / "a.data", text.format(1, 1))
+    assert len(read_text(tmp_path / "a.data", text.format(0, 1))) == 1
+    assert len(read_text(tmp_path / "a.data", text.format(1, 2) + "2 1 1 1 1 0 0 0\n")) == 2
 
 
 def test_two_boxes_of_lammps(tmp_path):

@@ -122,6 +122,18 @@ def test_unknown_properties(name, tmp_path):
         pypw85.read(ply(tmp_path / "a.ply", PAIR, [*PROPERTIES, name]))
 
 
+def test_ignored_properties(tmp_path):
+    """A property that does not change shapes may have any name."""
+    path = ply(tmp_path / "a.ply", PAIR, [*PROPERTIES, "time", "obj_dc_0", "semantic_12", "roughness", "normal_0"])
+    with pytest.raises(pypw85.FileError, match=r"leave it out if it does not \(--ignore-columns time\)"):
+        pypw85.read(path)
+    np.testing.assert_array_equal(read(path, ignore_columns=["time"]).q, read(ply(tmp_path / "b.ply", PAIR)).q)
+    with pytest.raises(pypw85.FileError, match="there is no property tome for --ignore-columns, but "):
+        pypw85.read(path, ignore_columns=["tome"])
+    with pytest.raises(pypw85.FileError, match="there is no property scale_0 of splats"):
+        pypw85.read(path, ignore_columns=["time", "scale_0"])
+
+
 @pytest.mark.parametrize("comment, reason", [
     ("scales are linear", "the comment 'scales are linear' says that scales are lengths, .*--scales linear or"),
     ("activated scales", "says that scales are lengths"), ("quaternion order: x y z w", "could mean that .*: write w first, or remove it"),

@@ -109,16 +109,23 @@ _LOOKALIKES = [
 ]  # fmt: skip
 # What files begin with that are not read, and what helps
 _OTHERS = [
-    (rb"---\s*(creator|timestep):", "this is a dump of LAMMPS in YAML: write it with dump custom"),
+    (rb"(?:creator:[^\n]*\n)?---\s*(creator|timestep):", "this is a dump of LAMMPS in YAML: write it with dump custom"),
     (rb".{8}DUMP(?:CUSTOM|ATOM)|LammpS RestartT", "it is a binary file of LAMMPS: write a dump or a data file as text"),
     (rb"Number of particles *=", "files of AtomEye (.cfg) are not read: write a dump of LAMMPS or extended XYZ"),
     (rb"CDF[\x01\x02\x05]", "files of NetCDF are not read: write a dump of LAMMPS, GSD or extended XYZ"),
     (rb"(?:HEADER|CRYST1|REMARK|MODEL |ATOM  |HETATM|ANISOU|COMPND|AUTHOR)[ \d].*\n|TITLE {5}\S|"
      rb"(?:#[^\n]*\n|\s)*data_", "files of PDB, CIF and STAR are not read, nor "
      "displacement ellipsoids in them: write a table of centres, semi-axes and quaternions"),
+    (rb"(?:(?:TITL|REM) [^\n]*\n|\s)*CELL +\d", "files of SHELX are not read, nor displacement ellipsoids in them: write a table of "
+     "centres, semi-axes and quaternions"),
     (rb"- of Ulm|SQLite format 3\0", "files of ASE (.traj, .db) are not read: write extended XYZ (ase convert INPUT OUTPUT.extxyz)"),
     (rb"T\0\0\0CORD|\0\0\x07[\xcb\xc9]", "trajectories of DCD, XTC and TRR have no shapes of particles: write a dump of LAMMPS, GSD or "
                                           "extended XYZ"),
+    (rb"t = [^\n]*\nb = ", "configurations of oxDNA are not read: write a dump of LAMMPS, GSD or extended XYZ"),
+    (rb"(?:#[^\n]*\n|\s)*(?:(?:unitcell|pbc)[ \t]+[\d.]|(?:a|atom|default)[ \t]+[\d:,]*[ \t]*(?:radius|r|name|n|type|t|resid)[ \t])",
+     "files of VTF are not read: write a dump of LAMMPS, GSD or extended XYZ"),
+    (rb"#F [AB] [01] ", "files of IMD are not read: write a dump of LAMMPS or extended XYZ"),
+    (rb"\.(?:color|sphere|cylinder|transparency)\b", "scenes of Chimera (.bild) are not read: write a table of centres and lengths"),
     (rb"boxMatrix\s|//date", "files of injavis (.pos) are not read: write GSD or extended XYZ"),
     (rb"(?://[^\n]*\n|\s)*(?:#(?:include|version|declare)\b|(?:camera|sphere|light_source)\s*\{)", "scenes of POV-Ray are not read: "
      "write a table of centres, semi-axes and quaternions"),

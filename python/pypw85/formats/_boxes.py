@@ -21,7 +21,7 @@ _ROUNDED = 2.0**-40
 SAYS_CELL = (r"((?:(?:simulation|periodic|unit)[ _-]?)?(?:cell|box|lattice)(?:[ _-]?(?:size|lengths?|vectors?|edges))?|"
              r"domain(?:[ _-]?(?:size|lengths?|bounds))?|bounds|extents?|[xyz]lo(?:[ ,]+[xyz]hi)?|"
              r"l[xyz](?:[ ,]+l[xyz])*|l(?=\s*[=:]\s*[-+.\d])|"
-             r"pbc|periodic\w*|boundar(?:y|ies)|lattice)\s*(?:[:=(\[]|[-+]?\.?\d|[TFtf]\b)")  # fmt: skip
+             r"l_?box|rve(?:[ _-]?size)?|pbc|periodic\w*|boundar(?:y|ies)|lattice)\s*(?:[:=(\[]|[-+]?\.?\d|[TFtf]\b)")  # fmt: skip
 
 
 def numbered_types(system: System) -> tuple[Any, bool]:

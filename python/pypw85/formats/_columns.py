@@ -26,7 +26,7 @@ Names = tuple[str, ...]
 Error = Callable[[str], FileError]
 
 _XYZ, _INDEX, _FROM_1, _FROM_0 = ("x", "y", "z"), ("[1]", "[2]", "[3]"), ("1", "2", "3"), ("0", "1", "2")
-_INDEX_0 = ("[0]", "[1]", "[2]")
+_INDEX_0, _ABC = ("[0]", "[1]", "[2]"), ("a", "b", "c")
 # Properties of three lengths and a quaternion
 _OF_SEVEN = re.compile(r"c\w*shape\w*")
 _ASK = ""  # Two programs mean different things.
@@ -34,15 +34,17 @@ _ASK = ""  # Two programs mean different things.
 _LENGTHS: list[tuple[str, list[Names], str]] = [
     ("shape", [_XYZ], "diameters"),
     ("asphericalshape", [_XYZ, _INDEX], "radii"),
-    ("semiaxes|semiaxis|halfaxes|halfaxis", [_XYZ, _INDEX_0, _INDEX, _FROM_1, _FROM_0, ("a", "b", "c")], "radii"),
-    ("radius|radii", [_XYZ, _INDEX_0, _INDEX, _FROM_1, _FROM_0], "radii"),
+    ("semi|semiaxes|semiaxis|halfaxes|halfaxis", [_XYZ, _INDEX_0, _INDEX, _FROM_1, _FROM_0, _ABC], "radii"),
+    ("radius|radii", [_XYZ, _INDEX_0, _INDEX, _FROM_1, _FROM_0, _ABC], "radii"),
     ("r", [_XYZ, _FROM_1], "radii"),
-    ("diameter|diameters", [_XYZ, _INDEX_0, _INDEX, _FROM_1, _FROM_0], "diameters"),
+    ("diameter|diameters", [_XYZ, _INDEX_0, _INDEX, _FROM_1, _FROM_0, _ABC], "diameters"),
     ("axislengths?", [_INDEX, _FROM_0, _FROM_1], _ASK),
     (r"c\w*(?:shape|diam)\w*", [_INDEX, _FROM_1], "diameters"),
-    ("", [("a", "b", "c")], "radii"),
+    ("", [_ABC], "radii"),
     ("semi", [(one, two, three) for one, three in (("major", "minor"), ("majoraxis", "minoraxis"))
               for two in ("intermediate", "middle", "medium", "intermediateaxis", "middleaxis", "mediumaxis")], "radii"),
+    *(("", [(f"major{size}", f"{two}{size}", f"minor{size}") for two in ("int", "intermediate", "middle")], meaning)
+      for size, meaning in (("radius", "radii"), ("diameter", "diameters"))),
     ("", [("length", "width", "height"), ("length", "width", "thickness"), ("l", "w", "h"), ("lx", "ly", "lz"),
           ("major", "intermediate", "minor"), ("long", "intermediate", "short")], _ASK),
 ]
@@ -50,6 +52,8 @@ _LENGTHS: list[tuple[str, list[Names], str]] = [
 _LENGTHS_OF_ELLIPSES: list[tuple[str, list[Names], str]] = [
     *((stems, [one[:2] for one in ends], meaning) for stems, ends, meaning in _LENGTHS),
     ("semi", [("major", "minor"), ("majoraxis", "minoraxis")], "radii"),
+    ("", [("majorradius", "minorradius"), ("radiusmajor", "radiusminor")], "radii"),
+    ("", [("majordiameter", "minordiameter"), ("diametermajor", "diameterminor")], "diameters"),
     ("", [("major", "minor"), ("majoraxis", "minoraxis"), ("majoraxislength", "minoraxislength"), ("axismajorlength", "axisminorlength"),
           ("width", "height"), ("w", "h")], _ASK),
 ]
@@ -58,10 +62,11 @@ _QUADRUPLE = ("[1]", "[2]", "[3]", "[4]")
 _QUATERNIONS: list[tuple[str, list[Names], str]] = [
     (r".*(?:wxyz|wijk|scalarfirst|wfirst)", [_QUADRUPLE], "wxyz"),
     (r".*(?:xyzw|ijkw|scalarlast|wlast)", [_QUADRUPLE], "xyzw"),
-    ("quat|q|quaternion|quaternions|quats|orientation|orient|ori|rotation|rot", _LETTERS, "wxyz"),
+    ("(?:field|pose|body|particle|ellipsoid|grain)*(?:quat|q|quaternion|quaternions|quats|orientation|orient|ori|rotation|rot)",
+     _LETTERS, "wxyz"),
     ("orientation", [_QUADRUPLE], "xyzw"),
     ("quat", [("1", "2", "3", "4")], "wxyz"),  # of LIGGGHTS
-    ("q", [("0", "1", "2", "3")], "wxyz"),
+    ("q|e", [("0", "1", "2", "3")], "wxyz"),  # Euler parameters
     ("quat|quats|quaternion|quaternions", [("0", "1", "2", "3"), _QUADRUPLE], _ASK),
     ("orientation|orient|rotation", [("0", "1", "2", "3"), ("1", "2", "3", "4")], _ASK),
     ("quat|quats|quaternion|quaternions|orientation|orient|rotation|q", [("[0]", "[1]", "[2]", "[3]")], _ASK),
@@ -69,7 +74,10 @@ _QUATERNIONS: list[tuple[str, list[Names], str]] = [
     (r"cq|c\w*quat\w*", [_QUADRUPLE], "wxyz"),
     (_OF_SEVEN.pattern, [("[4]", "[5]", "[6]", "[7]")], "wxyz"),
 ]
-_SPHERES = {"radius": "radii", "radii": "radii", "r": "radii", "diameter": "diameters", "diameters": "diameters", "d": "diameters"}
+_SPHERES = {"radius": "radii", "radii": "radii", "r": "radii", "rad": "radii", "diameter": "diameters", "diameters": "diameters",
+            "d": "diameters", "dia": "diameters", "diam": "diameters"}  # fmt: skip
+_SPHERES |= {body + size: meaning for body in ("particle", "sphere") for size, meaning in
+             (("radius", "radii"), ("diameter", "diameters"), ("diam", "diameters"))}  # fmt: skip
 # Those that may be the size of particles whose lengths are 0
 _OF_ZEROS = ("radius", "r", "diameter")
 # Exponents of superquadrics, and the values with which these are ellipsoids. OVITO's are inverse, and 0 means 1 there.
@@ -97,9 +105,11 @@ _SPHEROIDS: list[tuple[Names, Names, tuple[float, float]]] = [
 _RATIOS = ("aspectratio", "aspect", "ar")
 # Names of what can change the size or the shape of a body, or its turn. What is not used of these is refused.
 _SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thick|axis|axes|shape|aspect|ratio(?!n)|elong|major|minor|"
-                    r"block|expon|round|superquad|squareness|scale|scaling|stretch|sigma|size|eccentr|flatten|flatness|oblate|prolate|"
+                    r"block|expon|(?<!backg)(?<!sur)round|superquad|squareness|scale|scaling|stretch|sigma|size|eccentr|flatten|flatness|"
+                    r"oblate|prolate|"
                     r"spheric|cylindric|triaxial|slender|breadth|caliper|calliper|feret|gyrat|fwhm|per(px|pixel|voxel)|"
-                    r"(?<!in)form|matrix|covar|inertia|eigen|lambda|principal|ellip|spheroid).*|(shape)?anisotropy|kappa|ar|ecc|flat|"
+                    r"deform|(?<!in)(?<!uni)(?<!per)(?<!plat)form(?!ation|ula)|matrix|covar|inertia|eigen|lambda|principal|ellip|"
+                    r"spheroid).*|(shape)?anisotropy|kappa|ar|ecc|flat|"
                     r"oval(ity|ness)?|dpi|ba|ca|cb|[abc](to|over)[abc]|tensor[\w\[\]]*|(cov|rg)(xx|yy|zz|xy|xz|yz)|"
                     r"(dims?|extents?|span|std|stdev|stddev|sd|var|variance|precision|rms|voxel|pixel)[xyz0-3]|"
                     r"eps(ilon)?[12]|geom|geometry|primitive|kind|[xyz](2|end)|(corner|end|tip|tail)\d?[xyz]|[abcdhlrsw]|"
@@ -116,6 +126,7 @@ _SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thi
                     r"x(dim|len|ext|rad)|(dim|len|ext|rad)x|[xyz](err|unc)|sm[abc]|(box|cell|lattice|domain)[xyzabc]|bboxw|boxw|obb\w|"
                     r"quantile|percentile|chi2\w*|h[wh]|coating|shell|inner|outer|mesh(file)?|(convex)?hull|stl(file)?|template|"
                     r"(ev|eval|eigval|lam|sv)\d|cov\d\d|[rd](eq|equiv|mean|avg|ave|median|vir|vol|hyd)|rg|rf|is\w*sphere|morphology|habit|"
+                    r"fac|mult|expo|bevel\w*|taper\w*|bend|skin|"
                     r"mpp|ppi|flinn\w*|zingg\w*|corey\w*|csf|(sq|super)(e|eps|n|m|p)\d?|fillet|chamfer|"
                     r"polygon|polyhedron|(geometry|primitive|kind|template|mesh)(id|index|type|name|no|number)|sieve")
 _TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bearing|trend|plunge|strike|rake|tilt|inclin|"
@@ -136,11 +147,13 @@ _SOUND_EITHER = re.compile(r"(?!.*(semi|half|radi|diam)).*(scal|sigma|std|rms|ex
                            r"intermediate).*|maj|min|m[ai]|ell?(maj|mid|min|[abc])|sv\d|long|short|[bs](maj|mid|min)|(maj|med|min)r|(bbox|obb|sig|sd|dim|[sw])[xyz]|"
                            r"[xyz]?(len|dim)[xyz1-3]?")
 # Those of other things: stresses, velocities, contacts, positions, counts
-_OTHERS = re.compile(r"(bond|cluster|group|sample|batch|step|wave|track)\w*(length|size|width)|temperature\w*|charge\w*|mass\w*|density\w*|"
+_OTHERS = re.compile(r"(bond|cluster|group|sample|batch|step|wave|track|path)\w*(length|size|width)|"
+                     r"temperature\w*|charge\w*|mass\w*|density\w*|"
                      r"(stress|strain|virial|pressure|force|torque|velocity)\w*|c?stress\[\d\]|"
                      r"number(?!of(corners|fac|edges|sides|vert))\w*|.*neighbou?rs?|"
                      r"euler(number|characteristic)|rot\w*(energy|velocity|temperature|momentum)[xyz]?|"
                      r"orient(ational)?order(parameter)?(\[\d+\])?|psi[468]|erotate\w*|cavityradius|poisson('?s)?ratio|"
+                     r"(mean|local|packing|voronoi)phi|phi(mean|local|packing|voronoi)|"
                      r"(phi|theta|psi|alpha|beta|gamma|angle|yaw|pitch|roll)(d?dot|rate|velocity)|deformationgradient.*")  # fmt: skip
 # Measures of bodies whose lengths are all there
 _DERIVED = re.compile(r"(?!.*(pixel|voxel|zaspect|zratio|zanis)).*(aspect|ratio|elong|eccentr|ellipticity|flatten|flatness|oblate|"
@@ -148,7 +161,7 @@ _DERIVED = re.compile(r"(?!.*(pixel|voxel|zaspect|zratio|zanis)).*(aspect|ratio|
                       r"(?<!a)spheric|"
                       r"cylindric|triaxial|slender|feret|caliper|calliper|gyrat|equivalent|bounding|bbox|inscr).*|"
                       r"ecc|oval(ity|ness)?|ba|ca|cb|[abc](to|over)[abc]|perim\w*|(shape)?anisotropy|ar|(form|shape)factor|"
-                      r"(moments?(of)?)?inertia[\w\[\]]*")  # fmt: skip
+                      r"(moments?(of)?)?inertia[\w\[\]]*|i(xx|yy|zz|xy|xz|yz)")  # fmt: skip
 _UNUSED = ("the column {0} could change the shapes or how they are turned, and is not used: say what it is ({1}), or leave it out "
            "(--ignore-columns {2})")  # fmt: skip
 _SEVERAL_UNUSED = ("the columns {0} could change the shapes or how they are turned, and are not used: say what they are ({1}), or leave "
@@ -186,15 +199,15 @@ _QUANTITIES = re.compile(r".*(gyrat\w*|ofcurvature|ratio(?!n)|perimeter|circumfe
 
 def could_change(name: str) -> bool:
     """Returns whether a column of this name could change the shape or the orientation of a body."""
-    return not _matches(_OTHERS, name) and (_matches(_SIZES, name) or _sounds_like_turn(name))
+    return not matches(_OTHERS, name) and (matches(_SIZES, name) or _sounds_like_turn(name))
 
 
 def _sounds_like_turn(name: str) -> bool:
     """With or without a unit at its end."""
-    return _matches(_TURNS, name) or _TURNS.fullmatch(_turns.base(name)[0]) is not None
+    return matches(_TURNS, name) or _TURNS.fullmatch(_turns.base(name)[0]) is not None
 
 
-def _matches(pattern: re.Pattern[str], name: str) -> bool:
+def matches(pattern: re.Pattern[str], name: str) -> bool:
     """Returns whether a name matches a pattern of plain names, with or without what LAMMPS writes before computes, fixes and variables."""
     names = (name, name[2:]) if name[:2] in ("c_", "d_", "f_", "i_", "v_") else (name,)
     # A body that is not symmetric has lengths rx+ and rx-.
@@ -266,6 +279,7 @@ def take(columns: Sequence[str], options: Options, error: Error, lengths: str, o
         if name in known and name[:2] not in ("c_", "f_", "v_"):
             raise error(f"the column {name} is a position, an id, a type or a charge, and cannot be a length or a turn, too: name another")
     _check_brackets([*known, *taken.columns], error)
+    _check_twins(others, taken, error)
     _turns.check_units(taken.turn.columns, error)
     _check_unused(columns, taken, [*known, *colors], options, error, is_flat, convention)
     _check_options(taken, options, error)
@@ -293,6 +307,15 @@ def _check_brackets(names: Sequence[str], error: Error) -> None:
                         "and rename it")  # fmt: skip
 
 
+def _check_twins(columns: Sequence[str], taken: Taken, error: Error) -> None:
+    """Refuses columns of which two have one plain name, and only one is read."""
+    for name in taken.columns:
+        twins = [one for one in columns if plain_name(one) == plain_name(name) and not _turns.is_other_unit(one, taken.turn)]
+        if len({*twins}) > 1:
+            raise error(f"the columns {' and '.join(twins)} have one name except for capitals, signs or units, and only one would be read: "
+                        "rename or remove all but one")  # fmt: skip
+
+
 def _check_quantities(names: Sequence[str], error: Error) -> None:
     """Refuses columns as lengths whose names say that they are others or functions of these."""
     for name in names:
@@ -303,8 +326,8 @@ def _check_quantities(names: Sequence[str], error: Error) -> None:
 
 def _ask_for_program(plain: dict[str, str], angle: str | None, error: Error) -> None:
     """Refuses names of axes beside an angle which are those of a program, but may be others'."""
-    says_unit = any(_turns.base(name)[1] for name in plain.values())
-    names = [] if says_unit and angle is None else possible_ellipses(plain, angle)
+    said = next((unit for name in plain.values() if (unit := _turns.base(name)[1])), None)
+    names = possible_ellipses(plain, angle or said, has_own_names=angle is None and said is not None)
     if names:
         raise error(f"the columns may be those of {' or '.join(names)}, and other programs mean other lengths and angles by these "
                     f"names: say which program wrote the table (--convention {names[0]}), or what they are (--lengths, "
@@ -438,15 +461,15 @@ def _check_unused(columns: Sequence[str], taken: Taken, known: Sequence[str], op
     has_all = len(taken.shape) > 1
     names_turns = options.quaternion_columns or options.angle_columns or options.polar or options.direction_columns
     says_sizes = options.shape_columns or (not taken.shape and (options.shape is not None or options.shapes))
-    exponents = {"m", "n"} if {"m", "n"} <= {*map(plain_name, columns)} else set[str]()  # of superquadrics, as in MFIX
+    exponents = _possible_exponents(columns, len(taken.shape))
     found: dict[str, tuple[bool, bool]] = {}  # names, and whether these are of lengths and of turns
     for name in columns:
         plain = plain_name(name)
-        if name in used or _matches(_OTHERS, name) or (convention is not None and is_harmless(convention, plain)):
+        if name in used or matches(_OTHERS, name) or (convention is not None and is_harmless(convention, plain)):
             continue
-        if _turns.is_other_unit(name, taken.turn) or (has_all and not taken.spheroid and _matches(_DERIVED, name)):
+        if _turns.is_other_unit(name, taken.turn) or (has_all and not taken.spheroid and matches(_DERIVED, name)):
             continue
-        is_size, is_turn = _matches(_SIZES, name) or plain in exponents, _sounds_like_turn(name)
+        is_size, is_turn = matches(_SIZES, name) or name.lower() in exponents, _sounds_like_turn(name)
         if (is_size and not says_sizes) or (is_turn and not names_turns):
             found[name] = is_size, is_turn
     if found:
@@ -454,6 +477,14 @@ def _check_unused(columns: Sequence[str], taken: Taken, known: Sequence[str], op
         how_turned = "--angle-columns" if is_flat else "--quaternion-columns, --euler, --polar or --direction-columns"
         how = ", ".join(["--shape-columns"] * sizes + [how_turned] * turns)
         raise error((_UNUSED if len(found) == 1 else _SEVERAL_UNUSED).format(" ".join(found), how, for_option(found)))
+
+
+def _possible_exponents(columns: Sequence[str], lengths: int) -> set[str]:
+    """Letters that may be exponents of superquadrics: m beside n, as in MFIX, and n or p beside three lengths. A first column of that name
+    numbers the rows."""
+    names = [*map(str.lower, columns)]
+    pair = {"m", "n"} if {"m", "n"} <= {*names} else set[str]()
+    return pair | ({"n", "p"} - {names[0]} if lengths == 3 else set[str]())
 
 
 def fill(frame: Frame, taken: Taken, table: Table) -> None:

@@ -49,7 +49,8 @@ _ASIDE = re.compile(rf"\b{_WIDTHS} (of (the )?)?{_OTHERS}\b|\b{_OTHERS} {_WIDTHS
                     r"(of |with )?(inner |outer |a )?(diameter|radius)\b|"
                     r"\b(cut-?off|r_?c(ut)?|skin)\b( radius| distance)?\W*[\d.]+\s*sigma\b|"
                     rf"\b(noise|drawn|sampled|polydispers\w+)\b[^.;]{{0,60}}?\b({_DEVIATION}|sigma)\W*(of\W*)?\d[\d.]*|"
-                    r"\b(scale|factor)s?( factor)?\W*1(\.0*)?$|\bconfidence( threshold| score)s?\b|\bconfidence\s*[<>≤≥]|"
+                    r"\b(scale|factor|(pixel|voxel) size)s?( factor)?\W*1(\.0*)?$|"
+                    r"\bconfidence( threshold| score)s?\b|\bconfidence\s*[<>≤≥]|"
                     rf"[-+]?\d[\d.]{{0,20}}(e[-+]?\d+)?\s*(?-i:{_UNITS_OF_OTHERS})\b(?! per)", re.IGNORECASE)  # fmt: skip
 # Words that ask for another meaning, words beside which they do not, whether that is a contradiction, and what helps.
 _CLAIMS: list[tuple[str, str, Callable[[Meaning], bool], str]] = [
@@ -74,7 +75,7 @@ _CLAIMS: list[tuple[str, str, Callable[[Meaning], bool], str]] = [
      r"\b(top|upper)[\s-]*left|\bimage (coordinates?|frame|ax[ei]s)\b", _NEVER, lambda one: one.is_from_x, _SAY_ANGLES),
     (r"\b(angle|orientation)s?\b.*\b(minor|short(er|est)?)\b", r"\b(major|long(er|est)?)\b", lambda one: one.is_from_x, _CONVERT),
     # Rotations of axes instead of bodies
-    (rf"\bpassive\b|\b{_OPPOSITE}\b.*\b{_ROTATION}\b|\b{_ROTATION}\b.*\b{_OPPOSITE}\b|"
+    (rf"\bpassive\b|\bJPL\b|\b{_OPPOSITE}\b.*\b{_ROTATION}\b|\b{_ROTATION}\b.*\b{_OPPOSITE}\b|"
      r"\brotat\w+ (of |from )?(the )?(frame|axes|coordinate)|"
      r"\b(lab(oratory)?|world|space|global|inertial)([\s-]*(fixed|frame|axes|system|coordinates))*[\s-]*(to|into|->|→|2)[\s-]*(the[\s-]*)?"
      r"(body|particle|local|moving|principal)", r"\bactive\b", lambda one: one.is_turned, _CONVERT),
@@ -88,7 +89,9 @@ _CLAIMS: list[tuple[str, str, Callable[[Meaning], bool], str]] = [
      r"\bsuper[\s-]?(quadric|ellips)", _NEVER, lambda one: True, _CONVERT),
     (r"\b(fractional|reduced|crystal|lattice|scaled|direct|cylindrical|spherical( polar)?) (coord|positions?)|"
      r"\b(log(10|arithm\w*)?|ln)\b\W*(of\W+)?(the\W+)?(radi|diam|ax[ei]s|length|size|scale)|"
-     r"(\b(multiplied|divided|scaled|shr[iu]nk|enlarged|eroded|grown) by|\btimes|\bin units of|(?<!\d)(?<!\d )×)\W*\d|"
+     r"(\b(multiplied|divided|(re)?scaled|shr[iu]nk|enlarged|eroded|grown|inflated|dilated|swollen) by|"
+     r"\b(shr[iu]nk|enlarged|inflated|dilated) to|\btimes|"
+     r"\bin units of|(?<!\d)(?<!\d )×)\W*(a factor( of)?\W*)?\d|"
      r"\b10\^-?\d+ ?[nuµμm]?m\b", _NEVER,
      lambda one: True, _CONVERT),
     (r"\b(sphero[\s-]*cylinders?|cylinders?|capsules?|cuboids?|cubes?|polyhedra|multi[\s-]*spheres?|(rounded|rectangular) box(es)?)\b",

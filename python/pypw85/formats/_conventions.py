@@ -224,10 +224,12 @@ def possible(plain: Collection[str]) -> list[str]:
     return list(dict.fromkeys(one.name for one in CONVENTIONS if one.find(plain) is not None))
 
 
-def possible_ellipses(plain: Collection[str], angle: str | None) -> list[str]:
+def possible_ellipses(plain: Collection[str], angle: str | None, has_own_names: bool) -> list[str]:
     """Names the conventions with one angle, and with whole axes or RMS lengths, that these columns fit. If the unit of the angle is said,
-    only RMS lengths are left, since the names a and b do not ask for what they are."""
+    only RMS lengths are left, since the names a and b do not ask for what they are; with `has_own_names`, only those of programs that call
+    centres otherwise than x and y."""
     found = [one for one in CONVENTIONS if one.meaning != "radii" and len(one.angles[0]) == 1 and one.find(plain) is not None]
+    found = [one for one in found if not has_own_names or (one.find(plain) or ((),))[0] != ("x", "y")]
     return [one.name for one in found if angle is None or (one.meaning == "rms" and one.unit == angle)]
 
 

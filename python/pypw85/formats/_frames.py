@@ -141,7 +141,8 @@ class Options:
                  "--direction-columns": self.direction_columns, "--ignore-columns": self.ignore_columns,
                  "--angle-zero": self.angle_zero, "--angle-sense": self.angle_sense}  # fmt: skip
         for name, value in given.items():
-            if value is not None and not has_columns and value != format and (name, format) != ("--ignore-columns", "hdf5"):
+            is_ignored = name == "--ignore-columns" and format in ("hdf5", "splats")
+            if value is not None and not has_columns and value != format and not is_ignored:
                 raise FileError(path, f"files of the format {format} have no named columns: leave out {name}")
         fixed = _FIXED.get(format, ("", ""))
         for name, value, meaning in (("--lengths", self.lengths, fixed[0]), ("--quaternion", self.quaternion, fixed[1])):

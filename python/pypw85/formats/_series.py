@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from ._columns import plain_name
+from ._columns import matches, plain_name
 from ._conventions import Convention
 from ._errors import for_option
 from ._frames import Options
@@ -28,7 +28,8 @@ _PICTURES = re.compile(r"(metadata)?(well|site|field|fieldofview|fov|tile|crop|p
                        rf"{_END}")  # fmt: skip
 # Columns with the same value for one body at several times or for the spheres of one body, and of tables of pictures those that number
 # the bodies of each
-_TRACKS = re.compile(rf"(track|trajectory|traj|clump|rigid(body)?|multisphere){_END}")
+_TRACKS = re.compile(rf"(track|trajectory|traj|clump|rigid(body)?|multisphere){_END}|idmultisphere|"
+                     r"body(id|no|nr|num|number|index|idx)")
 _LABELS = re.compile(r"labels?|object(number|id|label)")
 # Labels of ImageJ are TITLE:REGION:SLICE; REGION and SLICE may lack (Analyzer.getFileName, 1.53t). A region of a stack has the
 # name SLICE-Y-X (RoiManager.getLabel).
@@ -59,6 +60,17 @@ def check_series(table: Table, names: Sequence[str], convention: Convention | No
             lines.number = table.line + rows.index(values[1])
             raise lines.error(f"the column {name} has several values, {values[0]} and {values[1]}: write the rows of one of them, or say "
                               f"that all are bodies of one system (--ignore-columns {for_option([name])})")  # fmt: skip
+
+
+def columns_of_clumps(columns: Sequence[str], options: Options) -> list[str]:
+    """Names columns of a frame that number bodies of several spheres."""
+    return [name for name in columns if matches(_TRACKS, name) and name not in (options.ignore_columns or ())]
+
+
+def check_clumps(table: Table, names: Sequence[str], lines: Lines) -> None:
+    """Refuses bodies of several spheres: spheres of one body may overlap. LIGGGHTS writes 0 for single spheres."""
+    for name in names:
+        _check_tracks(name, [f"{number:g}" if number > 0 else "" for number in table[name].tolist()], table.line, lines)
 
 
 def _picture_of(label: str) -> str:

@@ -13,14 +13,15 @@ from numpy.typing import NDArray
 from .._ply import Header, check_end, read_header, rows_of
 from .._typing import Floats
 from . import _comments
-from ._errors import FileError
+from ._errors import FileError, for_option
 from ._frames import Options
 from ._gaussians import Gaussians
 
 _POSITION, _ROTATION = ["x", "y", "z"], [f"rot_{k}" for k in range(4)]
 # Properties that do not change shapes: colours, normals, labels.
-_HARMLESS = re.compile(r"n[xyz]|f_dc_\d+|f_rest_\d+|opacity|(?:diffuse_)?(?:red|green|blue|alpha)|[rgba]|confidence|segment|semantic|"
-                       r"(?:\w+_)?(?:label|id|class)|mask|state|lod|lod_level")  # fmt: skip
+_HARMLESS = re.compile(r"n[xyz]2?|normal_?\d|f_dc_\d+|f_rest_\d+|opacity|(?:diffuse_)?(?:red|green|blue|alpha)|[rgba]|confidence|segment|"
+                       r"(?:f_)?sem(?:antic)?(?:_\d+)?|obj_dc_\d+|(?:\w+_)?(?:label|id|class)|mask|state|lod|lod_level|intensity|"
+                       r"(?:base_color|albedo(?:_rest)?|specular|diffuse|incidents_(?:dc|rest)|roughness|metallic)(?:_?\d+)?")  # fmt: skip
 _LINEAR = re.compile(r"\bscales?\b.*\b(linear|activated|lengths?|not log)|\b(linear|activated)\b.*\bscal", re.IGNORECASE)
 _CHUNK = 256
 _PACKED = ["packed_position", "packed_rotation", "packed_scale"]
@@ -34,14 +35,23 @@ def read_ply(path: os.PathLike[str], options: Options) -> Gaussians:
         check_end(content, header)
         vertex = header.element("vertex")
         names = [] if vertex is None else [one.name for one in vertex.properties]
+        names = _without_ignored(path, names, options)
         if "packed_scale" in names:
-            return _uncompressed(path, content, header, options)
+            return _uncompressed(path, content, header, names, options)
         _check_properties(path, names)
         _check_comments(path, content[: header.size], options)
         _refuse_packed(path, {} if vertex is None else {one.name: one.kind for one in vertex.properties})
-        return _plain(path, rows_of(content, header, "vertex"), options)
+        rows = rows_of(content, header, "vertex")
+        return _plain(path, {name: rows[name] for name in names}, options)
     except ValueError as error:
         raise error if isinstance(error, FileError) else FileError(path, str(error), 0) from None
+
+
+def _without_ignored(path: os.PathLike[str], names: list[str], options: Options) -> list[str]:
+    for name in options.ignore_columns or ():
+        if name not in names:
+            raise FileError(path, f"there is no property {name} for --ignore-columns, but {' '.join(names)[:200]}: name one of these", 0)
+    return [name for name in names if name not in (options.ignore_columns or ())]
 
 
 def _check_properties(path: os.PathLike[str], names: list[str]) -> None:
@@ -74,10 +84,10 @@ def _refuse_packed(path: os.PathLike[str], kinds: dict[str, str]) -> None:
 
 def _refuse_unknown(path: os.PathLike[str], names: list[str], used: set[str]) -> None:
     """Every property is used, or does not change shapes."""
-    for name in names:
-        if name not in used and not _HARMLESS.fullmatch(name):
-            raise FileError(path, f"splats have the property '{name[:80]}', which is not known and may change their shape: remove it from "
-                            "the file if it does not", 0)  # fmt: skip
+    unknown = [name for name in names if name not in used and not _HARMLESS.fullmatch(name)]
+    if unknown:
+        raise FileError(path, f"splats have the property '{unknown[0][:80]}', which is not known and may change their shape: leave it out "
+                        f"if it does not (--ignore-columns {for_option(unknown)})", 0)  # fmt: skip
 
 
 def _columns(rows: dict[str, NDArray[Any]], names: list[str]) -> Floats:
@@ -122,19 +132,19 @@ def _refuse_doubtful(path: os.PathLike[str], values: Floats, options: Options, n
                         "--scales log", 0)  # fmt: skip
 
 
-def _uncompressed(path: os.PathLike[str], content: bytes, header: Header, options: Options) -> Gaussians:
+def _uncompressed(path: os.PathLike[str], content: bytes, header: Header, names: list[str], options: Options) -> Gaussians:
     """Chunks of 256 splats have bounds, between which positions and logarithms of lengths are whole numbers."""
     if options.scales is not None:
         raise FileError(path, "the scales of compressed PLY files are always logarithms: leave out --scales", 0)
     chunk, vertex = header.element("chunk"), header.element("vertex")
     assert vertex is not None
     bounds = [f"{end}_{stem}{axis}" for stem in ("", "scale_") for end in ("min", "max") for axis in "xyz"]
-    for element, names in ((chunk, bounds), (vertex, _PACKED)):
+    for element, needed in ((chunk, bounds), (vertex, _PACKED)):
         there = {} if element is None else {one.name: one.kind for one in element.properties}
-        wrong = [name for name in names if there.get(name) != ("u4" if names is _PACKED else "f4")]
+        wrong = [name for name in needed if there.get(name) != ("u4" if needed is _PACKED else "f4")]
         if wrong:
             raise FileError(path, f"there is no property {wrong[0]} as in compressed PLY files: the file is broken; write it again", 0)
-    _refuse_unknown(path, [one.name for one in vertex.properties], {*_PACKED, "packed_color"})
+    _refuse_unknown(path, names, {*_PACKED, "packed_color"})
     if chunk is None or chunk.number != -(-vertex.number // _CHUNK):
         raise FileError(path, f"{vertex.number} splats need {-(-vertex.number // _CHUNK)} chunks of {_CHUNK}, and there are "
                         f"{0 if chunk is None else chunk.number}: the file is broken; write it again", 0)  # fmt: skip

@@ -9,6 +9,7 @@ Data in other files is not read: a file must not lead to what its user did not n
 
 from __future__ import annotations
 
+import contextlib
 import math
 import os
 import zlib
@@ -24,10 +25,11 @@ from .._typing import Floats
 from .._words import counted
 from ._columns import could_change
 from ._comments import Meaning, check
-from ._errors import FileError, guarded
+from ._errors import FileError, for_option, guarded
 from ._files import check_input, checksum
 from ._frames import Frame, Location, Options, check_lengths_of_names
 from ._names import checked_names, numbers_if_all_are
+from ._series import columns_of_clumps
 
 SUFFIXES = (".h5", ".hdf5", ".h5md")
 # The elements of a group that are read, and the box
@@ -177,8 +179,9 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
             _take_angles(frame, source, n)
         _take_box(frame, source)
         _check_units(source)
-        _check_attributes(source, options)
+        _check_attributes(source, options, frame)
         _check_names(source, frame, options, unused)
+        _check_clumps(source, n, options)
     return frame.system(options)
 
 
@@ -200,6 +203,17 @@ def _check_names(source: _Source, frame: Frame, options: Options, unused: list[s
     if len(groups) > 1:
         frame.notes.append(f"only the first of the groups {' '.join(groups)[:200]} of /particles is read: copy another one to a file of "
                            "its own")  # fmt: skip
+
+
+def _check_clumps(source: _Source, count: int, options: Options) -> None:
+    """Refuses bodies of several spheres. LIGGGHTS writes 0 for single spheres."""
+    for name in columns_of_clumps(list(source.group), options):
+        rows = None
+        with contextlib.suppress(FileError):  # of what is not a number for each particle
+            rows = _read(source, name, (count,), "iu", "whole numbers")
+        if rows is not None and len(np.unique(rows[rows > 0])) < (rows > 0).sum():
+            raise source.error(name, "has a number twice, as for one body of several spheres: write the centres of bodies, or say that all "
+                               f"are bodies of one system (--ignore-columns {for_option([name])})")  # fmt: skip
 
 
 def _take_forms(frame: Frame, forms: Floats) -> None:
@@ -254,11 +268,16 @@ def _check_units(source: _Source) -> None:
         raise FileError(source.path, f"the data sets {named} have different units: convert them to one", source.frame)
 
 
-def _check_attributes(source: _Source, options: Options) -> None:
-    """Refuses attributes that could change bodies."""
-    meaning = Meaning("" if options.lengths else "radii", "" if options.quaternion else "wxyz")
-    for name in ("", "position", "semi_axes", "orientation", "form", "angle"):
-        for one in (_find(source.path, source.group, name), _values(source, name)[0] if name else None):
+def _check_attributes(source: _Source, options: Options, frame: Frame) -> None:
+    """Refuses attributes that could change bodies: of the file, of the groups, and of what is read."""
+    meaning = Meaning("" if options.lengths else "radii", "" if options.quaternion else "wxyz", "", frame.angles is not None,
+                      frame.quaternions is not None)  # fmt: skip
+    for name in ("/", "", "position", "semi_axes", "orientation", "form", "angle"):
+        if name == "/":
+            found = (source.group.file, source.group.parent)
+        else:
+            found = (_find(source.path, source.group, name), _values(source, name)[0] if name else None)
+        for one in found:
             texts = [] if one is None else [f"{key}={value}" for key, value in one.attrs.items()]
             check(texts, meaning, lambda reason: FileError(source.path, f"the attribute {reason}", source.frame))
 

@@ -22,6 +22,8 @@ from ._table import Lines, Table, write_rows
 SUFFIXES = (".data", ".lmp")
 _ATOMS = ["id", "type", "ellipsoid", "density", "x", "y", "z"]
 _SPHERES = ["id", "type", "diameter", "density", "x", "y", "z"]
+# The flag of atom_style ellipsoid in a hybrid style
+_FLAG = "flag"
 _ELLIPSOIDS = ["id", "shapex", "shapey", "shapez", "quatw", "quati", "quatj", "quatk"]
 # Exponents of superellipsoids, which LAMMPS has since 2026
 _BLOCKS = ["block1", "block2"]
@@ -149,7 +151,8 @@ def _columns_of_atoms(lines: Lines, hint: list[str], words: int) -> list[str]:
     """Columns by the style that may be named behind Atoms; any other comment means nothing."""
     style = hint[0].split("/")[0] if hint else ""
     if style == "hybrid":
-        return ["id", "type", "x", "y", "z"] + [f"column {k}" for k in range(6, words + 1)]
+        flag = [_FLAG] if hint[1:2] == ["ellipsoid"] else []  # of the first of its styles
+        return ["id", "type", "x", "y", "z", *flag] + [f"column {k}" for k in range(6 + len(flag), words + 1)]
     if style in _STYLES_WITHOUT_SHAPES:
         raise lines.error(f"atom_style {hint[0]} has no shapes: write the file with atom_style ellipsoid")
     name, columns = ("sphere", _SPHERES) if style == "sphere" else ("ellipsoid", _ATOMS)
@@ -219,9 +222,10 @@ def _check_style(frame: Frame, atoms: Table) -> None:
 
 
 def _check_flags(frame: Frame, atoms: Table, has_row: Any) -> None:
-    """LAMMPS asks that a flag of 1 says which atoms have a row in the section Ellipsoids. In a hybrid style, any column may be it."""
+    """LAMMPS asks that a flag of 1 says which atoms have a row in the section Ellipsoids. In a hybrid style of which ellipsoid is not
+    the first, any column may be it."""
     if "ellipsoid" not in atoms:
-        others = [name for name in atoms.columns if name.startswith("column ")]
+        others = [_FLAG] if _FLAG in atoms else [name for name in atoms.columns if name.startswith("column ")]
         if not any((atoms[name] == has_row).all() for name in others):
             raise FileError(frame.path, "no column of the section Atoms has 1 for the atoms of the section Ellipsoids and 0 for all "
                             "others, as LAMMPS demands: check whether rows are missing", 0, atoms.line)  # fmt: skip

@@ -17,6 +17,7 @@ from ._columns import UNIT_AT_END, Taken, fill, take
 from ._errors import for_option
 from ._frames import Frame, Location, Options, lost_dimensions
 from ._names import ONE_WORD, PRINTED, checked_names
+from ._series import check_clumps, columns_of_clumps
 from ._table import Lines, coded, locate_frames, write_rows
 
 SUFFIXES = (".dump", ".lammpstrj")
@@ -62,8 +63,10 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         taken = take(header.columns, options, lines.error, "diameters", "wxyz", [*positions, *_others(header.columns)],
                      len(positions) == 2)  # fmt: skip
         _check_turned(header, taken, lines)
-        wanted = ["id", _type_column(header.columns), *positions, *taken.columns]
+        clumps = columns_of_clumps(header.columns, options)
+        wanted = ["id", _type_column(header.columns), *positions, *taken.columns, *clumps]
         table = lines.table(header.particles, header.columns, [_LABEL], wanted=wanted)
+        check_clumps(table, clumps, lines)
     centers = table.stack(positions)
     if positions[0].startswith("xs"):
         centers = header.origin + centers @ header.cell

@@ -41,8 +41,10 @@ def _gaussians(path: os.PathLike[str], options: Options) -> Gaussians:
         start = file.read(4)
     if start[:3] == b"ply":
         return read_ply(path, options)
-    if options.scales is not None:
-        raise FileError(path, "only PLY files may have scales of two kinds: leave out --scales", 0)
+    for name, value, what in (("--scales", options.scales, "may have scales of two kinds"),
+                              ("--ignore-columns", options.ignore_columns, "have named properties")):  # fmt: skip
+        if value is not None:
+            raise FileError(path, f"only PLY files {what}: leave out {name}", 0)
     if start == SPZ or is_compressed(path):
         return read_spz(path, start != SPZ)
     if os.fspath(path).lower().endswith(RECOGNISED_NAMES):

@@ -23,6 +23,7 @@ from ._columns import Taken, could_change, fill, meaning_of, take
 from ._errors import for_option
 from ._frames import Frame, Location, Options, said_dimensions
 from ._names import ONE_WORD, PRINTED, checked_names, type_names
+from ._series import check_clumps, columns_of_clumps
 from ._table import Lines, Table, coded, locate_frames, write_rows
 
 SUFFIXES = (".xyz", ".extxyz")
@@ -109,8 +110,10 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         origin = lines.numbers(keys.get("Origin", "0 0 0"), 3, "Origin")
         periodic = lines.flags(keys.get("pbc", "T T T"), "pbc")
         step = lines.whole(keys.get("Timestep", "0"), "Timestep", -(2**63))
-        wanted = ["id", *_TYPES, *positions, *taken.columns]
+        clumps = [name for name in columns_of_clumps(columns, options) if name not in text]
+        wanted = ["id", *_TYPES, *positions, *taken.columns, *clumps]
         table = lines.table(count, columns, text, wanted=wanted)
+        check_clumps(table, clumps, lines)
         _check_names(keys, table, lines)
     types = [name for name in _TYPES if name in columns]
     frame = Frame(
