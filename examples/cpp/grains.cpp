@@ -1,5 +1,5 @@
-// Which of a thousand grains in a periodic cell overlap, and the normals of the contacts:
-// a neighbour list, then exact overlap tests, then the contact function of the overlaps.
+// Which of a thousand grains in a periodic cell overlap, and the normals of contacts:
+// a neighbour list, exact overlap tests, and the contact function of its pairs.
 #include <pw85/linked.hpp>
 #include <pw85/systems.hpp>
 

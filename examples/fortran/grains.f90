@@ -1,5 +1,5 @@
-!> Which of a thousand grains in a periodic cell overlap, and the normals of the contacts:
-!> a neighbour list, then exact overlap tests, then the contact function of the overlaps.
+!> Which of a thousand grains in a periodic cell overlap, and the normals of contacts:
+!> a neighbour list, exact overlap tests, and the contact function of its pairs.
 program grains
   use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_int8_t, c_int32_t, &
     c_int64_t, c_loc, c_ptr, c_size_t
@@ -35,7 +35,8 @@ program grains
     cell(k, k) = 20 ! column k is vector k
   end do
 
-  system = pw85_system(int(n, c_size_t), c_loc(centers), c_loc(q), c_loc(cell), [1, 1, 1])
+  system = pw85_system(int(n, c_size_t), c_loc(centers), c_loc(q), c_loc(cell), &
+    periodic=[1, 1, 1])
   call check(pw85_neighbors_create(system, 1.0_c_double, 0.0_c_double, neighbors))
   ! The arrays of the list are valid until pw85_neighbors_destroy(). Indices begin at 0.
   list = pw85_neighbors_list(neighbors)
@@ -57,7 +58,7 @@ contains
 
   !> Numbers in [0, 1) that are the same everywhere.
   real(c_double) function uniform()
-    state = iand(1664525_c_int64_t * state + 1013904223_c_int64_t, int(z'ffffffff', c_int64_t))
+    state = modulo(1664525_c_int64_t * state + 1013904223_c_int64_t, 2_c_int64_t**32)
     uniform = state / 4294967296.0_c_double
   end function uniform
 
