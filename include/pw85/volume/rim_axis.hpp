@@ -6,10 +6,10 @@
 ///
 /// The pair is in its joint frame (joint_frame.hpp). With homogeneous coordinates X = (x, x0), the
 /// unit ball is B(X, X) <= 0 with B = diag(1, ..., 1, -1), and the other ellipsoid is A(X, X) <= 0
-/// with A = [P, -b; -bᵀ, γ]. The singular members of the pencil A - tB are at the roots of h(t) = t
-/// + γ - Σ b_i²/(p_i - t), with vertices x = (P - t)⁻¹b. With the weights w_i = b_i²/p_i and the
-/// shortest axis s, γ is Σ w_i - s and h(t) = t - s - t Σ w_i/(p_i - t). Two of these vertices
-/// determine the axis (RimAxis).
+/// with A = [P, -b; -bᵀ, γ]. The members A - tB of the pencil that are singular are at the roots of
+/// h(t) = t + γ - Σ b_i²/(p_i - t), with vertices x = (P - t)⁻¹b. With the weights w_i = b_i²/p_i
+/// and the shortest axis s, γ is Σ w_i - s and h(t) = t - s - t Σ w_i/(p_i - t). Two of these
+/// vertices determine the axis (RimAxis).
 #ifndef PW85_VOLUME_RIM_AXIS_HPP_INCLUDED
 #define PW85_VOLUME_RIM_AXIS_HPP_INCLUDED
 
