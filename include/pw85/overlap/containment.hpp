@@ -38,8 +38,9 @@ enum class ContainmentDecision { none, outside, inside };
 /// takes the counts for this margin and the next three from the code.
 inline constexpr int exceeds_margin = 8;
 
-/// Returns whether √q2 + r > √q1, for an upper bound q1, a normal number, and lower bounds q2, r >=
-/// 0. It needs no root: with g = q1 - q2 - r² the condition is g < 0 or 4 r² q2 > g².
+/// Returns whether √q2 + r > √q1, for an upper bound q1, a normal number, and lower bounds q2 and
+/// r, which are not negative. No square root is needed: with g = q1 - q2 - r² the condition is
+/// g < 0 or 4 r² q2 > g².
 ///
 /// 1. The computed g exceeds the exact one by u q1 or more if the exact one is not negative. Then
 ///    q2 + r² <= q1. The roundings take less than 6 u q1 of the 8 u q1 that `grow` adds, and

@@ -85,8 +85,8 @@ template <class T> PW85_FUNCTION inline Vertex<T> normalized(Vertex<T> v) noexce
     return {scale * v.x, scale * v.height, v.root};
 }
 
-/// The indices of the axes of the two poles that bound an interval, and of the third pole. p_upper
-/// - p_lower has the sign `sign`.
+/// The indices of the axes of the two poles that bound an interval, and of the third pole. `sign`
+/// is the sign of p_upper - p_lower.
 template <class T> struct PoleAxes {
     int lower, upper, beyond;
     T sign;
@@ -174,12 +174,11 @@ replace_touching_vertex(Pencil<T> const &p, PoleAxes<T> const &axes, Vertex<T> &
 /// The height of a vertex beyond which the vertex at the middle pole may take its place.
 ///
 /// As for highest_vertex(), α or γ is η = 1/H⁴ = 2^-44 times its usual size if the vertex is at the
-/// point of tangency. An end of the axis within η counts as common to both bodies. Let the surfaces
-/// have the distance z²
-/// - y⁴ + η near that point, to leading order. The rims that are wrong there have y up to η^(1/4)
-///   and z up to η^(1/2). The volume changes by η^(7/4), which is below u, and the derivatives by
-///   η^(3/4). This is of the order of the bound of the derivatives, because second derivatives are
-///   near η^(-1/4).
+/// point of tangency. An end of the axis within η counts as common to both bodies. Near that
+/// point the distance of the surfaces is z² - y⁴ + η, to leading order. The rims that are wrong
+/// there have y up to η^(1/4) and z up to η^(1/2). The volume changes by η^(7/4), which is below u,
+/// and the derivatives by η^(3/4). This is of the order of the bound of the derivatives, because
+/// second derivatives are near η^(-1/4).
 inline constexpr double highest_vertex_beside_pole = 2048.0;
 
 /// The largest b of the middle pole that can result from rounding of the forms and of r12 alone.
