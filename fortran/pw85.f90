@@ -3050,7 +3050,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_random_addition_advance
 
-    !> Returns how far an addition is.
+    !> Returns the progress of an addition.
     function pw85_random_addition_state(addition, num_particles, attempts, free_share) &
       result(status) bind(C, name='pw85_random_addition_state')
       import

@@ -259,10 +259,10 @@ PW85_API int pw85_contact_factored(double const r12[3], double const s1[9], doub
 /** Computes the entrywise condition number of the contact function.
  *
  * If each entry of r12, q1 and q2 changes by at most a fraction ε of itself, μ² changes by at most
- * a fraction ε cond, to first order in ε. If the data are accurate to d digits, μ² is accurate to d
- * - log10(cond) digits. The condition number is of the order of one for typical pairs, and of the
- * order of the squared aspect ratio for slender ones. It is [λ(1-λ) Σ |n_i| ((1-λ) |q1_ij| + λ
- * |q2_ij|) |n_j| + 2 λ(1-λ) Σ |r12_i n_i|]/μ² with n = [(1-λ) q1 + λ q2]⁻¹ r12, summed over i and
+ * a fraction ε cond, to first order in ε. If the data have d accurate digits, μ² has d -
+ * log10(cond) accurate digits. The condition number is of the order of one for typical pairs, and
+ * of the order of the squared aspect ratio for slender ones. It is [λ(1-λ) Σ |n_i| ((1-λ) |q1_ij| +
+ * λ |q2_ij|) |n_j| + 2 λ(1-λ) Σ |r12_i n_i|]/μ² with n = [(1-λ) q1 + λ q2]⁻¹ r12, summed over i and
  * j.
  *
  * @param r12,q1,q2 [as pw85_contact()]

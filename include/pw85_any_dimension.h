@@ -6,9 +6,9 @@
  * the other. For n = 3 the order is (xx, xy, xz, yy, yz, zz). The conventions are those of pw85.h,
  * with these exceptions:
  *
- * - The test whether a form is positive definite is exact, without limits. Functions whose results
- *   are numbers have a limit: if semi-axes, or widths along coordinates, differ by a factor above
- *   2⁴⁰⁰, the status is #PW85_ECONVERGENCE.
+ * - The test whether a form is positive definite is exact, without limits. Functions that compute a
+ *   factor or a distance have a limit: if semi-axes, or widths along coordinates, differ by a
+ *   factor above 2⁴⁰⁰, the status is #PW85_ECONVERGENCE.
  * - For nearly singular forms and ties (pairs that only integers can decide) the functions may
  *   allocate memory, and free it. If there is not enough memory, the status is #PW85_ENOMEM.
  * - #PW85_EINVAL also means that n is not in 1 … 16.

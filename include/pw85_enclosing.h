@@ -24,15 +24,15 @@ extern "C" {
  *
  * The excess cannot be arbitrarily small, because the centre and the form are rounded to double.
  * Rounding the form adds about n u κ to the excess, with u = 2⁻⁵³. Here κ is the least condition
- * number of the form over all choices of units for the coordinates: 1 for axes along the
- * coordinates, and the square of the aspect ratio for general axes. Rounding the centre adds about
- * n u D/a, with the distance D of the points from 0 and the shortest semi-axis a: if points are far
- * from 0, translate them first.
+ * number of the form over all choices of a separate unit for each coordinate. It is 1 if the axes
+ * are along the coordinates, and up to the square of the aspect ratio for other axes. Rounding the
+ * centre adds about n u D/a, with the distance D of the points from 0 and the shortest semi-axis a.
+ * If the points are far from 0, translate them before the call.
  *
  * If all points are in a hyperplane, the smallest ellipsoid has no volume. The status is then
  * #PW85_ENOTPD, and the outputs are the smallest ellipsoid in the affine hull of the points: q is
- * singular, with rank k < n, and the excess is that of the volume in k dimensions. There is no
- * proof for this ellipsoid: points can be outside by rounding errors, and by their distance from
+ * singular, with rank k < n, and the excess refers to the volume in k dimensions. The function does
+ * not prove this ellipsoid: points can be outside it by rounding errors, and by their distance from
  * the hull. If all points are equal, k = 0 and q = 0.
  *
  * For 10⁶ random points, the time is that of 5 to 10 passes over the points. The function allocates
@@ -65,7 +65,7 @@ PW85_API int pw85_enclosing_ellipsoid(int n, size_t m, double const *points, dou
  * ten and more dimensions the excess sometimes exceeds a tolerance of 10⁻¹², because the proof that
  * the ellipsoids are inside enlarges the result.
  *
- * The function takes about ten rounds. A round takes one test of containment for each ellipsoid,
+ * The function needs about ten rounds. Each round makes one test of containment for each ellipsoid,
  * and about 15 steps of Newton's method for the ellipsoids that touch the result.
  *
  * @param n [1..16] dimensions

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /** @file
  * Many pairs on a graphics processor: the functions of pw85.h for arrays in the memory of an NVIDIA
- * GPU, and for arrays of the host that are sent there. Link with pw85_gpu and pw85.
+ * GPU, and for arrays of the host that the functions copy to the GPU. Link with pw85_gpu and pw85.
  *
- * Device and host run the same templates. Neither this library nor a program that uses it needs the
- * CUDA toolkit: the library contains the code for the GPU, and loads the driver (libcuda.so.1, of
+ * Device and host run the same templates. This library and programs that use it do not need the
+ * CUDA toolkit. The library contains the code for the GPU, and loads the driver (libcuda.so.1, of
  * CUDA 12 or newer) at the first call. Without a driver, a device or enough memory, the functions
  * of this header return #PW85_EDEVICE; the functions of other headers need no GPU. */
 #ifndef PW85_GPU_H_INCLUDED
@@ -34,14 +34,14 @@ PW85_API int pw85_gpu_count(int *count);
  *
  * The status states only whether the work was queued. As on the host, the results of a bad pair are
  * NaN, or 255 for overlaps; a pair with an index out of range is also bad. Answers about overlap
- * are the same as on the host: the stream sends bad pairs, and the few pairs that the arithmetic of
- * the device cannot decide, to the host. There pw85_overlap_batch() decides these pairs in a thread
- * of the driver, and the stream sends the answers back.
+ * are the same as on the host. The stream sends bad pairs, and the few pairs that the arithmetic of
+ * the device cannot decide, to the host. A thread of the driver decides these pairs there by
+ * pw85_overlap_batch(), and the stream sends the answers back.
  *
- * A device computes in double precision only. At aspect ratios above 10⁵ this may not suffice to
- * prove the error bounds of μ² and λ; the result is then the best one in double precision, and
- * rounding errors decide whether a nearly singular form is positive definite. At aspect ratios
- * above 10⁷ use the functions for the host.
+ * A device computes in double precision only. At aspect ratios above 10⁵, double precision may not
+ * suffice to prove the error bounds of μ² and λ. The result is then the best one in double
+ * precision. Rounding errors then also decide whether a nearly singular form is positive definite.
+ * At aspect ratios above 10⁷ use the functions for the host.
  *
  * If a call returns #PW85_EDEVICE, part of the work may have been queued: the outputs are
  * undefined.
@@ -120,11 +120,11 @@ PW85_API int pw85_gpu_contact_derivatives_pairs(void *stream, pw85_pair_list con
  *
  * The functions send the pairs to the device, and the results back, in pieces: they copy one piece
  * while the device computes another one. They return when all results have arrived, with the status
- * of the first bad pair, as the functions for the host do. Most of the time is the transfer of 120
- * bytes per pair. Use these functions if the processor is busy with other work.
+ * of the first bad pair, as the functions for the host do. Most of the time is spent on the
+ * transfer of 120 bytes per pair. Use these functions if the processor is busy with other work.
  * @{ */
 
-/** Computes pw85_contact_batch() by the device.
+/** Computes pw85_contact_batch() on the device, for arrays of the host.
  *
  * @param n [number of pairs] 0 is allowed
  * @param r12 [n×3; length]
@@ -136,7 +136,7 @@ PW85_API int pw85_gpu_contact_derivatives_pairs(void *stream, pw85_pair_list con
 PW85_API int pw85_gpu_contact_host(size_t n, double const *r12, double const *q1, double const *q2,
                                    double *mu2, double *lambda);
 
-/** Computes pw85_overlap_batch() by the device.
+/** Computes pw85_overlap_batch() on the device, for arrays of the host.
  *
  * @param n,r12,q1,q2 [as pw85_gpu_contact_host()]
  * @param[out] overlap [as pw85_gpu_overlap_batch()]
@@ -144,8 +144,8 @@ PW85_API int pw85_gpu_contact_host(size_t n, double const *r12, double const *q1
 PW85_API int pw85_gpu_overlap_host(size_t n, double const *r12, double const *q1, double const *q2,
                                    unsigned char *overlap);
 
-/** Computes pw85_contact_derivatives_batch() by the device; arguments as for
- * pw85_gpu_contact_host(), outputs as for pw85_gpu_contact_derivatives_batch().
+/** Computes pw85_contact_derivatives_batch() on the device, for arrays of the host; arguments as
+ * for pw85_gpu_contact_host(), outputs as for pw85_gpu_contact_derivatives_batch().
  *
  * @param n,r12,q1,q2 [as pw85_gpu_contact_host()]
  * @param[out] mu2 [as pw85_gpu_contact_host(); optional]

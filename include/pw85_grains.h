@@ -31,7 +31,8 @@ extern "C" {
  *        smaller one first
  * @param[out] directions [2×3; optional; members direction1, direction2] unit vectors along which
  *        the surface has these curvatures. Their cross product is the unit normal. If both
- *        curvatures are equal, the result is one of the possible pairs of vectors
+ *        curvatures are equal, every direction in the tangent plane is possible, and the function
+ *        chooses one
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_curvature(double const normal[3], double const q[6], double curvatures[2],
                             double directions[6]);
@@ -142,10 +143,10 @@ PW85_API int pw85_grain_radius_gradient(double const r12[3], double const q1[6],
  * from inside or outside.
  *
  * The relative errors of both curvatures and of the radius are below 1e-12 for the numbers as
- * given, up to aspect ratio 10⁶, also where the curvatures nearly cancel. The function computes
- * with twice the digits in two cases: from an aspect ratio of about 10; and for a concave wall
- * (curvature < 0), if the product of both curvatures of the gap is less than half of the product of
- * those of the ellipsoid.
+ * given, up to aspect ratio 10⁶, also where the curvatures nearly cancel. The function computes in
+ * double-double arithmetic, with twice the digits, in two cases: the aspect ratio is above about
+ * 10; or the wall is concave (curvature < 0), and the product of both curvatures of the gap is less
+ * than half of the product of the curvatures of the ellipsoid.
  *
  * @param normal,offset [as pw85_distance_plane()]
  * @param direction [!= 0] perpendicular to the normal, of any length, along which the wall is

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /** @file pw85_legacy.h
- * @brief Superseded ways to compute the contact function, kept for reference and comparison
- * (library pw85_legacy).
+ * @brief Superseded methods for the contact function, for reference and comparison (library
+ * pw85_legacy).
  *
- * Conventions are those of pw85.h. The rational form loses accuracy with the square of the aspect
- * ratio and more: see the chapter on the implementation.
+ * Conventions are those of pw85.h. The error of the rational form grows at least as the square of
+ * the aspect ratio: see the chapter on the implementation.
  */
 #ifndef PW85_LEGACY_H_INCLUDED
 #define PW85_LEGACY_H_INCLUDED
@@ -86,7 +86,8 @@ PW85_API int pw85_legacy_contact_function1(double const r12[3], double const q1[
                                            double const q2[6], double out[2]);
 
 /** Computes the contact function by bisection on the numerator of f' in rational form. Statuses are
- * as for pw85_contact(). The result is less accurate: see the top of this header.
+ * as for pw85_contact(). The result is less accurate than that of pw85_contact(): see the top of
+ * this header.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] out [as pw85_contact()] */

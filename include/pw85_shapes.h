@@ -17,8 +17,8 @@ extern "C" {
 /** @name Walls, points and lines
  *
  * These functions are for one ellipsoid. The error of a distance is below 8 u Σ, with u = 2⁻⁵³. Let
- * n be the unit normal at the nearest points, and α = √(nᵀqn) the half-width of the ellipsoid along
- * n. Σ is the sum of three terms: Σ|n_i x_i| for the given point, corner or centre x;
+ * n be the unit normal at the nearest points. The half-width of the ellipsoid along n is α =
+ * √(nᵀqn). Σ is the sum of three terms: Σ|n_i x_i| for the given point, corner or centre x;
  * |offset|/|normal| or the radius; Σ|n_i q_ij n_j|/(2α).
  *
  * The derivatives of a distance with respect to the position of the centre and to small rotations
@@ -140,8 +140,8 @@ PW85_API int pw85_distance_point(double const r[3], double const q[6], double *d
  * @param origin [length] of the line, relative to the centre of the ellipsoid
  * @param direction [!= 0] of any length
  * @param q [length²; definite] form of the ellipsoid
- * @param[out] t [length; members enter, leave] NaN if the line misses the ellipsoid, also on
- *        success
+ * @param[out] t [length; members enter, leave] the interval; its ends are lengths if `direction`
+ *        has no unit; NaN if the line misses the ellipsoid, also on success
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_intersect_line(double const origin[3], double const direction[3],
                                  double const q[6], double t[2]);
@@ -150,7 +150,8 @@ PW85_API int pw85_intersect_line(double const origin[3], double const direction[
  * where x is relative to the centre of the ellipsoid.
  *
  * @param normal [!= 0] outward normal of the half-space, of any length
- * @param offset [length] in units of the length of `normal` times the unit of length
+ * @param offset [length] in the unit of normal·x, as for pw85_distance_plane(); negative if the
+ *        centre is outside the half-space
  * @param q [length²; definite] form of the ellipsoid
  * @param[out] volume [length³] the volume, in the third power of the unit of length
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
@@ -220,9 +221,9 @@ PW85_API int pw85_contact_box(double const lower[3], double const upper[3], doub
  *
  * Integer arithmetic also decides whether a polytope is empty. This decision takes about a
  * millisecond. The point satisfies normal·point - offset <= 32 u (max |normal_i| Σ |point_i| +
- * |offset|) for each plane. If points satisfy the inequalities of all planes up to these bounds,
- * but no point satisfies them exactly, the result may be such a point: the polytope then does not
- * count as empty.
+ * |offset|) for each plane. There is one exception to exact decisions: no point satisfies all
+ * inequalities exactly, but some points satisfy them up to these bounds. The function may then
+ * return such a point instead of the result for an empty polytope.
  *
  * The time is proportional to n.
  *
@@ -279,12 +280,12 @@ PW85_API int pw85_overlap_polytope(size_t n, double const *normals, double const
  * @name Distances to shapes
  *
  * These functions compute the signed distance of an ellipsoid with its centre at 0 and a convex
- * set. If the two are apart, it is their distance. If they overlap, it is minus the depth: the
- * length of the shortest translation of the set that separates them. In both cases it is the
- * largest value of min n·y - α over unit vectors n. Here min n·y is the least value for points y of
- * the set, and α = √(nᵀqn) is the half-width of the ellipsoid along n. The signed distance is
- * positive only if the two are apart, and negative only if they overlap, as pw85_overlap_segment()
- * and the other overlap tests decide.
+ * set. If the two are apart, the signed distance is their distance. If they overlap, it is minus
+ * the depth, which is the length of the shortest translation of the set that separates them. In
+ * both cases it is the largest value of min n·y - α over unit vectors n. Here min n·y is the least
+ * value for points y of the set, and α = √(nᵀqn) is the half-width of the ellipsoid along n. The
+ * signed distance is positive only if the two are apart, and negative only if they overlap, as
+ * pw85_overlap_segment() and the other overlap tests decide.
  *
  * The error is below 16 u Σ, with u = 2⁻⁵³ and Σ = R + Σ|n_i q_ij n_j|/(2α). Here R is the distance
  * of the farthest vertex of the set from the centre, and n is the normal of the exact result.
@@ -293,15 +294,15 @@ PW85_API int pw85_overlap_polytope(size_t n, double const *normals, double const
  * of the signed distance; `distance` is this bound for `normal`. If the two are apart, |point2 -
  * point1| is an upper bound. Let ε be 2¹⁸ u times R or the longest semi-axis, whichever is larger.
  * Up to aspect ratio 10³ the vector point2 - point1 differs from `distance` times `normal` by less
- * than ε, and the points are off the surface and off the set by at most ε.
+ * than ε. The distances of point1 from the surface and of point2 from the set are then at most ε.
  *
  * If the nearest or deepest points p1 and p2 are unique, the derivatives follow from them and the
  * normal n:
  *
  * - with respect to the position of the ellipsoid: -n; of the set: n;
  * - with respect to a small rotation vector of the ellipsoid about its centre, per radian: n × p1;
- * - with respect to one of the set, about the centre of the ellipsoid: p2 × n; about another point
- *   c: (p2 - c) × n.
+ * - with respect to a small rotation vector of the set about the centre of the ellipsoid, per
+ *   radian: p2 × n; about another point c: (p2 - c) × n.
  *
  * Let an energy U depend on the signed distance d. Its force is -U'(d) n on the set, applied at p2,
  * and U'(d) n on the ellipsoid, applied at p1. These forces at these points also give the torques

@@ -2,7 +2,7 @@
 /** @file pw85_simulation.h
  * @brief Monte Carlo simulations of hard ellipsoids.
  *
- * It includes a header for each question:
+ * This header includes six others:
  *
  * - pw85_simulation_state.h: how to make and save simulations, and their particles;
  * - pw85_simulation_surroundings.h: walls, meshes, fields and laws;
@@ -11,7 +11,7 @@
  * - pw85_simulation_observations.h: energies, neighbours and overlaps;
  * - pw85_simulation_addition.h: random sequential addition, which makes packings.
  *
- * The conventions are those of pw85.h. These are added:
+ * The conventions are those of pw85.h, with these additions:
  *
  * - A simulation owns its particles, cell, neighbour lists, random numbers and counts. Only one
  *   thread at a time may use it; the functions themselves run in parallel.

@@ -15,9 +15,9 @@ extern "C" {
 /** @name Random sequential addition
  * @{ */
 
-/** Particles that were added one after the other, and the positions that may still be free. The
- * library owns it. Only one thread at a time may use it; pw85_random_addition_advance() runs in
- * parallel. */
+/** A random sequential addition: the particles that were added one after the other, and the
+ * positions that may still be free. The library owns the object. Only one thread at a time may use
+ * it; pw85_random_addition_advance() itself runs in parallel. */
 typedef struct pw85_random_addition pw85_random_addition;
 
 /** The addition can continue. */
@@ -35,46 +35,45 @@ typedef struct pw85_random_addition pw85_random_addition;
 /** Makes an empty periodic cell for random sequential addition (RSA).
  *
  * An attempt draws a species, a position and an orientation, each uniformly. The particle is added
- * if it overlaps none of those that were added before, by the exact overlap test. It never moves
- * afterwards. The seed and the number of the attempt select the random numbers, as those of a
+ * if it overlaps no particle that was added before, by the exact overlap test. Added particles
+ * never move. The seed and the number of the attempt select the random numbers, as for a
  * simulation. The same calls therefore give bitwise equal packings, with any number of threads, and
- * with lengths in any unit that is a power of two. An addition that is continued after a limit
- * gives the packing that it would give without this limit.
+ * with lengths in any unit that is a power of two. If an addition stops at a limit and is then
+ * continued, the packing is the same as without this limit.
  *
  * In two dimensions the particles are ellipses in the plane of x and y, which rotate about z.
  *
  * @param dimensions 2 or 3
  * @param cell [3×3; length] vectors of the cell as rows, all of them periodic, in two dimensions
- *        the first two. Opposite faces must be farther apart than the longest diameter of a
- *        particle, by a part of 10⁻⁹ of it, and no coordinate may be larger than 2²⁵⁰ times the
- *        longest semi-axis. In two dimensions x and y of the third vector and z of the others must
- *        be 0
+ *        the first two. Opposite faces must be farther apart than 1 + 10⁻⁹ times the longest
+ *        diameter of a particle. No coordinate may be larger than 2²⁵⁰ times the longest semi-axis.
+ *        In two dimensions x and y of the third vector and z of the others must be 0
  * @param num_kinds [number of kinds] from 1 to 2³¹ - 1. An attempt chooses each with the same
  *        probability
  * @param semi_axes [num_kinds×3; length; > 0] none shorter than 2⁻⁴⁸⁰ times the longest one; in two
  *        dimensions the function does not use the third
  * @param seed selects the random numbers
- * @param[out] addition [null on error] to be destroyed by pw85_random_addition_destroy()
+ * @param[out] addition [null on error] the addition; free it by pw85_random_addition_destroy()
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM; #PW85_ENOTPD if rounding could make the form
  *        of a species indefinite: its longest semi-axis is 2²³ times its shortest one or longer */
 PW85_API int pw85_random_addition_create(int dimensions, double const cell[9], size_t num_kinds,
                                          double const *semi_axes, size_t seed,
                                          pw85_random_addition **addition);
 
-/** Makes some attempts, at least one unless the addition is at its end. One call takes a fraction
- * of a second, so that a program can show progress and stop between calls.
+/** Makes some attempts, at least one unless the addition is at its end. A call takes a fraction of
+ * a second, so a program can show progress and stop between calls.
  *
- * Late attempts nearly all fail. Therefore a list of voxels, small boxes of positions and, in two
- * dimensions, of angles, contains everything that may be free. Attempts are drawn inside the voxels
- * only; those outside would fail, and are counted by their mean number. A voxel is removed if one
- * particle overlaps everything that could be put there. The other voxels are divided again and
- * again. The packing is saturated if no voxel is left (Zhang, Phys. Rev. E 97, 043311, 2018).
- * Voxels that are left after 30 halvings count as covered, too. Ellipses and balls reach this end.
- * Voxels of other ellipsoids contain positions only, so that attempts or particles must be
- * limited.
+ * Nearly all late attempts fail. Therefore the function keeps a list of voxels: small boxes of
+ * positions and, in two dimensions, of angles, which together contain all free positions. It draws
+ * attempts only inside the voxels. Attempts outside would fail; the function does not make them,
+ * and counts their mean number. It removes a voxel if one particle overlaps every particle that
+ * could be put there, and divides the other voxels again and again. The packing is saturated if no
+ * voxel is left (Zhang, Phys. Rev. E 97, 043311, 2018). Voxels that are left after 30 halvings
+ * count as covered, too. Ellipses and balls reach this end. Voxels of other ellipsoids contain
+ * positions only, so that attempts or particles must be limited.
  *
- * The last call may exceed the number of attempts, because each attempt inside a voxel counts as
- * many, and never exceeds the number of particles.
+ * The last call may exceed the given number of attempts, because one attempt inside a voxel counts
+ * as several. No call exceeds the given number of particles.
  *
  * @param addition a random sequential addition
  * @param attempts [> 0; or infinite] number of attempts, of all calls together, at which to end
@@ -86,14 +85,14 @@ PW85_API int pw85_random_addition_create(int dimensions, double const cell[9], s
 PW85_API int pw85_random_addition_advance(pw85_random_addition *addition, double attempts,
                                           size_t num_particles, int *end);
 
-/** Returns how far an addition is.
+/** Returns the progress of an addition.
  *
  * @param addition a random sequential addition
  * @param[out] num_particles [0 on error] number of particles that were added
- * @param[out] attempts [NaN on error] number of attempts, with those at positions that are covered
- *        for certain, which are counted by their mean number and not made
+ * @param[out] attempts [NaN on error] number of attempts. It includes the mean number of attempts
+ *        at positions that are certainly covered, which are not made
  * @param[out] free_share [NaN on error] fraction of all species, positions and orientations that
- *        may still be free: 1 before there are voxels, then the fraction of them that is left
+ *        may still be free: 1 before there are voxels, then the fraction that is in voxels
  * @return #PW85_SUCCESS, #PW85_EINVAL */
 PW85_API int pw85_random_addition_state(pw85_random_addition const *addition, size_t *num_particles,
                                         double *attempts, double *free_share);

@@ -82,9 +82,9 @@ PW85_API int pw85_hard_ellipsoids_remove(pw85_hard_ellipsoids *simulation, size_
  * and orientations are uniform. The function also reads the vectors of the cell that are not
  * periodic: a corner of the cell is at the origin, and walls may be within the cell.
  *
- * With the mean w over many states, the chemical potential μ of this species follows from βμ = ln ρ
- * - ln w, where ρ is the density of the species in the inverse cube of the unit of length. To
- * estimate the error of w, average over blocks of states.
+ * Let w be the mean over many states, and ρ the number density of this species in the inverse cube
+ * of the unit of length. Then βμ = ln ρ - ln w gives the chemical potential μ of the species. To
+ * estimate the error of w, average w over blocks of states.
  *
  * @param simulation a simulation with a cell, whose three vectors are independent, in two
  *        dimensions the first two
@@ -101,7 +101,7 @@ PW85_API int pw85_hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids *simulat
                                                    double *weight);
 
 /** Makes trial insertions and removals of particles at constant activities. Together with sweeps,
- * which move the particles, they sample the grand canonical ensemble.
+ * which move the particles, these trials sample the grand canonical ensemble.
  *
  * Each trial is an insertion or a removal of a particle of one of the species, all equally
  * probable. A particle belongs to the species that has its semi-axes. Particles of other species

@@ -72,8 +72,8 @@ PW85_API int pw85_hard_ellipsoids_check(pw85_hard_ellipsoids const *simulation, 
  * and on request compresses them. The sizes of the particles do not change.
  *
  * The factor is the same in all directions, in two dimensions in the directions of the plane. It is
- * 1/μ for the least μ of all pairs, enlarged by no more than rounding errors require: the exact
- * test finds no overlap after the coordinates are multiplied by the factor and rounded. A law does
+ * 1/μ for the least μ of all pairs, slightly enlarged because of rounding errors: after the
+ * coordinates are multiplied by the factor and rounded, the exact test finds no overlap. A law does
  * not change the factor.
  *
  * @param simulation a simulation

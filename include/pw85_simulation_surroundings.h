@@ -90,8 +90,8 @@ PW85_API int pw85_hard_ellipsoids_set_walls(pw85_hard_ellipsoids *simulation, si
  *        cuts, and of the triangle next to it or of the wall; -1 if there is none
  * @return #PW85_SUCCESS; #PW85_EOVERLAP if the mesh cuts a particle; #PW85_EINVAL as for
  *        pw85_mesh_create(), in two dimensions, if the mesh is wider than 16 periods of the cell,
- *        and if more than 2¹⁴ images of a particle may meet the mesh; #PW85_ENOMEM. Nothing changes
- *        on error */
+ *        and if more than 2¹⁴ images of a particle may intersect the mesh; #PW85_ENOMEM. Nothing
+ *        changes on error */
 PW85_API int pw85_hard_ellipsoids_set_mesh(pw85_hard_ellipsoids *simulation, size_t num_vertices,
                                            double const *vertices, size_t num_triangles,
                                            int32_t const *triangles, int32_t overlap[2]);
@@ -152,9 +152,9 @@ PW85_API int pw85_hard_ellipsoids_set_fields(pw85_hard_ellipsoids *simulation, s
 /** The energy βU of a particle in the caller's potential. +infinity forbids the position.
  *
  * The result must depend only on the arguments, and be the same for all images in a periodic cell.
- * Several threads call the function at the same time. Its arguments are the context of
- * pw85_hard_ellipsoids_set_potential(), the index of the particle, its centre, which is not wrapped
- * into the cell, its quaternion (w, x, y, z) of length one, and its semi-axes. */
+ * Several threads call the function at the same time. The arguments are the context of
+ * pw85_hard_ellipsoids_set_potential(), and the index, the centre, the quaternion (w, x, y, z) of
+ * length one and the semi-axes of the particle. The centre is not wrapped into the cell. */
 typedef double pw85_potential(void *context, int32_t particle, double const center[3],
                               double const quaternion[4], double const semi_axes[3]);
 

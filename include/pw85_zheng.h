@@ -3,11 +3,11 @@
  * @brief Distance of closest approach by the algorithms of Zheng and Palffy-Muhoray (library
  * pw85_legacy).
  *
- * These functions are an independent check of pw85_closest_approach(), which is several times
- * faster in three dimensions. The error of pw85_zheng_ellipses() is that of the contact function (2
- * u cond). The error of pw85_zheng_ellipsoids() is below u (κ1 + κ2) with κ = tr Q tr Q⁻¹, about
- * the square of the aspect ratio: 1e-13 at aspect ratio 100, 1e-9 at 10⁴. Conventions are those of
- * pw85.h.
+ * These functions are an independent check of pw85_closest_approach() and
+ * pw85_closest_approach_2d(). In three dimensions pw85_closest_approach() is several times faster.
+ * The error of pw85_zheng_ellipses() is that of the contact function (2 u cond). The error of
+ * pw85_zheng_ellipsoids() is below u (κ1 + κ2) with κ = tr Q tr Q⁻¹, about the square of the aspect
+ * ratio: 1e-13 at aspect ratio 100, 1e-9 at 10⁴. Conventions are those of pw85.h.
  *
  * X. Zheng and P. Palffy-Muhoray, Phys. Rev. E 75, 061709 (2007); X. Zheng, W. Iglesias and P.
  * Palffy-Muhoray, Phys. Rev. E 79, 057702 (2009).

@@ -4,7 +4,8 @@
 #ifndef PW85_ATTRIBUTES_HPP_INCLUDED
 #define PW85_ATTRIBUTES_HPP_INCLUDED
 
-// A thread of a device can call what is compiled for one.
+// Functions for host and device. Code for a device can call only functions that are compiled for
+// it.
 #if defined(__CUDACC__) || defined(__CUDA__)
 #define PW85_ANYWHERE __attribute__((host)) __attribute__((device))
 #else
@@ -33,11 +34,11 @@ inline constexpr bool is_for_device = false;
 #endif
 #endif
 
-/// Before every function of the templates. Internal linkage: the linker cannot replace it by code
-/// compiled with other flags.
+/// Stands before every function of the templates. Internal linkage: the linker cannot replace the
+/// function by code that was compiled with other flags.
 #define PW85_FUNCTION PW85_ANYWHERE static
 
-/// Before a function of the tiers that hardly ever run, wider numbers and integers, is PW85_RARE.
+/// PW85_RARE stands before functions that hardly ever run: those with wider numbers or integers.
 ///
 /// Units of the library, and units that define PW85_RARE_ELSEWHERE, take these functions for
 /// doubles from src/rare/, where they are compiled once: a function for doubles goes before the
@@ -68,8 +69,8 @@ inline constexpr bool is_for_device = false;
 #define PW85_SHARED_BY_QUESTIONS(name)                                                             \
     PW85_SHARED_BY_QUESTIONS_OF(name, double, 2) PW85_SHARED_BY_QUESTIONS_OF(name, double, 3)
 
-/// Before every member function of what devices compute with: it has no address that another unit
-/// could take. The tests of the library's answers, whose units have the same flags, define it as
+/// Stands before every member function of types that devices use. The linker cannot use it for
+/// another unit. The tests of the library's answers, whose units have the same flags, define it as
 /// nothing, to compile in less time.
 #ifndef PW85_MEMBER
 #define PW85_MEMBER [[gnu::always_inline]] PW85_ANYWHERE

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The smallest ellipse or ellipsoid around points, and random points of an ellipsoid, from C++:
-/// the functions of pw85_enclosing.h (link with pw85), and their contracts. The first is for two
-/// and three dimensions here, and for 1 to 16 in C.
+/// the functions of pw85_enclosing.h (link with pw85), and their contracts. Here the smallest
+/// ellipsoid is for two and three dimensions; the functions of C are for 1 to 16.
 #ifndef PW85_ENCLOSING_HPP_INCLUDED
 #define PW85_ENCLOSING_HPP_INCLUDED
 
@@ -19,7 +19,7 @@ namespace pw85 {
 template <int D> struct EnclosingEllipsoid {
     Vector<double, D> center;
     SymmetricMatrix<double, D> q; ///< form of the ellipsoid
-    double excess;                ///< bound of the volume over the least volume, less 1
+    double excess;                ///< upper bound of volume/(least volume) - 1
     StatusCode status;            ///< `no_convergence` if the excess exceeds the tolerance
 };
 

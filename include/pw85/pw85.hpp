@@ -157,7 +157,7 @@ ellipsoid(Vector<T, 3> const &semi_axes, Matrix const &rotation) noexcept;
 ///
 /// @param semi_axes as for ellipsoid()
 /// @param quaternion (w, x, y, z), scalar first, which rotates the body frame into the space frame;
-/// of any length > 0, because the function normalises it
+/// of any length > 0
 /// @return the form; Status::invalid_argument
 template <class T> PW85_FUNCTION constexpr Form<T, 3>
 ellipsoid_quaternion(Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion) noexcept;
@@ -462,8 +462,9 @@ PW85_FUNCTION inline Inertia<T> inertia(SymmetricMatrix<T, 3> const &q, int shel
 
 /// Computes the volume of the intersection of two ellipsoids.
 ///
-/// It is 0 if overlap() is false, and the volume of the smaller ellipsoid if contains() says that
-/// this one is inside the other one. The error has the bound of pw85_overlap_volume() in pw85.h.
+/// The volume is 0 if overlap() is false, and that of the smaller ellipsoid if it is inside the
+/// other one, as contains() decides. The bound on the error is that of pw85_overlap_volume() in
+/// pw85.h.
 ///
 /// @param r12,q1,q2 as for contact(); r12 may be zero
 /// @return the volume; Status::invalid_argument, Status::not_positive_definite,
@@ -526,7 +527,7 @@ overlap_area_torque(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
 /// where x is relative to the centre of the ellipsoid.
 ///
 /// @param normal of any length > 0
-/// @param offset in units of the length of `normal` times the unit of length
+/// @param offset in the unit of normal·x; negative if the centre is outside the half-space
 /// @param q form of the ellipsoid
 /// @return the volume; Status::invalid_argument, Status::not_positive_definite
 template <class T>
@@ -535,8 +536,8 @@ PW85_FUNCTION inline Volume<T> overlap_volume_plane(Vector<T, 3> const &normal, 
 
 /// Compares μ² with a number, and returns the sign of μ² - mu2.
 ///
-/// For float, double and long double the sign is exact for the numbers given. For a multiprecision
-/// number it is right to rounding.
+/// For float, double and long double the sign is exact for the numbers given. For multiprecision
+/// numbers it is correct up to rounding.
 ///
 /// @param r12,q1,q2 as for contact()
 /// @param mu2 >= 0; may be infinity
@@ -548,8 +549,9 @@ PW85_FUNCTION inline Comparison compare(Vector<T, D> const &r12, SymmetricMatrix
 /// Computes the distance of closest approach of two ellipsoids of fixed orientation, for one
 /// direction.
 ///
-/// It is the distance of the centres at which the ellipsoids touch from outside, if the centres are
-/// on a line along the vector d = `direction`. It is |d|/μ(d), where μ(d) is μ for r12 = d.
+/// This is the distance of the centres at which the ellipsoids touch from outside, if the centres
+/// are on a line along the vector d = `direction`. It equals |d|/μ(d), where μ(d) is the μ for r12
+/// = d.
 ///
 /// @param direction from centre 1 to centre 2, of any length > 0
 /// @param q1,q2 the forms
@@ -594,8 +596,8 @@ distance_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
                      SymmetricMatrix<T, 3> const &q2) noexcept;
 
 /// Computes the penetration depth of two ellipsoids that overlap, and its direction. The depth is
-/// the length of the shortest translation of ellipsoid 2 that separates them. It is proved to be
-/// the shortest.
+/// the length of the shortest translation of ellipsoid 2 that separates them. The function proves
+/// that no translation is shorter, up to rounding.
 ///
 /// @param r12,q1,q2 as for contact()
 /// @return the depth and the direction; zero and a NaN direction if the ellipsoids do not overlap;
@@ -606,8 +608,9 @@ PW85_FUNCTION inline Penetration<T, D> penetration(Vector<T, D> const &r12,
                                                    SymmetricMatrix<T, D> const &q1,
                                                    SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// Computes the least gap between the surface of ellipsoid 1 and an ellipsoid 2 inside it. The gap
-/// is proved to be the least.
+/// Computes the least gap between the surface of ellipsoid 1 and an ellipsoid 2 inside it. The
+/// function proves that no gap is smaller, within the tolerance that pw85_gap_inside() in pw85.h
+/// states.
 ///
 /// @param r12,q1,q2 as for contact()
 /// @return the gap, the closest points of both surfaces, relative to the centre of ellipsoid 1, and
@@ -622,9 +625,9 @@ PW85_FUNCTION inline GapInside<T, D> gap_inside(Vector<T, D> const &r12,
 /// Computes the signed distance of two ellipsoids: the distance if they are apart, and minus the
 /// penetration depth if they overlap.
 ///
-/// It is the largest value of n·r12 - α - β over unit vectors n, with the half-widths α and β of
-/// the ellipsoids along n. It is positive only if they are apart, and negative only if they
-/// overlap.
+/// The signed distance is the largest value of n·r12 - α - β over unit vectors n, with the
+/// half-widths α and β of the ellipsoids along n. It is positive only if the ellipsoids are apart,
+/// and negative only if they overlap.
 ///
 /// @param r12,q1,q2 as for contact()
 /// @return the signed distance; the closest or deepest points of the surfaces, where the outward
@@ -639,8 +642,9 @@ PW85_FUNCTION inline Distance<T, D> signed_distance(Vector<T, D> const &r12,
 /// Computes the first and second derivatives of the signed distance.
 ///
 /// @param r12,q1,q2 as for contact()
-/// @return as for distance_derivatives(), on both sides of contact; the second derivatives are NaN
-/// where the normal of an overlap is not isolated, also on success
+/// @return as for distance_derivatives(), also if the ellipsoids overlap; the second derivatives
+/// are then NaN, also on success, if the direction of the depth is not isolated
+/// (signed_distance.hpp)
 template <class T> PW85_FUNCTION inline DistanceDerivatives<T>
 signed_distance_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
                             SymmetricMatrix<T, 3> const &q2) noexcept;
@@ -708,12 +712,12 @@ PW85_FUNCTION inline FreePath<T> free_path(Vector<T, D> const &r12, SymmetricMat
 template <class T> PW85_FUNCTION inline Curvature<T>
 curvature(Vector<T, 3> normal, SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// Computes the numbers of Hertz's theory of the contact of two elastic bodies. For a depth δ the
-/// force is (4/3) E* √(radius δ³), with E* of pw85_hertz() in pw85.h.
+/// Computes the effective radius and the contact ellipse of Hertz's theory of two elastic bodies.
+/// For a depth δ the force is (4/3) E* √(radius δ³), with E* of pw85_hertz() in pw85.h.
 ///
 /// @param curvatures of the gap between the surfaces along two perpendicular directions, > 0
-/// @return the effective radius, and the squares of the semi-axes of the contact ellipse over the
-/// depth; Status::invalid_argument
+/// @return the effective radius, and the squares of the semi-axes of the contact ellipse divided by
+/// the depth; Status::invalid_argument
 template <class T>
 PW85_FUNCTION inline HertzEllipse<T> hertz(Vector<T, 2> const &curvatures) noexcept;
 
@@ -722,8 +726,8 @@ PW85_FUNCTION inline HertzEllipse<T> hertz(Vector<T, 2> const &curvatures) noexc
 /// @param r12,q1,q2 as for contact()
 /// @param normal out of ellipsoid 1 and into ellipsoid 2, of any length > 0; usually that of
 /// contact_geometry()
-/// @return the depth, the point at which contact forces act, the curvatures of the gap, and Hertz's
-/// numbers; Status::invalid_argument, Status::not_positive_definite
+/// @return the depth, the point at which contact forces act, the curvatures of the gap, and the
+/// results of hertz(); Status::invalid_argument, Status::not_positive_definite
 template <class T> PW85_FUNCTION inline HertzContact<T>
 hertz_contact(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
               SymmetricMatrix<T, 3> const &q2, Vector<T, 3> normal) noexcept;
@@ -741,7 +745,8 @@ template <class T> PW85_FUNCTION inline GrainContact<T>
 grain_contact(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
               SymmetricMatrix<T, 3> const &q2, Vector<T, 3> start) noexcept;
 
-/// Computes the derivatives of the radius of grain_contact(), whose normal follows each motion.
+/// Computes the derivatives of the radius of grain_contact(). They include the change of the normal
+/// with the motion.
 ///
 /// @param r12,q1,q2 as for contact()
 /// @param normal that of grain_contact(), of any length > 0
@@ -756,7 +761,7 @@ grain_radius_gradient(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
 /// direction.
 ///
 /// @param normal,offset,q as for distance_plane()
-/// @param direction across the normal, of any length > 0, along which the wall is curved
+/// @param direction perpendicular to the normal, of any length > 0, along which the wall is curved
 /// @param curvature_of_wall positive if the wall is convex, 0 for a plane
 /// @return the depth, the deepest point of the ellipsoid, the curvatures of the gap, and Hertz's
 /// radius; Status::invalid_argument, Status::not_positive_definite
@@ -768,8 +773,8 @@ grain_contact_wall(Vector<T, 3> const &normal, T const &offset, Vector<T, 3> dir
 
 /// @name Walls, points and lines
 ///
-/// These functions are for one ellipsoid with its centre at 0, unless they say otherwise. The error
-/// of a distance is below 8 u Σ, with Σ of pw85_shapes.h.
+/// These functions are for one ellipsoid with its centre at 0, unless their contracts say
+/// otherwise. The error of a distance is below 8 u Σ, with Σ of pw85_shapes.h.
 /// @{
 
 /// Computes the distance from an ellipsoid to the half-space normal·x >= offset.
@@ -852,8 +857,8 @@ distance_point(Vector<T, D> const &r, SymmetricMatrix<T, D> const &q) noexcept;
 
 /// Computes the part enter <= t <= leave of the line origin + t·direction that is in an ellipsoid.
 ///
-/// A ray from the origin has t >= 0. The segment from `origin` to origin + direction has 0 <= t <=
-/// 1.
+/// For a ray from `origin`, intersect this part with t >= 0; for the segment from `origin` to
+/// origin + direction, with 0 <= t <= 1.
 ///
 /// @param origin of the line, relative to the centre of the ellipsoid
 /// @param direction of any length > 0
@@ -906,11 +911,11 @@ PW85_FUNCTION inline ShapeContact<T, 3> contact_box(Vector<T, 3> const &lower,
 /// all x with normal·x <= offset for each plane.
 ///
 /// For a centre at 0 the errors have the bounds of pw85_contact_polytope() in pw85_shapes.h. For
-/// another centre, |offset_k| + |normal_k|·|center| takes the place of |offset_k| in them, and 40
-/// that of 32. The time is proportional to n and to the number of steps, which is below 20 for most
-/// polytopes.
+/// another centre, replace |offset_k| by |offset_k| + |normal_k|·|center| in these bounds, and the
+/// factor 32 by 40. The time is proportional to n and to the number of steps, which is below 20 for
+/// most polytopes.
 ///
-/// @param n number of half-spaces; without any, the polytope is the whole space
+/// @param n number of half-spaces; for 0 the polytope is the whole space
 /// @param normals n×3, out of the polytope, of any lengths > 0
 /// @param offsets n
 /// @param q the form
@@ -1011,7 +1016,8 @@ PW85_FUNCTION inline ShapeContact<T, 3> contact_capsule(Vector<T, 3> const &end1
                                                         SymmetricMatrix<T, 3> const &q) noexcept;
 
 /// Tests whether an ellipsoid and a capsule overlap, μ² < 1. For float, double and long double the
-/// answer is exact unless 1 - μ² is positive and far below their digits: see pw85_shapes.h.
+/// answer is exact, unless 1 - μ² is positive and far below the roundoff of the type: see
+/// pw85_shapes.h.
 ///
 /// @param end1,end2,radius,q as for contact_capsule()
 /// @return the answer; Status::invalid_argument, Status::not_positive_definite
@@ -1033,7 +1039,8 @@ PW85_FUNCTION inline ShapeDistance<T> distance_capsule(Vector<T, 3> const &end1,
 /// @name Shapes in the plane: an ellipse with its centre at 0, and a convex set
 /// @{
 
-/// Computes the contact function of an ellipse and a segment: see contact_segment() in space.
+/// Computes the contact function of an ellipse and a segment: see contact_segment() in three
+/// dimensions.
 ///
 /// @param end1,end2 of the segment, relative to the centre; equal ends are a point
 /// @param q the form
@@ -1044,8 +1051,8 @@ PW85_FUNCTION inline ShapeContact<T, 2> contact_segment(Vector<T, 2> const &end1
                                                         Vector<T, 2> const &end2,
                                                         SymmetricMatrix<T, 2> const &q) noexcept;
 
-/// Computes the contact function of an ellipse and the solid box lower <= x <= upper: see
-/// contact_box() in space.
+/// Computes the contact function of an ellipse and the solid rectangle lower <= x <= upper: see
+/// contact_box() in three dimensions.
 ///
 /// @param lower,upper corners of the box, relative to the centre; lower <= upper
 /// @param q the form
@@ -1066,8 +1073,8 @@ PW85_FUNCTION inline ShapeOverlap overlap_segment(Vector<T, 2> const &end1,
                                                   Vector<T, 2> const &end2,
                                                   SymmetricMatrix<T, 2> const &q) noexcept;
 
-/// Tests whether an ellipse and a solid box overlap, μ² < 1. The answer is exact for float, double
-/// and long double.
+/// Tests whether an ellipse and a solid rectangle overlap, μ² < 1. The answer is exact for float,
+/// double and long double.
 ///
 /// @param lower,upper,q as for contact_box()
 /// @return the answer; Status::invalid_argument, Status::not_positive_definite

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Systems of particles, from C++: the functions of pw85_systems.h on `std::span` (link with pw85),
-/// and their contracts. An index that is out of range is `Status::invalid_argument` before anything
-/// is written.
+/// and their contracts. If an index is out of range, the status is `Status::invalid_argument`, and
+/// nothing is written.
 ///
 /// In the folder systems/, lists.hpp has the functions with rows for the pairs of a list, sums.hpp
 /// sums of forces, periodic.hpp cells and images, neighbors.hpp neighbour lists, meshes.hpp

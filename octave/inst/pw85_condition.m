@@ -5,11 +5,11 @@ function cond = pw85_condition (varargin)
 %   cond = pw85_condition (x, y, lambda)
 %
 %  If each entry of r12, q1 and q2 changes by at most a fraction ε of itself, μ² changes by at
-%  most a fraction ε cond, to first order in ε. If the data are accurate to d digits, μ² is
-%  accurate to d - log10(cond) digits. The condition number is of the order of one for typical
-%  pairs, and of the order of the squared aspect ratio for slender ones. It is [λ(1-λ) Σ |n_i|
-%  ((1-λ) |q1_ij| + λ |q2_ij|) |n_j| + 2 λ(1-λ) Σ |r12_i n_i|]/μ² with n = [(1-λ) q1 + λ q2]⁻¹
-%  r12, summed over i and j.
+%  most a fraction ε cond, to first order in ε. If the data have d accurate digits, μ² has d -
+%  log10(cond) accurate digits. The condition number is of the order of one for typical pairs,
+%  and of the order of the squared aspect ratio for slender ones. It is [λ(1-λ) Σ |n_i| ((1-λ)
+%  |q1_ij| + λ |q2_ij|) |n_j| + 2 λ(1-λ) Σ |r12_i n_i|]/μ² with n = [(1-λ) q1 + λ q2]⁻¹ r12,
+%  summed over i and j.
 %
 %  For ellipsoids in three dimensions.
 %

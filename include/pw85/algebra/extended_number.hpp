@@ -126,8 +126,8 @@ PW85_FUNCTION inline Extended<T> normalized(Digits<N> const &x, int exponent, in
     return result;
 }
 
-/// The limbs of the guard below the mantissa. It has 64 bits for limbs of any width: the truncated
-/// bits are the same.
+/// The limbs of the guard below the mantissa. The guard has 64 bits for limbs of any width, so
+/// results are truncated at the same bit.
 inline constexpr int guard_limbs = limbs_for(64);
 
 /// The mantissa divided by 2^exponent, with a guard below it and one limb above.

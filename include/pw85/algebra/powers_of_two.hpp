@@ -45,9 +45,9 @@ PW85_FUNCTION inline void multiply_by_power_of_two(T *x, int exponent) noexcept
     for (int i = 0; i < N; ++i) x[i] = times_power_of_two(x[i], exponent);
 }
 
-/// Multiplies doubles by 2^exponent. It does without ldexp, which devices lack. The results are
-/// rounded only once: if a step of 2^-969 gives a subnormal number, the remaining factor is at most
-/// 2^-54 and gives zero.
+/// Multiplies doubles by 2^exponent. It does not call ldexp, which devices do not have. The results
+/// are rounded only once: if a step of 2^-969 gives a subnormal number, the remaining factor is at
+/// most 2^-54 and gives zero.
 template <int N>
 PW85_FUNCTION inline void multiply_by_power_of_two(double *x, int exponent) noexcept
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The sine and cosine of an angle. contact/forms.hpp and motion/motion.hpp call sine_cosine(). For
-/// double it uses additions and products alone, because the functions of C libraries differ in
-/// their last bits.
+/// double it uses only additions and products, because the functions of different C libraries
+/// differ in their last bits.
 ///
 /// 1. angle = n π/2 + r with an integer n and |r| <= π/4 (1 + 2^-20). The remainder r is a sum of
 ///    two numbers (doubled.hpp). Multiples of π/2 are subtracted until n is below 2^26. They are

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Two numbers side by side (two_lanes.hpp) with twice the digits of doubles (doubled.hpp). Their
-/// leading digits are in one register, and the other ones in another. Each operation gives the bits
-/// of that of Doubled<double> in both lanes. volume/ uses this file.
+/// leading digits are in one register, and the other ones in another. In both lanes, each operation
+/// is bitwise equal to that of Doubled<double>. volume/ uses this file.
 #ifndef PW85_ALGEBRA_TWO_DOUBLED_HPP_INCLUDED
 #define PW85_ALGEBRA_TWO_DOUBLED_HPP_INCLUDED
 

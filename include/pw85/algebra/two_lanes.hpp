@@ -4,8 +4,8 @@
 /// with both forms, or tests two points, at once. contact/rational.hpp and overlap/quartic.hpp use
 /// this file.
 ///
-/// The two numbers are in one register where processors have registers for two doubles. This is
-/// written in the source, because compilers find it only by some flags.
+/// On processors with registers for two doubles, the two numbers are in one register. The source
+/// does this explicitly, because compilers do it by themselves only with some flags.
 #ifndef PW85_ALGEBRA_TWO_LANES_HPP_INCLUDED
 #define PW85_ALGEBRA_TWO_LANES_HPP_INCLUDED
 
@@ -211,7 +211,8 @@ PW85_FUNCTION inline bool all_of(TwoLaneMask const &mask) noexcept
 PW85_FUNCTION inline bool either_of(TwoLaneMask const &mask) noexcept { return any_of(mask); }
 PW85_FUNCTION inline bool both_of(TwoLaneMask const &mask) noexcept { return all_of(mask); }
 
-/// Computes the bits of the function of two doubles, without a detour through other registers.
+/// Computes the same result as the function of two doubles, bitwise equal, without moves to other
+/// registers.
 PW85_FUNCTION inline double coarse_root_of_ratio(TwoLanes<double> const &x) noexcept
 {
     typedef unsigned long long Bits __attribute__((vector_size(2 * sizeof(double))));

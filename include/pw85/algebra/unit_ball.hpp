@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// π with the digits of any scalar, and the measure of the unit ball.
+/// π with the digits of any scalar, and the volume of the unit ball or the area of the unit circle.
 #ifndef PW85_ALGEBRA_UNIT_BALL_HPP_INCLUDED
 #define PW85_ALGEBRA_UNIT_BALL_HPP_INCLUDED
 
@@ -29,7 +29,7 @@ template <class T> PW85_FUNCTION inline Finer<T> fine_circle_constant() noexcept
         return Finer<T>(circle_constant<T>());
 }
 
-/// The measure of the unit ball: 4π/3 or π.
+/// The volume of the unit ball, 4π/3, or the area of the unit circle, π.
 template <class T, int D> PW85_FUNCTION inline T unit_measure() noexcept
 {
     T const pi = circle_constant<T>();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Units that are powers of two of the caller's units, so conversions change no digit. Whatever is
-/// scaled to keep its numbers in range has its units beside it (Scaled).
+/// Units that are powers of two times the units of the caller, so conversions change no digit. Data
+/// that are scaled to keep their numbers in range are stored with their units (Scaled).
 #ifndef PW85_ALGEBRA_UNITS_HPP_INCLUDED
 #define PW85_ALGEBRA_UNITS_HPP_INCLUDED
 

@@ -44,8 +44,8 @@ template <class N = int, class Function>
     return function(work);
 }
 
-/// Calls function(workspace) with a workspace for numbers of twice the digits. It is compiled for
-/// size, and so are the functions that only it calls.
+/// Calls function(workspace) with a workspace for numbers with twice the digits. This function, and
+/// the functions that only it calls, are compiled for size.
 template <class Function> [[gnu::noinline, gnu::cold]] PW85_FUNCTION auto
 with_wide_workspace(Function const &function) noexcept
 {
@@ -114,8 +114,8 @@ PW85_FUNCTION inline Contact<double> nd_contact(int n, double const *r12, double
     return detail::any_dimension::find_contact(detail::any_dimension::Input{n, r12, q1, q2});
 }
 
-/// Returns the contact function with the bits of nd_contact(N, ...). The number of dimensions is
-/// known at compile time, which is faster for few dimensions.
+/// Returns the contact function, bitwise equal to nd_contact(N, ...). The number of dimensions is
+/// known at compile time, which saves time in few dimensions.
 template <int N> PW85_FUNCTION inline Contact<double>
 nd_contact(double const *r12, double const *q1, double const *q2) noexcept
 {

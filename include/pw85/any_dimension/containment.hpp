@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Containment in n dimensions: whether ellipsoid 2 is inside ellipsoid 1, exactly, and the factor
-/// κ by which ellipsoid 1 must be scaled to contain it. containment_search.hpp has the search for
-/// κ.
+/// Containment in n dimensions: the exact test whether ellipsoid 2 is inside ellipsoid 1, and the
+/// factor κ by which ellipsoid 1 must be scaled to contain ellipsoid 2. containment_search.hpp has
+/// the search for κ.
 #ifndef PW85_ANY_DIMENSION_CONTAINMENT_HPP_INCLUDED
 #define PW85_ANY_DIMENSION_CONTAINMENT_HPP_INCLUDED
 
@@ -29,8 +29,8 @@ struct NdContainmentScale {
 namespace pw85::detail::any_dimension {
 
 /// Returns whether a direction proves that ellipsoid 2 is not inside: √(sᵀQ2s) + |s·r12| >
-/// √(sᵀQ1s), with the errors of form_above(). s is scaled to a length of about one; what underflows
-/// is then far below these errors.
+/// √(sᵀQ1s), with the errors of form_above(). s is scaled to a length of about one, so errors by
+/// underflow are far below these errors.
 template <class T>
 PW85_FUNCTION inline bool shows_outside(Pair<T> const &pair, T const *direction) noexcept
 {
@@ -57,9 +57,10 @@ PW85_FUNCTION inline bool shows_outside(Pair<T> const &pair, T const *direction)
 /// Let w be the error of an operation, 4u. As K has a positive diagonal if its pivots are positive,
 /// the magnitudes of the terms Q2/ν + r rᵀ/(1 - ν) of entry (i, j) add up to at most √(Q1_ii
 /// Q1_jj). An entry errs by less than 12 w √(Q1_ii Q1_jj) from 5 operations on the terms and two on
-/// the entry, and a matrix of such errors by 12 n w = 48 n u of diag(Q1). Factorisation takes n (n
-/// + 4) u of the diagonal of K, which is smaller. `share` of diag(Q1) exceeds both. Numbers that
-/// underflow err by 2⁻¹⁰⁷⁴, which is far below it as the diagonal of Q1 is at least 2⁻⁸⁰⁰.
+/// the entry, and a matrix of such errors by 12 n w = 48 n u of diag(Q1). The error of
+/// factorisation is n (n + 4) u times the diagonal of K, which is smaller. `share` times diag(Q1)
+/// exceeds the sum of both errors. Numbers that underflow have an error of 2⁻¹⁰⁷⁴, which is far
+/// below `share` times the diagonal of Q1, because this diagonal is at least 2⁻⁸⁰⁰.
 template <class T>
 PW85_FUNCTION inline bool shows_inside(Pair<T> const &pair, T const &nu, T *memory) noexcept
 {
@@ -181,8 +182,9 @@ find_scale_wider(Pair<double> const &pair, double &mu2, double *point) noexcept
     return converged ? StatusCode::success : StatusCode::no_convergence;
 }
 
-/// Searches with double precision first. It rounds the lower bound by (5n/4 + 12) u S, the upper
-/// one by as much, and M by 3 u S: with the tolerance the error is below (2n + 20) u S.
+/// Searches with double precision first. The rounding errors are (5n/4 + 12) u S for each of the
+/// two bounds, and 3 u S for M. Together with the tolerance, the error of the result is below (2n +
+/// 20) u S.
 PW85_FUNCTION inline StatusCode find_scale(Pair<double> const &pair, double &mu2,
                                            double *point) noexcept
 {
@@ -196,8 +198,8 @@ PW85_FUNCTION inline StatusCode find_scale(Pair<double> const &pair, double &mu2
 
 namespace pw85 {
 
-/// Decides exactly if ellipsoid 2 is inside ellipsoid 1 in n dimensions; see nd_contact(). It may
-/// touch the surface from inside.
+/// Decides exactly if ellipsoid 2 is inside ellipsoid 1 in n dimensions; see nd_contact(). An
+/// ellipsoid 2 that touches the surface from inside counts as inside.
 PW85_FUNCTION inline NdContainment nd_contains(int n, double const *r12, double const *q1,
                                                double const *q2) noexcept
 {
@@ -210,10 +212,10 @@ PW85_FUNCTION inline NdContainment nd_contains(int n, double const *r12, double 
                                   : NdContainment{answer == 1, status};
 }
 
-/// Returns the factor by which ellipsoid 1 must be scaled to contain ellipsoid 2 in n dimensions,
-/// and where they touch then: n numbers, on the surface of ellipsoid 2, relative to the centre of
-/// ellipsoid
-/// 1. A null pointer leaves the point out. It is not stored if the status is not success.
+/// Computes the square of the factor by which ellipsoid 1 must be scaled to contain ellipsoid 2 in
+/// n dimensions, and a point at which the two then touch, on the surface of ellipsoid 2. `point`
+/// has n coordinates relative to centre 1, or is null. It is not written if the status is not
+/// success.
 PW85_FUNCTION inline NdContainmentScale nd_containment(int n, double const *r12, double const *q1,
                                                        double const *q2, double *point) noexcept
 {

@@ -112,8 +112,9 @@ PW85_FUNCTION inline T residual_form(Pair<T> const &pair, T const &t, Evaluation
     return dot(pair.n, rest, at.v);
 }
 
-/// Evaluates at ν, and returns the ν that Newton's method suggests (take_gauge_step()). M must be
-/// positive definite in spite of rounding: its factors err by n (n + 4) u of its diagonal.
+/// Evaluates at ν, and returns the ν that Newton's method suggests (take_dual_step() of
+/// overlap/containment_bounds.hpp). M must be positive definite in spite of rounding: its factors
+/// err by n (n + 4) u of its diagonal.
 template <class T>
 [[gnu::noinline]] PW85_FUNCTION inline T evaluate_dual(Pair<T> const &pair,
                                                        DualBoundSearch<T> &search, T const &nu,
@@ -158,13 +159,15 @@ PW85_FUNCTION inline T condition_sum(Pair<T> const &pair, SupportRatio<T> const 
     return reach.mu2 * (form1 / reach.form1) + factor * (form2 / reach.root2 + T(2) * along);
 }
 
-/// Returns whether the bounds of κ² agree. S is at least 2κ². At a direction far from the best one
-/// it can be much larger than at the result. So in double it counts only where the bounds agree to
-/// half of the digits, and not at all for wider numbers, which have digits to spare.
+/// Returns whether the bounds of κ² agree. S is at least 2κ². At a direction far from the best one,
+/// S can be much larger than at the result. So in double S is used only if the bounds agree to half
+/// of the digits. Otherwise, and for wider numbers, which have digits to spare, the test uses κ²
+/// instead of S.
 template <class T> PW85_FUNCTION inline bool
 has_converged(Pair<T> const &pair, DualBoundSearch<T> const &search, T const &tolerance) noexcept
 {
-    // A bound far below the other one is a rounding error: terms cancel if M is nearly singular.
+    // An upper bound far below the lower one is a rounding error: terms cancel if M is nearly
+    // singular.
     T const mu2 = search.best.mu2, gap = absolute(T(search.bound - mu2));
     if (!(mu2 > T(0))) return false;
     if (gap <= tolerance * mu2) return true;
@@ -173,11 +176,11 @@ has_converged(Pair<T> const &pair, DualBoundSearch<T> const &search, T const &to
     return false;
 }
 
-/// The goal of a search for κ²: its value, or the side of 1 on which it is.
+/// The goal of a search for κ²: its value, or only the sign of κ² - 1.
 enum class Goal { value, side_of_one };
 
-/// Returns whether a search is done. It is if κ² is far from 1, for the goal side_of_one, or if its
-/// bounds agree.
+/// Returns whether a search is done: its bounds agree, or, for the goal side_of_one, κ² is far from
+/// 1.
 template <class T> PW85_FUNCTION inline bool is_done(Pair<T> const &pair,
                                                      DualBoundSearch<T> const &search, Goal goal,
                                                      T const &tolerance) noexcept
@@ -210,7 +213,8 @@ PW85_FUNCTION inline T initial_nu(Pair<T> const &pair, Evaluation<T> &at) noexce
     return maximum(sum, ball);
 }
 
-/// Searches until is_done(), for search_gauge() steps. Returns false if the search ends otherwise.
+/// Searches until is_done(), as search_dual() of overlap/containment_factor.hpp does. Returns false
+/// if the search ends otherwise.
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline bool
 minimize_dual(Pair<T> const &pair, DualBoundSearch<T> &search, Evaluation<T> &at, Goal goal,
               T const &tolerance) noexcept

@@ -10,9 +10,9 @@
 
 namespace pw85::detail::any_dimension {
 
-/// The smallest margins with which is_definite_with_shift() proves a form positive definite: twice
-/// the backward error of factorisation, with room for the rounding of 1 - shift. The unit of a
-/// Doubled number covers its quotients, too.
+/// The shift with which is_definite_with_shift() proves that a form is positive definite: four
+/// times the backward error of factorisation, n (n + 4) u. The factor covers the rounding of 1 -
+/// shift and, for Doubled, the larger errors of products and quotients (operation_error()).
 template <class T> PW85_FUNCTION inline T least_shift(int n) noexcept
 {
     return T(4 * factorization_error(n)) * T(unit_roundoff<T>());
@@ -27,7 +27,7 @@ PW85_FUNCTION inline bool is_clearly_definite(N n, double const *q, Unit unit) n
     return is_definite_with_shift(n, matrix, least_shift<T>(n), matrix);
 }
 
-/// Decides for forms that double precision leaves open.
+/// Decides for forms that double precision does not decide.
 [[gnu::cold, gnu::noinline]] PW85_FUNCTION inline StatusCode
 status_of_difficult_form(int n, double const *q, Unit unit) noexcept
 {

@@ -4,9 +4,10 @@
 /// equations and their search are those of distance/normal_search.hpp. They use vectors of two or
 /// three numbers; the functions here use arrays.
 ///
-/// Any vector u gives the lower bound φ = (u·r12 - √(uᵀQ1u) - √(uᵀQ2u))/|u| of the distance, and
-/// the vector w between the points of the surfaces along u the upper bound |w|. Both are computed
-/// with twice the digits of double. The search ends where they agree to rounding.
+/// Any vector u gives a lower bound of the distance, φ = (u·r12 - √(uᵀQ1u) - √(uᵀQ2u))/|u|, and an
+/// upper bound, the length of the vector w between the points of the surfaces with the normals u
+/// and -u. Both bounds are computed with twice the digits of double. The search ends when they
+/// agree to rounding.
 ///
 /// Numbers with seven times the digits continue the search where twice the digits do not suffice
 /// (refine_slab() of distance/distance.hpp says when).
@@ -18,8 +19,8 @@
 
 namespace pw85 {
 
-/// The outputs of nd_distance() in addition to the distance, in arrays of the caller. A null
-/// pointer leaves one out.
+/// The outputs of nd_distance() in addition to the distance, in arrays of the caller. An output
+/// whose pointer is null is not written.
 struct NdClosestPoints {
     double *point1, *point2, *normal;
 };
@@ -110,7 +111,8 @@ advance(NormalVector<T> const &v, Multipliers<T> const &x, NormalStep<T> const &
     return u;
 }
 
-/// A slab between the ellipsoids, and what touches it, in numbers of more digits than double.
+/// A slab between the ellipsoids, and the points that touch it, in numbers with more digits than
+/// double.
 template <class W> struct NormalSlab {
     W normal[max_dimension], point1[max_dimension], point2[max_dimension];
     W extent1, extent2, width;
@@ -127,8 +129,8 @@ PW85_FUNCTION inline W find_support(int n, W const *q, W const *normal, W *point
     return extent;
 }
 
-/// The largest part of w across the normal, relative to n·r12, in units of u: as for distances in
-/// space.
+/// The largest component of w perpendicular to the normal, relative to n·r12 and in units of u, as
+/// for distances in three dimensions.
 inline constexpr double largest_off = 0x1p17;
 
 /// Computes the slab of a direction. It is accurate if the part of w across the normal is below
@@ -196,7 +198,7 @@ PW85_FUNCTION inline bool find_normal(DistancePair<T> const &given, Multipliers<
     return slab.accurate;
 }
 
-/// Brings a pair to one unit, with memory for its factors.
+/// Converts a pair to one unit of length, with memory for its factors.
 template <class T> PW85_FUNCTION inline void
 prepare(Input const &in, Unit unit, NormalFactors<T> &factors, DistancePair<T> &given) noexcept
 {

@@ -7,24 +7,26 @@
 /// n + 1. The roots of B are the eigenvalues d_i > 0 of Q1⁻¹Q2; let ν1 be the largest one.
 ///
 /// 1. By the S-lemma, ellipsoid 2 is inside if and only if K(ν) = Q1 - Q2/ν - r rᵀ/(1 - ν) is
-/// positive semidefinite for some ν in (0, 1); for r = 0 if and only if Q1 - Q2 is
-/// (exact_containment.hpp of overlap/, with w = ν/(1 - ν)). Such a ν is at least ν1. Therefore ν1 <
-/// 1 is necessary for r != 0. For ν > ν1, K(ν) is positive semidefinite if and only if h(ν) = p/B =
-/// 1
-/// - ν - rᵀ(Q1 - Q2/ν)⁻¹r >= 0. 2. In the eigenbasis h = 1 - ν - ν Σ c_i/(ν - d_i), over the k
-/// distinct d_i whose eigenspaces r has a part in, with c_i > 0. Let h = q/E in lowest terms: E has
-/// these d_i as its roots, q has the degree k + 1, and p/q = B/E = gcd(p, B). As h is -∞ at
-/// infinity, and at ν1 if ν1 is among these d_i, ellipsoid 2 is inside if and only if the largest
-/// root of q is at least ν1. K(ν1) is the limit of K(ν) otherwise: the case of equality is inside.
+///    positive semidefinite for some ν in (0, 1); for r = 0, if and only if Q1 - Q2 is positive
+///    semidefinite (exact_containment.hpp of overlap/, with w = ν/(1 - ν)). Such a ν is at least
+///    ν1. Therefore ν1 < 1 is necessary for r != 0. For ν > ν1, K(ν) is positive semidefinite if
+///    and only if h(ν) >= 0, where h(ν) = p/B = (1 - ν) - rᵀ(Q1 - Q2/ν)⁻¹r.
+/// 2. In the eigenbasis, h = (1 - ν) - ν Σ c_i/(ν - d_i) with c_i > 0. The sum is over the k
+///    distinct d_i for which r has a component in the eigenspace. Let h = q/E in lowest terms. E
+///    has these d_i as its roots, q has the degree k + 1, and p/q = B/E = gcd(p, B). h is -∞ at
+///    infinity, and at ν1 if ν1 is one of these d_i. So ellipsoid 2 is inside if and only if the
+///    largest root of q is at least ν1. If ν1 is not one of these d_i, K(ν1) is the limit of K(ν),
+///    so equality counts as inside.
 /// 3. Between two neighbours of these d_i, h rises from -∞ to ∞. This gives k - 1 roots of q below
-/// the largest of them. If the largest root of q is at least ν1, q therefore has k - 1 simple roots
-/// there, and two more beyond: all roots of q are real and positive, and so are those of p. If not
-/// all are, ellipsoid 2 is not inside. 4. For a polynomial with real roots Descartes' rule is
-/// exact: the coefficients of p(x + t) change sign as often as p has roots above x. Halving an
-/// interval therefore finds the polynomial that has the largest root, if no two have it in common.
-/// Let c = gcd(q, B), and let q' and B' be q and B without the roots of c. No two of q', B' and c
-/// have a root in common. If q' or c has the largest root of the three, ellipsoid 2 is inside; if
-/// B' has, it is not.
+///    the largest d_i. If the largest root of q is at least ν1, q therefore has k - 1 simple roots
+///    there, and two more roots above. All roots of q are then real and positive, and so are those
+///    of p. If p has other roots, ellipsoid 2 is not inside.
+/// 4. For a polynomial with real roots Descartes' rule of signs is exact: the coefficients of p(x +
+///    t) change sign as often as p has roots above x. Therefore bisection finds which of several
+///    polynomials has the largest root, if no two of them have this root in common. Let c = gcd(q,
+///    B), and let q' and B' be q and B without the roots of c. No two of q', B' and c have a root
+///    in common. If q' or c has the largest root of the three, ellipsoid 2 is inside. If B' has it,
+///    ellipsoid 2 is not inside.
 #ifndef PW85_ANY_DIMENSION_EXACT_CONTAINMENT_HPP_INCLUDED
 #define PW85_ANY_DIMENSION_EXACT_CONTAINMENT_HPP_INCLUDED
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Integers of any size, in memory of their own. exact_sign.hpp computes determinants and Sturm's
-/// sequence with them. A result for which there is no memory is undefined, and so is what is
-/// computed from it.
+/// sequence with them. If there is no memory for a result, the result is the value `undefined`, and
+/// so are all results that are computed from it.
 #ifndef PW85_ANY_DIMENSION_EXACT_INTEGER_HPP_INCLUDED
 #define PW85_ANY_DIMENSION_EXACT_INTEGER_HPP_INCLUDED
 
@@ -36,7 +36,7 @@ class Integer {
     }
     [[gnu::always_inline]] ~Integer() { std::free(limbs_); }
 
-    /// Zero limbs, to be filled; undefined if there is no memory.
+    /// Makes limbs that are zero and must be filled; undefined if there is no memory.
     [[gnu::always_inline]] Integer(int sign, std::size_t size) noexcept
         : limbs_(static_cast<Limb *>(std::calloc(size, sizeof(Limb)))), size_(size), sign_(sign)
     {

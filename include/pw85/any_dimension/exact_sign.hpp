@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Exact decisions in n dimensions, in integers: whether a form is positive definite, and the sign
-/// of μ² - m. definite.hpp and overlap.hpp call them where floating-point numbers do not suffice.
+/// Exact decisions in n dimensions, computed in integers: is a form positive definite, and what is
+/// the sign of μ² - m? definite.hpp and overlap.hpp call them where floating-point numbers do not
+/// suffice.
 ///
 /// The polynomial is that of overlap/exact.hpp, p(t) = t a(t) - m (1 + t) b(t) with a(t) = rᵀ
 /// adj(Q1 + t Q2) r and b(t) = det(Q1 + t Q2), of degree n + 1. It is negative at 0 and at
-/// infinity. In the eigenbasis of the pencil, n - 1 of its roots are negative. It has no, one
-/// double or two positive roots if the ellipsoids of m Q1 and m Q2 overlap, touch or are apart.
-/// Sturm's theorem counts the positive roots.
+/// infinity. In the eigenbasis of the pencil, n - 1 of its roots are negative. It has no positive
+/// root if the ellipsoids of m Q1 and m Q2 overlap, one double positive root if they touch, and two
+/// positive roots if they are apart. Sturm's theorem counts the positive roots.
 ///
-/// Let N be the bits of the integers: those between the highest bit of all entries and the lowest,
+/// Let N be the number of bits of the integers, from the highest to the lowest bit of all entries
 /// after each axis is scaled by a power of two. The coefficients have n N bits, the numbers of
-/// Sturm's sequence up to 2 n (n + 1) N, and the time is that of n² products of such numbers.
+/// Sturm's sequence up to 2 n (n + 1) N bits, and the time is that of n² products of such numbers.
 #ifndef PW85_ANY_DIMENSION_EXACT_SIGN_HPP_INCLUDED
 #define PW85_ANY_DIMENSION_EXACT_SIGN_HPP_INCLUDED
 

@@ -11,7 +11,8 @@
 
 namespace pw85 {
 
-/// The outputs of nd_contact_geometry(), in arrays of the caller. A null pointer leaves one out.
+/// The outputs of nd_contact_geometry(), in arrays of the caller. An output whose pointer is null
+/// is not written.
 struct NdGeometry {
     double *point, *normal, *d_r12, *d_q1, *d_q2;
 };
@@ -44,8 +45,8 @@ find_tangency(Input const &in, double lambda, TangencySolution &result, Workspac
     }
     if (!evaluate(pair, t, at)) return false;
     T const error = T(solution_error(n)) * inverse_bound(pair, t, at) * operation_error<T>();
-    // Wider numbers must be accurate to rounding without the correction, because they round its
-    // residual, too.
+    // With wider numbers the solution must be accurate to rounding without the correction, because
+    // the residual of the correction is rounded, too.
     int const digits = std::is_same_v<T, double> ? result_digits<T>() / 2 : result_digits<T>();
     if (!(error <= negative_power_of_two<T>(digits))) return false;
     T rest[max_dimension]{};

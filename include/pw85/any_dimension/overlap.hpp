@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The sign of μ² - m in n dimensions, for the numbers exactly as given, and with m = 1 whether two
-/// ellipsoids overlap. Floating-point numbers decide if a vector s proves the answer, in double
-/// precision and then with twice the digits. Integers decide the rest (exact_sign.hpp).
+/// The sign of μ² - m in n dimensions, for the numbers exactly as given. With m = 1 it decides
+/// whether two ellipsoids overlap. Floating-point numbers decide if a vector s proves the answer,
+/// in double precision and then with twice the digits. Integers decide the rest (exact_sign.hpp).
 ///
 /// Let √m Q be the ellipsoid of the form m Q. For any vector s and any t > 0, with A = sᵀQ1s and
 /// B = sᵀQ2s:
 ///
 /// 1. sᵀr12 > √m (√A + √B) proves that √m Q1 and √m Q2 are apart: a slab across s separates them.
-/// 2. With the residual ρ = r12 - (Q1 + t Q2) s, the point x = Q1 s + ρ is t Q2 s before the centre
-///    of ellipsoid 2. So √A + √(ρᵀQ1⁻¹ρ) < √m and t √B < √m prove that x is inside both.
+/// 2. With the residual ρ = r12 - (Q1 + t Q2) s, the point x = Q1 s + ρ satisfies r12 - x = t Q2 s.
+///    So √A + √(ρᵀQ1⁻¹ρ) < √m and t √B < √m prove that x is inside both.
 ///
 /// No step depends on how well s solves an equation. The bounds on rounding errors count the
 /// operations of product() and dot(), whose terms are at most √(q_ii q_jj) |s_i s_j|: their sum is
@@ -87,10 +87,11 @@ decide_at(Pair<T> const &pair, T const &t, T const &m, Evaluation<T> &at) noexce
     return Decision::none;
 }
 
-/// Returns whether numbers are so far from the limits of double that no product of them underflows.
+/// Returns whether a number is so far from the limits of double that products of such numbers do
+/// not underflow.
 PW85_FUNCTION inline bool is_moderate(double m) noexcept { return m > 0x1p-400 && m < 0x1p400; }
 
-/// Decides by a search in T, and one step behind it. m is in the units of the pair.
+/// Decides by a search in the type T and one more step. m is in the units of the pair.
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline Decision
 decide_in(Input const &in, Units const &units, double m, Workspace<T> &work) noexcept
 {

@@ -7,9 +7,9 @@
 /// The functions with loops over a matrix are not inlined, because their code is long and their
 /// loops are longer than a call.
 ///
-/// A packed matrix has the rows of its upper triangle one behind the other, n (n + 1)/2 numbers:
-/// xx, xy, xz, yy, yz, zz for n = 3. A function takes arrays of the caller, because the memory for
-/// wide numbers is not always on the stack.
+/// A packed matrix consists of the rows of its upper triangle, one after the other: n (n + 1)/2
+/// numbers, in the order xx, xy, xz, yy, yz, zz for n = 3. Functions use arrays of the caller,
+/// because the memory for wide numbers is not always on the stack.
 #ifndef PW85_ANY_DIMENSION_PACKED_MATRIX_HPP_INCLUDED
 #define PW85_ANY_DIMENSION_PACKED_MATRIX_HPP_INCLUDED
 
@@ -44,8 +44,8 @@ PW85_FUNCTION constexpr int packed_index(int n, int i, int j) noexcept
     return i <= j ? row_offset(n, i) + j : row_offset(n, j) + i;
 }
 
-/// A bound on the relative error of one operation. Those of Doubled numbers err by up to 16 u²,
-/// four times the unit roundoff that is declared.
+/// A bound on the relative error of one operation. For Doubled numbers it is 16 u² with the u of
+/// double, four times the declared unit roundoff.
 template <class T> PW85_FUNCTION constexpr T operation_error() noexcept
 {
     return T(4) * T(unit_roundoff<T>());

@@ -10,14 +10,14 @@
 
 namespace pw85::detail::any_dimension {
 
-/// A pair as the caller gives it. The arrays are his.
+/// A pair in the units of the caller, who owns the arrays.
 template <class N> struct InputOf {
     N n;
     double const *r12, *q1, *q2;
 };
 using Input = InputOf<int>;
 
-/// A pair in units of its own. Its members mean what those of pw85::detail::Pair mean.
+/// A pair in its own units. Its members have the same meaning as those of pw85::detail::Pair.
 template <class T, class N = int> struct Pair {
     N n;
     T r12[capacity<N>];
@@ -78,7 +78,7 @@ PW85_FUNCTION inline void to_local(Unit unit, int power, int size, double const 
     for (int i = 0; i < size; ++i) y[i] = T(unit.exponent == 0 ? x[i] : unit.to_local(x[i], power));
 }
 
-/// Brings a pair to its units. Only numbers that are too small to matter are rounded.
+/// Converts a pair to its units. Only numbers that are too small to matter are rounded.
 template <class T, class N>
 PW85_FUNCTION inline void scale(InputOf<N> const &in, Units const &units, Pair<T, N> &pair) noexcept
 {

@@ -189,7 +189,7 @@ PW85_FUNCTION inline Candidate<T> start(Pair<T, N> const &pair, Evaluation<T, N>
     return {initial_guess(form1, form2, pair.ratio), T(1), T(0)};
 }
 
-/// The maximum of f. It is right to rounding where `certified` is true.
+/// The maximum of f. It is correct to rounding if `certified` is true.
 template <class T, class N>
 PW85_FUNCTION inline Maximum<T> maximize(Pair<T, N> const &pair, Evaluation<T, N> &at) noexcept
 {

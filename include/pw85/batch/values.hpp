@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The arguments of the functions of many rows: spans of rows, and structures of spans that belong
-/// together. calls.hpp converts them to the arguments of the C API.
+/// The arguments of the functions of many rows: spans of rows, and structs of several spans.
+/// calls.hpp converts them to the arguments of the C API.
 #ifndef PW85_BATCH_VALUES_HPP_INCLUDED
 #define PW85_BATCH_VALUES_HPP_INCLUDED
 

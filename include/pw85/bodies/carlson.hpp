@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Carlson's symmetric elliptic integrals R_D, all three of one set of numbers. surface.hpp uses
-/// them.
+/// Carlson's symmetric elliptic integrals R_D: for three numbers, the three integrals in which each
+/// of them is the last argument. surface.hpp uses this file.
 ///
 /// R_D(x, y; z) = (3/2) ∫ dt (t+x)^(-1/2) (t+y)^(-1/2) (t+z)^(-3/2) over t > 0. The duplication
 /// theorem (B. C. Carlson, Numer. Math. 33, 1, 1979; DLMF 19.26.20, 19.36(i)) maps
@@ -31,9 +31,10 @@ template <class T> PW85_FUNCTION inline T r_d_correction(T const &x, T const &y)
            T(9) * e2 * e3 / T(52) + T(3) * e5 / T(26);
 }
 
-/// R_D(x_j, x_k; x_i) for each i. At most one of the numbers may be zero. Its own integral is
-/// infinite; its place in the result has a finite number without meaning. `W` has more digits than
-/// `T`: the error is below 2^-(d + 9) for the d digits of T, with ε = 2^-((d + 13)/6).
+/// R_D(x_j, x_k; x_i) for each i. At most one of the numbers may be zero. The integral with this
+/// number as the last argument is infinite; the result then has a finite number without meaning for
+/// it. `W` has more digits than `T`: the error is below 2^-(d + 9) for the d digits of T, with ε =
+/// 2^-((d + 13)/6).
 template <class T, class W> PW85_FUNCTION inline Vector<W, 3> carlson_r_d(Vector<W, 3> x) noexcept
 {
     int const digits = mantissa_digits<T>();

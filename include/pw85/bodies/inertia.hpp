@@ -30,8 +30,8 @@ PW85_FUNCTION constexpr SymmetricMatrix<T, D> body_moments(SymmetricMatrix<T, D>
     return q;
 }
 
-/// tr(M) I - M. Each diagonal entry is the sum of two moments; no small entry is lost in a
-/// difference.
+/// tr(M) I - M. Each diagonal entry is the sum of two moments, so small entries lose no digits by
+/// cancellation.
 template <class T>
 PW85_FUNCTION constexpr SymmetricMatrix<T, 3> inertia_of(SymmetricMatrix<T, 3> const &m) noexcept
 {
@@ -56,8 +56,8 @@ PW85_FUNCTION inline SymmetricMatrix<T, 3> shell_inertia(SymmetricMatrix<T, 3> c
 }
 
 /// The tensor of inertia of a valid form. It is computed in the unit in which the largest diagonal
-/// entry of the form is in [1, 4). So the mass alone cannot leave the range, and an entry that is
-/// zero stays zero where others overflow.
+/// entry of the form is in [1, 4). So the mass alone cannot leave the range, and zero entries
+/// remain zero if other entries overflow.
 template <class T> PW85_FUNCTION inline SymmetricMatrix<T, 3>
 inertia_of_valid(SymmetricMatrix<T, 3> const &q, bool is_shell) noexcept
 {

@@ -11,22 +11,22 @@
 ///
 ///     c R_s(b) = (c + s) R_s(b + e_i) - s p_i R_(s-1)(b + e_i),    c = Σ b_j,
 ///
-/// which follows from ∂R_s/∂p_i = s (b_i/c) R_(s-1)(b + e_i) (DLMF 19.18.4), twice, with D_i = R_D
-/// whose last variable is p_i, and with Σ p_i D_i = 3 R_F (DLMF 19.21.9) leaves
+/// follows from ∂R_s/∂p_i = s (b_i/c) R_(s-1)(b + e_i) (DLMF 19.18.4). Let D_i be the R_D whose
+/// last variable is p_i. Two applications of the relation and Σ p_i D_i = 3 R_F (DLMF 19.21.9) give
 ///
 ///     mean of x_i² = a_i²/4 + Σ_(j≠i) p_j D_j/(24 R_G).
 ///
-/// All terms are positive. In the plane p has two variables, c is 1 instead of 3/2, and a third
-/// variable, which is zero, turns complete integrals into R_D and R_G: the perimeter is 8 a1 a2
+/// All terms are positive. For an ellipse p has two variables, and c is 1 instead of 3/2. A third
+/// variable 0 makes the complete integrals special cases of R_D and R_G: the perimeter is 8 a1 a2
 /// R_G(p, 0), and the mean of x_i² is a_i²/3 + Σ_(j≠i) p_j D_j/(18 R_G).
 ///
 /// R_G follows from 2 R_G = z R_F + (x-z)(z-y) R_D(x, y; z)/3 + √(xy/z) (DLMF 19.21.10), where all
 /// terms are positive if z is the variable in the middle.
 ///
-/// All numbers are Finer<T>: the results are rounded once. The squares of the semi-axes come from
-/// Jacobi's rotations, whose errors are a few units of 2^-104 times the largest square (for
-/// double). So the relative errors of the smaller ones are below 2^-98 times the square of the
-/// aspect ratio.
+/// All numbers are of the type Finer<T>, with twice the digits of T, and the results are rounded
+/// once. The squares of the semi-axes come from Jacobi's rotations, whose errors are a few units of
+/// 2^-104 times the largest square (for double). So the relative errors of the smaller ones are
+/// below 2^-98 times the square of the aspect ratio.
 #ifndef PW85_BODIES_SURFACE_HPP_INCLUDED
 #define PW85_BODIES_SURFACE_HPP_INCLUDED
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The distance of closest approach of two ellipsoids with given orientations, along a given
-/// direction. μ² is quadratic in the separation. So along a unit vector d the distance is 1/μ(d).
-/// pw85.hpp and the C API (src/simd/) use this file. It finds μ² by the solver (solver.hpp).
+/// direction. μ² is quadratic in the separation, so along a unit vector d the distance is 1/μ(d).
+/// The solver (solver.hpp) computes μ².
 #ifndef PW85_CONTACT_CLOSEST_APPROACH_HPP_INCLUDED
 #define PW85_CONTACT_CLOSEST_APPROACH_HPP_INCLUDED
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The entrywise condition number of the contact function. It says how many digits of μ² the data
+/// The entrywise condition number of the contact function. It states how many digits of μ² the data
 /// determine. The overlap test (certified_value.hpp) uses it to bound the error of μ². The linear
 /// equations are solved by geometry.hpp.
 #ifndef PW85_CONTACT_CONDITION_HPP_INCLUDED

@@ -19,9 +19,9 @@
 
 namespace pw85::detail {
 
-/// The least rest of projections is 2 to the power of minus this. The errors of a projection
-/// without a second one are then at most some 2^10 u. They matter less than those of the factors of
-/// the combinations, because f is stationary. It is a choice.
+/// A second projection follows if a projection leaves less than 2^-evaluation_rest_bits of a
+/// square. The error of a single projection is then at most about 2^10 u. It matters less than the
+/// errors of the coefficients, because f is stationary. This number is a choice.
 inline constexpr int evaluation_rest_bits = 20;
 
 /// The result of an evaluation at t. With conjugate directions w_j for M and d_j = w_jᵀM w_j, s = Σ

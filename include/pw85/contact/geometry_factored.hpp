@@ -6,8 +6,9 @@
 /// [(1-λ) Q1 + λ Q2]⁻¹ r12. The formulas use them, because Sᵀn loses digits if it is computed from
 /// n.
 ///
-/// 1. x0 - c1 = (1-λ) S1 (S1ᵀn) and x0 - c2 = -λ S2 (S2ᵀn). The error of the one is some u (1-λ)
-///    |S1|²|n|, that of the other some u λ |S2|²|n|. So the point comes from the smaller one.
+/// 1. x0 - c1 = (1-λ) S1 (S1ᵀn) and x0 - c2 = -λ S2 (S2ᵀn). The error of the first expression is a
+///    few u (1-λ) |S1|²|n|, that of the second a few u λ |S2|²|n|. So the point is computed from
+///    the expression with the smaller error.
 /// 2. ∂μ²/∂Si is 2 (∂μ²/∂Qi) Si: ∂μ²/∂S1 = -2λ(1-λ)² n (S1ᵀn)ᵀ and ∂μ²/∂S2 = -2λ²(1-λ) n (S2ᵀn)ᵀ.
 #ifndef PW85_CONTACT_GEOMETRY_FACTORED_HPP_INCLUDED
 #define PW85_CONTACT_GEOMETRY_FACTORED_HPP_INCLUDED

@@ -10,8 +10,8 @@
 /// is an average of p_i, both over positive weights. Also h' <= 1, with equality for spheres, and
 /// |h''| <= 2 h', since d p_i/dx = -p_i (1 - p_i).
 ///
-/// The scalar of a task may be a number, a pack of lanes, or the number of a device's thread. A
-/// task has four parts:
+/// The scalar of a task may be a number, a pack of numbers (one pair of ellipsoids per lane of a
+/// SIMD register), or a number in a thread of a device. A task has four parts:
 ///
 /// 1. start: start_search() makes the state of the search.
 /// 2. step: take_step() changes the state. A driver calls it while the state is active. It is run()
@@ -224,7 +224,7 @@ PW85_FUNCTION constexpr StationaryValue<T> stationary_value(Candidate<T> const &
             select(tau > T(1), T(T(1) - rest), T(lambda + change)), rest, step};
 }
 
-/// The last evaluation of a search, and whether μ² is right to rounding.
+/// The last evaluation of a search, and a flag: true if μ² is correct to rounding.
 template <class T> struct LastEvaluation {
     StationaryValue<T> value;
     typename ScalarTraits<T>::Mask certified;

@@ -92,9 +92,9 @@ is_in_range(T const &r, T const &q1, T const &q2) noexcept
     return largest < limit && smallest * limit > T(1);
 }
 
-/// The largest ratio of units that is kept. Beyond it the smaller ellipsoid acts as a point on the
-/// larger one, to far below the precision of any scalar. The limit leaves 2^24 for t, which is of
-/// order one or a ratio of similar forms.
+/// The largest ratio of units that is kept. Above it the smaller ellipsoid has the same effect as a
+/// point, up to errors far below the roundoff of any scalar. The limit leaves 2^24 for t, which is
+/// of order one or a ratio of similar forms.
 template <class T> PW85_FUNCTION constexpr int ratio_exponent_limit() noexcept
 {
     return std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent - 24;

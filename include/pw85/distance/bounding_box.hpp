@@ -17,8 +17,7 @@ template <class T, int D> struct BoundingBox {
     StatusCode status;
 };
 
-// The half-width along an axis is the support of the ellipsoid in the direction of this axis, the
-// root of a diagonal entry.
+// The half-width along axis i is the support of the ellipsoid in this direction, √Q_ii.
 template <class T, int D>
 PW85_FUNCTION inline BoundingBox<T, D> bounding_box(SymmetricMatrix<T, D> const &q) noexcept
 {

@@ -15,8 +15,8 @@
 ///    λ of Q. 1/|s| is a concave function of ρ, as in nearest.hpp. So Newton's method for 1/|s| -
 ///    ρ/r is monotone from there. The derivative of 1/|s| is σ/|s|³ with σ = s·M⁻¹s, minus
 ///    (e·M⁻¹s)²/(e·M⁻¹e) on a line.
-/// 4. The least xᵀQ⁻¹x of the balls about b + t e is a convex function of t. So if the line has its
-///    least value outside of the segment, the segment has it at the nearer end.
+/// 4. The least xᵀQ⁻¹x of the balls about b + t e is a convex function of t. So if the least value
+///    on the line is outside the segment, the least value on the segment is at the nearer end.
 /// 5. (s·c - r|s|)²/(sᵀQs) is stationary at the solution, where it is μ². Errors of s and t change
 ///    it to second order only.
 #ifndef PW85_DISTANCE_CAPSULE_HPP_INCLUDED
@@ -167,7 +167,7 @@ template <class T> struct Capsule {
     }
 
     /// The point of least xᵀQ⁻¹x, always refined. Points of the segment are computed from the
-    /// nearer end, so that the other one, which may be far away, costs no digits.
+    /// nearer end, so the other end, which may be far away, causes no loss of digits.
     template <bool with_normal, bool = true>
     PW85_MEMBER Nearest<T, with_normal> nearest(SymmetricMatrix<T, 3> const &q) const noexcept
     {
@@ -259,9 +259,9 @@ decide_with_digits(Capsule<T> const &capsule, SymmetricMatrix<T, 3> const &q, U 
     return to_decision(nearest.mu2 > W(W(1) + error), W(nearest.mu2 + error) < W(1));
 }
 
-/// Decides by twice the digits and by all of them. Where these do not decide, the ellipsoid and the
-/// capsule count as touching. This is wrong only for an overlap with 1 - μ² below 160 u S, with the
-/// u of all digits: below 2⁻³⁶⁰ S for double.
+/// Decides with twice the digits, and then with all digits. If these do not decide, the ellipsoid
+/// and the capsule count as touching. This is wrong only for an overlap with 1 - μ² below 160 u S,
+/// with the u of all digits: below 2⁻³⁶⁰ S for double.
 template <class T> PW85_RARE bool overlaps_with_more_digits(Capsule<T> const &capsule,
                                                             SymmetricMatrix<T, 3> const &q) noexcept
 {
@@ -277,8 +277,8 @@ PW85_RARE_TIER_OF(find_capsule_finer, double)
 PW85_RARE_TIER_OF(find_with_all_digits, double)
 PW85_RARE_TIER_OF(overlaps_with_more_digits, double)
 
-/// contact_capsule() in units in which the capsule and the form are of order one, or by more
-/// digits.
+/// contact_capsule() in units in which the capsule and the form are of order one, if necessary with
+/// more digits.
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline ShapeContact<T, 3>
 contact_scaled(Capsule<T> const &capsule, SymmetricMatrix<T, 3> const &q) noexcept
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Motion of the point of an ellipsoid's surface when its normal turns. The derivatives of the
-/// distance (distance_derivatives.hpp) and the search for the depth of an overlap (penetration.hpp)
-/// call this code.
+/// The motion of the point of a surface with a given normal when the normal rotates. The
+/// derivatives of the distance (distance_derivatives.hpp) and the search for the depth of an
+/// overlap (penetration.hpp) call this code.
 ///
 /// The point with the normal n is p = Qn/α, with the half-width α = √(nᵀQn). A = ∂p/∂n = (Q -
 /// ppᵀ)/α is positive semidefinite, and its null space is n. Two surfaces with opposite normals
@@ -55,9 +55,9 @@ stiffness_across(SurfaceElement<T, D> const (&elements)[2], T const &distance,
 }
 
 /// Returns whether a normal is isolated with half of the digits to spare: whether the pivots of
-/// stiffness_across() exceed 2^-26 (in double) of its trace. The depth of an overlap is a minimum
-/// where the stiffness is positive semidefinite; where it is singular, other normals are as good,
-/// to second order.
+/// stiffness_across() exceed 2^-26 (in double) of its trace. At the minimum of the depth the
+/// stiffness is positive semidefinite. If it is singular, other normals have the same depth to
+/// second order.
 template <class T, int D> PW85_FUNCTION inline bool
 is_isolated(SymmetricMatrix<T, D> const &stiffness, Factorization<T, D> const &factors) noexcept
 {
@@ -67,7 +67,7 @@ is_isolated(SymmetricMatrix<T, D> const &stiffness, Factorization<T, D> const &f
     return isolated;
 }
 
-/// x minus its part along the unit vector n.
+/// The component of x perpendicular to the unit vector n.
 template <class T, int D>
 PW85_FUNCTION constexpr Vector<T, D> project(Vector<T, D> const &x, Vector<T, D> const &n) noexcept
 {

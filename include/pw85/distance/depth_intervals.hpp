@@ -44,7 +44,8 @@ template <class T, int D> struct ShiftTrial {
 ///
 /// μ = 32 u trace W is subtracted from W. The solution is exact for a matrix that differs by less
 /// (the entries err by 3 u, the factorisation and the substitution by 3D u of the trace), and φ is
-/// a sum of squares. So what this finds definite, with φ <= 1 - 64 u, is so without rounding.
+/// a sum of squares. So if the computed matrix is definite and the computed φ is at most 1 - 64 u,
+/// this also holds in exact arithmetic.
 template <class T, int D>
 PW85_FUNCTION inline ShiftTrial<T, D> try_shift(SymmetricMatrix<T, D> const &w,
                                                 Vector<T, D> const &r, T const &d,
@@ -102,7 +103,8 @@ is_deep_beyond(DepthSearch<T, D> &search, T const &c, bool above, T const &sigma
 /// isolated. The directions that this computes are tried as well.
 ///
 /// With c0 = ρc, the tangent at c0 bounds 1/c from below. Its ends have y = 1/c - δ with δ = (ρ -
-/// 1)²/(ρc0), and are vertices. Here the depth at them is computed instead of tested.
+/// 1)²/(ρc0), and are vertices. This function computes the depth at these vertices instead of
+/// testing it.
 template <class T, int D>
 PW85_FUNCTION inline bool none_deeper(DepthSearch<T, D> &search, T const &c, T const &rho) noexcept
 {
@@ -143,8 +145,8 @@ PW85_FUNCTION inline DepthVertex<T> next_vertex(DepthProgress<T> const &p) noexc
     return {(one + w) * touch, (one - w) / touch, sigma};
 }
 
-/// Takes one tangent, or makes the next one shorter. A tangent that is shorter than the root of u
-/// counts as proved, because what it leaves open is below rounding.
+/// Takes one tangent, or makes the next one shorter. A tangent that is shorter than √u counts as
+/// proved: a smaller value there would differ by less than rounding.
 template <class T, int D>
 PW85_FUNCTION inline void advance(DepthSearch<T, D> &search, DepthProgress<T> &p) noexcept
 {

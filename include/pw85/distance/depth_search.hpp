@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The search for the depth of an overlap, for penetration.hpp: a local minimum over one number,
-/// and the starts of the turns that find one over the normal (depth_turns.hpp).
+/// The search for the depth of an overlap, for penetration.hpp: the search for a local minimum over
+/// one number c, and the starts of the search for a local minimum over the normal
+/// (depth_turns.hpp).
 ///
 /// Let α(n) = √(nᵀQ1n), β(n) = √(nᵀQ2n) and r = r12. To separate from ellipsoid 1, ellipsoid 2 must
 /// move by g(n) = α + β - n·r along the unit vector n. The depth is the smallest value of g, which
@@ -9,8 +10,8 @@
 ///
 /// (α + β)² is the smallest value over c > 0 of nᵀWn, W(c) = (1 + c) Q1 + (1 + 1/c) Q2. It is
 /// reached at c = β/α. So the depth is the smallest value over c of D(c), the depth of the point r
-/// in the ellipsoid W(c). For each c, nearest.hpp finds D without a search, whatever the symmetry.
-/// Ellipsoids of revolution and concentric ellipsoids are not an exception.
+/// in the ellipsoid W(c). For each c, nearest.hpp finds the global D(c), also for ellipsoids of
+/// revolution and concentric ellipsoids.
 #ifndef PW85_DISTANCE_DEPTH_SEARCH_HPP_INCLUDED
 #define PW85_DISTANCE_DEPTH_SEARCH_HPP_INCLUDED
 
@@ -86,8 +87,7 @@ template <class T, int D> PW85_FUNCTION inline void descend(DepthSearch<T, D> &s
     search.direction = n;
 }
 
-/// Bounds of the squares of the shortest and of the longest semi-axis of an ellipsoid, where
-/// rounding does not hide them within a factor of two.
+/// Bounds of the squares of the shortest and of the longest semi-axis of an ellipsoid.
 template <class T> struct AxisBounds {
     T least, most; ///< `least` is zero where rounding hides it
     Unit unit;     ///< of the semi-axes
@@ -136,9 +136,9 @@ template <class T> struct RatioRange {
     T lower, upper;
 };
 
-/// The range of c = β/α over all directions. Where rounding hides the shortest semi-axis, its
-/// square counts as u/16 of that of the longest one, which is below what the entries of the form
-/// tell.
+/// The range of c = β/α over all directions. If rounding errors are larger than the square of the
+/// shortest semi-axis, u/16 times the square of the longest semi-axis replaces it, which is below
+/// the rounding errors of the entries of the form.
 template <class T> PW85_FUNCTION inline RatioRange<T>
 ratio_range(AxisBounds<T> const &axes1, AxisBounds<T> const &axes2) noexcept
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Turns of a normal towards a local minimum of the length by which ellipsoid 2 must move along it,
-/// for depth_search.hpp, which has the notation. follow_normal() takes the turns of
-/// normal_turn.hpp, and corrects the last one.
+/// Rotates a normal in steps ("turns") towards a local minimum of the length by which ellipsoid 2
+/// must move along the normal. depth_search.hpp calls follow_normal(), and has the notation.
+/// follow_normal() takes the steps of normal_turn.hpp, and corrects the last one.
 #ifndef PW85_DISTANCE_DEPTH_TURNS_HPP_INCLUDED
 #define PW85_DISTANCE_DEPTH_TURNS_HPP_INCLUDED
 

@@ -133,8 +133,9 @@ accurate_slab_along(DistancePair<T, D> const &pair, Vector<T, D> const &u) noexc
 }
 
 /// Returns whether a slab gives the distance and the points. is_within_spread() bounds the errors
-/// of the half-widths and points. The vector from the first point to the second is w = r12 - (Q1/α
-/// + Q2/β)n. Its part across n is zero for the exact normal. This part must satisfy two conditions:
+/// of the half-widths and points. The vector from the first point to the second one is w = r12 -
+/// (Q1/α + Q2/β)n. For the exact normal its component perpendicular to n is zero. This part must
+/// satisfy two conditions:
 ///
 /// 1. The part is below `bound` times the root of the sum of the squares of r12 and of the points
 ///    relative to their own centres. Then these are the closest points of the pair whose r12
@@ -197,8 +198,8 @@ seems_apart(DistancePair<T, D> const &pair, NormalSearch<T> const &search) noexc
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline FoundSlab<T, D>
 find_slab(DistancePair<T, D> const &pair, bool apart) noexcept
 {
-    // Semi-axes are below √12 of their units, so n differs from the direction of r12 by at most 7
-    // scales, which is below rounding.
+    // Semi-axes are below √12 times their units, so the angle between n and r12 is at most 7 times
+    // the larger scale, which is below rounding.
     if (maximum(pair.scale1, pair.scale2) <= T(0.125) * unit_roundoff<T>())
         return found_slab(pair, pair.r12);
     auto const search = start_search(pair);
@@ -328,7 +329,7 @@ distance_of_slab(DistancePair<T, D> const &pair, FoundSlab<T, D> const &found) n
     return found.accurate ? distance_across(found.slab) : refined_distance(pair, found);
 }
 
-/// Returns the result with point 2 relative to the centre of ellipsoid 1.
+/// Returns the result with both points relative to the centre of ellipsoid 1.
 template <class T, int D> PW85_FUNCTION constexpr Distance<T, D>
 with_point2(Vector<T, D> const &r12, Distance<T, D> result) noexcept
 {

@@ -12,9 +12,9 @@
 ///    Σ t_i (|n_i| - u·n_i).
 /// 3. So (q + d|n|)² = q² + 2d q|n| + d²|n|² is at most a quadratic form of t, and item 1 holds on
 ///    the cell if no entry of the matrix of the difference is negative. c and u are those of the
-///    middle of the cell. What this gives away is of second order in the size of the cell, and the
-///    slack grows with the square of the distance from a minimum. So a few cells for each factor of
-///    two of that distance suffice.
+///    middle of the cell. The loss by these bounds is of second order in the size of the cell, and
+///    the margin grows with the square of the distance from a minimum. So a few cells suffice for
+///    each factor of two of that distance.
 /// 4. Around an isolated minimum F is convex: is_proved_around() finds a cap without smaller
 ///    values.
 #ifndef PW85_DISTANCE_GAP_PROOF_HPP_INCLUDED
@@ -63,11 +63,11 @@ template <class T, int D> PW85_FUNCTION inline T gap_level(GapProof<T, D> const 
 ///     β(m + t) <= β + b·t + tᵀC(B, b)t/(2β(1 + b·t/β)),
 ///
 /// and the same for |n| with w. The first line is Taylor's series, the other one √(1 + x) <= 1 +
-/// x/2. With the matrix H that takes 1 - radius²/4 and the largest 1/(1 + b·t/β), F is at least e·t
-/// + tᵀHt/2, with the gradient e, which is rounding. With d in place of g it is larger by (g - d)
-/// |n(m + t)|, at least `slack`. So it is not negative if H - λ is semidefinite for λ = e²/(2
-/// slack). The margin of 64 u times the trace covers the errors of H, whose entries err by less
-/// than 16 u times those of its terms, and of the factorisation. e errs by less than 32 u.
+/// x/2. With the matrix H that takes 1 - radius²/4 and the largest 1/(1 + b·t/β), F is at least
+/// e·t + tᵀHt/2. The gradient e is not zero only by rounding. With d in place of g it is larger by
+/// (g - d) |n(m + t)|, at least `slack`. So it is not negative if H - λ is semidefinite for λ =
+/// e²/(2 slack). The margin of 64 u times the trace covers the errors of H, whose entries err by
+/// less than 16 u times those of its terms, and of the factorisation. e errs by less than 32 u.
 template <class T, int D> PW85_FUNCTION inline bool
 is_proved_around(GapProof<T, D> const &proof, GapState<T, D> const &at, T const &radius) noexcept
 {
@@ -211,10 +211,10 @@ template <class T, int D> PW85_FUNCTION inline void fill_orthants(GapProof<T, D>
     }
 }
 
-/// The share of the gap to which it is proved where minima are not isolated, as on circles of
-/// spheroids with a common axis, and the number of bisections after which this is taken for such a
-/// place: cells of 2^-9 in space and of 2^-26 in the plane. In the plane, minima on whole arcs have
-/// constant c, and item 1 is exact.
+/// Constants for minima that are not isolated, as on circles of spheroids with a common axis. There
+/// the gap is proved up to the fraction 2^-gap_share_digits of it. This weaker proof is used after
+/// a number of bisections that leads to cells of the size 2^-9 in three dimensions and 2^-26 in
+/// two. In two dimensions c is constant along arcs of minima, and item 1 is exact.
 template <int D> inline constexpr int gap_share_digits = D == 2 ? 40 : 20;
 template <int D> inline constexpr int max_gap_depth = D == 2 ? 26 : 21;
 
@@ -259,8 +259,8 @@ template <class T, int D> PW85_FUNCTION inline bool is_in_a_cap(GapProof<T, D> c
     return false;
 }
 
-/// Proves a cell, or divides it. Now and then a descent from its middle looks for another minimum,
-/// which may be better, and which gets a cap.
+/// Proves a cell, or divides it. After every few bisections, a descent from its middle searches for
+/// another minimum. This minimum may be better, and is enclosed in a cap.
 template <class T, int D>
 PW85_FUNCTION inline void prove_or_bisect(GapProof<T, D> &proof, GapCell<T, D> const &cell) noexcept
 {

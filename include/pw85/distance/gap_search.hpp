@@ -138,8 +138,8 @@ PW85_FUNCTION inline T gap_rounding(GapFrame<T, D> const &frame, GapState<T, D> 
 /// at a valid value, too; gap_proof.hpp decides whether it is the least one.
 inline constexpr int max_gap_steps = 64;
 
-/// Follows F from a direction to a local minimum. The step that is below the root of u is the last
-/// one, because Newton's method squares it.
+/// Follows F from a direction to a local minimum. A step below √u is the last one, because the
+/// error after it is of the order of its square.
 template <class T, int D> PW85_FUNCTION inline GapState<T, D>
 descend_gap(GapFrame<T, D> const &frame, GapState<T, D> at) noexcept
 {

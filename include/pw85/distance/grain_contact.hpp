@@ -157,8 +157,8 @@ template <class T> PW85_FUNCTION inline GrainStep<T> grain_step(DistancePair<T, 
             m[0] > T(0) && det > T(0)};
 }
 
-/// The number of steps after which a search gives up. From the normal of the contact function most
-/// pairs take two, and those of the step before in a simulation one.
+/// The number of steps after which a search gives up. Most pairs take two steps from the normal of
+/// the contact function, and one step from the normal of the previous time step of a simulation.
 inline constexpr int max_grain_steps = 30;
 
 /// The iteration converges quadratically. After a step of 2^-22 radians (in double) the error of
@@ -175,7 +175,7 @@ PW85_FUNCTION inline typename ScalarTraits<T>::Mask is_found(GrainStep<T> const 
     return step.is_minimum && step.square <= last_grain_step_squared<T>();
 }
 
-/// Where a search takes another step, from the normal of this one.
+/// Takes another step of a search, from the normal of the given step.
 template <class T>
 PW85_FUNCTION inline typename ScalarTraits<T>::Mask is_too_long(GrainStep<T> const &step) noexcept
 {

@@ -10,11 +10,12 @@
 /// the determinant over the larger one. If the trace is negative, the larger one is the determinant
 /// over the other one, which is negative.
 ///
-/// For c < 0 the difference is left. Plain numbers are used if the wall takes at most half of the
-/// determinant. Then N >= k1 bounds -c by k2/2, and the relative errors of item 2 of
-/// principal_curvatures.hpp are multiplied by three at most. Other walls take numbers with twice
-/// the digits, whose errors of some 2^-100 (det K - c N) leave the curvatures correct to 1e-12 if
-/// the smaller one is at least 2^-20 of the larger one. If it is less, it is made 2^-20 of it.
+/// For c < 0 the determinant is a difference. Plain arithmetic is used if |c| N is at most half of
+/// det K. Then N >= k1 bounds -c by k2/2, and the relative errors of item 2 of
+/// principal_curvatures.hpp are multiplied by three at most. Other walls are computed with twice
+/// the digits. The error of about 2^-100 (det K - c N) then leaves the curvatures correct to 1e-12
+/// if the smaller one is at least 2^-20 times the larger one. A smaller one is set to 2^-20 times
+/// the larger one.
 #ifndef PW85_DISTANCE_GRAIN_CONTACT_WALL_HPP_INCLUDED
 #define PW85_DISTANCE_GRAIN_CONTACT_WALL_HPP_INCLUDED
 
@@ -35,8 +36,9 @@ template <class T> struct GrainWallContact {
 
 namespace pw85::detail {
 
-/// The least ratio of curvatures of a grain and a wall. Two surfaces with a common line have no
-/// radius of Hertz's theory: a grain can fit to the curvature of a cylinder.
+/// The least ratio of the two curvatures of a gap is 2^-least_curvature_ratio_exponent. If a grain
+/// has the curvature of a cylindrical wall, the surfaces touch along a line, and Hertz's theory has
+/// no finite radius.
 inline constexpr int least_curvature_ratio_exponent = 20;
 
 /// A wall at an ellipsoid, in a unit in which the form is of order one. The curvature of the wall

@@ -4,8 +4,8 @@
 /// intersect_line(), and src/simd/lanes/lines.hpp chord().
 ///
 /// In the metric of Q⁻¹ the ellipsoid is a ball. The function first finds the point of the line
-/// that is nearest to the centre, and then half of the chord. So a line that starts far away costs
-/// no digits except those of the nearest point itself.
+/// that is nearest to the centre, and then half of the chord. So a far origin of the line causes no
+/// errors other than the rounding error of the nearest point.
 #ifndef PW85_DISTANCE_LINE_HPP_INCLUDED
 #define PW85_DISTANCE_LINE_HPP_INCLUDED
 
@@ -23,8 +23,8 @@ template <class T> struct Chord {
 
 namespace detail {
 
-/// The middle of the chord of a line, as a multiple of the direction, and the square of its half. A
-/// square below zero says that the line misses the ellipsoid.
+/// The middle of the chord of a line, as a multiple of the direction, and the square of its half.
+/// If the square is negative, the line misses the ellipsoid.
 template <class T> struct ChordMiddle {
     T middle, half2;
 };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The nearest and the farthest point of an ellipsoid's surface from a point. walls.hpp and
-/// penetration.hpp call extreme_normal(), which calls principal_axes() and searches for a root.
+/// The nearest and the farthest point of an ellipsoid's surface from a point. walls.hpp,
+/// solids.hpp, depth_search.hpp and depth_intervals.hpp call extreme_normal(), which calls
+/// principal_axes() and searches for a root.
 ///
 /// The support is α(n) = √(nᵀQn), and r is a point relative to the centre. The signed distance of r
 /// from the surface (negative inside) is the largest n·r - α over unit vectors n. The farthest
@@ -16,7 +17,7 @@
 /// 2. F decreases and 1/F is concave. So Newton's method is monotone from the σ at which the
 ///    largest term is 1, and each step divides residual times slope by at least 4.
 /// 3. If F(0) < 1, as at the centre, σ is 0, and v has a part along the axis with g_i = 0. This
-///    part makes F = 1 and may have either sign.
+///    part has the length for which F = 1, and may have either sign.
 #ifndef PW85_DISTANCE_NEAREST_HPP_INCLUDED
 #define PW85_DISTANCE_NEAREST_HPP_INCLUDED
 
@@ -47,7 +48,7 @@ template <class T, int D> struct PrincipalAxes {
     T axes[std::size_t(D)][std::size_t(D)];
 };
 
-/// Turns the point (x, y) about the origin by an angle with cosine c and sine s.
+/// Rotates the point (x, y) about the origin by an angle with cosine c and sine s.
 template <class T> PW85_FUNCTION constexpr void turn(T const &c, T const &s, T &x, T &y) noexcept
 {
     T const old = x;

@@ -16,8 +16,8 @@ namespace pw85::detail {
 /// The left side is concave in s and increases. So Newton's method is monotone from s = 0. From
 /// another s, the first step ends below the root, or at zero. Each step divides residual times
 /// slope by at least 4. For aspect ratios up to 2^127 the slope falls by at most 2^254 in all, and
-/// the residual by 2^last_digits(). With the first step, 129 + last_digits()/2 steps exhaust their
-/// product.
+/// the residual by 2^last_digits(). With the first step, the search therefore ends after 129 +
+/// last_digits()/2 steps.
 template <class Pair, class T>
 PW85_FUNCTION inline T find_shift(Pair const &pair, T const &ratio, T shift) noexcept
 {

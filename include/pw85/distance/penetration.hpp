@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The depth of an overlap: the shortest translation that separates two ellipsoids.
-/// src/simd/unfused/depth.cpp calls penetration(), and src/simd/lanes/depth.hpp its first tier for
-/// one pair per lane.
+/// src/simd/unfused/depth.cpp calls penetration(), and src/simd/lanes/depth.hpp calls its first
+/// method for one pair per lane.
 ///
-/// Turns of the normal find a local minimum (depth_turns.hpp). For most pairs the curvatures there
-/// prove that it is the global one (depth_certificate.hpp). Otherwise two proofs show that the best
-/// minimum is the global one, or find a better one: around it depth_minimum.hpp, and elsewhere
-/// depth_intervals.hpp.
+/// Newton's method for the normal finds a local minimum (depth_turns.hpp). For most pairs the
+/// curvatures at this minimum prove that it is the global one (depth_certificate.hpp). Otherwise
+/// two proofs show that the best minimum is the global one, or find a better one: around it
+/// depth_minimum.hpp, and elsewhere depth_intervals.hpp.
 #ifndef PW85_DISTANCE_PENETRATION_HPP_INCLUDED
 #define PW85_DISTANCE_PENETRATION_HPP_INCLUDED
 
@@ -166,8 +166,8 @@ penetration_from(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
 
 /// Computes penetration() of a valid pair in range that seems to overlap, and decides whether it
 /// does. A certificate of a positive depth proves it: no direction separates the ellipsoids. A
-/// direction that separates them disproves it. For pairs near contact, this takes less time than
-/// the overlap test.
+/// direction that separates them disproves it. For pairs near contact, this decision takes less
+/// time than the overlap test.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Penetration<T, D>
 penetration_if_decided(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                        SymmetricMatrix<T, D> const &q2, T const &t, Decision &decision) noexcept
@@ -187,10 +187,11 @@ penetration_in_range(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
     return penetration_from(r12, q1, q2, start_depth(r12, q1, q2).t);
 }
 
-/// Computes penetration() of a valid pair that overlaps. A pair of like sizes is scaled to sizes of
-/// order one, and gets the bits of a pair that needs no scaling. Otherwise the larger ellipsoid is
-/// scaled to size 2^headroom, which keeps cQ1 and Q2/c in range for any aspect ratio. A smaller
-/// ellipsoid that would leave the range is made larger. This change is far below rounding.
+/// Computes penetration() of a valid pair that overlaps. A pair of similar sizes is scaled to sizes
+/// of order one; its results are bitwise equal to those of a pair that needs no scaling. Otherwise
+/// the larger ellipsoid is scaled to size 2^headroom, which keeps cQ1 and Q2/c in range for any
+/// aspect ratio. A smaller ellipsoid that would leave the range is made larger. This change is far
+/// below rounding.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Penetration<T, D>
 penetration_overlapping(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                         SymmetricMatrix<T, D> const &q2) noexcept

@@ -7,15 +7,15 @@
 ///
 /// 1. If the normal turns by e_j, the point moves by A e_j with A = (Q - ppᵀ)/α (curvature.hpp). So
 ///    the matrix of the radii of curvature in this basis is S/α, where S_ij = e_iᵀQ e_j -
-///    (e_iᵀQn)(e_jᵀQn)/(nᵀQn). S is what elimination of n leaves of Q (its Schur complement). The
+///    (e_iᵀQn)(e_jᵀQn)/(nᵀQn). S is the Schur complement of Q after the elimination of n. The
 ///    matrix of the second fundamental form, K = α S⁻¹, is the inverse of the matrix of the radii.
 /// 2. Elimination is backward stable: with plain arithmetic each entry of S errs by less than 10 u
 ///    tr Q, and det S by less than 20 u tr Q tr S. If det S/tr S and nᵀQn exceed 2^-8 tr Q (in
 ///    double), which holds up to aspect ratios of about ten, the relative errors of α, of the
 ///    eigenvalues of S and of those of K are some 2^13 u, which is 2^-40.
 /// 3. Other forms take numbers with twice the digits. tr S/det S is at most some 2^42/tr Q at
-///    aspect 10⁶. Errors of 2^-104 then grow to 2^-60, and the ratio of the two curvatures, at most
-///    the square of the aspect ratio, leaves the smaller one as accurate.
+///    aspect 10⁶. Errors of 2^-104 then grow to 2^-60. The ratio of the two curvatures is at most
+///    the square of the aspect ratio, so the smaller one is accurate enough, too.
 #ifndef PW85_DISTANCE_PRINCIPAL_CURVATURES_HPP_INCLUDED
 #define PW85_DISTANCE_PRINCIPAL_CURVATURES_HPP_INCLUDED
 

@@ -279,9 +279,9 @@ PW85_FUNCTION inline Vector<T, 3> nearest_of(SolidBox<T> const &box, Vector<T, 3
     return y;
 }
 
-/// The result for one of the unit vectors. If they are apart, the point of the set is the one
-/// nearest to that of the ellipsoid, and otherwise the one nearest to where that point gets when
-/// the ellipsoid moves out.
+/// The result for one of the unit vectors. If the two are apart, the point of the set is the one
+/// nearest to the point of the ellipsoid. Otherwise it is the one nearest to the place of this
+/// point after the translation that separates them.
 template <class T, class Set> PW85_FUNCTION inline ShapeDistance<T>
 distance_along(SlabSearch<T, Set> const &search, int k) noexcept
 {
@@ -293,9 +293,9 @@ distance_along(SlabSearch<T, Set> const &search, int k) noexcept
             StatusCode::success};
 }
 
-/// The result for the largest width. Rounding errors hide which one of several is the largest, and
-/// normals whose widths differ by u differ by √u. The points of the exact normal differ by the
-/// width along it; those of the others do not. So the normal with the smallest difference is taken.
+/// The result for the largest width. If several widths are equal up to rounding, their normals can
+/// differ by √u. For the exact normal n and its width w, the vector between the points is w n. So
+/// the function takes the normal for which this vector differs least from w n.
 template <class T, class Set>
 PW85_FUNCTION inline ShapeDistance<T> best_distance(SlabSearch<T, Set> const &search) noexcept
 {

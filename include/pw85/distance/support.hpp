@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The support of an ellipsoid: how far it reaches in some direction, and where. The distances, the
-/// walls and the proof of a penetration depth call support(). The search for a normal and the
-/// certificate of a distance call accurate_product().
+/// The support of an ellipsoid: its half-width along a direction, and the point of the surface that
+/// is farthest along this direction. The distances, the walls and the proof of a penetration depth
+/// call support(). The search for a normal and the certificate of a distance call
+/// accurate_product().
 ///
 /// The point of the surface that is farthest along n is p = Qn/α, with the half-width α = √(nᵀQn)
 /// along n. In plain arithmetic the relative error of α is below 3u X, with X = trace Q |n|²/α². X

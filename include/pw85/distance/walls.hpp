@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// An ellipsoid and walls: half-space, box, cylinder. src/c_api/walls.cpp calls these functions,
-/// which call support() and extreme_normal(). Distances are clearances. They are negative where the
-/// ellipsoid is in the wall.
+/// which call support() and extreme_normal(). Distances are negative if the ellipsoid is in the
+/// wall.
 ///
-/// The support is α(n) = √(nᵀQn). The ellipsoid reaches it at Qn/α.
+/// The half-width along n is α(n) = √(nᵀQn), and the point of the ellipsoid that is farthest along
+/// n is Qn/α.
 ///
 /// 1. A wall n·x >= c with |n| = 1 is c - α away. The ellipsoid touches the wall if it is scaled by
 ///    μ = c/α. Moving the centre by y changes the distance by -n·y. A small rotation ω about the

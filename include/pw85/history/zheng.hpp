@@ -63,8 +63,8 @@ template <class T> PW85_FUNCTION inline T resolvent_root(T const &r, T const &s)
 }
 
 /// The positive root of the quartic F, as w = ρ1 √τ2 t, for ρ1 >= ρ2. Here m is M = K² (ρ1 - ρ2),
-/// and κ = ρ √τ. The arguments are >= 0, and the largest is of order one. The result is right to 16
-/// u in the terms of the equation, without a polish.
+/// and κ = ρ √τ. The arguments are >= 0, and the largest is of order one. The error of the result
+/// is at most 16 u in the terms of the equation, without a final step of Newton's method.
 ///
 /// In these terms F = 0 is M/(w + κ2)² + κ1²/w² = 1, so that w >= κ1. As a difference of squares
 /// its factors are w² + κ2 w - u = ±[v - κ2 (u - κ1²) w/v], v² = u² + κ1² κ2², where u³ - 3 r u² -
@@ -146,9 +146,9 @@ ellipse_on_line(Vector<T, 2> const &d, SymmetricMatrix<T, 2> const &q, T const &
 }
 
 /// The distance of two ellipses: the sum of the support functions at the normal that was found. It
-/// is stationary there, so that errors of the quartic and of the sections enter only squared. The
-/// error is that of the forms themselves, 2 u cond at most (cond as for the contact function),
-/// whatever the aspect ratio.
+/// is stationary there, so the result depends only to second order on errors of the quartic and of
+/// the sections. The error is that of the forms themselves, 2 u cond at most (cond as for the
+/// contact function), whatever the aspect ratio.
 template <class T> PW85_FUNCTION inline T distance(Problem<T, 2> const &pair) noexcept
 {
     Vector<T, 2> const &d = pair.d;
@@ -282,10 +282,10 @@ template <class T> PW85_FUNCTION inline T largest_distance(Pencil<T> const &penc
 }
 
 /// The distance of two ellipsoids. The sections depend on Q⁻¹d and det Q, whose relative error is u
-/// κ, with κ = tr Q tr Q⁻¹, which is about the square of the aspect ratio. So the distance is right
-/// to u (κ1 + κ2), of which a quarter has been seen. This holds even for a pair that is so
-/// well-conditioned that the contact function is right to u. The chapter on closest approach has
-/// the largest errors of random pairs.
+/// κ, with κ = tr Q tr Q⁻¹, which is about the square of the aspect ratio. So the error of the
+/// distance is at most u (κ1 + κ2); a quarter of this has been seen. It can be so large even for a
+/// pair that is well-conditioned for the contact function. The chapter on closest approach has the
+/// largest errors of random pairs.
 template <class T> PW85_FUNCTION inline T distance(Problem<T, 3> const &pair) noexcept
 {
     Vector<T, 3> const &d = pair.d;

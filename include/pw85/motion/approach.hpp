@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Moves two ellipsoids that are far apart to where they are near. They cannot touch while the
-/// spheres around them, with growing radii, are apart.
+/// Moves two ellipsoids that are far apart until they are near. They cannot touch while the spheres
+/// around them, whose radii change as the ellipsoids grow, are apart.
 ///
 /// Let the sum of the radii be R + G x after a time x, let c = r × v, and let t = -(r·v)/v² be the
 /// time at which the centres are nearest.
 ///
-/// 1. The spheres meet where |r + v x| = R + G x. The discriminant of this quadratic equation is
-///    (GR - r·v)² - (v² - G²)(r² - R²), which is rounding noise from afar. It is also |R v - G
-///    r|² - |c|², which is accurate.
+/// 1. The spheres touch where |r + v x| = R + G x. The discriminant of this quadratic equation is
+///    (GR - r·v)² - (v² - G²)(r² - R²). If r is large, this expression is rounding noise. The equal
+///    expression |R v - G r|² - |c|² is accurate.
 /// 2. The centres are then at r + v x = (v × c)/v² + (x - t) v, and x - t = (G (R v² - G r·v) - v²
-///    root)/(v² (v² - G²)), with the root of the discriminant. So their distance is right to
-///    rounding, however much farther they have come.
-/// 3. Both need an accurate c: its coordinates are sums of exact products, so that only the result
-///    is rounded.
+///    root)/(v² (v² - G²)), with the root of the discriminant. So the distance of the centres is
+///    correct to rounding, even if the path up to this time is much longer.
+/// 3. Items 1 and 2 need an accurate c. Its coordinates are sums of exact products, and only these
+///    sums are rounded.
 #ifndef PW85_MOTION_APPROACH_HPP_INCLUDED
 #define PW85_MOTION_APPROACH_HPP_INCLUDED
 
@@ -22,7 +22,7 @@
 
 namespace pw85::detail {
 
-/// A sum with an error of some u of itself, even if the terms cancel. Each partial sum is kept as a
+/// A sum with a relative error of a few u, even if the terms cancel. Each partial sum is kept as a
 /// sum of numbers whose digits do not overlap (J. R. Shewchuk, Discrete Comput. Geom. 18, 305,
 /// 1997).
 template <class T, std::size_t N> PW85_FUNCTION inline T exact_sum(T const (&terms)[N]) noexcept
@@ -43,7 +43,7 @@ template <class T, std::size_t N> PW85_FUNCTION inline T exact_sum(T const (&ter
     return sum;
 }
 
-/// ab - cd, with an error of some u of itself.
+/// ab - cd, with a relative error of a few u.
 template <class T> PW85_FUNCTION inline T difference_of_products(T const &a, T const &b, T const &c,
                                                                  T const &d) noexcept
 {
@@ -53,7 +53,7 @@ template <class T> PW85_FUNCTION inline T difference_of_products(T const &a, T c
     return exact_sum(terms);
 }
 
-/// x × y. Each coordinate has an error of some u of itself.
+/// x × y. Each coordinate has a relative error of a few u.
 template <class T> PW85_FUNCTION inline Vector<T, 3> accurate_cross(Vector<T, 3> const &x,
                                                                     Vector<T, 3> const &y) noexcept
 {
@@ -82,8 +82,8 @@ reach_of_spheres(TwoLanes<T> const &semi_axes, TwoLanes<T> const &growth) noexce
     return {sum_of_lanes(radii), sum_of_lanes(growth * radii)};
 }
 
-/// The reach after some time. From then on the spheres are taken not to shrink, so that they meet
-/// no later than the true ones.
+/// The reach after some time. From this time on, a negative rate is replaced by 0, so the spheres
+/// touch no later than the true ones.
 template <class T>
 PW85_FUNCTION inline Reach<T> reach_after(Reach<T> const &start, T const &time) noexcept
 {
@@ -125,8 +125,8 @@ meeting_of_spheres(Vector<T, D> const &r12, Vector<T, D> const &velocity, Reach<
     return {meets ? nearer_root(excess, approach, speed, root) : infinity<T>(), root};
 }
 
-/// The vector between the centres when the spheres meet. If it is short, item 2 gives it, because
-/// the rounding errors of r12 + t velocity would matter.
+/// The vector between the centres when the spheres touch. If it is short, it is computed by item 2,
+/// because the rounding errors of r12 + t velocity would matter.
 template <class T, int D> PW85_FUNCTION inline Vector<T, D>
 r12_at_meeting(Vector<T, D> const &r12, Vector<T, D> const &velocity, Reach<T> const &reach,
                Moment<T, D> const &moment, Meeting<T> const &meeting) noexcept
@@ -135,8 +135,8 @@ r12_at_meeting(Vector<T, D> const &r12, Vector<T, D> const &velocity, Reach<T> c
     T const nearer = radius + growth * meeting.time;
     if (!(nearer * nearer < T(0x1p-6) * dot(r12, r12)))
         return add_scaled(r12, meeting.time, velocity);
-    // Then |v| > 7 G, as the centres go 7/8 of |r| at least while the spheres grow by less than
-    // 1/8.
+    // Then |v| > 7 G, because the centres move by at least 7/8 of |r| while the spheres grow by
+    // less than 1/8 of it.
     T const square = dot(velocity, velocity), speed = square - growth * growth;
     T const later =
         (growth * (radius * square - growth * dot(r12, velocity)) / square - meeting.root) / speed;
@@ -164,8 +164,8 @@ template <class T, int D> struct MovingEllipsoids {
 };
 
 /// Returns whether the largest coordinate of r12 is more than 32 times the root of the largest
-/// diagonal entry. Up to there, rounding of positions is some hundred u of the longest semi-axis. A
-/// square that leaves the range of T does not change the answer.
+/// diagonal entry. If it is not, rounding of positions causes errors of at most a few hundred u
+/// times the longest semi-axis. Overflow or underflow of the squares does not change the answer.
 template <class T, int D>
 PW85_FUNCTION inline bool is_remote(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                     SymmetricMatrix<T, D> const &q2) noexcept
@@ -195,8 +195,8 @@ template <class T> PW85_FUNCTION constexpr T longest_turn() noexcept
     return T(0x1p-10 / unit_roundoff<T>());
 }
 
-/// Returns whether a form that has turned is known: its rounding error, some u of its largest
-/// entry, is less than its pivots.
+/// Returns whether a form that has rotated is still determined: its rounding error, a few u times
+/// its largest entry, is less than its pivots.
 template <class T, int D>
 PW85_FUNCTION inline bool is_known_form(SymmetricMatrix<T, D> const &q) noexcept
 {
@@ -206,8 +206,8 @@ PW85_FUNCTION inline bool is_known_form(SymmetricMatrix<T, D> const &q) noexcept
     return least > T(12 * D * unit_roundoff<T>()) * largest_diagonal(q);
 }
 
-/// Lets an ellipsoid turn and grow for some time, in the unit of the body. False if its size leaves
-/// the range of T, or if its orientation or its form becomes unknown.
+/// Rotates and grows an ellipsoid for some time, in the unit of the body. Returns false if its size
+/// leaves the range of T, or if rounding errors no longer determine its orientation or its form.
 template <class T, int D>
 PW85_FUNCTION inline bool let_move(SymmetricMatrix<T, D> &q, Motion<T, D> &motion,
                                    Body<T, D> const &body, Unit form, T const &time) noexcept
@@ -220,8 +220,8 @@ PW85_FUNCTION inline bool let_move(SymmetricMatrix<T, D> &q, Motion<T, D> &motio
            (body.rate == T(0) || is_known_form(q));
 }
 
-/// Lets a remote pair move until the spheres around its ellipsoids meet, and returns that time.
-/// Infinity if they do not meet before the end; NaN if a number leaves the range of T.
+/// Moves a remote pair until the spheres around its ellipsoids touch, and returns that time:
+/// infinity if they do not touch before the end, NaN if a number leaves the range of T.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline T
 advance_until_spheres_meet(MovingEllipsoids<T, D> &moving) noexcept
 {

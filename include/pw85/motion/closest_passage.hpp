@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The least contact function of two ellipsoids when one passes the other on a straight path: the
-/// least μ² of the separations r + t v, 0 <= t <= t_max. pw85.hpp and the C API use this file.
+/// least μ² of the separations r + t v, 0 <= t <= t_max.
 ///
-/// For fixed forms μ is a norm of the separation. So μ² is a convex function of t, strictly so for
-/// v != 0: its least value has one t. If the least value on the whole line is not in the range, the
-/// nearer end of the range has it. The least over t of the largest f over λ is the largest over λ
-/// of the least f over t, because f is convex in t and concave in λ. In the formulas W = [(1-λ)Q1 +
-/// λQ2]⁻¹.
+/// For fixed forms μ is a norm of the separation. So μ² is a convex function of t, strictly convex
+/// for v != 0, and its minimum is unique. If the minimum on the whole line is outside the range,
+/// the minimum of the range is at its nearer end. The least over t of the largest f over λ is the
+/// largest over λ of the least f over t, because f is convex in t and concave in λ. In the formulas
+/// W = [(1-λ)Q1 + λQ2]⁻¹.
 #ifndef PW85_MOTION_CLOSEST_PASSAGE_HPP_INCLUDED
 #define PW85_MOTION_CLOSEST_PASSAGE_HPP_INCLUDED
 
@@ -16,7 +16,7 @@
 
 namespace pw85 {
 
-/// The least contact function on a straight path, and when the ellipsoids are there.
+/// The least contact function on a straight path, and the time at which it is reached.
 template <class T> struct ClosestPassage {
     T mu2;
     T time; ///< in [0, t_max]
@@ -92,8 +92,8 @@ PW85_FUNCTION inline T weight_of(Maximum const &m, T const &ratio) noexcept
     return m.lambda / ratio / m.complement / ratio;
 }
 
-/// The best time on the whole line at τ, -rᵀWv/vᵀWv. The correction removes the error that a large
-/// r causes.
+/// The t on the whole line with the least f at τ: -rᵀWv/vᵀWv. A correction removes the error that a
+/// large r causes.
 template <class T>
 PW85_FUNCTION inline T best_time(StraightPath<T> const &path, T const &tau) noexcept
 {
@@ -125,9 +125,9 @@ PW85_FUNCTION inline StationaryValue<T> largest_f(Pair<T, D> const &pair) noexce
     return last_factorized_evaluation(pair, candidate, Precision::working).value;
 }
 
-/// closest_passage() by wider numbers: on the whole line by the projections, or at an end of the
-/// range by the pair there. If the path leads through the centre, the separation of the projections
-/// is 0 without rounding.
+/// closest_passage() with wider numbers: from the projections if the minimum is inside the range,
+/// otherwise from the pair at an end of the range. If the path goes through the centre, the
+/// separation of the projections is exactly 0.
 template <class T>
 PW85_RARE ClosestPassage<T> find_closest_passage_wider(StraightPath<T> const &path) noexcept
 {
@@ -150,7 +150,7 @@ PW85_RARE_TIER_OF(find_closest_passage_wider, double)
 /// μ² at one time, and the time that follows from its λ.
 template <class T> struct PassageStep {
     T mu2, next;
-    /// true if the bounds of step_at() agree to rounding, or the range of the time ends there
+    /// true if the bounds of step_at() agree to rounding, or if the time is an end of the range
     bool best;
 };
 
@@ -173,10 +173,11 @@ PW85_FUNCTION inline bool is_rounding_harmless(StraightPath<T> const &path, T co
     return t == T(0) || T(T(192 * unit_roundoff<T>()) * second) <= sum;
 }
 
-/// Computes the step at t. For any λ and t, let n = W(r + t v). The least f at λ is f(λ, t) -
-/// λ(1-λ)(v·n)²/(vᵀWv), because the best t differs from t by -v·n/(vᵀWv). So λ bounds the result
-/// from below, t bounds it from above, and the bounds differ by that term. With S, the sum of
-/// condition_sum() and the terms of r and of t v, they agree if they differ by u S.
+/// Computes the step at t. For any λ and t, let n = W(r + t v). The least value of f at this λ is
+/// f(λ, t) - λ(1-λ)(v·n)²/(vᵀWv), and is reached at the time t - v·n/(vᵀWv). It is a lower bound on
+/// the result, and μ² at t is an upper bound. If λ is the maximiser at t, the bounds differ by the
+/// second term. With S, the sum of condition_sum() and the terms of r and of t v, they agree if
+/// they differ by u S.
 template <class T>
 PW85_FUNCTION inline PassageStep<T> step_at(StraightPath<T> const &path, T const &t) noexcept
 {
@@ -202,8 +203,9 @@ inline constexpr int max_passage_steps = 3;
 /// numbers use their own.
 ///
 /// The projections give λ and t, and the pair at t gives μ². If the bounds differ by more than
-/// rounding errors, new t and λ follow from each other. If they still differ, or if r + t v cancels
-/// so much that its rounding matters, the projections are computed with wider numbers.
+/// rounding errors, the function improves t from λ and λ from t in turn. If they still differ, or
+/// if r + t v cancels so much that its rounding matters, the projections are computed with wider
+/// numbers.
 ///
 /// The error of μ² is 4 u S for the contact function at t, 2 u S for the rounding of r + t v, u S
 /// for the difference of the bounds, and u S/64 for the terms of second order: less than 8 u S in

@@ -18,7 +18,7 @@ PW85_FUNCTION inline bool is_valid_motion(Motion<T, D> const &motion, T const &e
     return finite && (motion.growth >= T(0) || T(1) + motion.growth * end > T(0));
 }
 
-/// The largest of the rates at which the two turn and grow.
+/// The largest of the rates at which the two ellipsoids rotate and grow.
 template <class T, int D>
 PW85_FUNCTION inline T fastest(Motion<T, D> const &motion1, Motion<T, D> const &motion2) noexcept
 {
@@ -38,8 +38,8 @@ PW85_FUNCTION inline FirstContact<T> in_unit_of_time(FirstContact<T> result, Uni
     return {time, result.status};
 }
 
-/// μ² of a tangent pair in the units of a Pair. It is limited to the range of T: ellipsoids with
-/// centres so near overlap anyway.
+/// μ² of a tangent pair in the units of a Pair. It is limited to the range of T; where the limit
+/// matters, the centres are so near that the ellipsoids overlap.
 template <class T> PW85_FUNCTION inline T tangent_in_units(Units const &units) noexcept
 {
     Unit const largest{std::numeric_limits<T>::max_exponent / 4};
@@ -53,8 +53,9 @@ time_of_translation(Units const &units, Vector<T, D> const &velocity) noexcept
     return units.length / unit_of(velocity);
 }
 
-/// The unit of time in which the largest rate is of order one. The rate of the velocity is its
-/// quotient by the distance of the centres, or by the larger of the sizes if this is larger.
+/// The unit of time in which the largest rate is of order one. The rate of the velocity is the
+/// velocity divided by the distance of the centres or by the larger ellipsoid's size, whichever is
+/// larger.
 template <class T, int D> PW85_FUNCTION inline Unit time_of_motion(ScaledPair<T, D> const &scaled,
                                                                    Vector<T, D> const &velocity,
                                                                    T const &fastest) noexcept
@@ -80,7 +81,7 @@ PW85_FUNCTION inline FirstContact<T> first_contact_of_translation(ScaledPair<T, 
     return {found.time, found.status};
 }
 
-/// first_contact() of a valid pair of which an ellipsoid turns or grows, in its units.
+/// first_contact() of a valid pair in which an ellipsoid rotates or grows, in its units.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline FirstContact<T>
 first_contact_of_motion(ScaledPair<T, D> const &scaled, Unit time, Vector<T, D> const &velocity,
                         Motion<T, D> const &motion1, Motion<T, D> const &motion2,
@@ -117,7 +118,8 @@ first_contact_nearby(ScaledPair<T, D> const &scaled, Motion<T, D> const &motion1
                            time);
 }
 
-/// first_contact() of a valid pair that is remote: it comes near before it touches.
+/// first_contact() of a valid pair that is remote. The pair is first moved until it is near
+/// (approach.hpp).
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline FirstContact<T>
 first_contact_from_afar(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                         SymmetricMatrix<T, D> const &q2, Motion<T, D> const &motion1,

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Free path of an ellipsoid: how far it may move along a direction before it touches another
-/// one. pw85.hpp, the C API and the event chains use this file.
+/// Free path of an ellipsoid: how far it can move along a direction before it touches another
+/// ellipsoid.
 ///
 /// Ellipsoid 1 moves by x d, x >= 0, so that the separation is r - x d. The search of
 /// translation.hpp finds the contact and its normal. free_by_normal(), with bounds on its rounding
-/// errors, then gives a distance that is free for certain, whatever the error of the search.
+/// errors, then gives a length that is certainly free, whatever the error of the search.
 #ifndef PW85_MOTION_FREE_PATH_HPP_INCLUDED
 #define PW85_MOTION_FREE_PATH_HPP_INCLUDED
 
@@ -41,11 +41,12 @@ template <class T, int D> PW85_FUNCTION inline T half_width_bound(SymmetricMatri
 ///
 /// Let h_k = √(nᵀQ_k n) be the half-widths along some n with n·d > 0. The ellipsoids are on
 /// different sides of a plane across n while n·(r - x d) > h_1 + h_2. So there is no contact before
-/// x = (n·r - h_1 - h_2)/(n·d). The largest of these bounds is the x of the contact, and its n is
-/// the normal of the tangent plane there. The bound is stationary there, so an error in n counts
-/// only squared. If n·d < 0 for certain for the normal of a pair that does not overlap, the pair
-/// separates, there is no contact, and the result is infinity. If n·d = 0 exactly, it is infinity
-/// where the plane separates the ellipsoids for certain.
+/// x = (n·r - h_1 - h_2)/(n·d). The largest of these bounds is the x of the contact, for the n that
+/// is the normal of the tangent plane at the contact. The bound is stationary at this n, so its
+/// error is of second order in the error of n. Suppose that the plane across n certainly separates
+/// the ellipsoids. If n·d is certainly negative, the ellipsoids move apart; if n·d is exactly 0,
+/// the plane continues to separate them. In both cases there is no contact, and the result is
+/// infinity.
 ///
 /// The bounds on the rounding errors are D u Σ|n_i r_i| for n·r, u (h_1 + h_2) for the sum of the
 /// half-widths, D u Σ|n_i d_i| for n·d, and a few u for the results of the other operations.
@@ -74,7 +75,7 @@ template <class T, int D> struct SeparatingPlane {
     Vector<T, D> turn;
     T until;
     bool meets;    ///< true if the search found a contact
-    bool overlaps; ///< at the start, or touches and approaches: then there is no plane
+    bool overlaps; ///< at the start, or touches and approaches; then no plane
     StatusCode status;
 };
 
@@ -110,7 +111,7 @@ plane_of_translation(ScaledPair<T, D> const &scaled, Vector<T, D> const &velocit
 }
 
 /// The plane for a valid pair that is remote. It is found where the spheres around the ellipsoids
-/// meet. If they do not meet, the normal is zero, which stands for a path without contact.
+/// meet. If the spheres do not touch, the normal is zero, which means a path without contact.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline SeparatingPlane<T, D>
 plane_from_afar(Pair<T, D> const &pair, Vector<T, D> const &velocity, T const &end) noexcept
 {
@@ -131,14 +132,14 @@ plane_from_afar(Pair<T, D> const &pair, Vector<T, D> const &velocity, T const &e
 PW85_SHARED_BY_QUESTIONS_OF(plane_of_translation, double, 3)
 PW85_SHARED_BY_QUESTIONS_OF(plane_from_afar, double, 3)
 
-/// A longer free path by normals before a grazing contact, if there are any.
+/// Computes a longer free path from normals before a grazing contact, if possible.
 ///
 /// Where the path touches along the surface, n·d vanishes at the contact, and the rounding error ε
 /// of the gap over n·d is no longer small. The plane at a time s before has n·d = κ s with κ =
 /// dᵀM⁻¹d. It meets the path s/2 before the contact, less ε/(κ s). So the best s is about √(ε/κ).
-/// There the path ends before the contact by about s, where μ² exceeds one by about ε. ε is
-/// estimated from what a plane leaves, s/2 + ε/(κ s), twice. Every normal gives a bound, so errors
-/// of s and of n cost nothing but length.
+/// The path then ends before the contact by about s, where μ² exceeds one by about ε. The distance
+/// s/2 + ε/(κ s) that a plane leaves gives an estimate of ε, which is improved once. Every normal
+/// gives a valid bound, so errors of s and of n only make the path shorter.
 template <class T, int D>
 PW85_FUNCTION inline T free_before_grazing(ScaledPair<T, D> const &scaled,
                                            Vector<T, D> const &velocity, Vector<T, D> const &n,
@@ -176,7 +177,8 @@ PW85_FUNCTION inline FreePath<T> free_path_of(ScaledPair<T, D> const &scaled,
                n = units.reordered(plane.normal),
                turn = time.to_caller(units.reordered(plane.turn));
     T free = free_by_normal(scaled, v, n);
-    // Behind the nearest place, which rounding can take for the contact, n shows nothing.
+    // Beyond the point at which the ellipsoids are nearest, n proves nothing. Rounding can lead the
+    // search there.
     if (plane.meets && !(free < infinity<T>()) && dot(turn, v) > T(0)) free = T(0);
     free = free_before_grazing(scaled, v, n, turn, free);
     T const length = time.to_caller(free);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Ellipsoids that turn about their centres and grow.
+/// Ellipsoids that rotate about their centres and grow.
 #ifndef PW85_MOTION_MOTION_HPP_INCLUDED
 #define PW85_MOTION_MOTION_HPP_INCLUDED
 
@@ -51,9 +51,9 @@ change_by_turning(Vector<T, rotation_axes<D>> const &axis, SymmetricMatrix<T, D>
     return change;
 }
 
-/// A form that turns about an axis e: RARᵀ = A + (cos θ - 1) C1 + sin θ S1 + (cos 2θ - 1) C2 + sin
-/// 2θ S2. With the part p of Ae across e, C1 = epᵀ + peᵀ and S1 = e(e × p)ᵀ + (e × p)eᵀ. C2 is the
-/// part of A in the plane across e, less its mean, and 2 S2 is its derivative.
+/// A form that rotates by θ about a unit vector e: RARᵀ = A + (cos θ - 1) C1 + sin θ S1 + (cos 2θ -
+/// 1) C2 + sin 2θ S2. With the part p of Ae across e, C1 = epᵀ + peᵀ and S1 = e(e × p)ᵀ + (e ×
+/// p)eᵀ. C2 is the part of A in the plane across e, less its mean, and 2 S2 is its derivative.
 template <class T, int D> struct TurningForm {
     SymmetricMatrix<T, D> form, c1, s1, c2, s2;
 };
@@ -101,13 +101,13 @@ turned(TurningForm<T, D> const &x, T const &angle) noexcept
     return a;
 }
 
-/// An ellipsoid, of which a part κI does not change as it turns; two of them side by side if the
-/// scalar is TwoLanes.
+/// An ellipsoid that moves. Its form is κI, which rotation does not change, plus a rest. If the
+/// scalar is TwoLanes, the struct has two ellipsoids.
 template <class T, int D> struct Body {
     SymmetricMatrix<T, D> rest; ///< the form less κI
     T least, most;              ///< bounds on the eigenvalues of the form; the lower one is κ
     Vector<T, rotation_axes<D>> omega;
-    T rate, growth; ///< |omega|, and that of the size over the size
+    T rate, growth; ///< |omega|, and the relative rate of growth
 };
 
 /// The body of a form that moves. Eigenvalues differ from their mean, tr Q/D, by at most √((D -
@@ -145,7 +145,7 @@ PW85_FUNCTION constexpr SymmetricMatrix<T, D> form_of(Body<T, D> const &body) no
     return plus_multiple_of_identity(body.rest, body.least);
 }
 
-/// The parts of a form that turn with a body. Those of a body at rest do not matter.
+/// The parts of a form that rotate with a body. They are not used for a body that does not rotate.
 template <class T, int D>
 PW85_FUNCTION constexpr TurningForm<T, D> turning_form(Body<T, D> const &body) noexcept
 {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The first contact of two ellipsoids that turn and grow. first_contact.hpp calls
+/// The first contact of two ellipsoids that rotate and grow. first_contact.hpp calls
 /// advance_to_contact().
 ///
-/// All steps in time are proved free of contact: while the ellipsoids are distant, by the spheres
-/// around them (approach.hpp), and then by turning_bound.hpp. The search ends where f is 1 to
-/// rounding at the time itself.
+/// All steps in time are proved free of contact: by the spheres around the ellipsoids while they
+/// are distant (approach.hpp), and then by turning_bound.hpp. The search ends at a time at which f
+/// is 1 up to rounding.
 #ifndef PW85_MOTION_ROTATION_HPP_INCLUDED
 #define PW85_MOTION_ROTATION_HPP_INCLUDED
 
@@ -14,7 +14,7 @@
 
 namespace pw85::detail {
 
-/// Bodies at time 0, and what their later states follow from.
+/// Bodies at time 0, and the data from which later states are computed.
 template <class T, int D> struct TurningPair {
     BodyPair<T, D> start;
     TurningForm<TwoLanes<T>, D> forms;
@@ -39,9 +39,9 @@ pair_at(TurningPair<T, D> const &turning, T const &time) noexcept
             ratio, velocity, tangent};
 }
 
-/// Returns how long the spheres around the ellipsoids stay apart from some time on; zero if they
-/// are too near for a step that is worth its cost. The moment errs by at most 4 u |r| |v|, which
-/// the margin of the radii covers if |r| is below 2^40 times their sum.
+/// Returns how long the spheres around the ellipsoids remain apart after some time, or zero if they
+/// are too near for a step that is worth its cost. The error of the moment is at most 4 u |r| |v|.
+/// The margin of the radii covers this error if |r| is below 2^40 times the sum of the radii.
 template <class T, int D>
 PW85_FUNCTION inline T time_apart(TurningPair<T, D> const &turning, T const &time) noexcept
 {
@@ -67,10 +67,10 @@ template <class T, int D> PW85_FUNCTION inline T maximiser(BodyPair<T, D> const 
     return maximum(smallest_number<T>(), minimum(largest_number<T>(), t));
 }
 
-/// Returns whether the numbers are finite, and orientations and forms are known. None of this is
-/// the fault of the arguments: sizes may grow out of the range of T, angles may grow until their
-/// rounding errors exceed a thousandth of a radian, and a form may be so slender that no digit of f
-/// is left when it has turned.
+/// Returns whether the numbers are finite, and rounding errors still leave orientations and forms
+/// determined. Valid arguments can lead to the opposite: sizes may grow out of the range of T,
+/// angles may grow until their rounding errors exceed a thousandth of a radian, and a form may be
+/// so slender that f has no correct digit after a rotation.
 template <class T, int D> PW85_FUNCTION inline bool
 is_known(BodyPair<T, D> const &moving, StateAtTime<T, D> const &state, T const &time) noexcept
 {
@@ -88,8 +88,8 @@ PW85_FUNCTION constexpr bool is_clear(StateAtTime<T, D> const &state) noexcept
     return state.excess > state.slack;
 }
 
-/// Returns whether a state at a t that was carried over from an earlier time suffices: f is at its
-/// maximum, or near its maximum and clear.
+/// Returns whether a state suffices whose t comes from an earlier time: f is at its maximum, or
+/// near its maximum and above 1 by more than rounding.
 template <class T, int D>
 PW85_FUNCTION constexpr bool is_enough(StateAtTime<T, D> const &state) noexcept
 {
@@ -97,16 +97,16 @@ PW85_FUNCTION constexpr bool is_enough(StateAtTime<T, D> const &state) noexcept
            (is_clear(state) || state.newton * state.newton <= T(unit_roundoff<T>()));
 }
 
-/// Returns whether a pair that is not clear separates, and overlaps by no more than a pair that has
-/// just collided.
+/// Returns whether a pair for which f does not exceed 1 by more than rounding moves apart, and
+/// overlaps by no more than a pair that has just collided.
 template <class T, int D> PW85_FUNCTION constexpr bool
 just_separates(StateAtTime<T, D> const &state, BoundAtLambda<T> const &bound) noexcept
 {
     return bound.clearance.p[1] > T(0) && state.excess >= -T(touching_tolerance) * state.slack;
 }
 
-/// Ends a search that no step advances: at a contact, if f exceeds 1 by no more than it
-/// changes while the time changes by its rounding error.
+/// Ends a search in which no step advances the time. The result is a contact if f exceeds 1 by no
+/// more than the change of f during the rounding error of the time.
 template <class T, int D> PW85_FUNCTION inline FirstContact<T>
 end_of_steps(StateAtTime<T, D> const &state, BoundAtLambda<T> const &bound, T const &time) noexcept
 {
@@ -120,9 +120,9 @@ end_of_steps(StateAtTime<T, D> const &state, BoundAtLambda<T> const &bound, T co
 inline constexpr int max_advances = 100000;
 
 /// first_contact() of a valid pair, in a unit of time in which its rates are below 2. A pair that
-/// has been apart touches when it is no longer clear. A pair that has not been apart may separate
-/// first. t follows the maximum of f; if it loses the maximum, the search for the maximum restarts.
-/// The steps do not depend on the end.
+/// has been apart touches when f no longer exceeds 1 by more than rounding. A pair that has not
+/// been apart yet may move apart first. t follows the maximum of f; if it is too far from the
+/// maximum, the search for the maximum restarts. The steps do not depend on the end of the time.
 template <class T, int D> PW85_FUNCTION inline FirstContact<T>
 advance_to_contact(TurningPair<T, D> const &turning, T const &end) noexcept
 {

@@ -2,7 +2,7 @@
 /// @file
 /// The first contact of two ellipsoids that translate.
 ///
-/// With r(time) = r + v·time, M = Q1 + t Q2 and f as everywhere:
+/// Let r(time) = r + v·time, M = Q1 + t Q2, and f be the function whose maximum is μ² (pw85.hpp).
 ///
 /// 1. At fixed λ, f is a quadratic polynomial of time, and f <= μ². There is no contact while f
 ///    > 1. So the first root of f = 1 is a lower bound on the time of contact. If f has no such
@@ -10,8 +10,8 @@
 /// 2. f is convex in time and concave in λ. So the time of contact is the largest of these roots.
 ///    Larger roots (or a λ without a root) lie on that side of λ on which f has its maximum at the
 ///    time of the root. So the contact is found by a search for the root of h
-///    (contact/iteration.hpp), in which every step also updates the time. The root is stationary at
-///    the contact, so an error in λ counts only squared.
+///    (contact/iteration.hpp), in which every step also updates the time. The root of f = 1 is
+///    stationary in λ at the contact, so its error is of second order in the error of λ.
 #ifndef PW85_MOTION_TRANSLATION_HPP_INCLUDED
 #define PW85_MOTION_TRANSLATION_HPP_INCLUDED
 
@@ -65,8 +65,8 @@ template <class T, int D> struct SeparationBound {
 /// as much.
 inline constexpr int touching_tolerance = 128;
 
-/// Conclusion from one λ: the ellipsoids do not touch; they are too near from the beginning for
-/// this λ to decide; or they do not touch before some time.
+/// Conclusion from one λ: none, the ellipsoids do not touch; too_near, they are too near at the
+/// start for a decision by this λ; contact, they do not touch before some time.
 enum class BoundOutcome { none, too_near, contact };
 
 /// rᵀM⁻¹r where f = 1, for f = τ/(1+τ) rᵀM⁻¹r with τ = ratio² t.
@@ -101,19 +101,20 @@ separation_bound(Vector<T, D> const &r12, Vector<T, D> const &velocity, T const 
 }
 
 /// Returns whether the ellipsoids are too far apart for this bound to decide whether they touch.
-/// The rounding error of rᵀM⁻¹r is 16 u cond of the target or more, so it can hide by how much the
-/// least value of rᵀM⁻¹r misses the target.
+/// The rounding error of rᵀM⁻¹r is then at least 16 u cond times the target. It can exceed the
+/// difference between the least value of rᵀM⁻¹r and the target.
 template <class T, int D>
 PW85_FUNCTION constexpr bool is_far(SeparationBound<T, D> const &p, T const &target) noexcept
 {
     return p.excess > T(15) * target;
 }
 
-/// The time to which item 1 leads from `origin` on. There is no contact before `origin`. A pair
-/// that misses by no more than rounding touches. A pair that overlaps at time 0 by no more than
-/// rounding, and separates, does not touch. From afar the discriminant errs by the rounding error
-/// of rᵀM⁻¹r, by that of vᵀM⁻¹v and by twice that of rᵀM⁻¹v. These errors are alike if v points at
-/// the other ellipsoid, so the step stops short of the contact by four times the first.
+/// The time that item 1 proves free of contact, counted from `origin`. There is no contact before
+/// `origin`. A pair whose surfaces pass each other at a distance below rounding counts as touching.
+/// A pair that overlaps at time 0 by no more than rounding, and moves apart, does not touch. For a
+/// distant pair the error of the discriminant is the sum of the rounding error of rᵀM⁻¹r, that of
+/// vᵀM⁻¹v, and twice that of rᵀM⁻¹v. These are of equal size if v points at the other ellipsoid, so
+/// the step ends before the contact by four times the first error.
 template <class T, int D> PW85_FUNCTION inline BoundOutcome
 bound_outcome(SeparationBound<T, D> const &p, T const &target, T const &origin, T &time) noexcept
 {
@@ -153,19 +154,19 @@ template <class T> PW85_FUNCTION constexpr T last_translation_step() noexcept
 template <class T> PW85_FUNCTION inline T delay(Slope<T> const &s, T const &ratio, T const &t,
                                                 T const &root, T const &target) noexcept
 {
-    // whatever leaves the range of T
+    // in this order, overflow and underflow do no harm
     T const tau = T(ratio * t) * ratio, lambda = T(1) / (T(1) + T(1) / tau);
     T const step = s.difference * s.weight / (s.sum * s.k);
     T const level = T(0.5) * (s.sum + (T(1) - T(2) * lambda) * s.difference);
     return T(0.25) * (lambda * (T(1) - lambda)) * (s.difference / level) * step * (target / root);
 }
 
-/// The largest number of values of t that find_translation_contact() tries. It is more than
-/// search() needs, because the time changes with every step.
+/// The largest number of values of t that find_translation_contact() tries. It exceeds the number
+/// that search() needs, because the time changes with every step.
 inline constexpr int max_translation_steps = 100;
 
-/// The number of steps that may go anywhere in the bracket, a choice: two more than those of
-/// search(), as the time moves.
+/// The number of steps that are only limited by the bracket: two more than in search(), because the
+/// time changes. This number is a choice.
 inline constexpr int free_translation_steps = 5;
 
 /// A pair that translates, in the units of a Pair.
@@ -229,9 +230,9 @@ PW85_FUNCTION constexpr bool tells_delay(TimeBound<T, D> const &bound, T const &
            shift * shift * bound.separation.speed * bound.target < grazing * grazing;
 }
 
-/// Result of the search for the contact of a translation: the time of the contact, or infinity;
-/// and the t and the time at which f tells so. These are those of the contact, those at which f
-/// exceeds one although the ellipsoids are nearest, or those at which f exceeds one at the end.
+/// Result of the search for the contact of a translation: the time of the contact, or infinity; and
+/// the t and the time of the f that proves it: at the contact; or where f exceeds one when the
+/// ellipsoids are nearest; or where f exceeds one at the end of the time.
 template <class T> struct TranslationContact {
     T time, t, shown;
     StatusCode status;
@@ -252,14 +253,15 @@ PW85_FUNCTION constexpr T wait_for_nearest(TimeBound<T, D> const &bound) noexcep
     return approach > T(0) ? T(approach / speed) : T(0);
 }
 
-/// The first contact of a pair that translates, by items 1 and 2. A time before the root does not
-/// show on which side of t the maximum is.
+/// The first contact of a pair that translates, by items 1 and 2. At a time before the root, the
+/// sign of the slope does not tell on which side of t the maximum is.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline TranslationContact<T>
 find_translation_contact(TranslatingPair<T, D> const &moving, T const &end) noexcept
 {
     T const &ratio = moving.pair.ratio;
     auto state = safeguarded_search(initial_guess(moving.pair), free_translation_steps);
-    // rounding does not decide whether a contact at the end is one
+    // accepts contacts slightly after the end, so that rounding does not decide about a contact at
+    // the end
     T const latest = end + T(0x1p-20) * end;
     T time = T(0);
     bool last = false;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A proof that two ellipsoids that turn and grow do not touch for some time. From the state at one
-/// time, bound_at_lambda() and safe_time() give a time up to which there is no contact.
-/// rotation.hpp steps by it.
+/// A proof that two ellipsoids that rotate and grow do not touch for some time. From the state at
+/// one time, bound_at_lambda() and safe_time() compute a time up to which there is no contact. This
+/// is the step of the search in rotation.hpp.
 ///
 /// In the units of a Pair, let M = Q1 + t Q2 for some t, and let `target` be the value of rᵀM⁻¹r
 /// where f = 1 (translation.hpp). For any vector s, (s·r)² <= sᵀMs rᵀM⁻¹r. So there is no contact
-/// while s·r > √(target sᵀMs), whatever s and t are. The best s and t are those of the maximum of
-/// f, where their errors count squared.
+/// while s·r > √(target sᵀMs), for any s and t. The best s and t are those of the maximum of f,
+/// where the bound depends only to second order on their errors.
 #ifndef PW85_MOTION_TURNING_BOUND_HPP_INCLUDED
 #define PW85_MOTION_TURNING_BOUND_HPP_INCLUDED
 
@@ -34,7 +34,7 @@ template <class T> PW85_FUNCTION constexpr TwoLanes<T> weights_in_m(T const &t) 
     return TwoLanes<T>(T(1), t);
 }
 
-/// M of a pair at some t, and what is M⁻¹r.
+/// M of a pair at some t, and its solution M⁻¹r.
 template <class T, int D> struct Blend {
     SymmetricMatrix<T, D> m;
     Factorization<T, D> factors;
@@ -55,14 +55,14 @@ template <class T, int D> struct StateAtTime {
     Vector<TwoLanes<T>, D> products; ///< (Q - κI) s of each body
     TwoLanes<T> extents;             ///< sᵀQs of each body
     T excess, slack, target;         ///< as in a SeparationBound
-    /// what the rounding of forms that have turned can make of the excess
+    /// bound on the error of the excess from rounding of forms that have rotated
     T turning_slack;
     T newton, per_difference; ///< the step, and the step per h
-    bool nearby;              ///< true if to trust both
+    bool nearby;              ///< true if both are reliable
 };
 
-/// The largest eigenvalue of a form that turns, at most. A form that does not turn has no error of
-/// rotation.
+/// An upper bound on the largest eigenvalue of a form that rotates. It is zero for a form that does
+/// not rotate, which has no error of rotation.
 template <class T, int D> PW85_FUNCTION constexpr T most_that_turns(Body<T, D> const &body) noexcept
 {
     return select(body.rate > T(0), body.most, T(0));
@@ -112,7 +112,7 @@ respond(Body<T, D> const &body, Vector<T, D> const &s, Vector<T, D> const &y) no
 }
 
 /// s(x) = s0 + x s1, and the coefficients of |s(x)|². From a time with s0 = M⁻¹r on, s1 is the
-/// derivative of M⁻¹r. So s turns with the plane between the ellipsoids.
+/// derivative of M⁻¹r. So s rotates with the plane between the ellipsoids.
 template <class T, int D> struct NormalPath {
     Vector<T, D> s0, s1;
     T square[3];
@@ -176,11 +176,11 @@ template <class T> struct Clearance {
 
 /// The part of the rounding errors of P that grows with x², for one body.
 ///
-/// P is a difference of sums. Slender ellipsoids have a large s far from where they touch. There
-/// the rounding errors of f may be larger than 1, although they are tiny at the contact. So P must
-/// exceed a bound on its rounding errors. In the frame of an ellipsoid, m(x) - s0 is at most x (1 +
-/// |γ|)(1 + ω + |γ|)(|s1| + (ω + |γ|) |s0|) long for x <= 1. So the errors are at most those at s0
-/// and this bound times x².
+/// P is a difference of sums. Far from contact, s of slender ellipsoids is large. The rounding
+/// errors of f may then be larger than 1, although they are tiny at the contact. So P must exceed a
+/// bound on its rounding errors. In the frame of an ellipsoid, m(x) - s0 is at most x (1 + |γ|)(1 +
+/// ω + |γ|)(|s1| + (ω + |γ|) |s0|) long for x <= 1. So the errors are at most those at s0 and this
+/// bound times x².
 ///
 /// slack_of_form() bounds the errors of f by 4 u cond; the most that was seen is 0.35 of this. A
 /// square (a + b)² is at most 10/7 a² + 10/3 b². So the errors are less than half of the slack and
@@ -213,9 +213,9 @@ clearance(BodyPair<T, D> const &moving, StateAtTime<T, D> const &state,
              T(-2) * unit * n2 * rho, unit * rho * rho}};
 }
 
-/// The excess of f over 1 less its rounding errors. The least slack at a contact, where ΣM_ii s_i²
-/// is sᵀMs, is not subtracted: a contact counts up to there, and well-conditioned pairs end at f =
-/// 1.
+/// The excess of f over 1 minus its rounding errors. The least possible slack at a contact, for
+/// which ΣM_ii s_i² = sᵀMs, is not subtracted, because a pair counts as touching up to this slack.
+/// So the search for well-conditioned pairs ends at f = 1.
 template <class T, int D>
 PW85_FUNCTION inline T certain_excess(StateAtTime<T, D> const &state) noexcept
 {
@@ -225,8 +225,9 @@ PW85_FUNCTION inline T certain_excess(StateAtTime<T, D> const &state) noexcept
 
 /// A time up to which P is positive, near its first root, from the excess at its start. For x <= X,
 /// a power xᵏ is at most X^(k-2) x². So a parabola bounds P from below, and its first root has a
-/// closed form. X decreases until it is near the root of the parabola. A parabola that misses zero
-/// by less than the slack leads to its least value, where the pair may touch.
+/// closed form. X decreases until it is near the root of the parabola. If the least value of a
+/// parabola is positive and below the slack, the result is the time of this value, at which the
+/// pair may touch.
 template <class T> PW85_FUNCTION inline T safe_time(Clearance<T> const &clearance, T const &excess,
                                                     T const &slack) noexcept
 {
@@ -246,7 +247,8 @@ template <class T> PW85_FUNCTION inline T safe_time(Clearance<T> const &clearanc
     return lower;
 }
 
-/// Bound that holds from one state on: P, and how log t of the maximum of f changes with time.
+/// A bound that is valid from the time of a state: P, and the rate at which log t of the maximum of
+/// f changes with time.
 template <class T> struct BoundAtLambda {
     Clearance<T> clearance;
     T rate;

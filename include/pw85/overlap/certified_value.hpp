@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The third tier of the overlap test. It computes μ² by the solver, and compares it with 1 up to a
-/// bound on its error. overlap.hpp and compare.hpp call it.
+/// The third tier of the overlap test (overlap.hpp lists the tiers). It computes μ² by the solver,
+/// and compares μ² with 1, with a bound on the error of μ². overlap.hpp and compare.hpp call it.
 #ifndef PW85_OVERLAP_CERTIFIED_VALUE_HPP_INCLUDED
 #define PW85_OVERLAP_CERTIFIED_VALUE_HPP_INCLUDED
 

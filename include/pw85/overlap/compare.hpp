@@ -96,8 +96,8 @@ compare_last(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
 }
 
 /// Decides by the search for the maximum, for a valid pair and m > 0. In the units of the pair μ²
-/// is at least 2^-52, so a scaled m that underflows does no harm. A scaled m that overflows becomes
-/// infinity, and μ² is below infinity.
+/// is at least 2^-52, so the result is also correct if the scaled m underflows. A scaled m that
+/// overflows becomes infinity, and μ² is below infinity.
 template <class T, int D>
 PW85_FUNCTION inline Decision compare_by_search(ScaledPair<T, D> const &scaled, T const &m) noexcept
 {

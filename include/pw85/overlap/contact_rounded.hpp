@@ -2,7 +2,7 @@
 /// @file
 /// The contact function with μ² correctly rounded, and λ with an error below one unit in the last
 /// place. pw85.hpp and the C API use this file. Each step is slower than the one before, and is
-/// taken only for pairs that the steps before it leave open:
+/// used only for pairs that the steps before it do not decide:
 ///
 /// 1. bound_maximum(): bounds on μ² and λ from doubled numbers (contact/enclosure.hpp). If both
 ///    bounds on μ² round to the same number, this number is μ².
@@ -233,14 +233,14 @@ nearest_number(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
     return x;
 }
 
-/// A result, and what it took.
+/// A result, and the number of evaluations and comparisons.
 template <class T> struct RoundedContact {
     Contact<T> contact;
     int evaluations; ///< of doubled numbers
     int comparisons; ///< in integers
 };
 
-/// Steps 2 and 3, for what step 1 has left open.
+/// Steps 2 and 3, for pairs that step 1 does not decide.
 template <class T, int D>
 PW85_RARE RoundedContact<T> round_by_doubled_numbers(Pair<T, D> const &pair,
                                                      ScaledPair<T, D> const &scaled,
@@ -283,7 +283,7 @@ round_contact_scaled(Pair<T, D> pair) noexcept
     return round_contact(pair, scaled);
 }
 
-/// contact_rounded() with what it took.
+/// contact_rounded() with the number of evaluations and comparisons.
 template <class T, int D>
 PW85_FUNCTION inline RoundedContact<T> round_contact(Pair<T, D> const &pair) noexcept
 {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Whether one ellipsoid is inside another one. pw85.hpp and the C API use this file.
-/// Floating-point numbers decide first, with margins for their rounding errors. Integers decide the
-/// remaining pairs (exact_containment.hpp).
+/// Tests whether one ellipsoid is inside another one. Floating-point numbers decide first, with
+/// margins for their rounding errors. Integers decide the remaining pairs (exact_containment.hpp).
 ///
-/// - Ellipsoid 2 is outside if √(nᵀQ2n) + |n·r| > √(nᵀQ1n) for some n. Then it reaches beyond a
-///   plane that bounds ellipsoid 1.
+/// - Ellipsoid 2 is not inside if √(nᵀQ2n) + |n·r| > √(nᵀQ1n) for some n. It then extends beyond a
+///   tangent plane of ellipsoid 1.
 /// - Ellipsoid 2 is inside if K(w) = Q1 - (1 + 1/w) Q2 - (1 + w) r rᵀ is positive semidefinite for
 ///   some w > 0 (exact_containment.hpp).
 ///
@@ -39,8 +38,9 @@ enum class ContainmentDecision { none, outside, inside };
 /// takes the counts for this margin and the next three from the code.
 inline constexpr int exceeds_margin = 8;
 
-/// Returns whether √q2 + r > √q1, for an upper bound q1, a normal number, and lower bounds q2, r >=
-/// 0. It needs no root: with g = q1 - q2 - r² the condition is g < 0 or 4 r² q2 > g².
+/// Returns whether √q2 + r > √q1, for an upper bound q1, a normal number, and lower bounds q2 and
+/// r, which are not negative. No square root is needed: with g = q1 - q2 - r² the condition is
+/// g < 0 or 4 r² q2 > g².
 ///
 /// 1. The computed g exceeds the exact one by u q1 or more if the exact one is not negative. Then
 ///    q2 + r² <= q1. The roundings take less than 6 u q1 of the 8 u q1 that `grow` adds, and
@@ -182,7 +182,8 @@ PW85_FUNCTION inline NestingStep<T> take_nesting_step(Pair<T, D> const &pair,
 /// The number of steps after which the search gives up. Let κ be the factor by which ellipsoid 1
 /// must be scaled to touch ellipsoid 2. Of random pairs with |κ² - 1| from 1e-2 to 1e-12 and aspect
 /// ratios from 2 to 1000, one in a thousand needs more than eight steps. Integers decide the rest.
-/// Without them the search continues until its bracket is as small as roundings.
+/// For types without integers the search continues until its bracket is as small as rounding
+/// errors.
 template <class T> PW85_FUNCTION constexpr int max_nesting_steps() noexcept
 {
     return exact::is_decidable<T> ? 16 : 8 * mantissa_digits<T>();

@@ -58,16 +58,16 @@ template <class T, int D> struct DualStep {
 
 /// Computes n, and g from its residual ρ = r - Mn: rᵀM⁻¹r = 2rᵀn - nᵀMn + ρᵀM⁻¹ρ.
 ///
-/// κ² <= g(ν). For, if x - r = y with yᵀQ2⁻¹y <= 1, then xᵀQ1⁻¹x <= ν + rᵀM⁻¹r + (xᵀQ1⁻¹x - ν
+/// Proof of κ² <= g(ν): if x - r = y with yᵀQ2⁻¹y <= 1, then xᵀQ1⁻¹x <= ν + rᵀM⁻¹r + (xᵀQ1⁻¹x - ν
 /// yᵀQ2⁻¹y - rᵀM⁻¹r), and the bracket is a concave function of x, whose largest value is 0. The
 /// S-lemma says that the least g is κ².
 ///
 /// g is convex, with g' = 1 - e and e = nᵀQ2n/ν². In the eigenbasis of the pencil, √e is the norm
 /// of the vector of √ci/(ν - di), with the eigenvalues di of Q1⁻¹Q2 and the coordinates √ci of the
 /// separation. 1/√e is a concave function that increases, as a mean of order -2 of linear
-/// functions. So Newton's method on 1/√e = 1 increases monotonically after its first step, if M
-/// stays positive definite. Its step follows from e' = -2e (c/q + ν)/ν², where q = nᵀQ2n and c =
-/// nᵀQ2M⁻¹Q2n.
+/// functions. So Newton's method for 1/√e = 1 increases ν monotonically after its first step, as
+/// long as M is positive definite. Its step follows from e' = -2e (c/q + ν)/ν², where q = nᵀQ2n and
+/// c = nᵀQ2M⁻¹Q2n.
 template <class T, int D> PW85_FUNCTION inline DualStep<T, D>
 take_dual_step(Pair<T, D> const &pair, SymmetricMatrix<T, D> const &m,
                Factorization<T, D> const &factors, T const &nu) noexcept
@@ -102,7 +102,7 @@ near_null_vector(SymmetricMatrix<T, D> const &q2, Factorization<T, D> const &fac
 /// If r is orthogonal to the eigenvectors of the largest eigenvalue ν1 of Q1⁻¹Q2, e may be below 1
 /// for all ν > ν1. Then ν = ν1. M is singular there, and n is the limit of M⁻¹r plus an eigenvector
 /// z of such a length that e = 1. The ellipsoids touch at two points or more, which differ by the
-/// sign of z, or by its direction in the eigenspace. This is so for r = 0.
+/// sign of z, or by its direction in the eigenspace. This is the case for r = 0.
 template <class T, int D>
 PW85_FUNCTION inline SupportRatio<T, D> reach_beyond(Pair<T, D> const &pair, Vector<T, D> const &n,
                                                      Vector<T, D> const &z, T const &nu) noexcept

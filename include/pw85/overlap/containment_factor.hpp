@@ -30,8 +30,8 @@ template <class T, int D> struct ContainmentScale {
 namespace pw85::detail {
 
 /// Scales a valid pair: Q1 is of order one, and so is the larger of r12 and Q2, which have one
-/// unit. A form Q2 that is much smaller than r12 is enlarged to a fixed small size. The forms that
-/// T can hold are flat by so little that this changes nothing in κ² beyond rounding.
+/// unit. A form Q2 that is much smaller than r12 is enlarged to a fixed small size. Valid forms of
+/// type T are not so flat that this changes κ² by more than rounding.
 template <class T, int D>
 PW85_FUNCTION inline ScaledPair<T, D> scale_contained(Pair<T, D> const &pair) noexcept
 {
@@ -45,10 +45,11 @@ PW85_FUNCTION inline ScaledPair<T, D> scale_contained(Pair<T, D> const &pair) no
             {length, first, length, false, {}}};
 }
 
-/// The state of the search: a bracket of ν, the best reach, and the least g. A SafeguardedSearch
-/// does not fit. It trusts steps that halve, whereas here each step of Newton's method in the
-/// bracket is right, because these steps increase monotonically. It bisects log ν, whereas
-/// next_in_bracket() knows more of a minimum at ν1: the ν of the best reach is near it.
+/// The state of the search: a bracket of ν, the best SupportRatio, and the least g.
+/// SafeguardedSearch is not suitable for two reasons. It accepts only steps that halve, but here
+/// every step of Newton's method inside the bracket is good, because these steps increase ν
+/// monotonically. And it bisects log ν, but near a minimum at ν1 the ν of the best SupportRatio is
+/// a better estimate (next_in_bracket()).
 template <class T, int D> struct DualBoundSearch {
     T lower, upper; ///< of ν
     SupportRatio<T, D> best;
@@ -61,7 +62,8 @@ template <class T, int D>
 PW85_FUNCTION inline bool has_converged(Pair<T, D> const &pair, DualBoundSearch<T, D> const &search,
                                         T const &tolerance) noexcept
 {
-    // A bound far below the other one is a rounding error: terms cancel if M is nearly singular.
+    // An upper bound far below the lower one is a rounding error: terms cancel if M is nearly
+    // singular.
     T const mu2 = search.best.mu2, gap = absolute(T(search.bound - mu2));
     return mu2 > T(0) &&
            (gap <= tolerance * mu2 || gap <= T(tolerance * ratio_condition_sum(pair, search.best)));
@@ -89,17 +91,17 @@ evaluate_at(Pair<T, D> const &pair, DualBoundSearch<T, D> &search, T const &nu) 
     return step.next;
 }
 
-/// The number of steps. Bisection of a factor of two to the last digit takes as many steps as there
-/// are digits. Between two of them there may be one of each other kind.
+/// Maximum number of steps. Bisection of an interval with the ratio 2 to the last digit takes one
+/// step for each digit. Between two bisections there may be one step of each other type.
 template <class T> PW85_FUNCTION constexpr int max_dual_steps() noexcept
 {
     return 3 * mantissa_digits<T>() + 40;
 }
 
-/// The next ν where Newton's method leaves the bracket, as it does for a minimum at ν1. Near the
-/// minimum the ν of the best reach errs by the square of the error of n. So the next one is above
-/// it by the square of its distance from the upper end, as long as this halves the bracket.
-/// Otherwise it is in the middle of the bracket.
+/// The next ν if Newton's method leaves the bracket, as it does for a minimum at ν1. Near the
+/// minimum, the error of the ν of the best SupportRatio is of the order of the square of the error
+/// of n. So the next ν is above that ν by the square of its distance from the upper end, as long as
+/// this halves the bracket. Otherwise the next ν is the middle of the bracket.
 template <class Search> PW85_FUNCTION inline auto next_in_bracket(Search &search) noexcept
 {
     using T = decltype(search.lower);

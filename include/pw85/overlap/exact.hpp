@@ -59,8 +59,8 @@ PW85_FUNCTION inline int sign_of_difference(Numbers<T, D> const &numbers, Limb *
 } // namespace exact
 
 /// Decides whether two ellipsoids overlap, for the numbers exactly as given. The result is never
-/// Decision::none. It uses a fixed array on the stack: 9 KiB for double, 1.3 KiB for float, 141 KiB
-/// for the long double of x86.
+/// Decision::none. The function uses a fixed array on the stack: 9 KiB for double, 1.2 KiB for
+/// float, 140 KiB for the long double of x86.
 template <class T, int D>
 requires exact::is_decidable<T> PW85_RARE Decision decide_exactly(Vector<T, D> const &r12,
                                                                   SymmetricMatrix<T, D> const &q1,

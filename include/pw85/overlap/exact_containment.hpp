@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Whether ellipsoid 2 is inside ellipsoid 1, decided in integers. containment.hpp calls
+/// Decides in integers whether ellipsoid 2 is inside ellipsoid 1. containment.hpp calls
 /// contains_exactly(). The integers are those of exact_numbers.hpp. scripts/containment_roots.py
 /// checks the criterion in rational numbers against 60 digits.
 ///

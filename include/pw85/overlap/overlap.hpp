@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The overlap test, and the ladder of its tiers. pw85.hpp, the C API, the headers for distances
-/// and the code for devices call it. Each tier decides for certain or not at all. Each tier is
-/// slower than the one before, and decides pairs that the tiers before it leave open:
+/// The overlap test. It consists of four methods, called tiers. Each tier either decides with
+/// certainty or not at all. Each tier is slower than the one before, and is used only for pairs
+/// that the tiers before it do not decide:
 ///
 /// 1. decide_by_points(): the sign of a quartic at two points, with bounds on the rounding errors
 ///    (quartic.hpp);
@@ -27,7 +27,7 @@ namespace pw85 {
 enum class OverlapTier { quartic, contact, exact, unknown };
 
 /// The decision about a pair, and the tier that made it. The decision is `none` in two cases: the
-/// status is not success, or the pair is so near to contact (|μ² - 1| of some u cond) that
+/// status is not success, or the pair is so near to contact (|μ² - 1| is at most a few u cond) that
 /// floating-point arithmetic cannot decide.
 struct OverlapDecision {
     Decision decision;

@@ -4,14 +4,15 @@
 /// file. It calls overlap.hpp for the answer, extended numbers for candidates, and integers for the
 /// proof (exact_witness.hpp).
 ///
-/// 1. f is concave. So if f(λ) > 1 for any number λ of the type, then also for one of the two
+/// 1. f is concave. So if f(λ) > 1 for any number λ of the type, then f > 1 also at one of the two
 ///    numbers next to the maximiser. The maximiser computed with extended numbers errs by far less
 ///    than half the spacing of numbers. The maximiser, rounded, and its two neighbours are tried.
 /// 2. The point x0 of the maximiser is as deep inside ellipsoid 1 as inside ellipsoid 2, relative
 ///    to the sizes of both. Near contact the intersection is a thin lens about x0 in the common
-///    tangent plane, and x0 may leave the lens when it is rounded. Then the points of a lattice
-///    about x0 are tried. One coordinate is computed from the others to bring the point nearest to
-///    the plane. Points within the thickness of the lens are tested in integers.
+///    tangent plane, and x0 may leave the lens when it is rounded. In that case the points of a
+///    lattice about x0 are tried. One coordinate is computed from the others, so that the point is
+///    as near as possible to the plane. Points within the thickness of the lens are tested in
+///    integers.
 #ifndef PW85_OVERLAP_WITNESS_HPP_INCLUDED
 #define PW85_OVERLAP_WITNESS_HPP_INCLUDED
 

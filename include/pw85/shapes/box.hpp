@@ -2,12 +2,12 @@
 /// @file
 /// The contact function of an ellipsoid and a box with sides along the axes.
 ///
-/// The nearest point of the box is on a face that faces the centre: otherwise the box would also
-/// have points between it and the centre. There are up to three such faces. On the face x_i = c,
-/// xᵀQ⁻¹x is c²/Q_ii plus a form in the other two coordinates, with the centre at
-/// Q_ij c/Q_ii and with Schur's complement of Q_ii in the place of Q. So the problem for a
-/// rectangle is left, with up to two edges that face its centre, and then that of an interval.
-/// Every term is a square, and the complements have the rounding errors of pivots
+/// The nearest point of the box is on a face that faces the centre; otherwise there would be points
+/// of the box between it and the centre. There are up to three such faces. On the face x_i = c,
+/// xᵀQ⁻¹x is c²/Q_ii plus the same function of the other two coordinates, with the centre at Q_ij
+/// c/Q_ii and with the Schur complement of Q_ii instead of Q. This is the problem for a rectangle,
+/// with up to two edges that face its centre. It leads in the same way to the problem for an
+/// interval. Every term is a square, and the errors of the complements are those of pivots
 /// (nearest_point.hpp).
 #ifndef PW85_SHAPES_BOX_HPP_INCLUDED
 #define PW85_SHAPES_BOX_HPP_INCLUDED
@@ -37,8 +37,8 @@ PW85_FUNCTION constexpr T clamped(T const &x, T const &lower, T const &upper) no
 /// Returns the index of the k-th coordinate other than i.
 PW85_FUNCTION constexpr int other_axis(int i, int k) noexcept { return k < i ? k : k + 1; }
 
-/// The problem that is left where coordinate i differs from that of the centre by `offset`. The
-/// reciprocal is that of Q_ii.
+/// The problem on the face on which coordinate i differs from that of the centre by `offset`.
+/// `reciprocal` is 1/Q_ii.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION constexpr BoxProblem<T, D - 1>
 problem_on_face(BoxProblem<T, D> const &box, int i, T const &offset, T const &reciprocal) noexcept
 {
@@ -69,7 +69,7 @@ choose(Mask const &mask, BoxMinimum<T, D> const &yes, BoxMinimum<T, D> const &no
     return {select(mask, yes.value, no.value), choose(mask, yes.point, no.point)};
 }
 
-/// The minimum of the box from that of a face, where coordinate i is x.
+/// The minimum of the box from the minimum on the face on which coordinate i is x.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, D>
 on_face(BoxMinimum<T, D - 1> const &rest, int i, T const &x, T const &offset,
         T const &reciprocal) noexcept
@@ -84,7 +84,7 @@ on_face(BoxMinimum<T, D - 1> const &rest, int i, T const &x, T const &offset,
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, D>
 minimum_in_box(BoxProblem<T, D> const &box) noexcept;
 
-/// The minimum on the face where coordinate i is x, which differs from that of the centre by
+/// The minimum on the face on which coordinate i is x, which differs from that of the centre by
 /// `offset`.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, D>
 minimum_on_face(BoxProblem<T, D> const &box, int i, T const &x, T const &offset) noexcept
@@ -103,8 +103,8 @@ minimum_in_box(BoxProblem<T, D> const &box) noexcept
     for (int i = 0; i < D; ++i) {
         T const x = clamped(box.center[i], box.lower[i], box.upper[i]), offset = x - box.center[i];
         auto const faces_center = !(offset == T(0));
-        // One of several lanes mostly needs the face, and the processor could not predict the
-        // branch.
+        // With several lanes, mostly at least one needs the face, and processors cannot predict
+        // such a branch.
         if (ScalarTraits<T>::lanes == 1 && !any_of(faces_center)) continue;
         auto const whole = minimum_on_face(box, i, x, offset);
         best = choose(faces_center && !(found && best.value <= whole.value), whole, best);
@@ -139,8 +139,8 @@ is_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper) noexcept
            lower[2] <= upper[2];
 }
 
-/// Returns whether a box is not around the centre, its distance and the form are of order one, and
-/// both are valid, tested with products only.
+/// Returns whether three conditions hold, tested with products only: the centre is not in the box;
+/// the distance of the box and the form are of order one; both are valid.
 template <class T> [[gnu::always_inline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 passes_fast_checks(Vector<T, 3> const &lower, Vector<T, 3> const &upper,
                    SymmetricMatrix<T, 3> const &q) noexcept

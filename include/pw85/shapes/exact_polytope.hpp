@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Whether a polytope overlaps an ellipsoid, and where the scaled ellipsoid touches it, decided in
-/// integers. overlap_polytope.hpp and polytope.hpp call these functions. A polytope that only
-/// touches the ellipsoid does not overlap it: the ellipsoid counts without its surface.
+/// Decides in integers whether a polytope overlaps an ellipsoid, and where the scaled ellipsoid
+/// touches it. overlap_polytope.hpp and polytope.hpp call these functions. A polytope that only
+/// touches the ellipsoid does not overlap it.
 ///
 /// A half-space is g·x >= d, with x relative to the centre c of the ellipsoid, and d = -offset -
-/// g·c. The search is that of polytope.hpp with exact signs. It ends where no half-space is
-/// violated, where the half-spaces have no common point, or, if only the overlap is wanted, where
-/// μ² of the touched planes is 1 or more. μ² increases from step to step, so no set of planes comes
-/// twice and the search ends. For touched planes 1 to K, M_ij = g_iᵀQg_j. For K = 3, C = g_1·(g_2 ×
-/// g_3) and w_i = g_j × g_k in cyclic order.
+/// g·c. The search is that of polytope.hpp with exact signs. It ends in three cases: no half-space
+/// is violated; the half-spaces have no common point; only the overlap is asked for, and μ² of the
+/// touched planes is 1 or more. μ² increases from step to step, so no set of planes occurs twice,
+/// and the search ends. For touched planes 1 to K, M_ij = g_iᵀQg_j. For K = 3, C = g_1·(g_2 × g_3)
+/// and w_i = g_j × g_k in cyclic order.
 ///
 /// All numbers whose signs decide are sums of products of the given numbers
 /// (sums_of_products.hpp).
@@ -36,7 +36,7 @@ template <class T> struct GivenPlanes {
     int size;
 };
 
-/// Question of a search: whether μ² < 1, or the value of μ².
+/// Question for a search: overlap, is μ² < 1? contact, what is μ²?
 enum class Question { overlap, contact };
 
 /// The form and the centre of the ellipsoid.
@@ -50,8 +50,8 @@ template <class T> struct GivenEllipsoid {
     }
 };
 
-// The functions times_...(e, x, ..., f) call f for the products of which x times a number is the
-// sum.
+// The functions times_...(e, x, ..., f) call f for each of the products whose sum is x times a
+// number. The comments name the number.
 
 /// d.
 template <class T, int N, class F>
@@ -153,7 +153,8 @@ template <class T> PW85_FUNCTION inline bool are_independent(GivenPlanes<T> cons
     return false;
 }
 
-/// The sign of λ_i: that of N_i, or for three planes of w_iᵀ adj(Q) p with p = Σ d_i w_i = C x.
+/// The sign of λ_i, which is the sign of N_i, or for three planes the sign of w_iᵀ adj(Q) p with p
+/// = Σ d_i w_i = C x.
 template <class T> PW85_FUNCTION inline int
 sign_of_multiplier(GivenEllipsoid<T> const &e, GivenPlanes<T> const &at, int i) noexcept
 {
@@ -209,8 +210,8 @@ PW85_FUNCTION inline bool reaches(GivenEllipsoid<T> const &e, GivenPlanes<T> con
            }) >= 0;
 }
 
-/// The numerator of coordinate j of the point where the planes are touched: that of Σ N_i Q g_i, or
-/// for three planes of p. The denominator is D or C.
+/// The numerator of coordinate j of the point where the planes are touched: coordinate j of Σ N_i Q
+/// g_i, or for three planes of p. The denominator is D or C.
 template <class T, int N, class F>
 PW85_FUNCTION inline void times_coordinate(GivenEllipsoid<T> const &e, Product<N> const &x,
                                            GivenPlanes<T> const &at, int j, F &&f) noexcept
@@ -224,10 +225,10 @@ PW85_FUNCTION inline void times_coordinate(GivenEllipsoid<T> const &e, Product<N
     }
 }
 
-/// Returns whether the point where the planes are touched violates a half-space h. If only the
-/// overlap is wanted, μ² of the planes is below 1. Then a half-space that has the whole ellipsoid,
-/// with d <= 0 and d² >= gᵀQg, is not violated. Otherwise it is if d_h D > Σ N_i M_ih, or for three
-/// planes if (d_h C - g_h·p) C > 0.
+/// Returns whether the point where the planes are touched violates a half-space h. The condition is
+/// d_h D > Σ N_i M_ih, or for three planes (d_h C - g_h·p) C > 0. If only the overlap is asked for,
+/// μ² of the planes is below 1. A half-space that contains the whole ellipsoid (d <= 0 and d² >=
+/// gᵀQg) is then not violated.
 template <class T> PW85_FUNCTION inline bool
 violates(GivenEllipsoid<T> const &e, GivenPlanes<T> const &at, GivenPlane<T> const &h) noexcept
 {
@@ -253,8 +254,8 @@ violates(GivenEllipsoid<T> const &e, GivenPlanes<T> const &at, GivenPlane<T> con
 }
 
 /// Returns whether the scaled ellipsoid first touches the intersection of `planes` and `others` at
-/// these planes. Then it touches all of `planes`, with positive multipliers. If μ² >= 1 and only
-/// the overlap is wanted, `others` do not matter.
+/// these planes. It then touches all of `planes`, with positive multipliers. If μ² >= 1 and only
+/// the overlap is asked for, `others` are not tested.
 template <class T> PW85_FUNCTION inline bool touches(GivenEllipsoid<T> const &e,
                                                      GivenPlanes<T> const &planes,
                                                      GivenPlanes<T> const &others) noexcept
@@ -268,7 +269,8 @@ template <class T> PW85_FUNCTION inline bool touches(GivenEllipsoid<T> const &e,
     return true;
 }
 
-/// The planes that are touched after a half-space is added; none if there is no common point.
+/// The planes that are touched after a half-space is added; no planes if the half-spaces have no
+/// common point.
 template <class T>
 PW85_FUNCTION inline GivenPlanes<T> touch_with(GivenEllipsoid<T> const &e,
                                                GivenPlanes<T> const &old,
@@ -304,8 +306,9 @@ PW85_FUNCTION inline GivenPlane<T> given_plane(T const *normal, T const &offset)
             to_binary_fraction(offset)};
 }
 
-/// The planes that are touched first. `none` is set if there are none because the polytope is empty
-/// or, if only the overlap is wanted, because μ² >= 1.
+/// Finds the planes that the scaled ellipsoid touches first. `none` becomes true if there are no
+/// such planes, because the polytope is empty or, if only the overlap is asked for, because μ² >=
+/// 1.
 template <class T>
 PW85_FUNCTION inline GivenPlanes<T> search_exactly(GivenEllipsoid<T> const &ellipsoid,
                                                    std::size_t n, T const *normals,

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Whether a convex set overlaps an ellipsoid with its centre at 0, decided in integers
-/// (integer_shapes.hpp). overlap_shapes.hpp calls these functions. A set that only touches the
-/// ellipsoid does not overlap it: the ellipsoid counts without its surface.
+/// Decides in integers (integer_shapes.hpp) whether a convex set overlaps an ellipsoid with its
+/// centre at 0. overlap_shapes.hpp calls these functions. A set that only touches the ellipsoid
+/// does not overlap it.
 ///
 /// 1. A point x overlaps if xᵀ adj(Q) x < det Q.
 /// 2. The nearest point of the line through a and b is between them if a·f < 0 < b·f with e = b - a
 ///    and f = adj(Q) e. Then the segment overlaps if mᵀQm < e·f with m = a × b (segment.hpp).
 ///    Otherwise the nearer end decides.
 /// 3. If no edge of a triangle overlaps, the ellipse in which its plane cuts the ellipsoid is
-///    inside the triangle or outside. Its centre has the weights (b × c)·Qn, (c × a)·Qn and (a ×
-///    b)·Qn, up to a positive factor, with n = (b - a) × (c - a). It exists if (a·(b × c))² < nᵀQn.
+///    either inside the triangle or outside it. With n = (b - a) × (c - a), the ellipse exists if
+///    (a·(b × c))² < nᵀQn. Its centre has the barycentric weights (b × c)·Qn, (c × a)·Qn and (a ×
+///    b)·Qn, up to a positive factor.
 /// 4. If no edge of a box overlaps, the same holds for its faces. The ellipse in the plane x_i = c
 ///    exists if c² < Q_ii, and its centre has the coordinates Q_ij c/Q_ii.
 #ifndef PW85_SHAPES_EXACT_SHAPES_HPP_INCLUDED
@@ -156,8 +157,8 @@ template <class T> PW85_FUNCTION constexpr int limbs_for_shapes() noexcept
     return 6 * f + maximum(point, maximum(line, plane));
 }
 
-/// Returns whether the centre of the ellipse in the plane x_i = c is in the box, and the plane
-/// overlaps (item 4).
+/// Returns whether the plane x_i = c cuts the ellipsoid, and the centre of the ellipse is in the
+/// box (item 4).
 template <class T>
 PW85_FUNCTION inline bool face_overlaps(Workspace space, ShapeNumbers<T, 2> const &numbers,
                                         WideForm const &q, int i, int side) noexcept
@@ -185,8 +186,9 @@ PW85_FUNCTION inline Corner<T> corner_of_box(ShapeNumbers<T, 2> const &numbers, 
 
 } // namespace exact
 
-/// Returns whether a segment or a triangle, or a box below, overlaps the ellipsoid, for the numbers
-/// exactly as given. The functions use a fixed array on the stack: 10 KiB for double.
+/// Returns whether a segment or a triangle overlaps the ellipsoid, for the numbers exactly as
+/// given; the function for a box follows. The functions use a fixed array on the stack: 10 KiB for
+/// double.
 template <class T, std::size_t N>
 requires exact::is_decidable<T> PW85_RARE bool
 overlaps_exactly(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q) noexcept

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Ellipses, segments and boxes in the plane, by the functions in space.
+/// Ellipses, segments and rectangles in two dimensions, computed by the functions for three
+/// dimensions.
 ///
-/// 1. Let Q' be Q with a third axis, across the plane, of the half-width α_z > 0. Then xᵀQ'⁻¹x =
-///    xᵀQ⁻¹x for each x in the plane.
+/// 1. Let Q' be Q with a third semi-axis α_z > 0 perpendicular to the plane. Then xᵀQ'⁻¹x = xᵀQ⁻¹x
+///    for each x in the plane.
 /// 2. A segment or a box of the plane is a segment or a flat box in space. So μ², the nearest
 ///    point, s = Q⁻¹x and the sum S of nearest_point.hpp are those of space, and s_z = 0.
 /// 3. Q' is positive definite where Q is, and its entries are numbers of T. So the decisions in
 ///    space, which are exact, are those of the plane.
 ///
-/// The square of α_z is the larger diagonal entry of Q: it needs no rounding, keeps the range of
-/// the entries, and makes the trace of Q'⁻¹ at most twice that of Q⁻¹.
+/// The square of α_z is the larger diagonal entry of Q. This number needs no rounding, does not
+/// extend the range of the entries, and makes the trace of Q'⁻¹ at most twice that of Q⁻¹.
 #ifndef PW85_SHAPES_IN_PLANE_HPP_INCLUDED
 #define PW85_SHAPES_IN_PLANE_HPP_INCLUDED
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Code that the shapes share: the result of a contact function, the point where it is
-/// reached, and the units in which it is computed. segment.hpp, triangle.hpp, box.hpp and
-/// polytope.hpp use this file.
+/// Code that all shapes share: the result of a contact function, the nearest point, and the units
+/// of the computation. segment.hpp, triangle.hpp, box.hpp and polytope.hpp use this file.
 ///
 /// An ellipsoid with its centre at 0, scaled about the centre by μ, first touches a convex set at
 /// the point x of the set where xᵀQ⁻¹x is least, and μ² is that value. Let s = Q⁻¹x. Then s is the
@@ -10,9 +9,10 @@
 /// face, s is orthogonal to the face, and Q alone gives μ² without Q⁻¹: on a plane n·x = d, s is a
 /// multiple of n, μ² = d²/(nᵀQn) and x = Qn d/(nᵀQn).
 ///
-/// A relative change of the entries of Q by ε changes μ² by at most ε Σ|s_i Q_ij s_j|, to first
-/// order, and one of the coordinates of the points v_k of which x = Σ w_k v_k is the mean by at
-/// most 2 ε Σ w_k |s_i v_ki|. S is the sum of the two.
+/// Let x = Σ w_k v_k be a weighted mean of points v_k of the set. To first order, relative changes
+/// of the entries of Q by ε change μ² by at most ε Σ|s_i Q_ij s_j|, and relative changes of the
+/// coordinates of the v_k by ε change μ² by at most 2 ε Σ w_k |s_i v_ki|. S is the sum of both
+/// terms over ε.
 #ifndef PW85_SHAPES_NEAREST_POINT_HPP_INCLUDED
 #define PW85_SHAPES_NEAREST_POINT_HPP_INCLUDED
 
@@ -40,7 +40,7 @@ template <class T> PW85_FUNCTION constexpr T sum_of(Vector<T, 3> const &x) noexc
     return x[0] + x[1] + x[2];
 }
 
-/// A multiple of s, if it is wanted; nothing otherwise.
+/// A multiple of s if `wanted` is true; empty otherwise.
 template <class T, int D, bool wanted> struct Normal {
     Vector<T, D> direction;
 };
@@ -50,7 +50,7 @@ template <class T, int D> struct Normal<T, D, false> {
     PW85_MEMBER constexpr explicit Normal(Vector<T, D> const &) noexcept {}
 };
 
-/// The least xᵀQ⁻¹x of a set, and where it is.
+/// The least xᵀQ⁻¹x of a set, and its point x.
 template <class T, bool with_normal> struct Nearest {
     using Mask = typename ScalarTraits<T>::Mask;
 
@@ -93,8 +93,8 @@ choose(Mask const &mask, Nearest<T, with_normal> const &yes,
 /// gives xᵀQ⁻¹x = (S_11 d z_0² + d z_1² + z_2²)/(p S_11 d).
 ///
 /// Rounding errors of the pivots of a positive definite matrix act like a relative change of the
-/// entries by some u, for any aspect ratio. Elimination without divisions has the errors of pivots,
-/// too. So each formula errs by some u S, to first order.
+/// entries by a few u, for any aspect ratio. This also holds for elimination without divisions. So
+/// the error of each formula is a few u S, to first order.
 template <class T> struct Elimination {
     T p, q01, q02, s11, s12;
     T weight0, weight1; ///< of z_0² and z_1²
@@ -140,8 +140,8 @@ PW85_FUNCTION constexpr T reach_of(Vector<T, 3> const (&points)[N]) noexcept
 }
 
 /// The square of the unit roundoff of T, divided by the unit roundoff of the results, times 2^bits.
-/// The widest types would need a smaller number than the function can make, but no answer depends
-/// on it: there are no more digits.
+/// For the widest types this number would be too small for the function. Their results do not
+/// depend on it, because no type with more digits follows.
 template <class T> PW85_FUNCTION constexpr T square_of_roundoff(int bits) noexcept
 {
     int const exponent = 2 * mantissa_digits<T>() - result_digits<T>() - bits;
@@ -153,7 +153,7 @@ template <class T> PW85_FUNCTION constexpr T square_of_roundoff(int bits) noexce
 ///
 /// Rounding errors of a point of the set are of the order of u R (reach_of()). If they move the
 /// point by the vector e, μ² changes to second order by eᵀQ⁻¹e <= |e|² tr Q⁻¹. S does not bound
-/// this term, which is the larger one if the set is long or the ellipsoid is thin.
+/// this term. It can exceed u S if the set is long or the ellipsoid is thin.
 template <class T> struct SecondOrder {
     T error, divisor;
 
@@ -220,7 +220,7 @@ PW85_FUNCTION inline Nearest<T, false> find_with_digits(Vector<T, 3> const (&poi
             found.certified};
 }
 
-/// Returns whether a segment has the centre. Numbers of type W represent products of two
+/// Returns whether the centre is on a segment. Numbers of type W represent products of two
 /// coordinates exactly.
 template <class W>
 PW85_FUNCTION inline bool has_center(Vector<W, 3> const &a, Vector<W, 3> const &b) noexcept
@@ -233,8 +233,8 @@ template <class W> PW85_FUNCTION inline bool has_center(Vector<W, 3> const (&end
     return has_center(ends[0], ends[1]);
 }
 
-/// Returns whether a triangle has the centre: on an edge, or in its plane with all three edges in
-/// the same sense about the centre.
+/// Returns whether the centre is in a triangle: on an edge, or in its plane with all three edges in
+/// the same sense of rotation about the centre.
 template <class W> PW85_FUNCTION inline bool has_center(Vector<W, 3> const (&vertices)[3]) noexcept
 {
     auto const &[a, b, c] = vertices;
@@ -251,7 +251,7 @@ PW85_RARE Nearest<T, false> find_finer(Vector<T, 3> const (&points)[N],
     return find_with_digits<Finer<T>>(points, q, find);
 }
 
-/// The contact by the numbers with the most digits. All are 0 if the set has the centre.
+/// The contact, computed with the most digits. All numbers are 0 if the centre is in the set.
 template <class T, std::size_t N, class Find>
 PW85_RARE ShapeContact<T, 3> contact_with_all_digits(Vector<T, 3> const (&points)[N],
                                                      SymmetricMatrix<T, 3> const &q,
@@ -264,8 +264,7 @@ PW85_RARE ShapeContact<T, 3> contact_with_all_digits(Vector<T, 3> const (&points
     return {found.mu2, found.point, StatusCode::success};
 }
 
-/// Finds the nearest point of a set of N points by the tiers above.
-/// A contact in the units of the caller, from that in units of the shape and of the ellipsoid.
+/// Converts a contact from the units of the shape and of the ellipsoid to those of the caller.
 template <class T> PW85_FUNCTION inline ShapeContact<T, 3>
 to_caller(T const &mu2, Vector<T, 3> const &point, Unit shape, Unit ellipsoid) noexcept
 {
@@ -273,9 +272,9 @@ to_caller(T const &mu2, Vector<T, 3> const &point, Unit shape, Unit ellipsoid) n
 }
 
 /// Computes a contact in units in which the points and the form are of order one. The scaling
-/// changes no bit of the results of contact_of(). The limit is wider than that of contact_of() in
-/// any units. Where digits are lost, numbers with twice the digits come first, then those with more
-/// digits and a wider range, where there are such numbers.
+/// changes no bit of the results of contact_of(). The limit is wider than that of contact_of(),
+/// whatever the units are. If digits are lost, the function tries numbers with twice the digits,
+/// and then numbers with more digits and a wider range if the type has them.
 template <class T, std::size_t N, class Find>
 [[gnu::noinline]] PW85_FUNCTION inline ShapeContact<T, 3>
 contact_points_scaled(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q,

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Whether a polytope overlaps an ellipsoid. Floating-point numbers decide first, with margins for
-/// their rounding errors. Integers decide the remaining cases (exact_polytope.hpp). The symbols are
-/// those of polytope.hpp.
+/// Tests whether a polytope overlaps an ellipsoid. Floating-point numbers decide first, with
+/// margins for their rounding errors. Integers decide the remaining cases (exact_polytope.hpp). The
+/// symbols are those of polytope.hpp.
 ///
-/// - They are apart or touch if Σ λ_k d_k >= √(sᵀQs), s = Σ λ_k g_k, for some λ >= 0: the
-///   multipliers of the touched planes are tried. The planes one by one come first: they decide
-///   most cases where many ellipsoids are culled.
+/// - They are apart or touch if Σ λ_k d_k >= √(sᵀQs), s = Σ λ_k g_k, for some λ >= 0. Single planes
+///   are tried first: they decide most cases if most ellipsoids are far from the polytope. The
+///   multipliers of the touched planes follow.
 /// - They overlap if a point x is in all half-spaces, and Q - x xᵀ is positive definite. The
-///   nearest point of a polytope whose planes are moved a little inwards is tried; rounding errors
-///   then leave it in the half-spaces.
+///   nearest point of a slightly smaller polytope is tried, whose planes are moved inwards; this
+///   point is in the half-spaces in spite of rounding errors.
 #ifndef PW85_SHAPES_OVERLAP_POLYTOPE_HPP_INCLUDED
 #define PW85_SHAPES_OVERLAP_POLYTOPE_HPP_INCLUDED
 
@@ -53,8 +53,9 @@ template <class T> PW85_FUNCTION inline bool shows_apart(SymmetricMatrix<T, 3> c
            T(T(T(1) - T(8) * u) * least) * least > T(quadratic_form(q, s) + T(48) * u * form);
 }
 
-/// The decision by the planes one by one, for numbers of ordinary sizes: a plane has the ellipsoid
-/// outside, or all have its centre inside. All planes are read, because one may be invalid.
+/// The decision by single planes, for numbers of ordinary sizes: the ellipsoid is outside one
+/// half-space, or its centre is inside all of them. All planes are read, because one may be
+/// invalid.
 template <class T>
 PW85_FUNCTION inline Decision decide_by_planes(Polytope<T> const &polytope) noexcept
 {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Whether a convex set overlaps an ellipsoid with its centre at 0: a segment, a triangle, a box.
-/// Floating-point numbers decide first, with margins for their rounding errors. Integers decide the
-/// remaining cases (exact_shapes.hpp).
+/// Tests whether a convex set, which is a segment, a triangle or a box, overlaps an ellipsoid with
+/// its centre at 0. Floating-point numbers decide first, with margins for their rounding errors.
+/// Integers decide the remaining cases (exact_shapes.hpp).
 ///
 /// - They are apart or touch if s·y >= √(sᵀQs) for some s and every point y of the set. The normal
 ///   at the nearest point is tried.
 /// - They overlap if Q - x xᵀ is positive definite for some point x of the set, because then xᵀQ⁻¹x
 ///   < 1. The nearest point is tried.
 ///
-/// These proofs hold also where the nearest point is not accurate. So edges are tried with
-/// their first t (segment.hpp), and only then with the second one.
+/// These proofs are valid even if the nearest point is not accurate. So edges are tried with the
+/// first t of segment.hpp, and with the second t only if the first one decides nothing.
 #ifndef PW85_SHAPES_OVERLAP_SHAPES_HPP_INCLUDED
 #define PW85_SHAPES_OVERLAP_SHAPES_HPP_INCLUDED
 
@@ -43,7 +43,8 @@ template <class T, int N> struct Hull {
         return least;
     }
 
-    /// Magnitudes of the coordinates of which s·y and the nearest point are computed.
+    /// Returns bounds on the magnitudes of the coordinates from which s·y and the nearest point are
+    /// computed.
     PW85_MEMBER Vector<T, 3> magnitudes(Vector<T, 3> const &) const noexcept
     {
         Vector<T, 3> m{};
@@ -188,7 +189,7 @@ shows_overlap(SymmetricMatrix<T, 3> k, Vector<T, 3> const &x, Vector<T, 3> const
     return is_clearly_definite(k);
 }
 
-/// Proofs by a point that is nearest, or nearly so.
+/// Proofs by a point that is at least nearly the nearest one.
 template <class T> struct ShapeCertainty {
     typename ScalarTraits<T>::Mask apart, overlap;
 };
@@ -220,8 +221,8 @@ PW85_FUNCTION inline Decision decide(Shape const &shape, SymmetricMatrix<T, 3> c
 }
 
 /// The decision by floating-point numbers in the unit in which the largest diagonal entry of the
-/// form is in [1, 4). It does not leave its temporary numbers on the stack while the integers
-/// decide.
+/// form is in [1, 4). Not inlined, so that its temporary numbers are not on the stack while
+/// integers decide.
 template <class T, class Shape> [[gnu::noinline]] PW85_FUNCTION inline Decision
 decide_scaled(Shape const &shape, SymmetricMatrix<T, 3> const &q) noexcept
 {

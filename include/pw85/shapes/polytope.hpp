@@ -12,9 +12,9 @@
 /// Rounding errors of x are some u r, r = Σ λ_k |Q| |g_k|, and r can be the square of the aspect
 /// ratio times |x|. So the result of the search counts only if its point is in all half-spaces up
 /// to 32 u (max|g_i| Σ|x_i| + m), and if the bound on the error of μ² is below 2^-10 μ². A point
-/// outside is moved onto the touched planes first. Such a point x = QGλ with λ > 0 is exactly where
-/// the scaled ellipsoid touches the polytope whose planes are moved by no more than that. All other
-/// polytopes, and all that seem empty, are decided in integers (exact_polytope.hpp).
+/// outside is moved onto the touched planes first. Such a point x = QGλ with λ > 0 is the exact
+/// result for a polytope whose planes are moved by no more than this bound. Integers decide all
+/// other polytopes, and all that seem empty (exact_polytope.hpp).
 #ifndef PW85_SHAPES_POLYTOPE_HPP_INCLUDED
 #define PW85_SHAPES_POLYTOPE_HPP_INCLUDED
 
@@ -66,8 +66,8 @@ template <class T> struct Polytope {
     }
 };
 
-/// Returns the distance of a half-space from a point, less rounding errors, in units of the
-/// half-width √(gᵀQg) of the ellipsoid; negative if it has the point.
+/// Returns the distance from a point to a half-space minus a bound on rounding errors, in units of
+/// the half-width √(gᵀQg) of the ellipsoid; negative if the point is in the half-space.
 ///
 /// The coordinates of x err by some u r, r = Σ λ_k |Q| |g_k|. So a violation of g·x >= d is no
 /// larger than rounding errors if it is below 8 u (|g|·r + m), where m = |offset| + |g|·|c| bounds
@@ -149,16 +149,16 @@ touch(SymmetricMatrix<T, 3> const &q, HalfSpace<T> const *const (&planes)[std::s
     return touched;
 }
 
-/// The better one of two sets of planes: that of the larger μ².
+/// The set of planes with the larger μ².
 template <class T>
 PW85_FUNCTION inline void improve(TouchedPlanes<T> &best, TouchedPlanes<T> const &other) noexcept
 {
     if (other.size > 0 && !(best.size > 0 && best.mu2 >= other.mu2)) best = other;
 }
 
-/// The planes that are touched after a half-space is added: of the subsets of the old planes with
-/// the new one, that with positive multipliers and the largest μ² has the nearest point for all of
-/// them.
+/// The planes that are touched after a half-space is added. Of all subsets of the old planes with
+/// the new one, the one with positive multipliers and the largest μ² gives the nearest point for
+/// all of these planes.
 template <class T>
 PW85_FUNCTION inline TouchedPlanes<T> touch_with(SymmetricMatrix<T, 3> const &q,
                                                  TouchedPlanes<T> const &old,
@@ -175,8 +175,7 @@ PW85_FUNCTION inline TouchedPlanes<T> touch_with(SymmetricMatrix<T, 3> const &q,
 }
 
 /// Returns whether the planes that were found are touched at a point in the old half-spaces. If
-/// not, no subset has a point in the at most four half-spaces. Then they have no common point, and
-/// the polytope is empty.
+/// not, the up to four half-spaces have no common point, and the polytope is empty.
 template <class T> PW85_FUNCTION inline bool satisfies(TouchedPlanes<T> const &found,
                                                        TouchedPlanes<T> const &old) noexcept
 {
@@ -212,9 +211,9 @@ template <class T> struct PolytopeSearch {
     End end;
 };
 
-/// The search in the units of the polytope. It ends early where μ² is larger than `limit`. It
-/// begins with x = 0 and adds the half-space that x violates most. μ² increases from step to step,
-/// so no set of planes comes twice.
+/// The search in the units of the polytope. The search ends early if μ² exceeds `limit`. It begins
+/// with x = 0, and adds in each step the half-space that x violates most. μ² increases from step to
+/// step, so no set of planes comes twice.
 ///
 /// To first order, a violation that counts as rounding changes μ² by 2 λ times as much. With up to
 /// three multipliers, and the errors of their equations, μ² errs by less than 32 u Σ λ_k (|g_k|·r +
@@ -256,8 +255,8 @@ PW85_FUNCTION inline Vector<T, 3> moved_onto_planes(TouchedPlanes<T> const &at) 
                         : moved_onto<1>({&planes[0]}, at.point);
 }
 
-/// Returns whether a point is in all half-spaces up to 32 u (max|g_i| Σ|x_i| + m). The difference d
-/// - g·x is computed with an error of 8 u of that.
+/// Returns whether a point is in all half-spaces up to 32 u (max|g_i| Σ|x_i| + m). The error of the
+/// computed difference d - g·x is at most 8 u times the sum in parentheses.
 template <class T>
 PW85_FUNCTION inline bool has_point(Polytope<T> const &polytope, Vector<T, 3> const &x) noexcept
 {
@@ -270,8 +269,8 @@ PW85_FUNCTION inline bool has_point(Polytope<T> const &polytope, Vector<T, 3> co
     return true;
 }
 
-/// Returns whether the bound on the error of μ² is below 2^-10 μ², as terms of second order then
-/// are.
+/// Returns whether the bound on the error of μ² is below 2^-10 μ². Terms of second order are then
+/// negligible.
 template <class T> PW85_FUNCTION inline bool is_accurate(TouchedPlanes<T> const &at) noexcept
 {
     T sum = T(0);
@@ -281,7 +280,7 @@ template <class T> PW85_FUNCTION inline bool is_accurate(TouchedPlanes<T> const 
     return T(T(32) * T(unit_roundoff<T>())) * sum <= negative_power_of_two<T>(10) * at.mu2;
 }
 
-/// Returns whether the result of a search counts. Its point is moved if need be.
+/// Returns whether the result of a search is accepted, after its point is moved if necessary.
 ///
 /// The search has left no violation above 8 u (|g|·r + m). If the sum of r is at most three times
 /// that of |x|, this is within the bound of has_point(), with the errors of its own.

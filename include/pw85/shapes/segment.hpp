@@ -5,9 +5,9 @@
 ///
 /// The segment is a + t e, 0 <= t <= 1, with e = b - a. Its nearest point is at t =
 /// -a·Q⁻¹e/(e·Q⁻¹e), or at the nearer end, and the pivots of Q (Elimination) give μ² there. μ² is
-/// least at this point: an error of t changes μ² only to second order. Rounding errors of the
-/// products of needles and discs may be that large. So t is computed twice: from the nearer end,
-/// and again from the point that the first t gives.
+/// least at this point: an error of t changes μ² only to second order. For needles and discs,
+/// rounding errors of t may be so large that this change matters. So t is computed twice: from the
+/// nearer end, and again from the point that the first t gives.
 #ifndef PW85_SHAPES_SEGMENT_HPP_INCLUDED
 #define PW85_SHAPES_SEGMENT_HPP_INCLUDED
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Sums of products of up to ten given numbers, and their signs, by integers. exact_polytope.hpp
-/// decides by them. Each product is added to one wide sum; the memory is small for any exponents.
+/// Sums of products of up to ten given numbers, and their signs, computed in integers.
+/// exact_polytope.hpp uses these signs. Each product is added to one wide sum, so the memory is
+/// small for all exponents.
 #ifndef PW85_SHAPES_SUMS_OF_PRODUCTS_HPP_INCLUDED
 #define PW85_SHAPES_SUMS_OF_PRODUCTS_HPP_INCLUDED
 

@@ -7,8 +7,8 @@
 /// the nearest point is on an edge whose line separates x from the triangle. There are one or two
 /// such edges. If n has lost digits, as in a triangle without area, all three edges are tried.
 ///
-/// n·v is the same for the three vertices v. Its mean with the weights of x errs by u times the
-/// weighted magnitudes of the vertices.
+/// n·v is equal for the three vertices v. Its mean with the weights of x has an error of u times
+/// the weighted magnitudes of the vertices.
 #ifndef PW85_SHAPES_TRIANGLE_HPP_INCLUDED
 #define PW85_SHAPES_TRIANGLE_HPP_INCLUDED
 
@@ -38,9 +38,9 @@ PW85_FUNCTION constexpr SecondOrder<T> errors_of_weights(SymmetricMatrix<T, 3> c
     return second_order(q, T(size * size), nn);
 }
 
-/// The square of how many times smaller the normal of a triangle may be than the terms of its
-/// coordinates. The error of the normal is larger by this factor, which is 8 for a type without
-/// guard digits.
+/// The square of the largest allowed ratio between the terms of the coordinates of the normal of a
+/// triangle and the normal itself. Cancellation increases the relative error of the normal by this
+/// ratio, which is 8 for a type without guard digits.
 template <class T> PW85_FUNCTION constexpr T square_of_largest_cancellation() noexcept
 {
     return T(64) / negative_power_of_two<T>(2 * (mantissa_digits<T>() - result_digits<T>()));
@@ -89,10 +89,10 @@ template <class T> struct Ends {
 
 /// The edge that has the nearest point, if the nearest point of the plane is not in the triangle.
 /// The vertex m with the largest weight is one of its ends; let i and j be the others. If the
-/// weight of i is not negative, the plane's point is beyond the edge from m to i only. If both
-/// weights are negative, it is beyond both edges of m. Then m·Q⁻¹e < 0 holds for at most one of the
-/// edges e that begin at m, by Cauchy's inequality, and that edge has the nearest point; if it
-/// holds for none, m is the nearest point.
+/// weight of i is not negative, the nearest point of the plane is beyond the edge from m to i only.
+/// If the weights of i and j are both negative, this point is beyond both edges of m. Then m·Q⁻¹e <
+/// 0 holds for at most one of the edges e that begin at m, by Cauchy's inequality, and that edge
+/// has the nearest point; if it holds for none, m is the nearest point.
 template <class T> [[gnu::always_inline]] PW85_FUNCTION constexpr Ends<T>
 nearest_edge(Vector<T, 3> const (&vertices)[3], Vector<T, 3> const &weights,
              Elimination<T> const &form) noexcept
@@ -128,12 +128,12 @@ nearest_of_edges(Vector<T, 3> const (&vertices)[3], Elimination<T> const &form) 
 /// Returns whether the digits of T suffice for a triangle whose normal is not accurate and whose
 /// nearest point is on an edge, with this μ². There are two reasons:
 ///
-/// - The place of the point of the plane is known, up to the errors of its weights. The normal
-///   matters only for this, so the square of its relative error may be u. Its coordinates err by 4
-///   u times their terms.
-/// - The triangle is so thin that its inside is no nearer than its edges. The height above the
-///   longer one of two edges is |n|/|e|. The error of |n| is at most 5 u |e1| |e2|, so the true n²
-///   is at most 2 n² + 50 u² (|e1| |e2|)².
+/// - It is known, up to the errors of the weights, on which side of each edge the nearest point of
+///   the plane is. The normal is used only for this, so the square of its relative error may be as
+///   large as u. Its coordinates err by 4 u times their terms.
+/// - The triangle is so thin that no point inside is nearer than the edges, up to rounding. The
+///   height above the longer one of two edges is |n|/|e|. The error of |n| is at most 5 u |e1|
+///   |e2|, so the true n² is at most 2 n² + 50 u² (|e1| |e2|)².
 ///
 /// The function is not inlined: compilers would keep numbers in memory for it.
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
@@ -153,8 +153,8 @@ edges_suffice(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> const &q,
            (thin && second_order(q, T(reach * reach), T(1)).is_small(mu2));
 }
 
-/// The nearest point of a triangle. Proofs, which use the normal, need not know whether the digits
-/// suffice.
+/// The nearest point of a triangle. For proofs (overlap_shapes.hpp) it does not matter whether the
+/// digits suffice.
 template <bool with_normal, bool refined, class T>
 [[gnu::always_inline]] PW85_FUNCTION constexpr Nearest<T, with_normal>
 nearest_on_triangle(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> const &q) noexcept

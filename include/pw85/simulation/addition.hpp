@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Values of random sequential addition, for C++: how far it is, and why it ends. Their contracts
+/// Values of random sequential addition, for C++: its progress, and why it ends. Their contracts
 /// are those of pw85_simulation_addition.h.
 #ifndef PW85_SIMULATION_ADDITION_HPP_INCLUDED
 #define PW85_SIMULATION_ADDITION_HPP_INCLUDED
@@ -11,7 +11,7 @@
 
 namespace pw85 {
 
-/// Why an addition ends: see pw85_random_addition_advance().
+/// The reason why an addition ends: see pw85_random_addition_advance().
 enum class AdditionEnd {
     none = PW85_ADDITION_CONTINUES,
     saturated = PW85_ADDITION_SATURATED,
@@ -19,7 +19,7 @@ enum class AdditionEnd {
     particles = PW85_ADDITION_PARTICLES
 };
 
-/// How far an addition is: see pw85_random_addition_state().
+/// The progress of an addition: see pw85_random_addition_state().
 struct AdditionState {
     std::size_t num_particles;
     double attempts, free_share;

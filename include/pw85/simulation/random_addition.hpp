@@ -44,7 +44,7 @@ class RandomAddition {
 
     // Made by api/committed.py: members of pw85_random_addition
     // clang-format off
-    /// Returns how far an addition is: see pw85_random_addition_state().
+    /// Returns the progress of an addition: see pw85_random_addition_state().
     [[gnu::always_inline]] AdditionState state() const noexcept
     {
         AdditionState found{};
@@ -85,9 +85,9 @@ class RandomAddition {
 ///
 /// @param dimensions 2 or 3
 /// @param cell vectors of the cell as rows, all of them periodic, in two dimensions the first two.
-/// Opposite faces must be farther apart than the longest diameter of a particle, by a part of 10⁻⁹
-/// of it, and no coordinate may be larger than 2²⁵⁰ times the longest semi-axis. In two dimensions
-/// x and y of the third vector and z of the others must be 0
+/// Opposite faces must be farther apart than 1 + 10⁻⁹ times the longest diameter of a particle. No
+/// coordinate may be larger than 2²⁵⁰ times the longest semi-axis. In two dimensions x and y of the
+/// third vector and z of the others must be 0
 /// @param semi_axes one for each kind: none shorter than 2⁻⁴⁸⁰ times the longest one; in two
 /// dimensions the function does not use the third; > 0
 /// @param seed selects the random numbers

@@ -12,7 +12,7 @@
 
 namespace pw85 {
 
-/// Change of the cell by a trial of the volume: see pw85_hard_ellipsoids_volume_moves().
+/// Type of the change of the cell in a volume move: see pw85_hard_ellipsoids_volume_moves().
 enum class CellChange {
     isotropic = PW85_CHANGE_ISOTROPIC,
     axis = PW85_CHANGE_AXIS,
@@ -25,13 +25,13 @@ struct TrialSteps {
     double translation, rotation, volume;
 };
 
-/// The parts of the trials of a sweep: see pw85_hard_ellipsoids_set_fractions().
+/// The fractions of the types of trials in a sweep: see pw85_hard_ellipsoids_set_fractions().
 struct TrialFractions {
     double translation, rotation, both, exchange;
 };
 
-/// Numbers of trials, and how many of them were accepted: translations, rotations, both at once,
-/// exchanges, volume.
+/// Numbers of trials, and numbers of accepted trials: translations, rotations, both at once,
+/// exchanges, volume moves.
 struct TrialCounts {
     std::array<std::int64_t, 5> trials, accepted;
 };

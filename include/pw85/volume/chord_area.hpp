@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The area of the common part of two ellipses by one or two chords: the fast way, without a
-/// branch on data, for numbers and for packs of lanes. overlap_volume.hpp takes it where it is
-/// accurate for certain, and crossings (section.hpp) elsewhere. src/simd/lanes/two_dimensions.hpp
-/// computes many rows.
+/// The area of the intersection of two ellipses by one or two chords. This is the fast method,
+/// without a branch on data, for numbers and for packs of numbers (SIMD). overlap_volume.hpp uses
+/// it where its accuracy is certain, and crossings (section.hpp) elsewhere.
+/// src/simd/lanes/two_dimensions.hpp computes many rows.
 ///
-/// The chords are on lines through the crossings, of which chord_axis.hpp has the axis. No rounding
-/// error of the axis needs a bound of its own: see is_close().
+/// The chords are on lines through the crossings; chord_axis.hpp computes the axis of these lines.
+/// Rounding errors of the axis need no separate bound: see is_close().
 #ifndef PW85_VOLUME_CHORD_AREA_HPP_INCLUDED
 #define PW85_VOLUME_CHORD_AREA_HPP_INCLUDED
 
@@ -18,8 +18,8 @@
 
 namespace pw85::detail {
 
-/// xy less its rounded value `product` (T. J. Dekker). Each step is exact: a pack gives the bits of
-/// a number.
+/// xy minus its rounded value `product` (T. J. Dekker, Numer. Math. 18, 224, 1971). Each step is
+/// exact, so the results for packs and for numbers are bitwise equal.
 template <class T>
 PW85_FUNCTION inline T product_error(T const &x, T const &y, T const &product) noexcept
 {
@@ -31,18 +31,19 @@ PW85_FUNCTION inline T product_error(T const &x, T const &y, T const &product) n
 /// A direction x = L⁻ᵀn in space: xᵀQx of both forms, x·r, and bounds on their errors, which are
 /// those of shows_outside().
 ///
-/// The line x·p = d counts, with x as computed: its distances from both centres in the metrics are
-/// d/√(xᵀQ1x) and (d - x·r)/√(xᵀQ2x). No error of c and G, which may be huge compared with the
-/// bodies, moves it. With s and v of the manual (docs/overlap_volume.rst), a chord 2s', and M² =
-/// (Σ|x_i|√q_ii)², the share of s of a form is at least s'M²/W with W² = xᵀQx for a flat arc.
+/// The line x·p = d is defined by x as computed, with its rounding errors. Its distances from both
+/// centres in the metrics are d/√(xᵀQ1x) and (d - x·r)/√(xᵀQ2x). Errors of c and G, which may be
+/// huge compared with the bodies, do not move the line. With s and v of the manual
+/// (docs/overlap_volume.rst), a chord 2s', and M² = (Σ|x_i|√q_ii)², the share of s of a form is at
+/// least s'M²/W with W² = xᵀQx for a flat arc.
 ///
 /// - A form errs by 4uM². Its chord moves by 2uM²/W, and the area changes by 4us.
-/// - The root, the difference and the quotient are three roundings of a distance of at most W: 6us.
-///   x·r is computed with twice the digits.
-/// - Of the areas of the segments, the factors are those of forms that differ by at most
-///   3u√(q_ii q_jj): 3us. All other roundings are some 10u of segments that are below v.
+/// - The square root, the difference and the quotient are three roundings of a distance of at most
+///   W: 6us. x·r is computed with twice the digits.
+/// - The areas of the segments use factors of forms whose entries differ by at most 3u√(q_ii q_jj):
+///   3us. All other roundings are about 10u times segments, which are below v.
 ///
-/// So 13us of 16us and 10uv of 64uv are taken.
+/// The sum is 13us + 10uv. The bound on the error is 16us + 64uv.
 template <class T> struct Supports {
     T ball, other, offset, offset_rest; ///< x·r is the sum of two numbers
     T ball_error, other_error, offset_error;
@@ -78,8 +79,9 @@ template <class T> PW85_FUNCTION inline Supports<T> supports(CirclePair<T> const
             T(product * T(absolute(a) + absolute(b)))};
 }
 
-/// A chord with what is beyond it: the circle's segment, which n points to, is not in the other
-/// body, and the other body's segment is in the circle.
+/// A chord that both bodies share, and the segments beyond it, on the side to which n points. There
+/// the segment of the circle is outside the other body, and the segment of the other body is inside
+/// the circle.
 ///
 /// The line of ζ has the unit normal n = (κζ e + hℓ)/R and the distance d = ζ/R, and half of its
 /// chord is s = h√(1 - ζ²)/R, where R² = κ²ζ² + h². Nothing cancels, however short the chord.
@@ -117,7 +119,8 @@ shared_chord(CirclePair<T> const &p, ChordAxis<T> const &axis, T const &zeta,
     c.sine = square_root(T(T(T(1) - c.cosine) * T(T(1) + c.cosine)));
     Vector<T, 2> const image{T(p.g00 * c.normal[0]) + T(p.g10 * c.normal[1]),
                              T(p.g11 * c.normal[1])};
-    // the other body's chord on the line, relative to the foot of 0
+    // the chord of the other body on the line, relative to the point of the line that is nearest to
+    // 0
     Vector<T, 2> const m{T(image[0] * inverse_width), T(image[1] * inverse_width)},
         top{T(p.g00 * m[0]), T(p.g10 * m[0]) + T(p.g11 * m[1])};
     T const shift = rounded_dot(c.along, top), reach = T(T(p.g00 * p.g11) * inverse_width);
@@ -134,12 +137,11 @@ shared_chord(CirclePair<T> const &p, ChordAxis<T> const &axis, T const &zeta,
 }
 
 /// Tests whether each triangle of a chord is below u/4 of the area, and so small compared with both
-/// segments that the formula below gives its area. `area` is in units of the area of the circle
-/// over π.
+/// segments that the formula below is valid. `area` is in units of the area of the circle over π.
 ///
 /// Both segments of a chord have the same line, so the area is stationary with respect to it: if
-/// the ends of the two chords on the line differ by ε, the area errs by a triangle of the area
-/// ½ε²/|ρ|, where ρ is the derivative of ε by a shift of the line.
+/// the ends of the two chords on the line differ by ε, the error of the area is a triangle of area
+/// ½ε²/|ρ|, where ρ is the derivative of ε with respect to a shift of the line.
 template <class T> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 is_close(SharedChord<T> const &c, T const &area) noexcept
 {
@@ -175,7 +177,7 @@ template <class T> PW85_FUNCTION inline T segment_function(T const &y) noexcept
 }
 
 /// The area α - sin α cos α of a segment of the unit circle. With t = tan(α/2) and y = t² it is t³
-/// H(y)/(1 + y)², and 1 + y = 2/(1 + cos α). For α > π/2 it is π less that of π - α.
+/// H(y)/(1 + y)², and 1 + y = 2/(1 + cos α). For α > π/2 it is π minus the area for π - α.
 template <class T> PW85_FUNCTION inline T unit_segment(T const &sine, T const &cosine) noexcept
 {
     T const c = absolute(cosine), t = sine / T(T(1) + c);
@@ -183,8 +185,9 @@ template <class T> PW85_FUNCTION inline T unit_segment(T const &sine, T const &c
     return select(cosine < T(0), T(circle_constant<T>() - acute), acute);
 }
 
-/// Tests by the supports in two directions whether certainly neither body is inside the other one.
-/// The supports are in units of the bodies: underflow is negligible beside the other errors.
+/// Tests by the supports in two directions whether it is certain that neither body is inside the
+/// other one. The supports are in units of the bodies, so underflow is negligible compared with the
+/// other errors.
 template <class T> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 neither_inside(Supports<T> const &a, Supports<T> const &b) noexcept
 {
@@ -195,14 +198,15 @@ neither_inside(Supports<T> const &a, Supports<T> const &b) noexcept
                    lower(absolute(b.offset), b.offset_error));
 }
 
-/// The area, and whether it is certain that it is within the bound and that there is a crossing.
+/// The area, and a flag: true if it is certain that the error of the area is within its bound and
+/// that the ellipses cross.
 template <class T> struct ChordArea {
     T area;
     typename ScalarTraits<T>::Mask certain;
 };
 
-/// The square of the smallest half of the axis in the circle. Where the ellipses nearly touch from
-/// inside, crossings (section.hpp) are taken.
+/// Smallest h² for which chords are used, with half the length h of the axis inside the circle.
+/// Ellipses that nearly touch from inside have a smaller one: section.hpp computes them.
 inline constexpr double smallest_square_of_axis = 0x1p-6;
 
 /// A direction across the chord between the ends of two chords, for neither_inside().
@@ -224,9 +228,9 @@ template <class T> struct CommonChords {
     typename ScalarTraits<T>::Mask two, certain;
 };
 
-/// The circle, less its segments beyond the chords, and the segments of the other body beyond them.
-/// With one chord, the first two are the segment on the other side. For a pair that overlaps and
-/// passes the fast checks.
+/// Computes the area of the intersection: the circle without its segments beyond the chords, plus
+/// the segments of the other body beyond them. With one chord, the circle without its segment is
+/// the segment on the other side. The pair must overlap and pass the fast checks.
 template <class T>
 PW85_FUNCTION inline CommonChords<T> common_chords(CirclePair<T> const &p) noexcept
 {

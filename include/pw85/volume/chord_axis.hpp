@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The axis of the chords of two ellipses: the polar line of the point where their lines meet.
-/// chord_area.hpp computes the area of the common part from it. The functions have no branch on
-/// data. They take numbers and packs of lanes.
+/// The axis of the chords of two ellipses: the polar line of the point at which the lines of the
+/// chords intersect. chord_area.hpp computes the area of the intersection of the ellipses from it.
+/// The functions have no branch on data, and take numbers or packs of numbers (SIMD).
 ///
 /// A joint linear map makes the smaller ellipse the unit circle about 0. The other one is c + G z
 /// with |z| <= 1. With homogeneous coordinates the bodies are B(X, X) <= 0 with B = diag(1, 1, -1)
-/// and A(X, X) <= 0, as in rim_axis.hpp. Where A - tB is singular it is a pair of lines through the
-/// crossings, which have the chords.
+/// and A(X, X) <= 0, as in rim_axis.hpp. Where A - tB is singular, it describes a pair of lines
+/// through the crossings. The chords are on these lines.
 #ifndef PW85_VOLUME_CHORD_AXIS_HPP_INCLUDED
 #define PW85_VOLUME_CHORD_AXIS_HPP_INCLUDED
 
@@ -16,16 +16,16 @@
 
 namespace pw85::detail {
 
-/// x·y with each product rounded. So a pack, which fuses a product and a sum elsewhere, gives the
-/// bits of a number.
+/// x·y with each product rounded. Elsewhere packs fuse a product and a sum; here the results for
+/// packs and for numbers are bitwise equal.
 template <class T>
 PW85_FUNCTION inline T rounded_dot(Vector<T, 2> const &x, Vector<T, 2> const &y) noexcept
 {
     return T(x[0] * y[0]) + T(x[1] * y[1]);
 }
 
-/// A pair of ellipses with the smaller one as the unit circle, and what leads back. The factors of
-/// Cholesky give a lower triangular G, which needs no principal axes.
+/// A pair of ellipses with the smaller one as the unit circle, and the map back to the given pair.
+/// Cholesky factors give a lower triangular G, so no principal axes are needed.
 template <class T> struct CirclePair {
     Vector<T, 2> center;             ///< c
     T g00, g10, g11;                 ///< G

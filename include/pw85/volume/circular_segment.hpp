@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The area of a segment of a circle, which is what a chord cuts off. section.hpp calls
+/// The area of a segment of a circle: the part that a chord cuts off. section.hpp calls
 /// circular_segment(), for the arcs of both ellipses: an affine map takes an arc of an ellipse to
 /// an arc of a circle.
 ///
@@ -11,8 +11,8 @@
 /// 2. p(α) = 2 p(α/2) + 2 w sin α with w = sin²(α/2): the triangle of the chord and the middle of
 ///    the arc, and a segment on each of its other sides.
 ///
-/// All terms are positive. So the result has full relative accuracy for arcs of any length, from a
-/// lens as thin as can be to a whole circle.
+/// All terms are positive, so the relative error is a few u for arcs of any length, from the
+/// thinnest lens to a whole circle.
 #ifndef PW85_VOLUME_CIRCULAR_SEGMENT_HPP_INCLUDED
 #define PW85_VOLUME_CIRCULAR_SEGMENT_HPP_INCLUDED
 
@@ -41,7 +41,7 @@ template <class T> PW85_FUNCTION constexpr T largest_square_of_series() noexcept
     return negative_power_of_two<T>(4);
 }
 
-/// The coefficients C(2n, n)/4ⁿ/(2n + 3) from n = 1 on, as many as the series needs.
+/// The coefficients C(2n, n)/4ⁿ/(2n + 3) for n = 1, 2, …: as many terms as the digits of T require.
 template <class T> struct SegmentSeries {
     static constexpr int terms = mantissa_digits<T>() / 4 + 1;
     T coefficients[std::size_t(terms)];
@@ -58,7 +58,8 @@ template <class T> PW85_FUNCTION constexpr SegmentSeries<T> segment_series() noe
     return series;
 }
 
-/// The even and the odd powers are summed side by side, because each sum is a chain.
+/// Sums even and odd powers separately: two short chains of dependent operations are faster than a
+/// long one.
 template <class T>
 PW85_FUNCTION inline T sum_of_series(SegmentSeries<T> const &series, T const &x) noexcept
 {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Derivatives of the common volume or area of a pair, from those in the joint frame.
-/// frame_derivatives() of overlap_volume_derivatives.hpp and overlap_area_derivatives.hpp computes
-/// those in the joint frame.
+/// Derivatives of the volume or area of the intersection of a pair, from the derivatives in the
+/// joint frame, which frame_derivatives() of overlap_volume_derivatives.hpp and
+/// overlap_area_derivatives.hpp computes.
 ///
-/// 1. The frame is that of the map L·turn. So ∂V/∂r12 is L⁻ᵀ·turn times the derivative with respect
-///    to the centre, and ∂V/∂Q is (L⁻ᵀ·turn) G (L⁻ᵀ·turn)ᵀ, both times the determinant.
+/// 1. The map L·turn takes the joint frame to space. So ∂V/∂r12 is L⁻ᵀ·turn times the derivative
+///    with respect to the centre, and ∂V/∂Q is (L⁻ᵀ·turn) G (L⁻ᵀ·turn)ᵀ, both times the
+///    determinant.
 /// 2. A rotation ω of an ellipsoid about its centre changes its form by [ω]Q - Q[ω]. So the torque
 ///    is the axial vector of 2(Q ∂V/∂Q).
 #ifndef PW85_VOLUME_COMMON_PART_DERIVATIVES_HPP_INCLUDED
@@ -16,7 +17,7 @@
 
 namespace pw85::detail {
 
-/// Derivatives in the joint frame, in space over 2π: with respect to the centre of the other
+/// Derivatives in the joint frame, for D = 3 divided by 2π: with respect to the centre of the other
 /// ellipsoid, and to both forms as matrices.
 template <class T, int D> struct FrameDerivatives {
     Vector<T, D> center;
@@ -38,8 +39,8 @@ round_to(FrameDerivatives<T, D> &y, FrameDerivatives<Fine, D> const &x) noexcept
 /// ball as unit, for which the digits of the result are enough. A point of the rim errs by about u
 /// in this unit. In the metric of the other body it then errs by u over the shortest semi-axis. Far
 /// from the centre of this body the tensor of its part is that of its normal up to small entries,
-/// which err by u times its distance. So a limit costs at most three bits or six of the bound of
-/// the derivatives.
+/// which err by u times its distance. So the first limit costs at most three bits, and the second
+/// at most six bits, of the bound of the derivatives.
 inline constexpr double largest_distance_of_derivatives = 8.0,
                         shortest_axis_of_derivatives = 1.0 / 64.0;
 
@@ -92,7 +93,7 @@ template <class T, int D> struct PartDerivatives {
     StatusCode status;
 };
 
-/// From the derivatives in the joint frame.
+/// Computes the derivatives for a pair from those in the joint frame.
 template <class T, int D> PW85_FUNCTION inline PartDerivatives<T, D>
 derivatives_in_space(JointFrame<T, D> const &frame, FrameDerivatives<T, D> const &d) noexcept
 {
@@ -109,16 +110,18 @@ derivatives_in_space(JointFrame<T, D> const &frame, FrameDerivatives<T, D> const
     return {force, ball, other, StatusCode::success};
 }
 
-/// Half of the length of the axis of the rim. It is not inlined, because of its memory.
+/// Half of the length of the axis of the rim. Not inlined, to keep its arrays out of the stack
+/// frame of the caller.
 template <class T>
 [[gnu::noinline]] PW85_FUNCTION inline T half_of_axis(JointFrame<T, 3> const &frame) noexcept
 {
     return rim_axis(frame).half_chord;
 }
 
-/// Tests if twice the digits give the volume within its bound, and so the derivatives. This can
-/// only be false where rounded forms move the surfaces far, the other body is far from the ball, or
-/// the surfaces nearly touch, so that the axis of the rim is short.
+/// Tests if computing with twice the digits gives the volume within its bound, and therefore also
+/// the derivatives. The result can be false only in three cases: rounding of the forms moves the
+/// surfaces far; the other body is far from the ball; the surfaces nearly touch, so that the axis
+/// of the rim is short.
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline bool
 is_part_resolved(JointFrame<Finer<T>, 3> const &frame) noexcept
 {
@@ -130,8 +133,8 @@ is_part_resolved(JointFrame<Finer<T>, 3> const &frame) noexcept
     return part >= T(0) && is_resolved<T, 3>(displacement, part);
 }
 
-/// The derivatives in a frame of twice the digits, rounded. It is not inlined, because of its
-/// memory.
+/// The derivatives in a frame with twice the digits, rounded. Not inlined, to keep its arrays out
+/// of the stack frame of the caller.
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline FrameDerivatives<T, 3>
 rounded_frame_derivatives(JointFrame<Finer<T>, 3> const &frame) noexcept
 {
@@ -140,7 +143,7 @@ rounded_frame_derivatives(JointFrame<Finer<T>, 3> const &frame) noexcept
     return d;
 }
 
-/// The derivatives by twice the digits, from the forms; NaN if these are not enough.
+/// The derivatives, computed from the forms with twice the digits; NaN if these do not suffice.
 template <class T>
 PW85_RARE PartDerivatives<T, 3> part_derivatives_finely(Vector<T, 3> const &r12,
                                                         SymmetricMatrix<T, 3> const &q1,
@@ -167,7 +170,7 @@ part_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
     return derivatives_in_space(frame, frame_derivatives(frame));
 }
 
-/// In the plane; overlap_area_derivatives.hpp has it.
+/// The function for ellipses is in overlap_area_derivatives.hpp.
 template <class T> PW85_FUNCTION inline PartDerivatives<T, 2>
 part_derivatives(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
                  SymmetricMatrix<T, 2> const &q2) noexcept;
@@ -203,8 +206,8 @@ derivative_of_measure(SymmetricMatrix<T, D> const &q) noexcept
     return unit.to_caller(g, D - 2);
 }
 
-/// The derivatives for a pair with this decision. Where one ellipsoid is inside the other one, only
-/// its own form counts.
+/// Computes the derivatives for a pair with this decision. If one ellipsoid is inside the other
+/// one, only the derivative with respect to its own form is not zero.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline PartDerivatives<T, D>
 derivatives_of_decided_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                             SymmetricMatrix<T, D> const &q2,
@@ -219,7 +222,7 @@ derivatives_of_decided_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const
     return whole;
 }
 
-/// The derivatives for any pair.
+/// Computes the derivatives for any pair.
 template <class T, int D> PW85_FUNCTION inline PartDerivatives<T, D>
 common_part_derivatives(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                         SymmetricMatrix<T, D> const &q2) noexcept
@@ -238,7 +241,7 @@ template <class T, int D> PW85_FUNCTION inline T axial_component(SymmetricMatrix
     return T(T(2) * sum);
 }
 
-/// The derivatives with respect to the stored entries.
+/// Converts derivatives with respect to a matrix to derivatives with respect to its stored entries.
 template <class T, int D>
 PW85_FUNCTION inline SymmetricMatrix<T, D> by_entries(SymmetricMatrix<T, D> g) noexcept
 {

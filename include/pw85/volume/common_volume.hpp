@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The volume of the common part in the joint frame, for overlap_volume.hpp: tests whether the
-/// digits of a number are enough for the integrals along the rim (rim_integrals.hpp), and their sum
-/// by twice the digits where they are not.
+/// The volume of the intersection in the joint frame, for overlap_volume.hpp: tests whether the
+/// digits of the type suffice for the integrals along the rim (rim_integrals.hpp), and their sum
+/// with twice the digits where they do not.
 #ifndef PW85_VOLUME_COMMON_VOLUME_HPP_INCLUDED
 #define PW85_VOLUME_COMMON_VOLUME_HPP_INCLUDED
 
@@ -12,11 +12,12 @@
 namespace pw85::detail {
 
 /// The largest distance of the centres over the fourth power of half of the length of the axis,
-/// with the ball as unit, up to which c·∫ n dA is computed by the digits of the result. Components
-/// of the area vector err by about u/2, also those that are small, and by more on a short axis
-/// inside the ball, as the rim does (largest_distance_of_rim). So the product errs by about u
-/// |c|/2, which the sensitivity need not cover. As 3V of the ball is 2 in units of 2π, 32 u is a
-/// quarter of the part of the bound that does not depend on the pair, 64 u v.
+/// with the ball as unit, up to which c·∫ n dA is computed with the digits of the result. The error
+/// of each component of the area vector ∫ n dA is about u/2, also if the component is small. It is
+/// larger if the axis inside the ball is short, as for the rim (largest_distance_of_rim). So the
+/// error of the product is about u |c|/2, which the terms of the bound that depend on the pair do
+/// not always cover. At the limit it is 32 u. As 3V of the ball is 2 in units of 2π, this is a
+/// quarter of 64 u v, the term of the bound that does not depend on the pair.
 inline constexpr double largest_distance_of_integrals = 64.0;
 
 /// Tests whether the digits of the result are enough for the integrals.
@@ -36,31 +37,34 @@ sum_of_terms(JointFrame<T, 3> const &frame, RimIntegration<T> const &integration
     return converged ? sum : quiet_nan<T>();
 }
 
-/// The axis of a pair whose centre is off by four roundoffs, which stands for the roundings of h.
+/// The axis of a pair whose centre is moved by four roundoffs: a change as large as the rounding
+/// errors of h.
 template <class T> PW85_FUNCTION inline RimAxis<T> rounded_axis(JointFrame<T, 3> frame) noexcept
 {
     frame.center = T(T(1) + T(T(4) * T(unit_roundoff<T>()))) * frame.center;
     return rim_axis(frame);
 }
 
-/// The sum by that axis and the bodies of the frame. It is not inlined, because of its memory.
+/// The sum with the axis of rounded_axis() and the bodies of the frame. Not inlined, to keep its
+/// arrays out of the stack frame of the caller.
 template <class T>
 [[gnu::noinline]] PW85_FUNCTION inline T sum_by_rounded_axis(JointFrame<T, 3> const &frame) noexcept
 {
     return sum_of_terms(frame, rim_integration(frame, rim_frame(frame, rounded_axis(frame))));
 }
 
-/// The distance of the centres, with the ball as unit, up to which one sum by twice the digits is
-/// enough, also over the fourth power of half of the length of the axis in units of u/ε = 2^51.
+/// Limits up to which one sum with twice the digits is enough: of the distance c of the centres,
+/// with the radius of the ball as unit; and of c/h⁴ in units of u/ε = 2^51, with half the length h
+/// of the axis and the roundoff ε of twice the digits.
 ///
 /// Where the surfaces touch except for a depth δ, and cross elsewhere, h⁴ is of the order of δ. D
-/// A2 and c·∫ n dA each lose ε c/h⁴ of the areas, and do not lose the same. In a search of pairs
-/// with c to 1024 and δ from 10⁻¹² to 10⁻²⁴, with 38 digits as truth, the error was at most 0.044 c
-/// ε/(u h⁴) of the bound. So it is at most 0.53 of the bound up to the second limit, and was up to
-/// 112 times the bound beyond it.
+/// A2 and c·∫ n dA each have an error of ε c/h⁴ times the areas, and these errors do not cancel. In
+/// a search of pairs with c up to 1024 and δ from 10⁻¹² to 10⁻²⁴, with 38 digits as truth, the
+/// error was at most 0.044 c ε/(u h⁴) times its bound. So it is at most 0.53 times the bound up to
+/// the second limit. Beyond this limit it was up to 112 times the bound.
 inline constexpr double largest_distance_of_one_sum = 1024.0, largest_distance_of_short_axis = 12.0;
 
-/// Tests whether one sum by twice the digits is enough.
+/// Tests whether one sum with twice the digits is enough.
 template <class T> PW85_FUNCTION inline bool is_one_sum_enough(JointFrame<T, 3> const &frame,
                                                                T const &half_chord) noexcept
 {
@@ -81,8 +85,8 @@ sum_of_moved_pair(JointFrame<T, 3> frame, T const &part) noexcept
 }
 
 /// The mean of the sums for pairs whose centres are moved to both sides, where the surfaces nearly
-/// touch. They are moved by 2^-33 for doubles, and h⁴ is of this order there. By its second
-/// derivative, which grows as the logarithm of the depth, 3V changes by some 2^-66 times the
+/// touch. They are moved by 2^-33 for doubles, and h⁴ is of this order there. The second derivative
+/// of 3V grows as the logarithm of the depth, so the mean differs from 3V by about 2^-66 times the
 /// distance.
 template <class T>
 [[gnu::noinline]] PW85_FUNCTION inline T mean_of_moved_pairs(JointFrame<T, 3> const &frame) noexcept
@@ -92,12 +96,12 @@ template <class T>
     return T(T(0.5) * T(sum_of_moved_pair(frame, part) + sum_of_moved_pair(frame, T(-part))));
 }
 
-/// 3V over 2π by twice the digits of the result; NaN if these are not enough.
+/// 3V over 2π, computed with twice the digits of the result; NaN if these do not suffice.
 ///
 /// The terms cancel for a large body, and the vertices lose digits where its section in the ball is
-/// thin. So the sum is computed again by an axis that is off by what roundings do, with the same
-/// bodies. It may change by a quarter of what the bound is at least: the bound is u (128 + 24 (A1 +
-/// D A2)) in these units, as s is above half of the areas.
+/// thin. So the sum is computed again with the same bodies and an axis that is moved by about its
+/// rounding error. The sum may change by at most a quarter of the least value of the bound. This
+/// least value is u (128 + 24 (A1 + D A2)) in these units, because s is above half of the areas.
 template <class T> PW85_FUNCTION inline T
 resolved_sum_of_terms(JointFrame<T, 3> const &frame, RimIntegration<T> const &integration) noexcept
 {
@@ -112,21 +116,21 @@ resolved_sum_of_terms(JointFrame<T, 3> const &frame, RimIntegration<T> const &in
     return change <= T(u * T(T(32) + T(6) * areas)) ? sum : quiet_nan<T>();
 }
 
-/// A number, and whether its digits are enough.
+/// A volume or area, and a flag: true if the digits of the type suffice for it.
 template <class T> struct CheckedMeasure {
     T measure;
     bool is_accurate;
 };
 
-/// The common part from 3V over 2π.
+/// The volume of the intersection from 3V over 2π.
 template <class T> PW85_FUNCTION inline T part_of_sum(T const &sum) noexcept
 {
     T const third = maximum(T(sum / T(3)), T(0));
     return T(T(T(2) * circle_constant<T>()) * third);
 }
 
-/// The volume of the common part in the joint frame; NaN if the integral has not converged. It is
-/// not inlined: its memory and that of the exact decisions are not needed at the same time.
+/// The volume of the intersection in the joint frame; NaN if the integral has not converged. Not
+/// inlined, so that its arrays and those of the exact decisions share the stack.
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline CheckedMeasure<ResultOf<T>>
 common_measure(JointFrame<T, 3> const &frame) noexcept
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The crossings of the unit circle with an ellipse, as places on the circle. section.hpp measures
-/// the common part between them.
+/// The points in which the unit circle and an ellipse cross. section.hpp computes the area of the
+/// intersection from them.
 ///
 /// The pair is in its joint frame (joint_frame.hpp). With the metric in which the ellipse is a
 /// circle of its shorter semi-axis a1 about the centre d, a point (x, y) of the unit circle is
@@ -16,10 +16,10 @@
 /// 2. So the ends of the quarters and the roots of G divide the circle into pieces on which F is
 ///    monotone. A piece has a crossing if F has opposite signs at its ends.
 ///
-/// Nothing else is decided. Each decision is the sign of a number F at a point, which all integrals
-/// share: they cannot contradict each other. A wrong sign means that |F| is below its rounding
-/// error δ at an extremum of F: two crossings are lost or invented, between which the border is
-/// within about δ/|∇F| of both curves. section.hpp has what this costs.
+/// There are no other decisions. Each decision is the sign of F at a point, and all integrals use
+/// the same signs, so the decisions cannot contradict each other. A sign can be wrong only if |F|
+/// is below its rounding error δ at an extremum of F. Two crossings are then lost or added. Between
+/// them the border is within about δ/|∇F| of both curves. section.hpp bounds the resulting error.
 #ifndef PW85_VOLUME_CROSSINGS_HPP_INCLUDED
 #define PW85_VOLUME_CROSSINGS_HPP_INCLUDED
 
@@ -32,7 +32,7 @@ template <class T> struct PlanePoint {
     T x, y;
 };
 
-/// A place on the unit circle: the angle is that of the quarter and 2 arctan t, 0 <= t <= 1.
+/// A point on the unit circle at the angle quarter·π/2 + 2 arctan t, 0 <= t <= 1.
 template <class T> struct CirclePlace {
     int quarter;
     T t;
@@ -59,8 +59,8 @@ template <class T> struct ValueAndSlope {
     T value, slope;
 };
 
-/// Criteria that end the search for a root: its rounding error, and a bound on half of the second
-/// derivative.
+/// Numbers that end the search for a root: the rounding error of the function, and a bound on half
+/// of its second derivative.
 template <class T> struct Accuracy {
     T noise, half_second;
 };
@@ -75,9 +75,10 @@ template <class T> struct FlattenedEllipse {
         return {T(ratio * p.x - d0), T(p.y - d1)};
     }
 
-    /// Tests whether the ellipse is so near to the circle that the terms of F in the form 1 - a1² +
-    /// d² - P x² - 2 (ρ d0 x + d1 y), by x² + y² = 1, are a few units at most. Then this sum is as
-    /// accurate as the differences of both shapes, also for copies with nearly the same centre.
+    /// Tests whether the ellipse is nearly equal to the circle. Then F = 1 - a1² + d² - P x² - 2 (ρ
+    /// d0 x + d1 y), which follows from x² + y² = 1, has terms of a few units at most. This sum is
+    /// as accurate as the differences of both shapes, also for equal ellipses with nearly the same
+    /// centre.
     PW85_MEMBER bool is_near_circle() const noexcept
     {
         return radius >= T(0.5) && radius <= T(2) && ratio >= T(0.5);
@@ -119,8 +120,8 @@ template <class T> struct FlattenedEllipse {
         return flattening + absolute(along()) + absolute(across());
     }
 
-    /// The terms of F are of the size of a1 and of the largest number, or the differences of a
-    /// nearly equal circle.
+    /// Returns the size of the terms of F: that of a1 and of the largest number, or that of the
+    /// differences from a nearly equal circle.
     PW85_MEMBER T size_of_excess() const noexcept
     {
         if (is_near_circle())
@@ -173,12 +174,13 @@ template <class T> PW85_FUNCTION inline auto rounded(FlattenedEllipse<T> const &
         rounded(e.d1),    rounded(e.flattening), rounded(e.shortfall)};
 }
 
-/// A change of sign of a function of t between low and high, where it has the opposite sign of that
-/// at low, from a start between them. Newton's method; a bisection replaces a step that leaves the
-/// bracket, or that does not halve the last but one. The last step is one after which the error,
-/// half_second step²/|slope|, is below u. From a value that is a rounding error, it is one that
-/// changes the function by at most as much more, half_second step². A longer one is due to a slope
-/// that is a rounding error as well, as it is near a root of multiplicity three.
+/// Finds a change of sign of a function of t between `low` and `high`, at which the function has
+/// opposite signs, from a start between them. The method is Newton's. A bisection replaces a step
+/// that leaves the bracket, or that is longer than half of the last step but one. The search ends
+/// after a step that leaves an error half_second step²/|slope| below u. If the value of the
+/// function is a rounding error, the search ends after a step that changes the function by at most
+/// another rounding error, half_second step². A longer step means that the slope is a rounding
+/// error, too, as near a root of multiplicity three.
 template <class T, class Function>
 PW85_FUNCTION inline T sign_change(T low, T high, T t, bool is_negative_at_low,
                                    Accuracy<T> const &accuracy, Function const &function) noexcept
@@ -203,8 +205,9 @@ PW85_FUNCTION inline T sign_change(T low, T high, T t, bool is_negative_at_low,
     return t;
 }
 
-/// A cube root for a positive number, by Halley's method from a power of two: the relative error is
-/// 0.6, 0.3, 0.02, 4e-6 and so on, with the cube of the one before.
+/// The cube root of a positive number, by Halley's method from a power of two. The relative errors
+/// are at most 0.6, 0.2, 0.003, 1.5e-8 and so on: each is 2/3 of the cube of the one before, once
+/// it is small.
 template <class T> PW85_FUNCTION inline T cube_root_of(T const &x) noexcept
 {
     int const exponent = binary_exponent(x);
@@ -222,7 +225,7 @@ template <class T> PW85_FUNCTION inline T half_tangent(T const &tangent) noexcep
     return T(tangent / T(T(1) + square_root(T(T(1) + tangent * tangent))));
 }
 
-/// The extrema of F in a quarter that its crossings need, by t, in their order.
+/// Values of t at the extrema of F in a quarter that separate its crossings, in increasing order.
 template <class T> struct Extrema {
     T places[2];
     int size;
@@ -230,9 +233,9 @@ template <class T> struct Extrema {
 
 /// F has one extremum in a quarter if its derivatives at both ends have opposite signs. It has none
 /// or two if they have the same sign. With a single extremum, F changes its sign once if it has
-/// opposite signs at the ends. If it has the same sign there, it may change it for a maximum
-/// between ends inside, and for a minimum between ends outside. Otherwise the extremum is not
-/// needed.
+/// opposite signs at the ends. If F has the same sign at both ends, it can change its sign twice in
+/// two cases: a maximum between ends inside the ellipse, and a minimum between ends outside. In all
+/// other cases the extremum is not needed.
 template <class T>
 PW85_FUNCTION inline Extrema<T> needed_extrema(FlattenedEllipse<T> const &ellipse, int quarter,
                                                bool begins_inside, bool ends_inside) noexcept
@@ -240,7 +243,7 @@ PW85_FUNCTION inline Extrema<T> needed_extrema(FlattenedEllipse<T> const &ellips
     T const first = ellipse.half_derivative(point_at<T>({quarter, T(0)})),
             last = ellipse.half_derivative(point_at<T>({quarter, T(1)})),
             mixed = quarter % 2 == 0 ? ellipse.flattening : T(-ellipse.flattening);
-    // Next to an end where G is zero, it has the sign of its derivative.
+    // Next to an end at which G is zero, G has the sign of its derivative.
     T const begin = first == T(0) ? T(mixed + last) : first,
             end = last == T(0) ? T(mixed + first) : last;
     auto const value = [&](T const &t) {
@@ -263,8 +266,9 @@ PW85_FUNCTION inline Extrema<T> needed_extrema(FlattenedEllipse<T> const &ellips
     return {{root(T(0), middle, first < T(0)), root(middle, T(1), first > T(0))}, 2};
 }
 
-/// The crossings in their order on the circle. Between the first and the second, the circle is
-/// inside the ellipse if `first_inside` is set, and so on in turn.
+/// The crossings in their order on the circle. Between the first and the second crossing, the
+/// circle is inside the ellipse if `first_inside` is true. After each crossing it is inside and
+/// outside in turn.
 template <class T> struct Crossings {
     static constexpr int most = 12; // three for each quarter, by rounding errors alone
     CirclePlace<T> places[std::size_t(most)];
@@ -273,7 +277,7 @@ template <class T> struct Crossings {
     T least;           ///< the smallest |F| at ends of quarters and extrema
 };
 
-/// The crossing between two places of a quarter, from a start.
+/// The crossing between two points of a quarter, from a start.
 template <class T>
 PW85_FUNCTION inline T crossing_from(FlattenedEllipse<T> const &ellipse, int quarter, T const &low,
                                      T const &high, T const &start, bool is_inside_at_low) noexcept
@@ -284,7 +288,8 @@ PW85_FUNCTION inline T crossing_from(FlattenedEllipse<T> const &ellipse, int qua
                        });
 }
 
-/// The crossing between two places of a quarter. One with few digits is the start.
+/// The crossing between two points of a quarter. The search starts at the crossing in the narrower
+/// type.
 template <class T, class Coarse> PW85_FUNCTION inline CirclePlace<T>
 crossing_between(FlattenedEllipse<T> const &ellipse, FlattenedEllipse<Coarse> const &coarse,
                  int quarter, Coarse const &low, Coarse const &high, bool is_inside_at_low) noexcept
@@ -298,8 +303,8 @@ crossing_between(FlattenedEllipse<T> const &ellipse, FlattenedEllipse<Coarse> co
                 crossing_from(ellipse, quarter, T(low), T(high), T(start), is_inside_at_low)};
 }
 
-/// F at a place. A wider number is needed where |F| is not far above the rounding error of the
-/// narrower one, a few u of the square of the largest number.
+/// F at a point. The narrower type suffices where |F| is far above its rounding error, which is a
+/// few u times the square of the largest number: the margin is √u times this square.
 template <class T, class Coarse>
 PW85_FUNCTION inline T excess_at_turn(FlattenedEllipse<T> const &ellipse,
                                       FlattenedEllipse<Coarse> const &coarse,
@@ -314,7 +319,7 @@ PW85_FUNCTION inline T excess_at_turn(FlattenedEllipse<T> const &ellipse,
     return ellipse.excess(point_at(CirclePlace<T>{place.quarter, T(place.t)}));
 }
 
-/// Adds the crossings of a quarter, from F at its ends.
+/// Adds the crossings of a quarter, given F at its ends.
 template <class T, class Coarse>
 PW85_FUNCTION inline void add_quarter(Crossings<T> &found, FlattenedEllipse<T> const &ellipse,
                                       FlattenedEllipse<Coarse> const &coarse, int quarter,
@@ -339,8 +344,8 @@ PW85_FUNCTION inline void add_quarter(Crossings<T> &found, FlattenedEllipse<T> c
     }
 }
 
-/// For a wider number, the extrema are found with few digits. An error ε of one changes F there by
-/// ε² F''/2, a rounding error of the wider number.
+/// For a wider type, the extrema are found in the narrower type. An error ε of an extremum changes
+/// F there by ε² F''/2, which is a rounding error of the wider type.
 template <class T>
 PW85_FUNCTION inline Crossings<T> crossings(FlattenedEllipse<T> const &ellipse) noexcept
 {
@@ -359,11 +364,11 @@ PW85_FUNCTION inline Crossings<T> crossings(FlattenedEllipse<T> const &ellipse) 
 
 /// Tests whether all crossings and extrema are accurate enough for derivatives.
 ///
-/// 1. An error η of the border across it moves a crossing by η over the sine of the angle at which
-///    the curves cross, and η is a few u. So the derivatives err by some 256u at most, if the sine
-///    is 1/64 or more.
-/// 2. F errs by less than 2⁻⁴⁰ a1² for centres and axes within the limits of the derivatives. Above
-///    that no extremum has a wrong sign.
+/// 1. An error η of a curve, perpendicular to it, moves a crossing by η over the sine of the angle
+///    at which the curves cross. η is a few u. So the errors of the derivatives are about 256u at
+///    most if the sine is at least 1/64.
+/// 2. For centres and axes within the limits of the derivatives, the error of F is below 2⁻⁴⁰ a1².
+///    The test requires |F| > 2⁻³⁶ a1² at extrema and ends of quarters, so these signs are right.
 template <class T> PW85_FUNCTION inline bool are_crossings_clear(FlattenedEllipse<T> const &ellipse,
                                                                  Crossings<T> const &found) noexcept
 {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The half-planes over which a common part is integrated, by a change of variable. rule_ladder.hpp
-/// has the values of the parameter, and the sums over them.
+/// The change of variable for integrals along the rim (rim_axis.hpp) of an intersection: it gives
+/// the half-planes through the axis at which the integrands are evaluated. rule_ladder.hpp has the
+/// values of the parameter, and the sums.
 ///
 /// The rim is an elliptic curve: its points are algebraic in (cos ψ, sin ψ) except for the root of
 /// E(ψ) = T² - 4αγ (rim_frame.hpp), a form of degree 4 in (cos ψ, sin ψ). In the uniform parameter
-/// of the curve, dψ/√E, they are meromorphic and periodic, and the trapezoidal rule converges
-/// geometrically, at a rate that hardly depends on how near the rim is to touching itself.
+/// of the curve, ∫ dψ/√E, they are meromorphic and periodic. The trapezoidal rule therefore
+/// converges geometrically. Its rate hardly depends on how nearly the rim touches itself.
 #ifndef PW85_VOLUME_ELLIPTIC_RULE_HPP_INCLUDED
 #define PW85_VOLUME_ELLIPTIC_RULE_HPP_INCLUDED
 
@@ -14,7 +15,7 @@
 
 namespace pw85::detail {
 
-/// A direction in the plane of ψ, or in that of another angle.
+/// A unit vector at the angle ψ, or at another angle.
 template <class T> struct UnitVector2 {
     T cosine, sine;
 };
@@ -30,8 +31,8 @@ requires(!std::is_same_v<Mask, bool>) PW85_FUNCTION
 /// A pair of opposite half-planes, by the direction of one.
 template <class T> struct RimDirection {
     UnitVector2<T> direction;
-    /// of the pair in the integral over ψ: the derivative of ψ with respect to the parameter of the
-    /// rule
+    /// weight of the pair in the integral over ψ: the derivative of ψ with respect to the parameter
+    /// of the rule
     T weight;
     T pace;   ///< weight/√E
     T excess; ///< T less `least` of the rim
@@ -39,17 +40,18 @@ template <class T> struct RimDirection {
 
 /// The largest number of transformations of Landen. The transformation sin φ = (1 + k1) sin φ1/(1 +
 /// k1 sin²φ1), with k1 = (1 - k')/(1 + k'), replaces k by k1 < k. A few of them make the modulus so
-/// small that φ1 itself serves as the uniform parameter. From k' = 2^-200 eleven lead to k' > 0.8.
-/// Lanes leave pairs with more than a few over.
+/// small that φ1 itself serves as the uniform parameter. Seven of them lead from k' = 2^-200 to k'
+/// > 0.875, where they end. Packs of numbers do not compute pairs that need more than
+/// `most_landen_steps_of_lanes`.
 inline constexpr int most_landen_steps = 12, most_landen_steps_of_lanes = 4;
 
 /// The change of variable from the uniform parameter to ψ.
 ///
 /// The vertices diagonalise the form E, so E = a cos⁴ψ + 2b cos²ψ sin²ψ + c sin⁴ψ. With tan ψ =
 /// (a/c)^(1/4) tan χ it is proportional to 1 - m sin²2χ with m = (1 - b/√(ac))/2. For m < 0 it is
-/// proportional to 1 - k² cos²2χ, with k² = |m|/(1 + |m|). So 2χ, less a quarter turn for m < 0, is
-/// an amplitude φ of the modulus k.
-// The order is that of the derivation, not the one with the least padding.
+/// proportional to 1 - k² cos²2χ, with k² = |m|/(1 + |m|). So 2χ, minus π/2 for m < 0, is an
+/// amplitude φ of the modulus k.
+// The members are in the order of the derivation, not in the order with the least padding.
 // NOLINTNEXTLINE(clang-analyzer-optin.performance.Padding)
 template <class T> struct EllipticRule {
     static constexpr int most_steps =
@@ -74,12 +76,13 @@ template <class T> struct EllipticRule {
     /// As t1²c - t2²a = -4αγ (t1² - t2²), nothing cancels in x.
     T mean, swing;
     typename ScalarTraits<T>::Mask is_shifted; ///< true if m < 0
-    /// True if the form is not E (cover_all_scales()); then E = excess (excess + 2 `least`) +
-    /// `negative`, by the two numbers below. Lanes leave such pairs over.
+    /// True if the form of cover_all_scales() takes the place of E; then E = excess (excess + 2
+    /// `least`) + `negative`, with the two numbers below. Packs of numbers do not compute such
+    /// pairs.
     bool is_covering;
     T least, negative;
 
-    /// Tests if a pair has a transformation: for one pair, each that the loops reach.
+    /// Tests if a pair has transformation j. For one pair the answer is always true.
     PW85_MEMBER typename ScalarTraits<T>::Mask takes_step(int j) const noexcept
     {
         if constexpr (ScalarTraits<T>::lanes == 1)
@@ -95,10 +98,10 @@ template <class T> PW85_FUNCTION constexpr T rim_floor() noexcept
     return T(T(unit_roundoff<T>()) * T(unit_roundoff<T>()));
 }
 
-/// k', from `ratio` = b/√(ac) and `difference` = (ac - b²)/(ac). For m >= 0 it is the root of (1 +
-/// b/√(ac))/2, and ac - b² = -4αγ(t1 - t2)², where t1 and t2 are T at the two vertices. So k' is
-/// computed without cancellation where the rim nearly touches itself. It is not below u²: the rest
-/// of a rim that touches itself does not count.
+/// k', from `ratio` = b/√(ac) and `difference` = (ac - b²)/(ac). For m >= 0 it is the square root
+/// of (1 + b/√(ac))/2, and ac - b² = -4αγ(t1 - t2)², where t1 and t2 are T at the two vertices. So
+/// k' is computed without cancellation where the rim nearly touches itself. k' is set to at least
+/// u²: below that, the part of the integral that changes is negligible.
 template <class T>
 PW85_FUNCTION inline T complementary_modulus(T const &ratio, T const &difference) noexcept
 {
@@ -111,7 +114,7 @@ PW85_FUNCTION inline T complementary_modulus(T const &ratio, T const &difference
     return maximum(square_root(maximum(T(numerator / divisor), T(0))), T(u * u));
 }
 
-/// A form a cos⁴ψ + 2b cos²ψ sin²ψ + c sin⁴ψ: b/√(ac), and k' as above.
+/// A form a cos⁴ψ + 2b cos²ψ sin²ψ + c sin⁴ψ: a, c, b/√(ac), and k' of complementary_modulus().
 template <class T> struct QuarticForm {
     T a, c, ratio, complement;
 };
@@ -134,19 +137,20 @@ PW85_FUNCTION inline QuarticForm<T> quartic_form(RimEquation<T> const &rim) noex
             complementary_modulus(ratio, T(-(T(T(product * T(step * step)) / a) / c)))};
 }
 
-/// The ratio (a/c)^(1/4) of E, below which, or above whose inverse, a rule for E may miss nearly
-/// all half-planes, and the least k' for which it does. Nodes are dense where tan ψ is near this
-/// ratio. For a small k' they are also dense elsewhere.
+/// Limits for (a/c)^(1/4) of E and for k'. If (a/c)^(1/4) is below the first limit or above its
+/// inverse, and k' is above the second limit, a rule for E can miss nearly all half-planes that
+/// matter. Its nodes are then dense only where tan ψ is near (a/c)^(1/4). For a smaller k' they are
+/// also dense elsewhere.
 inline constexpr double smallest_stretch2 = 1.0 / 32.0, least_complement_to_cover = 1.0 / 64.0;
 
-/// Where the bodies touch, or nearly touch, from inside with nearly equal curvatures in one
-/// direction, T is near zero for one vertex. The rim is then near one end of the axis for ψ below r
-/// = (a/c)^(1/4), and far from it elsewhere: α or γ is below r⁴ of the other one. The form (cos²ψ +
-/// sin²ψ)(r²cos²ψ + sin²ψ) takes the place of E for the choice of nodes: their number per unit of
-/// log tan ψ is constant from r to 1. Where α and γ are of one size, the axis is short, and the
-/// rule for E is the right one.
+/// Tests whether a rule for E may miss half-planes that matter. Where the bodies touch, or nearly
+/// touch, from inside with nearly equal curvatures in one direction, T is near zero for one vertex.
+/// The rim is then near one end of the axis for ψ below r = (a/c)^(1/4), and far from it elsewhere:
+/// α or γ is below r⁴ times the other one; the test requires r² times. cover_all_scales() then
+/// chooses the nodes by the form (cos²ψ + sin²ψ)(r²cos²ψ + sin²ψ) instead of E: their number per
+/// unit of log tan ψ is constant from r to 1. If α and γ are of similar size, the axis is short,
+/// and the rule for E is accurate.
 ///
-/// These are the pairs for which E may miss half-planes, by r or its inverse.
 template <class T>
 PW85_FUNCTION inline typename ScalarTraits<T>::Mask may_miss_half_planes(RimEquation<T> const &rim,
                                                                          QuarticForm<T> const &form,
@@ -217,7 +221,7 @@ PW85_FUNCTION inline EllipticRule<T> elliptic_rule(RimEquation<T> const &rim) no
     return rule;
 }
 
-/// √E of a half-plane from T less `least`, for a rule that is not that of E.
+/// √E of a half-plane from T minus `least`, for the form of cover_all_scales().
 template <class T, class N>
 PW85_FUNCTION inline N root_of_quartic(EllipticRule<T> const &rule, N const &excess) noexcept
 {
@@ -232,8 +236,8 @@ template <class N> struct StretchedVector {
     N square;
 };
 
-/// The direction of ψ from that of 2χ. The length of the vector (1 + cos 2χ, sin 2χ) is the root of
-/// 2 (1 + cos 2χ). It has the direction of χ. So has the vector (sin 2χ, 1 - cos 2χ).
+/// The direction of ψ from that of 2χ. The vectors (1 + cos 2χ, sin 2χ) and (sin 2χ, 1 - cos 2χ)
+/// have the direction of χ. The square of the length of the first one is 2 (1 + cos 2χ).
 template <class T, class N> [[gnu::always_inline]] PW85_FUNCTION inline StretchedVector<N>
 stretched_half(EllipticRule<T> const &rule, UnitVector2<N> const &twice) noexcept
 {
@@ -244,8 +248,8 @@ stretched_half(EllipticRule<T> const &rule, UnitVector2<N> const &twice) noexcep
             N(larger + larger)};
 }
 
-/// The half-planes at a value of the parameter, or at values in lanes of N. `theta` is φ, less a
-/// quarter turn for m < 0. So those at -θ are the mirror images of those at θ.
+/// The half-planes at a value of the parameter, or at values in lanes of N. `theta` is φ, minus π/2
+/// for m < 0. So the half-planes at -θ are the mirror images of those at θ.
 template <class T, class N> PW85_FUNCTION inline RimDirection<N>
 rim_direction(EllipticRule<T> const &rule, UnitVector2<N> const &theta) noexcept
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The frame in which one ellipsoid is the unit ball and the principal axes of the other one are
-/// the coordinate axes. rim_axis.hpp and overlap_volume.hpp use it. A joint linear map multiplies
-/// every volume by its determinant, so the common part can be measured here.
+/// the coordinate axes. rim_axis.hpp and overlap_volume.hpp use it. A linear map multiplies every
+/// volume by its determinant, so the volume of the intersection follows from that in this frame.
 #ifndef PW85_VOLUME_JOINT_FRAME_HPP_INCLUDED
 #define PW85_VOLUME_JOINT_FRAME_HPP_INCLUDED
 
@@ -24,8 +24,8 @@ PW85_FUNCTION inline Doubled<T> times_power_of_two(Doubled<T> const &x, int expo
     return {times_power_of_two(x.high, exponent), times_power_of_two(x.low, exponent)};
 }
 
-/// The type with the digits of a result: integrals from wider vertices are sums of positive parts,
-/// which need no more.
+/// The type of the results. Integrals are sums of positive terms, so they need only these digits,
+/// also if the vertices are computed in a wider type.
 template <class T> using ResultOf = decltype(rounded(T()));
 
 /// A square matrix by its columns.
@@ -49,7 +49,7 @@ template <class T, int D> struct JointFrame {
     MatrixColumns<T, D> turn; ///< the principal directions of the other ellipsoid
     T determinant;            ///< of `lower`
     Unit unit;                ///< of the frame
-    /// whether the ball is ellipsoid 2; then the frame is that of the pair (-r12, Q2, Q1)
+    /// true if the ball is ellipsoid 2; then the frame is that of the pair (-r12, Q2, Q1)
     typename ScalarTraits<T>::Mask swapped;
     T displacement; ///< of the surfaces by rounded forms: displacement_of()
 };
@@ -96,11 +96,11 @@ store_where(Mask const &mask, Vector<T, D> const &from, Vector<T, D> &to) noexce
     for (int i = 0; i < D; ++i) to[i] = select(mask, from[i], to[i]);
 }
 
-/// Turns two columns so that they become orthogonal (a rotation of Jacobi), with the longer one
-/// first, in the lanes of a mask. Returns the lanes in which they were not. The dot product of two
-/// columns errs by up to 3u of their lengths, so less than 4u counts as zero. The columns are those
-/// of a valid pair, each form in a unit of its own: fourth powers of their lengths neither overflow
-/// nor underflow.
+/// Rotates two columns so that they become orthogonal (a Jacobi rotation), with the longer one
+/// first, in the lanes of a mask. Returns the lanes in which they were not orthogonal. The error of
+/// the dot product of two columns is at most 3u times the product of their lengths, so a dot
+/// product below 4u times this product counts as zero. The columns belong to a valid pair, each
+/// form in its own unit, so fourth powers of their lengths neither overflow nor underflow.
 template <class Mask, class T, int D> PW85_FUNCTION inline Mask
 make_orthogonal(Mask const &active, Vector<T, D> &x, Vector<T, D> &y) noexcept
 {
@@ -124,8 +124,8 @@ make_orthogonal(Mask const &active, Vector<T, D> &x, Vector<T, D> &y) noexcept
 }
 
 /// Makes the columns of G orthogonal by Jacobi's method from the right (Hestenes), the longest
-/// first. So G = U diag(axes) Vᵀ becomes U diag(axes). The relative errors of the axes are those of
-/// columns that are scaled to length one: needles and discs lose nothing.
+/// first. So G = U diag(axes) Vᵀ becomes U diag(axes). The relative errors of the axes are those
+/// for columns that are scaled to length one, so they do not grow with the aspect ratio.
 template <class T, int D> PW85_FUNCTION inline void make_orthogonal(MatrixColumns<T, D> &g) noexcept
 {
     constexpr int most_sweeps = 30; // four or five are usual; the limit is for NaN
@@ -138,8 +138,9 @@ template <class T, int D> PW85_FUNCTION inline void make_orthogonal(MatrixColumn
     }
 }
 
-/// Axes that are longer, in units of the ball, are cut to this length. In the ball, x/axis - center
-/// changes by less than its inverse, far below the rounding errors of the centre.
+/// Axes that are longer than this limit, in units of the ball, are set to it. In the ball, x/axis -
+/// center changes by less than the inverse of the limit, far below the rounding errors of the
+/// centre.
 template <class T> PW85_FUNCTION constexpr T longest_axis() noexcept
 {
     constexpr int exponent = std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8;
@@ -172,7 +173,7 @@ template <class T> PW85_FUNCTION inline T scaled_condition(SymmetricMatrix<T, 2>
     return T(T(T(2) * T(q(0, 0) * q(1, 1))) / T(determinant_of_factor * determinant_of_factor));
 }
 
-/// An ellipsoid by the Cholesky factor of its form, in a unit of its own.
+/// An ellipsoid as the Cholesky factor of its form, in its own unit.
 template <class T, int D> struct LowerFactor {
     MatrixColumns<T, D> columns;
     T determinant, condition; ///< of the factor, and κ of the form
@@ -189,7 +190,8 @@ PW85_FUNCTION inline LowerFactor<T, D> lower_factor(SymmetricMatrix<T, D> const 
     return {l, determinant, scaled_condition(scaled, determinant), unit};
 }
 
-/// Tests whether the first of two ellipsoids is the larger. Determinants must be in (2^-130, 8).
+/// Tests whether the first of two ellipsoids has the larger volume. Determinants must be in
+/// (2^-130, 8).
 template <class T, int D> PW85_FUNCTION inline bool
 has_larger_volume(LowerFactor<T, D> const &a, LowerFactor<T, D> const &b) noexcept
 {
@@ -200,12 +202,13 @@ has_larger_volume(LowerFactor<T, D> const &a, LowerFactor<T, D> const &b) noexce
                            : T(a.determinant * power) > b.determinant;
 }
 
-/// Bounds the displacement of the surfaces by rounded forms, in units of 7Du/2 and of the radius of
-/// the ball.
+/// A bound on the displacement of the surfaces by rounding errors of the forms, in units of 7Du/2
+/// times the radius of the ball.
 ///
 /// The factors are those of forms whose entries differ by up to 7u √(q_ii q_jj). The square of the
 /// support nᵀQn then changes by 7u (Σ √q_ii |n_i|)² <= 7Du Σ q_ii n_i² <= 7Du κ nᵀQn. Where the
-/// surfaces meet, the other body reaches as far as its centre and the ball together at most.
+/// surfaces intersect, the support of the other body is at most the distance of its centre plus the
+/// radius of the ball.
 template <class T, int D> PW85_FUNCTION inline T
 displacement_of(JointFrame<T, D> const &frame, T const &of_ball, T const &of_other) noexcept
 {
@@ -257,7 +260,7 @@ template <class T, int D> PW85_FUNCTION inline auto rounded(MatrixColumns<T, D> 
     return y;
 }
 
-/// The leading digits.
+/// The frame, rounded to the type with fewer digits.
 template <class T, int D> PW85_FUNCTION inline auto rounded(JointFrame<T, D> const &x) noexcept
 {
     return JointFrame<decltype(rounded(x.determinant)), D>{
@@ -266,7 +269,7 @@ template <class T, int D> PW85_FUNCTION inline auto rounded(JointFrame<T, D> con
         x.swapped,       rounded(x.displacement)};
 }
 
-/// The shape as numbers with twice the digits.
+/// The frame, converted to numbers with twice the digits.
 template <class T, int D>
 PW85_FUNCTION inline JointFrame<Finer<T>, D> widened(JointFrame<T, D> const &frame) noexcept
 {

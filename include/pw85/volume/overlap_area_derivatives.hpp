@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The derivatives of the area of the common part of two ellipses. pw85.hpp and the C API call
-/// them.
+/// The derivatives of the area of the intersection of two ellipses: overlap_area_gradient() and
+/// overlap_area_torque().
 ///
 /// 1. As in space (overlap_volume_derivatives.hpp), ∂A/∂r12 is ∫ n ds along the arcs of ellipse 2,
-///    and ∂A/∂Q = ½ ∫ n (Q⁻¹(x - c))ᵀ ds along those of its own. The integral ∫ n ds is the sum of
-///    the chords, each turned by a right angle.
+///    and ∂A/∂Q = ½ ∫ n (Q⁻¹(x - c))ᵀ ds along the arcs of the ellipse of Q. The integral ∫ n ds is
+///    the sum of the chords as vectors, each rotated by π/2.
 /// 2. In the metric in which a body is a circle of radius R, n = y/R. Let an arc have the half
 ///    angle α and the unit vector m from the centre to its middle. Then ∫ y yᵀ ds/R = R² (α - sin α
 ///    cos α) I + 2 R² sin α cos α m mᵀ. The first factor is the area of the segment
@@ -18,15 +18,15 @@
 
 namespace pw85 {
 
-/// Derivatives of the area of the common part with respect to r12 and to the stored entries of both
-/// forms (an off-diagonal entry stands for two entries of the matrix).
+/// Derivatives of the area of the intersection with respect to r12 and to the stored entries of
+/// both forms (an off-diagonal entry stands for two entries of the matrix).
 template <class T> struct OverlapAreaGradient {
     Vector<T, 2> r12;
     SymmetricMatrix<T, 2> q1, q2;
     StatusCode status;
 };
 
-/// Derivatives of the area of the common part with respect to the angles of both ellipses, per
+/// Derivatives of the area of the intersection with respect to the angles of both ellipses, per
 /// radian.
 template <class T> struct OverlapAreaTorque {
     T rotation1, rotation2;
@@ -71,13 +71,15 @@ derivatives_inside(PlaneBorder<T> const &border) noexcept
     return d;
 }
 
-/// Derivatives in the joint frame. Without clear crossings there are none.
+/// Derivatives in the joint frame, and a flag: false if the crossings are not clear
+/// (are_crossings_clear()). The derivatives are then not valid.
 template <class T> struct AreaDerivatives {
     FrameDerivatives<T, 2> derivatives;
     bool clear;
 };
 
-/// The derivatives by twice the digits, from the joint frame as it is.
+/// The derivatives with twice the digits, from the joint frame that was computed with the digits of
+/// T.
 template <class T>
 PW85_RARE AreaDerivatives<T> area_derivatives_finely(JointFrame<T, 2> const &frame) noexcept
 {
@@ -97,7 +99,7 @@ PW85_FUNCTION inline AreaDerivatives<T> area_derivatives(JointFrame<T, 2> const 
     return {derivatives_inside(border), true};
 }
 
-/// The derivatives by twice the digits, from the forms.
+/// The derivatives with twice the digits, from the forms.
 template <class T> PW85_RARE PartDerivatives<T, 2>
 plane_part_derivatives_finely(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
                               SymmetricMatrix<T, 2> const &q2) noexcept
@@ -125,7 +127,8 @@ part_derivatives(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
     }
 }
 
-/// The chords of doubles are accurate for most pairs; crossings have the other ones.
+/// For double, chords (chord_derivatives.hpp) suffice for most pairs. The other pairs use
+/// crossings.
 PW85_FUNCTION inline PartDerivatives<double, 2>
 common_part_derivatives(Vector<double, 2> const &r12, SymmetricMatrix<double, 2> const &q1,
                         SymmetricMatrix<double, 2> const &q2) noexcept
@@ -144,7 +147,7 @@ common_part_derivatives(Vector<double, 2> const &r12, SymmetricMatrix<double, 2>
 
 namespace pw85 {
 
-/// The derivatives of the area of the common part.
+/// Computes the derivatives with respect to r12 and the stored entries of both forms.
 template <class T> PW85_FUNCTION inline OverlapAreaGradient<T>
 overlap_area_gradient(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
                       SymmetricMatrix<T, 2> const &q2) noexcept
@@ -153,7 +156,7 @@ overlap_area_gradient(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
     return {d.r12, detail::by_entries(d.q1), detail::by_entries(d.q2), d.status};
 }
 
-/// The derivatives with respect to the angles.
+/// Computes the derivatives with respect to the angles of both ellipses.
 template <class T> PW85_FUNCTION inline OverlapAreaTorque<T>
 overlap_area_torque(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
                     SymmetricMatrix<T, 2> const &q2) noexcept

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The volume of the common part of two ellipsoids, and the area of that of two ellipses. pw85.hpp
-/// and the C API call them.
+/// The volume of the intersection of two ellipsoids, and the area of the intersection of two
+/// ellipses.
 ///
-/// Whether there is a common part, and whether it is a whole ellipsoid, is decided without rounding
-/// errors (overlap/). Otherwise the pair is taken to its joint frame (joint_frame.hpp). A volume is
-/// a sum of integrals along the rim (common_volume.hpp), which converge geometrically
-/// (elliptic_rule.hpp). An area is in closed form: by chords (chord_area.hpp), or, where these
-/// have no margin, by the crossings of a circle and an ellipse (section.hpp).
+/// Exact tests (overlap/) decide whether the intersection is empty, and whether it is one of the
+/// ellipsoids. All other pairs are transformed to their joint frame (joint_frame.hpp). A volume is
+/// a sum of integrals along the rim, the curve in which the surfaces intersect (common_volume.hpp).
+/// Their trapezoidal rules converge geometrically (elliptic_rule.hpp). An area has a closed form.
+/// It is computed from chords (chord_area.hpp), or, if the error of chords may exceed the bound,
+/// from the crossings of a circle and an ellipse (section.hpp).
 #ifndef PW85_VOLUME_OVERLAP_VOLUME_HPP_INCLUDED
 #define PW85_VOLUME_OVERLAP_VOLUME_HPP_INCLUDED
 
@@ -29,8 +30,8 @@ struct CommonPartDecision {
     StatusCode status;
 };
 
-/// For a pair that overlaps by a test of this tier. The first tier takes only pairs that pass the
-/// fast checks.
+/// Decides for a pair that overlaps. `tier` is the method that decided the overlap. Pairs that
+/// OverlapTier::quartic decided have passed the fast checks.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline CommonPartDecision
 decide_containment_of(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                       SymmetricMatrix<T, D> const &q2, OverlapTier tier) noexcept
@@ -54,7 +55,7 @@ decide_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
     return decide_containment_of(r12, q1, q2, tier);
 }
 
-/// The area of the common part in the joint frame. It is not inlined, as for a volume.
+/// The area of the intersection in the joint frame. Not inlined, for the reason given for volumes.
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline CheckedMeasure<ResultOf<T>>
 common_measure(JointFrame<T, 2> const &frame) noexcept
 {
@@ -63,19 +64,21 @@ common_measure(JointFrame<T, 2> const &frame) noexcept
 
 /// The largest displacement of surfaces by rounded forms (displacement_of()) that the bound covers.
 ///
-/// The bound counts roundings of the forms by the derivatives of the measure. They are too small
-/// where surfaces meet by less than the displacement η. Both the part that is beyond one surface
-/// and its error are then of the order of a lens of depth η: πη² in the unit ball, 4√2/3 η^(3/2) in
-/// the unit circle. For doubles η is 10.5u 2^24 or 7u 2^16, and the lens is 11u or 7u. The bound
-/// has 64u times the ball.
+/// The bound estimates the effect of rounded forms by the derivatives of the volume or area. These
+/// are too small where one body extends beyond the surface of the other one by less than the
+/// displacement η. The part beyond the surface and its error are then of the order of a lens of
+/// depth η: πη² in the unit ball, 4√2/3 η^(3/2) in the unit circle. For doubles the largest η is
+/// 10.5u 2^24 or 7u 2^16, and the lens is below 11u or 7u. The bound has the term 64u times the
+/// ball.
 template <class T, int D> PW85_FUNCTION inline T largest_displacement() noexcept
 {
     return T(1) / negative_power_of_two<T>((mantissa_digits<T>() - 5) / (D == 3 ? 2 : 3));
 }
 
-/// The thinnest ellipsoid in units of the ball that the sections resolve: its two surfaces are told
-/// apart to eight digits or so. In space, two ellipsoids of aspect ratio 10⁶ can be so different,
-/// if one is a disc across the other.
+/// The shortest semi-axis, in units of the ball, for which the integrals resolve the two sides of
+/// the ellipsoid: their distance then has about eight accurate digits. For example, two ellipsoids
+/// of aspect ratio 10⁶ can have so short an axis in their joint frame if one is a disc across the
+/// other.
 template <class T> PW85_FUNCTION constexpr T thinnest_axis() noexcept
 {
     return negative_power_of_two<T>(2 * mantissa_digits<T>() / 5);
@@ -83,10 +86,11 @@ template <class T> PW85_FUNCTION constexpr T thinnest_axis() noexcept
 
 inline constexpr double largest_number_of_frame = 16.0;
 
-/// Tests if the digits of the result are enough for the frame and, in the plane, for crossings. The
-/// numbers of the joint frame err by a few u of the largest one, or of that times l10/l11 of the
-/// Cholesky factor. They move the border by as much, and so does an error of F, whatever its
-/// extrema (section.hpp). In space rim_frame.hpp and common_volume.hpp decide it.
+/// Tests if the digits of the result suffice for the frame and, in two dimensions, for the
+/// crossings. The errors of the numbers of the joint frame are a few u times the largest of them,
+/// or times this and l10/l11 of the Cholesky factor. These errors, and errors of F (section.hpp),
+/// move the border by as much. In three dimensions rim_frame.hpp and common_volume.hpp have the
+/// tests for the other steps.
 template <class T, int D>
 PW85_FUNCTION inline bool is_frame_accurate(JointFrame<T, D> const &frame) noexcept
 {
@@ -97,9 +101,10 @@ PW85_FUNCTION inline bool is_frame_accurate(JointFrame<T, D> const &frame) noexc
     return T(largest * T(T(1) + skew)) <= T(largest_number_of_frame);
 }
 
-/// Tests if the bound holds for a part by twice the digits: the displacement η by rounded forms,
-/// which is 16u times that of the digits of the result, is small enough, or the part and what is
-/// left of the smaller body are larger than a lens of depth 8η.
+/// Tests if the bound holds for a part that was computed with twice the digits. The displacement η
+/// by rounded forms is then 16u times that for the digits of the result. Either η is below the
+/// limit above, or the part and the rest of the smaller body are both larger than a lens of depth
+/// 8η (12η in two dimensions).
 template <class T, int D>
 PW85_FUNCTION inline bool is_resolved(T const &displacement, T const &part) noexcept
 {
@@ -111,8 +116,8 @@ PW85_FUNCTION inline bool is_resolved(T const &displacement, T const &part) noex
     return part >= lens && T(unit_measure<T, D>() - part) >= lens;
 }
 
-/// The measure in the unit of the caller. It is at most that of the smaller ellipsoid: only a
-/// result near it is compared.
+/// The volume or area in the unit of the caller. It is limited to that of the smaller ellipsoid;
+/// the comparison is needed only if the result is near this limit.
 template <class T, int D>
 PW85_FUNCTION inline T measure_in_space(JointFrame<T, D> const &frame, T const &part,
                                         SymmetricMatrix<T, D> const &q1,
@@ -124,8 +129,8 @@ PW85_FUNCTION inline T measure_in_space(JointFrame<T, D> const &frame, T const &
                : measure;
 }
 
-/// The measure of a part by twice the digits, from the forms; NaN if there is none within the
-/// bound.
+/// The volume or area of a part, computed from the forms with twice the digits; NaN if its error
+/// may exceed the bound.
 template <class T, int D> PW85_RARE T measure_part_finely(Vector<T, D> const &r12,
                                                           SymmetricMatrix<T, D> const &q1,
                                                           SymmetricMatrix<T, D> const &q2) noexcept
@@ -141,7 +146,7 @@ template <class T, int D> PW85_RARE T measure_part_finely(Vector<T, D> const &r1
 
 PW85_RARE_TIER(measure_part_finely)
 
-/// The measure of a part; NaN if there is none within the bound.
+/// The volume or area of a part; NaN if its error may exceed the bound.
 template <class T, int D>
 PW85_FUNCTION inline T measure_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                     SymmetricMatrix<T, D> const &q2) noexcept
@@ -156,13 +161,13 @@ PW85_FUNCTION inline T measure_part(Vector<T, D> const &r12, SymmetricMatrix<T, 
     return measure_in_space(frame, part.measure, q1, q2);
 }
 
-/// The measure of the common part, for any pair. It is at most that of the smaller ellipsoid.
+/// The volume or area of the intersection of any pair: at most that of the smaller ellipsoid.
 template <class T> struct CommonMeasure {
     T measure;
     StatusCode status;
 };
 
-/// For a pair with this decision.
+/// Computes the volume or area for a pair with this decision.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline CommonMeasure<T>
 measure_decided_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                      SymmetricMatrix<T, D> const &q2, CommonPartDecision const &decision) noexcept
@@ -180,7 +185,7 @@ measure_decided_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
 
 namespace pw85 {
 
-/// The volume of the common part of two ellipsoids.
+/// The volume of the intersection of two ellipsoids.
 template <class T>
 PW85_FUNCTION inline Volume<T> overlap_volume(Vector<T, 3> const &r12,
                                               SymmetricMatrix<T, 3> const &q1,
@@ -192,8 +197,8 @@ PW85_FUNCTION inline Volume<T> overlap_volume(Vector<T, 3> const &r12,
     return {volume, status};
 }
 
-/// The area of the common part of two ellipses. The chords of doubles are accurate for nearly all
-/// pairs; crossings have the other ones.
+/// The area of the intersection of two ellipses. For double, chords suffice for nearly all pairs.
+/// The other pairs use crossings.
 template <class T>
 PW85_FUNCTION inline Area<T> overlap_area(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
                                           SymmetricMatrix<T, 2> const &q2) noexcept

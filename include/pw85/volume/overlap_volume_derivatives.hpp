@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The derivatives of the volume of the common part of two ellipsoids. pw85.hpp and the C API call
-/// them.
+/// The derivatives of the volume of the intersection of two ellipsoids: overlap_volume_gradient()
+/// and overlap_volume_torque().
 ///
-/// 1. If a point x of a surface moves by δx, the volume V of the common part changes by the
-///    integral of n·δx over the part of that surface that is inside the other ellipsoid. n is the
-///    outward normal. So ∂V/∂r12 is N2 = ∫ n dA over surface 2, which is -N1, because both parts
-///    close a surface. A change dQ of a form moves the surface by n·δx = nᵀ dQ Q⁻¹(x - c)/2, so
-///    that ∂V/∂Q = ½ ∫ n (Q⁻¹(x - c))ᵀ dA, which is symmetric.
+/// 1. If a point x of a surface moves by δx, the volume V of the intersection changes by the
+///    integral of n·δx over the part of that surface that is inside the other ellipsoid. Here n is
+///    the outward normal. So ∂V/∂r12 is N2 = ∫ n dA over the part of surface 2. It equals -N1,
+///    because the parts of both surfaces together are a closed surface. A change dQ of a form moves
+///    the surface by n·δx = nᵀ dQ Q⁻¹(x - c)/2, so ∂V/∂Q = ½ ∫ n (Q⁻¹(x - c))ᵀ dA, a symmetric
+///    matrix.
 /// 2. Both ∫ n dA and ∫ n xᵀ dA are integrals along the rim. Let y be a point of a body relative to
-///    its centre, in the metric in which the body is the unit ball, so that n = y there. By Stokes'
-///    theorem ∫ y dA = ½ ∮ y × dy, and with the area A of its part 3 ∫ y yᵀ dA = A I + the
-///    symmetric part of ∮ y (y × dy)ᵀ. With y = o + X, where o is on the axis, ∮ y (y × dy)ᵀ = 3 o
-///    Nᵀ - (o·N) I + ∮ X (X × dX)ᵀ and N = ½ ∮ X × dX. As X = z ℓ + ρ f, both bodies share 12
-///    integrals. They have opposite orientations, so action and reaction are equal.
+///    its centre, in the metric in which the body is the unit ball, so that n = y there. Let A be
+///    the area of its part of the surface. By Stokes' theorem ∫ y dA = ½ ∮ y × dy, and 3 ∫ y yᵀ dA
+///    is A I plus the symmetric part of ∮ y (y × dy)ᵀ. With y = o + X, where o is on the axis, ∮ y
+///    (y × dy)ᵀ = 3 o Nᵀ - (o·N) I + ∮ X (X × dX)ᵀ and N = ½ ∮ X × dX. As X = z ℓ + ρ f, both
+///    bodies share 12 integrals. They have opposite orientations, so action and reaction are equal.
 #ifndef PW85_VOLUME_OVERLAP_VOLUME_DERIVATIVES_HPP_INCLUDED
 #define PW85_VOLUME_OVERLAP_VOLUME_DERIVATIVES_HPP_INCLUDED
 
@@ -21,7 +22,7 @@
 
 namespace pw85 {
 
-/// Derivatives of the volume of the common part with respect to r12 and to the stored entries of
+/// Derivatives of the volume of the intersection with respect to r12 and to the stored entries of
 /// both forms (an off-diagonal entry stands for two entries of the matrix).
 template <class T> struct OverlapVolumeGradient {
     Vector<T, 3> r12;
@@ -29,7 +30,7 @@ template <class T> struct OverlapVolumeGradient {
     StatusCode status;
 };
 
-/// Derivatives of the volume of the common part with respect to rotations of both ellipsoids about
+/// Derivatives of the volume of the intersection with respect to rotations of both ellipsoids about
 /// their centres, per radian.
 template <class T> struct OverlapVolumeTorque {
     Vector<T, 3> rotation1, rotation2;
@@ -61,7 +62,7 @@ PW85_FUNCTION inline void add_moments(T (&sums)[rim_moments],
     }
 }
 
-/// z of the middle of the common part of the axis.
+/// z of the middle of the segment of the axis inside both bodies.
 template <class T> PW85_FUNCTION inline T middle_of_common_part(RimFrame<T> const &rim) noexcept
 {
     auto const &ball = rim.bodies[0], &other = rim.bodies[1];
@@ -71,7 +72,7 @@ template <class T> PW85_FUNCTION inline T middle_of_common_part(RimFrame<T> cons
 }
 
 /// The integrands of the moments, with the orientation of the ball. X is relative to the middle of
-/// the common part of the axis.
+/// the segment of the axis inside both bodies.
 template <class T> struct MomentIntegrands {
     RimIntegration<T> const &integration;
     TwoLanes<T> sign, middle;
@@ -144,7 +145,8 @@ surface_tensor(RimSums<T, rim_moments> const &m, T const &area, T const &sign,
     return tensor;
 }
 
-/// It is not inlined, because of its memory: its callers also call the tier of twice the digits.
+/// Not inlined, to keep its arrays out of the stack frames of its callers, which also call the
+/// functions for twice the digits.
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline FrameDerivatives<T, 3>
 frame_derivatives(JointFrame<T, 3> const &frame) noexcept
 {
@@ -177,7 +179,7 @@ frame_derivatives(JointFrame<T, 3> const &frame) noexcept
 }
 
 /// The axial vector of 2QG for a valid form Q. The products are in the unit of Q. So a component
-/// that is zero stays zero where the products leave the range.
+/// that is zero remains zero even if products in the unit of the caller would overflow.
 template <class T> PW85_FUNCTION inline Vector<T, 3>
 torque_of(SymmetricMatrix<T, 3> const &q, SymmetricMatrix<T, 3> const &g) noexcept
 {
@@ -193,7 +195,7 @@ torque_of(SymmetricMatrix<T, 3> const &q, SymmetricMatrix<T, 3> const &g) noexce
 
 namespace pw85 {
 
-/// The derivatives of the volume of the common part.
+/// Computes the derivatives with respect to r12 and the stored entries of both forms.
 template <class T> PW85_FUNCTION inline OverlapVolumeGradient<T>
 overlap_volume_gradient(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
                         SymmetricMatrix<T, 3> const &q2) noexcept
@@ -202,7 +204,7 @@ overlap_volume_gradient(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1
     return {d.r12, detail::by_entries(d.q1), detail::by_entries(d.q2), d.status};
 }
 
-/// The derivatives with respect to rotations about the centres.
+/// Computes the derivatives with respect to rotations of the ellipsoids about their centres.
 template <class T> PW85_FUNCTION inline OverlapVolumeTorque<T>
 overlap_volume_torque(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
                       SymmetricMatrix<T, 3> const &q2) noexcept

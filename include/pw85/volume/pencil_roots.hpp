@@ -2,7 +2,7 @@
 /// @file
 /// The roots of the function h of a pencil (rim_axis.hpp) between two of its poles, by Newton's
 /// method, which converges monotonically in the convex part and in the concave part of h.
-/// rim_axis.hpp and src/simd/lanes/volumes.hpp call highest_root() or its steps.
+/// rim_axis.hpp calls highest_root(), and src/simd/lanes/volume_frames.hpp calls its steps.
 #ifndef PW85_VOLUME_PENCIL_ROOTS_HPP_INCLUDED
 #define PW85_VOLUME_PENCIL_ROOTS_HPP_INCLUDED
 
@@ -18,8 +18,9 @@ namespace pw85::detail {
 /// < 0 is outside of the ball. -h''/2 = Σ b_i²/(p_i - t)³ increases between two poles, so h is
 /// first convex and then concave there.
 ///
-/// h is computed by the weights (above). On a thin disc w of the shortest axis exceeds the other
-/// terms by up to 25 orders of magnitude, and γ less b²/(p - t) cancels it.
+/// h is computed from the weights of rim_axis.hpp. For a thin disc the weight w of the shortest
+/// axis exceeds the other terms by up to 25 orders of magnitude, and would cancel in γ - b²/(p -
+/// t).
 template <class T> struct PoleInterval {
     T gap, far_gap;
     T lower, upper, beyond;   ///< b_i² of the pole below, above, and beyond the interval
@@ -65,7 +66,7 @@ template <class T> struct PoleRoot {
 inline constexpr int most_newton_steps = 200;
 
 /// Tests whether a step of Newton's method is the last. The next step would be step² |h''/2|/|h'|,
-/// to leading order. The two terms of h'' cancel where h turns from convex to concave, but not at
+/// to leading order. The two terms of h'' cancel where h changes from convex to concave, but not at
 /// the end of the step. Therefore the sum of their magnitudes takes the place of |h''/2|.
 template <class T> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 is_last_step(T const &step, T const &x, T const &sharpness, T const &slope) noexcept
@@ -74,13 +75,14 @@ is_last_step(T const &step, T const &x, T const &sharpness, T const &slope) noex
     return step <= T(T(T(4) * u) * x) || T(T(step * step) * sharpness) <= T(T(u * x) * -slope);
 }
 
-/// A step of Newton's method from x: the next x, and whether there is no root or the search ends.
+/// A step of Newton's method from x: the next x, and two flags: there is no root; the search ends.
 template <class T> struct NewtonStep {
     T next;
     typename ScalarTraits<T>::Mask fails, ends;
 };
 
-/// Newton's method in the lanes of a mask, by step(x). Returns those of them that have a root.
+/// Newton's method in the lanes of a mask, with the steps step(x). Returns the lanes that have a
+/// root.
 template <class T, class Step> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 find_root(typename ScalarTraits<T>::Mask active, T &x, Step const &step) noexcept
 {
@@ -94,7 +96,7 @@ find_root(typename ScalarTraits<T>::Mask active, T &x, Step const &step) noexcep
     return has_root;
 }
 
-/// Newton's method in the concave part, from above, in the lanes of a mask. It returns those that
+/// Newton's method in the concave part, from above, in the lanes of a mask. Returns the lanes that
 /// have a root there.
 template <class T> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 descend(typename ScalarTraits<T>::Mask const &active, PoleInterval<T> const &f, T &delta) noexcept
@@ -109,7 +111,8 @@ descend(typename ScalarTraits<T>::Mask const &active, PoleInterval<T> const &f, 
     });
 }
 
-/// Newton's method in the convex part, from below, likewise.
+/// Newton's method in the convex part, from below, in the lanes of a mask. Returns the lanes that
+/// have a root there.
 template <class T> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 ascend(typename ScalarTraits<T>::Mask const &active, PoleInterval<T> const &f, T &epsilon) noexcept
 {
@@ -123,7 +126,8 @@ ascend(typename ScalarTraits<T>::Mask const &active, PoleInterval<T> const &f, T
 }
 
 /// Below this distance from the lower pole, h is positive in the lower half: there t w/ε of the
-/// lower pole is at least p w/ε, less w if t < p, and the other factors of h are at their bounds.
+/// lower pole is at least p w/ε, or p w/ε - w if t < p. The other terms of h are replaced by
+/// bounds.
 template <class T> PW85_FUNCTION inline T start_of_ascent(PoleInterval<T> const &f) noexcept
 {
     T const half = T(T(0.5) * f.gap);
@@ -143,8 +147,8 @@ template <class T> PW85_FUNCTION inline T value_at_upper(PoleInterval<T> const &
     return f.plain(f.sign > T(0) ? f.gap : T(0)) + f.sign * f.weights[1] + f.upper_pole * others;
 }
 
-/// A distance from the upper pole at which, and below which, h is not positive. In the upper half
-/// t w/δ of the upper pole is at least p w/δ, less w if t < p.
+/// A distance from the upper pole at which, and below which, h is not positive. In the upper half t
+/// w/δ of the upper pole is at least p w/δ, or p w/δ - w if t < p.
 template <class T> PW85_FUNCTION inline T start_of_descent(PoleInterval<T> const &f) noexcept
 {
     T const half = T(T(0.5) * f.gap);
@@ -155,7 +159,8 @@ template <class T> PW85_FUNCTION inline T start_of_descent(PoleInterval<T> const
     return minimum(half, positive_quotient(f.upper, most, half));
 }
 
-/// The root at which a descent ended. A small distance from the lower pole has digits of its own.
+/// The root at which a descent ended. If it is near the lower pole, its distance from this pole is
+/// computed separately, with all its digits.
 template <class T> PW85_FUNCTION inline PoleRoot<T> root_after_descent(PoleInterval<T> const &f,
                                                                        T const &delta) noexcept
 {
@@ -194,8 +199,8 @@ PW85_FUNCTION inline PoleRoot<T> highest_root(PoleInterval<T> const &f, bool upp
     return {T(f.gap - epsilon), epsilon, Place::between};
 }
 
-/// The roots that are nearest to the middle pole, on its two sides, and whether the middle pole
-/// counts as a root of the first side if its term is zero.
+/// The roots that are nearest to the middle pole, on its two sides, and a flag: true if the middle
+/// pole counts as a root of the first side if its term is zero.
 template <class T> struct MiddleRoots {
     PoleRoot<T> roots[2];
     bool counts;

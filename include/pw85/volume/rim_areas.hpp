@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The area of the part of a body that bounds the common part, as an integral along the rim.
+/// The area of the part of a body that bounds the intersection, as an integral along the rim.
 /// rim_integrals.hpp calls area_integrand().
 ///
 /// Let y be a point of a body relative to its centre, in the metric in which the body is a ball of
-/// radius one, and A the area of its part in this metric. area_beyond() and area_between() give it.
-/// All integrands are algebraic: nothing but square roots and divisions.
+/// radius one, and A the area of its part in this metric. area_beyond() and area_between() compute
+/// the integrands of A. They are algebraic: they contain only square roots and divisions.
 #ifndef PW85_VOLUME_RIM_AREAS_HPP_INCLUDED
 #define PW85_VOLUME_RIM_AREAS_HPP_INCLUDED
 
@@ -19,7 +19,7 @@ template <class T> PW85_FUNCTION inline T linear_form(T const (&row)[2], T const
     return row[0] * w[0] + row[1] * w[1];
 }
 
-/// A point in the metric of a body: what the integrands of the areas have in common.
+/// A point in the metric of a body, with the numbers that all integrands of areas use.
 template <class T> struct PointOnBody {
     T along, s, ds, twist, twist_derivative, square;
 };
@@ -69,8 +69,9 @@ from_end(BodyOnAxis<T> const &body, MovingHalfPlane<T> const &plane, RimPoint<T>
 
 /// 2 e·(d × dy)/|d|² for an end of the chord.
 ///
-/// A is ∮ 2 e·(dy × d)/|d|² with d = y - e, if e is a point of the unit sphere outside of a part
-/// with one rim that is traversed counterclockwise. e is one of the ends of the chord on the axis.
+/// Let a part of the unit sphere have one rim, which is traversed counter-clockwise. For a point e
+/// of the sphere outside the part, A is ∮ 2 e·(dy × d)/|d|² with d = y - e. Here e is one of the
+/// ends of the chord on the axis.
 template <bool is_ball, class T>
 PW85_FUNCTION inline T area_beyond(BodyOnAxis<T> const &body, MovingHalfPlane<T> const &plane,
                                    RimPoint<T> const &p, T const &turn,
@@ -86,8 +87,9 @@ PW85_FUNCTION inline T area_beyond(BodyOnAxis<T> const &body, MovingHalfPlane<T>
 
 /// The integrand for a part between two rims, which has neither end inside: the mean of the
 /// integrands of area_beyond() with both ends. In closed form it is (f·m a + h² s k·m)/(a² - h²s²),
-/// with m = y × dy, a = h² - f·ρg⊥, and with k, f, s and h of rim_frame.hpp. That form is taken
-/// where the mean may be small: in the middle of the chord. Near its ends that form cancels.
+/// with m = y × dy, a = h² - f·ρg⊥, and with k, f, s and h of rim_frame.hpp. The closed form is
+/// used in the middle of the chord, where the mean may be small. Near the ends of the chord the
+/// terms of the closed form cancel, and the mean is used.
 template <bool is_ball, class T>
 PW85_FUNCTION inline T area_between(BodyOnAxis<T> const &body, MovingHalfPlane<T> const &plane,
                                     RimPoint<T> const &p, T const &turn) noexcept
@@ -112,21 +114,21 @@ PW85_FUNCTION inline T area_between(BodyOnAxis<T> const &body, MovingHalfPlane<T
 /// area_beyond() is not inside the part: for one rim, it is the end that does not belong to the
 /// body.
 ///
-/// The integrand has a pole near the real axis if e is near the rim. So, where the rim is near an
-/// end of the axis, e is the end that is farther from it. The integral is then the area on the
-/// other side of the rim, and the rest of the whole surface is that of the side of e. A part
-/// between two rims is what two caps leave of the whole surface. Both differences err by a few u of
-/// the whole surface. They are taken only if the body is not much larger than the ball.
+/// The integrand has a pole near the real axis if e is near the rim. So, if the rim is near an end
+/// of the axis, e is the other end. The integral is then the area on the other side of the rim, and
+/// the area of the part is the whole surface minus this integral. The area of a part between two
+/// rims is the whole surface minus two caps. The errors of both differences are a few u times the
+/// whole surface. They are used only if the body is not much larger than the ball.
 template <class Mask> struct AreaRule {
-    Mask above, below; ///< true if that end of the common part of the axis is the body's
+    Mask above, below; ///< true if this end of the segment inside both bodies is the body's
     Mask is_upper;     ///< true if the end e for one rim is the upper end
     Mask is_rest;      ///< true if the area is the rest of the surface
 
     PW85_MEMBER Mask has_two_rims() const noexcept { return are_equal(above, below); }
 };
 
-/// The area of the part of a body at one or two points, or of the rest of the surface with the
-/// opposite sign.
+/// The integrand of the area of the part of a body at one or two points, or that of the rest of the
+/// surface, with the opposite sign.
 template <bool is_ball, class T>
 PW85_FUNCTION inline T area_integrand(BodyOnAxis<T> const &body, MovingHalfPlane<T> const &plane,
                                       RimPoint<T> const (&points)[2], T const &speed,

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The axis of the rim: a line about which the rim of the common part, where both surfaces
+/// The axis of the rim: a line about which the rim of the intersection, where both surfaces
 /// intersect, is a curve of one or two points per half-plane. rim_frame.hpp calls rim_axis(), and
 /// pencil_roots.hpp finds the roots of h.
 ///
 /// The pair is in its joint frame (joint_frame.hpp). With homogeneous coordinates X = (x, x0), the
 /// unit ball is B(X, X) <= 0 with B = diag(1, ..., 1, -1), and the other ellipsoid is A(X, X) <= 0
-/// with A = [P, -b; -bᵀ, γ]. The singular members of the pencil A - tB are at the roots of h(t) =
-/// t + γ - Σ b_i²/(p_i - t), with vertices x = (P - t)⁻¹b. With the weights w_i = b_i²/p_i and the
-/// shortest axis s, γ is Σ w_i - s and h(t) = t - s - t Σ w_i/(p_i - t). Two of these vertices give
-/// the axis (RimAxis).
+/// with A = [P, -b; -bᵀ, γ]. The members A - tB of the pencil that are singular are at the roots of
+/// h(t) = t + γ - Σ b_i²/(p_i - t), with vertices x = (P - t)⁻¹b. With the weights w_i = b_i²/p_i
+/// and the shortest axis s, γ is Σ w_i - s and h(t) = t - s - t Σ w_i/(p_i - t). Two of these
+/// vertices determine the axis (RimAxis).
 #ifndef PW85_VOLUME_RIM_AXIS_HPP_INCLUDED
 #define PW85_VOLUME_RIM_AXIS_HPP_INCLUDED
 
@@ -24,10 +24,10 @@ namespace pw85::detail {
 /// Let w1, w2 be the vertices of the roots that are nearest to the middle pole of h, on its two
 /// sides. Both are outside of the ball, and A(w1, w2) = B(w1, w2) = 0. The points that are
 /// conjugate to both are a line through the ball: the axis. It meets the sphere at n1 and n2, and
-/// A(w, n) = B(w, n) = 0 for each w of w1, w2 and n of n1, n2. So the pair is, up to a projective
-/// map, a ball and an ellipsoid that are symmetric about the two planes through their common axis.
-/// A point of the rim is X = p n1 + q n2 + cos ψ w1 + sin ψ w2, for which B(X, X) = 0 gives p q,
-/// and A(X, X) = 0 a quadratic equation in p².
+/// A(w, n) = B(w, n) = 0 for each w of w1, w2 and n of n1, n2. So a projective map takes the pair
+/// to a ball and an ellipsoid that are symmetric about two planes through their common axis. A
+/// point of the rim is X = p n1 + q n2 + cos ψ w1 + sin ψ w2, for which B(X, X) = 0 gives p q, and
+/// A(X, X) = 0 a quadratic equation in p².
 template <class T> struct RimAxis {
     Vector<T, 3> origin, direction;
     Vector<T, 3> vertices[2];
@@ -85,15 +85,15 @@ template <class T> PW85_FUNCTION inline Vertex<T> normalized(Vertex<T> v) noexce
     return {scale * v.x, scale * v.height, v.root};
 }
 
-/// The poles that bound an interval and the third one, by their axes. sign(p_upper - p_lower) is
-/// that of `sign`.
+/// The indices of the axes of the two poles that bound an interval, and of the third pole. `sign`
+/// is the sign of p_upper - p_lower.
 template <class T> struct PoleAxes {
     int lower, upper, beyond;
     T sign;
 };
 
-/// The interval between two poles; sign = -1 turns t to -t, so that the "upper" pole can be the one
-/// that is smaller.
+/// The interval between two poles. If sign = -1, t is replaced by -t, so the "upper" pole is then
+/// the smaller one.
 template <class T> PW85_FUNCTION inline PoleInterval<T>
 pole_interval(Pencil<T> const &p, PoleAxes<T> const &axes) noexcept
 {
@@ -139,7 +139,7 @@ vertex_of(Pencil<T> const &p, PoleAxes<T> const &axes, PoleRoot<T> const &root) 
     return v;
 }
 
-/// The vertex at the root nearest to the upper one of both poles.
+/// The vertex at the root that is nearest to the upper pole of an interval.
 template <class T> PW85_FUNCTION inline Vertex<T>
 vertex_between(Pencil<T> const &p, PoleAxes<T> const &axes, bool upper_counts) noexcept
 {
@@ -153,13 +153,14 @@ template <class T> PW85_FUNCTION constexpr T highest_vertex() noexcept
 }
 
 /// Where the ellipsoids touch from inside, two roots of the pencil coincide, and their vertex is
-/// the point that they touch at. If these roots are the two of an interval that are nearest to the
-/// middle pole, the third one takes their place. Its vertex is outside of the ball, too, and the
-/// axis then passes through the point of tangency, as this point is conjugate to both vertices.
+/// the point that they touch at. If these two roots are the roots nearest to the middle pole in
+/// their interval, the third root of the interval replaces them. Its vertex is also outside the
+/// ball. The axis then passes through the point of tangency, because this point is conjugate to
+/// both vertices.
 ///
 /// Let H be the height of the vertex, and Δ the distance between its root and the next one. B(v, v)
-/// is 1 for the normalized vertex, and h' is near 1/H². So Δ and the relative distance of α or γ
-/// from zero are near 1/H² and 1/H⁴, which is below common_end().
+/// is 1 for the normalized vertex, and h' is near 1/H². So Δ is near 1/H², and the relative
+/// distance of α or γ from zero is near 1/H⁴, which is below common_end().
 template <class T> PW85_FUNCTION inline void
 replace_touching_vertex(Pencil<T> const &p, PoleAxes<T> const &axes, Vertex<T> &v) noexcept
 {
@@ -172,14 +173,15 @@ replace_touching_vertex(Pencil<T> const &p, PoleAxes<T> const &axes, Vertex<T> &
 
 /// The height of a vertex beyond which the vertex at the middle pole may take its place.
 ///
-/// As above, α or γ is η = 1/H⁴ of its size, 2^-44, if the vertex is at the point of tangency. An
-/// end of the axis within η counts as common to both bodies. Let the surfaces have the distance z²
-/// - y⁴ + η near that point, to leading order. The rims that are wrong there have y up to η^(1/4)
-/// and z up to η^(1/2). The volume changes by η^(7/4), which is below u, and the derivatives by
-/// η^(3/4). This is of the order of their bound, as second derivatives are near η^(-1/4).
+/// As for highest_vertex(), α or γ is η = 1/H⁴ = 2^-44 times its usual size if the vertex is at the
+/// point of tangency. An end of the axis within η counts as common to both bodies. Near that
+/// point the distance of the surfaces is z² - y⁴ + η, to leading order. The rims that are wrong
+/// there have y up to η^(1/4) and z up to η^(1/2). The volume changes by η^(7/4), which is below u,
+/// and the derivatives by η^(3/4). This is of the order of the bound of the derivatives, because
+/// second derivatives are near η^(-1/4).
 inline constexpr double highest_vertex_beside_pole = 2048.0;
 
-/// The size of b of the middle pole that rounding of the forms and of the offset explains.
+/// The largest b of the middle pole that can result from rounding of the forms and of r12 alone.
 ///
 /// Let the bodies touch at an end of the axis a², with equal curvatures in the direction of the
 /// middle axis a, so that the centre is at a² - 1. The entries of Q1, Q2 and r are rounded by u,
@@ -188,9 +190,9 @@ inline constexpr double highest_vertex_beside_pole = 2048.0;
 ///
 ///     (a² - 1) + √3 (a² - 1)/2 + √3 (a² - 1) (a⁴ + (a⁴ + a²)/2)/(a⁴ - a²) = (1 + 2√3) a² - 1,
 ///
-/// the last of these terms by the turn of the axes. b is the pole, s/a² with the shortest axis s,
-/// times this: up to 4.5 u κ s, or 8 u s for κ up to 1.8. With a < 1 the pole exceeds s, and 8 u
-/// times the pole moves the centre by 8 u. The term 2 b y is below η everywhere.
+/// where the last term comes from the rotation of the axes. b is this times the pole, s/a² with the
+/// shortest axis s: up to 4.5 u κ s, or 8 u s for κ up to 1.8. With a < 1 the pole exceeds s, and 8
+/// u times the pole moves the centre by 8 u. The term 2 b y is below η everywhere.
 template <class T> PW85_FUNCTION inline T rounding_of_middle_b(Pencil<T> const &p) noexcept
 {
     T const shortest = T(T(1) / p.poles[2]);
@@ -200,9 +202,10 @@ template <class T> PW85_FUNCTION inline T rounding_of_middle_b(Pencil<T> const &
 
 /// Where the ellipsoids touch from inside with equal curvatures in the direction of the middle
 /// axis, the middle pole is a third root next to the two that coincide, within a few 1/H². Its term
-/// is zero, or moves the centre by rounding alone. Its vertex then takes the place of a touching
-/// one, in whichever interval the pole counts by rounding: the vertices are those of the limit of
-/// equal roots, and the axis passes through the point of tangency.
+/// is zero, or so small that it moves the centre by no more than rounding. The vertex of this pole
+/// then replaces a vertex at the point of tangency. Rounding decides to which interval the pole
+/// counts; this does not matter: the vertices are those of the limit of equal roots, and the axis
+/// passes through the point of tangency.
 template <class T>
 PW85_FUNCTION inline bool give_pole_to_touching_vertex(Pencil<T> p, PoleAxes<T> const (&axes)[2],
                                                        bool counts, Vertex<T> (&v)[2]) noexcept
@@ -229,8 +232,8 @@ PW85_FUNCTION inline bool give_pole_to_touching_vertex(Pencil<T> p, PoleAxes<T> 
     return false;
 }
 
-/// Turns the coordinates of two axes with the same pole so that b of the first is zero. Returns the
-/// rotation.
+/// Rotates the coordinates of two axes with the same pole so that b of the first is zero. Returns
+/// the rotation.
 template <class T> struct PlaneRotation {
     T cosine, sine;
 };
@@ -248,7 +251,7 @@ PW85_FUNCTION inline PlaneRotation<T> make_zero(Pencil<T> &p, int zero, int othe
     return turn;
 }
 
-/// Turns a vector back.
+/// Applies the inverse rotation to a vector.
 template <class T> PW85_FUNCTION inline void turn_back(Vector<T, 3> &x, int zero, int other,
                                                        PlaneRotation<T> const &turn) noexcept
 {
@@ -266,8 +269,8 @@ template <class T> PW85_FUNCTION inline void make_orthogonal(Vertex<T> (&v)[2]) 
 }
 
 /// The axis of two vertices that are orthogonal with respect to B. a_i·x = height_i are the planes
-/// that contain it, and a_i·a_j = δ_ij + height_i height_j. So its point next to the centre of the
-/// ball is Σ height_i a_i/(1 + Σ height_i²).
+/// that contain it, and a_i·a_j = δ_ij + height_i height_j. So its point nearest to the centre of
+/// the ball is Σ height_i a_i/(1 + Σ height_i²).
 template <class T>
 PW85_FUNCTION inline RimAxis<T> axis_of_vertices(Vertex<T> const (&v)[2]) noexcept
 {

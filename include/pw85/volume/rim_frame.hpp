@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What all half-planes through the axis of a rim share (rim_axis.hpp): both bodies relative to the
-/// axis, and the equation of the rim (rim_points.hpp). rim_integrals.hpp uses this file.
+/// Numbers that all half-planes through the axis of a rim (rim_axis.hpp) share: both bodies
+/// relative to the axis, and the equation of the rim (rim_points.hpp). rim_integrals.hpp uses this
+/// file.
 ///
-/// Let o + z ℓ be the axis, g a ray across it, which is the direction of a half-plane, and ρ the
-/// distance from the axis in units of |g|. For each body there is a metric in which it is a ball of
-/// radius R. There the half-plane has coordinates (s, r) with r = κ ρ and s along the image of the
-/// axis, and the surface of the body is a circle about (0, ζ).
+/// Let o + z ℓ be the axis, g a vector perpendicular to it, the direction of a half-plane, and ρ
+/// the distance from the axis in units of |g|. For each body there is a metric in which it is a
+/// ball of radius R. There the half-plane has coordinates (s, r) with r = κ ρ and s along the image
+/// of the axis, and the surface of the body is a circle about (0, ζ).
 ///
 /// The rim is ill-conditioned where it nearly touches itself: two vertices nearly coincide on the
-/// sphere, and the axis leaves the ball. Its length in it goes to zero as the fourth root of the
-/// distance from touching. Then the numbers of this file lose as many digits as the square of that
-/// length has zeros. So below a certain length they are computed from the joint frame with twice
-/// the digits, and rounded.
+/// sphere, and only a short part of the axis is inside the ball. The length of this part goes to
+/// zero as the fourth root of the distance from touching. The relative errors of the numbers in
+/// this file grow as its inverse square. So below a certain length they are computed from the joint
+/// frame with twice the digits, and rounded.
 #ifndef PW85_VOLUME_RIM_FRAME_HPP_INCLUDED
 #define PW85_VOLUME_RIM_FRAME_HPP_INCLUDED
 
@@ -53,7 +54,7 @@ ball_on_axis(RimAxis<T> const &axis, Vector<T, 3> const (&rays)[2]) noexcept
     return ball;
 }
 
-/// The other body, from the images of the axis and of the vectors g_i, and of o less the centre.
+/// The other body, from the images of the axis, of the vectors g_i, and of o minus the centre.
 template <class T> PW85_FUNCTION inline BodyOnAxis<T> body_on_axis(Vector<T, 3> const &direction,
                                                                    Vector<T, 3> const &origin,
                                                                    Vector<T, 3> const (&rays)[2],
@@ -81,20 +82,20 @@ template <class T> PW85_FUNCTION inline BodyOnAxis<T> body_on_axis(Vector<T, 3> 
     return body;
 }
 
-/// The distance of two ends, in units of half of the chord of the ball, that counts as zero in
-/// numbers that are rounded to fewer digits afterwards. Let η be this distance, or that of
-/// shifted_end(). The rim moves by η/s at a distance s from a point where it crosses itself, and
-/// the angle between the surfaces is of the order s there. So the volume changes by less than a
-/// multiple of η² log(1/η), and its derivatives by one of η log(1/η). Both are below the errors of
-/// the rounded numbers.
+/// If the distance of two ends, in units of half of the chord of the ball, is below this limit,
+/// they count as equal. The limit is for numbers that are rounded to fewer digits afterwards. Let η
+/// be this distance, or that of shifted_end(). The rim moves by η/s at a distance s from a point
+/// where it crosses itself, and the angle between the surfaces is of the order s there. So the
+/// volume changes by O(η² log(1/η)), and its derivatives by O(η log(1/η)). Both are below the
+/// errors of the rounded numbers.
 template <class T> PW85_FUNCTION constexpr T common_end() noexcept
 {
     if constexpr (std::is_floating_point_v<typename ScalarTraits<T>::Lane>) return T(0);
     return negative_power_of_two<T>(2 * mantissa_digits<T>() / 3);
 }
 
-/// α over γ or γ over α, with the other sign, at an end that both chords have in common. The larger
-/// it is, the fewer nodes are needed.
+/// The value of -α/γ or -γ/α that is set at an end that both chords have in common. The larger it
+/// is, the fewer nodes are needed.
 template <class T> PW85_FUNCTION constexpr T shifted_end() noexcept
 {
     return negative_power_of_two<T>(result_digits<T>() + 8);
@@ -103,18 +104,19 @@ template <class T> PW85_FUNCTION constexpr T shifted_end() noexcept
 /// Measures the ends of the chord of the other body from those of the ball's chord. Ends within
 /// `nearest`, in units of half of the ball's chord, count as common.
 ///
-/// The ends of the common part of the axis must agree with the signs of α and γ, which are products
-/// of the same differences: αγ < 0, so that there is one rim, if the ends belong to different
-/// bodies, and αγ > 0 if both belong to one body and the chords intersect.
+/// The ends of the segment of the axis inside both bodies must agree with the signs of α and γ,
+/// which are products of the same differences: αγ < 0, so that there is one rim, if the ends belong
+/// to different bodies, and αγ > 0 if both belong to one body and the chords intersect.
 ///
 /// Where both chords have an end in common, α or γ is zero, and one root of the equation of the rim
-/// is this end in each half-plane. The other root is the one rim. So the common end counts as that
-/// of the body that does not own the other end. This also holds where that rim passes through the
-/// common end. The volume is a continuous function of α and γ, so an end which is common by
-/// rounding alone is not special. Where both ends are common, the rim passes through the lower one
-/// in half-planes in which the other body is inside the ball, and through the upper one elsewhere.
+/// is this end in each half-plane. The other root is the one rim. So the common end counts as an
+/// end of the body to which the other end does not belong. This also holds where that rim passes
+/// through the common end. The volume is a continuous function of α and γ, so it does not matter
+/// whether ends are equal only by rounding. Where both ends are common, the rim passes through the
+/// lower one in half-planes in which the other body is inside the ball, and through the upper one
+/// elsewhere.
 ///
-/// Lanes leave pairs with a common end over (has_common_end()).
+/// Packs of numbers do not compute pairs with a common end (has_common_end()).
 template <class T> PW85_FUNCTION inline void set_ends(RimFrame<T> &rim, T const &nearest) noexcept
 {
     auto &other = rim.bodies[1];
@@ -142,8 +144,9 @@ has_common_end(BodyOnAxis<T> const &other) noexcept
     return other.above == T(0) || other.below == T(0);
 }
 
-/// α and γ over the square of the stretch of the axis. In space they are not zero: each half-plane
-/// has a point of the rim which is not on the axis (common_end()).
+/// α and γ divided by the square of the stretch of the axis. If an end is common, the product that
+/// would be zero is replaced by a tiny one (shifted_end()). Each half-plane then has a point of the
+/// rim that is not on the axis.
 template <class T> struct AxisProducts {
     T alpha, gamma;
 };
@@ -186,7 +189,7 @@ set_rim_equation(RimFrame<T> &rim, RimAxis<T> const &axis, T const &shortest) no
     if (any_of(is_small)) rest = select(is_small, T(T(chord * chord) / T(mean + rim.least)), rest);
     for (int i = 0; i < 2; ++i)
         rim.excess[i] = rest - T(T(T(4) * sign) * T(h * h)) * T(scale * axis.roots[i]);
-    // Where there are two rims, T is below `least` by rounding errors alone. The rims then
+    // If there are two rims, T can be below `least` only by rounding errors. The rims then
     // coincide.
     for (T &excess : rim.excess) excess = select(rim.least > T(0), maximum(excess, T(0)), excess);
 }
@@ -255,7 +258,7 @@ PW85_FUNCTION inline void round_to(RimFrame<T> &y, RimFrame<Fine> const &x) noex
     }
 }
 
-/// The rim by twice the digits, from the joint frame as it is.
+/// The rim, computed with twice the digits from the joint frame that has the digits of T.
 template <class T> PW85_RARE RimFrame<T> rim_frame_finely(JointFrame<T, 3> const &frame) noexcept
 {
     auto const wide = widened(frame);
@@ -272,9 +275,10 @@ inline constexpr double shortest_axis = 0.375;
 
 /// The distance of the centres over the fourth power of that length, with the ball as unit, above
 /// which more digits are needed. Points in the metric of the other body are small differences of
-/// numbers like its centre. So they err by u times the distance, and the numbers of the rim by this
-/// over the square of the length; the axis, by which the rim is found, loses as much again. 16 u is
-/// a quarter of 64 u, the part of the bound that does not depend on the pair.
+/// numbers like its centre. So their errors are u times the distance. The errors of the numbers of
+/// the rim are larger by the inverse square of the length, and so are those of the axis, from which
+/// the rim is computed. At the limit the error is 16 u: a quarter of 64 u, the term of the bound
+/// that does not depend on the pair.
 inline constexpr double largest_distance_of_rim = 16.0;
 
 /// Tests whether the digits of the result are enough for the rim.
@@ -287,13 +291,14 @@ is_rim_accurate(JointFrame<T, 3> const &frame, T const &half_chord) noexcept
 }
 
 /// The distance of two ends, in units of half of the chord of the ball, below which more digits are
-/// needed if the rim passes near these ends. It is then at a distance ρ of the root of this from
-/// the axis, and its direction from the end errs by u/ρ.
+/// needed if the rim passes near these ends. The distance ρ of the rim from the axis is then about
+/// the square root of the distance of the ends, and the error of the direction from the end to the
+/// rim is u/ρ.
 inline constexpr double nearest_ends = 1.0 / 256.0;
 
-/// The distance of two ends, as above, and T less `least` over T, below which more digits are
-/// needed for any rim. The kind of rim, and whether the axis of the rim is well chosen, is known
-/// for certain above it. Ellipsoids that nearly touch along a curve have such numbers.
+/// The distance of two ends, as above, and the value of (T - `least`)/T, below which more digits
+/// are needed for any rim. Above it, rounding errors change neither the number of rims nor the
+/// choice of the axis. Ellipsoids that nearly touch along a curve have such numbers.
 inline constexpr double nearest_rims = 0x1p-26;
 
 /// Tests if the digits of the result are enough for a rim near an end of the axis, or near touching

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Integrals along the rim: its points in a pair of opposite half-planes (rim_points.hpp), the
-/// integrands there, which are the areas of both bodies' parts (rim_areas.hpp) and X × dX, and
-/// their sum, which is the volume of the common part. common_volume.hpp and
-/// overlap_volume_derivatives.hpp use this file.
+/// Integrals along the rim, which give the volume of the intersection. This file has the points of
+/// the rim in a pair of opposite half-planes (rim_points.hpp), and the integrands at these points:
+/// those of the areas of the parts of both surfaces (rim_areas.hpp), and X × dX. common_volume.hpp
+/// and overlap_volume_derivatives.hpp use this file.
 ///
 /// The pair is in its joint frame. P1 and P2 are the parts of the surfaces of the ball and of the
-/// other body that bound the common part.
+/// other body that bound the intersection.
 #ifndef PW85_VOLUME_RIM_INTEGRALS_HPP_INCLUDED
 #define PW85_VOLUME_RIM_INTEGRALS_HPP_INCLUDED
 
@@ -25,13 +25,14 @@ swept(MovingHalfPlane<T> const &plane, RimPoint<T> const &p, T const &z, T const
             radial * plane.weights[1] + around * plane.derivatives[1], T(T(p.rho * p.rho) * speed)};
 }
 
-/// The roots of αZ² - TZ + γ = 0, each as a ratio, the larger one first, without cancellation.
-/// Where rounding errors leave no solution, both are where the rim would just touch itself.
+/// The roots of αZ² - TZ + γ = 0, each as a ratio, the larger one first, without cancellation. If
+/// rounding errors leave no real root, both roots are set to the double root, for which the rim
+/// touches itself.
 template <class T> struct RimRoots {
     T numerators[2], denominators[2];
 };
 
-/// `excess` is T less `least` of the rim.
+/// `excess` is T minus `least` of the rim.
 template <class T>
 PW85_FUNCTION inline RimRoots<T> rim_roots(RimEquation<T> const &rim, T const &excess) noexcept
 {
@@ -96,9 +97,9 @@ template <class T> PW85_FUNCTION inline RimPoint<T> rim_point(RimRoot<T> const &
         select(root.up, z, T(-z)), rho, select(root.up, T(-change), change), drho, gap, root.up};
 }
 
-/// Data of all integrands: the rim, the common part of its axis, and both bodies for the two
-/// half-planes of a pair, which are computed side by side. Packs of numbers need no copies of the
-/// bodies.
+/// Data that all integrands use: the rim, the segment of its axis inside both bodies, and copies of
+/// both bodies for the two half-planes of a pair, which are computed at the same time. Packs of
+/// numbers need no copies of the bodies.
 template <class T> struct RimIntegration {
     struct Nothing {};
     static constexpr bool has_copies = ScalarTraits<T>::lanes == 1;
@@ -140,22 +141,22 @@ template <class T> struct RimIntegration {
     }
 
     /// Tests whether there is no rim, because one body is inside the other one, or because the
-    /// chords of the axis are disjoint. The ellipsoids then touch from outside to rounding, and the
-    /// common part counts as empty.
+    /// chords of the axis are disjoint. In the second case the ellipsoids touch from outside up to
+    /// rounding, and the intersection counts as empty.
     PW85_MEMBER Mask has_no_rim() const noexcept
     {
         return is_whole() || (!is_of_one_body() && rim.least > T(0));
     }
 
-    /// Returns the area of the whole body over 2π and the radius of the metric, or nothing for the
-    /// other one, where there is no rim.
+    /// If there is no rim, returns the whole area of a body over 2π and the radius of the metric if
+    /// the body is inside the other one, and 0 otherwise.
     PW85_MEMBER T area_without_rim(int body, T const &radius) const noexcept
     {
         return is_whole() && rim.ends.ball_above == (body == 0) ? T(T(2) * radius) : T(0);
     }
 
     /// Calls add(plane, points, speed) with both half-planes of a pair, and with those of its
-    /// mirror image. These have the same roots.
+    /// mirror image, which has the same roots.
     template <class Add> PW85_MEMBER void for_each(RimDirection<T> const &pair, bool has_image,
                                                    Add const &add) const noexcept
     {
@@ -184,13 +185,13 @@ template <class T> struct RimIntegration {
                                         RimPoint<Two> const (&points)[2],
                                         Two const &speed) const noexcept
     {
-        // a copy of the code for the ball takes 28 kB of wider numbers
+        // a separate copy of the code for the ball would take 28 kB for wider types
         constexpr bool is_ball = k == 0 && std::is_floating_point_v<typename ScalarTraits<T>::Lane>;
         return sum_of_lanes(area_integrand<is_ball>(numbers_of(k), plane, points, speed, rules[k]));
     }
 
-    /// Summand that completes the mean of area(): the area of a whole sphere of this radius over 2π
-    /// and the radius, or nothing.
+    /// Returns the term to add to the mean of area(): the area of a whole sphere of this radius
+    /// over 2π and the radius if area() integrates over the rest of the surface, and 0 otherwise.
     PW85_MEMBER T whole(int body, T const &radius) const noexcept
     {
         return select(rules[body].is_rest, T(T(2) * radius), T(0));
@@ -216,7 +217,8 @@ template <class T> struct RimIntegration {
         return least;
     }
 
-    /// Takes the ends that are farther from a rim that is near an end of the axis.
+    /// For a rim that is near an end of the axis, chooses the ends e (AreaRule) that are farther
+    /// from it.
     PW85_MEMBER void take_farther_ends(int body) noexcept
     {
         auto &rule = rules[body];
@@ -229,8 +231,9 @@ template <class T> struct RimIntegration {
     }
 };
 
-/// The largest volume of a body, in units of the ball, for which a part may be the rest of caps. An
-/// error of u of the surface changes the volume by u times this, and the bound has 64 u.
+/// The largest volume of a body, in units of the ball, for which the area of a part may be computed
+/// as the whole surface minus caps. A relative error u of the whole surface changes the volume by u
+/// times this limit. The bound has 64 u.
 inline constexpr double largest_volume_of_rest = 8.0;
 
 template <class Mask>
@@ -257,21 +260,23 @@ rim_integration(JointFrame<T, 3> const &frame, RimFrame<T> const &rim) noexcept
     return integration;
 }
 
-/// The frame of the rim is not in the memory of the caller, which computes the sum.
+/// Not inlined, so that the frame of the rim is not in the stack frame of the caller, which
+/// computes the sum.
 template <class T>
 PW85_FUNCTION inline RimIntegration<T> rim_integration(JointFrame<T, 3> const &frame) noexcept
 {
     return rim_integration(frame, accurate_rim_frame(frame));
 }
 
-/// 3V over 2π as the sum of A1, D A2 and c·N2, in this order.
+/// The three terms of 3V over 2π: A1, D A2 and c·N2, in this order.
 ///
 /// The cone over P1 has the volume A1/3, and the cone over P2 has D A2/3 with the determinant D of
 /// the metric. As 3V = ∮ x·n dA, 3V = A1 + D A2 + c·∫ n dA over P2. By Stokes' theorem ∫ n dA = ½ ∮
 /// x × dx, and P1 has the opposite orientation.
 ///
-/// If a point X of the rim is off by δ, this V is the volume of a body that differs by a sliver of
-/// width and thickness of the order δ. So V errs by a term of the order δ² only.
+/// If a point X of the rim has an error δ, the computed V is the volume of a body that differs from
+/// the intersection by a sliver. Its width and thickness are of the order δ, so the error of V is
+/// only O(δ²).
 template <class T> struct VolumeTerms {
     T terms[3];
     bool converged;
@@ -287,7 +292,7 @@ template <class T> struct VolumeIntegrands {
 };
 
 /// Adds the integrands at both half-planes of a pair, and at those of its mirror image. The
-/// function is not a member: Clang gives the symbol of a lambda in a member to the whole program.
+/// function is not a member, because Clang gives external linkage to lambdas in members.
 template <class T> PW85_FUNCTION inline void add_integrands(VolumeIntegrands<T> const &integrands,
                                                             RimDirection<T> const &pair,
                                                             bool has_image,

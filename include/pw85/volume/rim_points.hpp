@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Bodies, the rim, and its points relative to the axis (rim_axis.hpp), in the half-planes through
-/// it. rim_frame.hpp computes the bodies and the equation of the rim, rim_integrals.hpp the points.
+/// Types for the bodies, the rim, and the points of the rim, relative to the axis (rim_axis.hpp)
+/// and in the half-planes through it. rim_frame.hpp computes the bodies and the equation of the
+/// rim, and rim_integrals.hpp computes the points.
 #ifndef PW85_VOLUME_RIM_POINTS_HPP_INCLUDED
 #define PW85_VOLUME_RIM_POINTS_HPP_INCLUDED
 
@@ -17,10 +18,10 @@ template <class T> struct BodyOnAxis {
     T along[2];       ///< the coordinate s of the image of each g_i
     T across[2];      ///< ζ κ of each g_i
     T products[2]
-              /// κ²: products of the images of g_i, less their parts along the axis
+              /// κ²: dot products of the images of g_i, without their components along the axis
               [2];
-    // In space, with the unit vector k along the image of the axis, the point f of the axis next to
-    // the centre, and g_i⊥ across the axis:
+    // With the unit vector k along the image of the axis, the point f of this image that is nearest
+    // to the centre, and the components g_i⊥ of the images of g_i perpendicular to k:
     T twists[2];    ///< k·(f × g_i⊥)
     T turn;         ///< k·(g_1⊥ × g_2⊥)
     T above, below; ///< z of the ends of the ball's axis less z of those of this body
@@ -55,7 +56,8 @@ PW85_FUNCTION inline BodyOnAxis<TwoLanes<T>> side_by_side(BodyOnAxis<T> const &b
     return converted_by<TwoLanes<T>>([](T const &x) { return TwoLanes<T>(x); }, body);
 }
 
-/// Flags: true if that end of the common part of the axis is an end of the chord of the ball.
+/// Flags: true if that end of the segment of the axis inside both bodies is an end of the chord of
+/// the ball.
 template <class Mask> struct AxisEnds {
     Mask ball_above, ball_below;
 };
@@ -76,8 +78,8 @@ requires(ScalarTraits<T>::lanes > 1) PW85_FUNCTION
     return {select(mask, yes.first, no.first), select(mask, yes.second, no.second)};
 }
 
-/// The number of a pair, or of one pair per lane, for a type that has a number for each of its two
-/// half-planes.
+/// The type of a number of a pair (or of one pair per lane), given a type that has a number for
+/// each of the two half-planes.
 template <class T> struct NumberOfPair {
     using type = T;
 };
@@ -85,7 +87,7 @@ template <class T> struct NumberOfPair<TwoLanes<T>> {
     using type = T;
 };
 
-/// Tests if T has the numbers of one pair. Packs leave pairs with two rims over.
+/// True if T has the numbers of one pair. Packs do not compute pairs with two rims.
 template <class T> inline constexpr bool may_have_two_rims =
     ScalarTraits<typename NumberOfPair<T>::type>::lanes == 1;
 

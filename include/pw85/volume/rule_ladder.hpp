@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Means over half-planes by trapezoidal rules in the parameter of elliptic_rule.hpp: the nodes, a
-/// ladder of rules, each with the nodes of the one before, and the rule at which it ends.
-/// rim_integrals.hpp and overlap_volume_derivatives.hpp call mean_over_half_planes().
+/// Means over half-planes by trapezoidal rules in the parameter of elliptic_rule.hpp: the nodes; a
+/// sequence ("ladder") of rules, each of which contains the nodes of the rule before; and the test
+/// that ends it. rim_integrals.hpp and overlap_volume_derivatives.hpp call mean_over_half_planes().
 #ifndef PW85_VOLUME_RULE_LADDER_HPP_INCLUDED
 #define PW85_VOLUME_RULE_LADDER_HPP_INCLUDED
 
@@ -17,7 +17,7 @@ template <class T> PW85_FUNCTION inline UnitVector2<T> turned(UnitVector2<T> con
     return {a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
 }
 
-/// Half of an angle, up to half a turn.
+/// Halves an angle in [0, π].
 template <class T> PW85_FUNCTION inline UnitVector2<T> half_turned(UnitVector2<T> const &a) noexcept
 {
     T const root = square_root(T(T(0.5) * T(T(1) + absolute(a.cosine)))),
@@ -26,8 +26,7 @@ template <class T> PW85_FUNCTION inline UnitVector2<T> half_turned(UnitVector2<T
     return {select(is_acute, root, other), select(is_acute, other, root)};
 }
 
-/// The rule is refined at most to 2^14 pairs of half-planes, or three times as many. 16 or 24 are
-/// usual.
+/// Rules have at most 2^14 pairs of half-planes, or three times as many. 16 or 24 nodes are usual.
 inline constexpr int finest_rule = 14;
 
 /// Sums over half-planes, or means, and the number of pairs of half-planes.
@@ -36,7 +35,8 @@ template <class T, int N> struct RimSums {
     int pairs;
 };
 
-/// The mean from the sums of two sets of half-planes, of which there are 1/inverse.
+/// The mean from the sums over two sets of half-planes; `inverse` is the reciprocal of the number
+/// of half-planes.
 template <class T, int N> PW85_FUNCTION inline RimSums<T, N>
 mean_of(RimSums<T, N> const &x, RimSums<T, N> const &y, T const &inverse) noexcept
 {
@@ -61,8 +61,9 @@ lane_of(Function const &lane, RimDirection<TwoLanes<T>> const &x) noexcept
             lane(x.excess)};
 }
 
-/// The nodes θ: multiples of 2π/2^level, and those turned by 2π/3. Mirror images have the rest of
-/// the multiples, and of those of a third: they share roots and weights.
+/// The nodes θ: multiples of 2π/2^level, and multiples of 2π/2^level shifted by 2π/3. Other
+/// multiples, and those shifted by -2π/3, are mirror images of these nodes, with the same roots and
+/// weights.
 template <class T> struct RuleNodes {
     T half = T(0.5);
     UnitVector2<T> starts[2] = {{T(1), T(0)}, {-half, T(half *square_root(T(3)))}};
@@ -81,14 +82,14 @@ template <class T> struct RuleNodes {
         return k < first_bit ? 1 : 1 << (k - first_bit);
     }
 
-    /// Tests if the mirror images of nodes are other ones.
+    /// Tests if the mirror images of nodes are different nodes.
     PW85_MEMBER static constexpr bool have_images(int start, int k) noexcept
     {
         return start > 0 || k > 1;
     }
 
-    /// Visits the nodes at odd multiples of 2π/2^k from a start on, without their images: by
-    /// one(θ), or by two(θ, θ') if there is more than one.
+    /// Visits the nodes at odd multiples of 2π/2^k from a start, without their images: calls
+    /// one(θ), or two(θ, θ') if there is more than one.
     template <class One, class Two>
     PW85_MEMBER void visit(int start, int k, One const &one, Two const &two) const noexcept
     {
@@ -104,10 +105,10 @@ template <class T> struct RuleNodes {
     }
 };
 
-/// Adds the nodes at odd multiples of 2π/2^k from a start on. Two nodes are computed side by side.
+/// Adds the nodes at odd multiples of 2π/2^k from a start. Two nodes are computed at the same time.
 /// add_integrands(integrands, direction, has_image, sums) adds a pair of half-planes, and its
-/// mirror image if it has one. The function is not a member: the symbols of lambdas in members
-/// belong to the whole program.
+/// mirror image if it has one. The function is not a member, because Clang gives external linkage
+/// to lambdas in members.
 template <class T, int N, class Integrands>
 PW85_FUNCTION inline void add_nodes(EllipticRule<T> const &rule, Integrands const &integrands,
                                     RuleNodes<T> const &nodes, int start, int k,
@@ -137,7 +138,7 @@ template <class T, int N, class Integrands> struct RuleLadder {
     RimSums<T, N> coarse{{}, 0}, added{{}, 0}; ///< coarse: of every other node
     RuleNodes<T> nodes{};
 
-    /// Adds as many nodes as there are; the first one if there is none.
+    /// Doubles the number of nodes; adds the first node if there is none.
     PW85_MEMBER void refine() noexcept
     {
         nodes.prepare(++level);
@@ -147,7 +148,7 @@ template <class T, int N, class Integrands> struct RuleLadder {
         for (int i = 0; i < starts; ++i) add_nodes(rule, integrands, nodes, i, level, added);
     }
 
-    /// Adds twice as many nodes as there are. To be called once.
+    /// Triples the number of nodes. May be called only once.
     PW85_MEMBER void triple() noexcept
     {
         for (int k = 0; k < level; ++k) add_nodes(rule, integrands, nodes, starts, k, coarse);
@@ -156,18 +157,19 @@ template <class T, int N, class Integrands> struct RuleLadder {
     }
 };
 
-/// The means over ψ and whether they have converged.
+/// The means over ψ, and a flag: true if they have converged.
 template <class T, int N> struct RimMeans {
     RimSums<T, N> means;
     typename ScalarTraits<T>::Mask converged;
 };
 
-/// The error of a rule by how far its mean is from that of half of the nodes, as a fraction of what
-/// has to be known, and the same of the rule before. The error of n nodes falls as C xⁿ. Both
-/// distances give C and x: with twice the nodes of the rule before, C x^2n = distance
-/// (distance/previous)². With three times the nodes the power is 3/2. C is counted as at most 1: a
-/// pole of an integrand next to the real axis may have a small residue, but a large C is not
-/// trusted.
+/// Estimates the error of a rule. `distance` is the difference between the means by this rule and
+/// by half of its nodes, in units of the scale of change_of_means(); `previous` is that of the rule
+/// before. The error of a rule with n nodes is C xⁿ. Both distances determine C and x. If this rule
+/// has twice the nodes of the rule before, its error is C x^2n = distance (distance/previous)². If
+/// it has three times the nodes, the exponent is 3/2. The function uses C = 1 if C is larger: C may
+/// be small, because a pole of an integrand near the real axis can have a small residue, but a
+/// large C is not trusted.
 template <class T>
 PW85_FUNCTION inline T error_of_rule(T const &distance, T const &previous,
                                      typename ScalarTraits<T>::Mask const &by_three) noexcept
@@ -179,13 +181,14 @@ PW85_FUNCTION inline T error_of_rule(T const &distance, T const &previous,
     return select(distance > T(0), T(distance * maximum(distance, power)), T(0));
 }
 
-/// ε: an error of ε² is enough.
+/// The constant ε = √u/2: a rule whose error is at most ε² = u/4 is accurate enough.
 template <class T> PW85_FUNCTION inline T enough_of_rule() noexcept
 {
     return T(T(0.5) * square_root(negative_power_of_two<T>(result_digits<T>())));
 }
 
-/// Tests if 24 nodes are expected to be enough, and 16 are not, by the distance of the rule with 8.
+/// Tests if 24 nodes are expected to suffice, but not 16. With the distance d between the means of
+/// the rules with 8 and 4 nodes, the expected errors are d⁴ for 16 nodes and d⁶ for 24 nodes.
 template <class T>
 PW85_FUNCTION inline typename ScalarTraits<T>::Mask is_better_by_three(T const &distance) noexcept
 {
@@ -193,25 +196,26 @@ PW85_FUNCTION inline typename ScalarTraits<T>::Mask is_better_by_three(T const &
     return expected > enough && T(expected * distance) <= enough;
 }
 
-/// The fraction of a scale by which numbers differ; 0 if this is below `floor`, which is what
-/// rounding errors may do.
+/// A difference divided by a scale; 0 if the difference is at most `floor`, the largest effect of
+/// rounding errors.
 template <class T>
 PW85_FUNCTION inline T fraction_of(T const &difference, T const &scale, T const &floor) noexcept
 {
     return select(difference <= floor, T(0), T(difference / scale));
 }
 
-/// A change of 3V by this much, with the ball as unit, is below rounding: V changes by less than 22
-/// u, which is below 6 u v.
+/// The largest change of 3V, with the ball as unit, that counts as rounding: V changes by less than
+/// 22 u, which is below 6 u v.
 template <class T> PW85_FUNCTION constexpr T rim_integral_floor() noexcept
 {
     return T(T(64) * negative_power_of_two<T>(result_digits<T>()));
 }
 
-/// The change of all terms by a rule, as a fraction of both areas: the error of V may be one, as
-/// the sensitivity is above half of their sum. Where one area is less than a 64th of both, its
-/// change counts as a fraction of 64 times itself. It converges at a rate of its own, which the
-/// changes of the other terms do not show: A1 of the end of a huge disc in a ball is 10⁻⁹ of D A2.
+/// The change of all terms from one rule to the next, divided by the sum of both areas, because the
+/// bound on the error of V contains more than half of this sum. The change of each area is also
+/// divided by 64 times this area, and the largest quotient counts. This matters for an area below
+/// 1/64 of the sum: it can converge more slowly than the other terms. For the end of a huge disc in
+/// a ball, A1 is 10⁻⁹ times D A2.
 template <class T> PW85_FUNCTION inline T
 fraction_of_areas(T const (&areas)[2], T const (&changes)[2], T const &rest) noexcept
 {
@@ -221,8 +225,8 @@ fraction_of_areas(T const (&areas)[2], T const (&changes)[2], T const &rest) noe
                                 fraction_of(changes[1], T(T(64) * b), floor)));
 }
 
-/// The change of means by a rule, as a fraction of what has to be known: of the areas, which are
-/// the first two numbers, and of the area vector by the other ones that have a unit.
+/// The change of means from one rule to the next, by fraction_of_areas(). The first two numbers are
+/// the areas, and the other numbers that have a unit are those of the area vector.
 template <class T, int N, std::size_t K> [[gnu::always_inline]] PW85_FUNCTION inline T
 change_of_means(RimSums<T, N> const &x, RimSums<T, N> const &y, T const (&units)[K]) noexcept
 {
@@ -232,10 +236,9 @@ change_of_means(RimSums<T, N> const &x, RimSums<T, N> const &y, T const (&units)
     return fraction_of_areas({x.numbers[0], T(units[1] * x.numbers[1])}, {of(0), of(1)}, rest);
 }
 
-/// Means over half-planes by the trapezoidal rule, of numbers in these units. An error of u/4 is
-/// enough. Beginning with 8 nodes, of which 4 tell how fast the means converge, the next rule has
-/// 16 or 24: 24 where the distance of the rule with 8 nodes is expected between ε and ε^(2/3), with
-/// ε = √u/2.
+/// Computes means over half-planes by the trapezoidal rule, of numbers in these units, with an
+/// error of u/4. The first rules have 4 and 8 nodes, and show how fast the means converge. The next
+/// rule has 16 nodes, or 24 if is_better_by_three().
 template <int N, class T, std::size_t K, class Integrands>
 PW85_FUNCTION inline RimMeans<T, N> mean_over_half_planes(EllipticRule<T> const &rule,
                                                           Integrands const &integrands,

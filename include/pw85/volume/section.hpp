@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The common part of two ellipses as a polygon with segments of ellipses, for overlap_volume.hpp
-/// and overlap_area_derivatives.hpp, where the chords of chord_area.hpp have no margin.
+/// The intersection of two ellipses as a polygon with segments of ellipses, for overlap_volume.hpp
+/// and overlap_area_derivatives.hpp, if the error of the chords of chord_area.hpp may exceed the
+/// bound.
 ///
 /// The vertices of the polygon are the crossings of the circle and the ellipse (crossings.hpp).
-/// Between two neighbouring ones the border of the common part is the arc of the circle if that is
-/// inside the ellipse, and the arc of the ellipse otherwise. So the area is that of the polygon,
-/// and of a segment of an ellipse on each of its sides. All parts are positive: nothing cancels.
+/// Between two neighbouring vertices the border of the intersection is the arc of the circle if
+/// this arc is inside the ellipse, and the arc of the ellipse otherwise. So the area is the sum of
+/// the polygon and of one segment of an ellipse on each of its sides. All terms are positive, so
+/// nothing cancels.
 ///
-/// This holds for every kind of intersection, and no kind is decided beforehand:
+/// This holds for every type of intersection, without a test for its type:
 ///
 /// 1. Two or four proper crossings are changes of sign of F on the circle, one for each.
-/// 2. Where the bodies touch from inside, F has an extremum 0. With the sign of its rounding error,
-///    it has two crossings next to each other or none. The border between them is within δ/|∇F| of
-///    both curves, where δ bounds the error of F. So the area errs by at most their length times
-///    that, as by an error of any other crossing, and the two arcs are as short as √(δ/|F''|). If
-///    the bodies cross elsewhere, those crossings are changes of sign, as in item 1.
+/// 2. Where the bodies touch from inside, F has an extremum 0. The sign of its rounding error
+///    decides whether there are two neighbouring crossings or none. Between them the border is
+///    within δ/|∇F| of both curves, where δ bounds the error of F. So the error of the area is at
+///    most δ/|∇F| times the length of the two arcs, which is about √(δ/|F''|). If the bodies cross
+///    elsewhere, those crossings are changes of sign, as in item 1.
 /// 3. Without any crossing, the circle is inside the ellipse, or the ellipse, which is not smaller,
 ///    is inside the circle, or they are apart. In the second case both bodies are nearly the same,
-///    and the centre of the ellipse is near 0; in the third case it is outside of the circle.
+///    and the centre of the ellipse is near 0; in the third case it is outside the circle.
 #ifndef PW85_VOLUME_SECTION_HPP_INCLUDED
 #define PW85_VOLUME_SECTION_HPP_INCLUDED
 
@@ -27,7 +29,8 @@
 
 namespace pw85::detail {
 
-/// A crossing: on the circle, and relative to the centre of the ellipse in its metric.
+/// The coordinates of a crossing: on the unit circle, and relative to the centre of the ellipse in
+/// its metric.
 template <class T> struct BorderVertex {
     PlanePoint<T> on_circle, on_ellipse;
 };
@@ -57,8 +60,8 @@ PW85_FUNCTION inline PlaneBorder<T> plane_border(JointFrame<T, 2> const &frame) 
     return border;
 }
 
-/// An arc of the border in the metric of its body, where it is one of a circle: half of the length
-/// of its chord, the outward normal of the chord, and the cosine of half of the angle of the arc. A
+/// An arc of the border in the metric in which its body is a circle: the radius, half of the length
+/// of the chord, the outward normal of the chord, and the cosine of half of the angle of the arc. A
 /// whole body has a chord of length 0 and the cosine -1.
 template <class T> struct BorderArc {
     T radius, half_length;
@@ -100,17 +103,20 @@ template <class T> PW85_FUNCTION constexpr T shortest_safe_chord() noexcept
 
 /// The arc of the border from one crossing to the next one.
 ///
-/// The chord of two crossings next to each other is a rounding error, and so is the sign of the
-/// cosine from it: it says whether the arc is short or nearly the whole body. `span` is the angle
-/// along the circle in quarters, from the places, which have an order.
+/// The sign of the cosine states whether the arc is short or nearly the whole body. If two
+/// crossings are very close, their chord is a rounding error, and so is this sign. The function
+/// then finds the sign from `span`, the angle along the circle between the crossings in quarters,
+/// which is reliable because the crossings are ordered.
 ///
-/// 1. Below one quarter, the arc of the circle is short. That of the ellipse is, too: half of the
-///    ellipse, π/2 at least, has no room in the segment of the circle, π/4 - 1/2.
+/// 1. Below one quarter, the arc of the circle is short. So is the arc of the ellipse: half of the
+///    ellipse has at least the area π/2, but the segment of the circle has at most the area π/4 -
+///    1/2.
 /// 2. Above three quarters, the arc of the circle is more than half of it. That of the ellipse has
 ///    a short chord. If it is more than half of the ellipse, so that half of the ellipse is inside
 ///    the circle, both axes are between 1/2 and 2, and the short chord cuts off next to nothing, so
-///    that both bodies are nearly the same. Otherwise the common part is next to the short arc of
-///    the circle, and the centre of the ellipse is not inside the circle by as much as a half.
+///    that both bodies are nearly the same. Otherwise the intersection is next to the short arc of
+///    the circle, and the centre of the ellipse is not within 1/2 of the centre of the circle along
+///    both coordinates.
 template <class T> PW85_FUNCTION inline BorderArc<ResultOf<T>>
 arc_of_border(PlaneBorder<T> const &border, int k, int next, bool of_ellipse) noexcept
 {
@@ -169,7 +175,7 @@ PW85_FUNCTION inline ResultOf<T> area_of_polygon(PlaneBorder<T> const &border) n
     return Result(Result(0.5) * twice);
 }
 
-/// The area of the common part.
+/// The area of the intersection.
 template <class T>
 PW85_FUNCTION inline ResultOf<T> area_inside(PlaneBorder<T> const &border) noexcept
 {

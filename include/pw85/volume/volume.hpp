@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The volume of an ellipsoid, (4/3)π √det Q, and the area of an ellipse, π √det Q. pw85.hpp and
-/// overlap_volume.hpp use this file.
+/// The volume of an ellipsoid, (4/3)π √det Q, and the area of an ellipse, π √det Q.
 #ifndef PW85_VOLUME_VOLUME_HPP_INCLUDED
 #define PW85_VOLUME_VOLUME_HPP_INCLUDED
 
@@ -11,14 +10,15 @@
 
 namespace pw85 {
 
-/// The volume of an ellipsoid or of a common part, in the third power of the unit of length. It is
-/// NaN if the status is not success.
+/// The volume of an ellipsoid or of an intersection, in the third power of the unit of length. It
+/// is NaN if the status is not success.
 template <class T> struct Volume {
     T volume;
     StatusCode status;
 };
 
-/// The area of an ellipse or of a common part, likewise.
+/// The area of an ellipse or of an intersection, in the square of the unit of length. It is NaN if
+/// the status is not success.
 template <class T> struct Area {
     T area;
     StatusCode status;
@@ -28,13 +28,14 @@ template <class T> struct Area {
 
 namespace pw85::detail {
 
-/// The measure of an ellipsoid whose form is valid, from the pivots with twice the digits.
+/// The volume of an ellipsoid or the area of an ellipse whose form is valid, from pivots that are
+/// computed with twice the digits.
 ///
 /// With the unit roundoff w of these digits, rounding errors of the pivots act like changes of q_ij
-/// by 8 w √(q_ii q_jj) at most. These change √det Q by a fraction of at most 4 w (Σ √(q_ii P_ii))²
+/// by at most 8 w √(q_ii q_jj). These change √det Q by a fraction of at most 4 w (Σ √(q_ii P_ii))²
 /// with P = Q⁻¹. By Kantorovich's inequality q_ii P_ii is at most κ/4 + 1 for the ratio κ of the
-/// largest eigenvalue to the smallest one. So the fraction is below 9 w κ + 36 w. The expanded
-/// determinant would lose the square of κ for needles.
+/// largest eigenvalue to the smallest one. So the fraction is below 9 w κ + 36 w. The error of the
+/// expanded determinant would be proportional to κ² for needles.
 template <class T, int D> PW85_RARE T measure_of(SymmetricMatrix<T, D> const &q) noexcept
 {
     using Fine = Finer<T>;

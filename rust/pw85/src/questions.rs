@@ -320,7 +320,8 @@ pub struct Curvature {
     /// Reciprocals of the radii of curvature, \> 0, the smaller one first.
     pub curvatures: [f64; 2],
     /// Unit vectors along which the surface has these curvatures. Their cross product is the unit
-    /// normal. If both curvatures are equal, the result is one of the possible pairs of vectors.
+    /// normal. If both curvatures are equal, every direction in the tangent plane is possible,
+    /// and the function chooses one.
     pub directions: [[f64; 3]; 2],
 }
 
@@ -470,9 +471,11 @@ pub struct DistancePoint {
 /// Results of [`intersect_line()`](crate::intersect_line).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Chord {
-    /// `enter`, `leave`: NaN if the line misses the ellipsoid.
+    /// `enter`, `leave`: The interval; its ends are lengths if `direction` has no unit; NaN if
+    /// the line misses the ellipsoid.
     pub enter: f64,
-    /// `enter`, `leave`: NaN if the line misses the ellipsoid.
+    /// `enter`, `leave`: The interval; its ends are lengths if `direction` has no unit; NaN if
+    /// the line misses the ellipsoid.
     pub leave: f64,
 }
 
@@ -1064,11 +1067,11 @@ pub fn contact_factored_batch(
 /// Computes the entrywise condition number of the contact function.
 ///
 /// If each entry of r12, q1 and q2 changes by at most a fraction ε of itself, μ² changes by at
-/// most a fraction ε cond, to first order in ε. If the data are accurate to d digits, μ² is
-/// accurate to d - log10(cond) digits. The condition number is of the order of one for typical
-/// pairs, and of the order of the squared aspect ratio for slender ones. It is \[λ(1-λ) Σ \|n_i\|
-/// ((1-λ) \|q1_ij\| + λ \|q2_ij\|) \|n_j\| + 2 λ(1-λ) Σ \|r12_i n_i\|\]/μ² with n = \[(1-λ) q1 +
-/// λ q2\]⁻¹ r12, summed over i and j.
+/// most a fraction ε cond, to first order in ε. If the data have d accurate digits, μ² has d -
+/// log10(cond) accurate digits. The condition number is of the order of one for typical pairs,
+/// and of the order of the squared aspect ratio for slender ones. It is \[λ(1-λ) Σ \|n_i\| ((1-λ)
+/// \|q1_ij\| + λ \|q2_ij\|) \|n_j\| + 2 λ(1-λ) Σ \|r12_i n_i\|\]/μ² with n = \[(1-λ) q1 + λ
+/// q2\]⁻¹ r12, summed over i and j.
 ///
 /// # Arguments
 ///
@@ -6028,9 +6031,9 @@ pub fn grain_radius_gradient_batch(
 ///
 /// The relative errors of both curvatures and of the radius are below 1e-12 for the numbers as
 /// given, up to aspect ratio 10⁶, also where the curvatures nearly cancel. The function computes
-/// with twice the digits in two cases: from an aspect ratio of about 10; and for a concave wall
-/// (curvature \< 0), if the product of both curvatures of the gap is less than half of the
-/// product of those of the ellipsoid.
+/// in double-double arithmetic, with twice the digits, in two cases: the aspect ratio is above
+/// about 10; or the wall is concave (curvature \< 0), and the product of both curvatures of the
+/// gap is less than half of the product of the curvatures of the ellipsoid.
 ///
 /// # Arguments
 ///
@@ -7328,7 +7331,8 @@ pub fn intersect_line_batch(
 /// # Arguments
 ///
 /// - `normal`: Outward normal of the half-space, of any length; not zero.
-/// - `offset`: In units of the length of `normal` times the unit of length. Unit: length.
+/// - `offset`: In the unit of normal·x, as for [`distance_plane()`](crate::distance_plane);
+///   negative if the centre is outside the half-space. Unit: length.
 /// - `q`: Form of the ellipsoid. Unit: length².
 ///
 /// # Errors
