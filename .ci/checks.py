@@ -47,6 +47,7 @@ WITH_LIBRARIES = {
 }
 NOT_IN_CI = ["powerpc64le-linux-gnu", "riscv64-linux-gnu"]  # half a minute each, and ARM and z/Architecture find the same errors
 ONE_LIBRARY = "-Ddefault_library=shared"  # half the time to compile; the other parts build both
+EACH_HEADER = "-Db_pch=false"  # each source of the tests includes what it uses
 JOINED = "-Djoined=true"  # some sources in each unit; the part `tests` compiles each source alone
 ONLY_TESTS = ["-Dtests=enabled", "-Dgpu=enabled", "-Dbench=disabled", "-Dpython=disabled", "-Dfortran=disabled"]
 
@@ -151,7 +152,7 @@ def check_with_libraries(results, machine):
     folder = ROOT / f"build-{machine}"
     shutil.rmtree(folder, ignore_errors=True)
     arguments, environment = WITH_LIBRARIES[machine]
-    ok = run(["scripts/test_cross.sh", machine, *arguments], PW85_SETUP_OPTIONS=f"--werror {ONE_LIBRARY}", **environment)
+    ok = run(["scripts/test_cross.sh", machine, *arguments], PW85_SETUP_OPTIONS=f"--werror {ONE_LIBRARY} {EACH_HEADER}", **environment)
     if not (ROOT / f"build-{machine}-root/complete").exists():
         results.skip(f"{machine}: tests with libraries")
         return False
@@ -639,7 +640,8 @@ def environment():
     The compiler itself names the headers of a unit (CCACHE_DEPEND), so that none is preprocessed twice."""
     os.environ.setdefault("CCACHE_DIR", str(BUILDS / "ccache"))
     os.environ["CCACHE_IGNOREOPTIONS"] = "-Werror -DBOOST_ALL_NO_LIB"
-    os.environ.update(CCACHE_NOHASHDIR="1", CCACHE_DEPEND="1", CCACHE_SLOPPINESS="include_file_mtime,include_file_ctime",
+    os.environ.update(CCACHE_NOHASHDIR="1", CCACHE_DEPEND="1",
+                      CCACHE_SLOPPINESS="include_file_mtime,include_file_ctime,pch_defines,time_macros",
                       CMAKE_C_COMPILER_LAUNCHER="ccache", CMAKE_CXX_COMPILER_LAUNCHER="ccache")  # Meson finds it by itself
     os.environ["PIP_CONFIG_SETTINGS"] = "builddir=build-ci-wheel"  # wheels are built where the relative paths are the same, too
 

@@ -13,7 +13,8 @@ build=$PWD/build-test
 # Tests of installations compile the library again; ccache gives them the objects of this build. It learns from the compiler which
 # headers a unit has, and so does not run the preprocessor before.
 export CCACHE_DIR="${CCACHE_DIR:-$build/ccache}" CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1
-export CCACHE_SLOPPINESS=include_file_mtime,include_file_ctime CCACHE_IGNOREOPTIONS='-Werror -DBOOST_ALL_NO_LIB'
+export CCACHE_SLOPPINESS=include_file_mtime,include_file_ctime,pch_defines,time_macros
+export CCACHE_IGNOREOPTIONS='-Werror -DBOOST_ALL_NO_LIB'
 export PIP_CONFIG_SETTINGS="${PIP_CONFIG_SETTINGS:-builddir=build-wheel}" # with the same relative paths
 # shellcheck disable=SC2086 # a list of words
 [ -f "$build/build.ninja" ] || meson setup "$build" -Dtests=enabled -Dbench=disabled ${PW85_SETUP_OPTIONS-}

@@ -306,7 +306,7 @@ class Tests:
         self.source, self.build = source, build
         units = json.loads((build / "compile_commands.json").read_text())
         self.of_library = [unit for unit in units if unit["output"].startswith(("src/libpw85.so", "src/simd/"))]
-        self.units = {Path(unit["output"]).name: unit for unit in units}
+        self.units = {Path(unit["file"]).name: unit for unit in units}
         self.compiled_once = [unit for unit in units if unit["output"].startswith("tests/oracle/libonce")]
         self.links = [shlex.split(line) for line in self.ninja("commands").splitlines() if " -o " in line and " -c " not in line]
         self.read_by = {}  # what each object was compiled from
@@ -322,7 +322,7 @@ class Tests:
     def fails_with_header(self, changed, program, work):
         """Whether a test fails that is compiled with the headers in `work`, with what its libraries have of the changed one."""
         name, *arguments = program.split() if " " in program else (program, "--tap", "-k", "-m", "quick")
-        unit = self.units[f"{name}.cpp.o"]
+        unit = self.units[f"{name}.cpp"]
         link = next(words for words in self.links if Path(words[words.index("-o") + 1]).name == name)
         file = f"../{changed.relative_to(work)}"
         linked = [unit for unit in self.compiled_once if str(Path(unit["output"]).parent.with_suffix("")) in link]
@@ -356,8 +356,9 @@ class Tests:
                            LD_LIBRARY_PATH=self.build / "src") == 1
 
     def compile(self, unit, work, name):
-        """Compiles a unit with the sources in `work` in place of those beside the build folder."""
-        given = (word for word in shlex.split(unit["command"]) if word != "-Werror")
+        """Compiles a unit with the sources in `work` in place of those beside the build folder, and so without a precompiled header."""
+        command = re.sub(r" -fpch-preprocess -include \S+", "", unit["command"])
+        given = (word for word in shlex.split(command) if word != "-Werror")
         words = [re.sub(r"^(-I)?\.\./(?=include|src|tests)", rf"\1{work}/", word) for word in given]
         words[words.index("-o") + 1] = str(work / name)
         self.run(words)

@@ -7,14 +7,12 @@
 
 #include <cmath>
 
-#include <boost/multiprecision/cpp_int.hpp>
-
+#include "oracle/exact_numbers.hpp"
 #include "random_pairs.hpp"
 #include "wide.hpp"
 
 namespace pw85_tests {
 
-using Rational = boost::multiprecision::cpp_rational;
 using Precise = Multiprecision<200>;
 
 /// Sylvester's criterion, exactly.

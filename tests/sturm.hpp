@@ -7,14 +7,10 @@
 #include <cmath>
 #include <vector>
 
-#include <boost/multiprecision/cpp_int.hpp>
-
+#include "oracle/exact_numbers.hpp"
 #include "sample.hpp"
 
 namespace pw85_tests {
-
-using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
-                                              boost::multiprecision::et_off>;
 
 /// By increasing powers, without leading zeros.
 using Polynomial = std::vector<Integer>;

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <glib.h>
 
 #include <pw85/pw85.hpp>
@@ -13,15 +12,13 @@
 #include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
+#include "oracle/exact_numbers.hpp"
 #include "random_pairs.hpp"
 
 using namespace pw85_tests;
 using namespace pw85::detail;
 
 namespace {
-
-using Rational = boost::multiprecision::number<boost::multiprecision::cpp_rational::backend_type,
-                                               boost::multiprecision::et_off>;
 
 /// Whether √q2 + r > √q1, for q2, r >= 0.
 bool is_longer(Rational const &q1, Rational const &q2, Rational const &r)

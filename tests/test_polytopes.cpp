@@ -5,7 +5,6 @@
 #include <limits>
 #include <vector>
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <glib.h>
 
 #include <pw85.h>
@@ -14,6 +13,7 @@
 #include "cases.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
+#include "oracle/exact_numbers.hpp"
 #include "random_pairs.hpp"
 #include "shapes_truth.hpp"
 
@@ -21,8 +21,6 @@ using namespace pw85_tests;
 
 namespace {
 
-using Rational = boost::multiprecision::number<boost::multiprecision::cpp_rational_backend,
-                                               boost::multiprecision::et_off>;
 using RationalVector = std::vector<Rational>;
 
 /// An ellipsoid and the planes of a polytope.

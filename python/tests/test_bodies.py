@@ -2,8 +2,6 @@
 """Points in and on ellipsoids, meshes of ellipsoids, and the ellipsoids of meshes."""
 
 import math
-import subprocess
-import sys
 
 import numpy as np
 import pypw85
@@ -193,7 +191,7 @@ def test_refusals():
 
 @pytest.mark.parametrize("end", ["stl", "obj", "ply"])
 @pytest.mark.parametrize("fit", [None, "inscribed", "circumscribed"])
-def test_files(tmp_path, end, fit):
+def test_files(tmp_path, run, end, fit):
     """Meshes come back from the files with the volume that their first lines say, and with the ellipsoids."""
     pytest.importorskip("meshio")
     q = pypw85.ellipsoid_quaternion([1, 2, 3], TURN)
@@ -201,7 +199,7 @@ def test_files(tmp_path, end, fit):
     pypw85.write(tmp_path / "one.csv", system)
     output = tmp_path / f"one.{end}"
     options = ["--deviation", "0.02", *(["--fit", fit] if fit else [])]
-    subprocess.run([sys.executable, "-m", "pypw85", "convert", tmp_path / "one.csv", output, *options], check=True)
+    assert run("convert", tmp_path / "one.csv", output, *options).status == 0
     line = output.read_text().splitlines()[2 if end == "ply" else 0]
     mesh = pypw85.Mesh.read(output)
     center, found = pypw85.from_mesh(mesh)

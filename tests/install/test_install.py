@@ -387,10 +387,11 @@ class Installation:
         self.with_meson(kind, language, subproject=True)
 
     def of_subproject(self, folder):
-        """Options of what is quick to compile: the contact functions alone, or everything. Functions for GPUs need systems."""
+        """Options of what is quick to compile: the contact functions alone, some sources in each unit, or everything. Functions for GPUs
+        need systems."""
         options = ["-Dpw85:optimized=false", "-Dpw85:simd=disabled", "-Dpw85:gpu=disabled"]
         if not self.whole:
-            options += [f"-Dpw85:{part}=false" for part in BEYOND_CONTACT]
+            options += ["-Dpw85:joined=true", *(f"-Dpw85:{part}=false" for part in BEYOND_CONTACT)]
             options += [f"-D{language}_args=-DWITHOUT_SYSTEMS" for language in LANGUAGES]
             build = folder / "meson.build"
             build.write_text(build.read_text().replace("'pw85_gpu', ", ""))
