@@ -125,10 +125,12 @@ part_derivatives(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
     }
 }
 
-/// The chords of doubles are accurate for most pairs; crossings have the other ones.
-PW85_FUNCTION inline PartDerivatives<double, 2>
-common_part_derivatives(Vector<double, 2> const &r12, SymmetricMatrix<double, 2> const &q1,
-                        SymmetricMatrix<double, 2> const &q2) noexcept
+/// The chords of doubles are accurate for most pairs; crossings have the other ones. It is a
+/// template: a unit that does not call it does not compile what it calls.
+template <class T>
+requires std::is_same_v<T, double> PW85_FUNCTION inline PartDerivatives<T, 2>
+common_part_derivatives(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
+                        SymmetricMatrix<T, 2> const &q2) noexcept
 {
     auto const [overlaps, tier, status] = call_overlap(r12, q1, q2);
     if (status != StatusCode::success || !overlaps)
