@@ -6,7 +6,7 @@
 #define PW85_ALGEBRA_MATRIX_ENTRIES_HPP_INCLUDED
 
 #include <concepts>
-#include <tuple>
+#include <utility>
 
 #include <pw85/algebra/scalar.hpp>
 

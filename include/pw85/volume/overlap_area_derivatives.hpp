@@ -128,10 +128,11 @@ part_derivatives(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
 }
 
 /// For double, chords (chord_derivatives.hpp) suffice for most pairs. The other pairs use
-/// crossings.
-PW85_FUNCTION inline PartDerivatives<double, 2>
-common_part_derivatives(Vector<double, 2> const &r12, SymmetricMatrix<double, 2> const &q1,
-                        SymmetricMatrix<double, 2> const &q2) noexcept
+/// crossings. A unit that does not call this template does not compile what it calls.
+template <class T>
+requires std::is_same_v<T, double> PW85_FUNCTION inline PartDerivatives<T, 2>
+common_part_derivatives(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
+                        SymmetricMatrix<T, 2> const &q2) noexcept
 {
     auto const [overlaps, tier, status] = call_overlap(r12, q1, q2);
     if (status != StatusCode::success || !overlaps)
