@@ -171,7 +171,7 @@ class Law(NamedTuple):
         n, m : float
             Exponents, n > m > 0.
         mu2_max : float
-            Cutoff, a value of μ². By default there is no cutoff. `HardEllipsoids.set_law` needs one above 1 and at most 10**6.
+            The cutoff, a value of μ². By default there is no cutoff. `HardEllipsoids.set_law` needs one above 1 and at most 10**6.
 
         Returns
         -------

@@ -538,7 +538,8 @@ class HardEllipsoids:
         Examples
         --------
         >>> import numpy as np, pypw85
-        >>> simulation = pypw85.HardEllipsoids(pypw85.pack(np.tile([0.5, 0.5, 1], (50, 1)), 0.2, seed=1))
+        >>> start = pypw85.pack(np.tile([0.5, 0.5, 1], (50, 1)), 0.2, seed=1)
+        >>> simulation = pypw85.HardEllipsoids(start)
         >>> before = simulation.system().packing_fraction
         >>> for _ in range(200):
         ...     simulation.sweep()
@@ -835,7 +836,8 @@ class HardEllipsoids:
         Examples
         --------
         >>> import pypw85
-        >>> two = pypw85.System.from_axes([[0, 0, 0], [0, 0, 3]], [[1, 1, 1]] * 2, [[1, 0, 0, 0]] * 2)
+        >>> ball = [1, 0, 0, 1, 0, 1]
+        >>> two = pypw85.System([[0, 0, 0], [0, 0, 3]], [ball, ball])
         >>> simulation = pypw85.HardEllipsoids(two)
         >>> again = pypw85.HardEllipsoids.restore(simulation.save())
         >>> simulation.sweep(10)

@@ -256,14 +256,17 @@ def compressibility(mu2: Iterable[ArrayLike], num_particles: int, width: float =
     Examples
     --------
     >>> import numpy as np, pypw85
-    >>> simulation = pypw85.HardEllipsoids(pypw85.pack(np.tile([0.5, 0.5, 1], (50, 1)), 0.3, seed=1))
+    >>> start = pypw85.pack(np.tile([0.5, 0.5, 1], (50, 1)), 0.3, seed=1)
+    >>> simulation = pypw85.HardEllipsoids(start)
     >>> simulation.tune(20)
     >>> mu2 = []
     >>> for _ in range(50):
     ...     simulation.sweep(5)
-    ...     system = simulation.system()
-    ...     near = system.neighbors(1.1)
-    ...     mu2.append(pypw85.contact_pairs(near.pairs, system.centers, system.q, system.cell, images=near.images)[0])
+    ...     s = simulation.system()
+    ...     near = s.neighbors(1.1)
+    ...     others = {"cell": s.cell, "images": near.images}
+    ...     found = pypw85.contact_pairs(near.pairs, s.centers, s.q, **others)
+    ...     mu2.append(found[0])
     >>> found = pypw85.compressibility(mu2, num_particles=50)
     >>> bool(3 < found.value < 6)
     True

@@ -189,7 +189,8 @@ def density_modes(system: System, multiples: ArrayLike) -> NDArray[np.complex128
     Examples
     --------
     >>> import numpy as np, pypw85
-    >>> two = pypw85.System([[0, 0, 0], [2.5, 0, 0]], [[1, 0, 0, 1, 0, 1]] * 2, cell=10 * np.eye(3))
+    >>> ball = [1, 0, 0, 1, 0, 1]
+    >>> two = pypw85.System([[0, 0, 0], [2.5, 0, 0]], [ball, ball], cell=10 * np.eye(3))
     >>> pypw85.density_modes(two, [[2, 0, 0], [4, 0, 0]]).round(12).real + 0.0
     array([0., 2.])
     """
@@ -275,7 +276,7 @@ def _all_systems(systems: System | Iterable[System], name: str) -> Iterator[Syst
 
 
 def smectic_order(system: System, axis: ArrayLike | None = None, spacing: ArrayLike | None = None, angle: float = 15.0) -> LayerOrder:
-    """Smectic order: the largest \\|<exp(i q·r)>\\| over the wave vectors q of the cell that are nearly parallel to an axis.
+    """Computes the smectic order: the largest \\|<exp(i q·r)>\\| over the wave vectors q of the cell nearly parallel to an axis.
 
     The order is 1 if all centres lie in equally spaced planes perpendicular to q. Without layers it is about √(ln M / N) for M wave
     vectors and N particles. A crystal also consists of layers, and has a large order.
@@ -308,7 +309,8 @@ def smectic_order(system: System, axis: ArrayLike | None = None, spacing: ArrayL
     >>> import numpy as np, pypw85
     >>> centers = np.random.default_rng(1).uniform(0, 10, (400, 3))
     >>> centers[:, 2] = np.repeat([0, 2.5, 5, 7.5], 100)
-    >>> system = pypw85.System(centers, [[0.01, 0, 0, 0.01, 0, 0.01]] * 400, cell=10 * np.eye(3))
+    >>> q = [[0.01, 0, 0, 0.01, 0, 0.01]] * 400
+    >>> system = pypw85.System(centers, q, cell=10 * np.eye(3))
     >>> found = pypw85.smectic_order(system, axis=[0, 0, 1], spacing=[1, 4])
     >>> round(found.order, 12), round(found.spacing, 12)
     (1.0, 2.5)
@@ -321,7 +323,7 @@ def smectic_order(system: System, axis: ArrayLike | None = None, spacing: ArrayL
 def columnar_order(
     system: System, axis: ArrayLike | None = None, spacing: ArrayLike | None = None, angle: float = 15.0
 ) -> tuple[LayerOrder, LayerOrder]:
-    """Columnar order: the two largest \\|<exp(i q·r)>\\| over the wave vectors q of the cell that are nearly perpendicular to an axis.
+    """Computes the columnar order: the two largest \\|<exp(i q·r)>\\| over wave vectors q of the cell nearly perpendicular to an axis.
 
     The angle between the two wave vectors is at least 30°. Columns along the axis give two large orders; layers that contain the axis
     give only one. Therefore the second order is the order of the columns. A crystal also has columns.
@@ -396,10 +398,10 @@ def _largest(vectors: Floats, order: Floats, name: str, where: str) -> LayerOrde
 def bond_order(system: System, degrees: Sequence[int] = (4, 6), nearest: int | None = 12, reach: float | None = None) -> BondOrder:
     """Steinhardt's bond order Q_l = √(4π/(2l + 1) Σ \\|<Y_lm>\\|²) of the directions from each particle to its neighbours.
 
-    The sum is over m from -l to l, and the mean <Y_lm> is over the bonds (Steinhardt, Nelson and Ronchetti, Phys. Rev. B 28, 784,
-    1983). With 12 neighbours, Q4 and Q6 are 0.1909 and 0.5745 in a face-centred cubic lattice, and 0.0972 and 0.4848 in a hexagonal
-    close packing. With 14 neighbours, they are 0.0364 and 0.5107 in a body-centred cubic lattice. If the number of neighbours is not
-    clear, use the Python package freud, which defines bonds by Voronoi cells.
+    The sum is over m from -l to l, and the mean <Y_lm> is over the bonds (Steinhardt et al., Phys. Rev. B 28, 784, 1983). With 12
+    neighbours, Q4 and Q6 are 0.1909 and 0.5745 in a face-centred cubic lattice, and 0.0972 and 0.4848 in a hexagonal close packing. With
+    14 neighbours, they are 0.0364 and 0.5107 in a body-centred cubic lattice. If the number of neighbours is not clear, use the Python
+    package freud, which defines bonds by Voronoi cells.
 
     Parameters
     ----------
@@ -538,8 +540,9 @@ def angular_pair_correlation(
     Examples
     --------
     >>> import numpy as np, pypw85
-    >>> gas = pypw85.System(np.random.default_rng(1).uniform(0, 9, (2000, 3)), [[1, 0, 0, 1, 0, 4]] * 2000, 9 * np.eye(3))
-    >>> found = pypw85.angular_pair_correlation(gas, reach=3, bins=1, angles=2, between="separation")
+    >>> centers = np.random.default_rng(1).uniform(0, 9, (2000, 3))
+    >>> gas = pypw85.System(centers, [[1, 0, 0, 1, 0, 4]] * 2000, 9 * np.eye(3))
+    >>> found = pypw85.angular_pair_correlation(gas, 3, 1, 2, "separation")
     >>> bool(abs(found.g - 1).max() < 0.05)
     True
     """
@@ -613,7 +616,9 @@ def mean_square_displacement(systems: Iterable[System], lags: Iterable[int]) -> 
     A particle that moves by 0.5 between two samples:
 
     >>> import numpy as np, pypw85
-    >>> samples = [pypw85.System([[0.5 * k % 4, 0, 0]], [[1, 0, 0, 1, 0, 1]], cell=4 * np.eye(3)) for k in range(10)]
+    >>> ball, cell = [1, 0, 0, 1, 0, 1], 4 * np.eye(3)
+    >>> centers = [[0.5 * k % 4, 0, 0] for k in range(10)]
+    >>> samples = [pypw85.System([center], [ball], cell) for center in centers]
     >>> pypw85.mean_square_displacement(samples, lags=[1, 4]).translation
     array([0.25, 4.  ])
     """

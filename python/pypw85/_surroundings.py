@@ -137,7 +137,8 @@ class Field(NamedTuple):
     >>> import pypw85
     >>> one = pypw85.System.from_axes([[0, 0, 2]], [[1, 1, 1]], [[1, 0, 0, 0]])
     >>> simulation = pypw85.HardEllipsoids(one)
-    >>> simulation.set_fields([pypw85.Field.linear([0, 0, 0.5]), pypw85.Field.harmonic([0, 0, 0], [1, 1, 1])])
+    >>> trap = pypw85.Field.harmonic([0, 0, 0], [1, 1, 1])
+    >>> simulation.set_fields([pypw85.Field.linear([0, 0, 0.5]), trap])
     >>> simulation.energy()  # 0.5 z + z²/2
     3.0
     """

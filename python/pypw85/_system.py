@@ -442,7 +442,8 @@ class System:
         Examples
         --------
         >>> import numpy as np, pypw85
-        >>> system = pypw85.System([[0.5, 5, 5], [9, 5, 5]], [[1, 0, 0, 1, 0, 1]] * 2, cell=10 * np.eye(3))
+        >>> q = [[1, 0, 0, 1, 0, 1]] * 2
+        >>> system = pypw85.System([[0.5, 5, 5], [9, 5, 5]], q, cell=10 * np.eye(3))
         >>> report = system.check(worst=1)
         >>> report.overlaps, report.smallest_mu, round(report.packing_fraction, 4)
         (1, 0.75, 0.0084)

@@ -589,7 +589,7 @@ def test_doubts(run, folder, monkeypatch):
         done = run("mc", "dense.xyz", "--sweeps", 400, "--every", 2, "--chains", 0, "--equilibrate", 40, "--out", "wide.h5", "--width", 1)
     drifts = "contacts by -3.1 times its error, contacts_bias by 3.0 times its error: begin again, equilibrate longer (--equilibrate); "
     assert drifts + "the errors in the table allow for this" in done.out
-    assert re.search(r"warning: the width biases compressibility_contacts by some \S+: choose a smaller one \(--width\)", done.out), done
+    assert re.search(r"warning: the width biases compressibility_contacts by about \S+: choose a smaller one \(--width\)", done.out), done
     done = run("mc", "start.xyz", "--sweeps", 3, "--out", "new.h5", "--width", 5)
     assert done.err.endswith("Invalid value for '--width': must be a finite number > 0 and at most 1, not '5'\n")
     pypw85.write("one.xyz", pypw85.System.from_axes([[0, 0, 0]], [[0.3, 0.3, 0.5]], [[1, 0, 0, 0]], cell=np.eye(3)))
@@ -814,7 +814,7 @@ BAD = [
     ([*GOOD, "--trajectory-every", "5"], "--trajectory-every has no effect without --trajectory: "),
     ([*GOOD, "--every", "11"], "--every must be at most --sweeps, 10, not 11: nothing would be written"),
     ([*GOOD, "--trajectory", "new.xyz"], "--trajectory-every must be at most --sweeps, 10, not 1000: nothing would be written"),
-    ([*GOOD, "--chains", "0", "--chain-length", "5"], "--chain-length has no effect without --chains: "),
+    ([*GOOD, "--chains", "0", "--chain-length", "5"], "--chain-length has no effect with --chains 0: "),
     ([*GOOD, "--threads", "100000"], "must be a whole number from 1 to 1024.*, not '100000'"),
     *[([*GOOD, "--equilibrate", number], f"must be a whole number from 0 to.*, not '{number}'")
       for number in ("-1", "0.5", "nan", "inf", "x")],

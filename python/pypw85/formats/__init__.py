@@ -446,7 +446,8 @@ def write(path: Path, systems: System | Iterable[System], format: str | None = N
     --------
     >>> import os, tempfile, pypw85
     >>> name = os.path.join(tempfile.mkdtemp(), "one.csv")
-    >>> pypw85.write(name, pypw85.System.from_axes([[1, 2, 3]], [[1, 1, 2]], [[1, 0, 0, 0]]))
+    >>> one = pypw85.System.from_axes([[1, 2, 3]], [[1, 1, 2]], [[1, 0, 0, 0]])
+    >>> pypw85.write(name, one)
     >>> print(open(name).read(), end="")
     id,type,x,y,z,a,b,c,qw,qx,qy,qz
     1,0,1,2,3,1,1,2,1,0,0,0
