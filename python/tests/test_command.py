@@ -441,7 +441,7 @@ def test_memory(folder):
     assert 0.5 <= (needed[1] - needed[0]) / (bound[1] - bound[0]) <= 0.9, (needed, bound)
 
 
-def test_plot_without_pairs(run):
+def test_plot_without_pairs(run, folder):
     """The pictures of μ are empty: the command says so."""
     pypw85.write("far.csv", pypw85.System.from_axes([[0, 0, 0]], [[1, 1, 1]], [[1, 0, 0, 0]], cell=9 * np.eye(3)))
     done = run("plot", "far.csv", "a.png", "--reach", 2)
